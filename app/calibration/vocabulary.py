@@ -1,0 +1,129 @@
+"""Gestures, what each of them does, and the parameter set that is armed."""
+
+import hashlib
+import json
+from typing import Annotated, Literal, Self
+
+from pydantic import Field, model_validator
+
+from app.calibration.profile import CalibrationProfile
+from app.messages import MAX_GESTURES
+from app.quantities import Cutoff, Document, Gain, Name, Threshold, Title
+
+Control = Literal["u1+", "u1-", "u2+", "u2-", "stop"]
+Feature = Literal["rate", "displacement"]
+ControlMode = Literal["velocity", "acceleration"]
+
+Speed = Annotated[float, Field(strict=True, allow_inf_nan=False, gt=0, le=1.5)]  # m/s
+TurnRate = Annotated[float, Field(strict=True, allow_inf_nan=False, gt=0, le=2.5)]  # rad/s
+Acceleration = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0.1, le=3.0)]  # m/s2
+TurnAcceleration = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0.1, le=20.0)]  # rad/s2
+
+
+class Gesture(Document):
+    """A movement that a person can repeat at will: one joint, one direction, one feature.
+
+    `dead_zone` and `full` are in FS/s for the feature `rate`, in FS for `displacement`.
+    """
+
+    name: Name
+    joint: Name
+    direction: Literal[1, -1] = 1
+    feature: Feature = "rate"
+    dead_zone: Threshold
+    full: Threshold
+
+    @model_validator(mode="after")
+    def _full_is_above_dead_zone(self) -> Self:
+        if self.full < self.dead_zone + 0.01:
+            raise ValueError(
+                f"gesture '{self.name}': full ({self.full:g}) must be at least 0.01 above "
+                f"the dead-zone ({self.dead_zone:g})"
+            )
+        return self
+
+
+class Binding(Document):
+    """What gestures do. For `stop`, all of the named gestures together; otherwise each on its own."""
+
+    control: Control
+    gestures: Annotated[tuple[Name, ...], Field(max_length=MAX_GESTURES)]
+    gain: Gain = 1.0
+
+
+class Speeds(Document):
+    """Limits of speed and its change; the words are those of wheelchair programming."""
+
+    forward: Speed = 0.8  # m/s
+    reverse: Speed = 0.3  # m/s
+    turn: TurnRate = 1.2  # rad/s
+    acceleration: Acceleration = 0.8  # m/s2, also A_f of the acceleration mode
+    deceleration: Acceleration = 1.2  # m/s2
+    turn_acceleration: TurnAcceleration = 6.0  # rad/s2
+
+
+class DriveParameters(Document):
+    """Everything that decides how a body's movement becomes a twist. What was practised is what drives."""
+
+    title: Title = "Standard"
+    profile: CalibrationProfile
+    gestures: Annotated[tuple[Gesture, ...], Field(min_length=1, max_length=MAX_GESTURES)]
+    bindings: Annotated[tuple[Binding, ...], Field(max_length=16)]
+    mode_u1: ControlMode = "acceleration"
+    mode_u2: ControlMode = "velocity"
+    cutoff: Cutoff = 3.0  # Hz: tremor damping
+    speeds: Speeds = Speeds()
+
+    @model_validator(mode="after")
+    def _names_fit_together(self) -> Self:
+        names = [gesture.name for gesture in self.gestures]
+        joints = [joint.name for joint in self.profile.joints]
+        for gesture in self.gestures:
+            if names.count(gesture.name) > 1:
+                raise ValueError(f"gesture '{gesture.name}' stands there twice")
+            if gesture.joint not in joints:
+                raise ValueError(
+                    f"gesture '{gesture.name}' reads joint '{gesture.joint}', which the calibration does not "
+                    f"have: use one of {', '.join(joints)}"
+                )
+        for binding in self.bindings:
+            for name in binding.gestures:
+                if name not in names:
+                    raise ValueError(
+                        f"{binding.control} is bound to gesture '{name}', which does not exist: "
+                        f"use one of {', '.join(names)}"
+                    )
+        return self
+
+    @property
+    def hash(self) -> str:
+        """SHA-256 of the canonical JSON, hex: two sets with one hash drive alike."""
+        canonical = json.dumps(self.model_dump(mode="json"), sort_keys=True, separators=(",", ":"))
+        return hashlib.sha256(canonical.encode()).hexdigest()
+
+
+# The paper's vocabulary: which joint's movement does what, where the shirt has these joints.
+PAPER_VOCABULARY: dict[str, Control] = {
+    "right_elbow": "u1+",
+    "left_elbow": "u1-",
+    "right_shoulder": "u2+",
+    "left_shoulder": "u2-",
+}
+STOP_TOGETHER = ("right_elbow", "left_elbow")
+
+
+def standard_parameters(profile: CalibrationProfile) -> DriveParameters:
+    """Return the paper's vocabulary on `profile`, with the dead-zones and fulls that the calibration suggests."""
+    gestures = tuple(
+        Gesture(name=joint.name, joint=joint.name, dead_zone=joint.dead_zone, full=joint.full)
+        for joint in profile.joints
+    )
+    names = [gesture.name for gesture in gestures]
+    bindings = [
+        Binding(control=control, gestures=(name,))
+        for name, control in PAPER_VOCABULARY.items()
+        if name in names
+    ]
+    if all(name in names for name in STOP_TOGETHER):
+        bindings.append(Binding(control="stop", gestures=STOP_TOGETHER))
+    return DriveParameters(profile=profile, gestures=gestures, bindings=tuple(bindings))

@@ -1,0 +1,88 @@
+"""Every stop and every fault: its name, what happened, and what to do next."""
+
+from enum import IntEnum
+from typing import NamedTuple
+
+
+class State(IntEnum):
+    """Whether motion is permitted."""
+
+    DISARMED = 0
+    CHECKING = 1  # neutral check: still, until all bound gestures were at rest for long enough
+    ARMED = 2
+    FAULT = 3  # latched: stays until somebody clears it
+
+
+class Fault(IntEnum):
+    """Why motion was refused or ended; the numbers are part of recordings, so they never change."""
+
+    NONE = 0
+    STOP_TABLET = 1
+    STOP_GESTURE = 2
+    STOP_KEY = 3
+    NOT_NEUTRAL = 4
+    SHIRT_SILENT = 5
+    SHIRT_LOSSY = 6
+    CHANNELS_BAD = 7
+    WEB_SILENT = 8
+    SCREEN_LOST = 9
+    BAD_NUMBER = 10
+    LOOP_LATE = 11
+    RECORDING_LOST = 12
+    CONTROL_LOST = 13  # said by the web process, which is all that is left to say it
+    CHAIR_SILENT = 14
+
+
+class Explanation(NamedTuple):
+    """A fault in words."""
+
+    happened: str
+    next_step: str
+
+
+EXPLANATIONS: dict[Fault, Explanation] = {
+    Fault.NONE: Explanation("Nothing is wrong.", "Go on."),
+    Fault.STOP_TABLET: Explanation("Stop was pressed on the screen.", "Look around, then tap Continue."),
+    Fault.STOP_GESTURE: Explanation(
+        "The patient made the stop gesture.", "Ask the patient, then tap Continue."
+    ),
+    Fault.STOP_KEY: Explanation("Stop was pressed on the keyboard.", "Look around, then tap Continue."),
+    Fault.NOT_NEUTRAL: Explanation(
+        "The body was not at rest within 5 seconds.",
+        "Ask the patient to rest, or raise the dead-zone of the gesture that is still active, then tap Continue.",
+    ),
+    Fault.SHIRT_SILENT: Explanation(
+        "The shirt stopped sending.", "Check its battery and cable on the Shirt page, then tap Continue."
+    ),
+    Fault.SHIRT_LOSSY: Explanation(
+        "More than a tenth of the shirt's signals got lost.",
+        "Bring the shirt's transmitter closer, then tap Continue.",
+    ),
+    Fault.CHANNELS_BAD: Explanation(
+        "Sensors of two gestures gave impossible values.",
+        "See the lamps on the Shirt page; repeat the calibration without the bad channels.",
+    ),
+    Fault.WEB_SILENT: Explanation(
+        "The control process heard nothing from the application.",
+        "Wait for the page to return, then start again.",
+    ),
+    Fault.SCREEN_LOST: Explanation(
+        "The screen that started the drive was hidden or out of reach.",
+        "Bring the page to the front, then tap Continue.",
+    ),
+    Fault.BAD_NUMBER: Explanation(
+        "A command was not a number.", "Do not drive; repeat the calibration and report this."
+    ),
+    Fault.LOOP_LATE: Explanation(
+        "The control loop stood still for too long.",
+        "Close other programs on this machine, then tap Continue.",
+    ),
+    Fault.RECORDING_LOST: Explanation(
+        "The recording could not be written.", "Free some disk space, then start a new trial."
+    ),
+    Fault.CONTROL_LOST: Explanation(
+        "The control process ended, and the chair stands.",
+        "A new one is starting, disarmed; then start again.",
+    ),
+    Fault.CHAIR_SILENT: Explanation("The chair stopped answering.", "Check the chair's power and network."),
+}

@@ -1,0 +1,87 @@
+"""What moves between the parts at the rate of the shirt: frames in, ticks out."""
+
+import math
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.faults import Fault, State
+from app.layout import MAX_CHANNELS, MAX_JOINTS
+
+MAX_GESTURES = MAX_JOINTS
+
+NO_CUE = -1
+
+
+@dataclass(slots=True)
+class SensorFrame:
+    """All channels of the shirt at one instant."""
+
+    seq: int  # the device's own counter, u32
+    t_device: float  # the device's own clock, s
+    t: float  # our monotonic clock at arrival, s
+    values: NDArray[np.float32]  # (n_channels,)
+
+
+@dataclass(slots=True)
+class Tick:
+    """One turn of the control loop: what came in, what was made of it, what went out.
+
+    `score`, `rate`, `drive` and `activation` have one number per gesture, in the order of the vocabulary.
+    """
+
+    t: float = 0.0  # monotonic, s
+    frame_seq: int = 0
+    t_device: float = math.nan  # s; NaN when no frame came in this tick
+    values: NDArray[np.float32] | None = None  # (n_channels,), None when no frame came
+    score: list[float] = field(default_factory=list)  # FS
+    rate: list[float] = field(default_factory=list)  # FS/s (or FS for a displacement gesture)
+    drive: list[float] = field(default_factory=list)  # max(0, rate - dead_zone), not clipped above
+    activation: list[float] = field(default_factory=list)  # 0..1
+    u1: float = 0.0
+    u2: float = 0.0
+    v: float = 0.0  # m/s, as the gate let it pass
+    omega: float = 0.0  # rad/s
+    x: float = 0.0  # m
+    y: float = 0.0  # m
+    theta: float = 0.0  # rad
+    state: State = State.DISARMED
+    fault: Fault = Fault.NONE
+    in_contact: bool = False
+    contacts: int = 0  # since the start of the run
+
+
+# The same, as one flat record: a slot of the ring between the processes, a row of a recording.
+TICK = np.dtype(
+    [
+        ("number", "u8"),  # 1, 2, 3 ... since the control process started; 0: never written
+        ("t", "f8"),
+        ("t_device", "f8"),
+        ("run_t", "f8"),  # s since the start of the run, NaN outside a run
+        ("u1", "f8"),
+        ("u2", "f8"),
+        ("v", "f8"),
+        ("omega", "f8"),
+        ("x", "f8"),
+        ("y", "f8"),
+        ("theta", "f8"),
+        ("frame_seq", "u4"),
+        ("lost", "u4"),  # frames missing in the shirt's own count, since the shirt was opened
+        ("late", "u4"),  # ticks later than a period, since the process started
+        ("contacts", "u4"),
+        ("run", "u4"),  # counts runs: 0 outside a run, so that a reader finds the rows of one
+        ("cue", "i4"),  # index into the run's cues, NO_CUE outside of them
+        ("n_channels", "u2"),
+        ("n_gestures", "u2"),
+        ("has_frame", "u1"),
+        ("state", "u1"),
+        ("fault", "u1"),
+        ("in_contact", "u1"),
+        ("score", "f8", (MAX_GESTURES,)),
+        ("rate", "f8", (MAX_GESTURES,)),
+        ("activation", "f8", (MAX_GESTURES,)),
+        ("values", "f4", (MAX_CHANNELS,)),
+    ],
+    align=True,
+)

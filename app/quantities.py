@@ -1,0 +1,29 @@
+"""The number types of everything that a person can set: strict, finite, bounded.
+
+A plain pydantic `float` takes NaN, Infinity, 1e999, `true` and `"3"`; these do not.
+"""
+
+from typing import Annotated
+
+from pydantic import BaseModel, ConfigDict, Field
+
+Metres = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=-1000, le=1000)]
+Length = Annotated[float, Field(strict=True, allow_inf_nan=False, gt=0, le=1000)]  # m
+Radians = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=-6.2832, le=6.2832)]
+Seconds = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0, le=86_400)]
+Hertz = Annotated[float, Field(strict=True, allow_inf_nan=False, gt=0, le=5000)]
+Cutoff = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=1, le=8)]  # Hz
+Gain = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0, le=5)]
+Threshold = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0, le=100)]  # FS/s or FS
+Fraction = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0, le=1)]
+Finite = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=-1e12, le=1e12)]
+Count = Annotated[int, Field(strict=True, ge=0, le=2**31)]
+Port = Annotated[int, Field(strict=True, ge=0, le=65_535)]
+Name = Annotated[str, Field(min_length=1, max_length=64, pattern=r"^[A-Za-z0-9][A-Za-z0-9_.-]*$")]
+Title = Annotated[str, Field(min_length=1, max_length=80)]
+
+
+class Document(BaseModel):
+    """What comes from a browser, a file or the environment: no unknown field, never changed in place."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
