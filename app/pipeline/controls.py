@@ -1,0 +1,48 @@
+"""From activations to u1, u2 and the stop gesture (signal-chain.md, section 4)."""
+
+from app.calibration.vocabulary import DriveParameters
+
+STOP_ACTIVATION = 0.5  # each gesture of the stop: well above what a neighbour's movement leaks
+
+
+class Controls:
+    """The bindings of a vocabulary, as sums over gestures."""
+
+    def __init__(self, parameters: DriveParameters) -> None:
+        place = {gesture.name: i for i, gesture in enumerate(parameters.gestures)}
+        self._u1: list[tuple[int, float]] = []
+        self._u2: list[tuple[int, float]] = []
+        self._stops: list[list[int]] = []
+        for binding in parameters.bindings:
+            gestures = [place[name] for name in binding.gestures]
+            if binding.control == "stop":
+                if gestures:
+                    self._stops.append(gestures)
+                continue
+            gain = binding.gain if binding.control.endswith("+") else -binding.gain
+            terms = self._u1 if binding.control.startswith("u1") else self._u2
+            terms.extend((i, gain) for i in gestures)
+        self.bound = sorted({i for i, _ in self._u1 + self._u2} | {i for stop in self._stops for i in stop})
+        """Indices of the gestures that do something."""
+
+    @property
+    def terms(self) -> tuple[list[tuple[int, float]], list[tuple[int, float]]]:
+        """The sums behind u1 and u2, as (gesture index, signed gain)."""
+        return self._u1, self._u2
+
+    def step(self, activation: list[float]) -> tuple[float, float]:
+        """Return (u1, u2), each within [-1, 1]."""
+        u1 = u2 = 0.0
+        for i, gain in self._u1:
+            u1 += gain * activation[i]
+        for i, gain in self._u2:
+            u2 += gain * activation[i]
+        return min(1.0, max(-1.0, u1)), min(1.0, max(-1.0, u2))
+
+    def is_stop(self, activation: list[float]) -> bool:
+        """Return whether all gestures of a stop are there together."""
+        return any(all(activation[i] >= STOP_ACTIVATION for i in stop) for stop in self._stops)
+
+    def is_neutral(self, activation: list[float]) -> bool:
+        """Return whether every bound gesture is inside its dead-zone."""
+        return not any(activation[i] for i in self.bound)

@@ -1,0 +1,119 @@
+"""From a frame to gestures: project, smooth, differentiate, dead-zone (signal-chain.md, section 3)."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.butterworth import low_pass
+from app.calibration.vocabulary import DriveParameters
+from app.pipeline.filters import LowPass
+from app.pipeline.health import ChannelHealth
+
+BASELINE_TIME = 30.0  # s: time constant of a held posture's resting place
+LONGEST_GAP = 1.0  # s: a longer one tells nothing about speed
+
+
+def projection(parameters: DriveParameters) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return weights (n_gestures, n_channels) and offsets (n_gestures,): score = weights . values - offsets, in FS."""
+    profile = parameters.profile
+    joints = {joint.name: joint for joint in profile.joints}
+    weights = np.zeros((len(parameters.gestures), len(profile.layout.channels)))
+    offsets = np.zeros(len(parameters.gestures))
+    for row, gesture in enumerate(parameters.gestures):
+        joint = joints[gesture.joint]
+        scale = gesture.direction * joint.sign / joint.span
+        weights[row, list(joint.channels)] = scale * np.array(joint.weights)
+        offsets[row] = weights[row, list(joint.channels)] @ np.array(joint.mean)
+    return weights, offsets
+
+
+def used_channels(weights: NDArray[np.float64]) -> NDArray[np.intp]:
+    """Return the indices of the channels that any gesture reads, from weights (n_gestures, n_channels)."""
+    return np.flatnonzero(weights.any(axis=0))
+
+
+def periods_between(time_step: float, sample_rate: float) -> float:
+    """Return how many whole sample periods lie in `time_step` (s): one, or more where frames are missing."""
+    return min(max(1.0, float(round(time_step * sample_rate))), max(1.0, LONGEST_GAP * sample_rate))
+
+
+class Decoder:
+    """Decodes frame by frame; `score`, `rate`, `drive` and `activation` hold one number per gesture.
+
+    A gesture one of whose channels is bad keeps its last score and has activation 0 (safety S5).
+    """
+
+    def __init__(self, parameters: DriveParameters, sample_rate: float) -> None:
+        weights, self._offsets = projection(parameters)
+        self._used = used_channels(weights)
+        self._weights = np.ascontiguousarray(weights[:, self._used])
+        self._uses = self._weights != 0.0
+        self._sample_rate = sample_rate
+        coefficients = low_pass(parameters.cutoff, sample_rate)
+        count = len(parameters.gestures)
+        self._filters = [LowPass(coefficients) for _ in range(count)]
+        self._held = [gesture.feature == "displacement" for gesture in parameters.gestures]
+        self._dead_zone = [gesture.dead_zone for gesture in parameters.gestures]
+        self._per_range = [1.0 / (gesture.full - gesture.dead_zone) for gesture in parameters.gestures]
+        self._health = ChannelHealth(parameters.profile, self._used, sample_rate)
+        self._indices = range(count)
+        self._none_bad = [False] * count
+        self.reset()
+
+    def reset(self) -> None:
+        """Forget the past; the next frame settles the filters."""
+        count = len(self._filters)
+        for low_pass_filter in self._filters:
+            low_pass_filter.reset()
+        self._health.reset()
+        self._fresh = True
+        self._smooth = [0.0] * count
+        self._baseline = [0.0] * count
+        self.score = [0.0] * count
+        self.rate = [0.0] * count
+        self.drive = [0.0] * count
+        self.activation = [0.0] * count
+        self.bad = self._none_bad
+
+    def quieten(self) -> None:
+        """Set every activation to 0: what there is to say when no frame comes."""
+        for i in self._indices:
+            self.activation[i] = self.drive[i] = 0.0
+
+    def step(self, values: NDArray[np.float32], time_step: float) -> None:
+        """Take one frame (n_channels,), `time_step` (s) by the shirt's own clock after the one before."""
+        frame = values.take(self._used).astype(np.float64)
+        bad_channels = self._health.step(frame)
+        if bad_channels is None:
+            self.bad = self._none_bad
+            scores = (self._weights.dot(frame) - self._offsets).tolist()
+        else:
+            scores = self._scores_without(bad_channels, frame)
+        per_second = self._sample_rate / periods_between(time_step, self._sample_rate)
+        was_quiet = not any(self.activation)
+        for i in self._indices:
+            score = self.score[i] = scores[i]
+            smooth = self._filters[i].step(score)
+            if self._fresh:
+                self._smooth[i] = self._baseline[i] = smooth
+            if self._held[i]:
+                if was_quiet:
+                    self._baseline[i] += (smooth - self._baseline[i]) / (per_second * BASELINE_TIME)
+                strength = smooth - self._baseline[i]
+            else:
+                strength = (smooth - self._smooth[i]) * per_second
+            self._smooth[i] = smooth
+            self.rate[i] = strength
+            above = strength - self._dead_zone[i]
+            if above <= 0.0 or self.bad[i]:
+                self.drive[i] = self.activation[i] = 0.0
+            else:
+                self.drive[i] = above
+                self.activation[i] = min(1.0, above * self._per_range[i])
+        self._fresh = False
+
+    def _scores_without(self, bad_channels: NDArray[np.bool_], frame: NDArray[np.float64]) -> list[float]:
+        """Return the scores, those of gestures that need a bad channel held at their last value."""
+        self.bad = (self._uses & bad_channels).any(axis=1).tolist()
+        trusted = np.where(bad_channels, 0.0, frame)
+        fresh = (self._weights.dot(trusted) - self._offsets).tolist()
+        return [self.score[i] if self.bad[i] else fresh[i] for i in self._indices]

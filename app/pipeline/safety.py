@@ -1,0 +1,156 @@
+"""The gate: the last step that decides whether and how fast the chair moves. No clock, no socket, no file.
+
+It is the only way to the chair, the virtual one included (safety.md). Default deny: it starts disarmed, and every
+doubt ends in a ramp to standstill that nothing before it can lengthen.
+"""
+
+import math
+from dataclasses import dataclass
+
+from app.calibration.vocabulary import Speeds
+from app.faults import Fault, State
+from app.geometry import STANDSTILL, Twist
+
+NEUTRAL_TIME = 0.5  # s at rest before motion (ISO 7176-14, control signal at switch-on)
+NEUTRAL_PATIENCE = 5.0  # s, then a latched fault
+SHIRT_STALE = 0.05  # s: gestures count as neutral
+SHIRT_SILENT = 0.2  # s: disarm (a 200 ms stall disarms in ArduPilot, too)
+SLOW_SHIRT = 60.0  # Hz: below it the limits are counted in periods
+STALE_PERIODS, SILENT_PERIODS = 3, 12
+WEB_SILENT = 0.3  # s without a heartbeat of the web process
+LOOP_STALL = 0.3  # s between two ticks: as long as a missing heartbeat
+BAD_GESTURES = 2  # gestures without believable channels that end the drive
+STOP_DECELERATION = 3.0  # m/s2: the firm end of what powered chairs do
+STOP_TURN_DECELERATION = 6.0  # rad/s2
+STOP_TIME = 0.25  # s: from any permitted speed to standstill
+SLACK = 1.0 + 1e-9  # rounding of floats is no violation
+LARGEST_STEP = 0.1  # s: a longer pause between two ticks moves and changes no more than this
+
+
+@dataclass(slots=True)
+class Conditions:
+    """What the gate must know of the world outside the chain."""
+
+    supervisor_age: float = 0.0  # s since the last heartbeat of the web process
+    screen: bool = True  # the screen that armed the chair is there and visible
+    recording: bool = True  # the recording, where one is required, is being written
+
+
+def shirt_limits(sample_rate: float) -> tuple[float, float]:
+    """Return after how many seconds without a frame the gestures are neutral, and the chair is disarmed (S4)."""
+    if sample_rate >= SLOW_SHIRT:
+        return SHIRT_STALE, SHIRT_SILENT
+    return STALE_PERIODS / sample_rate, SILENT_PERIODS / sample_rate
+
+
+class SafetyGate:
+    """Permits or withdraws motion, and bounds what passes."""
+
+    def __init__(self, speeds: Speeds, sample_rate: float) -> None:
+        self._forward, self._reverse, self._turn = speeds.forward, speeds.reverse, speeds.turn
+        self._acceleration = max(speeds.acceleration, speeds.deceleration)
+        self._turn_acceleration = speeds.turn_acceleration
+        _, self._shirt_silent = shirt_limits(sample_rate)
+        self.state = State.DISARMED
+        self.fault = Fault.NONE
+        self.last = STANDSTILL
+        self._checking_since: float | None = None
+        self._neutral_since: float | None = None
+        self._stop_rate = self._stop_turn_rate = 0.0
+
+    def arm(self) -> bool:
+        """Begin the neutral check; return False, and change nothing, when a fault is latched."""
+        if self.state is State.FAULT:
+            return False
+        if self.state is State.DISARMED:
+            self.state = State.CHECKING
+            self._checking_since = self._neutral_since = None
+        return True
+
+    def disarm(self) -> None:
+        """Withdraw motion; a latched fault stays."""
+        if self.state is not State.FAULT:
+            self._withdraw(State.DISARMED)
+
+    def stop(self, fault: Fault) -> None:
+        """Latch a stop. It may be given at any time and any number of times; the first reason stays."""
+        if self.state is not State.FAULT:
+            self.fault = fault
+            self._withdraw(State.FAULT)
+
+    def clear(self) -> None:
+        """Let go of a latched fault: disarmed, never moving."""
+        if self.state is State.FAULT:
+            self.state = State.DISARMED
+            self.fault = Fault.NONE
+
+    def decide(
+        self, t: float, pause: float, neutral: bool, bad_gestures: int, frame_age: float, conditions: Conditions
+    ) -> State:
+        """Return whether motion is permitted at `t` (s), `pause` (s) after the tick before.
+
+        `neutral`: every bound gesture is inside its dead-zone. `bad_gestures`: how many bound gestures have channels
+        that cannot be believed. `frame_age`: s since the shirt's newest frame.
+        """
+        if self.state is State.CHECKING or self.state is State.ARMED:
+            fault = self._fault_now(pause, bad_gestures, frame_age, conditions)
+            if fault is not Fault.NONE:
+                self.stop(fault)
+            elif self.state is State.CHECKING:
+                self._check_neutral(t, neutral)
+        return self.state
+
+    def limit(self, asked: Twist, dt: float) -> Twist:
+        """Return the twist that may be sent, `dt` (s) after the last; without permission, the ramp to standstill."""
+        if self.state is State.ARMED and not (math.isfinite(asked.v) and math.isfinite(asked.omega)):
+            self.stop(Fault.BAD_NUMBER)
+        if self.state is State.ARMED:
+            change = self._acceleration * dt * SLACK
+            turn_change = self._turn_acceleration * dt * SLACK
+            v = min(self.last.v + change, max(self.last.v - change, asked.v))
+            omega = min(self.last.omega + turn_change, max(self.last.omega - turn_change, asked.omega))
+            v = min(self._forward, max(-self._reverse, v))
+            self.last = Twist(v, min(self._turn, max(-self._turn, omega)))
+        elif self.last is not STANDSTILL:
+            v = _towards_zero(self.last.v, self._stop_rate * dt)
+            omega = _towards_zero(self.last.omega, self._stop_turn_rate * dt)
+            self.last = Twist(v, omega) if v or omega else STANDSTILL
+        return self.last
+
+    def _withdraw(self, state: State) -> None:
+        self.state = state
+        self._stop_rate = max(STOP_DECELERATION, abs(self.last.v) / STOP_TIME)
+        self._stop_turn_rate = max(STOP_TURN_DECELERATION, abs(self.last.omega) / STOP_TIME)
+
+    def _fault_now(self, pause: float, bad_gestures: int, frame_age: float, conditions: Conditions) -> Fault:
+        # Every comparison is written so that a NaN ends in the fault.
+        if not pause <= LOOP_STALL:
+            return Fault.LOOP_LATE
+        if not conditions.supervisor_age <= WEB_SILENT:
+            return Fault.WEB_SILENT
+        if not conditions.screen:
+            return Fault.SCREEN_LOST
+        if not conditions.recording:
+            return Fault.RECORDING_LOST
+        if not frame_age <= self._shirt_silent:
+            return Fault.SHIRT_SILENT
+        if bad_gestures >= BAD_GESTURES:
+            return Fault.CHANNELS_BAD
+        return Fault.NONE
+
+    def _check_neutral(self, t: float, neutral: bool) -> None:
+        if self._checking_since is None:
+            self._checking_since = t
+        if not neutral:
+            self._neutral_since = None
+        elif self._neutral_since is None:
+            self._neutral_since = t
+        if self._neutral_since is not None and t - self._neutral_since >= NEUTRAL_TIME:
+            self.state = State.ARMED
+        elif t - self._checking_since > NEUTRAL_PATIENCE:
+            self.stop(Fault.NOT_NEUTRAL)
+
+
+def _towards_zero(value: float, change: float) -> float:
+    """Return `value` brought `change` nearer to zero, never past it."""
+    return max(0.0, value - change) if value > 0 else min(0.0, value + change)
