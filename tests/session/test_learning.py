@@ -1,0 +1,133 @@
+"""Learning curves: the right shape, the right trend, and no more said than the trials can bear."""
+
+import json
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from app.session.learning import fit_learning_curve, learning_curves
+from app.session.learning_fit import fit_exponential, fit_level, fit_power
+from app.session.trend import mann_kendall
+
+
+def trials_of(values: np.ndarray, measure: str = "e_diff") -> list[dict[str, object]]:
+    return [{"number": i, measure: float(value), "reached": True} for i, value in enumerate(values, start=1)]
+
+
+def test_mann_kendall_counts_pairs() -> None:
+    assert mann_kendall([1.0, 2.0, 3.0, 4.0]).s == 6
+    assert mann_kendall([4.0, 3.0, 2.0, 1.0]).s == -6
+    # Of 5! orders only the two monotonic ones are this extreme.
+    assert mann_kendall([5.0, 4.0, 3.0, 2.0, 1.0]).p == pytest.approx(2 / math.factorial(5))
+    assert mann_kendall([5.0, 4.0, 3.0, 2.0, 1.0]).direction == "falls"
+
+
+def test_mann_kendall_of_equal_values_is_no_trend() -> None:
+    trend = mann_kendall([2.0] * 12)
+    assert (trend.s, trend.p, trend.direction) == (0, 1.0, "none")
+    assert mann_kendall([2.0]).p == 1.0
+
+
+def test_mann_kendall_with_ties_uses_the_corrected_variance() -> None:
+    values = [5.0, 5.0, 4.0, 3.0, 3.0, 3.0, 2.0, 1.0, 0.0, 0.0]
+    count, ties = len(values), (2, 3, 2)
+    variance = (count * (count - 1) * (2 * count + 5) - sum(t * (t - 1) * (2 * t + 5) for t in ties)) / 18
+    trend = mann_kendall(values)
+    assert trend.p == pytest.approx(math.erfc(abs(trend.s) / math.sqrt(2 * variance)))
+
+
+@given(st.lists(st.floats(-1e6, 1e6), min_size=2, max_size=25))
+def test_mann_kendall_turns_round_with_the_series(values: list[float]) -> None:
+    there, back = mann_kendall(values), mann_kendall(values[::-1])
+    assert there.s == -back.s
+    assert there.p == pytest.approx(back.p)
+    assert 0 <= there.p <= 1
+
+
+@pytest.mark.parametrize("tau", [1.5, 4.0, 9.0])
+def test_an_exponential_is_found_again(tau: float) -> None:
+    n = np.arange(1.0, 31.0)
+    curve = fit_exponential(n, 1.5 + 4.0 * np.exp(-n / tau))
+    assert (curve.a, curve.b, curve.c) == pytest.approx((1.5, 4.0, tau), rel=1e-3)
+
+
+def test_a_power_law_is_found_again_and_preferred() -> None:
+    n = np.arange(1.0, 31.0)
+    values = 1.0 + 5.0 * n**-0.8
+    assert fit_power(n, values).c == pytest.approx(0.8, rel=1e-3)
+    learning = fit_learning_curve(list(n), list(values))
+    assert learning is not None
+    assert learning.curve.form == "power"
+
+
+def test_the_interval_of_the_learning_constant_covers_the_truth() -> None:
+    """Of 200 noisy series, the 95 % interval holds the true tau in about 95 %."""
+    rng = np.random.default_rng(5)
+    n = np.arange(1.0, 23.0)
+    truth = 1.5 + 4.0 * np.exp(-n / 4.0)
+    covered, in_band = 0, 0
+    for _ in range(200):
+        curve = fit_exponential(n, truth + rng.normal(0, 0.3, len(n)))
+        low = 0.0 if math.isnan(curve.c_low) else curve.c_low
+        high = math.inf if math.isnan(curve.c_high) else curve.c_high
+        covered += low <= 4.0 <= high
+        in_band += bool(curve.low[10] <= truth[10] <= curve.high[10])
+    assert 180 <= covered <= 199
+    assert 180 <= in_band <= 199
+
+
+def test_noise_alone_is_a_level_line() -> None:
+    rng = np.random.default_rng(2)
+    level = sum(
+        learning is not None and learning.curve.form == "level"
+        for learning in (fit_learning_curve(range(1, 23), list(rng.normal(5, 1, 22))) for _ in range(50))
+    )
+    assert level >= 35
+    assert fit_level(np.full(9, 3.0)).low == pytest.approx(3.0)
+
+
+def test_below_eight_trials_nothing_is_fitted() -> None:
+    curves = learning_curves(trials_of(np.linspace(5, 2, 7)))
+    assert curves["e_diff"]["fit"] is None
+    assert curves["e_diff"]["text"].startswith("Not enough trials")
+
+
+def test_the_learning_constant_is_told_from_twenty_trials_on() -> None:
+    rng = np.random.default_rng(3)
+    n = np.arange(1.0, 23.0)
+    values = 1.5 + 6.0 * np.exp(-n / 3.0) + rng.normal(0, 0.15, len(n))
+    long = learning_curves(trials_of(values))["e_diff"]
+    short = learning_curves(trials_of(values[:19]))["e_diff"]
+    assert "learning constant of" in long["text"]
+    assert "learning constant" not in short["text"]
+    assert "fell" in long["text"]
+    assert set(long["fit"]) == {"n", "value", "low", "high"}
+    assert len(long["fit"]["n"]) == 22
+    assert all(low <= high for low, high in zip(long["fit"]["low"], long["fit"]["high"], strict=True))
+
+
+def test_trials_that_missed_the_goal_do_not_count() -> None:
+    trials = trials_of(np.linspace(5, 2, 10))
+    for trial in trials[:3]:
+        trial["reached"] = False
+    assert "7 of at least 8" in learning_curves(trials)["e_diff"]["text"]
+
+
+def test_numbers_that_are_missing_are_left_out_and_the_answer_is_json() -> None:
+    trials = trials_of(np.linspace(5, 2, 12), "time")
+    trials[4]["time"] = None
+    trials[5]["time"] = math.nan
+    curves = learning_curves(trials)
+    assert set(curves) == {"time"}
+    assert curves["time"]["fit"] is not None
+    assert 5.0 not in curves["time"]["fit"]["n"]
+    json.dumps(curves, allow_nan=False)
+
+
+def test_equal_values_are_level() -> None:
+    curve = learning_curves(trials_of(np.zeros(22), "collisions"))["collisions"]
+    assert curve["fit"] is None
+    assert "may be chance" in curve["text"]
