@@ -1,0 +1,17 @@
+"""How the session refuses: one sentence that says what, where and what to do."""
+
+
+class Refusal(Exception):  # noqa: N818
+    """What was asked cannot be done; the sentence says why and what to do."""
+
+
+class NotFound(Refusal):
+    """What was asked for does not exist, or not for this clinic."""
+
+
+class Conflict(Refusal):
+    """It exists, but cannot be done now."""
+
+
+class Unavailable(Refusal):
+    """A part that is needed is not there at the moment: try again."""

@@ -1,0 +1,199 @@
+"""The tables of a clinic: people, patients, visits, calibrations, parameters, runs, trials, and the log."""
+
+from datetime import UTC, datetime
+from typing import Any
+
+from sqlalchemy import JSON, DateTime, ForeignKey, Index, MetaData, String, UniqueConstraint, text
+from sqlalchemy.engine import Dialect
+from sqlalchemy.orm import DeclarativeBase, Mapped, mapped_column
+from sqlalchemy.types import TypeDecorator
+
+
+class Moment(TypeDecorator[datetime]):
+    """A moment in UTC; SQLite forgets the zone, so it is put back on reading."""
+
+    impl = DateTime(timezone=True)
+    cache_ok = True
+
+    def process_bind_param(self, value: datetime | None, dialect: Dialect) -> datetime | None:  # noqa: ARG002
+        """Store UTC."""
+        return None if value is None else value.astimezone(UTC)
+
+    def process_result_value(self, value: datetime | None, dialect: Dialect) -> datetime | None:  # noqa: ARG002
+        """Read UTC."""
+        return None if value is None else value.replace(tzinfo=UTC)
+
+
+class Table(DeclarativeBase):
+    """What all tables share."""
+
+    metadata = MetaData(
+        naming_convention={
+            "ix": "ix_%(table_name)s_%(column_0_N_name)s",
+            "uq": "uq_%(table_name)s_%(column_0_N_name)s",
+            "fk": "fk_%(table_name)s_%(column_0_name)s",
+            "pk": "pk_%(table_name)s",
+        }
+    )
+    type_annotation_map = {datetime: Moment, dict[str, Any]: JSON, list[Any]: JSON}  # noqa: RUF012
+
+
+class Clinic(Table):
+    """One place with its people, patients and equipment."""
+
+    __tablename__ = "clinic"
+    id: Mapped[int] = mapped_column(primary_key=True)
+    name: Mapped[str] = mapped_column(String(80))
+    created: Mapped[datetime]
+    shirt: Mapped[dict[str, Any] | None]  # configuration of the shirt in use
+    body: Mapped[dict[str, Any] | None]  # configuration of what moves inside a simulated shirt
+    unused: Mapped[list[Any]]  # names of channels that are marked as unused
+
+
+class Person(Table):
+    """Who signs in."""
+
+    __tablename__ = "person"
+    __table_args__ = (UniqueConstraint("clinic_id", "name"),)
+    id: Mapped[int] = mapped_column(primary_key=True)
+    clinic_id: Mapped[int] = mapped_column(ForeignKey("clinic.id"))
+    name: Mapped[str] = mapped_column(String(80))
+    role: Mapped[str] = mapped_column(String(16))  # owner, clinician, reviewer
+    password_hash: Mapped[str | None]  # None: comes in by the link of a demonstration only
+    created: Mapped[datetime]
+    disabled: Mapped[datetime | None]
+
+
+class AuthSession(Table):
+    """A sign-in that holds until sign-out or its end; the token itself is never stored."""
+
+    __tablename__ = "auth_session"
+    id: Mapped[int] = mapped_column(primary_key=True)
+    token_hash: Mapped[str] = mapped_column(String(64), unique=True)
+    person_id: Mapped[int] = mapped_column(ForeignKey("person.id"))
+    created: Mapped[datetime]
+    expires: Mapped[datetime]
+
+
+class Patient(Table):
+    """Who wears the shirt: a pseudonym and a code, no name."""
+
+    __tablename__ = "patient"
+    __table_args__ = (UniqueConstraint("clinic_id", "code"),)
+    id: Mapped[int] = mapped_column(primary_key=True)
+    clinic_id: Mapped[int] = mapped_column(ForeignKey("clinic.id"))
+    code: Mapped[str] = mapped_column(String(64))
+    pseudonym: Mapped[str] = mapped_column(String(80))
+    note: Mapped[str] = mapped_column(String(2000))
+    created: Mapped[datetime]
+    deleted: Mapped[datetime | None]  # kept, so that it can be undone
+
+
+class PatientSession(Table):
+    """One visit of a patient."""
+
+    __tablename__ = "session"
+    __table_args__ = (
+        UniqueConstraint("patient_id", "number"),
+        # One machine has one visit: at most one session of a clinic is open.
+        Index("uq_session_open", "clinic_id", unique=True, sqlite_where=text("ended IS NULL")),
+    )
+    id: Mapped[int] = mapped_column(primary_key=True)
+    clinic_id: Mapped[int] = mapped_column(ForeignKey("clinic.id"))
+    patient_id: Mapped[int] = mapped_column(ForeignKey("patient.id"))
+    number: Mapped[int]  # 1, 2, 3 ... per patient
+    started: Mapped[datetime]
+    ended: Mapped[datetime | None]
+    script: Mapped[dict[str, Any] | None]  # the calibration under way: layout and cues, so that a reload finds it
+    current_step: Mapped[str | None] = mapped_column(String(64))
+    result: Mapped[dict[str, Any] | None]  # the fitted profile before it is accepted
+    accepted: Mapped[bool]
+
+
+class CalibrationStep(Table):
+    """How far one step of the calibration under way has come."""
+
+    __tablename__ = "calibration_step"
+    session_id: Mapped[int] = mapped_column(ForeignKey("session.id"), primary_key=True)
+    step: Mapped[str] = mapped_column(String(64), primary_key=True)
+    status: Mapped[str] = mapped_column(String(16))  # waiting, running, done, failed
+    words: Mapped[str] = mapped_column(String(400))
+    run_id: Mapped[str | None] = mapped_column(ForeignKey("run.id"))
+
+
+class Run(Table):
+    """One uninterrupted recording, and the folder that holds it."""
+
+    __tablename__ = "run"
+    id: Mapped[str] = mapped_column(String(36), primary_key=True)
+    session_id: Mapped[int] = mapped_column(ForeignKey("session.id"), index=True)
+    kind: Mapped[str] = mapped_column(String(16))  # rest, free, prompt, drive
+    folder: Mapped[str]  # relative to the folder of all runs
+    started: Mapped[datetime]
+    ended: Mapped[datetime | None]
+    rows: Mapped[int | None]
+    dropped: Mapped[int | None]
+
+
+class Profile(Table):
+    """An accepted calibration: saved once, never changed, only succeeded by a newer version."""
+
+    __tablename__ = "profile"
+    __table_args__ = (UniqueConstraint("patient_id", "version"),)
+    id: Mapped[int] = mapped_column(primary_key=True)
+    patient_id: Mapped[int] = mapped_column(ForeignKey("patient.id"))
+    session_id: Mapped[int] = mapped_column(ForeignKey("session.id"))
+    version: Mapped[int]
+    document: Mapped[dict[str, Any]]
+    created: Mapped[datetime]
+
+
+class Parameters(Table):
+    """One setting of the controls on one profile; undo and redo move `current` along them."""
+
+    __tablename__ = "parameters"
+    id: Mapped[int] = mapped_column(primary_key=True)
+    profile_id: Mapped[int] = mapped_column(ForeignKey("profile.id"), index=True)
+    title: Mapped[str] = mapped_column(String(80))
+    settings: Mapped[dict[str, Any]]  # DriveParameters without the profile
+    hash: Mapped[str] = mapped_column(String(64))
+    created: Mapped[datetime]
+    current: Mapped[bool]
+    abandoned: Mapped[bool]  # undone, then something else was set
+
+
+class Trial(Table):
+    """One attempt along a path."""
+
+    __tablename__ = "trial"
+    __table_args__ = (UniqueConstraint("patient_id", "floorplan", "path", "number"),)
+    id: Mapped[int] = mapped_column(primary_key=True)
+    clinic_id: Mapped[int] = mapped_column(ForeignKey("clinic.id"))
+    patient_id: Mapped[int] = mapped_column(ForeignKey("patient.id"))
+    session_id: Mapped[int] = mapped_column(ForeignKey("session.id"))
+    parameters_id: Mapped[int] = mapped_column(ForeignKey("parameters.id"))
+    run_id: Mapped[str] = mapped_column(ForeignKey("run.id"))
+    number: Mapped[int]
+    floorplan: Mapped[str] = mapped_column(String(64))
+    floorplan_title: Mapped[str] = mapped_column(String(80))
+    path: Mapped[str] = mapped_column(String(64))
+    path_points: Mapped[list[Any]]  # as it was driven: a floor plan may change later
+    started: Mapped[datetime]
+    status: Mapped[str] = mapped_column(String(16))  # running, done
+    end: Mapped[str | None] = mapped_column(String(16))  # goal, time-out, by hand, fault
+    kept: Mapped[bool]
+    discard_reason: Mapped[str | None] = mapped_column(String(200))
+    measures: Mapped[dict[str, Any] | None]
+
+
+class LogEntry(Table):
+    """Who did what, when; each row's hash covers the row before, so that editing shows."""
+
+    __tablename__ = "log"
+    id: Mapped[int] = mapped_column(primary_key=True)
+    at: Mapped[datetime]
+    person: Mapped[str | None] = mapped_column(String(80))
+    what: Mapped[str] = mapped_column(String(40))
+    details: Mapped[dict[str, Any]]
+    previous_hash: Mapped[str] = mapped_column(String(64))
+    hash: Mapped[str] = mapped_column(String(64))

@@ -1,0 +1,66 @@
+"""A database of its own for each test, and a small real profile."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from sqlalchemy.orm import Session
+
+from app.calibration.profile import CalibrationProfile, JointMap
+from app.layout import Channel, Joint, ShirtLayout
+from app.session.database import Database
+
+
+def small_profile(joints: tuple[str, ...] = ("right_elbow", "left_elbow")) -> CalibrationProfile:
+    layout = ShirtLayout(
+        name="Small",
+        channels=tuple(Channel(name=f"{joint}_1", joint=joint) for joint in joints),
+        joints=tuple(Joint(name=joint, label=joint) for joint in joints),
+    )
+    maps = tuple(
+        JointMap(
+            name=joint,
+            channels=(i,),
+            weights=(1.0,),
+            mean=(0.0,),
+            sign=1,
+            span=1.0,
+            evr=0.9,
+            prompted=True,
+            rest_rate=0.04,
+            dead_zone=0.2,
+            full=1.0,
+            grade="good",
+            reason="Clear.",
+        )
+        for i, joint in enumerate(joints)
+    )
+    zeros = (0.0,) * len(joints)
+    return CalibrationProfile(
+        created="2025-01-01T00:00:00+00:00",
+        software="0",
+        layout=layout,
+        sample_rate=100.0,
+        left_out={},
+        low=zeros,
+        high=tuple(1.0 for _ in joints),
+        joints=maps,
+    )
+
+
+@pytest.fixture
+def database(tmp_path: Path) -> Iterator[Database]:
+    opened = Database(tmp_path / "clinic.sqlite")
+    yield opened
+    opened.close()
+
+
+@pytest.fixture
+def db(database: Database) -> Iterator[Session]:
+    with database.transaction() as session:
+        yield session
+
+
+@pytest.fixture
+def profile() -> CalibrationProfile:
+    return small_profile()

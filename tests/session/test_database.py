@@ -1,0 +1,67 @@
+"""The schema goes up and down, and is what the tables say."""
+
+from pathlib import Path
+
+import pytest
+from alembic.autogenerate import compare_metadata
+from alembic.migration import MigrationContext
+from sqlalchemy import inspect, text
+from sqlalchemy.exc import IntegrityError
+
+from app.clock import utc_now
+from app.session.database import Database, make_engine, migrate
+from app.session.tables import Clinic, Patient, Table
+
+
+def test_the_migrations_make_exactly_the_tables_of_the_code(tmp_path: Path) -> None:
+    engine = make_engine(tmp_path / "a.sqlite")
+    migrate(engine)
+    with engine.connect() as connection:
+        assert compare_metadata(MigrationContext.configure(connection), Table.metadata) == []
+    engine.dispose()
+
+
+def test_down_leaves_nothing_and_up_again_works(tmp_path: Path) -> None:
+    engine = make_engine(tmp_path / "a.sqlite")
+    migrate(engine)
+    migrate(engine, "base")
+    assert set(inspect(engine).get_table_names()) == {"alembic_version"}
+    migrate(engine)
+    assert "trial" in inspect(engine).get_table_names()
+    engine.dispose()
+
+
+def test_every_connection_is_durable_and_keeps_references_whole(tmp_path: Path) -> None:
+    engine = make_engine(tmp_path / "a.sqlite")
+    with engine.connect() as connection:
+        answers = [
+            connection.execute(text(f"PRAGMA {name}")).scalar()
+            for name in ("journal_mode", "synchronous", "foreign_keys")
+        ]
+    engine.dispose()
+    assert answers == ["wal", 2, 1]
+
+
+def test_a_broken_transaction_leaves_nothing_and_content_survives_reopening(tmp_path: Path) -> None:
+    file = tmp_path / "folder" / "a.sqlite"
+    database = Database(file)
+    with database.transaction() as db:
+        db.add(Clinic(name="Kept", created=utc_now(), shirt=None, body=None, unused=[]))
+    with pytest.raises(IntegrityError), database.transaction() as db:
+        db.add(Clinic(name="Lost", created=utc_now(), shirt=None, body=None, unused=[]))
+        db.flush()
+        db.execute(text("INSERT INTO person (clinic_id) VALUES (NULL)"))
+    database.close()
+    reopened = Database(file)
+    with reopened.transaction() as db:
+        clinics = db.query(Clinic).all()
+    reopened.close()
+    assert [clinic.name for clinic in clinics] == ["Kept"]
+    assert clinics[0].created.utcoffset() is not None
+
+
+def test_a_patient_of_no_clinic_is_refused(tmp_path: Path) -> None:
+    database = Database(tmp_path / "a.sqlite")
+    with pytest.raises(IntegrityError), database.transaction() as db:
+        db.add(Patient(clinic_id=7, code="A", pseudonym="A", note="", created=utc_now(), deleted=None))
+    database.close()

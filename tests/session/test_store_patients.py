@@ -1,0 +1,163 @@
+"""Patients, visits, controls, trials: what is kept, what can be undone."""
+
+from typing import Any
+
+import pytest
+from sqlalchemy.orm import Session
+
+from app.calibration.profile import CalibrationProfile
+from app.calibration.vocabulary import standard_parameters
+from app.session.refusals import Conflict, NotFound
+from app.session.store_calibration import (
+    begin_calibration,
+    calibration_steps,
+    fail_interrupted_steps,
+    recordings_of,
+    set_step,
+)
+from app.session.store_controls import (
+    as_document,
+    current_parameters,
+    load_titled,
+    save_parameters,
+    save_profile,
+    saved_titles,
+    step_parameters,
+    undo_and_redo,
+)
+from app.session.store_patients import (
+    add_patient,
+    all_patients,
+    delete_patient,
+    end_session,
+    find_patient,
+    open_session,
+    patient_figures,
+    restore_patient,
+    session_progress,
+    start_session,
+)
+from app.session.store_people import add_clinic
+from app.session.store_runs import add_run, add_trial, close_interrupted_trials, find_trial, finish_trial, keep_trial
+from app.session.tables import Patient, Trial
+
+
+@pytest.fixture
+def patient(db: Session) -> Patient:
+    return add_patient(db, add_clinic(db, "Clinic").id, "P-1", "Heron", "")
+
+
+def test_a_deleted_patient_comes_back_whole(db: Session, patient: Patient) -> None:
+    clinic = patient.clinic_id
+    delete_patient(db, clinic, patient.id)
+    assert all_patients(db, clinic) == []
+    with pytest.raises(NotFound):
+        find_patient(db, clinic, patient.id)
+    with pytest.raises(Conflict, match="deleted patient"):
+        add_patient(db, clinic, "P-1", "Other", "")
+    assert restore_patient(db, clinic, patient.id).pseudonym == "Heron"
+    assert all_patients(db, clinic) == [patient]
+
+
+def test_another_clinic_does_not_see_the_patient(db: Session, patient: Patient) -> None:
+    with pytest.raises(NotFound):
+        find_patient(db, patient.clinic_id + 1, patient.id)
+
+
+def test_one_visit_at_a_time_counted_per_patient(db: Session, patient: Patient) -> None:
+    clinic = patient.clinic_id
+    first = start_session(db, clinic, patient.id)
+    assert start_session(db, clinic, patient.id) is first
+    with pytest.raises(Conflict, match="end the visit"):
+        delete_patient(db, clinic, patient.id)
+    other = add_patient(db, clinic, "P-2", "Otter", "")
+    assert start_session(db, clinic, other.id).number == 1
+    assert first.ended is not None
+    end_session(db, clinic)
+    assert open_session(db, clinic) is None
+    second = start_session(db, clinic, patient.id)
+    assert second.number == 2
+    assert patient_figures(db, patient)[:2] == (2, 0)
+    assert [p.code for p in all_patients(db, clinic)] == ["P-1", "P-2"]
+
+
+def test_controls_undo_redo_and_names(db: Session, patient: Patient, profile: CalibrationProfile) -> None:
+    session = start_session(db, patient.clinic_id, patient.id)
+    with pytest.raises(Conflict, match="Nothing is calibrated"):
+        current_parameters(db, patient.id)
+    row = save_profile(db, patient.id, session.id, profile)
+    first, _ = current_parameters(db, patient.id)
+    brisk = standard_parameters(profile).model_copy(update={"title": "Brisk", "cutoff": 5.0})
+    save_parameters(db, row, brisk)
+    assert step_parameters(db, patient.id, back=True).id == first.id
+    with pytest.raises(Conflict, match="nothing to undo"):
+        step_parameters(db, patient.id, back=True)
+    assert step_parameters(db, patient.id, back=False).title == "Brisk"
+    step_parameters(db, patient.id, back=True)
+    save_parameters(db, row, brisk.model_copy(update={"title": "Calm"}))
+    assert undo_and_redo(db, patient.id)[1] is None
+    with pytest.raises(Conflict, match="nothing to redo"):
+        step_parameters(db, patient.id, back=False)
+    assert saved_titles(db, patient.id) == ["Standard", "Brisk", "Calm"]
+
+    newer = save_profile(db, patient.id, session.id, profile.model_copy(update={"software": "1"}))
+    assert newer.version == 2
+    assert current_parameters(db, patient.id)[0].title == "Standard"
+    loaded = load_titled(db, patient.id, "Brisk")
+    assert as_document(loaded, newer).cutoff == 5.0
+    assert loaded.hash == as_document(loaded, newer).hash
+    with pytest.raises(NotFound):
+        load_titled(db, patient.id, "Nowhere")
+
+
+def test_calibration_steps_survive_and_interrupted_ones_say_so(db: Session, patient: Patient) -> None:
+    session = start_session(db, patient.clinic_id, patient.id)
+    begin_calibration(db, session, {"steps": []}, ["rest", "free"])
+    add_run(db, "r1", session.id, "rest", "r1")
+    set_step(db, session.id, "rest", "done", "", "r1")
+    set_step(db, session.id, "free", "running", "")
+    fail_interrupted_steps(db)
+    steps = calibration_steps(db, session.id)
+    assert (steps["rest"].status, steps["free"].status) == ("done", "failed")
+    assert recordings_of(db, session.id) == {"rest": "r1"}
+    assert session_progress(db, session) == (False, ["rest"])
+    begin_calibration(db, session, {"steps": []}, ["rest", "free"])
+    assert recordings_of(db, session.id) == {}
+
+
+def new_trial(db: Session, patient: Patient, run_id: str, parameters_id: int, **which: Any) -> Trial:
+    session = start_session(db, patient.clinic_id, patient.id)
+    run = add_run(db, run_id, session.id, "drive", run_id)
+    place = {"floorplan": "clinic", "path": "long", **which}
+    return add_trial(
+        db,
+        run=run,
+        clinic_id=patient.clinic_id,
+        patient_id=patient.id,
+        parameters_id=parameters_id,
+        floorplan_title="Clinic",
+        path_points=[[0, 0], [1, 0]],
+        **place,
+    )
+
+
+def test_trials_are_numbered_per_path_and_can_be_discarded(
+    db: Session, patient: Patient, profile: CalibrationProfile
+) -> None:
+    session = start_session(db, patient.clinic_id, patient.id)
+    save_profile(db, patient.id, session.id, profile)
+    parameters = current_parameters(db, patient.id)[0].id
+    first = new_trial(db, patient, "a", parameters)
+    with pytest.raises(Conflict, match="end it first"):
+        keep_trial(db, patient.clinic_id, first.id, "tired")
+    finish_trial(db, first.id, "goal", {"dist": 10.0, "sparc": float("nan")})
+    assert first.measures == {"dist": 10.0, "sparc": None}
+    assert new_trial(db, patient, "b", parameters).number == 2
+    assert new_trial(db, patient, "c", parameters, path="short").number == 1
+    assert [trial.end for trial in close_interrupted_trials(db)] == ["fault", "fault"]
+    assert patient_figures(db, patient)[1] == 3
+    keep_trial(db, patient.clinic_id, first.id, "tired")
+    assert patient_figures(db, patient)[1] == 2
+    assert keep_trial(db, patient.clinic_id, first.id, None).discard_reason is None
+    with pytest.raises(NotFound):
+        find_trial(db, patient.clinic_id + 1, first.id)

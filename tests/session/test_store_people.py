@@ -1,0 +1,70 @@
+"""Clinic, people, sign-ins and the log."""
+
+from datetime import timedelta
+
+import pytest
+from sqlalchemy import text
+from sqlalchemy.exc import IntegrityError
+from sqlalchemy.orm import Session
+
+from app.clock import utc_now
+from app.session.refusals import Conflict
+from app.session.store_log import first_broken_row, write_log
+from app.session.store_people import add_clinic, add_person, count_people, sign_in, sign_out, signed_in, the_clinic
+from app.session.tables import AuthSession, LogEntry
+
+
+def test_a_sign_in_holds_until_sign_out_and_its_token_is_not_in_the_database(db: Session) -> None:
+    assert the_clinic(db) is None
+    assert count_people(db) == 0
+    person = add_person(db, add_clinic(db, "Clinic"), "Ada", "owner", None)
+    token = sign_in(db, person, "password")
+    found = signed_in(db, token)
+    assert found is not None
+    assert found[1].name == "Ada"
+    assert token not in str([row.token_hash for row in db.query(AuthSession)])
+    assert sign_out(db, token) == found[0].id
+    assert signed_in(db, token) is None
+    assert sign_out(db, token) is None
+
+
+def test_an_expired_sign_in_and_a_disabled_person_are_out(db: Session) -> None:
+    person = add_person(db, add_clinic(db, "Clinic"), "Ada", "owner", None)
+    first, second = sign_in(db, person, "password"), sign_in(db, person, "password")
+    assert first != second
+    session = signed_in(db, first)
+    assert session is not None
+    session[0].expires = utc_now() - timedelta(seconds=1)
+    db.flush()
+    assert signed_in(db, first) is None
+    assert signed_in(db, second) is not None
+    person.disabled = utc_now()
+    db.flush()
+    assert signed_in(db, second) is None
+
+
+def test_one_name_signs_in_one_person(db: Session) -> None:
+    clinic = add_clinic(db, "Clinic")
+    add_person(db, clinic, "Ada", "owner", None)
+    with pytest.raises(Conflict, match="choose another name"):
+        add_person(db, clinic, "Ada", "clinician", None)
+
+
+def test_the_log_refuses_editing_and_deleting(db: Session) -> None:
+    write_log(db, "Ada", "sign-in")
+    for change in ("UPDATE log SET what = 'nothing'", "DELETE FROM log"):
+        with pytest.raises(IntegrityError, match="only ever appended"):
+            db.execute(text(change))
+
+
+@pytest.mark.parametrize("change", ["UPDATE log SET what = 'nothing' WHERE id = 2", "DELETE FROM log WHERE id = 2"])
+def test_a_log_edited_behind_our_back_shows(db: Session, change: str) -> None:
+    for what in ("one", "two", "three"):
+        write_log(db, "Ada", what, patient=3)
+    assert first_broken_row(db) is None
+    db.execute(text("DROP TRIGGER log_no_update"))
+    db.execute(text("DROP TRIGGER log_no_delete"))
+    db.execute(text(change))
+    db.expire_all()
+    assert first_broken_row(db) == (2 if change.startswith("UPDATE") else 3)
+    assert db.query(LogEntry).count() >= 2
