@@ -1,42 +1,87 @@
-"""Where things lie: what comes with the software, and what this place keeps."""
+"""Where things lie, and how this web process was started."""
 
+import ipaddress
 import os
+import secrets
+import sys
+from dataclasses import dataclass, field
 from pathlib import Path
 
-STATE_VARIABLE = "BODYDRIVE_STATE"
+PACKAGE = Path(__file__).parent
+CODE_BYTES = 16  # 128 bits: a code of this length cannot be guessed
 
 
-def data_folder() -> Path:
-    """Return the folder of layouts, floor plans and scenes that come with the software.
-
-    Raises
-    ------
-    FileNotFoundError
-        When the installation has none.
-    """
-    return _carried("data")
+def _packed(name: str) -> Path:
+    """Return a folder that a wheel carries inside the package and a checkout beside it."""
+    inside = PACKAGE / name
+    return inside if inside.is_dir() else PACKAGE.parent / name
 
 
 def static_folder() -> Path:
-    """Return the folder of the web pages that come with the software.
+    """Return the folder of the pages."""
+    return _packed("web_static")
 
-    Raises
-    ------
-    FileNotFoundError
-        When the installation has none.
-    """
-    return _carried("web_static")
+
+def data_folder() -> Path:
+    """Return the folder of the bundled shirts and floor plans."""
+    return _packed("data")
 
 
 def state_folder() -> Path:
-    """Return the folder of the database and the recordings: BODYDRIVE_STATE, or `var` where the program was started."""
-    return Path(os.environ.get(STATE_VARIABLE) or "var").expanduser().absolute()
+    """Return where the database and the recordings of a real clinic live: BODYDRIVE_STATE or the system's own place."""
+    chosen = os.environ.get("BODYDRIVE_STATE")
+    if chosen:
+        return Path(chosen).expanduser().resolve()
+    if sys.platform == "darwin":
+        return Path.home() / "Library" / "Application Support" / "bodydrive"
+    return Path(os.environ.get("XDG_STATE_HOME") or Path.home() / ".local" / "state") / "bodydrive"
 
 
-def _carried(name: str) -> Path:
-    """Find `name` inside the installed package, or beside it in a source checkout."""
-    package = Path(__file__).resolve().parent
-    for folder in (package / name, package.parent / name):
-        if folder.is_dir():
-            return folder
-    raise FileNotFoundError(f"this installation has no folder '{name}': install bodydrive again")
+def new_code() -> str:
+    """Return a fresh random code for a link."""
+    return secrets.token_urlsafe(CODE_BYTES)
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """How one web process runs; made once at the start."""
+
+    state: Path = field(default_factory=state_folder)
+    host: str = "127.0.0.1"
+    port: int = 8080
+    demo_code: str | None = field(default=None, repr=False)  # set: this is a demonstration
+    setup_code: str | None = field(default=None, repr=False)  # for the first owner only
+
+    @property
+    def demo(self) -> bool:
+        """Whether this is the throw-away clinic of a demonstration."""
+        return self.demo_code is not None
+
+    @property
+    def files(self) -> Path:
+        """Return the folder of the recorded signals and bodies that people bring."""
+        return self.state / "files"
+
+    @property
+    def runs(self) -> Path:
+        """Return the folder of the recordings."""
+        return self.state / "runs"
+
+    @property
+    def database(self) -> Path:
+        """Return the database's file."""
+        return self.state / "bodydrive.sqlite"
+
+    def serves(self, host: str) -> bool:
+        """Tell whether a request's Host (without port) can be meant for us.
+
+        A foreign page can point its own name at this machine (DNS rebinding), but it cannot make a browser name us
+        by a bare address, by localhost or by the name that we were told to serve.
+        """
+        if host in {"localhost", self.host}:
+            return True
+        try:
+            ipaddress.ip_address(host.strip("[]"))
+        except ValueError:
+            return False
+        return True
