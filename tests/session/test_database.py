@@ -42,15 +42,20 @@ def test_every_connection_is_durable_and_keeps_references_whole(tmp_path: Path) 
     assert answers == ["wal", 2, 1]
 
 
+def add_clinic_and_break(database: Database) -> None:
+    with database.transaction() as db:
+        db.add(Clinic(name="Lost", created=utc_now(), shirt=None, body=None, unused=[]))
+        db.flush()
+        db.execute(text("INSERT INTO person (clinic_id) VALUES (NULL)"))
+
+
 def test_a_broken_transaction_leaves_nothing_and_content_survives_reopening(tmp_path: Path) -> None:
     file = tmp_path / "folder" / "a.sqlite"
     database = Database(file)
     with database.transaction() as db:
         db.add(Clinic(name="Kept", created=utc_now(), shirt=None, body=None, unused=[]))
-    with pytest.raises(IntegrityError), database.transaction() as db:
-        db.add(Clinic(name="Lost", created=utc_now(), shirt=None, body=None, unused=[]))
-        db.flush()
-        db.execute(text("INSERT INTO person (clinic_id) VALUES (NULL)"))
+    with pytest.raises(IntegrityError):
+        add_clinic_and_break(database)
     database.close()
     reopened = Database(file)
     with reopened.transaction() as db:
