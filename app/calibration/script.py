@@ -1,0 +1,112 @@
+"""The calibration's steps: what is asked of the patient, in which order, for how long."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+from app.cues import Cue
+from app.layout import Joint, ShirtLayout
+
+READY = 2.0  # s: a countdown before each step
+REST = 3.0  # s
+FREE = 10.0  # s, the paper's
+REPETITIONS = 3
+MOVE = 1.0  # s
+RETURN = 1.5  # s: slower than the movement, so that the two can be told apart
+PAUSE = 1.0  # s at rest between repetitions
+
+# What to ask for, by the part of the body; `{side}` is "left" or "right".
+MOVEMENTS = {
+    "elbow": "Bend your {side} elbow",
+    "shoulder": "Push your {side} shoulder forward",
+    "wrist": "Bend your {side} wrist",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """One step of the calibration: one recording, whose cues are in seconds since its start."""
+
+    id: str
+    kind: Literal["rest", "free", "prompt"]
+    joint: str | None
+    title: str
+    instruction: str
+    duration: float  # s
+    cues: tuple[Cue, ...]
+
+
+def calibration_script(layout: ShirtLayout) -> tuple[Step, ...]:
+    """Return the steps for a shirt: rest, free movement, then each joint prompted three times."""
+    return (_rest(), _free(), *(_prompt(joint) for joint in layout.joints))
+
+
+def movement_words(joint: Joint) -> str:
+    """Return what to say to a patient who shall move this joint."""
+    side, _, part = joint.name.partition("_")
+    if side in {"left", "right"} and part in MOVEMENTS:
+        return MOVEMENTS[part].format(side=side)
+    return f"Move: {joint.label}"
+
+
+def _rest() -> Step:
+    cues = (
+        Cue(start=0.0, end=READY, kind="ready"),
+        Cue(start=READY, end=READY + REST, kind="rest"),
+    )
+    return Step(
+        id="rest",
+        kind="rest",
+        joint=None,
+        title="Rest",
+        instruction="Sit comfortably and let your arms hang. Do not move for three seconds.",
+        duration=READY + REST,
+        cues=cues,
+    )
+
+
+def _free() -> Step:
+    cues = (
+        Cue(start=0.0, end=READY, kind="ready"),
+        Cue(start=READY, end=READY + FREE, kind="free"),
+    )
+    return Step(
+        id="free",
+        kind="free",
+        joint=None,
+        title="Move freely",
+        instruction="Move your arms and shoulders any way you like for ten seconds, as far as is comfortable.",
+        duration=READY + FREE,
+        cues=cues,
+    )
+
+
+def _prompt(joint: Joint) -> Step:
+    cues = [Cue(start=0.0, end=READY, kind="ready", joint=joint.name)]
+    for repetition in range(1, REPETITIONS + 1):
+        start = cues[-1].end
+        cues += [
+            Cue(start=start, end=start + MOVE, kind="move", joint=joint.name, repetition=repetition),
+            Cue(
+                start=start + MOVE,
+                end=start + MOVE + RETURN,
+                kind="return",
+                joint=joint.name,
+                repetition=repetition,
+            ),
+            Cue(
+                start=start + MOVE + RETURN,
+                end=start + MOVE + RETURN + PAUSE,
+                kind="rest",
+                joint=joint.name,
+                repetition=repetition,
+            ),
+        ]
+    return Step(
+        id=f"prompt-{joint.name}",
+        kind="prompt",
+        joint=joint.name,
+        title=movement_words(joint),
+        instruction="Follow the beat: move when the cue says so, then come back slowly and rest. Three times.",
+        duration=cues[-1].end,
+        cues=tuple(cues),
+    )

@@ -1,0 +1,45 @@
+"""Turns the errors of a document's validation into one sentence for the person who wrote it."""
+
+from pydantic import ValidationError
+
+LONGEST_QUOTE = 40
+
+
+def one_sentence(error: ValidationError, where: str) -> str:
+    """Return what is wrong, in which place of `where` (a file or a form), and what to do, as one sentence."""
+    problems = error.errors(include_url=False)
+    first = problems[0]
+    place = _place(first["loc"])
+    start = f"{where}, {place}" if place else where
+    sentence = f"{start}: {_problem(first['type'], first['msg'], first.get('input'))}"
+    others = len(problems) - 1
+    if others:
+        sentence += f" ({others} more {'problem' if others == 1 else 'problems'} of this kind in it)"
+    return sentence
+
+
+def _place(location: tuple[int | str, ...]) -> str:
+    """Return a path such as channels[3].name; positions count from 0 as in the file."""
+    place = ""
+    for part in location:
+        if isinstance(part, int):
+            place += f"[{part}]"
+        else:
+            place += f".{part}" if place else part
+    return place
+
+
+def _problem(kind: str, message: str, given: object) -> str:
+    """Return the fault and its remedy in words."""
+    if kind == "value_error":
+        return message.removeprefix("Value error, ")
+    if kind == "missing":
+        return "this is missing, add it"
+    if kind == "extra_forbidden":
+        return "this is not known here, leave it out"
+    if kind == "json_invalid":
+        return f"this is not JSON, correct it ({message.removeprefix('Invalid JSON: ')})"
+    quoted = repr(given)
+    if len(quoted) > LONGEST_QUOTE:
+        quoted = quoted[:LONGEST_QUOTE] + "..."
+    return f"{message[:1].lower()}{message[1:]}, but it is {quoted}"
