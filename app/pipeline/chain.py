@@ -115,8 +115,9 @@ class Chain:
         tick.u1, tick.u2 = controls.step(activation)
         if controls.is_stop(activation) and gate.state is not State.DISARMED:
             gate.stop(Fault.STOP_GESTURE)
-        bad_gestures = sum(decoder.bad[i] for i in controls.bound)
-        permitted = gate.decide(t, pause, controls.is_neutral(activation), bad_gestures, frame_age, conditions)
+        bad_gestures = sum(decoder.bad[i] for i in controls.bound) if True in decoder.bad else 0
+        neutral = gate.state is State.CHECKING and controls.is_neutral(activation)
+        permitted = gate.decide(t, pause, neutral, bad_gestures, frame_age, conditions)
         asked = shaper.step(tick.u1, tick.u2, gate.last, dt) if permitted is State.ARMED else STANDSTILL
         return gate.limit(asked, dt)
 

@@ -41,7 +41,13 @@ class Controls:
 
     def is_stop(self, activation: list[float]) -> bool:
         """Return whether all gestures of a stop are there together."""
-        return any(all(activation[i] >= STOP_ACTIVATION for i in stop) for stop in self._stops)
+        for stop in self._stops:
+            for i in stop:
+                if activation[i] < STOP_ACTIVATION:
+                    break
+            else:
+                return True
+        return False
 
     def is_neutral(self, activation: list[float]) -> bool:
         """Return whether every bound gesture is inside its dead-zone."""

@@ -1,5 +1,7 @@
 """From a frame to gestures: project, smooth, differentiate, dead-zone (signal-chain.md, section 3)."""
 
+import math
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -26,11 +28,6 @@ def projection(parameters: DriveParameters) -> tuple[NDArray[np.float64], NDArra
     return weights, offsets
 
 
-def used_channels(weights: NDArray[np.float64]) -> NDArray[np.intp]:
-    """Return the indices of the channels that any gesture reads, from weights (n_gestures, n_channels)."""
-    return np.flatnonzero(weights.any(axis=0))
-
-
 def periods_between(time_step: float, sample_rate: float) -> float:
     """Return how many whole sample periods lie in `time_step` (s): one, or more where frames are missing."""
     return min(max(1.0, float(round(time_step * sample_rate))), max(1.0, LONGEST_GAP * sample_rate))
@@ -43,9 +40,8 @@ class Decoder:
     """
 
     def __init__(self, parameters: DriveParameters, sample_rate: float) -> None:
-        weights, self._offsets = projection(parameters)
-        self._used = used_channels(weights)
-        self._weights = np.ascontiguousarray(weights[:, self._used])
+        self._weights, offsets = projection(parameters)
+        self._offsets: list[float] = offsets.tolist()
         self._uses = self._weights != 0.0
         self._sample_rate = sample_rate
         coefficients = low_pass(parameters.cutoff, sample_rate)
@@ -54,7 +50,8 @@ class Decoder:
         self._held = [gesture.feature == "displacement" for gesture in parameters.gestures]
         self._dead_zone = [gesture.dead_zone for gesture in parameters.gestures]
         self._per_range = [1.0 / (gesture.full - gesture.dead_zone) for gesture in parameters.gestures]
-        self._health = ChannelHealth(parameters.profile, self._used, sample_rate)
+        self._any_held = any(self._held)
+        self._health = ChannelHealth(parameters.profile, self._uses.any(axis=0), sample_rate)
         self._indices = range(count)
         self._none_bad = [False] * count
         self.reset()
@@ -81,18 +78,23 @@ class Decoder:
 
     def step(self, values: NDArray[np.float32], time_step: float) -> None:
         """Take one frame (n_channels,), `time_step` (s) by the shirt's own clock after the one before."""
-        frame = values.take(self._used).astype(np.float64)
+        frame = values.astype(np.float64)
         bad_channels = self._health.step(frame)
         if bad_channels is None:
             self.bad = self._none_bad
-            scores = (self._weights.dot(frame) - self._offsets).tolist()
+            products = self._weights.dot(frame).tolist()
+            if not math.isfinite(sum(products)):  # a channel that nobody reads is NaN or infinite
+                products = self._weights.dot(np.nan_to_num(frame, posinf=0.0, neginf=0.0)).tolist()
         else:
-            scores = self._scores_without(bad_channels, frame)
+            self.bad = (self._uses & bad_channels).any(axis=1).tolist()
+            trusted = np.where(bad_channels | ~np.isfinite(frame), 0.0, frame)
+            products = self._weights.dot(trusted).tolist()
         per_second = self._sample_rate / periods_between(time_step, self._sample_rate)
-        was_quiet = not any(self.activation)
+        was_quiet = self._any_held and not any(self.activation)
         for i in self._indices:
-            score = self.score[i] = scores[i]
-            smooth = self._filters[i].step(score)
+            if not self.bad[i]:  # otherwise the last score stays
+                self.score[i] = products[i] - self._offsets[i]
+            smooth = self._filters[i].step(self.score[i])
             if self._fresh:
                 self._smooth[i] = self._baseline[i] = smooth
             if self._held[i]:
@@ -110,10 +112,3 @@ class Decoder:
                 self.drive[i] = above
                 self.activation[i] = min(1.0, above * self._per_range[i])
         self._fresh = False
-
-    def _scores_without(self, bad_channels: NDArray[np.bool_], frame: NDArray[np.float64]) -> list[float]:
-        """Return the scores, those of gestures that need a bad channel held at their last value."""
-        self.bad = (self._uses & bad_channels).any(axis=1).tolist()
-        trusted = np.where(bad_channels, 0.0, frame)
-        fresh = (self._weights.dot(trusted) - self._offsets).tolist()
-        return [self.score[i] if self.bad[i] else fresh[i] for i in self._indices]

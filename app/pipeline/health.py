@@ -13,48 +13,67 @@ LOSS_LIMIT = 0.1  # share of frames
 
 
 class ChannelHealth:
-    """Watches each channel for NaN, for values outside 1.5 x the calibrated range, and for standing still."""
+    """Watches channels for NaN, for values outside 1.5 x the calibrated range, and for standing still."""
 
-    def __init__(self, profile: CalibrationProfile, channels: NDArray[np.intp], sample_rate: float) -> None:
-        low, high = np.array(profile.low)[channels], np.array(profile.high)[channels]
-        self._middle = (low + high) / 2
-        self._per_half_range = 1.0 / np.maximum((high - low) / 2, SMALLEST_HALF_RANGE)
+    def __init__(self, profile: CalibrationProfile, watched: NDArray[np.bool_], sample_rate: float) -> None:
+        low, high = np.array(profile.low), np.array(profile.high)
+        reach = RANGE_FACTOR * np.maximum((high - low) / 2, SMALLEST_HALF_RANGE)
+        self._low = np.where(watched, (low + high) / 2 - reach, -np.inf)
+        self._high = np.where(watched, (low + high) / 2 + reach, np.inf)
+        self._watched = watched
+        self._counts = watched.astype(np.int32)
         self._flat_after = max(2, round(FLAT_TIME * sample_rate))
-        self._scaled = np.empty(len(low))
+        self._above = np.empty(len(low), dtype=np.bool_)
+        self._below = np.empty(len(low), dtype=np.bool_)
+        self._all = np.ones(len(low), dtype=np.bool_).tobytes()
         self.reset()
 
     def reset(self) -> None:
         """Forget how long each channel stood still."""
-        count = len(self._middle)
-        self._previous = np.full(count, np.nan)
-        self._still = np.zeros(count, dtype=np.int32)
+        self._previous = np.full(len(self._low), np.nan)
+        self._still = np.zeros(len(self._low), dtype=np.int32)
+        self._look_in = self._flat_after
 
     def step(self, values: NDArray[np.float64]) -> NDArray[np.bool_] | None:
-        """Return which channels are bad in this frame, or None when all are well.
+        """Return which channels are bad in this frame (n_channels,), or None when all are well.
 
-        `values` (n_watched,), the watched channels in signal units; the caller leaves the array alone afterwards.
+        `values` (n_channels,) in signal units; the caller leaves the array alone afterwards.
         """
-        self._still += 1
+        self._still += self._counts
         self._still[values != self._previous] = 0
         self._previous = values
-        scaled = np.subtract(values, self._middle, out=self._scaled)
-        scaled *= self._per_half_range
-        np.abs(scaled, out=scaled)
-        # Written so that a NaN, which compares false to everything, takes the careful way.
-        if scaled.max() <= RANGE_FACTOR and self._still.max() < self._flat_after:
+        np.greater_equal(values, self._low, out=self._above)
+        np.less_equal(values, self._high, out=self._below)
+        # Comparing bytes is the fastest "are all true"; a NaN compares false and so takes the careful way.
+        in_range = self._above.tobytes() == self._all == self._below.tobytes()
+        self._look_in -= 1
+        if in_range and self._look_in > 0:
             return None
-        bad: NDArray[np.bool_] = ~(scaled <= RANGE_FACTOR) | (self._still >= self._flat_after)
-        return bad
+        longest = int(self._still.max())
+        self._look_in = self._flat_after - longest  # no channel can stand still for long enough before that
+        if in_range and longest < self._flat_after:
+            return None
+        wrong = ~(self._above & self._below) | (self._still >= self._flat_after)
+        bad: NDArray[np.bool_] = wrong & self._watched
+        return bad if bad.any() else None
 
-    def block(self, values: NDArray[np.float64]) -> NDArray[np.bool_]:
-        """Return the same as `step` for all frames (n, n_watched) of a recording at once."""
-        scaled = np.abs((values - self._middle) * self._per_half_range)
-        bad: NDArray[np.bool_] = ~(scaled <= RANGE_FACTOR)
-        rows = np.arange(len(values), dtype=np.int32)[:, np.newaxis]
-        changed = np.ones(values.shape, dtype=np.bool_)
-        changed[1:] = values[1:] != values[:-1]
-        last_change = np.maximum.accumulate(np.where(changed, rows, 0), axis=0)
-        return bad | (rows - last_change >= self._flat_after)
+    def block(self, values: NDArray[np.float64], before: NDArray[np.float64] | None) -> NDArray[np.bool_]:
+        """Return the same as `step`, for the frames (n, n_channels) of a recording at once.
+
+        `before` are the frames just before, enough of them to see a flat line: FLAT_TIME long; None at the beginning.
+        """
+        known = values if before is None else np.concatenate((before, values))
+        rows = np.arange(len(known), dtype=np.int32)[:, np.newaxis]
+        changed = np.ones(known.shape, dtype=np.bool_)
+        np.not_equal(known[1:], known[:-1], out=changed[1:])
+        flat = rows - np.maximum.accumulate(np.where(changed, rows, 0), axis=0) >= self._flat_after
+        wrong = ~((values >= self._low) & (values <= self._high)) | flat[len(known) - len(values) :]
+        return np.asarray(wrong & self._watched)
+
+    @property
+    def memory(self) -> int:
+        """How many frames before decide whether a channel is flat."""
+        return self._flat_after + 1
 
 
 class LossWindow:
@@ -70,6 +89,8 @@ class LossWindow:
         self._came = [0] * self.BINS
         self._missing = [0] * self.BINS
         self._bin = 0
+        self.too_lossy = False
+        """Whether more than a tenth of the last second's frames are missing."""
 
     def step(self, t: float, missing: int) -> None:
         """Count one frame that came at `t` (s) after `missing` others that did not."""
@@ -78,11 +99,9 @@ class LossWindow:
             for stale in range(max(self._bin + 1, current - self.BINS + 1), current + 1):
                 self._came[stale % self.BINS] = self._missing[stale % self.BINS] = 0
             self._bin = current
-        self._came[current % self.BINS] += 1
-        self._missing[current % self.BINS] += missing
-
-    @property
-    def too_lossy(self) -> bool:
-        """Whether more than a tenth of the last second's frames are missing."""
-        missing = sum(self._missing)
-        return missing > 0 and missing > LOSS_LIMIT * (missing + sum(self._came))
+        place = current % self.BINS
+        self._came[place] += 1
+        if missing or self.too_lossy:
+            self._missing[place] += missing
+            lost = sum(self._missing)
+            self.too_lossy = lost > LOSS_LIMIT * (lost + sum(self._came))

@@ -43,6 +43,16 @@ def shirt_limits(sample_rate: float) -> tuple[float, float]:
     return STALE_PERIODS / sample_rate, SILENT_PERIODS / sample_rate
 
 
+def stop_rate(speed: float, deceleration: float) -> float:
+    """Return how fast to slow down from `speed`: at `deceleration`, or faster where STOP_TIME needs it."""
+    return max(deceleration, abs(speed) / STOP_TIME)
+
+
+def towards_zero(speed: float, change: float) -> float:
+    """Return `speed` brought `change` nearer to zero, never past it."""
+    return max(0.0, speed - change) if speed > 0 else min(0.0, speed + change)
+
+
 class SafetyGate:
     """Permits or withdraws motion, and bounds what passes."""
 
@@ -112,15 +122,15 @@ class SafetyGate:
             v = min(self._forward, max(-self._reverse, v))
             self.last = Twist(v, min(self._turn, max(-self._turn, omega)))
         elif self.last is not STANDSTILL:
-            v = _towards_zero(self.last.v, self._stop_rate * dt)
-            omega = _towards_zero(self.last.omega, self._stop_turn_rate * dt)
+            v = towards_zero(self.last.v, self._stop_rate * dt)
+            omega = towards_zero(self.last.omega, self._stop_turn_rate * dt)
             self.last = Twist(v, omega) if v or omega else STANDSTILL
         return self.last
 
     def _withdraw(self, state: State) -> None:
         self.state = state
-        self._stop_rate = max(STOP_DECELERATION, abs(self.last.v) / STOP_TIME)
-        self._stop_turn_rate = max(STOP_TURN_DECELERATION, abs(self.last.omega) / STOP_TIME)
+        self._stop_rate = stop_rate(self.last.v, STOP_DECELERATION)
+        self._stop_turn_rate = stop_rate(self.last.omega, STOP_TURN_DECELERATION)
 
     def _fault_now(self, pause: float, bad_gestures: int, frame_age: float, conditions: Conditions) -> Fault:
         # Every comparison is written so that a NaN ends in the fault.
@@ -149,8 +159,3 @@ class SafetyGate:
             self.state = State.ARMED
         elif t - self._checking_since > NEUTRAL_PATIENCE:
             self.stop(Fault.NOT_NEUTRAL)
-
-
-def _towards_zero(value: float, change: float) -> float:
-    """Return `value` brought `change` nearer to zero, never past it."""
-    return max(0.0, value - change) if value > 0 else min(0.0, value + change)

@@ -22,22 +22,21 @@ class Shaper:
 
     def step(self, u1: float, u2: float, last: Twist, dt: float) -> Twist:
         """Return the twist to ask for, `dt` (s) after `last` was commanded."""
-        if self._accelerates_u1:
-            v = last.v + u1 * self._acceleration * dt
-        else:
-            v = self._ramp(last.v, u1 * self._forward, dt)
-        v = min(self._forward, max(-self._reverse, v))
-        if self._accelerates_u2:
-            omega = last.omega + u2 * self._turn / TURN_BUILD_UP * dt
-        else:
-            step = self._turn_acceleration * dt
-            omega = min(last.omega + step, max(last.omega - step, u2 * self._turn))
-        return Twist(v, min(self._turn, max(-self._turn, omega)))
+        return Twist(self.speed(u1, last.v, dt), self.turn_rate(u2, last.omega, dt))
 
-    def _ramp(self, last: float, target: float, dt: float) -> float:
-        """Return the speed (m/s) that moves from `last` towards `target` as fast as the ramps allow."""
-        target = min(self._forward, max(-self._reverse, target))
+    def speed(self, u1: float, last: float, dt: float) -> float:
+        """Return the forward speed (m/s) to ask for, `dt` (s) after `last`."""
+        if self._accelerates_u1:
+            return min(self._forward, max(-self._reverse, last + u1 * self._acceleration * dt))
+        target = min(self._forward, max(-self._reverse, u1 * self._forward))
         if last * target < 0:  # first to standstill, then the other way
             target = 0.0
         change = (self._acceleration if abs(target) > abs(last) else self._deceleration) * dt
         return min(last + change, max(last - change, target))
+
+    def turn_rate(self, u2: float, last: float, dt: float) -> float:
+        """Return the turn rate (rad/s) to ask for, `dt` (s) after `last`."""
+        if self._accelerates_u2:
+            return min(self._turn, max(-self._turn, last + u2 * self._turn / TURN_BUILD_UP * dt))
+        change = self._turn_acceleration * dt
+        return min(last + change, max(last - change, u2 * self._turn))

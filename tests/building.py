@@ -1,0 +1,80 @@
+"""Small bodies of work for tests: a layout, a profile, parameters and signals that fit together."""
+
+import numpy as np
+
+from app.calibration.profile import CalibrationProfile, JointMap
+from app.calibration.vocabulary import DriveParameters, standard_parameters
+from app.layout import Channel, Joint, ShirtLayout
+
+PAPER_JOINTS = ("right_elbow", "left_elbow", "right_shoulder", "left_shoulder")
+
+
+def make_layout(n_channels=52, joints=PAPER_JOINTS):
+    """Return a layout whose channels are dealt out to the joints in turn."""
+    return ShirtLayout(
+        name="test shirt",
+        channels=tuple(Channel(name=f"c{i}", joint=joints[i % len(joints)]) for i in range(n_channels)),
+        joints=tuple(Joint(name=joint, label=joint.replace("_", " ")) for joint in joints),
+    )
+
+
+def make_profile(n_channels=52, sample_rate=100.0, seed=1, joints=PAPER_JOINTS, dead_zone=0.2, full=1.0):
+    """Return a profile with random unit weights and a range that no test signal leaves."""
+    rng = np.random.default_rng(seed)
+    layout = make_layout(n_channels, joints)
+    maps = []
+    for name, channels in layout.channels_of_joint.items():
+        weights = rng.normal(size=len(channels))
+        weights /= np.linalg.norm(weights)
+        maps.append(
+            JointMap(
+                name=name,
+                channels=tuple(channels),
+                weights=tuple(weights.tolist()),
+                mean=tuple(rng.normal(size=len(channels)).tolist()),
+                sign=1,
+                span=3.0,
+                evr=0.9,
+                prompted=True,
+                rest_rate=0.02,
+                dead_zone=dead_zone,
+                full=full,
+                grade="good",
+                reason="made for a test",
+            )
+        )
+    return CalibrationProfile(
+        created="2026-01-01T00:00:00+00:00",
+        software="test",
+        layout=layout,
+        sample_rate=sample_rate,
+        left_out={},
+        low=(-100.0,) * n_channels,
+        high=(100.0,) * n_channels,
+        joints=tuple(maps),
+    )
+
+
+def make_parameters(**changes) -> DriveParameters:
+    """Return the paper's vocabulary on `make_profile(**changes)`."""
+    return standard_parameters(make_profile(**changes))
+
+
+def make_signals(parameters, n=2000, seed=0, strokes=True):
+    """Return values (n, n_channels) float32: joints that rest, and now and then make a stroke along their map."""
+    rng = np.random.default_rng(seed)
+    profile = parameters.profile
+    values = rng.normal(scale=0.002, size=(n, len(profile.layout.channels)))
+    rate = profile.sample_rate
+    for joint in profile.joints:
+        posture = np.zeros(n)
+        start = int(rate) + int(rng.integers(0, rate))
+        while strokes and start < n:
+            length = int(0.6 * rate)
+            phase = np.clip((np.arange(n) - start) / length, 0, 1)
+            back = np.clip((np.arange(n) - start - 2 * length) / (2 * length), 0, 1)
+            posture += 0.6 * (phase**2 * (3 - 2 * phase) - back**2 * (3 - 2 * back))
+            start += int(6 * rate) + int(rng.integers(0, rate))
+        channels = list(joint.channels)
+        values[:, channels] += np.array(joint.mean) + np.outer(posture * joint.span, joint.weights)
+    return values.astype(np.float32)

@@ -1,0 +1,82 @@
+import numpy as np
+from building import make_profile
+from hypothesis import given
+from hypothesis import strategies as st
+
+from app.pipeline.health import ChannelHealth, LossWindow
+
+CHANNELS = 8
+EVERY = np.ones(CHANNELS, dtype=np.bool_)
+values = st.one_of(st.floats(-300, 300), st.just(float("nan")), st.just(float("inf")), st.just(1.0))
+
+
+def health(watched=EVERY, sample_rate=20.0):
+    profile = make_profile(CHANNELS).model_copy(update={"low": (-100.0,) * CHANNELS, "high": (100.0,) * CHANNELS})
+    return ChannelHealth(profile, watched, sample_rate)
+
+
+def trembling(n, seed=0):
+    return np.random.default_rng(seed).normal(size=(n, CHANNELS))
+
+
+def test_a_well_shirt_has_nothing_to_report():
+    watch = health()
+    assert all(watch.step(frame.copy()) is None for frame in trembling(300))
+
+
+def judged(value):
+    """Return whether channel 3, and no other, is bad when it shows `value`."""
+    frame = trembling(1)[0]
+    frame[3] = value
+    bad = health().step(frame)
+    assert bad is None or bad.tolist() == [i == 3 for i in range(CHANNELS)]
+    return bad is not None
+
+
+def test_values_beyond_one_and_a_half_times_the_range_are_not_believed():
+    for value in (149.9, -149.9, 0.0):
+        assert not judged(value)
+    for value in (150.1, -150.1, np.nan, np.inf, 1e308):
+        assert judged(value)
+
+
+def test_a_channel_that_stands_still_for_200_ms_is_bad_until_it_moves_again():
+    watch, frames = health(), trembling(30)
+    frames[10:20, 5] = 0.25
+    bad_at = [i for i, frame in enumerate(frames) if watch.step(frame.copy()) is not None]
+    assert bad_at == [14, 15, 16, 17, 18, 19]  # 4 periods of 50 ms after it stopped
+
+
+def test_channels_that_nobody_reads_may_do_what_they_like():
+    watched = EVERY.copy()
+    watched[2] = False
+    watch, frames = health(watched), trembling(50)
+    frames[:, 2] = np.nan
+    assert all(watch.step(frame.copy()) is None for frame in frames)
+
+
+@given(st.lists(st.lists(values, min_size=CHANNELS, max_size=CHANNELS), min_size=1, max_size=40), st.integers(1, 20))
+def test_at_once_is_the_same_as_frame_by_frame(rows, chunk):
+    frames = np.array(rows)
+    watch, whole = health(), health()
+    one_by_one = []
+    for frame in frames:
+        bad = watch.step(frame.copy())
+        one_by_one.append(np.zeros(CHANNELS, dtype=bool) if bad is None else bad)
+    blocks = []
+    for start in range(0, len(frames), chunk):
+        before = frames[max(0, start - whole.memory) : start] if start else None
+        blocks.append(whole.block(frames[start : start + chunk], before))
+    np.testing.assert_array_equal(np.concatenate(blocks), one_by_one)
+
+
+def test_a_tenth_of_the_frames_may_get_lost_and_not_more():
+    few, many = LossWindow(), LossWindow()
+    for i in range(300):
+        few.step(i / 100, 1 if i % 12 == 0 else 0)
+        many.step(i / 100, 1 if i % 8 == 0 else 0)
+    assert not few.too_lossy
+    assert many.too_lossy
+    for i in range(300, 450):
+        many.step(i / 100, 0)
+    assert not many.too_lossy
