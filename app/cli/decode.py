@@ -1,0 +1,123 @@
+"""`bodydrive decode`: the chain of the live loop over a file."""
+
+import io
+import json
+from pathlib import Path
+from typing import Annotated
+
+import numpy as np
+import typer
+from numpy.typing import NDArray
+from pydantic import ValidationError
+
+from app.calibration.profile import CalibrationProfile
+from app.calibration.vocabulary import DriveParameters, standard_parameters
+from app.cli.errors import InputError
+from app.files import write_atomically
+from app.pipeline.batch import Decoded, decode_block
+from app.sentences import one_sentence
+from app.signals import Signals, read_signals
+
+SUFFIXES = (".parquet", ".csv")
+
+
+def decode(
+    signals: Annotated[Path, typer.Argument(metavar="SIGNALS", help="CSV or Parquet, or the folder of a recording.")],
+    profile: Annotated[Path, typer.Option(help="What `bodydrive calibrate` wrote, or a saved parameter set.")],
+    out: Annotated[Path, typer.Option(help="Where the commands go: .parquet or .csv.")],
+    dead_zone: Annotated[float | None, typer.Option(help="Dead-zone of all gestures, FS/s.")] = None,
+    cutoff: Annotated[float | None, typer.Option(help="Cutoff of the low-pass, Hz.")] = None,
+    as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")] = False,
+) -> None:
+    """Decode a file of signals with the very chain of the live loop."""
+    if out.suffix not in SUFFIXES:
+        raise InputError(f"--out {out}: its name must end in {' or '.join(SUFFIXES)}")
+    parameters = overridden(read_parameters(profile), dead_zone, cutoff)
+    try:
+        recorded = read_signals(signals, parameters.profile.layout)
+        decoded = decode_block(
+            parameters, recorded.sample_rate, recorded.t, recorded.values.astype(np.float32), t_device=recorded.t
+        )
+    except ValueError as error:
+        raise InputError(str(error)) from error
+    write_columns(out, columns(parameters, recorded, decoded))
+    summary = {
+        "frames": len(recorded.t),
+        "seconds": float(recorded.t[-1] - recorded.t[0]),
+        "sample_rate": recorded.sample_rate,
+        "out": str(out),
+    }
+    if as_json:
+        typer.echo(json.dumps(summary))
+    else:
+        typer.echo(f"{summary['frames']} frames, {summary['seconds']:.1f} s, decoded into {out}")
+
+
+def read_parameters(file: Path) -> DriveParameters:
+    """Return the parameter set in `file`: saved as such, or the paper's vocabulary on a calibration profile."""
+    try:
+        document = json.loads(file.read_bytes())
+    except OSError as error:
+        raise InputError(
+            f"--profile {file} cannot be read ({error.strerror}): give the file that calibrate wrote"
+        ) from error
+    except ValueError as error:
+        raise InputError(
+            f"--profile {file} is not a JSON document ({error}): give the file that calibrate wrote"
+        ) from error
+    try:
+        if isinstance(document, dict) and "gestures" in document:
+            return DriveParameters.model_validate_json(json.dumps(document))
+        return standard_parameters(CalibrationProfile.model_validate_json(json.dumps(document)))
+    except ValidationError as error:
+        raise InputError(one_sentence(error, f"--profile {file}")) from error
+
+
+def overridden(parameters: DriveParameters, dead_zone: float | None, cutoff: float | None) -> DriveParameters:
+    """Return `parameters` with another dead-zone for all gestures and another cutoff, where they are given.
+
+    A gesture's `full` keeps its distance where the new dead-zone would reach it.
+    """
+    document = parameters.model_dump(mode="json")
+    if cutoff is not None:
+        document["cutoff"] = cutoff
+    if dead_zone is not None:
+        for gesture in document["gestures"]:
+            if gesture["full"] <= dead_zone:
+                gesture["full"] = dead_zone + gesture["full"] - gesture["dead_zone"]
+            gesture["dead_zone"] = dead_zone
+    try:
+        return DriveParameters.model_validate_json(json.dumps(document))
+    except ValidationError as error:
+        raise InputError(one_sentence(error, "--dead-zone or --cutoff")) from error
+
+
+def columns(parameters: DriveParameters, recorded: Signals, decoded: Decoded) -> dict[str, NDArray[np.float64]]:
+    """Return what is written: time, four columns per gesture, controls, twist and pose."""
+    named = {"t": recorded.t}
+    for i, gesture in enumerate(parameters.gestures):
+        named[f"{gesture.name}_score"] = decoded.score[:, i]
+        named[f"{gesture.name}_rate"] = decoded.rate[:, i]
+        named[f"{gesture.name}_activation"] = decoded.activation[:, i]
+        named[f"{gesture.name}_drive"] = decoded.drive[:, i]
+    for name in ("u1", "u2", "v", "omega", "x", "y", "theta"):
+        named[name] = getattr(decoded, name)
+    return named
+
+
+def write_columns(file: Path, named: dict[str, NDArray[np.float64]]) -> None:
+    """Write columns of equal length to a .parquet or .csv file, whole or not at all."""
+    import pyarrow as pa  # noqa: PLC0415  (keeps the start of the other commands quick)
+    import pyarrow.csv  # noqa: PLC0415
+    import pyarrow.parquet  # noqa: PLC0415
+
+    table = pa.table(named)
+    content = io.BytesIO()
+    if file.suffix == ".csv":
+        pyarrow.csv.write_csv(table, content)
+    else:
+        pyarrow.parquet.write_table(table, content, compression="zstd")
+    try:
+        write_atomically(file, content.getvalue())
+    except OSError as error:
+        raise InputError(f"--out {file} cannot be written ({error.strerror}): choose another place") from error

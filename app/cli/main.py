@@ -1,0 +1,73 @@
+"""The command line: one word per task."""
+
+import sys
+from importlib import import_module
+from typing import Annotated
+
+import click
+import typer
+
+from app import __version__
+from app.cli.errors import InputError
+
+# word -> module and function, imported only when the word is used, so that `--help` and small commands start at once
+COMMANDS = {
+    "demo": ("app.cli.serve", "demo"),
+    "serve": ("app.cli.serve", "serve"),
+    "calibrate": ("app.cli.calibrate", "calibrate"),
+    "decode": ("app.cli.decode", "decode"),
+    "score": ("app.cli.score", "score"),
+    "study": ("app.cli.study", "study"),
+    "replay": ("app.cli.replay", "replay"),
+    "bench": ("app.cli.bench", "bench"),
+    "floorplan": ("app.cli.floorplan", "floorplan_app"),
+}
+
+
+def build(words: list[str]) -> typer.Typer:
+    """Return the application with the commands in `words`."""
+    application = typer.Typer(
+        name="bodydrive",
+        help="Body-machine interface for powered wheelchairs: calibrate, practise, score, drive.",
+        no_args_is_help=True,
+        add_completion=False,
+        pretty_exceptions_enable=False,
+    )
+    application.callback(invoke_without_command=True)(_options)
+    for word in words:
+        module, name = COMMANDS[word]
+        command = getattr(import_module(module), name)
+        if isinstance(command, typer.Typer):
+            application.add_typer(command, name=word)
+        else:
+            application.command(word)(command)
+    return application
+
+
+def _options(
+    version: Annotated[bool, typer.Option("--version", help="Say which version this is, and end.")] = False,
+) -> None:
+    if version:
+        typer.echo(f"bodydrive {__version__}")
+        raise typer.Exit
+
+
+def main() -> None:
+    """Run the command line; bad input is one sentence on stderr and exit code 2."""
+    given = [word for word in sys.argv[1:] if not word.startswith("-")]
+    words = [given[0]] if given and given[0] in COMMANDS else list(COMMANDS)
+    try:
+        code = build(words)(standalone_mode=False, prog_name="bodydrive")
+    except InputError as error:
+        refuse(str(error))
+    except click.ClickException as error:
+        refuse(f"{error.format_message()} See bodydrive {' '.join(given[:1])} --help.")
+    except click.Abort:
+        sys.exit(130)
+    sys.exit(code if isinstance(code, int) else 0)
+
+
+def refuse(sentence: str) -> None:
+    """End with `sentence` on stderr and exit code 2."""
+    sys.stderr.write(f"bodydrive: {sentence}\n")
+    sys.exit(2)
