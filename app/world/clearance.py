@@ -1,0 +1,111 @@
+"""How much room a path leaves to walls and obstacles."""
+
+from collections.abc import Sequence
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.world.obstacles import Box, Cylinder, Obstacle
+
+Points = NDArray[np.float64]
+
+
+class Tightest(NamedTuple):
+    """The tightest place along a path."""
+
+    distance: float  # m, from the path to the surface; 0 or less when the path goes through it
+    x: float  # where on the path, m
+    y: float
+    kind: str  # "wall" or "obstacle"
+    what: str  # in words
+
+
+NOTHING_NEAR = Tightest(np.inf, 0.0, 0.0, "wall", "a wall")
+
+
+class Clearance:
+    """Measures distances between paths and everything that stands in a floor plan."""
+
+    def __init__(
+        self, walls: Sequence[Sequence[tuple[float, float]]], thickness: float, obstacles: Sequence[Obstacle]
+    ) -> None:
+        edges = [(*a, *b) for wall in walls for a, b in pairwise(wall)]
+        self._walls = np.array(edges, dtype=np.float64).reshape(-1, 4)
+        self._half_thickness = thickness / 2
+        self._obstacles = obstacles
+
+    def along(self, points: Sequence[tuple[float, float]]) -> Tightest:
+        """Return the tightest place along the line through `points`."""
+        tightest = NOTHING_NEAR
+        for a, b in pairwise(points):
+            piece = np.array([*a, *b])
+            found = [self._from_walls(piece), *(_from_obstacle(piece, obstacle) for obstacle in self._obstacles)]
+            tightest = min(tightest, *found, key=lambda place: place.distance)
+        return tightest
+
+    def _from_walls(self, piece: Points) -> Tightest:
+        if not len(self._walls):
+            return NOTHING_NEAR
+        distances, places = between_segments(piece, self._walls)
+        nearest = int(np.argmin(distances))
+        x, y = places[nearest]
+        return Tightest(float(distances[nearest]) - self._half_thickness, float(x), float(y), "wall", "a wall")
+
+
+def _from_obstacle(piece: Points, obstacle: Obstacle) -> Tightest:
+    what = f"the obstacle '{obstacle.label}'"
+    if isinstance(obstacle, Cylinder):
+        place = nearest_on_segments(np.array(obstacle.position), piece[np.newaxis])[0]
+        distance = float(np.hypot(*(place - obstacle.position))) - obstacle.radius
+    else:
+        distance, place = _from_box(piece, obstacle)
+    return Tightest(distance, float(place[0]), float(place[1]), "obstacle", what)
+
+
+def _from_box(piece: Points, box: Box) -> tuple[float, Points]:
+    if box.covers(piece[0], piece[1]):
+        return 0.0, piece[:2]
+    corners = np.array(box.corners())
+    distances, places = between_segments(piece, np.hstack([corners, np.roll(corners, -1, axis=0)]))
+    nearest = int(np.argmin(distances))
+    return float(distances[nearest]), places[nearest]
+
+
+def nearest_on_segments(point: Points, segments: Points) -> Points:
+    """Return the place (n, 2) on each segment (n, 4) nearest to `point`: one (2,) for all, or one for each (n, 2)."""
+    start, along = segments[:, :2], segments[:, 2:] - segments[:, :2]
+    square = (along * along).sum(axis=1)
+    share = ((point - start) * along).sum(axis=1) / np.where(square > 0, square, 1.0)
+    return np.asarray(start + np.clip(share, 0.0, 1.0)[:, np.newaxis] * along)
+
+
+def between_segments(piece: Points, segments: Points) -> tuple[Points, Points]:
+    """Return the distance (n,) of `piece` (4,) to each of `segments` (n, 4), and where on the piece that is (n, 2)."""
+    start, end = piece[:2], piece[2:]
+    candidates = [np.broadcast_to(start, (len(segments), 2)), np.broadcast_to(end, (len(segments), 2))]
+    others = [nearest_on_segments(start, segments), nearest_on_segments(end, segments)]
+    for corner in (segments[:, :2], segments[:, 2:]):
+        candidates.append(nearest_on_segments(corner, piece[np.newaxis]))
+        others.append(corner)
+    places, others_array = np.stack(candidates), np.stack(others)
+    distances = np.hypot(*np.moveaxis(places - others_array, -1, 0))
+    best = np.argmin(distances, axis=0)
+    rows = np.arange(len(segments))
+    crossing, crossing_places = _crossings(piece, segments)
+    distance = np.where(crossing, 0.0, distances[best, rows])
+    return distance, np.where(crossing[:, np.newaxis], crossing_places, places[best, rows])
+
+
+def _crossings(piece: Points, segments: Points) -> tuple[NDArray[np.bool_], Points]:
+    """Tell which segments cross the piece, and where."""
+    start, along = piece[:2], piece[2:] - piece[:2]
+    others, other_along = segments[:, :2], segments[:, 2:] - segments[:, :2]
+    denominator = along[0] * other_along[:, 1] - along[1] * other_along[:, 0]
+    safe = np.where(denominator != 0, denominator, 1.0)
+    away = others - start
+    share = (away[:, 0] * other_along[:, 1] - away[:, 1] * other_along[:, 0]) / safe
+    other_share = (away[:, 0] * along[1] - away[:, 1] * along[0]) / safe
+    crossing = (denominator != 0) & (share >= 0) & (share <= 1) & (other_share >= 0) & (other_share <= 1)
+    return crossing, start + share[:, np.newaxis] * along

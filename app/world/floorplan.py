@@ -1,0 +1,165 @@
+"""The floor plan: a building storey with its walls, obstacles, rooms and prescribed paths, as a document."""
+
+from itertools import pairwise
+from pathlib import Path as FilePath
+from typing import Annotated, Self
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import Field, ValidationError, model_validator
+
+from app.geometry import Pose
+from app.quantities import Document, Length, Name, Radians, Seconds, Title
+from app.sentences import one_sentence
+from app.settings import data_folder
+from app.world.clearance import Clearance
+from app.world.kinematics import CHAIR_RADIUS
+from app.world.obstacles import Box, Cylinder, Obstacle, Point
+from app.world.path import Path
+
+MAX_WALLS = 5000
+MAX_BYTES = 8_000_000  # a document larger than this is not a floor plan
+
+Polyline = Annotated[tuple[Point, ...], Field(min_length=2, max_length=MAX_WALLS)]
+
+
+class Room(Document):
+    """A room's word, and where on the plan to write it."""
+
+    label: Title
+    position: Point
+
+
+class Door(Document):
+    """A door frame, drawn in the gap between two walls: its middle, its clear width, and the way through it."""
+
+    position: Point
+    width: Length = 1.0
+    heading: Radians = 0.0  # of somebody who goes through
+
+
+class PrescribedPath(Document):
+    """A path on the floor and what is asked of the person who follows it."""
+
+    name: Name
+    title: Title
+    points: Polyline
+    goal_radius: Length = 0.5  # m around the last point
+    time_limit: Seconds = 180.0
+    instruction: Annotated[str, Field(min_length=1, max_length=200)]
+    start_heading: Radians | None = None  # along the path when not given
+
+    @property
+    def line(self) -> Path:
+        """Return the path's geometry."""
+        return Path(self.points)
+
+    @property
+    def start(self) -> Pose:
+        """Return where the chair stands when a trial begins."""
+        heading = self.line.heading_at(0.0) if self.start_heading is None else self.start_heading
+        return Pose(self.points[0][0], self.points[0][1], heading)
+
+
+class FloorPlan(Document):
+    """One storey. Doorways are gaps between walls; a wall is as thick to the chair as it is drawn."""
+
+    name: Name
+    title: Title
+    walls: Annotated[tuple[Polyline, ...], Field(max_length=MAX_WALLS)]
+    obstacles: Annotated[tuple[Obstacle, ...], Field(max_length=1000)] = ()
+    rooms: Annotated[tuple[Room, ...], Field(max_length=200)] = ()
+    doors: Annotated[tuple[Door, ...], Field(max_length=200)] = ()
+    paths: Annotated[tuple[PrescribedPath, ...], Field(min_length=1, max_length=20)]
+    wall_height: Length = 2.6
+    wall_thickness: Annotated[Length, Field(le=1.0)] = 0.1
+
+    @model_validator(mode="after")
+    def _path_names_are_unique(self) -> Self:
+        names = [path.name for path in self.paths]
+        for name in names:
+            if names.count(name) > 1:
+                raise ValueError(f"path '{name}' stands there twice: give each its own name")
+        return self
+
+    @model_validator(mode="after")
+    def _paths_are_free(self) -> Self:
+        clearance = Clearance(self.walls, self.wall_thickness, self.obstacles)
+        for path in self.paths:
+            try:
+                line = path.line
+            except ValueError as error:
+                raise ValueError(f"path '{path.name}': {error}") from error
+            found = clearance.along(line.points)
+            if found.distance < CHAIR_RADIUS:
+                raise ValueError(
+                    f"path '{path.name}' comes within {max(found.distance, 0):.2f} m of {found.what} near "
+                    f"({found.x:.2f}, {found.y:.2f}), and the chair needs {CHAIR_RADIUS} m on each side: "
+                    f"move the path or the {found.kind}"
+                )
+        return self
+
+    def segments(self) -> NDArray[np.float64]:
+        """Return every edge of walls and boxes, (n, 4): x1, y1, x2, y2 in m; walls by their middle line."""
+        edges = [(*a, *b) for wall in self.walls for a, b in pairwise(wall)]
+        for obstacle in self.obstacles:
+            if isinstance(obstacle, Box):
+                corners = obstacle.corners()
+                edges += [(*a, *b) for a, b in pairwise([*corners, corners[0]])]
+        return np.array(edges, dtype=np.float64).reshape(-1, 4)
+
+    @property
+    def bounds(self) -> tuple[float, float, float, float]:
+        """Return the smallest upright rectangle around everything: x_min, y_min, x_max, y_max in m."""
+        points = [point for wall in self.walls for point in wall]
+        points += [point for path in self.paths for point in path.points]
+        for obstacle in self.obstacles:
+            if isinstance(obstacle, Cylinder):
+                (x, y), r = obstacle.position, obstacle.radius
+                points += [(x - r, y - r), (x + r, y + r)]
+            else:
+                points += obstacle.corners()
+        corners = np.array(points)
+        low, high = corners.min(axis=0), corners.max(axis=0)
+        return float(low[0]), float(low[1]), float(high[0]), float(high[1])
+
+    def path_named(self, name: str) -> PrescribedPath:
+        """Return one of the paths.
+
+        Raises
+        ------
+        ValueError
+            When there is none of this name.
+        """
+        for path in self.paths:
+            if path.name == name:
+                return path
+        known = ", ".join(path.name for path in self.paths)
+        raise ValueError(f"floor plan '{self.name}' has no path '{name}': use one of {known}")
+
+
+def load_floorplan(file: FilePath) -> FloorPlan:
+    """Read a floor plan from a JSON file.
+
+    Raises
+    ------
+    ValueError
+        One sentence that names the file, the place in it, and what to do.
+    """
+    try:
+        if file.stat().st_size > MAX_BYTES:
+            raise ValueError(f"{file}: this is larger than {MAX_BYTES // 1_000_000} MB and no floor plan, name another")
+        content = file.read_bytes()
+    except FileNotFoundError as error:
+        raise ValueError(f"{file}: there is no such file, check its name") from error
+    except OSError as error:
+        raise ValueError(f"{file}: this file cannot be read ({error.strerror or error}), check it") from error
+    try:
+        return FloorPlan.model_validate_json(content)
+    except ValidationError as error:
+        raise ValueError(one_sentence(error, str(file))) from error
+
+
+def bundled_floorplans() -> dict[str, FilePath]:
+    """Return the files of the floor plans that come with the software, by name, in alphabetical order."""
+    return {file.stem: file for file in sorted((data_folder() / "floorplans").glob("*.json"))}
