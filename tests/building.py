@@ -61,20 +61,20 @@ def make_parameters(**changes) -> DriveParameters:
 
 
 def make_signals(parameters, n=2000, seed=0, strokes=True):
-    """Return values (n, n_channels) float32: joints that rest, and now and then make a stroke along their map."""
+    """Return values (n, n_channels) float32: joints that rest and make a stroke along their map, one after another."""
     rng = np.random.default_rng(seed)
     profile = parameters.profile
     values = rng.normal(scale=0.002, size=(n, len(profile.layout.channels)))
     rate = profile.sample_rate
-    for joint in profile.joints:
+    for turn, joint in enumerate(profile.joints):
         posture = np.zeros(n)
-        start = int(rate) + int(rng.integers(0, rate))
+        start = int((1 + 1.5 * turn) * rate) + int(rng.integers(0, 0.5 * rate))
         while strokes and start < n:
             length = int(0.6 * rate)
             phase = np.clip((np.arange(n) - start) / length, 0, 1)
             back = np.clip((np.arange(n) - start - 2 * length) / (2 * length), 0, 1)
             posture += 0.6 * (phase**2 * (3 - 2 * phase) - back**2 * (3 - 2 * back))
-            start += int(6 * rate) + int(rng.integers(0, rate))
+            start += int(1.5 * len(profile.joints) * rate)
         channels = list(joint.channels)
         values[:, channels] += np.array(joint.mean) + np.outer(posture * joint.span, joint.weights)
     return values.astype(np.float32)

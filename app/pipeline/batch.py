@@ -17,7 +17,7 @@ from app.geometry import Twist
 from app.pipeline.chain import Chair
 from app.pipeline.controls import Controls
 from app.pipeline.decoder import LONGEST_GAP, Decoder, projection
-from app.pipeline.health import ChannelHealth
+from app.pipeline.health import ChannelHealth, LossWindow
 from app.pipeline.safety import (
     LARGEST_STEP,
     STOP_DECELERATION,
@@ -79,16 +79,18 @@ def decode_block(
         Where the twists go; without one, a unicycle that starts at the origin of a floor without walls.
     """
     device = t if t_device is None else t_device
-    score, bad = _scores(parameters, sample_rate, values)
+    score, silent = _scores(parameters, sample_rate, values)
+    periods = _periods(device, sample_rate)
+    silent |= _too_lossy(t, periods)[:, np.newaxis]
     if any(gesture.feature == "displacement" for gesture in parameters.gestures):
-        rate, drive, activation = _step_by_step(parameters, sample_rate, device, values)
+        rate, drive, activation = _step_by_step(parameters, sample_rate, periods, values, silent)
     else:
         dead_zone = np.array([gesture.dead_zone for gesture in parameters.gestures])
         reach = np.array([gesture.full for gesture in parameters.gestures]) - dead_zone
         smoothed = smooth(score, parameters.cutoff, sample_rate)
-        rate = np.diff(smoothed, axis=0, prepend=smoothed[:1]) * _per_second(device, sample_rate)[:, np.newaxis]
+        rate = np.diff(smoothed, axis=0, prepend=smoothed[:1]) * (sample_rate / periods)[:, np.newaxis]
         drive = np.maximum(rate - dead_zone, 0.0)
-        drive[bad] = 0.0
+        drive[silent] = 0.0
         activation = np.minimum(drive / reach, 1.0)
     u1, u2 = _controls(parameters, activation)
     dt = np.clip(np.diff(t, prepend=t[:1]), 0.0, LARGEST_STEP)
@@ -100,7 +102,7 @@ def decode_block(
 def _scores(
     parameters: DriveParameters, sample_rate: float, values: NDArray[np.float32]
 ) -> tuple[Array, NDArray[np.bool_]]:
-    """Return scores, held where a channel is bad, and where that is: both (n, n_gestures)."""
+    """Return scores, held where a channel is bad, and where that silences the gesture: both (n, n_gestures)."""
     weights, offsets = projection(parameters)
     uses = weights != 0.0
     health = ChannelHealth(parameters.profile, uses.any(axis=0), sample_rate)
@@ -123,23 +125,38 @@ def _scores(
     return score, bad
 
 
-def _per_second(device: Array, sample_rate: float) -> Array:
-    """Return, per frame, 1 / the time step in whole periods, as `decoder.periods_between` counts them."""
+def _periods(device: Array, sample_rate: float) -> Array:
+    """Return, per frame, its time step in whole periods, as `decoder.periods_between` counts them."""
     step = np.diff(device, prepend=device[:1] - 1.0 / sample_rate)
     step[~((step > 0) & (step < np.inf))] = 1.0 / sample_rate
-    periods = np.clip(np.round(step * sample_rate), 1.0, max(1.0, LONGEST_GAP * sample_rate))
-    return np.asarray(sample_rate / periods)
+    return np.clip(np.round(step * sample_rate), 1.0, max(1.0, LONGEST_GAP * sample_rate))
+
+
+def _too_lossy(t: Array, periods: Array) -> NDArray[np.bool_]:
+    """Return where so many frames are missing that the gestures count as neutral."""
+    lossy = np.zeros(len(t), dtype=np.bool_)
+    if periods.max(initial=1.0) > 1.0:
+        window = LossWindow()
+        for i, (arrival, period) in enumerate(zip(t.tolist(), periods.tolist(), strict=True)):
+            window.step(arrival, int(period) - 1)
+            lossy[i] = window.too_lossy
+    return lossy
 
 
 def _step_by_step(
-    parameters: DriveParameters, sample_rate: float, device: Array, values: NDArray[np.float32]
+    parameters: DriveParameters,
+    sample_rate: float,
+    periods: Array,
+    values: NDArray[np.float32],
+    silent: NDArray[np.bool_],
 ) -> tuple[Array, Array, Array]:
     """Return rate, drive and activation by the loop's own decoder: a held posture's baseline has a memory."""
     decoder = Decoder(parameters, sample_rate)
-    per_second = _per_second(device, sample_rate)
     rows = np.empty((3, len(values), len(parameters.gestures)))
     for i, frame in enumerate(values):
-        decoder.step(frame, 1.0 / per_second[i])
+        decoder.step(frame, periods[i] / sample_rate)
+        if silent[i].all():
+            decoder.quieten()
         rows[:, i] = decoder.rate, decoder.drive, decoder.activation
     return rows[0], rows[1], rows[2]
 

@@ -8,7 +8,7 @@ from app.faults import Fault, State
 from app.geometry import STANDSTILL, Twist
 from app.messages import SensorFrame, Tick
 from app.pipeline.controls import Controls
-from app.pipeline.decoder import Decoder
+from app.pipeline.decoder import Decoder, periods_between
 from app.pipeline.health import LossWindow
 from app.pipeline.safety import LARGEST_STEP, Conditions, SafetyGate, shirt_limits
 from app.pipeline.shaping import Shaper
@@ -128,4 +128,4 @@ class Chain:
         self._t_device = frame.t_device
         self._frame_t = frame.t
         decoder.step(frame.values, time_step)
-        self._loss.step(frame.t, max(0, round(time_step * self._sample_rate) - 1))
+        self._loss.step(frame.t, int(periods_between(time_step, self._sample_rate)) - 1)

@@ -1,9 +1,9 @@
-from building import make_parameters
 from hypothesis import given
 from hypothesis import strategies as st
 
 from app.calibration.vocabulary import Binding
 from app.pipeline.controls import Controls
+from building import make_parameters
 
 FASTER, SLOWER, LEFT, RIGHT = range(4)  # the order of the paper's joints in the test profile
 activations = st.lists(st.floats(0, 1), min_size=4, max_size=4)

@@ -1,9 +1,9 @@
 import numpy as np
-from building import make_profile
 from hypothesis import given
 from hypothesis import strategies as st
 
 from app.pipeline.health import ChannelHealth, LossWindow
+from building import make_profile
 
 CHANNELS = 8
 EVERY = np.ones(CHANNELS, dtype=np.bool_)

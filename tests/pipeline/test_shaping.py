@@ -1,11 +1,11 @@
 import pytest
-from building import make_parameters
 from hypothesis import given
 from hypothesis import strategies as st
 
 from app.calibration.vocabulary import Speeds
 from app.geometry import STANDSTILL, Twist
 from app.pipeline.shaping import Shaper
+from building import make_parameters
 
 control = st.floats(-1, 1)
 

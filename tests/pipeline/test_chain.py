@@ -1,0 +1,146 @@
+"""The chain as a whole: what a person does, and what the chair does of it."""
+
+import numpy as np
+
+from app.faults import Fault, State
+from app.geometry import Pose
+from app.hardware.chair.simulator import VirtualChair
+from app.messages import SensorFrame
+from app.pipeline.chain import Chain
+from app.pipeline.safety import Conditions
+from building import make_parameters, make_signals
+
+RATE = 100.0
+
+
+class Ride:
+    """A chain with its time, for tests."""
+
+    def __init__(self, parameters):
+        self.chain = Chain(RATE, parameters, VirtualChair(None, Pose(0.0, 0.0, 0.0)))
+        self.steps = 0
+
+    def feed(self, frame):
+        """Send one frame, or None for a turn without one."""
+        t = self.steps / RATE
+        self.steps += 1
+        sensed = None if frame is None else SensorFrame(self.steps, t, t, frame)
+        return self.chain.step(sensed, t, Conditions())
+
+    def arm_at_rest(self, resting):
+        assert self.chain.arm()
+        for frame in resting[:80]:
+            tick = self.feed(frame)
+        assert tick.state is State.ARMED
+
+
+def test_without_a_calibration_signals_pass_and_nothing_drives():
+    ride = Ride(None)
+    assert not ride.chain.arm()
+    values = np.ones(52, dtype=np.float32)
+    for _ in range(100):
+        tick = ride.feed(values)
+        assert tick.values is values
+        assert (tick.v, tick.omega, tick.state) == (0.0, 0.0, State.DISARMED)
+
+
+def test_a_body_at_rest_does_not_move_the_chair():
+    parameters = make_parameters()
+    ride = Ride(parameters)
+    ride.arm_at_rest(make_signals(parameters, strokes=False))
+    for frame in make_signals(parameters, 3000, seed=2, strokes=False):
+        tick = ride.feed(frame)
+        assert (tick.v, tick.omega) == (0.0, 0.0)
+
+
+def test_the_way_back_to_rest_does_nothing():
+    parameters = make_parameters()
+    ride = Ride(parameters)
+    ride.arm_at_rest(make_signals(parameters, strokes=False))
+    joint = parameters.profile.joints[0]
+    rest = make_signals(parameters, 200, strokes=False)
+    rest[:, list(joint.channels)] += np.outer(np.linspace(0, -1, 200), joint.weights) * joint.span
+    assert all(ride.feed(frame).u1 == 0.0 for frame in rest)
+
+
+def test_frames_that_stop_coming_neutralise_after_50_ms_and_stop_after_200_ms():
+    parameters = make_parameters().model_copy(update={"mode_u1": "velocity"})
+    ride = Ride(parameters)
+    ride.arm_at_rest(make_signals(parameters, strokes=False))
+    joint = parameters.profile.joints[0]
+    bend = make_signals(parameters, 60, strokes=False)
+    bend[:, list(joint.channels)] += np.outer(np.linspace(0, 0.8, 60), joint.weights) * joint.span
+    for frame in bend:
+        tick = ride.feed(frame)
+    assert tick.u1 > 0.5
+    silence = [(tick.u1, tick.state) for tick in (ride.feed(None) for _ in range(25))]
+    assert [u1 > 0 for u1, _ in silence[:4]] == [True] * 4
+    assert all(u1 == 0 for u1, _ in silence[5:])
+    assert silence[18][1] is State.ARMED
+    assert silence[-1][1] is State.FAULT
+    assert ride.chain.gate.fault is Fault.SHIRT_SILENT
+
+
+def test_before_the_first_frame_nothing_arms():
+    ride = Ride(make_parameters())
+    ride.chain.arm()
+    states = [ride.feed(None).state for _ in range(100)]
+    assert State.ARMED not in states
+    assert states[-1] is State.FAULT
+
+
+def test_both_elbows_together_stop_in_every_mode():
+    for mode in ("velocity", "acceleration"):
+        parameters = make_parameters().model_copy(update={"mode_u1": mode})
+        ride = Ride(parameters)
+        ride.arm_at_rest(make_signals(parameters, strokes=False))
+        both = make_signals(parameters, 60, strokes=False)
+        for joint in parameters.profile.joints[:2]:
+            both[:, list(joint.channels)] += np.outer(np.linspace(0, 0.8, 60), joint.weights) * joint.span
+        ticks = [(tick.state, tick.fault) for tick in map(ride.feed, both)]
+        assert ticks[-1] == (State.FAULT, Fault.STOP_GESTURE)
+        assert ride.chain.gate.last == (0.0, 0.0)
+
+
+def test_a_bad_channel_silences_its_gesture_and_two_bad_gestures_stop():
+    parameters = make_parameters()
+    ride = Ride(parameters)
+    ride.arm_at_rest(make_signals(parameters, strokes=False))
+    frames = make_signals(parameters, 100, strokes=False)
+    channel = parameters.profile.joints[0].channels[0]
+    frames[:50, channel] = np.nan
+    for frame in frames[:50]:
+        tick = ride.feed(frame)
+        assert tick.activation[0] == 0.0
+        assert np.isfinite(tick.score).all()
+    assert tick.state is State.ARMED
+    frames[50:, parameters.profile.joints[1].channels[0]] = 1e9
+    frames[50:, channel] = np.nan
+    assert ride.feed(frames[50]).fault is Fault.CHANNELS_BAD
+
+
+def test_a_stop_takes_equally_long_at_the_lightest_and_the_heaviest_filtering():
+    durations = []
+    for cutoff in (8.0, 1.0):
+        parameters = make_parameters().model_copy(update={"cutoff": cutoff})
+        ride = Ride(parameters)
+        resting = make_signals(parameters, 300, strokes=False)
+        ride.arm_at_rest(resting)
+        ride.chain.gate.last = ride.chain.gate.last._replace(v=0.8)
+        ride.chain.gate.stop(Fault.STOP_TABLET)
+        durations.append(next(i for i, frame in enumerate(resting) if ride.feed(frame).v == 0.0))
+    assert durations[0] == durations[1]
+
+
+def test_a_reset_forgets_the_past_and_disarms():
+    parameters = make_parameters()
+    ride = Ride(parameters)
+    values = make_signals(parameters, 1000)
+    ride.arm_at_rest(make_signals(parameters, strokes=False))
+    for frame in values:
+        ride.feed(frame)
+    ride.chain.reset()
+    tick = ride.feed(values[500])
+    assert tick.state is State.DISARMED
+    assert tick.rate == [0.0] * 4
+    assert (tick.u1, tick.u2) == (0.0, 0.0)
