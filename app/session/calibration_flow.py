@@ -1,0 +1,247 @@
+"""The calibration as it goes on: steps that are recorded one by one, can be repeated, and survive a restart."""
+
+import asyncio
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from app.calibration.profile import CalibrationProfile
+from app.calibration.script import Step, calibration_script
+from app.clock import monotonic
+from app.layout import ShirtLayout
+from app.session.control import Control
+from app.session.database import Database
+from app.session.equipment import Equipment
+from app.session.refusals import Conflict, NotFound, Refusal
+from app.session.runs import Runs
+from app.session.store_calibration import begin_calibration, calibration_steps, recordings_of, set_step
+from app.session.tables import PatientSession
+
+LOOK_EVERY = 0.05  # s
+STANDSTILL_LIMIT = 3.0  # s without progress of the run: nothing more will come
+RESULT = "result"
+
+Judge = Callable[[Path, float], str | None]
+Fit = Callable[[ShirtLayout, float, list[tuple[Step, Path]], list[str]], CalibrationProfile]
+
+
+@dataclass(frozen=True, slots=True)
+class Progress:
+    """Everything that is known about the calibration of one session."""
+
+    layout: ShirtLayout | None
+    steps: tuple[Step, ...]
+    current: str
+    status: dict[str, tuple[str, str]]  # step: status and words
+    running: str | None
+    started_run: int | None
+    profile: CalibrationProfile | None
+    accepted: bool
+
+
+class CalibrationFlow:
+    """Drives the steps of the session's calibration; one step runs at a time, in a task of its own."""
+
+    def __init__(
+        self,
+        database: Database,
+        control: Control,
+        equipment: Equipment,
+        runs: Runs,
+        tell: Callable[[str], None],
+        judge: Judge,
+        fit: Fit,
+    ) -> None:
+        self._database = database
+        self._control = control
+        self._equipment = equipment
+        self._runs = runs
+        self._tell = tell
+        self._judge = judge
+        self._fit = fit
+        self._task: asyncio.Task[None] | None = None
+        self._running: str | None = None
+
+    @property
+    def running(self) -> bool:
+        """Whether a step is being recorded or the map is being fitted."""
+        return self._running is not None
+
+    async def progress(self, session_id: int) -> Progress:
+        """Return how far the session's calibration has come, beginning one when there is none."""
+        return await asyncio.to_thread(self._progress, session_id)
+
+    async def start(self, session_id: int, step_id: str) -> None:
+        """Record one step; what was recorded for it before no longer counts."""
+        if self._runs.open is not None or self._running is not None:
+            raise Conflict("Something is being recorded already: wait for its end, or stop it first.")
+        progress = await self.progress(session_id)
+        step = self._find(progress, step_id)
+        if progress.layout != self._equipment.needed_layout():
+            raise Conflict("The shirt is another one than when this calibration began: begin the calibration anew.")
+        self._running = step.id
+        try:
+            run = await self._runs.begin(session_id, step.kind, step.cues, {"step": step.id})
+            await asyncio.to_thread(self._set, session_id, step.id, "running", "", run.id, step.id)
+        except BaseException:
+            self._running = None
+            await self._runs.end()
+            raise
+        self._task = asyncio.create_task(self._record(session_id, step, run.number))
+        self._tell("calibration")
+
+    async def cancel(self, session_id: int, step_id: str) -> None:
+        """Stop recording a step; it waits again."""
+        self._find(await self.progress(session_id), step_id)
+        if self._running != step_id or self._task is None:
+            raise Conflict("This step is not running: start it, or choose another.")
+        await self.stop("waiting", "")
+
+    async def stop(self, status: str = "failed", words: str = "The application ended during this step.") -> None:
+        """End whatever runs, leaving its step with this status."""
+        task, self._task = self._task, None
+        if task is None:
+            return
+        task.cancel(f"{status}\n{words}")
+        await asyncio.gather(task, return_exceptions=True)
+
+    async def go(self, session_id: int, step_id: str) -> None:
+        """Look at another step."""
+        progress = await self.progress(session_id)
+        if step_id != RESULT:
+            self._find(progress, step_id)
+
+        def _write() -> None:
+            with self._database.transaction() as db:
+                db.get_one(PatientSession, session_id).current_step = step_id
+
+        await asyncio.to_thread(_write)
+        self._tell("calibration")
+
+    async def restart(self, session_id: int) -> None:
+        """Begin anew; the recordings made so far stay on disk but no longer count."""
+        if self._running is not None:
+            raise Conflict("A step is being recorded: cancel it first, then begin anew.")
+        layout, rate = self._equipment.needed_layout(), self._equipment.sample_rate
+        await asyncio.to_thread(self._begin, session_id, layout, rate)
+        self._tell("calibration")
+
+    async def _record(self, session_id: int, step: Step, number: int) -> None:
+        status, words = "failed", ""
+        try:
+            words = await self._wait(number, step.duration)
+            run = await self._runs.end()
+            if not words and run is not None:
+                complaint = await asyncio.to_thread(self._judge, run.folder, step.duration)
+                words = complaint or ""
+            status = "failed" if words else "done"
+        except asyncio.CancelledError as cancelled:
+            status, _, words = str(cancelled.args[0]).partition("\n") if cancelled.args else ("failed", "", "")
+            raise
+        except (Refusal, ValueError, OSError) as error:
+            words = str(error)
+        finally:
+            await self._runs.end()
+            await asyncio.to_thread(self._set, session_id, step.id, status, words, None, None)
+            self._running = None
+            self._tell("calibration")
+        if status == "done":
+            await self._go_on(session_id)
+
+    async def _wait(self, number: int, duration: float) -> str:
+        """Wait until the run's own time has passed `duration`; return in words why it did not."""
+        reached, moved_at = -1.0, monotonic()
+        while True:
+            await asyncio.sleep(LOOK_EVERY)
+            tick = self._control.newest()
+            if tick is not None and int(tick["run"]) == number:
+                run_t = float(tick["run_t"])
+                if run_t >= duration:
+                    return ""
+                if math.isfinite(run_t) and run_t > reached:
+                    reached, moved_at = run_t, monotonic()
+            if self._control.state != "alive":
+                return "The control process ended during this step: repeat it."
+            if monotonic() - moved_at > STANDSTILL_LIMIT:
+                return "Nothing was recorded for three seconds: look at the Shirt page, then repeat this step."
+
+    async def _go_on(self, session_id: int) -> None:
+        """After a good step: show the next one that is missing, or fit when none is."""
+        progress = await self.progress(session_id)
+        missing = [step.id for step in progress.steps if progress.status[step.id][0] != "done"]
+        await self.go(session_id, missing[0] if missing else RESULT)
+        if not missing:
+            await self._fit_now(session_id)
+
+    async def _fit_now(self, session_id: int) -> None:
+        """Fit the map from the recordings; they are the truth, not what was shown meanwhile."""
+        self._running = RESULT
+        await asyncio.to_thread(self._set, session_id, RESULT, "running", "The map is being fitted.", None, None)
+        self._tell("calibration")
+        status, words = "done", ""
+        try:
+            await asyncio.to_thread(self._fit_in_thread, session_id)
+        except (ValueError, OSError, Refusal) as error:
+            status, words = "failed", str(error)
+        finally:
+            await asyncio.to_thread(self._set, session_id, RESULT, status, words, None, None)
+            self._running = None
+            self._tell("calibration")
+
+    def _fit_in_thread(self, session_id: int) -> None:
+        progress = self._progress(session_id)
+        if progress.layout is None:
+            raise Conflict("There is no shirt: choose one on the Shirt page, then begin the calibration anew.")
+        with self._database.transaction() as db:
+            folders = recordings_of(db, session_id)
+            script = db.get_one(PatientSession, session_id).script or {}
+        recorded = [(step, self._runs.folder_of(folders[step.id])) for step in progress.steps]
+        profile = self._fit(progress.layout, float(script["sample_rate"]), recorded, self._equipment.unused)
+        with self._database.transaction() as db:
+            session = db.get_one(PatientSession, session_id)
+            session.result, session.accepted = profile.model_dump(mode="json"), False
+
+    def _progress(self, session_id: int) -> Progress:
+        with self._database.transaction() as db:
+            session = db.get_one(PatientSession, session_id)
+            rows = calibration_steps(db, session_id)
+            script, current, result = session.script, session.current_step, session.result
+            untouched = all(row.status == "waiting" for row in rows.values())
+        worn = self._equipment.layout
+        if untouched and worn is not None and (script is None or script["layout"] != worn.model_dump(mode="json")):
+            self._begin(session_id, worn, self._equipment.sample_rate)
+            return self._progress(session_id)
+        layout = None if script is None else ShirtLayout.model_validate(script["layout"])
+        steps = () if layout is None else calibration_script(layout)
+        return Progress(
+            layout=layout,
+            steps=steps,
+            current=current or (steps[0].id if steps else RESULT),
+            status={step: (row.status, row.words) for step, row in rows.items()},
+            running=self._running,
+            started_run=self._runs.open.number if self._running and self._runs.open else None,
+            profile=None if result is None else CalibrationProfile.model_validate(result),
+            accepted=session.accepted,
+        )
+
+    def _begin(self, session_id: int, layout: ShirtLayout, sample_rate: float) -> None:
+        script = {"layout": layout.model_dump(mode="json"), "sample_rate": sample_rate}
+        steps = [step.id for step in calibration_script(layout)] + [RESULT]
+        with self._database.transaction() as db:
+            begin_calibration(db, db.get_one(PatientSession, session_id), script, steps)
+
+    def _set(
+        self, session_id: int, step: str, status: str, words: str, run_id: str | None, current: str | None
+    ) -> None:
+        with self._database.transaction() as db:
+            set_step(db, session_id, step, status, words, run_id)
+            if current is not None:
+                db.get_one(PatientSession, session_id).current_step = current
+
+    @staticmethod
+    def _find(progress: Progress, step_id: str) -> Step:
+        for step in progress.steps:
+            if step.id == step_id:
+                return step
+        raise NotFound(f"There is no step '{step_id}' in this calibration: choose one of the list.")

@@ -1,0 +1,171 @@
+"""The web process's end of the control process: commands, ticks, heartbeat, and a new one when it dies."""
+
+import asyncio
+from collections.abc import Awaitable, Callable
+from contextlib import suppress
+from typing import Any, Literal, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.clock import monotonic
+from app.session.refusals import Conflict, Unavailable
+
+HEARTBEAT_EVERY = 0.1  # s; the control process stops the chair after 0.3 s of silence
+START_AGAIN_AFTER = 0.5  # s; doubled with each start that fails, up to ...
+LONGEST_PAUSE = 8.0  # s
+
+ControlState = Literal["alive", "starting", "lost"]
+
+
+class LinkRefused(Exception):  # noqa: N818
+    """The control process refused a command; the message is its sentence."""
+
+
+class LinkLost(Exception):  # noqa: N818
+    """The control process did not answer, or is no more."""
+
+
+class Link(Protocol):
+    """One running control process."""
+
+    async def call(self, do: str, **fields: Any) -> dict[str, Any]:
+        """Send a command and return its answer; raise LinkRefused or LinkLost."""
+        ...
+
+    def tell(self, do: str, **fields: Any) -> None:
+        """Send a command that wants no answer."""
+        ...
+
+    def newest(self) -> np.void | None:
+        """Return the newest tick, None before the first."""
+        ...
+
+    def since(self, number: int) -> NDArray[np.void]:
+        """Return the ticks after `number`, as many as the ring still holds."""
+        ...
+
+    async def died(self) -> None:
+        """Return when the process has ended."""
+        ...
+
+    async def close(self) -> None:
+        """End the process and give back what it held."""
+        ...
+
+
+class Control:
+    """Always one control process: started, kept alive, loaded with what it had before when it had to be replaced."""
+
+    def __init__(self, open_link: Callable[[], Awaitable[Link]]) -> None:
+        self.state: ControlState = "starting"
+        self.screen: Callable[[], bool] = lambda: False  # whether the screen that drives is in view
+        self.on_change: list[Callable[[ControlState], Awaitable[None]]] = []
+        self._open_link = open_link
+        self._link: Link | None = None
+        self._loaded: dict[str, dict[str, Any]] = {}  # shirt, body, parameters as they were last accepted
+        self._tasks: list[asyncio.Task[None]] = []
+
+    async def start(self) -> None:
+        """Start the control process."""
+        await self._open()
+        self._tasks = [asyncio.create_task(self._heartbeat()), asyncio.create_task(self._keep())]
+
+    async def close(self) -> None:
+        """End the control process for good."""
+        for task in self._tasks:
+            task.cancel()
+        await asyncio.gather(*self._tasks, return_exceptions=True)
+        if self._link is not None:
+            await self._link.close()
+            self._link = None
+        self.state = "lost"
+
+    async def call(self, do: str, **fields: Any) -> dict[str, Any]:
+        """Send a command and return its answer.
+
+        Raises
+        ------
+        Conflict
+            With the control process's own sentence, when it refuses.
+        Unavailable
+            When there is no control process at the moment.
+        """
+        if self._link is None or self.state != "alive":
+            raise Unavailable("The control process is being restarted, and the chair stands: try again in a moment.")
+        try:
+            return await self._link.call(do, **fields)
+        except LinkRefused as refusal:
+            raise Conflict(str(refusal)) from refusal
+        except LinkLost as lost:
+            raise Unavailable("The control process did not answer, and the chair stands: try again.") from lost
+
+    async def load(self, do: Literal["shirt", "body", "parameters"], **fields: Any) -> dict[str, Any]:
+        """Send what a later control process must be given too."""
+        answer = await self.call(do, **fields)
+        self._loaded[do] = fields
+        return answer
+
+    def forget(self, do: Literal["shirt", "body", "parameters"]) -> None:
+        """Leave something out from what a later control process is given."""
+        self._loaded.pop(do, None)
+
+    def move(self, joints: dict[str, float]) -> None:
+        """Say where the visitor wants the joints of the simulated body."""
+        if self._link is not None and self.state == "alive":
+            with suppress(LinkLost):
+                self._link.tell("move", joints=joints)
+
+    def newest(self) -> np.void | None:
+        """Return the newest tick, None when there is none."""
+        return self._link.newest() if self._link is not None and self.state == "alive" else None
+
+    def since(self, number: int) -> NDArray[np.void] | None:
+        """Return the ticks after `number`, None when there is no control process."""
+        return self._link.since(number) if self._link is not None and self.state == "alive" else None
+
+    async def _open(self) -> None:
+        self._link = await self._open_link()
+        for do in ("shirt", "body", "parameters"):
+            if do in self._loaded:
+                # A shirt that cannot be opened again shows in `status`; the rest goes on.
+                with suppress(LinkRefused):
+                    await self._link.call(do, **self._loaded[do])
+        self.state = "alive"
+
+    async def _heartbeat(self) -> None:
+        deadline = monotonic()
+        while True:
+            deadline = max(deadline + HEARTBEAT_EVERY, monotonic())
+            if self._link is not None:
+                with suppress(LinkLost):
+                    self._link.tell("heartbeat", screen=self.screen())
+            await asyncio.sleep(max(deadline - monotonic(), 0.0))
+
+    async def _keep(self) -> None:
+        while True:
+            if self._link is not None:
+                await self._link.died()
+                self.state = "lost"
+                await self._tell_change()
+                await self._link.close()
+                self._link = None
+            self.state = "starting"
+            await self._start_again()
+            await self._tell_change()
+
+    async def _start_again(self) -> None:
+        pause = START_AGAIN_AFTER
+        while True:
+            await asyncio.sleep(pause)
+            try:
+                await self._open()
+            except (LinkLost, OSError):
+                self._link = None
+                pause = min(2 * pause, LONGEST_PAUSE)
+            else:
+                return
+
+    async def _tell_change(self) -> None:
+        for told in self.on_change:
+            await told(self.state)

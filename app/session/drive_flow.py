@@ -1,0 +1,183 @@
+"""A trial: the chair on the start, a run, armed, watched to its end, and measured from the recording."""
+
+import asyncio
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path as FilePath
+from typing import Any
+
+from app.cues import Cue
+from app.session.control import Control
+from app.session.database import Database
+from app.session.refusals import Conflict, Refusal
+from app.session.runs import OpenRun, Runs
+from app.session.store_controls import current_parameters
+from app.session.store_log import write_log
+from app.session.store_runs import add_trial, finish_trial
+from app.session.tables import PatientSession, Run
+from app.session.trial_watch import End, TrialPlace, TrialWatch
+from app.world.floorplan import FloorPlan, PrescribedPath
+
+LOOK_EVERY = 0.04  # s
+END_LIMIT = 30.0  # s for closing and measuring a trial, before a caller is told to look later
+
+Measure = Callable[[FilePath, PrescribedPath], dict[str, Any]]
+
+
+@dataclass(frozen=True, slots=True)
+class RunningTrial:
+    """The trial that is being driven."""
+
+    id: int
+    person_id: int  # who started it, and whose screen must stay in view
+    run: OpenRun
+    watch: TrialWatch
+    path: PrescribedPath
+
+    @property
+    def place(self) -> TrialPlace:
+        """Return where the chair is along the path."""
+        return self.watch.place
+
+
+class DriveFlow:
+    """Starts one trial at a time and sees it through to its measures."""
+
+    def __init__(
+        self, database: Database, control: Control, runs: Runs, tell: Callable[[str], None], measure: Measure
+    ) -> None:
+        self._database = database
+        self._control = control
+        self._runs = runs
+        self._tell = tell
+        self._measure = measure
+        self._task: asyncio.Task[None] | None = None
+        self._end_asked = asyncio.Event()
+        self._starting = False
+        self.trial: RunningTrial | None = None
+
+    @property
+    def running(self) -> bool:
+        """Whether a trial is being started, driven or measured."""
+        return self._starting or self.trial is not None
+
+    async def start(
+        self, session: PatientSession, person_id: int, person: str, plan: FloorPlan, path: PrescribedPath
+    ) -> int:
+        """Begin a trial and return its id: chair on the start, recording, armed."""
+        if self.running or self._runs.open is not None:
+            raise Conflict("Something is being recorded already: end it first, then start a trial.")
+        self._starting = True
+        try:
+            return await self._start(session, person_id, person, plan, path)
+        finally:
+            self._starting = False
+
+    async def _start(
+        self, session: PatientSession, person_id: int, person: str, plan: FloorPlan, path: PrescribedPath
+    ) -> int:
+        parameters_id, parameters_hash = await asyncio.to_thread(self._parameters, session.patient_id)
+        await self._control.call("world", floorplan=plan.model_dump(mode="json"), path=path.name)
+        cues = (Cue(start=0.0, end=path.time_limit, kind="free"),)
+        run = await self._runs.begin(session.id, "drive", cues, {"floorplan": plan.name, "path": path.name})
+        try:
+            trial_id = await asyncio.to_thread(self._note, session, parameters_id, person, plan, path, run)
+        except BaseException:
+            await self._runs.end()
+            raise
+        watch = TrialWatch(path.line, path.goal_radius, path.time_limit)
+        self._end_asked.clear()
+        self.trial = RunningTrial(trial_id, person_id, run, watch, path)
+        try:
+            await self._control.call("arm", hash=parameters_hash)
+        except Refusal:
+            await self._finish(self.trial, "fault")
+            raise
+        self._task = asyncio.create_task(self._see_through(self.trial))
+        self._tell("trial")
+        return trial_id
+
+    async def end(self) -> int:
+        """End the trial by hand, and return its id when it has been measured."""
+        trial, task = self.trial, self._task
+        if trial is None or task is None:
+            raise Conflict("No trial is running: start one first.")
+        self._end_asked.set()
+        try:
+            await asyncio.wait_for(asyncio.shield(task), END_LIMIT)
+        except TimeoutError as late:
+            raise Conflict("The trial is still being measured: look at it again in a moment.") from late
+        return trial.id
+
+    async def stop(self) -> None:
+        """End what runs because the application ends."""
+        if self._task is not None:
+            self._end_asked.set()
+            await asyncio.gather(self._task, return_exceptions=True)
+
+    async def _see_through(self, trial: RunningTrial) -> None:
+        await self._finish(trial, await self._watch(trial))
+
+    async def _watch(self, trial: RunningTrial) -> End:
+        last = 0
+        while True:
+            try:
+                await asyncio.wait_for(self._end_asked.wait(), LOOK_EVERY)
+            except TimeoutError:
+                pass
+            else:
+                return "by hand"
+            ticks = self._control.since(last)
+            if ticks is None:
+                return "fault"
+            if len(ticks):
+                last = int(ticks["number"][-1])
+                end = trial.watch.take(ticks[ticks["run"] == trial.run.number])
+                if end is not None:
+                    return end
+
+    async def _finish(self, trial: RunningTrial, end: End) -> None:
+        measures = None
+        try:
+            await self._runs.end()
+            measures = await asyncio.to_thread(self._measure, trial.run.folder, trial.path)
+        except (ValueError, OSError):
+            measures = None  # too short to measure, or cut: the trial stays in the list without figures
+        finally:
+            await asyncio.to_thread(self._save, trial.id, end, measures)
+            self.trial = None
+            self._tell("trial")
+
+    def _parameters(self, patient_id: int) -> tuple[int, str]:
+        with self._database.transaction() as db:
+            row, _profile = current_parameters(db, patient_id)
+            return row.id, row.hash
+
+    def _note(
+        self,
+        session: PatientSession,
+        parameters_id: int,
+        person: str,
+        plan: FloorPlan,
+        path: PrescribedPath,
+        run: OpenRun,
+    ) -> int:
+        with self._database.transaction() as db:
+            trial = add_trial(
+                db,
+                run=db.get_one(Run, run.id),
+                clinic_id=session.clinic_id,
+                patient_id=session.patient_id,
+                parameters_id=parameters_id,
+                floorplan=plan.name,
+                floorplan_title=plan.title,
+                path=path.name,
+                path_points=[[x, y] for x, y in path.points],
+            )
+            write_log(db, person, "armed", trial=trial.id, parameters=parameters_id)
+            return trial.id
+
+    def _save(self, trial_id: int, end: End, measures: dict[str, Any] | None) -> None:
+        with self._database.transaction() as db:
+            finish_trial(db, trial_id, end, measures)
+            write_log(db, None, "trial ended", trial=trial_id, end=end)

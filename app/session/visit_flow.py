@@ -1,0 +1,99 @@
+"""The visit that is going on: what its patient drives with, and what may not be done meanwhile."""
+
+import asyncio
+from collections.abc import Callable
+
+from app.calibration.vocabulary import DriveParameters
+from app.session.calibration_flow import CalibrationFlow
+from app.session.control import Control
+from app.session.database import Database
+from app.session.drive_flow import DriveFlow
+from app.session.equipment import Equipment
+from app.session.refusals import Conflict, Refusal
+from app.session.store_controls import as_document, current_parameters, newest_profile
+from app.session.store_patients import open_session
+from app.session.store_people import the_clinic
+from app.session.tables import PatientSession
+
+
+class VisitFlow:
+    """Keeps what is loaded in the control process in step with who is here and what they are wearing."""
+
+    def __init__(
+        self,
+        database: Database,
+        control: Control,
+        equipment: Equipment,
+        calibration: CalibrationFlow,
+        drive: DriveFlow,
+        tell: Callable[[str], None],
+    ) -> None:
+        self._database = database
+        self._control = control
+        self._equipment = equipment
+        self._calibration = calibration
+        self._drive = drive
+        self._tell = tell
+
+    def refuse_while_busy(self, what: str) -> None:
+        """Refuse what must not happen during a calibration step or a trial."""
+        if self._drive.running:
+            raise Conflict(f"A trial is running: end it first, then {what}.")
+        if self._calibration.running:
+            raise Conflict(f"A calibration step is running: cancel it first, then {what}.")
+
+    async def needed_session(self, clinic_id: int) -> PatientSession:
+        """Return the visit that is going on, refusing when nobody is here."""
+
+        def _read() -> PatientSession | None:
+            with self._database.transaction() as db:
+                return open_session(db, clinic_id)
+
+        session = await asyncio.to_thread(_read)
+        if session is None:
+            raise Conflict("Nobody is here: choose a patient on the Patients page first.")
+        return session
+
+    async def visit_changed(self) -> None:
+        """Load what the patient who is here now drives with, or nothing."""
+        await self.load_parameters()
+        self._tell("visit")
+
+    async def load_parameters(self) -> str | None:
+        """Load the current parameters into the control process; return in one sentence why they do not fit."""
+        document = await asyncio.to_thread(self._current)
+        if document is not None:
+            words = self.misfit(document)
+            if words is None:
+                await self._control.load("parameters", parameters=document.model_dump(mode="json"))
+                return None
+        else:
+            words = None
+        await self._control.load("parameters", parameters=None)
+        return words
+
+    def misfit(self, parameters: DriveParameters) -> str | None:
+        """Return in one sentence why parameters cannot drive with the shirt in use, None when they can."""
+        layout = self._equipment.layout
+        if layout is None:
+            return self._equipment.words or "There is no shirt: choose one on the Shirt page."
+        if layout.channel_names != parameters.profile.layout.channel_names:
+            return "The patient was calibrated in another shirt: calibrate in this one first."
+        if abs(self._equipment.sample_rate - parameters.profile.sample_rate) > 0.01 * parameters.profile.sample_rate:
+            return "The shirt sends at another rate than it was calibrated at: calibrate again first."
+        return None
+
+    async def equipment_changed(self) -> None:
+        """Load the parameters again after the shirt became another one."""
+        try:
+            await self.load_parameters()
+        except Refusal:
+            self._control.forget("parameters")
+
+    def _current(self) -> DriveParameters | None:
+        with self._database.transaction() as db:
+            clinic = the_clinic(db)
+            session = None if clinic is None else open_session(db, clinic.id)
+            if session is None or newest_profile(db, session.patient_id) is None:
+                return None
+            return as_document(*current_parameters(db, session.patient_id))
