@@ -1,0 +1,110 @@
+"""Grades of a joint's map, with the reason in words and what to do about it."""
+
+from dataclasses import dataclass
+
+from app.calibration.profile import Grade
+
+# Below the first number a map is only usable, below the second its movement has to be repeated.
+EVR_LIMITS = (0.80, 0.50)  # the paper reports 80-90 %
+SIGNAL_TO_NOISE_LIMITS = (8.0, 4.0)  # the dead-zone alone is 4 times the noise
+SPREAD_LIMITS = (0.30, 0.60)  # of the repetitions' peaks; above these
+CROSS_TALK_LIMIT = 0.30  # above it, two gestures answer together
+AGREEMENT_LIMITS = (0.90, 0.70)  # of the repetitions' directions
+LARGEST_ANGLE = 30.0  # degrees between free and prompted movement
+ORDER: dict[Grade, int] = {"good": 0, "usable": 1, "repeat": 2}
+
+
+@dataclass(frozen=True, slots=True)
+class Findings:
+    """What was measured of one joint; None where there was nothing to measure it from."""
+
+    evr: float
+    signal_to_noise: float
+    reaches_full: bool  # whether any movement left the dead-zone
+    repeatability: float | None
+    agreement: float | None  # None: never prompted
+    angle_deg: float | None
+    strongest_cross_talk: tuple[str, float] | None  # joint that answers too, and how much
+    channels: int
+    channels_out: int
+    span_from_prompts: bool
+    had_rest: bool
+
+
+def grade(found: Findings) -> tuple[Grade, str]:
+    """Return the worst grade that any finding gives, and the sentences for it: the worst first."""
+    sentences = [*_of_movement(found), *_of_prompts(found), *_of_channels(found)]
+    sentences.sort(key=lambda finding: -ORDER[finding[0]])
+    worst: Grade = sentences[0][0] if sentences else "good"
+    words = [words for _, words in sentences if words]
+    if worst == "good":
+        words.insert(0, _praise(found))
+    return worst, " ".join(words)
+
+
+def _of_movement(found: Findings) -> list[tuple[Grade, str]]:
+    findings: list[tuple[Grade, str]] = []
+    if not found.reaches_full:
+        findings.append(("repeat", "The movement does not rise above the noise: repeat it larger and quicker."))
+    elif found.signal_to_noise < SIGNAL_TO_NOISE_LIMITS[0]:
+        bad = found.signal_to_noise < SIGNAL_TO_NOISE_LIMITS[1]
+        advice = "rest quite still, then repeat it larger" if bad else "a larger or quicker movement would be safer"
+        findings.append(
+            (
+                "repeat" if bad else "usable",
+                f"It moves only {found.signal_to_noise:.1f} times above the noise: {advice}.",
+            )
+        )
+    if found.evr < EVR_LIMITS[0]:
+        bad = found.evr < EVR_LIMITS[1]
+        advice = "repeat the free movement with this joint moved one way only" if bad else "keep to one movement of it"
+        findings.append(
+            (
+                "repeat" if bad else "usable",
+                f"One direction explains {found.evr:.0%} of the free movement, below the usual 80 %: {advice}.",
+            )
+        )
+    if not found.had_rest:
+        findings.append(("good", "No rest was recorded: the noise is that of the stillest half second."))
+    return findings
+
+
+def _of_prompts(found: Findings) -> list[tuple[Grade, str]]:
+    if found.agreement is None:
+        return [("usable", "It was not prompted: its sign is arbitrary and may be the wrong way round, so prompt it.")]
+    findings: list[tuple[Grade, str]] = []
+    if found.agreement < AGREEMENT_LIMITS[0]:
+        bad = found.agreement < AGREEMENT_LIMITS[1]
+        words = f"The prompted movements point both ways ({found.agreement:.0%} of them one way)"
+        findings.append(("repeat" if bad else "usable", f"{words}: repeat them in time with the cue."))
+    if found.repeatability is not None and found.repeatability > SPREAD_LIMITS[0]:
+        bad = found.repeatability > SPREAD_LIMITS[1]
+        words = f"The repetitions differ by {found.repeatability:.0%}"
+        advice = "repeat them evenly" if bad else "more even ones would drive more evenly"
+        findings.append(("repeat" if bad else "usable", f"{words}: {advice}."))
+    if found.angle_deg is not None and found.angle_deg > LARGEST_ANGLE:
+        words = f"The prompted movement is {found.angle_deg:.0f} degrees away from the free one"
+        findings.append(("usable", f"{words}: the prompted direction is used, check it in Try it."))
+    if found.strongest_cross_talk is not None and found.strongest_cross_talk[1] > CROSS_TALK_LIMIT:
+        name, share = found.strongest_cross_talk
+        words = f"'{name}' answers too, with {min(share, 9.99):.0%} of its own activation"
+        findings.append(("usable", f"{words}: move this joint alone, or do not bind both."))
+    if found.span_from_prompts:
+        findings.append(("good", "It moved little in the free movement: the span is that of the prompted movements."))
+    return findings
+
+
+def _of_channels(found: Findings) -> list[tuple[Grade, str]]:
+    if found.channels == 1 and found.channels_out:
+        return [("usable", "Only one of its channels is left: check the others on the Shirt page.")]
+    if found.channels_out:
+        return [("good", f"{found.channels_out} of its {found.channels + found.channels_out} channels are left out.")]
+    return []
+
+
+def _praise(found: Findings) -> str:
+    times = f"{found.signal_to_noise:.0f}" if found.signal_to_noise < 100 else "more than 100"
+    words = f"One direction explains {found.evr:.0%}, and it moves {times} times above the noise."
+    if found.repeatability is not None:
+        words += f" The repetitions agree within {found.repeatability:.0%}."
+    return words

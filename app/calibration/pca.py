@@ -1,0 +1,46 @@
+"""Principal components of one joint's channels: the map of the paper."""
+
+from collections.abc import Sequence
+from typing import Self
+
+import numpy as np
+from numpy.typing import NDArray
+from sklearn.decomposition import PCA
+
+
+class JointPCA:
+    """PCA of one joint's channels, in the manner of scikit-learn.
+
+    Attributes
+    ----------
+    components_ : (k, k) array
+        Unit rows, the first component first; its sign is arbitrary.
+    mean_ : (k,) array
+        Mean of each channel, in signal units.
+    explained_variance_ : (k,) array
+        Variance along each component.
+    explained_variance_ratio_ : (k,) array
+        The same as shares of the joint's whole variance; the first is the EVR.
+    """
+
+    def __init__(self, channels: Sequence[int]) -> None:
+        self.channels = list(channels)
+
+    def fit(self, values: NDArray[np.float64]) -> Self:
+        """Learn from frames (n, n_channels); only the joint's k channels are looked at, none may hold NaN."""
+        fitted = PCA(svd_solver="covariance_eigh").fit(values[:, self.channels])
+        self.components_: NDArray[np.float64] = fitted.components_
+        self.mean_: NDArray[np.float64] = fitted.mean_
+        self.explained_variance_: NDArray[np.float64] = fitted.explained_variance_
+        self.explained_variance_ratio_: NDArray[np.float64] = fitted.explained_variance_ratio_
+        return self
+
+    def transform(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return the place of frames (n, n_channels) on the first component, (n,) in signal units."""
+        place: NDArray[np.float64] = (values[:, self.channels] - self.mean_) @ self.components_[0]
+        return place
+
+
+def angle_between(one: NDArray[np.float64], other: NDArray[np.float64]) -> float:
+    """Return the angle (degrees, 0..90) between two unit vectors, whichever way they point."""
+    return float(np.degrees(np.arccos(min(1.0, abs(float(one @ other))))))

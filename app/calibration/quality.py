@@ -1,0 +1,143 @@
+"""Which channels a map can be built on, and what is wrong with the others."""
+
+from collections.abc import Sequence
+from typing import Literal, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+Condition = Literal["good", "near", "railed", "flat", "noisy", "nan"]
+
+RAILED = 0.9  # of full scale
+NEAR_RAILED = 0.75
+CLIPPED_SHARE = 0.05  # of the samples at the very extreme, when nobody knows the full scale
+COARSE = 50  # distinct values: a channel of so few steps rests on its extreme without being clipped
+STILL_TIME = 0.2  # s: fabric always trembles a little
+STILL_SHARE = 0.5  # of the time in which the joint's other channels moved
+NOISE_SHARE = 0.5  # of the channel's own standard deviation: above it, it is mostly noise
+NOISE_THAT_MATTERS = 0.1  # of the joint's strongest channel; PCA gives weaker ones no weight anyway
+LOOK_RATE = 100.0  # Hz: noise is judged at this rate, because oversampled noise hides from differences
+
+
+class ChannelQuality(NamedTuple):
+    """The condition of one channel and the words for it."""
+
+    condition: Condition
+    words: str
+
+
+GOOD = ChannelQuality("good", "")
+
+
+def channel_quality(
+    values: NDArray[np.float64],
+    groups: Sequence[Sequence[int]],
+    sample_rate: float,
+    full_scale: float | None = None,
+    moving: bool = True,
+) -> list[ChannelQuality]:
+    """Return the condition of every channel over one stretch of a recording.
+
+    Parameters
+    ----------
+    values : (n, n_channels) array
+        Signal units, NaN where a sample is missing. Frames without any number at all are lost ones, and no channel's
+        fault.
+    groups : sequence of index lists
+        The channels of each joint: a channel is still or clipped only when its neighbours moved meanwhile.
+    sample_rate : float
+        Hz.
+    full_scale : float or None
+        Largest absolute value that the shirt's electronics can give, in signal units. When it is not known, a channel
+        counts as railed if it sits at its very extreme for more than 5 % of the time.
+    moving : bool
+        False for a stretch at rest: then nothing is said about being flat or noisy.
+    """
+    quality = [GOOD] * values.shape[1]
+    heard = values[~np.isnan(values).all(axis=1)]
+    if not len(heard):
+        return [ChannelQuality("nan", "gives no numbers")] * values.shape[1]
+    gaps = np.isnan(heard).sum(axis=0)
+    thinned = heard[:: max(1, round(sample_rate / LOOK_RATE))]
+    block = max(2, round(STILL_TIME * min(sample_rate, LOOK_RATE)))
+    for channels in groups:
+        whole = [i for i in channels if not gaps[i]]
+        for i in channels:
+            if gaps[i]:
+                quality[i] = ChannelQuality("nan", f"{gaps[i]} of {len(heard)} samples are not numbers")
+            else:
+                quality[i] = _railed(heard[:, i], full_scale)
+        if full_scale is None:
+            _find_clipped(heard, whole, quality)
+        if moving and whole:
+            _find_flat(thinned, block, whole, quality)
+            _find_noisy(thinned, [i for i in whole if quality[i].condition == "good"], quality)
+    return quality
+
+
+def worst(one: ChannelQuality, other: ChannelQuality) -> ChannelQuality:
+    """Return whichever of two findings on one channel is not good; the first one when both are bad."""
+    if one.condition == "good" or (one.condition == "near" and other.condition not in {"good", "near"}):
+        return other
+    return one
+
+
+def _railed(signal: NDArray[np.float64], full_scale: float | None) -> ChannelQuality:
+    if full_scale is None:
+        return GOOD
+    reached = max(abs(float(signal.min())), abs(float(signal.max()))) / full_scale
+    if reached > RAILED:
+        return ChannelQuality("railed", f"reaches {reached:.0%} of its range")
+    if reached > NEAR_RAILED:
+        return ChannelQuality("near", f"comes near the end of its range ({reached:.0%})")
+    return GOOD
+
+
+def _find_clipped(values: NDArray[np.float64], channels: list[int], quality: list[ChannelQuality]) -> None:
+    """Mark channels that stay at their very extreme while the joint's other channels move."""
+    if len(channels) < 2:
+        return
+    signals = values[:, channels]
+    changed = np.diff(signals, axis=0) != 0
+    some_moved = changed.sum(axis=1)
+    for column, i in enumerate(channels):
+        signal = signals[:, column]
+        others_moved = some_moved - changed[:, column] > 0
+        held = ~changed[:, column] & others_moved
+        for end, extreme in (("upper", signal.max()), ("lower", signal.min())):
+            share = float((held & (signal[1:] == extreme)).mean())
+            if CLIPPED_SHARE < share < STILL_SHARE and len(np.unique(signal)) > COARSE:
+                quality[i] = ChannelQuality("railed", f"sits at the {end} end of its range for {share:.0%} of the time")
+
+
+def _find_flat(values: NDArray[np.float64], block: int, channels: list[int], quality: list[ChannelQuality]) -> None:
+    """Mark channels that never change, or stand still for most of the time in which their neighbours move."""
+    signals = values[:, channels]
+    for i in np.array(channels)[np.ptp(signals, axis=0) == 0]:
+        quality[i] = ChannelQuality("flat", "never changes: it is dead or not connected")
+    count = len(signals) // block
+    if not count:
+        return
+    blocks = signals[: count * block].reshape(count, block, len(channels))
+    still = np.ptp(blocks, axis=1) == 0
+    moved = (~still).sum(axis=1)
+    for column, i in enumerate(channels):
+        others = moved - ~still[:, column] > 0
+        share = float((still[:, column] & others).sum() / max(1, others.sum()))
+        if quality[i].condition == "good" and share > STILL_SHARE:
+            quality[i] = ChannelQuality("flat", f"stands still for {share:.0%} of the time while its neighbours move")
+
+
+def _find_noisy(values: NDArray[np.float64], channels: list[int], quality: list[ChannelQuality]) -> None:
+    """Mark channels that are mostly noise; when all of them are, the joint did not move and none is to blame."""
+    if len(values) < 3 or not channels:
+        return
+    signals = values[:, channels]
+    noise = np.diff(signals, n=2, axis=0).std(axis=0) / np.sqrt(6.0)  # of white noise, exactly its own
+    strength = signals.std(axis=0)
+    noisy = (noise > NOISE_SHARE * strength) & (noise > NOISE_THAT_MATTERS * strength.max())
+    if noisy.all():
+        return
+    for column in np.flatnonzero(noisy):
+        share = noise[column] / strength[column]
+        quality[channels[column]] = ChannelQuality("noisy", f"is mostly noise ({min(share, 1.0):.0%} of its movement)")

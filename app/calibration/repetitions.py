@@ -1,0 +1,86 @@
+"""Cuts the repetitions of prompted movements out of recordings."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.cues import Cue
+
+BEFORE = 0.5  # s: what is kept before the movement, so that the low-pass has settled
+AFTER = 1.0  # s: what is kept after it, because people lag behind the cue
+
+
+@dataclass(frozen=True, slots=True)
+class Repetition:
+    """One prompted movement: the frames around it, and which of them are the movement towards the gesture."""
+
+    joint: str
+    values: NDArray[np.float64]  # (n, n_channels)
+    moving: slice
+
+
+@dataclass(frozen=True, slots=True)
+class Prompt:
+    """One row of a table of prompts: from `start` to `end` (s) the joint moved towards the gesture."""
+
+    start: float
+    end: float
+    joint: str
+
+
+def repetitions_of_run(
+    values: NDArray[np.floating], cue: NDArray[np.integer], cues: Sequence[Cue], sample_rate: float
+) -> list[Repetition]:
+    """Return the repetitions of one recorded `prompt` step.
+
+    Parameters
+    ----------
+    values : (n, n_channels) array
+        The recorded frames.
+    cue : (n,) array
+        Index into `cues` for each frame, as the recording carries it.
+    cues : sequence of Cue
+        What was asked, in the order that `cue` counts.
+    sample_rate : float
+        Hz.
+    """
+    found = []
+    for index, prompt in enumerate(cues):
+        rows = np.flatnonzero(cue == index)
+        if prompt.kind == "move" and prompt.joint is not None and len(rows) > 1:
+            found.append(_cut(values, prompt.joint, int(rows[0]), int(rows[-1]) + 1, sample_rate))
+    return found
+
+
+def repetitions_of_prompts(
+    t: NDArray[np.float64], values: NDArray[np.floating], prompts: Sequence[Prompt], sample_rate: float
+) -> list[Repetition]:
+    """Return the repetitions that a table of prompts names in one long recording; overlapping rows count as one."""
+    found = []
+    for prompt in _merged(prompts):
+        first, last = np.searchsorted(t, (prompt.start, prompt.end))
+        if last - first > 1:
+            found.append(_cut(values, prompt.joint, int(first), int(last), sample_rate))
+    return found
+
+
+def _cut(values: NDArray[np.floating], joint: str, first: int, last: int, sample_rate: float) -> Repetition:
+    start = max(0, first - round(BEFORE * sample_rate))
+    end = min(len(values), last + round(AFTER * sample_rate))
+    return Repetition(joint, np.asarray(values[start:end], np.float64), slice(first - start, last - start))
+
+
+def _merged(prompts: Sequence[Prompt]) -> list[Prompt]:
+    """Return the prompts in order of time, those of one joint that overlap joined into one."""
+    merged: list[Prompt] = []
+    newest: dict[str, int] = {}
+    for prompt in sorted(prompts, key=lambda row: row.start):
+        index = newest.get(prompt.joint)
+        if index is not None and prompt.start < merged[index].end:
+            merged[index] = Prompt(merged[index].start, max(merged[index].end, prompt.end), prompt.joint)
+        else:
+            newest[prompt.joint] = len(merged)
+            merged.append(prompt)
+    return merged
