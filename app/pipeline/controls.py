@@ -37,7 +37,9 @@ class Controls:
             u1 += gain * activation[i]
         for i, gain in self._u2:
             u2 += gain * activation[i]
-        return min(1.0, max(-1.0, u1)), min(1.0, max(-1.0, u2))
+        if u1 or u2:
+            return min(1.0, max(-1.0, u1)), min(1.0, max(-1.0, u2))
+        return 0.0, 0.0
 
     def is_stop(self, activation: list[float]) -> bool:
         """Return whether all gestures of a stop are there together."""

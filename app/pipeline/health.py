@@ -21,7 +21,7 @@ class ChannelHealth:
         self._low = np.where(watched, (low + high) / 2 - reach, -np.inf)
         self._high = np.where(watched, (low + high) / 2 + reach, np.inf)
         self._watched = watched
-        self._counts = watched.astype(np.int32)
+        self._same = np.empty(len(low), dtype=np.bool_)
         self._flat_after = max(2, round(FLAT_TIME * sample_rate))
         self._above = np.empty(len(low), dtype=np.bool_)
         self._below = np.empty(len(low), dtype=np.bool_)
@@ -32,30 +32,37 @@ class ChannelHealth:
         """Forget how long each channel stood still."""
         self._previous = np.full(len(self._low), np.nan)
         self._still = np.zeros(len(self._low), dtype=np.int32)
-        self._look_in = self._flat_after
+        self._some_still = False
 
     def step(self, values: NDArray[np.float64]) -> NDArray[np.bool_] | None:
         """Return which channels are bad in this frame (n_channels,), or None when all are well.
 
         `values` (n_channels,) in signal units; the caller leaves the array alone afterwards.
         """
-        self._still += self._counts
-        self._still[values != self._previous] = 0
-        self._previous = values
+        longest = self._count_still(values)
         np.greater_equal(values, self._low, out=self._above)
         np.less_equal(values, self._high, out=self._below)
         # Comparing bytes is the fastest "are all true"; a NaN compares false and so takes the careful way.
-        in_range = self._above.tobytes() == self._all == self._below.tobytes()
-        self._look_in -= 1
-        if in_range and self._look_in > 0:
-            return None
-        longest = int(self._still.max())
-        self._look_in = self._flat_after - longest  # no channel can stand still for long enough before that
-        if in_range and longest < self._flat_after:
+        if longest < self._flat_after and self._above.tobytes() == self._all == self._below.tobytes():
             return None
         wrong = ~(self._above & self._below) | (self._still >= self._flat_after)
         bad: NDArray[np.bool_] = wrong & self._watched
         return bad if bad.any() else None
+
+    def _count_still(self, values: NDArray[np.float64]) -> int:
+        """Count for how many frames each watched channel has shown one value; return the largest count."""
+        np.equal(values, self._previous, out=self._same)
+        np.logical_and(self._same, self._watched, out=self._same)
+        self._previous = values
+        if b"\x01" in self._same.tobytes():
+            self._still += 1
+            self._still *= self._same
+            self._some_still = True
+            return int(self._still.max())
+        if self._some_still:
+            self._still[:] = 0
+            self._some_still = False
+        return 0
 
     def block(self, values: NDArray[np.float64], before: NDArray[np.float64] | None) -> NDArray[np.bool_]:
         """Return the same as `step`, for the frames (n, n_channels) of a recording at once.
