@@ -74,7 +74,10 @@ def _read_csv(path: Path, text: Collection[str], only: Collection[str] | None) -
     header = _header(path)
     wanted = [name for name in header if only is None or name in only]
     if not wanted:
-        raise ValueError(f"{path}, line 1: columns {_listed(header)} are not those of this kind of file, name another")
+        raise ValueError(
+            f"{path}, line 1: none of the columns {_listed(sorted(only or ()))} is there, only {_listed(header)}: "
+            f"add them or name another file"
+        )
     types = {name: pa.string() if name in text else pa.float64() for name in header}
     try:
         return pa_csv.read_csv(

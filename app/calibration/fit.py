@@ -141,6 +141,7 @@ def _joint_map(
             strongest_cross_talk=strongest,
             channels=used,
             channels_out=channels - used,
+            prompted_share=joint.prompted_share,
             span_from_prompts=joint.span_from_prompts,
             had_rest=had_rest,
         )

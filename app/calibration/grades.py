@@ -8,6 +8,7 @@ from app.calibration.profile import Grade
 EVR_LIMITS = (0.80, 0.50)  # the paper reports 80-90 %
 SIGNAL_TO_NOISE_LIMITS = (8.0, 4.0)  # the dead-zone alone is 4 times the noise
 SPREAD_LIMITS = (0.30, 0.60)  # of the repetitions' peaks; above these
+PROMPTED_SHARE_LIMITS = (0.30, 0.10)  # of the span
 CROSS_TALK_LIMIT = 0.30  # above it, two gestures answer together
 AGREEMENT_LIMITS = (0.90, 0.70)  # of the repetitions' directions
 LARGEST_ANGLE = 30.0  # degrees between free and prompted movement
@@ -27,6 +28,7 @@ class Findings:
     strongest_cross_talk: tuple[str, float] | None  # joint that answers too, and how much
     channels: int
     channels_out: int
+    prompted_share: float | None  # of the span: how far the prompted movements go
     span_from_prompts: bool
     had_rest: bool
 
@@ -77,6 +79,10 @@ def _of_prompts(found: Findings) -> list[tuple[Grade, str]]:
         bad = found.agreement < AGREEMENT_LIMITS[1]
         words = f"The prompted movements point both ways ({found.agreement:.0%} of them one way)"
         findings.append(("repeat" if bad else "usable", f"{words}: repeat them in time with the cue."))
+    if found.prompted_share is not None and found.prompted_share < PROMPTED_SHARE_LIMITS[0]:
+        bad = found.prompted_share < PROMPTED_SHARE_LIMITS[1]
+        words = f"The prompted movements go through only {found.prompted_share:.0%} of the free one's span"
+        findings.append(("repeat" if bad else "usable", f"{words}: repeat them larger, and in time with the cue."))
     if found.repeatability is not None and found.repeatability > SPREAD_LIMITS[0]:
         bad = found.repeatability > SPREAD_LIMITS[1]
         words = f"The repetitions differ by {found.repeatability:.0%}"

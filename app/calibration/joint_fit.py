@@ -39,6 +39,7 @@ class FittedJoint:
     evr: float
     angle_deg: float | None
     agreement: float | None
+    prompted_share: float | None
     span_from_prompts: bool
     rest_rate: float
     dead_zone: float
@@ -63,11 +64,10 @@ def fit_joint(
         angle = angle_between(direction.weights, prompted)
         if angle > LARGEST_ANGLE:
             direction = Direction(channels, prompted, pca.mean_)
-    span, from_prompts = percentile_span(direction.place(free)), False
-    if own:
-        further = prompted_span(direction, own)
-        if further > SPAN_FACTOR * span:
-            span, from_prompts = further, True
+    free_span = percentile_span(direction.place(free))
+    own_span = prompted_span(direction, own) if own else 0.0
+    from_prompts = own_span > SPAN_FACTOR * free_span
+    span = own_span if from_prompts else free_span
     pointing = rise(direction, own, span, sample_rate) if own else None
     # Without prompts the sign is arbitrary; that the heaviest channel rises makes it at least the same every time.
     sign = pointing.sign if pointing else (1 if direction.weights[np.abs(direction.weights).argmax()] > 0 else -1)
@@ -88,6 +88,7 @@ def fit_joint(
         evr=float(pca.explained_variance_ratio_[0]),
         angle_deg=angle,
         agreement=pointing.agreement if pointing else None,
+        prompted_share=own_span / span if own else None,
         span_from_prompts=from_prompts,
         rest_rate=noise,
         dead_zone=dead_zone,

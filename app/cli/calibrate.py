@@ -1,0 +1,109 @@
+"""`bodydrive calibrate`: the calibration on a file."""
+
+import json
+import math
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from app.calibration.fit import fit_profile, joints_without_map
+from app.calibration.profile import CalibrationProfile
+from app.calibration.prompts_file import read_prompts
+from app.calibration.repetitions import repetitions_of_prompts
+from app.cli.errors import InputError
+from app.files import write_atomically
+from app.signals import Signals, read_layout, read_signals
+
+PRINTED = ("evr", "span", "sign", "grade", "reason", "dead_zone", "full")
+
+
+def calibrate(
+    signals: Annotated[Path, typer.Argument(metavar="SIGNALS", help="CSV or Parquet, or the folder of a recording.")],
+    *,
+    layout: Annotated[Path, typer.Option(help="The shirt's layout, JSON.")],
+    out: Annotated[Path, typer.Option(help="Where the calibration profile goes, JSON.")],
+    prompts: Annotated[
+        Path | None,
+        typer.Option(help="CSV start,end,joint: when which joint moved towards its gesture. Fixes the sign."),
+    ] = None,
+    start: Annotated[float | None, typer.Option("--from", help="Where the free movement begins, s.")] = None,
+    end: Annotated[float | None, typer.Option("--to", help="Where the free movement ends, s.")] = None,
+    rest_start: Annotated[float | None, typer.Option("--rest-from", help="Where the rest begins, s.")] = None,
+    rest_end: Annotated[float | None, typer.Option("--rest-to", help="Where the rest ends, s.")] = None,
+    unused: Annotated[list[str] | None, typer.Option(help="A channel not to be used; may be given again.")] = None,
+    as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")] = False,
+) -> None:
+    """Fit a calibration profile to a file of signals: per joint EVR, span, sign, grade, dead-zone and full."""
+    try:
+        shirt = read_layout(layout)
+        recorded = read_signals(signals, shirt)
+        rows = [] if prompts is None else read_prompts(prompts, shirt, float(recorded.t[0]), float(recorded.t[-1]))
+    except ValueError as error:
+        raise InputError(str(error)) from error
+    free = window(signals, recorded, "from", start, "to", end)
+    has_rest = rest_start is not None or rest_end is not None
+    rest = window(signals, recorded, "rest-from", rest_start, "rest-to", rest_end) if has_rest else None
+    try:
+        profile = fit_profile(
+            shirt,
+            recorded.sample_rate,
+            free=recorded.values[free],
+            rest=None if rest is None else recorded.values[rest],
+            repetitions=repetitions_of_prompts(recorded.t, recorded.values, rows, recorded.sample_rate),
+            unused=unused or (),
+        )
+    except ValueError as error:
+        raise InputError(f"{signals}: {error}") from error
+    try:
+        write_atomically(out, (profile.model_dump_json(indent=1) + "\n").encode())
+    except OSError as error:
+        raise InputError(f"--out {out} cannot be written ({error.strerror}): choose another place") from error
+    typer.echo(json.dumps(summary(profile, out), allow_nan=False) if as_json else report(profile, out))
+
+
+def window(
+    signals: Path, recorded: Signals, start_word: str, start: float | None, end_word: str, end: float | None
+) -> slice:
+    """Return the rows between two options (s), either of which may be missing, or refuse what lies outside."""
+    for word, given in ((start_word, start), (end_word, end)):
+        if given is not None and not math.isfinite(given):
+            raise InputError(f"--{word} {given}: give a number of seconds")
+    rows = recorded.between(start, end)
+    if rows.stop <= rows.start:
+        first = recorded.t[0] if start is None else start
+        last = recorded.t[-1] if end is None else end
+        raise InputError(
+            f"--{start_word} {first:g} --{end_word} {last:g}: nothing of {signals} lies there, "
+            f"it goes from {recorded.t[0]:g} to {recorded.t[-1]:g} s"
+        )
+    return rows
+
+
+def summary(profile: CalibrationProfile, out: Path) -> dict[str, object]:
+    """Return the object of `--json`; a joint without a map has no numbers, but a grade and its reason."""
+    without = {
+        name: {**dict.fromkeys(PRINTED), "grade": "repeat", "reason": reason}
+        for name, reason in joints_without_map(profile).items()
+    }
+    mapped = {joint.name: {word: getattr(joint, word) for word in PRINTED} for joint in profile.joints}
+    return {"joints": mapped | without, "profile": str(out)}
+
+
+def report(profile: CalibrationProfile, out: Path) -> str:
+    """Return a table for people: one line per joint, then the reasons, then where the profile is."""
+    without = joints_without_map(profile)
+    width = max(len(name) for name in ("joint", *profile.layout.joint_names))
+    lines = [f"{'joint':{width}}  {'EVR':>6}  {'span':>10}  sign  {'grade':6}  {'dead-zone':>9}  {'full':>6}"]
+    lines += [
+        f"{joint.name:{width}}  {joint.evr:6.1%}  {joint.span:10.4g}  {'+' if joint.sign > 0 else '-':>4}  "
+        f"{joint.grade:6}  {joint.dead_zone:9.2f}  {joint.full:6.2f}"
+        for joint in profile.joints
+    ]
+    lines += [f"{name:{width}}  {'-':>6}  {'-':>10}  {'-':>4}  {'repeat':6}  {'-':>9}  {'-':>6}" for name in without]
+    lines += ["", "Dead-zone and full are in FS/s; span, which is 1 FS, in the signals' own unit.", ""]
+    lines += [f"{joint.name}: {joint.reason}" for joint in profile.joints]
+    lines += [f"{name}: {reason}" for name, reason in without.items()]
+    lines += [f"Channel {name} is left out: {why}." for name, why in profile.left_out.items()]
+    lines += ["", f"The profile is in {out}"]
+    return "\n".join(lines)
