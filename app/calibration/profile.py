@@ -26,9 +26,7 @@ class JointMap(Document):
     prompted: bool  # whether prompts fixed the sign; otherwise it is arbitrary
     angle_deg: Annotated[float, Field(ge=0, le=90)] | None = None  # between the free and the prompted PC1
     signal_to_noise: Annotated[float, Field(ge=0)] | None = None
-    repeatability: Annotated[float, Field(ge=0)] | None = (
-        None  # spread of the repetitions' peaks / their mean
-    )
+    repeatability: Annotated[float, Field(ge=0)] | None = None  # spread of the repetitions' peaks / their mean
     rest_rate: Threshold  # FS/s, standard deviation of the rate at rest
     dead_zone: Threshold  # FS/s, suggested
     full: Threshold  # FS/s, suggested
@@ -56,7 +54,10 @@ class CalibrationProfile(Document):
     high: Numbers  # (n_channels,) largest
     joints: Annotated[tuple[JointMap, ...], Field(min_length=1, max_length=MAX_JOINTS)]
     cross_talk: tuple[tuple[Finite, ...], ...] | None = None
-    """Row: joint that was prompted; column: joint that answered; 1.0 on the diagonal. None without prompts."""
+    """Row: joint that was prompted; column: joint that answered, as a share of its activation when prompted itself.
+
+    1.0 on the diagonal; 0.0 where one of the two was never prompted (`JointMap.prompted`). None without prompts.
+    """
 
     @model_validator(mode="after")
     def _channels_exist(self) -> Self:

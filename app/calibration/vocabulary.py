@@ -120,9 +120,7 @@ def standard_parameters(profile: CalibrationProfile) -> DriveParameters:
     )
     names = [gesture.name for gesture in gestures]
     bindings = [
-        Binding(control=control, gestures=(name,))
-        for name, control in PAPER_VOCABULARY.items()
-        if name in names
+        Binding(control=control, gestures=(name,)) for name, control in PAPER_VOCABULARY.items() if name in names
     ]
     if all(name in names for name in STOP_TOGETHER):
         bindings.append(Binding(control="stop", gestures=STOP_TOGETHER))
