@@ -1,0 +1,22 @@
+"""What fitting a calibration costs."""
+
+import statistics
+
+from app.bench.chain import RUNS, SAMPLE_RATE
+from app.bench.row import Row
+from app.bench.subject import bench_parameters, bench_signals
+from app.calibration.fit import fit_profile
+from app.clock import stopwatch
+
+
+def measure_fit() -> Row:
+    """Return how long ten seconds of free movement at 1 kHz take to fit."""
+    parameters = bench_parameters(SAMPLE_RATE)
+    values = bench_signals(parameters, 10.0)
+    durations = []
+    for _ in range(RUNS):
+        before = stopwatch()
+        fit_profile(parameters.profile.layout, SAMPLE_RATE, values)
+        durations.append(stopwatch() - before)
+    figure = statistics.median(durations) * 1e3
+    return Row("calibration fit of 10 s at 1 kHz x 52", figure, "ms", 100.0, "lower", f"median of {RUNS}")
