@@ -1,0 +1,88 @@
+"""`bodydrive score`: all path measures of a trajectory in a file."""
+
+import json
+from pathlib import Path
+from typing import Annotated
+
+import numpy as np
+import typer
+from numpy.typing import NDArray
+
+from app.cli.errors import InputError
+from app.columns import read_columns, require_column
+from app.session.metrics import Measures, path_measures
+from app.world.path import Path as Line
+
+EXTRAS = ("in_contact", "contacts", "u1", "u2")  # columns that give further measures when the trajectory has them
+LARGEST_RADIUS = 1000.0  # m
+
+WORDS = {
+    "dist": ("Dist, length driven", "m"),
+    "path_length": ("length of the path", "m"),
+    "dist_ratio": ("Dist / length of the path", ""),
+    "e_diff": ("E_diff, area between them", "m²"),
+    "cross_track_rms": ("distance from the path, rms", "m"),
+    "cross_track_max": ("distance from the path, largest", "m"),
+    "cross_track_mean": ("distance from the path, mean, left positive", "m"),
+    "time": ("time", "s"),
+    "mean_speed": ("mean speed", "m/s"),
+    "stops": ("stops", ""),
+    "sparc": ("smoothness, spectral arc length", ""),
+    "ldlj": ("smoothness, log dimensionless jerk", ""),
+    "reached": ("goal reached", ""),
+    "collisions": ("collisions", ""),
+    "contact_time": ("time in contact", "s"),
+    "turn_reversals": ("turn reversals", ""),
+    "pulses_per_metre": ("command pulses per metre", "1/m"),
+}
+
+
+def score(
+    trajectory: Annotated[Path, typer.Argument(metavar="TRAJECTORY", help="CSV or Parquet with columns t, x, y.")],
+    path: Annotated[Path, typer.Argument(metavar="PATH", help="CSV or Parquet with columns x, y: the path's points.")],
+    goal_radius: Annotated[float, typer.Option(help="How near the path's end counts as reached, m.")] = 0.5,
+    as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")] = False,
+) -> None:
+    """Score a driven trajectory against a prescribed path; s and m."""
+    if not 0 < goal_radius <= LARGEST_RADIUS:
+        raise InputError(f"--goal-radius {goal_radius:g}: give metres above 0 and at most {LARGEST_RADIUS:g}")
+    measures = score_files(trajectory, path, goal_radius)
+    typer.echo(json.dumps(measures) if as_json else _table(measures))
+
+
+def score_files(trajectory: Path, path: Path, goal_radius: float) -> Measures:
+    """Return the measures of the trajectory in one file along the path in another."""
+    try:
+        driven = read_columns(trajectory, only=("t", "x", "y", *EXTRAS))
+        t, x, y = (require_column(driven, trajectory, name) for name in ("t", "x", "y"))
+        extras: dict[str, NDArray[np.float64]] = {
+            name: require_column(driven, trajectory, name) for name in EXTRAS if name in driven
+        }
+        prescribed = read_columns(path, only=("x", "y"))
+        points = np.column_stack([require_column(prescribed, path, name) for name in ("x", "y")])
+    except ValueError as error:
+        raise InputError(str(error)) from error
+    try:
+        Line(points.tolist())
+    except ValueError as error:
+        raise InputError(f"{path}: {error}") from error
+    try:
+        return path_measures(t, x, y, points, goal_radius, **extras)
+    except ValueError as error:
+        raise InputError(f"{trajectory}: {error}") from error
+
+
+def _table(measures: Measures) -> str:
+    lines = []
+    for name, value in measures.items():
+        label, unit = WORDS[name]
+        lines.append(f"{label:<44} {_written(value)} {unit}".rstrip())
+    return "\n".join(lines)
+
+
+def _written(value: float | bool | None) -> str:
+    if value is None:
+        return "-"
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    return str(value) if isinstance(value, int) else f"{value:.3f}"
