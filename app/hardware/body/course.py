@@ -1,0 +1,87 @@
+"""The path as a driver sees it: where to look, and how fast is fast enough."""
+
+import bisect
+import math
+from collections.abc import Sequence
+
+from app.geometry import Pose, wrap_angle
+from app.world.path import Path
+
+STEP = 0.1  # m between the places where a speed is kept
+SIGHT = 0.45  # m either side of a place within which the path's bend is felt
+GENTLE_BEND = 0.3  # rad: below it nobody slows down
+SHARP_BEND = 1.2  # rad: from here on it is a corner
+OFF = 0.6  # m off the path: from here on the way is remembered
+LOST = 1.0  # m off the path: back the way one came, not on through walls
+BACK_AHEAD = 0.6  # m to the remembered place that is steered for: a nearer one is circled, not reached
+CRUMB = 0.3  # m between the places that are remembered
+WINDOW = 1.5  # m along the path in which the next place is looked for
+
+
+class Course:
+    """A path with a speed for each place, and the place where the driver is."""
+
+    def __init__(
+        self, points: Sequence[tuple[float, float]], cruise: float, corner: float, goal: float, braking: float
+    ) -> None:
+        """Look at the path once: speeds in m/s, `braking` in m/s2."""
+        self.path = Path(points)
+        self.s = 0.0  # m along the path, where the driver is
+        self.cross_track = 0.0  # m, left positive
+        self._way_back: list[tuple[float, float]] = []  # places since the path was left
+        count = max(2, math.ceil(self.path.length / STEP) + 1)
+        self._places = [i * self.path.length / (count - 1) for i in range(count)]
+        self._speeds = [self._speed_of_bend(s, cruise, corner) for s in self._places]
+        self._speeds[-1] = min(self._speeds[-1], goal)
+        for i in range(count - 2, -1, -1):
+            run = self._places[i + 1] - self._places[i]
+            self._speeds[i] = min(self._speeds[i], math.sqrt(self._speeds[i + 1] ** 2 + 2 * braking * run))
+
+    def _speed_of_bend(self, s: float, cruise: float, corner: float) -> float:
+        length = self.path.length
+        before, after = max(0.0, s - SIGHT), min(length, s + SIGHT)
+        bend = abs(wrap_angle(self.path.heading_at(after) - self.path.heading_at(before)))
+        share = min(1.0, max(0.0, (bend - GENTLE_BEND) / (SHARP_BEND - GENTLE_BEND)))
+        return cruise + (corner - cruise) * share
+
+    def begin(self, pose: Pose) -> None:
+        """Find the start: the driver is put somewhere near the beginning of the path."""
+        self._way_back.clear()
+        self.s, self.cross_track = self.path.project_near(pose.x, pose.y, 0.0, WINDOW)
+
+    def follow(self, x: float, y: float) -> None:
+        """Find the nearest place on the path, not far from the last one; off the path, remember the way back."""
+        s, self.cross_track = self.path.project_near(x, y, self.s, WINDOW)
+        if not self.is_lost:
+            self.s = s
+        if abs(self.cross_track) < OFF:
+            self._way_back.clear()
+            return
+        for i, (crumb_x, crumb_y) in enumerate(self._way_back):
+            if math.hypot(x - crumb_x, y - crumb_y) < CRUMB:  # been here before: what came after was a detour
+                del self._way_back[i + 1 :]
+                return
+        self._way_back.append((x, y))
+
+    @property
+    def is_lost(self) -> bool:
+        """Whether the path is so far off that it may be behind a wall."""
+        return abs(self.cross_track) > LOST
+
+    def speed(self, ahead: float) -> float:
+        """Return the speed (m/s) that fits `ahead` (m) further on."""
+        place = bisect.bisect_left(self._places, self.s + ahead)
+        return self._speeds[min(place, len(self._speeds) - 1)]
+
+    def bearing(self, x: float, y: float, ahead: float) -> float:
+        """Return the direction (rad) from (x, y) to the point to steer for, `ahead` (m) along the path."""
+        target_x, target_y = self._place_back(x, y) or self.path.point_at(min(self.s + ahead, self.path.length))
+        return math.atan2(target_y - y, target_x - x)
+
+    def _place_back(self, x: float, y: float) -> tuple[float, float] | None:
+        """Return the last remembered place that is far enough from (x, y) to steer for, when lost."""
+        if self.is_lost:
+            for place in reversed(self._way_back):
+                if math.hypot(place[0] - x, place[1] - y) > BACK_AHEAD:
+                    return place
+        return None

@@ -1,0 +1,88 @@
+"""The numbers behind the simulated person: each with its name, its unit and its reason."""
+
+import math
+from dataclasses import dataclass, field, replace
+from typing import Literal, NamedTuple
+
+Skill = Literal["novice", "practised"]
+
+
+class Practised(NamedTuple):
+    """A quantity that practice brings exponentially from `first` to `last`, with a constant counted in strokes."""
+
+    first: float
+    last: float
+    strokes: float
+
+    def after(self, strokes: float) -> float:
+        """Return the quantity after so many strokes of practice."""
+        return self.last + (self.first - self.last) * math.exp(-strokes / self.strokes)
+
+
+@dataclass(frozen=True, slots=True)
+class PersonParameters:
+    """A person who drives by strokes: short movements of one limb, each decided anew.
+
+    Attributes
+    ----------
+    reaction_time : s from what is seen to what is done. Simple visual reactions take 0.2 to 0.3 s
+        (Woodworth and Schlosberg, Experimental Psychology, 1954).
+    hesitation : s between two strokes on top of the reaction time. Early learners think about which limb to move
+        (Fitts and Posner's cognitive stage, 1967); practice takes most of it away.
+    stroke_noise : standard deviation of a stroke's size over its size. Noise grows with the motor command (Harris and
+        Wolpert, Nature 394, 1998); about 0.1 in able reaching (van Beers, Haggard and Wolpert, J Neurophysiol 91,
+        2004), several times that in unpractised movement and after cervical injury.
+    constant_noise : standard deviation of a stroke's size whatever the size, of the joint's range (the same source).
+    timing_noise : standard deviation of a stroke's duration over its duration (the same source).
+    wrong_limb : chance that another limb moves than was meant; a quarter at first, hardly ever with practice
+        (signal-chain.md, section 7).
+    estimate_error : standard deviation of the logarithm of (believed / true effect) of a stroke, drawn for each limb
+        at the start: 0.6 is a factor of 1.8 either way.
+    correction : share of the error in a stroke's effect that is corrected at the next one. State-space fits of
+        adaptation give 0.05 to 0.2 (Cheng and Sabes, Neural Computation 18, 2006; Smith et al., PLoS Biology 4, 2006).
+    rise_base, rise_slope : a stroke takes rise_base + rise_slope x size seconds: larger movements last little longer
+        (isochrony principle, Viviani and Terzuolo 1982).
+    return_factor : the way back to rest takes so many times as long: nothing hurries it.
+    smallest, largest : bounds of a stroke's size, of the joint's range.
+    cruise_speed, corner_speed, goal_speed : m/s that feel right on the straight, in a corner and at the goal; the
+        chair could do 0.8. Indoors, powered chairs are driven at 0.3 to 0.6 m/s.
+    braking : m/s2 that the person reckons with when a corner comes near: one stroke in a second or two.
+    look_ahead : m along the path to the point that is steered for; with speed_look_ahead, s, added as speed x time.
+    heading_tolerance : rad of heading error that is let be.
+    speed_tolerance : m/s of speed error that is let be.
+    learns : whether practice changes anything at all.
+    practice : strokes practised before the first one here.
+
+    The constants of learning, 350 and 230 strokes, come from one person's 480 reaches with a body-machine interface:
+    error fell with a constant of 119 reaches, time with one of 78 (signal-chain.md, section 7), and a reach of about
+    6 s has room for three strokes of 2 s. A trial of 28 m takes 50 strokes of a practised person, 100 of a novice.
+    """
+
+    reaction_time: float = 0.25
+    hesitation: Practised = field(default=Practised(0.5, 0.05, 230.0))
+    stroke_noise: Practised = field(default=Practised(0.40, 0.10, 350.0))
+    constant_noise: float = 0.015
+    timing_noise: float = 0.08
+    wrong_limb: Practised = field(default=Practised(0.25, 0.01, 230.0))
+    estimate_error: Practised = field(default=Practised(0.6, 0.1, 350.0))
+    correction: float = 0.08
+    rise_base: float = 0.45
+    rise_slope: float = 0.35
+    return_factor: float = 1.6
+    smallest: float = 0.18
+    largest: float = 0.95
+    cruise_speed: float = 0.6
+    corner_speed: float = 0.2
+    goal_speed: float = 0.35
+    braking: float = 0.15
+    look_ahead: float = 0.6
+    speed_look_ahead: float = 0.7
+    heading_tolerance: float = 0.09
+    speed_tolerance: float = 0.07
+    learns: bool = True
+    practice: float = 0.0
+
+
+NOVICE = PersonParameters()
+PRACTISED = replace(NOVICE, practice=1500.0)  # about twenty-five trials
+PARAMETERS: dict[Skill, PersonParameters] = {"novice": NOVICE, "practised": PRACTISED}

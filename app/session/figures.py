@@ -1,0 +1,169 @@
+"""The study's figures: all trajectories over the path, and the two errors from trial to trial."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from contextlib import AbstractContextManager
+from pathlib import Path as FilePath
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.world.floorplan import FloorPlan, PrescribedPath
+from app.world.obstacles import Cylinder
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+FigureFormat = Literal["png", "svg"]
+
+WALL = "#b8bcc2"
+OBSTACLE = "#dfe1e5"
+PATH = "#1f5fbf"
+TRAJECTORY = "#c8281e"
+INK = "#22262b"
+DOTS_PER_INCH = 200
+STYLE = {
+    "font.family": "sans-serif",
+    "font.size": 9.0,
+    "axes.titlesize": 10.0,
+    "axes.edgecolor": INK,
+    "axes.labelcolor": INK,
+    "axes.linewidth": 0.8,
+    "xtick.color": INK,
+    "ytick.color": INK,
+    "svg.hashsalt": "bodydrive",  # the same study gives the same file
+}
+
+
+def trajectories_figure(
+    floorplan: FloorPlan, path: PrescribedPath, trajectories: Sequence[tuple[NDArray[np.float64], NDArray[np.float64]]]
+) -> Figure:
+    """Draw all trajectories, each (x, y) in m, in red over the prescribed path in blue, within the walls."""
+    with _style():
+        return _draw_trajectories(floorplan, path, trajectories)
+
+
+def _draw_trajectories(
+    floorplan: FloorPlan, path: PrescribedPath, trajectories: Sequence[tuple[NDArray[np.float64], NDArray[np.float64]]]
+) -> Figure:
+    x_min, y_min, x_max, y_max = floorplan.bounds
+    width = 7.0
+    height = min(9.0, max(2.5, width * (y_max - y_min) / max(x_max - x_min, 1e-9) + 0.9))
+    figure, (axes,) = _figure(width, height, 1)
+    for wall in floorplan.walls:
+        axes.plot(*zip(*wall, strict=True), color=WALL, linewidth=2.0, solid_capstyle="round", zorder=1)
+    _draw_obstacles(axes, floorplan)
+    alpha = max(0.25, 1.0 / max(1.0, len(trajectories) ** 0.4))
+    for x, y in trajectories:
+        axes.plot(x, y, color=TRAJECTORY, linewidth=0.8, alpha=alpha, zorder=3)
+    axes.plot(*zip(*path.points, strict=True), color=PATH, linewidth=1.8, zorder=4)
+    (start_x, start_y), (goal_x, goal_y) = path.points[0], path.points[-1]
+    axes.plot([start_x], [start_y], "o", color=PATH, markersize=6, zorder=5)
+    axes.plot([goal_x], [goal_y], "s", color=PATH, markersize=6, zorder=5)
+    legend = [
+        _line(PATH, 1.8, f"prescribed path, {path.line.length:.1f} m (● start, ■ goal)"),
+        _line(TRAJECTORY, 0.8, f"{_trials(len(trajectories))}"),
+    ]
+    axes.legend(handles=legend, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2, frameon=False)
+    margin = 0.02 * max(x_max - x_min, y_max - y_min)
+    axes.set_xlim(x_min - margin, x_max + margin)
+    axes.set_ylim(y_min - margin, y_max + margin)
+    axes.set_aspect("equal")
+    axes.set_xlabel("x (m)")
+    axes.set_ylabel("y (m)")
+    return figure
+
+
+def errors_figure(
+    numbers: Sequence[int],
+    dist: Sequence[float],
+    e_diff: Sequence[float],
+    path_length: float,
+    curves: dict[str, dict[str, Any]],
+) -> Figure:
+    """Draw Dist (m) and E_diff (m2) per trial, each with its learning curve and 95 % band where there is one."""
+    with _style():
+        return _draw_errors(numbers, dist, e_diff, path_length, curves)
+
+
+def _draw_errors(
+    numbers: Sequence[int],
+    dist: Sequence[float],
+    e_diff: Sequence[float],
+    path_length: float,
+    curves: dict[str, dict[str, Any]],
+) -> Figure:
+    figure, axes = _figure(7.0, 5.4, 2)
+    panels = (
+        ("a", "Dist: distance driven", "Dist (m)", dist, curves.get("dist")),
+        ("b", "$E_{diff}$: area between trajectory and path", "$E_{diff}$ (m²)", e_diff, curves.get("e_diff")),
+    )
+    for panel, (letter, title, label, values, curve) in zip(axes, panels, strict=True):
+        fit = curve["fit"] if curve else None
+        if fit:
+            band = (fit["n"], fit["low"], fit["high"])
+            panel.fill_between(*band, color=TRAJECTORY, alpha=0.12, linewidth=0, label="95 % band")
+            panel.plot(fit["n"], fit["value"], color=TRAJECTORY, linewidth=1.2, label="learning curve")
+        panel.plot(numbers, values, "o-", color=INK, markersize=4, linewidth=0.7, label="trial")
+        panel.set_title(f"({letter}) {title}", loc="left")
+        panel.set_ylabel(label)
+        panel.set_xlim(min(numbers) - 0.5, max(numbers) + 0.5)
+        panel.locator_params(axis="x", integer=True)
+        panel.spines[["top", "right"]].set_visible(False)
+        panel.grid(axis="y", color=OBSTACLE, linewidth=0.6)
+        panel.set_axisbelow(True)
+    axes[0].axhline(path_length, color=PATH, linewidth=1.0, linestyle="--", label="length of the path")
+    axes[1].set_ylim(bottom=0.0)
+    axes[0].legend(frameon=False, loc="upper right")
+    axes[1].set_xlabel("trial")
+    return figure
+
+
+def save_figure(figure: Figure, file: FilePath, file_format: FigureFormat) -> None:
+    """Write a figure; the same figure gives the same bytes."""
+    metadata = {"Date": None} if file_format == "svg" else {"Software": None}
+    with _style():
+        figure.savefig(file, format=file_format, dpi=DOTS_PER_INCH, metadata=metadata)
+
+
+def _style() -> AbstractContextManager[None]:
+    from matplotlib import rc_context  # noqa: PLC0415  (slow to import, and most commands draw nothing)
+
+    return rc_context(STYLE)
+
+
+def _figure(width: float, height: float, rows: int) -> tuple[Figure, tuple[Axes, ...]]:
+    """Return a figure (inches) with its axes, one below the other, apart from any window system."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg  # noqa: PLC0415
+    from matplotlib.figure import Figure  # noqa: PLC0415
+
+    figure = Figure(figsize=(width, height), layout="constrained")
+    FigureCanvasAgg(figure)
+    axes = figure.subplots(rows, 1, sharex=True, squeeze=False)
+    return figure, tuple(axes[:, 0])
+
+
+def _draw_obstacles(axes: Axes, floorplan: FloorPlan) -> None:
+    from matplotlib.patches import Circle, Polygon  # noqa: PLC0415
+
+    for obstacle in floorplan.obstacles:
+        shape = (
+            Circle(obstacle.position, obstacle.radius)
+            if isinstance(obstacle, Cylinder)
+            else Polygon(obstacle.corners())
+        )
+        shape.set(facecolor=OBSTACLE, edgecolor=WALL, linewidth=0.8, zorder=1)
+        axes.add_patch(shape)
+
+
+def _line(colour: str, width: float, label: str) -> Any:
+    from matplotlib.lines import Line2D  # noqa: PLC0415
+
+    return Line2D([], [], color=colour, linewidth=width, label=label)
+
+
+def _trials(count: int) -> str:
+    return "1 trajectory" if count == 1 else f"{count} trajectories"
