@@ -134,7 +134,8 @@ def _without_ties(t: NDArray[np.float64], steps: NDArray[np.float64]) -> NDArray
     """
     count = len(t)
     step = float(np.median(steps)) or float(t[-1] - t[0]) / (count - 1)
-    grid: NDArray[np.float64] = t[0] + step * np.arange(count)
+    rate = round(1.0 / step, 6)  # a step of 0.01000000000000023 is one of 0.01
+    grid: NDArray[np.float64] = t[0] + np.arange(count) / rate
     if np.abs(grid - t).max() <= EVEN_WITHIN * steps.max():
         return grid
     firsts = np.flatnonzero(np.concatenate(([True], steps > 0)))

@@ -1,0 +1,319 @@
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from sklearn.decomposition import PCA
+from wearing import JOINTS, Wearer, layout_of
+
+from app.calibration.fit import fit_profile, joints_without_map
+from app.calibration.profile import CalibrationProfile
+from app.calibration.repetitions import Repetition
+from app.calibration.vocabulary import standard_parameters
+from app.layout import Channel, Joint, ShirtLayout
+
+LAYOUT = layout_of()
+SEEDS = st.integers(0, 2**32 - 1)
+
+
+def calibrate(wearer, **changes):
+    pieces = {"free": wearer.free(), "rest": wearer.rest(), "repetitions": wearer.repetitions()}
+    return fit_profile(wearer.layout, wearer.sample_rate, **{**pieces, **changes})
+
+
+def scores(joint, values):
+    return joint.sign * (values[:, joint.channels] - np.array(joint.mean)) @ np.array(joint.weights) / joint.span
+
+
+@pytest.fixture
+def wearer():
+    return Wearer(LAYOUT)
+
+
+def test_all_is_well_with_somebody_who_follows_the_cues(wearer):
+    profile = calibrate(wearer)
+    assert [joint.name for joint in profile.joints] == list(JOINTS)
+    assert profile.left_out == {}
+    for joint in profile.joints:
+        assert joint.grade == "good", joint.reason
+        assert joint.prompted
+        assert joint.evr > 0.8
+        assert joint.repeatability < 0.2
+        assert joint.angle_deg < 30
+        assert joint.dead_zone >= max(0.15, 4 * joint.rest_rate) - 1e-3
+        assert joint.full > joint.dead_zone
+    assert np.array(profile.cross_talk) == pytest.approx(np.eye(4), abs=0.05)
+
+
+def test_the_saved_document_is_read_back_the_same(wearer):
+    profile = calibrate(wearer)
+    assert CalibrationProfile.model_validate_json(profile.model_dump_json()) == profile
+    standard_parameters(profile)
+
+
+def test_evr_and_span_are_those_of_the_free_movement(wearer):
+    free = wearer.free()
+    profile = calibrate(wearer, free=free)
+    for joint in profile.joints:
+        reference = PCA().fit(free[:, joint.channels])
+        assert joint.evr == pytest.approx(reference.explained_variance_ratio_[0])
+        place = reference.transform(free[:, joint.channels])[:, 0]
+        assert joint.span == pytest.approx(np.subtract(*np.percentile(place, (99, 1))))
+        assert np.abs(scores(joint, free)) == pytest.approx(np.abs(place / joint.span), abs=1e-9)
+
+
+@settings(max_examples=15, deadline=None)
+@given(seed=SEEDS, flipped=st.booleans(), shift=st.integers(-20, 30))
+def test_the_prompted_movement_is_the_rising_direction(seed, flipped, shift):
+    """Whichever way the fabric answers, and though the label leads or follows the movement by some 0.3 s."""
+    wearer = Wearer(LAYOUT, seed=seed)
+    wearer.gains *= -1 if flipped else 1
+    profile = calibrate(wearer, repetitions=wearer.repetitions(shift=shift))
+    angles = np.linspace(0, 1, 11)[:, np.newaxis] * np.ones(4)
+    for joint in profile.joints:
+        assert (np.diff(scores(joint, angles @ wearer.gains)) > 0).all()
+
+
+@settings(max_examples=10, deadline=None)
+@given(seed=SEEDS)
+def test_prompts_with_the_way_back_in_them_still_fix_the_sign(seed):
+    wearer = Wearer(LAYOUT, seed=seed)
+    whole = [
+        Repetition(one.joint, one.values, slice(one.moving.start, one.moving.stop + 150))
+        for one in wearer.repetitions()
+    ]
+    profile = calibrate(wearer, repetitions=whole)
+    angles = np.linspace(0, 1, 11)[:, np.newaxis] * np.ones(4)
+    for joint in profile.joints:
+        assert (np.diff(scores(joint, angles @ wearer.gains)) > 0).all()
+
+
+@settings(max_examples=10, deadline=None)
+@given(seed=SEEDS)
+def test_the_order_of_channels_does_not_matter(seed):
+    wearer = Wearer(LAYOUT, seed=3)
+    free, rest, repetitions = wearer.free(), wearer.rest(), wearer.repetitions()
+    order = np.random.default_rng(seed).permutation(len(LAYOUT.channels))
+    shuffled = ShirtLayout(name="shuffled", channels=tuple(LAYOUT.channels[i] for i in order), joints=LAYOUT.joints)
+    one = fit_profile(LAYOUT, 100.0, free=free, rest=rest, repetitions=repetitions)
+    other = fit_profile(
+        shuffled,
+        100.0,
+        free=free[:, order],
+        rest=rest[:, order],
+        repetitions=[Repetition(r.joint, r.values[:, order], r.moving) for r in repetitions],
+    )
+    for before, after in zip(one.joints, other.joints, strict=True):
+        assert scores(after, free[:, order]) == pytest.approx(scores(before, free), abs=1e-6)
+        assert after.dead_zone == pytest.approx(before.dead_zone, abs=1e-3)
+        assert after.full == pytest.approx(before.full, abs=1e-3)
+
+
+@settings(max_examples=10, deadline=None)
+@given(scale=st.floats(1e-4, 1e5))
+def test_the_unit_of_the_signals_does_not_matter(scale):
+    wearer = Wearer(LAYOUT, seed=4)
+    free, rest, repetitions = wearer.free(), wearer.rest(), wearer.repetitions()
+    one = fit_profile(LAYOUT, 100.0, free=free, rest=rest, repetitions=repetitions)
+    other = fit_profile(
+        LAYOUT,
+        100.0,
+        free=free * scale,
+        rest=rest * scale,
+        repetitions=[Repetition(r.joint, r.values * scale, r.moving) for r in repetitions],
+    )
+    for before, after in zip(one.joints, other.joints, strict=True):
+        assert after.span == pytest.approx(before.span * scale)
+        assert scores(after, free * scale) == pytest.approx(scores(before, free), abs=1e-6)
+        assert after.dead_zone == pytest.approx(before.dead_zone, abs=1e-3)
+        assert after.grade == before.grade
+
+
+@settings(max_examples=15, deadline=None)
+@given(bad=st.sets(st.integers(0, 19), max_size=6), how=st.sampled_from(["all", "some", "dead"]))
+def test_broken_channels_are_named_and_kept_out(bad, how):
+    wearer = Wearer(LAYOUT, seed=5)
+    free = wearer.free()
+    columns = sorted(bad)
+    if how == "dead":
+        free[:, columns] = 7.5
+    else:
+        free[slice(None) if how == "all" else slice(300, 303), columns] = np.nan
+    profile = calibrate(wearer, free=free)
+    assert sorted(profile.left_out) == sorted(LAYOUT.channels[i].name for i in bad)
+    for joint in profile.joints:
+        assert not set(joint.channels) & bad
+        assert np.isfinite(joint.weights).all()
+    lost = {name for name, channels in LAYOUT.channels_of_joint.items() if set(channels) <= bad}
+    assert set(joints_without_map(profile)) == lost
+
+
+def test_lost_frames_do_no_harm(wearer):
+    free = wearer.free()
+    whole = calibrate(wearer, free=free)
+    free[400:410] = np.nan
+    holed = calibrate(wearer, free=free)
+    assert holed.left_out == {}
+    for one, other in zip(whole.joints, holed.joints, strict=True):
+        assert other.span == pytest.approx(one.span, rel=0.02)
+
+
+def test_unused_channels_are_left_out_because_a_person_said_so(wearer):
+    profile = calibrate(wearer, unused={"left_elbow_2"})
+    assert profile.left_out == {"left_elbow_2": "marked as unused"}
+    assert "1 of its 5 channels" in profile.joints[1].reason
+
+
+def test_near_railed_channels_stay_only_when_the_joint_has_no_better_one(wearer):
+    free = wearer.free()
+    reach = np.abs(free).max(axis=0)
+    free *= np.where(np.arange(20) < 5, 80.0, 20.0) / reach
+    free[:, 5] *= 4
+    profile = fit_profile(LAYOUT, 100.0, free=free, full_scale=100.0)
+    assert list(profile.left_out) == ["left_elbow_0"]
+    assert profile.joints[0].channels == (0, 1, 2, 3, 4)
+
+
+def test_without_prompts_the_sign_is_arbitrary_and_told_but_always_the_same(wearer):
+    free, rest = wearer.free(), wearer.rest()
+    profile = fit_profile(LAYOUT, 100.0, free=free, rest=rest)
+    again = fit_profile(LAYOUT, 100.0, free=free, rest=rest)
+    assert [joint.sign for joint in profile.joints] == [joint.sign for joint in again.joints]
+    assert profile.cross_talk is None
+    for joint in profile.joints:
+        assert joint.grade == "usable"
+        assert "arbitrary" in joint.reason
+        assert not joint.prompted
+        heaviest = np.argmax(np.abs(joint.weights))
+        assert joint.sign * joint.weights[heaviest] > 0
+
+
+def test_the_prompted_direction_wins_when_the_free_movement_was_another(wearer):
+    """The free movement goes the other way that the joint can move; the prompts go the intended one."""
+    angles = np.zeros((1000, 4))
+    others = np.sin(np.arange(1000) / 20.0)[:, np.newaxis] * np.ones(4) * 8
+    profile = calibrate(wearer, free=wearer.signals(angles, others))
+    for row, joint in enumerate(profile.joints):
+        assert joint.angle_deg > 30
+        assert "prompted direction is used" in joint.reason
+        assert joint.grade == "usable"
+        gains = wearer.gains[row, list(joint.channels)]
+        assert joint.sign * np.dot(joint.weights, gains) / np.linalg.norm(gains) > 0.95
+
+
+def test_a_joint_that_was_forgotten_in_the_free_movement_takes_its_span_from_the_prompts(wearer):
+    angles = np.random.default_rng(1).uniform(0, 1) * np.sin(np.arange(1000) / 15.0)[:, np.newaxis] * np.ones(4)
+    angles[:, 1] *= 0.05
+    profile = calibrate(wearer, free=wearer.signals(angles))
+    excursion = np.linalg.norm(wearer.gains[1])
+    assert profile.joints[1].span == pytest.approx(excursion, rel=0.15)
+    assert "span is that of the prompted movements" in profile.joints[1].reason
+
+
+def test_cross_talk_is_seen_and_told(wearer):
+    repetitions = [
+        wearer.repetition(joint, along={"left_shoulder": 0.9} if joint == "right_shoulder" else None)
+        for joint in JOINTS
+        for _ in range(3)
+    ]
+    profile = calibrate(wearer, repetitions=repetitions)
+    matrix = np.array(profile.cross_talk)
+    assert matrix[2, 3] > 0.7
+    assert matrix[3, 2] < 0.1
+    assert profile.joints[2].grade == "usable"
+    assert "'left_shoulder' answers too" in profile.joints[2].reason
+    assert profile.joints[3].grade == "good"
+
+
+def test_uneven_repetitions_are_told(wearer):
+    sizes = (1.0, 0.3, 0.15)
+    repetitions = [wearer.repetition("left_elbow", size=size) for size in sizes]
+    joint = calibrate(wearer, repetitions=repetitions).joints[1]
+    assert joint.repeatability == pytest.approx(np.std(sizes) / np.mean(sizes), rel=0.1)
+    assert joint.grade == "repeat"
+    assert "differ" in joint.reason
+
+
+def test_prompts_that_point_both_ways_are_to_be_repeated(wearer):
+    ways = (1.0, -1.0, 1.0, -0.9)
+    joint = calibrate(wearer, repetitions=[wearer.repetition("left_elbow", size=way) for way in ways]).joints[1]
+    assert joint.grade == "repeat"
+    assert "both ways" in joint.reason
+
+
+def test_tiny_prompted_movements_are_to_be_repeated(wearer):
+    joint = calibrate(wearer, repetitions=[wearer.repetition("left_elbow", size=0.02) for _ in range(3)]).joints[1]
+    assert joint.grade == "repeat"
+
+
+def test_a_joint_that_moves_any_way_has_a_low_evr_and_is_told():
+    wearer = Wearer(LAYOUT, second=0.8)
+    low = [joint for joint in calibrate(wearer).joints if joint.evr < 0.8]
+    assert len(low) >= 2
+    for joint in low:
+        assert joint.grade != "good"
+        assert "below the usual 80 %" in joint.reason
+
+
+def test_dead_zone_is_four_times_the_noise_at_rest_where_that_is_more():
+    restless = Wearer(LAYOUT, noise=0.2)
+    for joint in calibrate(restless).joints:
+        assert joint.dead_zone == pytest.approx(4 * joint.rest_rate, abs=1e-4)
+        assert joint.dead_zone > 0.15
+
+
+@pytest.mark.parametrize("sample_rate", [50.0, 100.0, 250.0, 1000.0])
+def test_the_map_does_not_depend_on_the_sample_rate(sample_rate):
+    profile = calibrate(Wearer(LAYOUT, sample_rate=sample_rate))
+    for joint in profile.joints:
+        assert joint.grade == "good", joint.reason
+        # A smooth movement of 1 s has its largest rate at 1.875 of its size; the span is a little less than its size.
+        assert joint.full == pytest.approx(1.9, abs=0.35)
+
+
+def test_drift_between_the_recordings_does_no_harm(wearer):
+    drift = np.linspace(0, 0.5, 12)
+    repetitions = [
+        Repetition(one.joint, one.values + drift[i], one.moving) for i, one in enumerate(wearer.repetitions())
+    ]
+    for joint in calibrate(wearer, repetitions=repetitions).joints:
+        assert joint.grade == "good", joint.reason
+
+
+def test_channels_in_other_units_do_no_harm(wearer):
+    units = np.tile([1.0, 1000.0, 0.01, 50.0, 1e-3], 4)
+    profile = fit_profile(
+        LAYOUT,
+        100.0,
+        free=wearer.free() * units,
+        rest=wearer.rest() * units,
+        repetitions=[Repetition(r.joint, r.values * units, r.moving) for r in wearer.repetitions()],
+    )
+    assert profile.left_out == {}
+    assert {joint.grade for joint in profile.joints} == {"good"}
+
+
+def test_one_channel_is_enough_for_a_joint():
+    layout = ShirtLayout(
+        name="one", channels=(Channel(name="a", joint="elbow"),), joints=(Joint(name="elbow", label="Elbow"),)
+    )
+    joint = calibrate(Wearer(layout)).joints[0]
+    assert joint.evr == 1.0
+    assert joint.grade == "good"
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"free": np.zeros((1000, 3))}, "does not have the 20 channels"),
+        ({"free": np.ones((100, 20))}, "lasts 1.00 s, which is too short"),
+        ({"rest": np.ones((10, 20))}, "the rest lasts 0.10 s"),
+        ({"free": np.ones((1000, 20))}, "no joint"),
+        ({"free": np.full((1000, 20), np.nan)}, "no joint"),
+        ({"unused": {"nothing"}}, "there is no channel 'nothing'"),
+        ({"repetitions": [Repetition("knee", np.zeros((100, 20)), slice(10, 90))]}, "there is no joint 'knee'"),
+    ],
+)
+def test_what_cannot_be_fitted_is_refused_in_one_sentence(wearer, changes, words):
+    with pytest.raises(ValueError, match=words) as refusal:
+        calibrate(wearer, **changes)
+    assert "\n" not in str(refusal.value)

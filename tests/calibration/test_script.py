@@ -1,0 +1,53 @@
+import pytest
+from wearing import layout_of
+
+from app.calibration.script import REPETITIONS, calibration_script
+from app.cues import Cue, cue_index
+from app.messages import NO_CUE
+
+STEPS = calibration_script(layout_of(("right_elbow", "left_shoulder", "right_wrist", "tongue")))
+
+
+def test_steps_come_in_order_with_ids_of_their_own():
+    assert [step.kind for step in STEPS] == ["rest", "free", *["prompt"] * 4]
+    assert [step.joint for step in STEPS[2:]] == ["right_elbow", "left_shoulder", "right_wrist", "tongue"]
+    assert len({step.id for step in STEPS}) == len(STEPS)
+
+
+def test_patients_are_asked_in_plain_words():
+    assert [step.title for step in STEPS[2:]] == [
+        "Bend your right elbow",
+        "Push your left shoulder forward",
+        "Bend your right wrist",
+        "Move: Tongue",
+    ]
+
+
+@pytest.mark.parametrize("step", STEPS, ids=lambda step: step.id)
+def test_cues_fill_the_step_without_a_gap(step):
+    assert step.cues[0].kind == "ready"
+    assert step.cues[0].start == 0.0
+    assert step.cues[0].end == pytest.approx(2.0)
+    for before, after in zip(step.cues, step.cues[1:], strict=False):
+        assert after.start == before.end
+    assert step.cues[-1].end == step.duration
+
+
+def test_rest_and_free_movement_last_as_long_as_the_paper_says():
+    lengths = {cue.kind: cue.end - cue.start for step in STEPS[:2] for cue in step.cues}
+    assert lengths["rest"] == pytest.approx(3.0)
+    assert lengths["free"] == pytest.approx(10.0)
+
+
+def test_each_gesture_is_prompted_three_times_and_comes_back_slower():
+    for step in STEPS[2:]:
+        moves = [cue for cue in step.cues if cue.kind == "move"]
+        returns = [cue for cue in step.cues if cue.kind == "return"]
+        assert [cue.repetition for cue in moves] == list(range(1, REPETITIONS + 1))
+        assert all(cue.joint == step.joint for cue in step.cues)
+        assert all(back.end - back.start > move.end - move.start for move, back in zip(moves, returns, strict=True))
+
+
+def test_cue_index_follows_the_clock():
+    cues = (Cue(start=1.0, end=2.0, kind="rest"), Cue(start=2.0, end=3.0, kind="free"))
+    assert [cue_index(cues, t) for t in (0.5, 1.0, 1.99, 2.0, 3.0)] == [NO_CUE, 0, 0, 1, NO_CUE]

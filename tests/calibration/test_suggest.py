@@ -1,0 +1,67 @@
+from wearing import JOINTS, Wearer, layout_of
+
+from app.calibration.fit import fit_profile
+from app.calibration.suggest import suggest_bindings
+from app.calibration.vocabulary import PAPER_VOCABULARY, standard_parameters
+
+
+def calibrated(joints, along=None):
+    wearer = Wearer(layout_of(joints))
+    repetitions = [
+        wearer.repetition(joint, along=(along or {}).get(joint))
+        for joint in wearer.layout.joint_names
+        for _ in range(3)
+    ]
+    return fit_profile(wearer.layout, 100.0, free=wearer.free(), rest=wearer.rest(), repetitions=repetitions)
+
+
+def bound(suggestion):
+    return {binding.control: binding.gestures for binding in suggestion.bindings}
+
+
+def test_the_papers_four_joints_give_the_papers_vocabulary():
+    suggestion = suggest_bindings(calibrated(JOINTS))
+    expected = {control: (name,) for name, control in PAPER_VOCABULARY.items()}
+    assert bound(suggestion) == {**expected, "stop": ("right_elbow", "left_elbow")}
+    assert "times above its noise" in suggestion.reason
+    assert "%" in suggestion.reason
+
+
+def test_joints_that_answer_together_are_not_chosen():
+    joints = (*JOINTS, "right_wrist", "left_wrist")
+    along = {
+        "right_wrist": {"right_elbow": 0.9},
+        "left_wrist": {"left_elbow": 0.9},
+        "right_elbow": {"right_wrist": 0.9},
+    }
+    chosen = bound(suggest_bindings(calibrated(joints, along)))
+    names = {name for control, gestures in chosen.items() for name in gestures if control != "stop"}
+    assert names in ({*JOINTS}, {"right_wrist", "left_wrist", "right_shoulder", "left_shoulder"})
+
+
+def test_any_four_joints_do_when_the_body_has_no_pairs():
+    chosen = bound(suggest_bindings(calibrated(("tongue", "brow", "jaw", "neck"))))
+    assert sorted(name for control, gestures in chosen.items() for name in gestures if control != "stop") == [
+        "brow",
+        "jaw",
+        "neck",
+        "tongue",
+    ]
+
+
+def test_fewer_joints_give_fewer_bindings_that_are_still_valid():
+    for joints in (("jaw",), ("jaw", "neck"), ("jaw", "neck", "brow")):
+        profile = calibrated(joints)
+        suggestion = suggest_bindings(profile)
+        standard = standard_parameters(profile).model_dump()
+        type(standard_parameters(profile)).model_validate({**standard, "bindings": suggestion.bindings})
+        assert [binding.control for binding in suggestion.bindings][: len(joints)] == ["u1+", "u1-", "u2+"][
+            : len(joints)
+        ]
+
+
+def test_without_prompts_nothing_is_claimed_about_cross_talk():
+    wearer = Wearer(layout_of())
+    suggestion = suggest_bindings(fit_profile(wearer.layout, 100.0, free=wearer.free(), rest=wearer.rest()))
+    assert len(suggestion.bindings) == 5
+    assert "not known" in suggestion.reason

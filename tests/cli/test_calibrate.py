@@ -1,0 +1,98 @@
+import json
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+from app.calibration.profile import CalibrationProfile
+from app.cli.calibrate import calibrate
+from app.cli.errors import InputError
+from app.cli.main import build
+from app.layout import Channel, Joint, ShirtLayout
+
+JOINTS = ("right_elbow", "left_elbow")
+FS = 100
+STROKES = {"right_elbow": (4.0, 8.0, 12.0), "left_elbow": (6.0, 10.0, 14.0)}  # s: when each elbow bends for 1 s
+
+
+@pytest.fixture
+def files(tmp_path):
+    """Sixteen seconds of two elbows that bend in turn, on six channels of which some fall when the elbow bends."""
+    rng = np.random.default_rng(1)
+    layout = ShirtLayout(
+        name="elbows",
+        channels=tuple(Channel(name=f"{joint}_{i}", joint=joint) for joint in JOINTS for i in range(3)),
+        joints=tuple(Joint(name=joint, label=joint) for joint in JOINTS),
+    )
+    (tmp_path / "layout.json").write_text(layout.model_dump_json())
+    t = np.arange(16 * FS) / FS
+    channels = []
+    for joint, gains in zip(JOINTS, ((-1.0, -0.5, 0.2), (0.8, 0.3, -0.6)), strict=True):
+        bent = sum(0.5 - 0.5 * np.cos(np.pi * np.clip(t - start, 0, 2)) for start in STROKES[joint])
+        channels += [gain * bent + 0.004 * rng.normal(size=len(t)) for gain in gains]
+    header = ",".join(["t", *layout.channel_names])
+    np.savetxt(tmp_path / "signals.csv", np.column_stack([t, *channels]), "%.5f", ",", header=header, comments="")
+    rows = [f"{start},{start + 1},{joint}" for joint, starts in STROKES.items() for start in starts]
+    (tmp_path / "prompts.csv").write_text("\n".join(["start,end,joint", *rows]) + "\n")
+    return tmp_path
+
+
+def run(files, *more):
+    words = ["calibrate", str(files / "signals.csv"), "--layout", str(files / "layout.json")]
+    words += ["--out", str(files / "profile.json"), *more]
+    return CliRunner().invoke(build(["calibrate"]), words)
+
+
+def test_json_is_one_object_with_the_names_that_others_rely_on(files):
+    result = run(files, "--prompts", str(files / "prompts.csv"), "--rest-from", "0", "--rest-to", "3", "--json")
+    assert result.exit_code == 0, result.output
+    answer = json.loads(result.stdout)
+    assert set(answer) == {"joints", "profile"}
+    profile = CalibrationProfile.model_validate_json((files / "profile.json").read_bytes())
+    assert answer["profile"] == str(files / "profile.json")
+    for joint in profile.joints:
+        shown = answer["joints"][joint.name]
+        assert set(shown) == {"evr", "span", "sign", "grade", "reason", "dead_zone", "full"}
+        assert shown["grade"] == "good", shown["reason"]
+        assert shown["evr"] > 0.95
+        # The first channel of the right elbow falls when it bends, that of the left one rises.
+        assert joint.sign * joint.weights[0] * (-1 if joint.name == "right_elbow" else 1) > 0
+
+
+def test_people_get_a_table_and_the_reasons(files):
+    result = run(files, "--from", "3", "--to", "16", "--unused", "left_elbow_1", "--unused", "left_elbow_2")
+    assert result.exit_code == 0, result.output
+    for words in ("EVR", "dead-zone", "right_elbow: It was not prompted", "left_elbow_1 is left out: marked as unused"):
+        assert words in result.output
+
+
+def test_a_joint_without_channels_is_there_with_its_reason(files):
+    unused = [word for i in range(3) for word in ("--unused", f"left_elbow_{i}")]
+    answer = json.loads(run(files, *unused, "--json").stdout)
+    assert answer["joints"]["left_elbow"]["grade"] == "repeat"
+    assert answer["joints"]["left_elbow"]["evr"] is None
+    assert "left_elbow" in run(files, *unused).output
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"layout": "nothing.json"}, "no such layout"),
+        ({"signals": "layout.json"}, "line 1"),
+        ({"prompts": "signals.csv"}, "none of the columns end, joint, start"),
+        ({"start": 20.0}, "--from 20 --to 15.99: nothing of .* lies there, it goes from 0 to 15.99 s"),
+        ({"start": 5.0, "end": 4.0}, "--from 5 --to 4: nothing"),
+        ({"start": float("nan")}, "--from nan"),
+        ({"start": 5.0, "end": 5.5}, "the free movement lasts 0.50 s"),
+        ({"rest_start": 3.0, "rest_end": 3.1}, "the rest lasts 0.10 s"),
+        ({"unused": ["nothing"]}, "no channel 'nothing'"),
+        ({"out": "layout.json/profile.json"}, "--out .* cannot be written"),
+    ],
+)
+def test_bad_input_is_one_sentence_and_nothing_is_written(files, changes, words):
+    given = {"signals": "signals.csv", "layout": "layout.json", "out": "profile.json", **changes}
+    given = {name: files / word if isinstance(word, str) else word for name, word in given.items()}
+    with pytest.raises(InputError, match=words) as refusal:
+        calibrate(given.pop("signals"), **given)
+    assert "\n" not in str(refusal.value)
+    assert sorted(file.name for file in files.iterdir()) == ["layout.json", "prompts.csv", "signals.csv"]
