@@ -82,8 +82,11 @@ class Collision:
             reach = min(room, NEAR - math.hypot(came_x - self._near_x, came_y - self._near_y))
             self._free_square = (reach - TOUCH) ** 2
             return came_x, came_y, False
-        moved = math.hypot(came_x - x, came_y - y)
         before = _room(near, x, y)
+        if before < -ROUNDING:  # too near already, so nothing is pushed
+            came_x, came_y = new_x, new_y
+            room = _room(near, new_x, new_y)
+        moved = math.hypot(came_x - x, came_y - y)
         if room < min(before, 0.0) - ROUNDING or moved >= self.radius + min(before, 0.0):
             return x, y, True
         return came_x, came_y, room <= TOUCH

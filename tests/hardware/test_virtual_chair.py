@@ -1,0 +1,90 @@
+import math
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from app.geometry import Pose, Twist
+from app.hardware.chair.simulator import VirtualChair
+from app.world.floorplan import FloorPlan
+
+PLAN = FloorPlan.model_validate(
+    {
+        "name": "test",
+        "title": "Test",
+        "walls": [[(0, -10), (0, 10)]],
+        "paths": [{"name": "main", "title": "Main", "points": [(50, 0), (60, 0)], "instruction": "Go."}],
+    }
+)
+FORWARD = Twist(0.8, 0.0)
+
+
+def test_it_drives_as_the_paper_says():
+    chair = VirtualChair(None, Pose(0, 0, 0))
+    for _ in range(100):
+        state = chair.drive(Twist(0.5, 0.2), 0.01)
+    assert (state.v, state.omega, state.theta) == pytest.approx((0.5, 0.2, 0.2))
+    assert state.x == pytest.approx(2.5 * math.sin(0.2), abs=1e-3)
+    assert not state.in_contact
+
+
+@pytest.mark.parametrize("dt", [0.0, -1.0, math.nan])
+def test_no_time_moves_nothing(dt):
+    chair = VirtualChair(None, Pose(1, 2, 0))
+    state = chair.drive(FORWARD, dt)
+    assert (state.x, state.y, state.theta) == (1, 2, 0)
+
+
+def test_after_a_silence_it_has_not_driven_on():
+    chair = VirtualChair(None, Pose(0, 0, 0))
+    assert chair.drive(FORWARD, 30.0).x == pytest.approx(0.08)
+
+
+@given(st.sampled_from([math.nan, math.inf, -math.inf, 1e9]), st.booleans())
+def test_what_is_no_command_is_a_standstill(bad, forward):
+    chair = VirtualChair(None, Pose(0, 0, 0))
+    state = chair.drive(Twist(bad, 0.1) if forward else Twist(0.1, bad), 0.01)
+    assert (state.x, state.y, state.theta, state.v, state.omega) == (0, 0, 0, 0, 0)
+
+
+def test_a_wall_holds_it_and_counts_once():
+    chair = VirtualChair(PLAN, Pose(-1, 0, 0))
+    for _ in range(300):
+        state = chair.drive(FORWARD, 0.01)
+    assert state.x == pytest.approx(-0.37, abs=1e-6)
+    assert state.in_contact
+    assert state.contacts == 1
+    assert state.v == pytest.approx(0, abs=1e-9)
+
+
+def test_a_new_contact_needs_a_quarter_of_a_second_of_freedom():
+    chair = VirtualChair(PLAN, Pose(-0.6, 0, 0))
+    for backwards, expected in ((0.1, 1), (0.4, 2)):
+        for _ in range(100):
+            chair.drive(FORWARD, 0.01)
+        for _ in range(round(backwards / 0.01)):
+            chair.drive(Twist(-0.3, 0.0), 0.01)
+        for _ in range(100):
+            state = chair.drive(FORWARD, 0.01)
+        assert state.contacts == expected
+
+
+def test_turning_at_the_wall_is_free():
+    chair = VirtualChair(PLAN, Pose(-0.37, 0, 0))
+    for _ in range(100):
+        state = chair.drive(Twist(0.0, 1.0), 0.01)
+    assert state.theta == pytest.approx(1.0)
+
+
+def test_placing_forgets_the_contacts():
+    chair = VirtualChair(PLAN, Pose(-0.5, 0, 0))
+    for _ in range(50):
+        chair.drive(FORWARD, 0.01)
+    chair.place(Pose(-3, 0, 1))
+    assert (chair.state.x, chair.state.theta, chair.state.contacts, chair.state.in_contact) == (-3, 1, 0, False)
+
+
+@pytest.mark.parametrize("pose", [Pose(0.1, 0, 0), Pose(math.nan, 0, 0), Pose(0, 0, math.inf)])
+def test_it_cannot_be_put_where_no_chair_can_stand(pose):
+    with pytest.raises(ValueError, match="place"):
+        VirtualChair(PLAN, pose)
