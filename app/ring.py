@@ -1,0 +1,183 @@
+"""Ticks from the control process to whoever looks: a ring in shared memory that never waits for a reader."""
+
+import mmap
+import os
+import tempfile
+from pathlib import Path
+from struct import Struct
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.messages import MAX_GESTURES, TICK, Tick
+
+RING_SLOTS = 16_384  # 16 s at 1 kHz, 160 s at 100 Hz
+HEADER = 64  # bytes before the slots: the number of the newest tick, and room to keep the slots apart from it
+COPY_ATTEMPTS = 3  # a reader that is overtaken thrice asks again later
+NUMBER_WORDS = TICK.itemsize // 8  # a slot in words of 8 bytes, as which its number is written at once
+
+Ticks = NDArray[np.void]
+
+
+def ring_file(name: str) -> Path:
+    """Return where the memory named `name` lies: the system's shared memory, or a temporary file where it has none."""
+    shared = Path("/dev/shm")  # noqa: S108
+    return (shared if shared.is_dir() else Path(tempfile.gettempdir())) / name
+
+
+def _slot_layout(n_gestures: int) -> Struct:
+    """Return the fields of `TICK` after `number` up to the activations, in native order, unused gestures zeroed."""
+    unused = 8 * (MAX_GESTURES - n_gestures)
+    return Struct(f"@10d5IiHH4B{n_gestures}d{unused}x{n_gestures}d{unused}x{n_gestures}d")
+
+
+class TickRing:
+    """The last RING_SLOTS ticks. One writer; any number of readers, none of which it notices.
+
+    A slot's number is 0 while it is being written. A reader takes the number before and after copying: a slot whose
+    number changed meanwhile is torn, and is not handed on.
+    The memory is a mapped file and not `multiprocessing.shared_memory`, because the latter's tracker starts a process
+    of its own and, up to Python 3.12, takes the memory away when a mere reader ends.
+    """
+
+    def __init__(self, file: Path, descriptor: int) -> None:
+        self._file = file
+        self._memory = mmap.mmap(descriptor, HEADER + RING_SLOTS * TICK.itemsize)
+        self._slots: Ticks = np.frombuffer(self._memory, dtype=TICK, offset=HEADER)
+        self._bytes = np.frombuffer(self._memory, dtype=np.uint8, offset=HEADER).reshape(RING_SLOTS, TICK.itemsize)
+        self._numbers = self._slots["number"]
+        self._values = self._slots["values"]
+        self._words = memoryview(self._memory).cast("Q")
+        self._layouts = [_slot_layout(n) for n in range(MAX_GESTURES + 1)]
+        self._number = 0
+        self._n_channels = 0
+
+    @classmethod
+    def create(cls, name: str) -> "TickRing":
+        """Make the memory, for the one who writes.
+
+        Raises
+        ------
+        FileExistsError
+            When there is such a memory already.
+        """
+        file = ring_file(name)
+        descriptor = os.open(file, os.O_RDWR | os.O_CREAT | os.O_EXCL, 0o600)
+        try:
+            os.ftruncate(descriptor, HEADER + RING_SLOTS * TICK.itemsize)
+            ring = cls(file, descriptor)
+        except BaseException:
+            file.unlink(missing_ok=True)
+            raise
+        finally:
+            os.close(descriptor)
+        ring._slots["values"] = np.nan  # also touches every page, so that the loop meets no page fault
+        return ring
+
+    @classmethod
+    def attach(cls, name: str) -> "TickRing":
+        """Open the memory that another process made.
+
+        Raises
+        ------
+        FileNotFoundError
+            When there is none of this name.
+        """
+        file = ring_file(name)
+        descriptor = os.open(file, os.O_RDWR)
+        try:
+            return cls(file, descriptor)
+        finally:
+            os.close(descriptor)
+
+    def unlink(self) -> None:
+        """Take the name away; those who have the memory open keep it."""
+        self._file.unlink(missing_ok=True)
+
+    @property
+    def number(self) -> int:
+        """The newest tick's number, 0 before the first."""
+        return int(self._words[0])
+
+    def write(self, tick: Tick, run: int, run_t: float, cue: int, lost: int, late: int) -> None:
+        """Append a tick. `run_t` in s, NaN outside a run; `lost` and `late` as in `app.messages.TICK`."""
+        self._number = number = self._number + 1
+        slot = number % RING_SLOTS
+        words = self._words
+        at = HEADER // 8 + slot * NUMBER_WORDS
+        words[at] = 0
+        values = tick.values
+        if values is None:
+            self._values[slot] = np.nan
+            has_frame = 0
+        else:
+            self._n_channels = n = len(values)
+            self._values[slot, :n] = values
+            has_frame = 1
+        score = tick.score
+        n_gestures = len(score)
+        self._layouts[n_gestures].pack_into(
+            self._memory,
+            8 * at + 8,
+            tick.t,
+            tick.t_device,
+            run_t,
+            tick.u1,
+            tick.u2,
+            tick.v,
+            tick.omega,
+            tick.x,
+            tick.y,
+            tick.theta,
+            tick.frame_seq,
+            lost,
+            late,
+            tick.contacts,
+            run,
+            cue,
+            self._n_channels,
+            n_gestures,
+            has_frame,
+            tick.state,
+            tick.fault,
+            tick.in_contact,
+            *score,
+            *tick.rate,
+            *tick.activation,
+        )
+        words[at] = number
+        words[0] = number
+
+    def newest(self) -> np.void | None:
+        """Return a copy of the newest tick, None before the first."""
+        for _ in range(COPY_ATTEMPTS):
+            number = self.number
+            if number == 0:
+                return None
+            slot = number % RING_SLOTS
+            if self._numbers[slot] == number:
+                copy: np.void = self._slots[slot].copy()
+                if self._numbers[slot] == number:
+                    return copy
+        return None
+
+    def since(self, number: int) -> tuple[Ticks, int]:
+        """Return copies of the ticks after `number`, in order, and how many of them were overwritten before."""
+        newest = self.number
+        if newest <= number:
+            return np.empty(0, dtype=TICK), 0
+        first = max(number + 1, newest - RING_SLOTS + 1)
+        expected = np.arange(first, newest + 1, dtype=np.uint64)
+        slots = (expected % np.uint64(RING_SLOTS)).astype(np.intp)
+        before = self._numbers[slots] == expected
+        ticks = self._bytes[slots].view(TICK)[:, 0]  # as bytes: field by field, numpy is ten times slower
+        whole = before & (self._numbers[slots] == expected)
+        torn = np.flatnonzero(~whole)
+        start = int(torn[-1]) + 1 if len(torn) else 0
+        return ticks[start:], first + start - number - 1
+
+    def close(self) -> None:
+        """Let go of the memory; ticks that were copied stay."""
+        self._words.release()
+        del self._slots, self._bytes, self._numbers, self._values
+        self._memory.close()
