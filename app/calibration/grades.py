@@ -1,5 +1,6 @@
 """Grades of a joint's map, with the reason in words and what to do about it."""
 
+import math
 from dataclasses import dataclass
 
 from app.calibration.profile import Grade
@@ -63,7 +64,8 @@ def _of_movement(found: Findings) -> list[tuple[Grade, str]]:
         findings.append(
             (
                 "repeat" if bad else "usable",
-                f"One direction explains {found.evr:.0%} of the free movement, below the usual 80 %: {advice}.",
+                f"One direction explains {math.floor(100 * found.evr)}% of the free movement, "
+                f"below the usual 80%: {advice}.",
             )
         )
     if not found.had_rest:
@@ -96,7 +98,7 @@ def _of_prompts(found: Findings) -> list[tuple[Grade, str]]:
         words = f"'{name}' answers too, with {min(share, 9.99):.0%} of its own activation"
         findings.append(("usable", f"{words}: move this joint alone, or do not bind both."))
     if found.span_from_prompts:
-        findings.append(("good", "It moved little in the free movement: the span is that of the prompted movements."))
+        findings.append(("good", "It moved little this way in the free movement: the span is that of the prompts."))
     return findings
 
 
@@ -104,7 +106,7 @@ def _of_channels(found: Findings) -> list[tuple[Grade, str]]:
     if found.channels == 1 and found.channels_out:
         return [("usable", "Only one of its channels is left: check the others on the Shirt page.")]
     if found.channels_out:
-        return [("good", f"{found.channels_out} of its {found.channels + found.channels_out} channels are left out.")]
+        return [("good", f"Channels left out: {found.channels_out} of {found.channels + found.channels_out}.")]
     return []
 
 

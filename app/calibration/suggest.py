@@ -1,5 +1,6 @@
 """The suggested vocabulary: which four gestures to drive with, and the numbers that speak for them."""
 
+import math
 from collections.abc import Sequence
 from itertools import combinations
 from typing import NamedTuple
@@ -8,6 +9,7 @@ from app.calibration.profile import CalibrationProfile, JointMap
 from app.calibration.vocabulary import Binding, Control
 
 FORWARD_PART = "elbow"  # the paper drives forward and back with the elbows, and turns with the shoulders
+EQUAL_COST = 0.05  # smaller differences are chance
 REPEAT_PENALTY = 1.0  # a joint graded `repeat` is taken only when nothing else is there
 LEAST_SIGNAL_TO_NOISE = 0.1
 
@@ -52,7 +54,8 @@ def _best_four(profile: CalibrationProfile, pairs: Sequence[Pair]) -> list[Joint
     ]
     if not candidates:
         return []
-    one, other = min(candidates, key=lambda both: _cost(profile, [*both[0], *both[1]]))
+    # Among equals the first wins: the layout's own order, in which the main joints come first.
+    one, other = min(candidates, key=lambda both: math.floor(_cost(profile, [*both[0], *both[1]]) / EQUAL_COST))
     if FORWARD_PART in other[0].name and FORWARD_PART not in one[0].name:
         one, other = other, one
     return [*_right_first(one), *_right_first(other)]

@@ -160,7 +160,7 @@ def test_lost_frames_do_no_harm(wearer):
 def test_unused_channels_are_left_out_because_a_person_said_so(wearer):
     profile = calibrate(wearer, unused={"left_elbow_2"})
     assert profile.left_out == {"left_elbow_2": "marked as unused"}
-    assert "1 of its 5 channels" in profile.joints[1].reason
+    assert "Channels left out: 1 of 5" in profile.joints[1].reason
 
 
 def test_near_railed_channels_stay_only_when_the_joint_has_no_better_one(wearer):
@@ -206,7 +206,7 @@ def test_a_joint_that_was_forgotten_in_the_free_movement_takes_its_span_from_the
     profile = calibrate(wearer, free=wearer.signals(angles))
     excursion = np.linalg.norm(wearer.gains[1])
     assert profile.joints[1].span == pytest.approx(excursion, rel=0.15)
-    assert "span is that of the prompted movements" in profile.joints[1].reason
+    assert "the span is that of the prompts" in profile.joints[1].reason
 
 
 def test_cross_talk_is_seen_and_told(wearer):
@@ -251,7 +251,7 @@ def test_a_joint_that_moves_any_way_has_a_low_evr_and_is_told():
     assert len(low) >= 2
     for joint in low:
         assert joint.grade != "good"
-        assert "below the usual 80 %" in joint.reason
+        assert "below the usual 80%" in joint.reason
 
 
 def test_dead_zone_is_four_times_the_noise_at_rest_where_that_is_more():
