@@ -1,5 +1,8 @@
 """Turns the errors of a document's validation into one sentence for the person who wrote it."""
 
+from collections.abc import Mapping, Sequence
+from typing import Any
+
 from pydantic import ValidationError
 
 LONGEST_QUOTE = 40
@@ -7,7 +10,11 @@ LONGEST_QUOTE = 40
 
 def one_sentence(error: ValidationError, where: str) -> str:
     """Return what is wrong, in which place of `where` (a file or a form), and what to do, as one sentence."""
-    problems = error.errors(include_url=False)
+    return sentence_of(error.errors(include_url=False), where)
+
+
+def sentence_of(problems: Sequence[Mapping[str, Any]], where: str) -> str:
+    """Return the same for the list of problems that pydantic gives."""
     first = problems[0]
     place = _place(first["loc"])
     start = f"{where}, {place}" if place else where

@@ -4,7 +4,6 @@ import asyncio
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from pathlib import Path
 
 from app.calibration.profile import CalibrationProfile
 from app.calibration.script import Step, calibration_script
@@ -13,6 +12,7 @@ from app.layout import ShirtLayout
 from app.session.control import Control
 from app.session.database import Database
 from app.session.equipment import Equipment
+from app.session.readings import Readings
 from app.session.refusals import Conflict, NotFound, Refusal
 from app.session.runs import Runs
 from app.session.store_calibration import begin_calibration, calibration_steps, recordings_of, set_step
@@ -21,9 +21,6 @@ from app.session.tables import PatientSession
 LOOK_EVERY = 0.05  # s
 STANDSTILL_LIMIT = 3.0  # s without progress of the run: nothing more will come
 RESULT = "result"
-
-Judge = Callable[[Path, float], str | None]
-Fit = Callable[[ShirtLayout, float, list[tuple[Step, Path]], list[str]], CalibrationProfile]
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,16 +47,14 @@ class CalibrationFlow:
         equipment: Equipment,
         runs: Runs,
         tell: Callable[[str], None],
-        judge: Judge,
-        fit: Fit,
+        readings: Readings,
     ) -> None:
         self._database = database
         self._control = control
         self._equipment = equipment
         self._runs = runs
         self._tell = tell
-        self._judge = judge
-        self._fit = fit
+        self._readings = readings
         self._task: asyncio.Task[None] | None = None
         self._running: str | None = None
 
@@ -123,8 +118,7 @@ class CalibrationFlow:
         """Begin anew; the recordings made so far stay on disk but no longer count."""
         if self._running is not None:
             raise Conflict("A step is being recorded: cancel it first, then begin anew.")
-        layout, rate = self._equipment.needed_layout(), self._equipment.sample_rate
-        await asyncio.to_thread(self._begin, session_id, layout, rate)
+        await asyncio.to_thread(self._begin, session_id, self._equipment.needed_layout())
         self._tell("calibration")
 
     async def _record(self, session_id: int, step: Step, number: int) -> None:
@@ -133,7 +127,7 @@ class CalibrationFlow:
             words = await self._wait(number, step.duration)
             run = await self._runs.end()
             if not words and run is not None:
-                complaint = await asyncio.to_thread(self._judge, run.folder, step.duration)
+                complaint = await asyncio.to_thread(self._readings.judge, run.folder, step.duration)
                 words = complaint or ""
             status = "failed" if words else "done"
         except asyncio.CancelledError as cancelled:
@@ -195,9 +189,8 @@ class CalibrationFlow:
             raise Conflict("There is no shirt: choose one on the Shirt page, then begin the calibration anew.")
         with self._database.transaction() as db:
             folders = recordings_of(db, session_id)
-            script = db.get_one(PatientSession, session_id).script or {}
         recorded = [(step, self._runs.folder_of(folders[step.id])) for step in progress.steps]
-        profile = self._fit(progress.layout, float(script["sample_rate"]), recorded, self._equipment.unused)
+        profile = self._readings.fit(progress.layout, recorded, self._equipment.unused)
         with self._database.transaction() as db:
             session = db.get_one(PatientSession, session_id)
             session.result, session.accepted = profile.model_dump(mode="json"), False
@@ -210,7 +203,7 @@ class CalibrationFlow:
             untouched = all(row.status == "waiting" for row in rows.values())
         worn = self._equipment.layout
         if untouched and worn is not None and (script is None or script["layout"] != worn.model_dump(mode="json")):
-            self._begin(session_id, worn, self._equipment.sample_rate)
+            self._begin(session_id, worn)
             return self._progress(session_id)
         layout = None if script is None else ShirtLayout.model_validate(script["layout"])
         steps = () if layout is None else calibration_script(layout)
@@ -225,8 +218,8 @@ class CalibrationFlow:
             accepted=session.accepted,
         )
 
-    def _begin(self, session_id: int, layout: ShirtLayout, sample_rate: float) -> None:
-        script = {"layout": layout.model_dump(mode="json"), "sample_rate": sample_rate}
+    def _begin(self, session_id: int, layout: ShirtLayout) -> None:
+        script = {"layout": layout.model_dump(mode="json")}
         steps = [step.id for step in calibration_script(layout)] + [RESULT]
         with self._database.transaction() as db:
             begin_calibration(db, db.get_one(PatientSession, session_id), script, steps)

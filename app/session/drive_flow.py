@@ -3,25 +3,23 @@
 import asyncio
 from collections.abc import Callable
 from dataclasses import dataclass
-from pathlib import Path as FilePath
 from typing import Any
 
 from app.cues import Cue
 from app.session.control import Control
 from app.session.database import Database
-from app.session.refusals import Conflict, Refusal
+from app.session.readings import Readings
+from app.session.refusals import Conflict
 from app.session.runs import OpenRun, Runs
 from app.session.store_controls import current_parameters
 from app.session.store_log import write_log
 from app.session.store_runs import add_trial, finish_trial
-from app.session.tables import PatientSession, Run
+from app.session.tables import PatientSession, Run, Trial
 from app.session.trial_watch import End, TrialPlace, TrialWatch
 from app.world.floorplan import FloorPlan, PrescribedPath
 
 LOOK_EVERY = 0.04  # s
 END_LIMIT = 30.0  # s for closing and measuring a trial, before a caller is told to look later
-
-Measure = Callable[[FilePath, PrescribedPath], dict[str, Any]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,13 +42,13 @@ class DriveFlow:
     """Starts one trial at a time and sees it through to its measures."""
 
     def __init__(
-        self, database: Database, control: Control, runs: Runs, tell: Callable[[str], None], measure: Measure
+        self, database: Database, control: Control, runs: Runs, tell: Callable[[str], None], readings: Readings
     ) -> None:
         self._database = database
         self._control = control
         self._runs = runs
         self._tell = tell
-        self._measure = measure
+        self._readings = readings
         self._task: asyncio.Task[None] | None = None
         self._end_asked = asyncio.Event()
         self._starting = False
@@ -90,8 +88,11 @@ class DriveFlow:
         self.trial = RunningTrial(trial_id, person_id, run, watch, path)
         try:
             await self._control.call("arm", hash=parameters_hash)
-        except Refusal:
-            await self._finish(self.trial, "fault")
+        except BaseException:
+            # It never began: the recording stays, the trial does not.
+            self.trial = None
+            await self._runs.end()
+            await asyncio.to_thread(self._drop, trial_id)
             raise
         self._task = asyncio.create_task(self._see_through(self.trial))
         self._tell("trial")
@@ -140,7 +141,7 @@ class DriveFlow:
         measures = None
         try:
             await self._runs.end()
-            measures = await asyncio.to_thread(self._measure, trial.run.folder, trial.path)
+            measures = await asyncio.to_thread(self._readings.measure, trial.run.folder, trial.path)
         except (ValueError, OSError):
             measures = None  # too short to measure, or cut: the trial stays in the list without figures
         finally:
@@ -176,6 +177,10 @@ class DriveFlow:
             )
             write_log(db, person, "armed", trial=trial.id, parameters=parameters_id)
             return trial.id
+
+    def _drop(self, trial_id: int) -> None:
+        with self._database.transaction() as db:
+            db.delete(db.get_one(Trial, trial_id))
 
     def _save(self, trial_id: int, end: End, measures: dict[str, Any] | None) -> None:
         with self._database.transaction() as db:

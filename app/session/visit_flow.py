@@ -34,6 +34,7 @@ class VisitFlow:
         self._calibration = calibration
         self._drive = drive
         self._tell = tell
+        self.loaded: DriveParameters | None = None  # what the control process drives with
 
     def refuse_while_busy(self, what: str) -> None:
         """Refuse what must not happen during a calibration step or a trial."""
@@ -66,9 +67,11 @@ class VisitFlow:
             words = self.misfit(document)
             if words is None:
                 await self._control.load("parameters", parameters=document.model_dump(mode="json"))
+                self.loaded = document
                 return None
         else:
             words = None
+        self.loaded = None
         await self._control.load("parameters", parameters=None)
         return words
 

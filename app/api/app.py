@@ -1,0 +1,138 @@
+"""Puts the web process together: parts, routes, pages."""
+
+import asyncio
+from collections.abc import AsyncIterator, Awaitable, Callable
+from contextlib import asynccontextmanager
+
+from fastapi import APIRouter, FastAPI
+
+from app import __version__
+from app.api import auth, calibration, control, controls, equipment, live, patients, review, trials
+from app.api.deps import People
+from app.api.flows import Flows
+from app.api.live_hub import LiveHub
+from app.api.pages import install_pages
+from app.api.passwords import Passwords
+from app.api.picture import LivePicture
+from app.api.refusals import install_refusals
+from app.api.set_up import SetUp
+from app.api.sockets import OpenSockets
+from app.api.trajectories import Trajectories
+from app.session.calibration_flow import CalibrationFlow
+from app.session.control import Control, Link
+from app.session.database import Database
+from app.session.drive_flow import DriveFlow
+from app.session.equipment import Equipment
+from app.session.readings import Readings
+from app.session.refusals import Refusal
+from app.session.runs import Runs
+from app.session.store_calibration import fail_interrupted_steps
+from app.session.store_runs import close_interrupted_trials
+from app.session.visit_flow import VisitFlow
+from app.settings import Settings
+
+PREFIX = "/api/v1"
+ROUTES = (auth, patients, equipment, calibration, controls, trials, review, control, live)
+
+OpenLink = Callable[[], Awaitable[Link]]
+
+
+def create_app(settings: Settings, open_link: OpenLink, readings: Readings) -> FastAPI:
+    """Return the web application; its parts start and end with it.
+
+    `open_link` starts a control process; `readings` is what is read from recordings.
+    """
+
+    @asynccontextmanager
+    async def lifespan(app: FastAPI) -> AsyncIterator[None]:
+        database = await asyncio.to_thread(Database, settings.database)
+        people = People(
+            settings=settings,
+            database=database,
+            passwords=await asyncio.to_thread(Passwords),
+            set_up=SetUp(settings.setup_code),
+            sockets=OpenSockets(settings, database),
+        )
+        flows = _flows(settings, database, open_link, readings)
+        app.state.people, app.state.flows = people, flows
+        await _start(database, flows)
+        try:
+            yield
+        finally:
+            await people.sockets.close_all()
+            await _end(flows)
+            database.close()
+
+    app = FastAPI(
+        title="bodydrive",
+        version=__version__,
+        lifespan=lifespan,
+        openapi_url=f"{PREFIX}/openapi.json",
+        docs_url=None,  # these pages would fetch scripts from elsewhere
+        redoc_url=None,
+    )
+    install_refusals(app)
+    api = APIRouter(prefix=PREFIX)
+    for module in ROUTES:
+        api.include_router(module.router)
+    app.include_router(api)
+    install_pages(app, settings)
+    return app
+
+
+def _flows(settings: Settings, database: Database, open_link: OpenLink, readings: Readings) -> Flows:
+    hub: LiveHub
+
+    def tell(event: str) -> None:
+        hub.tell(event)
+
+    link = Control(open_link)
+    runs = Runs(database, link, settings.runs)
+    worn = Equipment(database, link, settings.files, tell)
+    wizard = CalibrationFlow(database, link, worn, runs, tell, readings)
+    drive = DriveFlow(database, link, runs, tell, readings)
+    visit = VisitFlow(database, link, worn, wizard, drive, tell)
+    shown = LivePicture(link, worn, runs, drive, visit)
+    hub = LiveHub(shown.picture, shown.quality)
+    link.screen = lambda: drive.trial is not None and hub.sees(drive.trial.person_id)
+
+    async def control_changed(_state: str) -> None:
+        tell("equipment")
+
+    link.on_change.append(control_changed)
+    return Flows(
+        control=link,
+        equipment=worn,
+        runs=runs,
+        calibration=wizard,
+        drive=drive,
+        visit=visit,
+        live=hub,
+        trajectories=Trajectories(readings.drive),
+        own_floorplans=settings.state / "floorplans",
+    )
+
+
+async def _start(database: Database, flows: Flows) -> None:
+    await asyncio.to_thread(_tidy_up, database)
+    await flows.control.start()
+    await flows.equipment.open()
+    try:
+        await flows.visit.load_parameters()
+    except Refusal:
+        flows.visit.loaded = None  # said again, in words, when somebody wants to drive
+    flows.live.start()
+
+
+def _tidy_up(database: Database) -> None:
+    """Say of what a dead web process left running that it was interrupted."""
+    with database.transaction() as db:
+        fail_interrupted_steps(db)
+        close_interrupted_trials(db)
+
+
+async def _end(flows: Flows) -> None:
+    await flows.calibration.stop()
+    await flows.drive.stop()
+    await flows.live.close()
+    await flows.control.close()

@@ -1,0 +1,181 @@
+"""The calibration wizard: its steps, its result."""
+
+import asyncio
+from typing import Annotated, Any
+
+from fastapi import APIRouter
+from pydantic import Field
+
+from app.api.deps import Clinician, PeopleParts
+from app.api.flows import FlowParts, Flows
+from app.calibration.fit import joints_without_map
+from app.calibration.profile import CalibrationProfile
+from app.calibration.vocabulary import standard_parameters
+from app.quantities import Document
+from app.session.calibration_flow import RESULT, Progress
+from app.session.refusals import Conflict
+from app.session.store_controls import save_parameters, save_profile
+from app.session.store_log import write_log
+from app.session.tables import PatientSession
+
+router = APIRouter(prefix="/calibration", tags=["calibration"])
+
+
+class Look(Document):
+    """Which step to look at."""
+
+    step: Annotated[str, Field(min_length=1, max_length=80)]
+
+
+class RunningStep(Document):
+    """The step that is being recorded, and the number of its run in the ticks."""
+
+    step: str
+    started_run: int | None
+
+
+class CalibrationView(Document):
+    """The whole wizard."""
+
+    current: str
+    steps: list[dict[str, Any]]
+    running: RunningStep | None
+    result: dict[str, Any] | None
+
+
+def _steps(progress: Progress) -> list[dict[str, Any]]:
+    waiting = ("waiting", "")
+    steps: list[dict[str, Any]] = [
+        {
+            "id": step.id,
+            "kind": step.kind,
+            "joint": step.joint,
+            "title": step.title,
+            "instruction": step.instruction,
+            "duration": step.duration,
+            "cues": [cue.model_dump(mode="json") for cue in step.cues],
+        }
+        for step in progress.steps
+    ]
+    steps.append(
+        {
+            "id": RESULT,
+            "kind": "result",
+            "joint": None,
+            "title": "Result",
+            "instruction": "Look at each joint. Repeat what is not good enough, then accept.",
+            "duration": 0.0,
+            "cues": [],
+        }
+    )
+    for step in steps:
+        step["status"], step["words"] = progress.status.get(step["id"], waiting)
+    return steps
+
+
+def _result(progress: Progress, profile: CalibrationProfile) -> dict[str, Any]:
+    labels = {joint.name: joint.label for joint in profile.layout.joints}
+    steps = {step.joint: step.id for step in progress.steps if step.joint is not None}
+    shown = {"name", "evr", "span", "sign", "signal_to_noise", "repeatability", "angle_deg", "grade", "reason"}
+    joints = [
+        {
+            **joint.model_dump(mode="json", include=shown | {"dead_zone", "full"}),
+            "label": labels[joint.name],
+            "step": steps.get(joint.name),
+        }
+        for joint in profile.joints
+    ]
+    missing = [
+        {
+            **dict.fromkeys(shown | {"dead_zone", "full"}),
+            "name": name,
+            "label": labels[name],
+            "step": steps.get(name),
+            "grade": "repeat",
+            "reason": reason,
+        }
+        for name, reason in joints_without_map(profile).items()
+    ]
+    return {
+        "joints": joints + missing,
+        "cross_talk": profile.cross_talk,
+        "left_out": profile.left_out,
+        "accepted": progress.accepted,
+    }
+
+
+async def _view(flows: Flows, session: PatientSession) -> CalibrationView:
+    progress = await flows.calibration.progress(session.id)
+    running = progress.running
+    return CalibrationView(
+        current=progress.current,
+        steps=_steps(progress),
+        running=None if running is None else RunningStep(step=running, started_run=progress.started_run),
+        result=None if progress.profile is None else _result(progress, progress.profile),
+    )
+
+
+@router.get("")
+async def look(who: Clinician, flows: FlowParts) -> CalibrationView:
+    """Return the wizard as it stands."""
+    return await _view(flows, await flows.visit.needed_session(who.clinic_id))
+
+
+@router.post("/steps/{step}/start")
+async def start_step(step: str, who: Clinician, flows: FlowParts) -> CalibrationView:
+    """Record a step, for the first time or again."""
+    session = await flows.visit.needed_session(who.clinic_id)
+    if flows.drive.running:
+        raise Conflict("A trial is running: end it first, then calibrate.")
+    await flows.calibration.start(session.id, step)
+    return await _view(flows, session)
+
+
+@router.post("/steps/{step}/cancel")
+async def cancel_step(step: str, who: Clinician, flows: FlowParts) -> CalibrationView:
+    """Stop recording a step."""
+    session = await flows.visit.needed_session(who.clinic_id)
+    await flows.calibration.cancel(session.id, step)
+    return await _view(flows, session)
+
+
+@router.post("/go")
+async def go_to_step(body: Look, who: Clinician, flows: FlowParts) -> CalibrationView:
+    """Look at another step."""
+    session = await flows.visit.needed_session(who.clinic_id)
+    await flows.calibration.go(session.id, body.step)
+    return await _view(flows, session)
+
+
+@router.post("/restart")
+async def begin_anew(who: Clinician, flows: FlowParts) -> CalibrationView:
+    """Forget the steps and begin anew."""
+    session = await flows.visit.needed_session(who.clinic_id)
+    await flows.calibration.restart(session.id)
+    return await _view(flows, session)
+
+
+@router.post("/accept")
+async def accept(who: Clinician, parts: PeopleParts, flows: FlowParts) -> CalibrationView:
+    """Save the profile as the patient's newest, and load standard parameters on it."""
+    session = await flows.visit.needed_session(who.clinic_id)
+    flows.visit.refuse_while_busy("accept the result")
+    progress = await flows.calibration.progress(session.id)
+    profile = progress.profile
+    if profile is None:
+        raise Conflict("There is no result yet: do every step first.")
+    if progress.accepted:
+        raise Conflict("This result is accepted already: go on to the gestures, or repeat a step.")
+
+    def _save() -> None:
+        with parts.database.transaction() as db:
+            row = save_profile(db, session.patient_id, session.id, profile)
+            save_parameters(db, row, standard_parameters(profile))
+            db.get_one(PatientSession, session.id).accepted = True
+            write_log(db, who.name, "calibration accepted", patient=session.patient_id, version=row.version)
+
+    await asyncio.to_thread(_save)
+    await flows.visit.load_parameters()
+    for event in ("calibration", "controls", "visit"):
+        flows.live.tell(event)
+    return await _view(flows, session)

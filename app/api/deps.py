@@ -1,0 +1,55 @@
+"""What the routes ask for: the parts of this process, and who is signed in with which right."""
+
+from dataclasses import dataclass
+from typing import Annotated
+
+from fastapi import Depends, HTTPException
+from starlette.requests import HTTPConnection
+
+from app.api.passwords import Passwords
+from app.api.set_up import SetUp
+from app.api.signed_in import SignedIn, find_signed_in
+from app.api.sockets import OpenSockets
+from app.session.database import Database
+from app.settings import Settings
+
+DRIVERS = frozenset({"owner", "clinician"})
+
+
+@dataclass(slots=True)
+class People:
+    """The parts that decide who comes in."""
+
+    settings: Settings
+    database: Database
+    passwords: Passwords
+    set_up: SetUp
+    sockets: OpenSockets
+
+
+def people(connection: HTTPConnection) -> People:
+    """Return the parts that decide who comes in."""
+    found: People = connection.app.state.people
+    return found
+
+
+PeopleParts = Annotated[People, Depends(people)]
+
+
+def anyone_signed_in(connection: HTTPConnection, parts: PeopleParts) -> SignedIn:
+    """Return who is signed in; 401 when nobody is."""
+    who = find_signed_in(parts.database, connection.cookies)
+    if who is None:
+        raise HTTPException(401, "You are not signed in, or no longer: sign in again.")
+    return who
+
+
+def clinician(who: Annotated[SignedIn, Depends(anyone_signed_in)]) -> SignedIn:
+    """Return who is signed in; 403 for those who may only look."""
+    if who.role not in DRIVERS:
+        raise HTTPException(403, "You may look at sessions, not change them: ask an owner for the right.")
+    return who
+
+
+Anyone = Annotated[SignedIn, Depends(anyone_signed_in)]
+Clinician = Annotated[SignedIn, Depends(clinician)]

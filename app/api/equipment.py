@@ -1,0 +1,138 @@
+"""The shirt, what moves inside it, its channels, and the files that people bring."""
+
+import asyncio
+from typing import Annotated, Any
+
+from fastapi import APIRouter, UploadFile
+from pydantic import Field
+
+from app.api.deps import Anyone, Clinician, PeopleParts
+from app.api.flows import FlowParts, Flows
+from app.api.uploads import FileView, keep_upload, list_files
+from app.hardware.configs import BodyConfig, ShirtConfig
+from app.layout import MAX_CHANNELS, ShirtLayout
+from app.quantities import Document, Name
+from app.session.control import Control
+from app.session.refusals import Refusal
+from app.session.store_log import write_log
+
+router = APIRouter(prefix="/equipment", tags=["equipment"])
+
+
+class Unused(Document):
+    """Channels to leave out."""
+
+    channels: Annotated[list[Name], Field(max_length=MAX_CHANNELS)]
+
+
+class StatusView(Document):
+    """How the shirt and the control process are, in words."""
+
+    words: str
+    alive: bool
+    sample_rate: float
+    lost: int
+    realtime: list[str]
+    control: str
+
+
+class ChairView(Document):
+    """Which chair is driven."""
+
+    words: str
+
+
+class EquipmentView(Document):
+    """Everything that is connected."""
+
+    shirt: dict[str, Any]
+    body: dict[str, Any] | None
+    layout: ShirtLayout | None
+    unused: list[str]
+    status: StatusView
+    files: list[FileView]
+    chair: ChairView
+
+
+async def _status(control: Control, flows: Flows) -> StatusView:
+    worn = flows.equipment
+    try:
+        status = await control.call("status")
+    except Refusal as refusal:
+        return StatusView(
+            words=str(refusal), alive=False, sample_rate=worn.sample_rate, lost=0, realtime=[], control=control.state
+        )
+    shirt = status.get("shirt") or {}
+    return StatusView(
+        words=worn.words or str(shirt.get("words", "")),
+        alive=bool(shirt.get("alive", False)),
+        sample_rate=float(shirt.get("sample_rate") or worn.sample_rate),
+        lost=int(shirt.get("lost") or 0),
+        realtime=[str(sentence) for sentence in status.get("realtime", [])],
+        control=control.state,
+    )
+
+
+async def _view(parts: PeopleParts, flows: Flows) -> EquipmentView:
+    worn = flows.equipment
+    return EquipmentView(
+        shirt=worn.shirt,
+        body=worn.body,
+        layout=worn.layout,
+        unused=worn.unused,
+        status=await _status(flows.control, flows),
+        files=await asyncio.to_thread(list_files, parts.settings.files),
+        chair=ChairView(words="The virtual chair: nothing moves but the picture."),
+    )
+
+
+@router.get("")
+async def look(_who: Anyone, parts: PeopleParts, flows: FlowParts) -> EquipmentView:
+    """Return everything that is connected."""
+    return await _view(parts, flows)
+
+
+async def _noted(parts: PeopleParts, flows: Flows, person: str, what: str, **details: Any) -> EquipmentView:
+    def _write() -> None:
+        with parts.database.transaction() as db:
+            write_log(db, person, what, **details)
+
+    await asyncio.to_thread(_write)
+    return await _view(parts, flows)
+
+
+@router.put("/shirt")
+async def choose_shirt(body: ShirtConfig, who: Clinician, parts: PeopleParts, flows: FlowParts) -> EquipmentView:
+    """Open another shirt; when it does not open, the one before stays."""
+    flows.visit.refuse_while_busy("change the shirt")
+    config = body.model_dump(mode="json")
+    try:
+        await flows.equipment.use_shirt(config)
+    finally:
+        await flows.visit.equipment_changed()
+    return await _noted(parts, flows, who.name, "shirt chosen", kind=config["kind"])
+
+
+@router.put("/body")
+async def choose_body(body: BodyConfig, who: Clinician, parts: PeopleParts, flows: FlowParts) -> EquipmentView:
+    """Let somebody else move inside the simulated shirt."""
+    flows.visit.refuse_while_busy("change the body")
+    config = body.model_dump(mode="json")
+    await flows.equipment.use_body(config)
+    return await _noted(parts, flows, who.name, "body chosen", kind=config["kind"])
+
+
+@router.put("/unused")
+async def mark_unused(body: Unused, who: Clinician, parts: PeopleParts, flows: FlowParts) -> EquipmentView:
+    """Mark channels as unused; the next calibration leaves them out."""
+    flows.visit.refuse_while_busy("change the channels")
+    await flows.equipment.leave_unused(body.channels)
+    return await _noted(parts, flows, who.name, "channels marked", unused=flows.equipment.unused)
+
+
+@router.post("/files", status_code=201)
+async def bring_file(file: UploadFile, who: Clinician, parts: PeopleParts, flows: FlowParts) -> EquipmentView:
+    """Take in a file of recorded signals or of a recorded body."""
+    kept = await asyncio.to_thread(keep_upload, parts.settings.files, file.filename or "", file.file)
+    flows.live.tell("equipment")
+    return await _noted(parts, flows, who.name, "file added", kind=kept.kind, size=kept.size)

@@ -1,0 +1,68 @@
+"""The live websocket: the newest tick down, the visitor's movement and Stop up."""
+
+import asyncio
+import json
+from contextlib import suppress
+from typing import Annotated
+
+from fastapi import APIRouter, WebSocket
+from pydantic import Field, ValidationError
+from starlette.websockets import WebSocketDisconnect
+
+from app.api.flows import Flows
+from app.api.live_hub import Viewer
+from app.layout import MAX_JOINTS
+from app.quantities import Document, Fraction, Name
+from app.session.refusals import Refusal
+
+router = APIRouter()
+
+MESSAGE_LIMIT = 4096  # characters
+
+
+class Upward(Document):
+    """What a page says: where the visitor moves, whether the page is in view, or Stop."""
+
+    move: Annotated[dict[Name, Fraction], Field(max_length=MAX_JOINTS)] | None = None
+    visible: bool | None = None
+    stop: bool = False
+
+
+@router.websocket("/live")
+async def live(websocket: WebSocket) -> None:
+    """Show the newest tick 20 times a second, and take the visitor's movements."""
+    sockets = websocket.app.state.people.sockets
+    who = await sockets.admit(websocket)
+    if who is None:
+        return
+    await websocket.accept()
+    flows: Flows = websocket.app.state.flows
+    viewer = Viewer(websocket, who.person_id)
+    async with sockets.guarded(websocket, who):
+        sending = asyncio.create_task(flows.live.serve(viewer))
+        try:
+            while True:
+                await _take(await websocket.receive_text(), viewer, flows)
+        except (WebSocketDisconnect, RuntimeError, KeyError):
+            pass  # gone, closed by us, or not text: in every case the page comes back by itself
+        finally:
+            flows.live.forget(viewer)
+            sending.cancel()
+            await asyncio.gather(sending, return_exceptions=True)
+
+
+async def _take(text: str, viewer: Viewer, flows: Flows) -> None:
+    """Do what a page asks; what cannot be read is left alone, except that a Stop is looked for first."""
+    if len(text) > MESSAGE_LIMIT:
+        return
+    try:
+        message = Upward.model_validate(json.loads(text))
+    except (ValidationError, ValueError):
+        return
+    if message.stop:
+        with suppress(Refusal):  # no control process: the chair stands already
+            await flows.control.call("stop", by="tablet")
+    if message.visible is not None:
+        viewer.visible = message.visible
+    if message.move is not None:
+        flows.control.move(message.move)

@@ -1,0 +1,101 @@
+"""The live picture: one message per 50 ms, made once, shown to every open page."""
+
+import asyncio
+import json
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import dataclass, field
+from typing import Any
+
+from fastapi import WebSocket
+from starlette.websockets import WebSocketState
+
+from app.clock import monotonic
+
+EVERY = 0.05  # s
+SEND_LIMIT = 3.0  # s: a page that does not take a message for so long is cut off, never waited for
+
+Picture = Callable[[], dict[str, Any]]
+Quality = Callable[[], dict[str, Any]]
+
+
+@dataclass(slots=True, eq=False)
+class Viewer:
+    """One open page."""
+
+    websocket: WebSocket
+    person_id: int
+    visible: bool = True
+    events: dict[str, None] = field(default_factory=dict)  # what changed and was not yet told, in order
+
+
+class LiveHub:
+    """Sends the newest picture to every viewer; a slow one misses pictures, and never an event."""
+
+    def __init__(self, picture: Picture, quality: Quality) -> None:
+        self._picture = picture
+        self._quality = quality
+        self._viewers: set[Viewer] = set()
+        self._fresh = asyncio.Condition()
+        self._text = ""
+        self._number = 0
+        self._task: asyncio.Task[None] | None = None
+
+    def start(self) -> None:
+        """Begin to make pictures."""
+        self._task = asyncio.create_task(self._make())
+
+    async def close(self) -> None:
+        """Make no more pictures."""
+        if self._task is not None:
+            self._task.cancel()
+            await asyncio.gather(self._task, return_exceptions=True)
+
+    def tell(self, event: str) -> None:
+        """Let every page know that something changed on the server."""
+        for viewer in self._viewers:
+            viewer.events[event] = None
+
+    def sees(self, person_id: int) -> bool:
+        """Tell whether a page of this person is open and in view."""
+        return any(viewer.person_id == person_id and viewer.visible for viewer in self._viewers)
+
+    async def serve(self, viewer: Viewer) -> None:
+        """Send pictures to one page until it goes or does not take them any more."""
+        self._viewers.add(viewer)
+        sent = 0
+        try:
+            while viewer.websocket.application_state is WebSocketState.CONNECTED:
+                async with self._fresh:
+                    await self._fresh.wait_for(lambda: self._number > sent)  # noqa: B023
+                    text, sent = self._text, self._number
+                if viewer.events:
+                    event = next(iter(viewer.events))
+                    del viewer.events[event]
+                    text = f'{text[:-1]},"event":{json.dumps(event)}}}'
+                with suppress(RuntimeError):
+                    await asyncio.wait_for(viewer.websocket.send_text(text), SEND_LIMIT)
+        except TimeoutError:
+            with suppress(RuntimeError, TimeoutError):
+                await asyncio.wait_for(viewer.websocket.close(1013), 0.5)
+        finally:
+            self._viewers.discard(viewer)
+
+    def forget(self, viewer: Viewer) -> None:
+        """Take a page out at once: what it showed is no longer in view."""
+        self._viewers.discard(viewer)
+
+    async def _make(self) -> None:
+        deadline, turn = monotonic(), 0
+        while True:
+            deadline = max(deadline + EVERY, monotonic())
+            if self._viewers:
+                picture = self._picture()
+                if turn % round(1 / EVERY) == 0:
+                    picture |= self._quality()
+                turn += 1
+                async with self._fresh:
+                    self._text = json.dumps(picture, separators=(",", ":"), allow_nan=False)
+                    self._number += 1
+                    self._fresh.notify_all()
+            await asyncio.sleep(max(deadline - monotonic(), 0.0))

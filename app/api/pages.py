@@ -1,0 +1,139 @@
+"""The pages and their headers: our own files only, checked with each request, never kept where patients are shown."""
+
+from pathlib import Path
+
+from fastapi import APIRouter, FastAPI, HTTPException
+from fastapi.responses import FileResponse, JSONResponse
+from starlette.datastructures import Headers, MutableHeaders
+from starlette.responses import Response
+from starlette.staticfiles import StaticFiles
+from starlette.types import ASGIApp, Message, Receive, Scope, Send
+
+from app.api.origin import host_is_ours, may_pass
+from app.settings import Settings, static_folder
+
+# Our pages run only the scripts that lie beside them. The 3D view brings its own policy (view bridge).
+PAGE_POLICY = "; ".join(
+    (
+        "default-src 'none'",
+        "script-src 'self'",
+        "style-src 'self' 'unsafe-inline'",
+        "img-src 'self' data: blob:",
+        "font-src 'self'",
+        "connect-src 'self' {sockets}",
+        "frame-src 'self'",
+        "frame-ancestors 'self'",
+        "form-action 'self'",
+        "base-uri 'none'",
+        "manifest-src 'self'",
+        "media-src 'self'",
+    )
+)
+HEADERS = {
+    "X-Content-Type-Options": "nosniff",
+    "Referrer-Policy": "no-referrer",
+    "Cross-Origin-Opener-Policy": "same-origin",
+    "Cross-Origin-Resource-Policy": "same-origin",
+    "X-Frame-Options": "SAMEORIGIN",
+}
+
+NOT_OURS = "This address does not belong to this program: open the link that it printed."
+NOT_OUR_PAGE = "This request does not come from our own page: open the page and try again."
+
+TOO_LARGE = "This is too large: send at most 64 MB as a file, and 2 MB of anything else."
+FILES = "/api/v1/equipment/files"
+FILE_LIMIT = 65_000_000  # bytes: the largest file and what a form puts round it
+BODY_LIMIT = 2_000_000  # bytes
+
+router = APIRouter()
+
+
+class Pages(StaticFiles):
+    """The files of the pages; a browser asks each time whether they have changed."""
+
+    async def get_response(self, path: str, scope: Scope) -> Response:
+        """Return the file, to be asked for again next time."""
+        response = await super().get_response(path, scope)
+        response.headers["Cache-Control"] = "no-cache"
+        return response
+
+
+@router.get("/vendor/plotly.min.js", include_in_schema=False)
+def plotly_script() -> FileResponse:
+    """Return plotly's own script from its installed wheel: nothing is fetched from elsewhere."""
+    import plotly  # noqa: PLC0415  (its import takes longer than all of ours, and few pages need it)
+
+    file = Path(plotly.__file__).parent / "package_data" / "plotly.min.js"
+    if not file.is_file():
+        raise HTTPException(404, "The installed plotly has no script: install it again.")
+    return FileResponse(file, media_type="text/javascript", headers={"Cache-Control": "no-cache"})
+
+
+class Guard:
+    """Stands in front of every route: whose request this is, and the headers of what is answered."""
+
+    def __init__(self, app: ASGIApp, settings: Settings) -> None:
+        self._app = app
+        self._settings = settings
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Answer one request; websockets are checked by their own routes, before they are accepted."""
+        if scope["type"] != "http":
+            await self._app(scope, receive, send)
+            return
+        headers, path = Headers(scope=scope), scope["path"]
+        ours = host_is_ours(self._settings, headers)
+
+        async def with_headers(message: Message) -> None:
+            if message["type"] == "http.response.start":
+                given = MutableHeaders(scope=message)
+                for name, value in HEADERS.items():
+                    given.setdefault(name, value)
+                host = headers.get("host", "")
+                sockets = f"ws://{host} wss://{host}" if ours else ""
+                given.setdefault("Content-Security-Policy", PAGE_POLICY.format(sockets=sockets))
+                if path.startswith("/api/"):
+                    given["Cache-Control"] = "no-store"
+            await send(message)
+
+        if not ours:
+            answer = JSONResponse({"detail": NOT_OURS}, 421)
+        elif not may_pass(scope["method"], path, headers):
+            answer = JSONResponse({"detail": NOT_OUR_PAGE}, 403)
+        elif _announced(headers) > _limit(path):
+            answer = JSONResponse({"detail": TOO_LARGE}, 413)
+        else:
+            await self._app(scope, _limited(receive, _limit(path)), with_headers)
+            return
+        await answer(scope, receive, with_headers)
+
+
+def _announced(headers: Headers) -> int:
+    length = headers.get("content-length", "0")
+    return int(length) if length.isdecimal() else 0
+
+
+def _limit(path: str) -> int:
+    return FILE_LIMIT if path == FILES else BODY_LIMIT
+
+
+def _limited(receive: Receive, limit: int) -> Receive:
+    """Return `receive`, breaking off a request that turns out to be larger than `limit` bytes."""
+    taken = 0
+
+    async def counted() -> Message:
+        nonlocal taken
+        message = await receive()
+        taken += len(message.get("body", b""))
+        if taken > limit:
+            raise HTTPException(413, TOO_LARGE)
+        return message
+
+    return counted
+
+
+def install_pages(app: FastAPI, settings: Settings) -> None:
+    """Serve the pages, and put the guard in front of everything."""
+    app.include_router(router)
+    app.mount("/", Pages(directory=static_folder(), html=True), name="pages")
+    app.add_middleware(Guard, settings=settings)

@@ -1,0 +1,177 @@
+"""What the live socket shows: the newest tick in words and numbers, and the condition of the channels."""
+
+import math
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.calibration.quality import channel_quality
+from app.clock import monotonic
+from app.faults import EXPLANATIONS, Fault, State
+from app.layout import ShirtLayout
+from app.messages import NO_CUE
+from app.session.control import Control
+from app.session.drive_flow import DriveFlow
+from app.session.equipment import Equipment
+from app.session.runs import Runs
+from app.session.visit_flow import VisitFlow
+
+STALE = 1.0  # s without a tick: the control process is not to be counted on
+SILENT = 0.5  # s without a frame: the shirt is not alive
+LOOK_BACK = 1.0  # s of frames for the condition of the channels
+
+
+class LivePicture:
+    """Reads the ring and says what it means; keeps the last place of the chair for when there is nothing to read."""
+
+    def __init__(self, control: Control, equipment: Equipment, runs: Runs, drive: DriveFlow, visit: VisitFlow) -> None:
+        self._control = control
+        self._equipment = equipment
+        self._runs = runs
+        self._drive = drive
+        self._visit = visit
+        self._number = 0
+        self._pose: list[float | None] = [0.0, 0.0, 0.0]
+        self._frame: np.void | None = None
+
+    def picture(self) -> dict[str, Any]:
+        """Return the message of this moment."""
+        tick = self._newest()
+        if tick is None:
+            return self._nothing()
+        self._pose = [_number(tick[name], 4) for name in ("x", "y", "theta")]
+        gestures = [gesture.name for gesture in self._visit.loaded.gestures] if self._visit.loaded else []
+        n = min(int(tick["n_gestures"]), len(gestures))
+        age = float(tick["t"] - self._frame["t"]) if self._frame is not None else None
+        return {
+            "tick": int(tick["number"]),
+            "t": _number(tick["t"], 4),
+            "state": State(int(tick["state"])).name.lower(),
+            "fault": fault_view(Fault(int(tick["fault"]))),
+            "control": "alive",
+            **{name: _number(tick[name], 4) for name in ("u1", "u2", "v", "omega")},
+            "pose": self._pose,
+            "contacts": int(tick["contacts"]),
+            "in_contact": bool(tick["in_contact"]),
+            "gestures": gestures[:n],
+            **{name: [_number(value, 4) for value in tick[name][:n]] for name in ("score", "rate", "activation")},
+            "values": self._values(),
+            "shirt": {
+                "alive": age is not None and age < SILENT,
+                "sample_rate": self._equipment.sample_rate,
+                "lost": int(tick["lost"]),
+                "age": None if age is None else round(age, 3),
+            },
+            "run": self._run(tick),
+            "trial": self._trial(),
+        }
+
+    def quality(self) -> dict[str, Any]:
+        """Return the condition and the noise of every channel over the last second."""
+        layout = self._equipment.layout
+        if layout is None:
+            return {"quality": [], "noise": []}
+        frames = self._frames(len(layout.channels))
+        return {
+            "quality": lamps(layout, frames, self._equipment.sample_rate, self._equipment.unused),
+            "noise": [_number(noise, 5) for noise in noise_of(frames, len(layout.channels))],
+        }
+
+    def _newest(self) -> np.void | None:
+        ticks = self._control.since(self._number)
+        if ticks is not None and len(ticks):
+            self._number = int(ticks["number"][-1])
+            framed = np.flatnonzero(ticks["has_frame"])
+            if len(framed):
+                self._frame = ticks[framed[-1]].copy()
+        tick = self._control.newest()
+        if tick is None or monotonic() - float(tick["t"]) > STALE:
+            # A new control process counts its ticks from 1.
+            self._number, self._frame = 0, None
+            return None
+        if int(tick["number"]) < self._number:
+            self._number = 0
+        return tick
+
+    def _frames(self, channels: int) -> NDArray[np.float64]:
+        newest = self._control.newest()
+        if newest is None:
+            return np.empty((0, channels))
+        rate = max(self._equipment.sample_rate, 1.0)
+        ticks = self._control.since(max(0, int(newest["number"]) - int(2 * LOOK_BACK * rate)))
+        if ticks is None:
+            return np.empty((0, channels))
+        recent = ticks[(ticks["has_frame"] == 1) & (ticks["t"] > float(newest["t"]) - LOOK_BACK)]
+        return np.asarray(recent["values"][:, :channels], dtype=np.float64)
+
+    def _values(self) -> list[float | None] | None:
+        if self._frame is None:
+            return None
+        return [_number(value, 5) for value in self._frame["values"][: int(self._frame["n_channels"])]]
+
+    def _run(self, tick: np.void) -> dict[str, Any] | None:
+        run = self._runs.open
+        if run is None or int(tick["run"]) != run.number:
+            return None
+        cue = int(tick["cue"])
+        return {"kind": run.kind, "t": _number(tick["run_t"], 3), "cue": None if cue == NO_CUE else cue}
+
+    def _trial(self) -> dict[str, Any] | None:
+        trial = self._drive.trial
+        if trial is None:
+            return None
+        return {"id": trial.id, **{name: _number(value, 3) for name, value in trial.place._asdict().items()}}
+
+    def _nothing(self) -> dict[str, Any]:
+        """Return the picture of a chair that stands because nothing is left that could move it."""
+        control = "lost" if self._control.state == "alive" else self._control.state
+        return {
+            "tick": 0,
+            "t": round(monotonic(), 4),
+            "state": "fault",
+            "fault": fault_view(Fault.CONTROL_LOST),
+            "control": control,
+            **dict.fromkeys(("u1", "u2", "v", "omega"), 0.0),
+            "pose": self._pose,
+            "contacts": 0,
+            "in_contact": False,
+            "gestures": [],
+            **{name: [] for name in ("score", "rate", "activation")},
+            "values": None,
+            "shirt": {"alive": False, "sample_rate": self._equipment.sample_rate, "lost": 0, "age": None},
+            "run": None,
+            "trial": self._trial(),
+        }
+
+
+def fault_view(fault: Fault) -> dict[str, str] | None:
+    """Return a fault in words, None when there is none."""
+    if fault is Fault.NONE:
+        return None
+    words = EXPLANATIONS[fault]
+    return {"name": fault.name.lower(), "happened": words.happened, "next_step": words.next_step}
+
+
+def lamps(layout: ShirtLayout, frames: NDArray[np.float64], sample_rate: float, unused: list[str]) -> list[str]:
+    """Return the lamp of every channel from the frames (n, n_channels) of the last second."""
+    names = layout.channel_names
+    if len(frames) < 2:
+        conditions = ["silent"] * len(names)
+    else:
+        groups = list(layout.channels_of_joint.values())
+        conditions = [quality.condition for quality in channel_quality(frames, groups, sample_rate)]
+    return ["unused" if name in unused else condition for name, condition in zip(names, conditions, strict=True)]
+
+
+def noise_of(frames: NDArray[np.float64], channels: int) -> NDArray[np.float64]:
+    """Return the noise (signal units) of every channel: of white noise, differences have sqrt(2) times its spread."""
+    if len(frames) < 3:
+        return np.full(channels, np.nan)
+    return np.asarray(np.std(np.diff(frames, axis=0), axis=0) / math.sqrt(2.0))
+
+
+def _number(value: Any, digits: int) -> float | None:
+    """Return a rounded number, None for what is not finite: JSON has no word for it."""
+    number = float(value)
+    return round(number, digits) if math.isfinite(number) else None

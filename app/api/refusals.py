@@ -1,0 +1,51 @@
+"""Every refusal as `{"detail": sentence}`, and never a traceback."""
+
+import logging
+
+from fastapi import FastAPI, Request
+from fastapi.exceptions import RequestValidationError
+from fastapi.responses import JSONResponse
+from starlette.exceptions import HTTPException
+
+from app.sentences import sentence_of
+from app.session.refusals import Conflict, NotFound, Refusal, Unavailable
+
+STATUS: dict[type[Exception], int] = {NotFound: 404, Conflict: 409, Unavailable: 503}
+WHERE = {"body": "What was sent", "query": "The address", "path": "The address", "header": "A header"}
+WORDS = {
+    404: "There is nothing at this address: check it.",
+    405: "This cannot be done at this address: check the method.",
+}
+
+
+def _answer(status: int, sentence: str) -> JSONResponse:
+    return JSONResponse({"detail": sentence}, status)
+
+
+async def _broken(request: Request, error: Exception) -> JSONResponse:
+    logging.getLogger("bodydrive").error("%s %s failed", request.method, request.url.path, exc_info=error)
+    return _answer(500, "Something went wrong inside the application: try again, and report it if it happens again.")
+
+
+def install_refusals(app: FastAPI) -> None:
+    """Let every exception of the application become one sentence."""
+
+    @app.exception_handler(Refusal)
+    async def _refused(_request: Request, error: Refusal) -> JSONResponse:
+        return _answer(STATUS.get(type(error), 409), str(error))
+
+    @app.exception_handler(HTTPException)
+    async def _http(_request: Request, error: HTTPException) -> JSONResponse:
+        plain = error.detail in {"Not Found", "Method Not Allowed"}
+        sentence = WORDS.get(error.status_code, error.detail) if plain else error.detail
+        return JSONResponse({"detail": sentence}, error.status_code, headers=error.headers)
+
+    @app.exception_handler(RequestValidationError)
+    async def _invalid(_request: Request, error: RequestValidationError) -> JSONResponse:
+        first = error.errors()[0]
+        if first["type"] == "json_invalid":
+            return _answer(422, "What was sent is not JSON: correct it.")
+        problems = [{**problem, "loc": tuple(problem["loc"])[1:]} for problem in error.errors()]
+        return _answer(422, sentence_of(problems, WHERE.get(str(first["loc"][0]), "What was sent")))
+
+    app.add_exception_handler(Exception, _broken)

@@ -1,0 +1,34 @@
+"""The one-time code with which the first owner is made."""
+
+import secrets
+import threading
+
+from app.clock import monotonic
+
+VALID_FOR = 1800.0  # s
+TRIES = 10  # wrong codes, then only a restart gives a new one
+
+
+class SetUp:
+    """Holds the code of this start of the program; it opens once, within 30 minutes."""
+
+    def __init__(self, code: str | None) -> None:
+        self._code = code
+        self._until = monotonic() + VALID_FOR
+        self._tries_left = TRIES
+        self._lock = threading.Lock()
+
+    def opens(self, code: str) -> bool:
+        """Tell whether `code` is the code and still valid; wrong ones are counted."""
+        with self._lock:
+            if self._code is None or monotonic() > self._until or self._tries_left <= 0:
+                return False
+            if secrets.compare_digest(self._code.encode(), code.encode()):
+                return True
+            self._tries_left -= 1
+            return False
+
+    def used(self) -> None:
+        """Make the code worthless."""
+        with self._lock:
+            self._code = None

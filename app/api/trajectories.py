@@ -1,0 +1,50 @@
+"""Trajectories for the screen: read from the recording, thinned to what an eye can see."""
+
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.session.readings import Drive
+
+APART = 0.05  # m between two points that are shown
+KEPT = 200  # trajectories in memory: the recording of an ended trial never changes
+
+
+class Trajectory(NamedTuple):
+    """Where the chair went."""
+
+    t: list[float]  # s
+    x: list[float]  # m
+    y: list[float]  # m
+
+
+class Trajectories:
+    """Reads each trajectory once."""
+
+    def __init__(self, drive: Drive) -> None:
+        self._drive = drive
+        self._read: dict[Path, Trajectory] = {}
+
+    def of(self, folder: Path) -> Trajectory | None:
+        """Return the trajectory of an ended trial, None when its recording cannot be read."""
+        if folder not in self._read:
+            try:
+                rows = self._drive(folder)
+            except (ValueError, OSError):
+                return None
+            kept = thinned(rows.x, rows.y)
+            if len(self._read) >= KEPT:
+                self._read.pop(next(iter(self._read)), None)
+            self._read[folder] = Trajectory(*(np.round(column[kept], 3).tolist() for column in rows[:3]))
+        return self._read.get(folder)
+
+
+def thinned(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.intp]:
+    """Return which points (n,) to show: the first, the last, and about one every 5 cm of the way."""
+    if len(x) == 0:
+        return np.empty(0, dtype=np.intp)
+    along = np.concatenate(([0.0], np.cumsum(np.hypot(np.diff(x), np.diff(y)))))
+    kept = np.flatnonzero(np.concatenate(([True], np.diff(np.floor(along / APART)) > 0)))
+    return kept if kept[-1] == len(x) - 1 else np.append(kept, len(x) - 1)

@@ -1,0 +1,239 @@
+"""Floor plans, and trials along their paths."""
+
+import asyncio
+from typing import Annotated, Any, Literal
+
+from fastapi import APIRouter, HTTPException, Path
+from pydantic import Field
+
+from app.api.deps import Anyone, Clinician, People, PeopleParts
+from app.api.flows import FlowParts, Flows, load_plan
+from app.api.signed_in import SignedIn
+from app.quantities import Count, Document, Name
+from app.session.refusals import Conflict, NotFound
+from app.session.store_log import write_log
+from app.session.store_patients import find_patient
+from app.session.store_runs import find_trial, keep_trial, trials_of
+from app.session.tables import Trial
+from app.world.floorplan import FloorPlan
+
+router = APIRouter(tags=["trials"])
+
+RowId = Annotated[int, Path(ge=1, le=2**31)]
+
+
+class PathView(Document):
+    """A path to choose."""
+
+    name: str
+    title: str
+    length: float  # m
+
+
+class FloorPlanView(Document):
+    """A floor plan to choose."""
+
+    name: str
+    title: str
+    width: float  # m
+    height: float  # m
+    paths: list[PathView]
+
+
+class NewTrial(Document):
+    """Where to drive."""
+
+    floorplan: Name
+    path: Name
+
+
+class EndTrial(Document):
+    """Why a person ends a trial."""
+
+    reason: Literal["by hand"] = "by hand"
+
+
+class Discard(Document):
+    """Why a trial does not count."""
+
+    reason: Annotated[str, Field(min_length=1, max_length=200)]
+
+
+class TrialView(Document):
+    """A trial and what was measured."""
+
+    id: int
+    number: int
+    patient_id: int
+    floorplan: str
+    floorplan_title: str
+    path: str
+    started: str
+    status: str
+    end: str | None
+    kept: bool
+    discard_reason: str | None
+    measures: dict[str, Any] | None
+
+
+class TrajectoryView(Document):
+    """Where the chair went, decimated."""
+
+    t: list[float]
+    x: list[float]
+    y: list[float]
+
+
+class TrialDetail(Document):
+    """A trial with its trajectory (none when the recording is gone) and its path's points as they were then."""
+
+    id: int
+    number: int
+    patient_id: int
+    floorplan: str
+    floorplan_title: str
+    path: list[tuple[float, float]]
+    path_name: str
+    started: str
+    status: str
+    end: str | None
+    kept: bool
+    discard_reason: str | None
+    measures: dict[str, Any] | None
+    trajectory: TrajectoryView | None
+
+
+def trial_view(trial: Trial) -> TrialView:
+    """Return what is shown of a trial."""
+    return TrialView(
+        id=trial.id,
+        number=trial.number,
+        patient_id=trial.patient_id,
+        floorplan=trial.floorplan,
+        floorplan_title=trial.floorplan_title,
+        path=trial.path,
+        started=trial.started.isoformat(),
+        status=trial.status,
+        end=trial.end,
+        kept=trial.kept,
+        discard_reason=trial.discard_reason,
+        measures=trial.measures,
+    )
+
+
+@router.get("/floorplans")
+def list_floorplans(_who: Anyone, flows: FlowParts) -> list[FloorPlanView]:
+    """List the floor plans; one that cannot be read is left out."""
+    plans = []
+    for name in flows.floorplan_files():
+        plan = _readable(flows, name)
+        if plan is not None:
+            x_min, y_min, x_max, y_max = plan.bounds
+            plans.append(
+                FloorPlanView(
+                    name=name,
+                    title=plan.title,
+                    width=round(x_max - x_min, 3),
+                    height=round(y_max - y_min, 3),
+                    paths=[
+                        PathView(name=path.name, title=path.title, length=round(path.line.length, 3))
+                        for path in plan.paths
+                    ],
+                )
+            )
+    return plans
+
+
+def _readable(flows: Flows, name: str) -> FloorPlan | None:
+    try:
+        return load_plan(flows, name)
+    except ValueError:
+        return None
+
+
+def _needed_plan(flows: Flows, name: str) -> FloorPlan:
+    try:
+        plan = load_plan(flows, name)
+    except ValueError as error:
+        raise HTTPException(409, f"The floor plan '{name}' cannot be read: import it again.") from error
+    if plan is None:
+        raise NotFound(f"There is no floor plan '{name}': choose one of the list.")
+    return plan
+
+
+@router.get("/floorplans/{name}")
+def one_floorplan(name: str, _who: Anyone, flows: FlowParts) -> FloorPlan:
+    """Return a floor plan."""
+    return _needed_plan(flows, name)
+
+
+@router.post("/trials", status_code=201)
+async def start_trial(body: NewTrial, who: Clinician, parts: PeopleParts, flows: FlowParts) -> TrialView:
+    """Start a trial: the chair is put on the start, the recording begins, and the chair is armed."""
+    session = await flows.visit.needed_session(who.clinic_id)
+    flows.visit.refuse_while_busy("start a trial")
+    plan = await asyncio.to_thread(_needed_plan, flows, body.floorplan)
+    try:
+        path = plan.path_named(body.path)
+    except ValueError as error:
+        raise NotFound(f"This floor plan has no path '{body.path}': choose one of the list.") from error
+    misfit = await flows.visit.load_parameters()
+    if misfit is not None:
+        raise Conflict(misfit)
+    trial_id = await flows.drive.start(session, who.person_id, who.name, plan, path)
+    return await asyncio.to_thread(_one, parts, who.clinic_id, trial_id)
+
+
+def _one(parts: PeopleParts, clinic_id: int, trial_id: int) -> TrialView:
+    with parts.database.transaction() as db:
+        return trial_view(find_trial(db, clinic_id, trial_id))
+
+
+@router.post("/trials/current/end")
+async def end_trial(_body: EndTrial, who: Clinician, parts: PeopleParts, flows: FlowParts) -> TrialView:
+    """End the trial by hand; answered when it has been measured."""
+    trial_id = await flows.drive.end()
+    return await asyncio.to_thread(_one, parts, who.clinic_id, trial_id)
+
+
+@router.get("/trials")
+def list_trials(patient: Count, who: Anyone, parts: PeopleParts) -> list[TrialView]:
+    """List a patient's trials, the newest last."""
+    with parts.database.transaction() as db:
+        find_patient(db, who.clinic_id, patient)
+        return [trial_view(trial) for trial in trials_of(db, who.clinic_id, patient)]
+
+
+@router.get("/trials/{trial_id}")
+def one_trial(trial_id: RowId, who: Anyone, parts: PeopleParts, flows: FlowParts) -> TrialDetail:
+    """Return a trial with its trajectory over its path."""
+    with parts.database.transaction() as db:
+        trial = find_trial(db, who.clinic_id, trial_id)
+        write_log(db, who.name, "trial viewed", trial=trial_id)
+    found = flows.trajectories.of(flows.runs.folder_of(trial.run_id)) if trial.status == "done" else None
+    shown = trial_view(trial).model_dump(exclude={"path"})
+    return TrialDetail(
+        **shown,
+        path=[(x, y) for x, y in trial.path_points],
+        path_name=trial.path,
+        trajectory=None if found is None else TrajectoryView(t=found.t, x=found.x, y=found.y),
+    )
+
+
+@router.post("/trials/{trial_id}/discard")
+def discard_trial(trial_id: RowId, body: Discard, who: Clinician, parts: PeopleParts) -> TrialView:
+    """Leave a trial out of everything that counts; it can be kept again."""
+    return _keep(parts, who, trial_id, body.reason)
+
+
+@router.post("/trials/{trial_id}/keep")
+def keep_again(trial_id: RowId, who: Clinician, parts: PeopleParts) -> TrialView:
+    """Let a discarded trial count again."""
+    return _keep(parts, who, trial_id, None)
+
+
+def _keep(parts: People, who: SignedIn, trial_id: int, reason: str | None) -> TrialView:
+    with parts.database.transaction() as db:
+        trial = keep_trial(db, who.clinic_id, trial_id, reason)
+        write_log(db, who.name, "trial kept" if reason is None else "trial discarded", trial=trial_id)
+        return trial_view(trial)

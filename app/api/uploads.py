@@ -1,0 +1,97 @@
+"""Files that people bring: a size, a type, a harmless name, and content that can be read."""
+
+import re
+from pathlib import Path
+from typing import BinaryIO, Literal
+
+import pyarrow.parquet
+from fastapi import HTTPException
+
+from app.files import write_atomically
+from app.quantities import Document
+
+LARGEST = 64_000_000  # bytes
+HEADER = 65_536  # bytes of a CSV in which its first row must end
+KINDS = (".csv", ".parquet")
+
+FileKind = Literal["signals", "body", "recording"]
+
+
+class FileView(Document):
+    """A file to choose from."""
+
+    name: str
+    kind: FileKind
+    size: int
+
+
+def list_files(folder: Path) -> list[FileView]:
+    """List the files in `folder` that a shirt or a body can be played from."""
+    found = []
+    for file in sorted(folder.glob("*")) if folder.is_dir() else []:
+        if file.name.startswith("."):
+            continue
+        if file.is_dir():
+            size = sum(part.stat().st_size for part in file.iterdir() if part.is_file())
+            found.append(FileView(name=file.name, kind="recording", size=size))
+        elif file.suffix in KINDS:
+            found.append(FileView(name=file.name, kind=_kind(_columns(file)), size=file.stat().st_size))
+    return found
+
+
+def keep_upload(folder: Path, name: str, content: BinaryIO) -> FileView:
+    """Store a brought file under a harmless name, whole or not at all.
+
+    Raises
+    ------
+    HTTPException
+        With one sentence: 413 when it is too large, 415 when it is of another type, 422 when it cannot be read.
+    """
+    safe = harmless_name(name)
+    if Path(safe).suffix not in KINDS:
+        raise HTTPException(415, f"'{safe}' is not a CSV or Parquet file: save it as one of these, then add it again.")
+    whole = content.read(LARGEST + 1)
+    if len(whole) > LARGEST:
+        raise HTTPException(413, f"'{safe}' is larger than {LARGEST // 1_000_000} MB: cut it, or save it as Parquet.")
+    if not whole:
+        raise HTTPException(422, f"'{safe}' is empty: choose another file.")
+    file = folder / safe
+    if file.is_dir():
+        raise HTTPException(409, f"There is a recording called '{safe}' already: rename the file, then add it again.")
+    write_atomically(file, whole)
+    try:
+        columns = _columns(file)
+        if "t" not in columns or len(columns) < 2:
+            raise ValueError
+    except (ValueError, OSError) as error:
+        file.unlink(missing_ok=True)
+        raise HTTPException(
+            422, f"'{safe}' has no column t with channels beside it: the first row must name t and each channel."
+        ) from error
+    return FileView(name=safe, kind=_kind(columns), size=len(whole))
+
+
+def harmless_name(name: str) -> str:
+    """Return a file name without folders, hidden dots or signs that a shell or a page could misread."""
+    last = re.split(r"[/\\]", name)[-1]
+    stem, dot, suffix = last.rpartition(".")
+    clean = re.sub(r"[^A-Za-z0-9_-]+", "-", stem or suffix).strip("-")[:60] or "file"
+    return f"{clean}.{re.sub(r'[^a-z0-9]', '', suffix.lower())[:8]}" if dot else clean
+
+
+def _columns(file: Path) -> list[str]:
+    """Return the names of the columns, reading no more than the file's head."""
+    if file.suffix == ".parquet":
+        return list(pyarrow.parquet.read_schema(file).names)
+    with file.open("rb") as opened:
+        head = opened.read(HEADER)
+    line = head.partition(b"\n")[0]
+    return [column.strip().strip('"') for column in line.decode("utf-8-sig", "replace").split(",")]
+
+
+def _kind(columns: list[str]) -> FileKind:
+    """Tell signals from a body's movement, whose columns are JOINT_x, JOINT_y, JOINT_z."""
+    others = [column for column in columns if column != "t"]
+    turns = {column[:-2] for column in others if column.endswith("_x")}
+    body = bool(turns) and all(f"{joint}_{axis}" in others for joint in turns for axis in "xyz")
+    return "body" if body and len(others) == 3 * len(turns) else "signals"

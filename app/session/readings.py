@@ -1,0 +1,42 @@
+"""What the flows ask of a recording; app/session/recordings.py answers from disk, tests answer without one."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.calibration.profile import CalibrationProfile
+from app.calibration.script import Step
+from app.layout import ShirtLayout
+from app.world.floorplan import PrescribedPath
+
+
+class Driven(NamedTuple):
+    """Where the chair was while motion was permitted, from then on."""
+
+    t: NDArray[np.float64]  # (n,) s
+    x: NDArray[np.float64]  # (n,) m
+    y: NDArray[np.float64]
+
+
+Judge = Callable[[Path, float], str | None]
+"""Recording and duration (s) of a step: in one sentence why it does not do, None when it does."""
+Fit = Callable[[ShirtLayout, list[tuple[Step, Path]], list[str]], CalibrationProfile]
+"""Layout, each step with its recording, unused channels: the profile; ValueError with a sentence."""
+Measure = Callable[[Path, PrescribedPath], dict[str, Any]]
+"""Recording of a trial and its path: all measures; ValueError when nothing was driven."""
+Drive = Callable[[Path], Driven]
+"""Recording of a trial: where the chair went; ValueError or OSError when it cannot be read."""
+
+
+@dataclass(frozen=True, slots=True)
+class Readings:
+    """The four questions."""
+
+    judge: Judge
+    fit: Fit
+    measure: Measure
+    drive: Drive

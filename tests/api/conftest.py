@@ -1,0 +1,42 @@
+"""A web application of its own for each test."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from argon2 import PasswordHasher
+from fake_clinic import Clinic, running
+
+from app.api.passwords import Passwords
+from app.session.database import Database
+from app.session.store_people import add_clinic
+from app.settings import Settings
+
+
+@pytest.fixture
+def settings(tmp_path: Path) -> Settings:
+    return Settings(state=tmp_path / "state", demo_code="the-code-of-the-link")
+
+
+@pytest.fixture(autouse=True)
+def _light_passwords(monkeypatch: pytest.MonkeyPatch) -> None:
+    light = Passwords.__init__
+    hasher = PasswordHasher(time_cost=1, memory_cost=8, parallelism=1)
+    monkeypatch.setattr(Passwords, "__init__", lambda self: light(self, hasher))
+
+
+@pytest.fixture
+def clinic(settings: Settings) -> Iterator[Clinic]:
+    """A demonstration, nobody signed in."""
+    database = Database(settings.database)
+    with database.transaction() as db:
+        add_clinic(db, "Demonstration")
+    database.close()
+    yield from running(settings)
+
+
+@pytest.fixture
+def signed_in(clinic: Clinic) -> Clinic:
+    """A demonstration with its clinician."""
+    clinic.good("POST", "/auth/demo", json={"code": "the-code-of-the-link"})
+    return clinic

@@ -1,0 +1,212 @@
+"""A running web application with a control link that answers without a process."""
+
+import asyncio
+import time
+import warnings
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.api.app import create_app
+from app.calibration.profile import CalibrationProfile, JointMap
+from app.calibration.script import Step
+from app.faults import Fault, State
+from app.layout import Channel, Joint, ShirtLayout
+from app.messages import NO_CUE, TICK
+from app.session.control import LinkLost, LinkRefused
+from app.session.readings import Driven, Readings
+from app.settings import Settings
+
+with warnings.catch_warnings():
+    # Starlette announces the successor of httpx, which is not needed here.
+    warnings.simplefilter("ignore")
+    from starlette.testclient import TestClient
+
+JOINTS = ("right_elbow", "left_elbow", "right_shoulder", "left_shoulder")
+BASE = "http://127.0.0.1:8080"
+LAYOUT = ShirtLayout(
+    name="Test shirt",
+    channels=tuple(Channel(name=f"{joint}_{i}", joint=joint) for joint in JOINTS for i in (1, 2)),
+    joints=tuple(Joint(name=joint, label=joint.replace("_", " ").capitalize()) for joint in JOINTS),
+)
+
+
+def profile_for(layout: ShirtLayout) -> CalibrationProfile:
+    maps = tuple(
+        JointMap(
+            name=joint,
+            channels=tuple(indices),
+            weights=(1.0,) + (0.0,) * (len(indices) - 1),
+            mean=(0.0,) * len(indices),
+            sign=1,
+            span=1.0,
+            evr=0.85,
+            prompted=True,
+            signal_to_noise=20.0,
+            rest_rate=0.04,
+            dead_zone=0.2,
+            full=1.0,
+            grade="good",
+            reason="Clear.",
+        )
+        for joint, indices in layout.channels_of_joint.items()
+    )
+    count = len(layout.channels)
+    return CalibrationProfile(
+        created="2025-01-01T00:00:00+00:00",
+        software="0",
+        layout=layout,
+        sample_rate=100.0,
+        left_out={},
+        low=(0.0,) * count,
+        high=(1.0,) * count,
+        joints=maps,
+    )
+
+
+class FakeLink:
+    """Answers as the control process would, keeping what it was asked; its clock for runs is `run_t`."""
+
+    def __init__(self) -> None:
+        self.calls: list[tuple[str, dict[str, Any]]] = []
+        self.told: list[tuple[str, dict[str, Any]]] = []
+        self.refuse: dict[str, str] = {}
+        self.dead = asyncio.Event()
+        self.state, self.fault = State.DISARMED, Fault.NONE
+        self.run, self.runs, self.run_t = 0, 0, 0.0
+        self.pose = (0.0, 0.0, 0.0)
+        self.number = 0
+        self.parameters: dict[str, Any] | None = None
+        self.silent = False
+
+    async def call(self, do: str, **fields: Any) -> dict[str, Any]:
+        if self.dead.is_set():
+            raise LinkLost
+        self.calls.append((do, fields))
+        if do in self.refuse:
+            raise LinkRefused(self.refuse[do])
+        if do == "shirt":
+            return {"layout": LAYOUT.model_dump(mode="json"), "sample_rate": 100.0}
+        if do == "parameters":
+            self.parameters = fields["parameters"]
+        if do == "run":
+            self.runs += 1
+            self.run, self.run_t, self.state = self.runs, 0.0, State.DISARMED
+            return {"run": self.run}
+        if do == "end_run":
+            self.run, self.state = 0, State.DISARMED
+            return {"rows": 500, "dropped": 0}
+        if do == "arm":
+            if self.parameters is None:
+                raise LinkRefused("Nothing is loaded.")
+            self.state = State.ARMED
+        if do == "stop":
+            self.state, self.fault = State.FAULT, Fault.STOP_TABLET
+        if do == "clear":
+            self.state, self.fault = (State.ARMED if self.run else State.DISARMED), Fault.NONE
+        if do == "status":
+            return {
+                "shirt": {"kind": "simulator", "words": "Sends.", "alive": True, "sample_rate": 100.0, "lost": 0},
+                "realtime": ["No real-time scheduling."],
+                "late": 0,
+                "recording": None,
+                "hash": None,
+            }
+        return {}
+
+    def tell(self, do: str, **fields: Any) -> None:
+        if self.dead.is_set():
+            raise LinkLost
+        self.told.append((do, fields))
+
+    def newest(self) -> np.void | None:
+        ticks = self.since(0)
+        return ticks[-1]
+
+    def since(self, _number: int) -> NDArray[np.void]:
+        self.number += 1
+        tick = np.zeros(1, TICK)
+        tick["number"], tick["t"] = self.number, 0.0 if self.silent else time.monotonic()
+        tick["run"], tick["run_t"] = self.run, self.run_t if self.run else np.nan
+        tick["x"], tick["y"], tick["theta"] = self.pose
+        tick["state"], tick["fault"], tick["cue"] = self.state, self.fault, NO_CUE
+        tick["has_frame"], tick["n_channels"], tick["n_gestures"] = 1, 8, 4
+        tick["values"][0, :8] = np.nan
+        tick["values"][0, 1] = 0.5
+        return tick
+
+    async def died(self) -> None:
+        await self.dead.wait()
+
+    async def close(self) -> None:
+        self.dead.set()
+
+
+class Clinic:
+    """One running web application, its links, and a browser that knows its own origin."""
+
+    def __init__(self, client: TestClient, links: list[FakeLink], readings: dict[str, Any]) -> None:
+        self.client = client
+        self.links = links
+        self.readings = readings
+
+    @property
+    def link(self) -> FakeLink:
+        return self.links[-1]
+
+    def __call__(self, method: str, path: str, **more: Any) -> Any:
+        headers = {"Origin": BASE, **more.pop("headers", {})}
+        return self.client.request(method, f"/api/v1{path}", headers=headers, **more)
+
+    def good(self, method: str, path: str, **more: Any) -> Any:
+        answer = self(method, path, **more)
+        assert answer.status_code in {200, 201}, answer.text
+        return answer.json()
+
+    def until(self, path: str, good: Callable[[Any], bool]) -> Any:
+        """Ask again and again until the answer is good; a test that waits for ever fails by its time limit."""
+        while True:
+            answer = self.good("GET", path)
+            if good(answer):
+                return answer
+            time.sleep(0.02)
+
+    def visit(self) -> Any:
+        patient = self.good("POST", "/patients", json={"code": "P-1", "pseudonym": "Heron"})
+        return self.good("POST", "/visit", json={"patient_id": patient["id"]})["patient"]
+
+    def calibrate(self) -> Any:
+        for step in self.good("GET", "/calibration")["steps"][:-1]:
+            self.good("POST", f"/calibration/steps/{step['id']}/start")
+            self.link.run_t = 1000.0
+            self.until("/calibration", lambda c: c["running"] is None)
+        self.until("/calibration", lambda c: c["result"] is not None and c["running"] is None)
+        return self.good("POST", "/calibration/accept")
+
+
+def running(settings: Settings) -> Iterator[Clinic]:
+    links: list[FakeLink] = []
+    answers: dict[str, Any] = {"judge": None, "measures": {"dist": 12.0, "e_diff": 1.5, "reached": True}}
+
+    async def open_link() -> FakeLink:
+        links.append(FakeLink())
+        return links[-1]
+
+    def fit(layout: ShirtLayout, _recorded: list[tuple[Step, Path]], _unused: list[str]) -> CalibrationProfile:
+        if "fit" in answers:
+            raise ValueError(answers["fit"])
+        return profile_for(layout)
+
+    line = np.linspace(0.0, 1.0, 101)
+    readings = Readings(
+        judge=lambda _folder, _duration: answers["judge"],
+        fit=fit,
+        measure=lambda _folder, _path: answers["measures"],
+        drive=lambda _folder: Driven(line, line, 0 * line),
+    )
+    app = create_app(settings, open_link, readings)
+    with TestClient(app, base_url=BASE, raise_server_exceptions=False) as client:
+        yield Clinic(client, links, answers)

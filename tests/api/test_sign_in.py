@@ -1,0 +1,110 @@
+"""Who comes in, and who does not."""
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from fake_clinic import BASE, Clinic, running
+
+from app.api import set_up
+from app.settings import Settings
+
+
+def test_the_code_of_the_link_signs_in_as_often_as_it_is_opened(clinic: Any) -> None:
+    assert clinic.good("GET", "/auth/me") == {
+        "signed_in": False,
+        "name": None,
+        "role": None,
+        "demo": True,
+        "needs_setup": False,
+        "version": "0.1.0",
+    }
+    assert clinic("POST", "/auth/demo", json={"code": "another"}).status_code == 401
+    for _ in range(2):
+        me = clinic.good("POST", "/auth/demo", json={"code": "the-code-of-the-link"})
+        assert (me["signed_in"], me["role"]) == (True, "clinician")
+        clinic.client.cookies.clear()
+
+
+def test_the_cookie_is_not_for_scripts_nor_for_other_sites(clinic: Any) -> None:
+    answer = clinic("POST", "/auth/demo", json={"code": "the-code-of-the-link"})
+    cookie = answer.headers["set-cookie"]
+    assert cookie.startswith("bodydrive_session=")
+    assert "HttpOnly" in cookie
+    assert "SameSite=lax" in cookie
+    assert len(answer.cookies["bodydrive_session"]) >= 32
+
+
+def test_after_sign_out_the_old_cookie_is_worthless(signed_in: Any) -> None:
+    token = signed_in.client.cookies["bodydrive_session"]
+    assert signed_in.good("POST", "/auth/sign-out")["signed_in"] is False
+    signed_in.client.cookies.clear()
+    answer = signed_in("GET", "/patients", headers={"Cookie": f"bodydrive_session={token}"})
+    assert answer.status_code == 401
+    assert "sign in" in answer.json()["detail"]
+
+
+@pytest.fixture
+def real(tmp_path: Path) -> Iterator[Clinic]:
+    yield from running(Settings(state=tmp_path, setup_code="set-up-code"))
+
+
+OWNER = {"code": "set-up-code", "name": "Ada", "password": "correct horse battery"}
+
+
+def test_the_set_up_code_makes_one_owner(real: Any) -> None:
+    assert real.good("GET", "/auth/me")["needs_setup"] is True
+    assert real("POST", "/auth/demo", json={"code": "x"}).status_code == 404
+    assert real("POST", "/auth/setup", json={**OWNER, "code": "wrong"}).status_code == 401
+    weak = real("POST", "/auth/setup", json={**OWNER, "password": "password"})
+    assert weak.status_code == 422
+    assert "choose another" in weak.json()["detail"]
+    assert "at least 8" in real("POST", "/auth/setup", json={**OWNER, "password": "short"}).json()["detail"]
+    assert real.good("POST", "/auth/setup", json=OWNER)["role"] == "owner"
+    assert real.good("GET", "/auth/me")["needs_setup"] is False
+    assert real("POST", "/auth/setup", json={**OWNER, "name": "Eve"}).status_code == 409
+
+
+def test_the_set_up_code_lasts_half_an_hour(real: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    later = set_up.monotonic() + 1801
+    monkeypatch.setattr(set_up, "monotonic", lambda: later)
+    answer = real("POST", "/auth/setup", json=OWNER)
+    assert answer.status_code == 401
+    assert "restart" in answer.json()["detail"]
+
+
+def test_a_wrong_password_and_an_unknown_name_are_told_alike_and_counted(real: Any) -> None:
+    real.good("POST", "/auth/setup", json=OWNER)
+    real.good("POST", "/auth/sign-out")
+    wrong = real("POST", "/auth/sign-in", json={"name": "Ada", "password": "nothing like it"})
+    unknown = real("POST", "/auth/sign-in", json={"name": "Eve", "password": "nothing like it"})
+    assert (wrong.status_code, wrong.json()) == (unknown.status_code, unknown.json())
+    assert real.good("POST", "/auth/sign-in", json={"name": "Ada", "password": OWNER["password"]})["name"] == "Ada"
+    for _ in range(4):
+        real("POST", "/auth/sign-in", json={"name": "Ada", "password": "nothing like it"})
+    assert real("POST", "/auth/sign-in", json={"name": "Ada", "password": OWNER["password"]}).status_code == 429
+
+
+@pytest.mark.parametrize("origin", [None, "http://evil.example", "http://127.0.0.1:9999", "null", "http://[broken"])
+def test_what_does_not_come_from_our_page_changes_nothing(signed_in: Any, origin: str | None) -> None:
+    headers = {} if origin is None else {"Origin": origin}
+    answer = signed_in.client.post("/api/v1/patients", json={"code": "A", "pseudonym": "B"}, headers=headers)
+    assert answer.status_code == 403
+    assert signed_in.good("GET", "/patients") == []
+
+
+def test_a_foreign_name_that_points_here_is_not_served(signed_in: Any) -> None:
+    headers = {"Host": "evil.example:8080", "Origin": "http://evil.example:8080"}
+    assert signed_in.client.get("/api/v1/patients", headers=headers).status_code == 421
+    assert signed_in.client.post("/api/v1/control/stop", headers=headers).status_code == 421
+
+
+def test_our_own_origin_is_the_address_that_was_asked(signed_in: Any) -> None:
+    headers = {"Host": "localhost:8080", "Origin": "http://localhost:8080"}
+    cookie = f"bodydrive_session={signed_in.client.cookies['bodydrive_session']}"
+    answer = signed_in.client.post(
+        "/api/v1/patients", json={"code": "A", "pseudonym": "B"}, headers={**headers, "Cookie": cookie}
+    )
+    assert answer.status_code == 201
+    assert BASE.startswith("http://127")
