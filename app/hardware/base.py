@@ -1,0 +1,97 @@
+"""The roles of the hardware: what every shirt does, and every body inside the simulated one."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.cues import Cue
+from app.geometry import Pose
+from app.layout import ShirtLayout
+from app.messages import SensorFrame
+
+ORIGIN = Pose(0.0, 0.0, 0.0)
+
+
+class HardwareError(Exception):
+    """A device that cannot be had, as one sentence that says what, where and what to do."""
+
+
+@dataclass(slots=True)
+class BodyView:
+    """What the person in the simulated shirt sees; the loop writes it anew at each tick."""
+
+    cue: Cue | None = None  # what is asked at this moment
+    cue_elapsed: float = 0.0  # s since the cue came up
+    driving: bool = False  # whether movement may move the chair now
+    pose: Pose = ORIGIN
+    v: float = 0.0  # m/s
+    omega: float = 0.0  # rad/s
+    in_contact: bool = False  # whether the chair touches something
+
+
+class Body(Protocol):
+    """What moves inside the simulated shirt."""
+
+    @property
+    def joints(self) -> Sequence[str]:
+        """Names of the degrees of freedom, in the order of `step`'s posture."""
+        ...
+
+    def step(self, dt: float, view: BodyView) -> NDArray[np.float64]:
+        """Live on for `dt` (s) and return the posture (n_joints,): 0 at rest, 1 fully towards the gesture.
+
+        It may be negative, and it belongs to the body: it is written anew at the next step.
+        """
+        ...
+
+    def reset(self) -> None:
+        """Come back to rest, and begin anew what is random."""
+        ...
+
+
+class Shirt(Protocol):
+    """A source of frames. Drivers drop none: the loop decodes every frame and sends on only the newest."""
+
+    @property
+    def layout(self) -> ShirtLayout:
+        """Names and places of the channels, in the order of a frame's values; known once the shirt is open."""
+        ...
+
+    @property
+    def sample_rate(self) -> float:
+        """Frames per second (Hz); known once the shirt is open."""
+        ...
+
+    @property
+    def lost(self) -> int:
+        """Frames missing in the shirt's own count since it was opened."""
+        ...
+
+    def open(self) -> None:
+        """Begin.
+
+        Raises
+        ------
+        HardwareError
+            When it cannot be opened; nothing is held then.
+        """
+        ...
+
+    def read(self, timeout: float) -> SensorFrame | None:
+        """Return the next frame, waiting for it at most `timeout` (s); None when none came."""
+        ...
+
+    def pending(self) -> bool:
+        """Return whether another frame seems to be there already."""
+        ...
+
+    def words(self) -> str:
+        """Return the shirt's state in words."""
+        ...
+
+    def close(self) -> None:
+        """Give back what is held; closing twice does no harm."""
+        ...

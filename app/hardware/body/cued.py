@@ -1,0 +1,118 @@
+"""How a simulated body does as it is told: rests, moves freely, makes the prompted movement and comes back."""
+
+import random
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.cues import Cue
+from app.hardware.body.joints import second_way
+from app.hardware.body.minimum_jerk import Reach
+
+REACTION = (0.25, 0.04)  # s, mean and standard deviation
+PROMPTED_TIME = 0.65  # of a cue's duration: people who follow a beat are done before the next one
+TIME_NOISE = 0.08  # standard deviation of a duration, of itself
+PROMPTED_SIZE = (0.9, 0.05)  # of the range
+COMPANION = 0.10  # of the range, at most: nobody moves one joint alone
+SETTLE = 0.9  # s back to rest after free movement
+FREE_TIME = (0.7, 1.4)  # s for one free movement
+FREE_PAUSE = (0.0, 0.35)  # s between two
+FREE_HIGH, FREE_LOW = (0.65, 1.0), (0.0, 0.2)  # of the range
+FREE_ASIDE = (0.35, 0.65)  # of the range, either way, in a joint's second way to move
+TREMOR = 0.0025  # of the range, standard deviation
+TREMOR_TIME = 0.12  # s, how long it takes to change
+SHORTEST = 0.2  # s: nobody moves faster
+
+
+class CuedBody:
+    """A body that follows cues, joint by joint; the same seed makes the same movements."""
+
+    def __init__(self, joints: Sequence[str], seed: int) -> None:
+        self.joints = tuple(joints)
+        self._seed = seed
+        self._seconds = {name for joint in joints if (name := second_way(joint)) is not None}
+        self._posture = np.zeros(len(self.joints))
+        self.reset()
+
+    def reset(self) -> None:
+        """Come back to rest and begin the random movements anew."""
+        self._random = random.Random(self._seed)
+        self._cue: Cue | None = None
+        self._t = 0.0
+        self._place = [0.0] * len(self.joints)
+        self._speed = [0.0] * len(self.joints)
+        self._tremor = [0.0] * len(self.joints)
+        self._reaches: list[Reach | None] = [None] * len(self.joints)
+        self._begins = [0.0] * len(self.joints)  # s, of the reach under way or planned
+        self._high = [False] * len(self.joints)  # where a free movement goes next
+
+    @property
+    def is_at_rest(self) -> bool:
+        """Whether every joint is back at rest, tremor aside."""
+        return all(abs(place) < 0.01 for place in self._place)
+
+    def follow(self, dt: float, cue: Cue | None) -> NDArray[np.float64]:
+        """Live on for `dt` (s) under `cue`, None being rest, and return the posture (n_joints,)."""
+        if cue is not self._cue and cue != self._cue:
+            self._take(cue)
+        self._cue = cue
+        self._t += dt
+        free = cue is not None and cue.kind == "free"
+        calm = dt / (TREMOR_TIME + dt)
+        shake = TREMOR * (2.0 * calm) ** 0.5
+        gauss = self._random.gauss
+        for i, reach in enumerate(self._reaches):
+            if reach is not None:
+                elapsed = self._t - self._begins[i]
+                place = reach.at(elapsed)
+                self._speed[i] = (place - self._place[i]) / dt if dt > 0 else 0.0
+                self._place[i] = place
+                if reach.is_over(elapsed):
+                    self._reaches[i] = None
+                    self._speed[i] = 0.0
+            elif free:
+                self._wander(i)
+            self._tremor[i] += gauss(0.0, shake) - calm * self._tremor[i]
+            self._posture[i] = self._place[i] + self._tremor[i]
+        return self._posture
+
+    def _take(self, cue: Cue | None) -> None:
+        """Plan what a new cue asks for."""
+        kind = "rest" if cue is None else cue.kind
+        duration = SETTLE if cue is None else cue.end - cue.start
+        delay = max(0.1, self._random.gauss(*REACTION))
+        if kind == "free":
+            for i in range(len(self.joints)):
+                self._wander(i)
+        elif kind == "move" and cue is not None and cue.joint in self.joints:
+            asked = self.joints.index(cue.joint)
+            self._plan(asked, self._random.gauss(*PROMPTED_SIZE), delay, PROMPTED_TIME * duration)
+            side = cue.joint.partition("_")[0]
+            for i, joint in enumerate(self.joints):
+                if i != asked and joint.partition("_")[0] == side:
+                    share = self._random.uniform(-0.3, 1.0) * COMPANION
+                    self._plan(i, share, delay, PROMPTED_TIME * duration)
+        else:
+            back = PROMPTED_TIME * duration if kind == "return" else SETTLE
+            for i in range(len(self.joints)):
+                if self._place[i] != 0.0 or self._reaches[i] is not None:
+                    self._plan(i, 0.0, delay, back)
+
+    def _plan(self, i: int, target: float, delay: float, duration: float) -> None:
+        """Begin a movement of one joint `delay` seconds from now; one under way is taken over with its speed."""
+        duration = max(SHORTEST, duration * self._random.gauss(1.0, TIME_NOISE))
+        if self._speed[i] != 0.0:
+            delay, duration = 0.0, duration + delay  # a moving limb turns round, it does not wait
+        self._reaches[i] = Reach(self._place[i], self._speed[i], target, duration)
+        self._begins[i] = self._t + delay
+
+    def _wander(self, i: int) -> None:
+        """Plan the next free movement of one joint: there and back again, never quite the same."""
+        draw = self._random.uniform
+        self._high[i] = not self._high[i]
+        if self.joints[i] in self._seconds:
+            target = draw(*FREE_ASIDE) * (1.0 if self._high[i] else -1.0)
+        else:
+            target = draw(*(FREE_HIGH if self._high[i] else FREE_LOW))
+        self._plan(i, target, draw(*FREE_PAUSE), draw(*FREE_TIME))

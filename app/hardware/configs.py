@@ -1,0 +1,65 @@
+"""Which shirt, and what moves inside the simulated one: the configurations of docs/protocols.md, section 2."""
+
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from app.layout import ShirtLayout
+from app.quantities import Count, Document, Hertz, Name, Port
+
+ShirtRate = Annotated[Hertz, Field(ge=10, le=2000)]
+FilePlace = Annotated[str, Field(min_length=1, max_length=4096, pattern=r"^[^\x00]+$")]
+Host = Annotated[str, Field(min_length=1, max_length=253, pattern=r"^[A-Za-z0-9.:_-]+$")]
+
+
+class SimulatorConfig(Document):
+    """The simulated shirt."""
+
+    kind: Literal["simulator"]
+    sample_rate: ShirtRate = 100.0
+    seed: Count = 1  # of the fabric: another seed is another shirt
+    layout: ShirtLayout | None = None  # None: the paper's 52 channels
+    dead_channels: tuple[Name, ...] = ()  # names of channels whose line is broken
+
+
+class ReplayConfig(Document):
+    """A file as a shirt."""
+
+    kind: Literal["replay"]
+    file: FilePlace
+    loop: bool = True
+
+
+class UdpConfig(Document):
+    """A shirt that sends datagrams (docs/protocols.md, section 6)."""
+
+    kind: Literal["udp"]
+    host: Host = "127.0.0.1"  # the address of this machine on which the shirt is listened for
+    port: Port = 5252  # 0: any free one
+    layout: ShirtLayout
+    sample_rate: ShirtRate = 100.0
+
+
+class PersonConfig(Document):
+    """A simulated person who drives by himself."""
+
+    kind: Literal["person"]
+    skill: Literal["novice", "practised"] = "practised"
+    seed: Count = 1
+
+
+class VisitorConfig(Document):
+    """A body whose joints are moved by whoever sits at the keys, the pads or the gamepad."""
+
+    kind: Literal["visitor"]
+
+
+class RecordedConfig(Document):
+    """A body that repeats a recorded movement."""
+
+    kind: Literal["recorded"]
+    file: FilePlace
+
+
+ShirtConfig = Annotated[SimulatorConfig | ReplayConfig | UdpConfig, Field(discriminator="kind")]
+BodyConfig = Annotated[PersonConfig | VisitorConfig | RecordedConfig, Field(discriminator="kind")]

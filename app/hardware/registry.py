@@ -1,0 +1,94 @@
+"""The drivers in one table: word -> (module, class), imported only when asked for."""
+
+from collections.abc import Mapping, Sequence
+from importlib import import_module
+from typing import Any, cast
+
+from pydantic import TypeAdapter, ValidationError
+
+from app.clock import Clock
+from app.hardware.base import Body, HardwareError, Shirt
+from app.hardware.body.joints import ARM_DEGREES_OF_FREEDOM
+from app.hardware.configs import BodyConfig, ShirtConfig
+from app.sentences import one_sentence
+
+Table = Mapping[str, tuple[str, str]]
+
+SHIRTS: Table = {
+    "simulator": ("app.hardware.shirt.simulator", "SimulatedShirt"),
+    "replay": ("app.hardware.shirt.replay", "ReplayedShirt"),
+    "udp": ("app.hardware.shirt.udp", "UdpShirt"),
+}
+BODIES: Table = {
+    "person": ("app.hardware.body.person", "Person"),
+    "visitor": ("app.hardware.body.visitor", "Visitor"),
+    "recorded": ("app.hardware.body.recorded", "RecordedBody"),
+}
+
+
+def driver_class(what: str, word: str, table: Table) -> Any:
+    """Return the class behind a word of `table`; `what` ("shirt", "body") names it in sentences.
+
+    Raises
+    ------
+    HardwareError
+        For an unknown word, a missing module or library, and a missing class: a different sentence each.
+    """
+    if word not in table:
+        raise HardwareError(f"there is no {what} of the kind '{word}': use one of {', '.join(table)}")
+    module, name = table[word]
+    try:
+        found = import_module(module)
+    except ModuleNotFoundError as error:
+        if error.name and error.name.partition(".")[0] != "app":
+            raise HardwareError(
+                f"the {what} '{word}' needs the library '{error.name}', which is not installed: install it"
+            ) from error
+        raise HardwareError(
+            f"the driver {module} of the {what} '{word}' is missing from this installation: install bodydrive again"
+        ) from error
+    try:
+        return getattr(found, name)
+    except AttributeError as error:
+        raise HardwareError(
+            f"the driver {module} of the {what} '{word}' has no class {name}: correct its table in app/hardware"
+        ) from error
+
+
+def parse_shirt(document: object) -> ShirtConfig:
+    """Return the shirt configuration in `document` (JSON values), or raise HardwareError with one sentence."""
+    return cast(ShirtConfig, _parse("shirt", document, SHIRTS, TypeAdapter(ShirtConfig)))
+
+
+def parse_body(document: object) -> BodyConfig:
+    """Return the body configuration in `document` (JSON values), or raise HardwareError with one sentence."""
+    return cast(BodyConfig, _parse("body", document, BODIES, TypeAdapter(BodyConfig)))
+
+
+def make_shirt(config: ShirtConfig, clock: Clock) -> Shirt:
+    """Return the shirt that `config` describes, not yet open; raise HardwareError when its driver cannot be had."""
+    return cast(Shirt, driver_class("shirt", config.kind, SHIRTS)(config, clock))
+
+
+def make_body(config: BodyConfig, joints: Sequence[str] = ARM_DEGREES_OF_FREEDOM) -> Body:
+    """Return the body that `config` describes, with the degrees of freedom `joints`, at rest.
+
+    Raises
+    ------
+    HardwareError
+        When its driver cannot be had, or its file cannot be read.
+    """
+    made = driver_class("body", config.kind, BODIES)
+    return cast(Body, made.from_config(config, joints))
+
+
+def _parse(what: str, document: object, table: Table, adapter: TypeAdapter[Any]) -> object:
+    kind = document.get("kind") if isinstance(document, Mapping) else None
+    if not isinstance(kind, str):
+        raise HardwareError(f'a {what} configuration needs a "kind": give one of {", ".join(table)}')
+    if kind not in table:
+        raise HardwareError(f"there is no {what} of the kind '{kind}': use one of {', '.join(table)}")
+    try:
+        return adapter.validate_python(document)
+    except ValidationError as error:
+        raise HardwareError(one_sentence(error, f"{what} configuration")) from error

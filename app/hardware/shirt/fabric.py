@@ -1,0 +1,227 @@
+"""What piezoresistive fabric makes of posture: pure, without a clock, fast enough for the loop and the study.
+
+The shapes and sizes were measured on a real piezoresistive knit (signal-chain, simulated shirt): a slightly curved
+response, creep with two time constants, a hysteresis loop, drift, noise, steps of the converter, and after putting the
+shirt on again, other gains and offsets.
+"""
+
+import math
+from collections.abc import Collection
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.hardware.body.joints import degrees_of_freedom, second_way
+from app.layout import ShirtLayout
+
+FULL_SCALE = 3.3  # V, of the converter
+STEPS = 4096  # of the converter: 12 bits
+SPAN = 0.5  # V that a channel of strength 1 moves when its joint moves all the way
+REST_LEVEL = (1.35, 1.95)  # V at rest: the middle of the converter, so that stretch and slack both have room
+STRENGTH = (0.5, 1.0)  # of SPAN, how strongly a channel feels its joint
+SLACKENING = 0.3  # share of channels that get slack where the others stretch
+NOISE_BLOCK = 256  # frames of noise drawn at once
+TURN_DEG = (8.0, 17.0)  # by which a joint's main direction turns when the shirt is put on again
+
+
+@dataclass(frozen=True, slots=True)
+class FabricProperties:
+    """What the fabric is like; shares are of a channel's own response to a full movement."""
+
+    quadratic: float = 0.15
+    creep_fast: float = 0.10  # with 1.5 s
+    creep_slow: float = 0.30  # with 50 s
+    fast: float = 1.5  # s
+    slow: float = 50.0  # s
+    loop: float = 0.10  # height of the hysteresis loop
+    loop_length: float = 0.15  # of the full movement, in which the loop turns over
+    peak: float = 0.0  # per (full movement / s) ** peak_power; 0: switched off
+    peak_power: float = 0.8
+    drift_per_minute: float = 0.03  # median over channels
+    drift_spread: float = 1.08  # of the logarithm: one channel in ten drifts four times as fast
+    drift_period: float = 480.0  # s, in which a channel's drift comes and goes
+    noise: float = 0.006
+    second_way: float = 0.46  # how strongly a joint's channels feel its second way to move, against the first
+    neighbour: float = 0.10  # the other joints of the same side
+    stranger: float = 0.02  # the joints of the other side
+
+
+PEAKY = FabricProperties(peak=0.06)
+"""A fabric that answers to the speed of a movement too, at both its edges."""
+
+STANDARD = FabricProperties()
+
+
+class Fabric:
+    """The channels of one shirt on one body, `values (n_channels,)` in V for a posture `(n_joints,)`."""
+
+    def __init__(
+        self,
+        layout: ShirtLayout,
+        seed: int,
+        dead_channels: Collection[str] = (),
+        properties: FabricProperties = STANDARD,
+    ) -> None:
+        """Weave it: the same seed gives the same shirt with the same noise.
+
+        Raises
+        ------
+        ValueError
+            When a dead channel is not in the layout.
+        """
+        for name in dead_channels:
+            if name not in layout.channel_names:
+                raise ValueError(
+                    f"the shirt '{layout.name}' has no channel '{name}' that could be dead: correct its name"
+                )
+        self.layout = layout
+        self.joints = degrees_of_freedom(layout.joint_names)
+        self._properties = properties
+        self._random = np.random.default_rng(seed)
+        channels, ways = len(layout.channels), len(self.joints)
+        rng = self._random
+        self.gains = _gains(layout, self.joints, properties, rng)
+        self._strength = np.abs(self.gains).max(axis=1) * SPAN  # V
+        self._offsets = rng.uniform(*REST_LEVEL, channels)
+        self._shares = _shares(channels, properties, rng)
+        self._dead = np.array(
+            [i for i, name in enumerate(layout.channel_names) if name in dead_channels], dtype=np.intp
+        )
+        # A broken line rests at the converter's end, a stuck one wherever it was.
+        self._dead_values = np.where(rng.random(len(self._dead)) < 0.5, 0.0, rng.uniform(0.5, 2.8, len(self._dead)))
+        median_rate = 2 * math.pi / properties.drift_period / math.sqrt(2.0)  # of a sine of amplitude 1, roughly
+        amplitude = properties.drift_per_minute / 60.0 / median_rate
+        self._drift = self._strength * amplitude * np.exp(rng.normal(0.0, properties.drift_spread, channels))
+        self._drift_speed = 2 * math.pi / (properties.drift_period * rng.uniform(0.7, 1.4, channels))
+        self._drift_phase = rng.uniform(0.0, 2 * math.pi, channels)
+        self._parts = np.zeros((6, ways))  # posture, its square, two averages, hysteresis, speed
+        self._dt = 0.0
+        self._keep_fast = self._keep_slow = 1.0
+        self._noise = np.empty((0, channels))
+        self._noise_at = 0
+        self._weave()
+        self.reset()
+
+    def reset(self) -> None:
+        """Let the fabric rest until it has forgotten all movement."""
+        self._parts[:] = 0.0
+        self._t = 0.0
+
+    def don_again(self) -> None:
+        """Take the shirt off and put it on again: other gains and offsets, and every joint's direction turned."""
+        rng = self._random
+        gains = self.gains * rng.uniform(0.8, 1.2, len(self.gains))[:, np.newaxis]
+        for joint, channels in self.layout.channels_of_joint.items():
+            if len(channels) > 1:
+                column = self.joints.index(joint)
+                angle = math.radians(rng.uniform(*TURN_DEG))
+                gains[channels, column] = _turned(self.gains[channels, column], gains[channels, column], angle, rng)
+        self.gains = gains
+        standard_deviation = 0.3 * self._strength  # V, of a channel while its joint moves freely
+        self._offsets = self._offsets + standard_deviation * rng.uniform(-2.0, 2.0, len(gains))
+        self._weave()
+        self.reset()
+
+    def step(self, posture: NDArray[np.float64], dt: float) -> NDArray[np.float32]:
+        """Return the channels (n_channels,) in V, `dt` (s) after the step before, at `posture` (n_joints,)."""
+        if dt != self._dt:
+            self._set_step(dt)
+        q, square, fast, slow, loop, speed = self._parts
+        moved = posture - q
+        way = np.abs(moved)
+        q[:] = posture
+        np.multiply(posture, posture, out=square)
+        fast += self._keep_fast * (posture - fast)
+        slow += self._keep_slow * (posture - slow)
+        # Duhem's loop: after each turn of the movement it changes over within `loop_length`, however fast that is.
+        side = np.sign(moved)
+        loop -= side
+        loop *= np.exp(way * (-1.0 / self._properties.loop_length))
+        loop += side
+        if self._properties.peak:
+            np.power(way / dt, self._properties.peak_power, out=speed)
+        values = self._woven @ self._parts.ravel()
+        self._t += dt
+        values += self._drift * np.sin(self._drift_speed * self._t + self._drift_phase)
+        values += self._next_noise()
+        values += self._offsets
+        values *= STEPS / FULL_SCALE
+        np.rint(values, out=values)
+        np.clip(values, 0, STEPS - 1, out=values)
+        values *= FULL_SCALE / STEPS
+        if len(self._dead):
+            values[self._dead] = self._dead_values
+        return values.astype(np.float32)
+
+    def _set_step(self, dt: float) -> None:
+        self._dt = dt
+        self._keep_fast = 1.0 - math.exp(-dt / self._properties.fast)
+        self._keep_slow = 1.0 - math.exp(-dt / self._properties.slow)
+
+    def _weave(self) -> None:
+        """Make the one matrix (n_channels, 6 n_joints) that takes all parts of the movement to volts."""
+        self._woven = np.concatenate([self.gains * share[:, np.newaxis] for share in self._shares], axis=1) * SPAN
+
+    def _next_noise(self) -> NDArray[np.float64]:
+        if self._noise_at == len(self._noise):
+            drawn = self._random.standard_normal((NOISE_BLOCK, len(self._offsets)))
+            self._noise = drawn * (self._properties.noise * self._strength)
+            self._noise_at = 0
+        self._noise_at += 1
+        row: NDArray[np.float64] = self._noise[self._noise_at - 1]
+        return row
+
+
+def _gains(
+    layout: ShirtLayout, ways: tuple[str, ...], properties: FabricProperties, rng: np.random.Generator
+) -> NDArray[np.float64]:
+    """Return how strongly each channel feels each degree of freedom (n_channels, n_joints)."""
+    gains = np.empty((len(layout.channels), len(ways)))
+    for i, channel in enumerate(layout.channels):
+        side = channel.joint.partition("_")[0]
+        for j, way in enumerate(ways):
+            if way == channel.joint:
+                gains[i, j] = rng.uniform(*STRENGTH) * (-1.0 if rng.random() < SLACKENING else 1.0)
+            elif way == second_way(channel.joint):
+                gains[i, j] = rng.uniform(-1.0, 1.0)
+            else:
+                reach = properties.neighbour if way.partition("_")[0] == side else properties.stranger
+                gains[i, j] = rng.uniform(-1.0, 1.0) * reach
+    for joint, channels in layout.channels_of_joint.items():
+        second = second_way(joint)
+        if second is not None:
+            first, aside = gains[channels, ways.index(joint)], gains[channels, ways.index(second)]
+            gains[channels, ways.index(second)] *= properties.second_way * np.linalg.norm(first) / np.linalg.norm(aside)
+    return gains
+
+
+def _shares(channels: int, properties: FabricProperties, rng: np.random.Generator) -> list[NDArray[np.float64]]:
+    """Return for each part of the movement how much of it a channel shows (n_channels,)."""
+    p = properties
+
+    def _around(share: float) -> NDArray[np.float64]:
+        return share * rng.uniform(0.6, 1.4, channels)
+
+    return [
+        np.ones(channels),
+        _around(p.quadratic),
+        _around(p.creep_fast),
+        _around(p.creep_slow),
+        -_around(p.loop / 2),
+        _around(p.peak),
+    ]
+
+
+def _turned(
+    before: NDArray[np.float64], after: NDArray[np.float64], angle: float, rng: np.random.Generator
+) -> NDArray[np.float64]:
+    """Return a vector as long as `after`, turned from `before` by `angle` (rad) towards `after`."""
+    ahead = before / np.linalg.norm(before)
+    aside = after - (after @ ahead) * ahead
+    if np.linalg.norm(aside) < 1e-9:
+        aside = rng.normal(size=len(before))
+        aside -= (aside @ ahead) * ahead
+    aside /= np.linalg.norm(aside)
+    turned: NDArray[np.float64] = np.linalg.norm(after) * (math.cos(angle) * ahead + math.sin(angle) * aside)
+    return turned

@@ -1,0 +1,27 @@
+"""The shirt of the paper: 52 channels over shoulders, elbows and wrists."""
+
+from pydantic import ValidationError
+
+from app.hardware.base import HardwareError
+from app.layout import ShirtLayout
+from app.sentences import one_sentence
+from app.settings import data_folder
+
+STANDARD_SHIRT = "bodydrive-52.json"
+
+
+def standard_layout() -> ShirtLayout:
+    """Return the layout that comes with the application.
+
+    Raises
+    ------
+    HardwareError
+        When its file is missing or broken: the installation is not whole then.
+    """
+    file = data_folder() / "shirts" / STANDARD_SHIRT
+    try:
+        return ShirtLayout.model_validate_json(file.read_bytes())
+    except OSError as error:
+        raise HardwareError(f"{file}: the standard shirt cannot be read ({error.strerror}), install again") from error
+    except ValidationError as error:
+        raise HardwareError(one_sentence(error, str(file))) from error
