@@ -1,0 +1,81 @@
+/** Calls to /api/v1. Every failure becomes one sentence that can be shown as it is. */
+import { t } from "./texts.js";
+
+const BASE = "/api/v1";
+const NOT_SIGNED_IN = 401;
+
+/** A refusal, or no answer; the message is for people. */
+export class ApiError extends Error {
+  /** @param {string} sentence @param {number} status 0 when nothing answered */
+  constructor(sentence, status) {
+    super(sentence);
+    this.status = status;
+  }
+}
+
+/** The calls by method; `onSignedOut` is told when a sign-in has run out. */
+export class Api {
+  /** @param {() => void} onSignedOut */
+  constructor(onSignedOut) {
+    this.onSignedOut = onSignedOut;
+  }
+
+  /** @param {string} path @returns {Promise<any>} */
+  get(path) {
+    return this.call("GET", path);
+  }
+
+  /** @param {string} path @param {any} [body] @returns {Promise<any>} */
+  post(path, body) {
+    return this.call("POST", path, body);
+  }
+
+  /** @param {string} path @param {any} body @returns {Promise<any>} */
+  put(path, body) {
+    return this.call("PUT", path, body);
+  }
+
+  /** @param {string} path @returns {Promise<any>} */
+  remove(path) {
+    return this.call("DELETE", path);
+  }
+
+  /** Send a file as multipart form. @param {string} path @param {File} file @returns {Promise<any>} */
+  upload(path, file) {
+    const form = new FormData();
+    form.append("file", file);
+    return this.call("POST", path, form);
+  }
+
+  /** @param {string} method @param {string} path @param {any} [body] @returns {Promise<any>} */
+  async call(method, path, body) {
+    const isForm = body instanceof FormData;
+    let answer;
+    try {
+      answer = await fetch(BASE + path, {
+        method,
+        headers: body === undefined || isForm ? {} : { "Content-Type": "application/json" },
+        body: body === undefined || isForm ? body : JSON.stringify(body),
+        // A stop must leave even when the page is being closed.
+        keepalive: path === "/control/stop",
+      });
+    } catch {
+      throw new ApiError(t("error.no-answer"), 0);
+    }
+    const content = await answer.json().catch(() => null);
+    if (answer.ok) return content;
+    if (answer.status === NOT_SIGNED_IN && !path.startsWith("/auth/")) this.onSignedOut();
+    throw new ApiError(sentence(content, answer.status), answer.status);
+  }
+}
+
+/** @param {any} content @param {number} status */
+function sentence(content, status) {
+  const detail = content?.detail;
+  if (typeof detail === "string") return detail;
+  if (Array.isArray(detail) && detail.length) {
+    const where = (detail[0].loc ?? []).filter((part) => part !== "body").join(", ");
+    return where ? `${where}: ${detail[0].msg}.` : `${detail[0].msg}.`;
+  }
+  return t("error.status", { status });
+}

@@ -1,0 +1,166 @@
+/** The application: who is signed in, who is here, the live link, and which page is shown. */
+import { Api } from "./api.js";
+import { Live } from "./live.js";
+import { h, put } from "./parts/dom.js";
+import { header } from "./parts/header.js";
+import { notices } from "./parts/notices.js";
+import { rail, STEPS } from "./parts/rail.js";
+import { stopOnSpace } from "./parts/stop.js";
+import { followSystem } from "./parts/theme.js";
+import { Toasts } from "./parts/toast.js";
+import { t } from "./texts.js";
+
+const DEMO_LINK = /^#demo=(.+)$/;
+
+/** Events: `me`, `visit`, `route`, `trial-view`. */
+export class App extends EventTarget {
+  api = new Api(() => this.signedOut());
+  live = new Live();
+  toasts = new Toasts();
+  /** @type {any} */
+  me = null;
+  /** @type {any} */
+  visit = null;
+  route = { page: "", rest: [] };
+  /** Whether the drive page shows a running trial: then it shows faults itself. */
+  showsTrial = false;
+  #leave = new AbortController();
+
+  async start() {
+    this.root = h("main", { class: "page", tabindex: "-1" });
+    this.frame = h("div", { class: "app alone" }, header(this), rail(this), notices(this), this.root);
+    document.body.replaceChildren(this.frame, this.toasts.element, this.toasts.voice, this.toasts.urgent);
+    stopOnSpace(this, window);
+    this.live.addEventListener("changed", (event) => this.#changed(event.detail));
+    this.live.addEventListener("connection", () => !this.live.connected && this.#whoAmI());
+    window.addEventListener("hashchange", () => this.show());
+    await this.enter();
+  }
+
+  /** Sign in by the demonstration's link if there is one, then show the first page. */
+  async enter() {
+    const link = DEMO_LINK.exec(location.hash);
+    try {
+      this.me = link ? await this.api.post("/auth/demo", { code: decodeURIComponent(link[1]) }) : await this.api.get("/auth/me");
+    } catch (error) {
+      this.me = await this.api.get("/auth/me").catch(() => null);
+      this.toasts.show(error.message);
+    }
+    // The code must not stay in the address, where the next person could read it.
+    if (link) history.replaceState(null, "", location.pathname);
+    await this.#signedIn();
+  }
+
+  /** Go on with what a sign-in answered. @param {any} me */
+  async signedIn(me) {
+    this.me = me;
+    await this.#signedIn();
+  }
+
+  async signOut() {
+    await this.api.post("/auth/sign-out").catch((error) => this.toasts.show(error.message));
+    this.signedOut(false);
+  }
+
+  /** Nobody is signed in any more. */
+  signedOut(say = true) {
+    if (!this.me?.signed_in) return;
+    this.live.close();
+    this.me = { ...this.me, signed_in: false };
+    this.visit = null;
+    if (say) this.toasts.show(t("note.signed-out"));
+    this.dispatchEvent(new Event("me"));
+    this.show();
+  }
+
+  /** Read again who is here. */
+  async readVisit() {
+    this.visit = await this.api.get("/visit");
+    this.dispatchEvent(new Event("visit"));
+  }
+
+  /** @param {string} hash like "#/drive" */
+  go(hash) {
+    if (location.hash === hash) this.show();
+    else location.hash = hash;
+  }
+
+  /** Tell the rest of the frame whether a trial fills the page. @param {boolean} is */
+  setShowsTrial(is) {
+    if (this.showsTrial === is) return;
+    this.showsTrial = is;
+    this.dispatchEvent(new Event("trial-view"));
+  }
+
+  /** Show the page that the address names; without one, the page that comes next in this visit. */
+  async show() {
+    this.#leave.abort();
+    const leave = (this.#leave = new AbortController());
+    this.setShowsTrial(false);
+    const name = this.#page();
+    this.dispatchEvent(new Event("route"));
+    this.frame.classList.toggle("alone", !this.me?.signed_in);
+    try {
+      const page = await import(`./pages/${name}.js`);
+      if (leave.signal.aborted) return;
+      this.root.className = "page";
+      this.root.scrollTop = 0;
+      put(this.root, h("p", { class: "quiet" }, t("loading")));
+      document.title = t("app.title", { page: t(`rail.${name}`) });
+      await page.show(this, this.root, { signal: leave.signal, rest: this.route.rest });
+    } catch (error) {
+      if (!leave.signal.aborted) this.#failed(error);
+    }
+    if (!leave.signal.aborted) this.root.querySelector("h1")?.focus({ preventScroll: true });
+  }
+
+  #page() {
+    if (!this.me?.signed_in) {
+      this.route = { page: "sign_in", rest: [] };
+      return this.me?.needs_setup ? "set_up" : "sign_in";
+    }
+    const [page, ...rest] = location.hash.replace(/^#\/?/, "").split("/");
+    if (!STEPS.includes(page)) {
+      const next = this.#next();
+      history.replaceState(null, "", `#/${next}`);
+      this.route = { page: next, rest: [] };
+      return next;
+    }
+    this.route = { page, rest };
+    return page;
+  }
+
+  /** Where somebody goes on who names no page. */
+  #next() {
+    if (!this.visit?.patient) return "patients";
+    return this.visit.has_profile ? "drive" : "calibrate";
+  }
+
+  #failed(error) {
+    console.warn(error);
+    put(this.root, h("h1", { tabindex: "-1" }, t("error.page")), h("p", { class: "lead" }, error.message),
+      h("div", {}, h("button", { type: "button", class: "btn go", onclick: () => this.show() }, t("try-again"))));
+  }
+
+  async #signedIn() {
+    if (this.me?.signed_in) {
+      await this.readVisit().catch((error) => this.toasts.show(error.message));
+      this.live.open();
+    }
+    this.dispatchEvent(new Event("me"));
+    await this.show();
+  }
+
+  async #whoAmI() {
+    const me = await this.api.get("/auth/me").catch(() => null);
+    if (me && !me.signed_in) this.signedOut();
+  }
+
+  #changed(what) {
+    if (what === "sign-in") this.#whoAmI();
+    else if (what !== "controls" && this.me?.signed_in) this.readVisit().catch(() => null);
+  }
+}
+
+followSystem();
+new App().start();

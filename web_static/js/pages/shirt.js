@@ -1,0 +1,110 @@
+/** The shirt: where its signals come from, who is inside, and how every sensor is. */
+import { bodyForm, bodyWords } from "../parts/body_form.js";
+import { h, put, s, write } from "../parts/dom.js";
+import { jointStrips } from "../parts/joint_strips.js";
+import { bodyLamps, lampSign, QUALITIES } from "../parts/lamps.js";
+import { pads } from "../parts/pads.js";
+import { sensorCard } from "../parts/sensor_card.js";
+import { sourceForm, sourceWords } from "../parts/source_form.js";
+import { t } from "../texts.js";
+
+/** @param {import("../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal}} page */
+export async function show(app, root, { signal }) {
+  let equipment = await app.api.get("/equipment");
+  if (signal.aborted) return;
+  const lead = h("p", { class: "lead", "aria-live": "polite" });
+  const left = h("div", { class: "stack" });
+  const right = h("div", { class: "stack" });
+  const below = h("div", {});
+  let drawn = new AbortController(); // ends what was drawn of the equipment before
+  let picked = "";
+
+  const draw = () => {
+    drawn.abort();
+    drawn = new AbortController();
+    signal.addEventListener("abort", () => drawn.abort(), { signal: drawn.signal });
+    const { layout } = equipment;
+    put(left, layout && lampsCard(layout));
+    put(below, equipment.body?.kind === "visitor" && h("div", { class: "card pad-card" }, pads(app, drawn.signal).element),
+      layout && h("section", { class: "card" }, h("h2", {}, t("traces.title")), jointStrips(app.live, layout, drawn.signal)));
+    drawRight();
+    showWords();
+  };
+  const take = (answer) => {
+    equipment = answer;
+    draw();
+  };
+  const lampsCard = (layout) => {
+    const lamps = bodyLamps(layout, pick);
+    const showLamps = () => lamps.show(app.live.quality);
+    app.live.addEventListener("quality", showLamps, { signal: drawn.signal });
+    showLamps();
+    lamps.mark(picked);
+    markLamp = lamps.mark;
+    return h("section", { class: "card" }, h("h2", {}, t("shirt.sensors"), h("span", { class: "quiet small" }, t("shirt.sensors.hint"))), lamps.element, legend());
+  };
+  let markLamp = (_name) => {};
+  const pick = (name) => {
+    picked = name;
+    markLamp(name);
+    drawRight();
+  };
+  let sensorShown = new AbortController();
+  const drawRight = () => {
+    sensorShown.abort();
+    sensorShown = new AbortController();
+    drawn.signal.addEventListener("abort", () => sensorShown.abort(), { signal: sensorShown.signal });
+    put(right, pickedSensor(sensorShown.signal), sourceCard(), equipment.shirt.kind === "simulator" && bodyCard());
+  };
+  const pickedSensor = (until) => {
+    const index = equipment.layout?.channels.findIndex(({ name }) => name === picked) ?? -1;
+    if (index < 0) return null;
+    const channel = equipment.layout.channels[index];
+    const joint = equipment.layout.joints.find(({ name }) => name === channel.joint).label;
+    const mark = async (isUnused) => {
+      const others = equipment.unused.filter((name) => name !== picked);
+      await use(app.api.put("/equipment/unused", { channels: isUnused ? [...others, picked] : others })).catch((error) => {
+        app.toasts.show(error.message);
+        drawRight();
+      });
+    };
+    return sensorCard(app, { channel, index, joint, isUnused: equipment.unused.includes(picked), signal: until }, mark);
+  };
+  const use = async (call) => take(await call);
+  const sourceCard = () => summary(t("source.title"), sourceWords(equipment.shirt), () => sourceForm(app, equipment, (config) => use(app.api.put("/equipment/shirt", config))));
+  const bodyCard = () => summary(t("body.title"), equipment.body ? bodyWords(equipment.body) : "", () => bodyForm(app, equipment, (config) => use(app.api.put("/equipment/body", config))));
+  const showWords = () => {
+    const all = app.live.quality.length;
+    const good = app.live.quality.filter((quality) => quality === "good").length;
+    const lost = app.live.latest?.shirt.lost ?? 0;
+    const words = equipment.layout ? equipment.status.words : equipment.status.words || t("shirt.none");
+    write(lead, [words, all ? t("shirt.words.count", { good, all }) : "", lost ? t("shirt.lost", { count: lost }) : ""].filter(Boolean).join(" "));
+  };
+  const readAgain = async ({ detail }) => {
+    if (detail === "equipment" || detail === "everything") take(await app.api.get("/equipment").catch(() => equipment));
+  };
+  app.live.addEventListener("quality", showWords, { signal });
+  app.live.addEventListener("changed", readAgain, { signal });
+  app.addEventListener("equipment", ({ detail }) => take(detail), { signal });
+
+  const onwards = app.visit?.has_profile ? ["#/drive", "shirt.drive"] : ["#/calibrate", "shirt.calibrate"];
+  put(root, h("div", { class: "body" }, h("h1", { tabindex: "-1" }, t("shirt.title")), lead,
+    h("div", { class: "shirt-columns" }, left, right), below),
+    h("div", { class: "foot" }, h("span", { class: "grow" }, equipment.status.realtime.join(" ")), h("a", { class: "btn go", href: onwards[0] }, t(onwards[1]))));
+  draw();
+}
+
+function summary(title, words, makeForm) {
+  const place = h("div", {});
+  const details = h("details", {}, h("summary", {}, t("source.change")), place);
+  details.addEventListener("toggle", () => details.open && !place.firstChild && put(place, makeForm()));
+  return h("section", { class: "card" }, h("h2", {}, title), h("p", {}, words), details);
+}
+
+function legend() {
+  return h("details", { class: "legend" }, h("summary", {}, t("shirt.legend")),
+    h("dl", {}, Object.keys(QUALITIES).map((quality) => [
+      h("dt", {}, s("svg", { viewBox: "-8 -8 16 16", width: 22, height: 22, "aria-hidden": "true" }, s("g", { class: "sensor", "data-quality": quality }, lampSign(quality))), t(`quality.${quality}`)),
+      h("dd", {}, t(`quality.${quality}.words`)),
+    ])));
+}

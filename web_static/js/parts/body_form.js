@@ -1,0 +1,50 @@
+/** What moves inside the simulated shirt. */
+import { t } from "../texts.js";
+import { h, put } from "./dom.js";
+import { choices } from "./fields.js";
+import { addFile, fileField } from "./source_form.js";
+
+const CHOICES = {
+  practised: { kind: "person", skill: "practised", seed: 1 },
+  novice: { kind: "person", skill: "novice", seed: 1 },
+  visitor: { kind: "visitor" },
+};
+
+/** In one line who moves. @param {any} body */
+export function bodyWords(body) {
+  if (body.kind === "person") return t(`body.person.${body.skill}`);
+  return body.kind === "recorded" ? t("body.recorded.now", { file: body.file }) : t("body.yours");
+}
+
+/**
+ * A choice takes effect at once; only a recorded body first needs its file.
+ * @param {import("../main.js").App} app @param {any} equipment @param {(config: any) => Promise<void>} onUse
+ */
+export function bodyForm(app, equipment, onUse) {
+  const { body, files } = equipment;
+  const recorded = { kind: "recorded", file: body?.file };
+  const more = h("div", { class: "stack settings" });
+  const problem = h("p", { class: "problem", role: "alert" });
+  const use = async (config) => {
+    problem.textContent = "";
+    try {
+      await onUse(config);
+    } catch (error) {
+      problem.textContent = error.message;
+    }
+  };
+  const choose = (choice) => {
+    put(more);
+    if (choice !== "recorded") return use(CHOICES[choice]);
+    const bodies = files.filter(({ kind }) => kind === "body");
+    put(more, fileField(bodies, recorded), addFile(app), bodies.length > 0 && h("button", { type: "button", class: "btn go", onclick: () => use(recorded) }, t("source.use")));
+  };
+  const current = body?.kind === "person" ? body.skill : body?.kind;
+  const options = [
+    { value: "practised", label: t("body.person.practised"), hint: t("body.person.practised.hint") },
+    { value: "novice", label: t("body.person.novice"), hint: t("body.person.novice.hint") },
+    { value: "visitor", label: t("body.visitor"), hint: t("body.visitor.hint") },
+    { value: "recorded", label: t("body.recorded"), hint: t("body.recorded.hint") },
+  ];
+  return h("div", { class: "stack" }, choices(t("body.title"), options, current, choose), more, problem);
+}

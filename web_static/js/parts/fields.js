@@ -1,0 +1,97 @@
+/** Form pieces: labelled fields, choices, segments, steppers. */
+import { h, set, write } from "./dom.js";
+import { number } from "./format.js";
+
+let made = 0; // so that every label finds its own field
+const HOLD_BEFORE = 400; // ms a stepper's button is held before it repeats
+const REPEAT_EVERY = 90; // ms
+
+/**
+ * A labelled input, select or textarea.
+ * @param {string} label @param {HTMLElement & Record<string, any>} input @param {string} [hint]
+ */
+export function field(label, input, hint) {
+  const id = `field-${++made}`;
+  set(input, { id, "aria-describedby": hint ? `${id}-hint` : null });
+  return h("div", { class: "field" }, h("label", { for: id }, label), input, hint && h("span", { class: "hint", id: `${id}-hint` }, hint));
+}
+
+/** @param {{value: string, label: string}[]} options @param {string} chosen @param {(value: string) => void} [onChange] */
+export function selection(options, chosen, onChange) {
+  const select = h("select", {}, options.map(({ value, label }) => h("option", { value, selected: value === chosen }, label)));
+  if (onChange) select.addEventListener("change", () => onChange(select.value));
+  return select;
+}
+
+/**
+ * A few choices side by side.
+ * @param {string} label @param {{value: string, label: string}[]} options @param {string} chosen @param {(value: string) => void} onChange
+ */
+export function segments(label, options, chosen, onChange) {
+  const name = `segments-${++made}`;
+  return h("div", { class: "segments", role: "radiogroup", "aria-label": label }, options.map((option) =>
+    h("label", {}, h("input", { type: "radio", name, value: option.value, checked: option.value === chosen, onchange: () => onChange(option.value) }), option.label)));
+}
+
+/**
+ * Choices with an explanation each, one below the other.
+ * @param {string} label @param {{value: string, label: string, hint?: string}[]} options @param {string} chosen @param {(value: string) => void} onChange
+ */
+export function choices(label, options, chosen, onChange) {
+  const name = `choices-${++made}`;
+  return h("div", { class: "stack", role: "radiogroup", "aria-label": label }, options.map((option) =>
+    h("label", { class: "choice" },
+      h("input", { type: "radio", name, value: option.value, checked: option.value === chosen, onchange: () => onChange(option.value) }),
+      h("span", { class: "grow" }, h("b", {}, option.label), option.hint && h("span", {}, option.hint)))));
+}
+
+/** @param {string} label @param {boolean} on @param {(on: boolean) => void} onChange */
+export function toggle(label, on, onChange) {
+  const input = h("input", { type: "checkbox", role: "switch", checked: on });
+  input.addEventListener("change", () => onChange(input.checked));
+  return h("label", { class: "switch" }, input, h("span", {}, label));
+}
+
+/**
+ * A number between − and +; holding a button goes on.
+ * @param {{label: string, value: number, low: number, high: number, step: number, digits: number, unit: string, onChange: (value: number) => void}} options
+ */
+export function stepper({ label, value, low, high, step, digits, unit, onChange }) {
+  let now = value;
+  const shown = h("output", { "aria-live": "off" });
+  const less = h("button", { type: "button", "aria-label": `${label} −` }, "−");
+  const more = h("button", { type: "button", "aria-label": `${label} +` }, "+");
+  const show = () => {
+    write(shown, `${number(now, digits)} ${unit}`.trim());
+    less.disabled = now <= low + step / 1000;
+    more.disabled = now >= high - step / 1000;
+  };
+  const turn = (direction) => {
+    const next = Math.min(high, Math.max(low, Math.round((now + direction * step) / step) * step));
+    now = Number(next.toFixed(6));
+    show();
+    onChange(now);
+  };
+  for (const [button, direction] of [[less, -1], [more, 1]]) repeatWhileHeld(button, () => turn(direction));
+  show();
+  return h("span", { class: "stepper", role: "group", "aria-label": label }, less, shown, more);
+}
+
+/** @param {HTMLElement} button @param {() => void} act */
+export function repeatWhileHeld(button, act) {
+  let timer = 0;
+  const end = () => clearTimeout(timer);
+  const again = () => {
+    if (button.disabled || !button.isConnected) return end();
+    act();
+    timer = setTimeout(again, REPEAT_EVERY);
+  };
+  button.addEventListener("pointerdown", (event) => {
+    if (event.button !== 0) return;
+    act();
+    end();
+    timer = setTimeout(again, HOLD_BEFORE);
+  });
+  for (const event of ["pointerup", "pointerleave", "pointercancel"]) button.addEventListener(event, end);
+  button.addEventListener("click", (event) => event.detail === 0 && act());
+}

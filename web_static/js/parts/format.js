@@ -1,0 +1,45 @@
+/** Numbers, times and dates as people read them. */
+import { LANGUAGE } from "../texts.js";
+
+const NONE = "–";
+const DAY = new Intl.DateTimeFormat(LANGUAGE, { day: "numeric", month: "short", year: "numeric" });
+const MOMENT = new Intl.DateTimeFormat(LANGUAGE, { day: "numeric", month: "short", hour: "2-digit", minute: "2-digit" });
+
+/** @param {number | null | undefined} value @param {number} digits after the point */
+export function number(value, digits) {
+  if (value === null || value === undefined || !Number.isFinite(value)) return NONE;
+  const rounded = Number(value.toFixed(digits));
+  return (Object.is(rounded, -0) ? 0 : rounded).toFixed(digits).replace("-", "−");
+}
+
+/** With its sign, also when it is positive. @param {number | null | undefined} value @param {number} digits */
+export function signed(value, digits) {
+  const words = number(value, digits);
+  return Number.isFinite(value) && value > 0 && Number(value.toFixed(digits)) !== 0 ? `+${words}` : words;
+}
+
+/** @param {number | null | undefined} share 0..1 */
+export function percent(share) {
+  return Number.isFinite(share) ? `${Math.round(share * 100)} %` : NONE;
+}
+
+/** Minutes and seconds. @param {number} seconds */
+export function clock(seconds) {
+  const whole = Math.max(0, Math.floor(seconds || 0));
+  return `${Math.floor(whole / 60)}:${String(whole % 60).padStart(2, "0")}`;
+}
+
+/** @param {string | null} iso */
+export function day(iso) {
+  return iso ? DAY.format(new Date(iso)) : NONE;
+}
+
+/** @param {string | null} iso */
+export function moment(iso) {
+  return iso ? MOMENT.format(new Date(iso)) : NONE;
+}
+
+/** @param {number} bytes */
+export function size(bytes) {
+  return bytes < 1e6 ? `${Math.max(1, Math.round(bytes / 1e3))} kB` : `${(bytes / 1e6).toFixed(1)} MB`;
+}

@@ -1,0 +1,68 @@
+/** The header: product, who is here, lamps of the equipment, colours, sign-out, Stop. */
+import { t } from "../texts.js";
+import { h, set, write } from "./dom.js";
+import { icon } from "./icons.js";
+import { stopButton } from "./stop.js";
+import { chosenTheme, nextTheme } from "./theme.js";
+
+const THEME_ICONS = { system: "sun", light: "sun", dark: "moon", contrast: "contrast" };
+
+/** @param {import("../main.js").App} app */
+export function header(app) {
+  const who = h("span", { class: "who" });
+  const demo = h("span", { class: "tag calm", title: t("demo.explained") }, t("demo.tag"));
+  const shirt = h("span", { class: "lamp" });
+  const chair = h("span", { class: "lamp off wide" }, t("lamp.chair"));
+  const lamps = h("div", { class: "lamps" }, shirt, chair);
+  const theme = themeButton(app);
+  const leave = h("button", { type: "button", class: "icon-button", title: t("sign-out"), "aria-label": t("sign-out"), onclick: () => app.signOut() }, icon("leave", 22));
+  const element = h("header", { class: "head" }, h("span", { class: "brand" }, t("app.name")), demo, who, lamps,
+    h("div", { class: "tools" }, theme, leave), stopButton(app));
+
+  const showWho = () => {
+    const { patient, session } = app.visit ?? {};
+    const signedIn = Boolean(app.me?.signed_in);
+    demo.hidden = !app.me?.demo;
+    leave.hidden = !signedIn || app.me.demo;
+    lamps.style.visibility = signedIn ? "" : "hidden";
+    who.hidden = !signedIn;
+    write(who, patient ? t("who.visit", { code: patient.code, number: session?.number ?? 1 }) : t("who.nobody"));
+  };
+  const showShirt = () => {
+    const alive = Boolean(app.live.latest?.shirt.alive) && app.live.connected;
+    const all = app.live.quality.length;
+    const good = app.live.quality.filter((quality) => quality === "good").length;
+    shirt.className = alive ? (good < all * 0.75 ? "lamp att" : "lamp") : "lamp att";
+    write(shirt, alive && all ? t("lamp.shirt", { good, all }) : t("lamp.shirt.silent"));
+  };
+  const showChair = () => {
+    const armed = app.live.latest?.state === "armed";
+    chair.className = armed ? "lamp wide" : "lamp off wide";
+    write(chair, armed ? t("lamp.armed") : t("lamp.chair"));
+  };
+  app.addEventListener("me", showWho);
+  app.addEventListener("visit", showWho);
+  app.live.addEventListener("quality", showShirt);
+  app.live.addEventListener("connection", showShirt);
+  app.live.addEventListener("tick", showChair);
+  showWho();
+  showShirt();
+  return element;
+}
+
+/** @param {import("../main.js").App} app */
+function themeButton(app) {
+  const button = h("button", { type: "button", class: "icon-button" });
+  const show = () => {
+    const choice = chosenTheme();
+    const label = t("theme.label", { theme: t(`theme.${choice}`) });
+    set(button, { "aria-label": label, title: label });
+    button.replaceChildren(icon(THEME_ICONS[choice], 22));
+  };
+  button.addEventListener("click", () => {
+    app.toasts.show(t("theme.now", { theme: t(`theme.${nextTheme()}`) }));
+    show();
+  });
+  show();
+  return button;
+}

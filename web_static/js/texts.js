@@ -1,0 +1,33 @@
+/**
+ * Every text of the pages, by key. A language is a folder beside this file; English is the first and the fall-back.
+ * A text may hold {values}; a text of the form {one, other} is chosen by the value `count`.
+ */
+import calibrate from "./texts/en/calibrate.js";
+import controls from "./texts/en/controls.js";
+import drive from "./texts/en/drive.js";
+import measures from "./texts/en/measures.js";
+import patients from "./texts/en/patients.js";
+import review from "./texts/en/review.js";
+import shell from "./texts/en/shell.js";
+import shirt from "./texts/en/shirt.js";
+
+export const LANGUAGE = "en";
+
+const CATALOGUE = Object.freeze({ ...shell, ...patients, ...shirt, ...calibrate, ...controls, ...drive, ...measures, ...review });
+const PLURALS = new Intl.PluralRules(LANGUAGE);
+
+/**
+ * Return a text with its values put in.
+ * @param {string} key @param {Record<string, string | number>} [values] @returns {string}
+ */
+export function t(key, values = {}) {
+  const found = CATALOGUE[key];
+  if (found === undefined) return key;
+  const text = typeof found === "string" ? found : (found[PLURALS.select(Number(values.count))] ?? found.other);
+  return text.replace(/\{(\w+)\}/g, (_, name) => String(values[name] ?? ""));
+}
+
+/** Tell whether there is a text of this key. @param {string} key */
+export function hasText(key) {
+  return key in CATALOGUE;
+}
