@@ -3,13 +3,13 @@
 import asyncio
 from typing import Annotated, Any, Literal
 
-from fastapi import APIRouter, HTTPException, Path
+from fastapi import APIRouter, HTTPException, Path, Query
 from pydantic import Field
 
 from app.api.deps import Anyone, Clinician, People, PeopleParts
 from app.api.flows import FlowParts, Flows, load_plan
 from app.api.signed_in import SignedIn
-from app.quantities import Count, Document, Name
+from app.quantities import Document, Name
 from app.session.refusals import Conflict, NotFound
 from app.session.store_log import write_log
 from app.session.store_patients import find_patient
@@ -197,7 +197,7 @@ async def end_trial(_body: EndTrial, who: Clinician, parts: PeopleParts, flows: 
 
 
 @router.get("/trials")
-def list_trials(patient: Count, who: Anyone, parts: PeopleParts) -> list[TrialView]:
+def list_trials(patient: Annotated[int, Query(ge=1, le=2**31)], who: Anyone, parts: PeopleParts) -> list[TrialView]:
     """List a patient's trials, the newest last."""
     with parts.database.transaction() as db:
         find_patient(db, who.clinic_id, patient)

@@ -76,7 +76,8 @@ def harmless_name(name: str) -> str:
     last = re.split(r"[/\\]", name)[-1]
     stem, dot, suffix = last.rpartition(".")
     clean = re.sub(r"[^A-Za-z0-9_-]+", "-", stem or suffix).strip("-")[:60] or "file"
-    return f"{clean}.{re.sub(r'[^a-z0-9]', '', suffix.lower())[:8]}" if dot else clean
+    ending = re.sub(r"[^a-z0-9]", "", suffix.lower())[:8]
+    return f"{clean}.{ending}" if dot and ending else clean
 
 
 def _columns(file: Path) -> list[str]:

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.clock import monotonic
+from app.link import LinkLost, LinkRefused
 from app.session.refusals import Conflict, Unavailable
 
 HEARTBEAT_EVERY = 0.1  # s; the control process stops the chair after 0.3 s of silence
@@ -16,14 +17,6 @@ START_AGAIN_AFTER = 0.5  # s; doubled with each start that fails, up to ...
 LONGEST_PAUSE = 8.0  # s
 
 ControlState = Literal["alive", "starting", "lost"]
-
-
-class LinkRefused(Exception):  # noqa: N818
-    """The control process refused a command; the message is its sentence."""
-
-
-class LinkLost(Exception):  # noqa: N818
-    """The control process did not answer, or is no more."""
 
 
 class Link(Protocol):

@@ -15,8 +15,8 @@ from app.calibration.profile import CalibrationProfile, JointMap
 from app.calibration.script import Step
 from app.faults import Fault, State
 from app.layout import Channel, Joint, ShirtLayout
+from app.link import LinkLost, LinkRefused
 from app.messages import NO_CUE, TICK
-from app.session.control import LinkLost, LinkRefused
 from app.session.readings import Driven, Readings
 from app.settings import Settings
 

@@ -1,0 +1,94 @@
+"""What calibration and scoring read from a recording: the recording is the truth, never what was shown meanwhile."""
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.calibration.fit import fit_profile
+from app.calibration.profile import CalibrationProfile
+from app.calibration.repetitions import Repetition, repetitions_of_run
+from app.calibration.script import Step
+from app.faults import State
+from app.layout import ShirtLayout
+from app.recording_reader import Columns, read_run
+from app.session.calibration_judge import judge_frames
+from app.session.metrics import path_measures
+from app.session.readings import Driven, Readings
+from app.world.floorplan import PrescribedPath
+
+
+def recorded_readings() -> Readings:
+    """Return the answers that are read from disk."""
+    return Readings(judge=judge_recording, fit=fit_recordings, measure=measure_recording, drive=driven)
+
+
+def judge_recording(folder: Path, duration: float) -> str | None:
+    """Return in one sentence why a step's recording does not do, None when it does."""
+    run = read_run(folder)
+    if run.words:
+        return run.words
+    return judge_frames(run.frames()["run_t"], duration, float(run.meta["sample_rate"]))
+
+
+def fit_recordings(layout: ShirtLayout, recorded: list[tuple[Step, Path]], unused: list[str]) -> CalibrationProfile:
+    """Fit the profile from the recordings of all steps; raise ValueError with a sentence when it cannot be fitted."""
+    free: list[NDArray[Any]] = []
+    rest: list[NDArray[Any]] = []
+    repetitions: list[Repetition] = []
+    sample_rate = 0.0
+    for step, folder in recorded:
+        run = read_run(folder)
+        frames = run.frames()
+        sample_rate = float(run.meta["sample_rate"])
+        if step.kind == "prompt":
+            repetitions += repetitions_of_run(frames["values"], frames["cue"], step.cues, sample_rate)
+        elif step.kind == "rest":
+            rest.append(_during(frames, step, "rest"))
+        else:
+            free.append(_during(frames, step, "free"))
+    return fit_profile(
+        layout,
+        sample_rate,
+        np.concatenate(free),
+        np.concatenate(rest) if rest else None,
+        repetitions,
+        unused,
+    )
+
+
+def _during(frames: Columns, step: Step, kind: str) -> NDArray[Any]:
+    """Return the values (n, n_channels) while a cue of this kind was shown."""
+    cues = [index for index, cue in enumerate(step.cues) if cue.kind == kind]
+    chosen: NDArray[Any] = frames["values"][np.isin(frames["cue"], cues)]
+    return chosen
+
+
+def measure_recording(folder: Path, path: PrescribedPath) -> dict[str, Any]:
+    """Return all measures of a trial, from when motion was first permitted; ValueError when it never was."""
+    rows = _since_armed(read_run(folder).columns)
+    return path_measures(
+        rows["t"] - rows["t"][0],
+        rows["x"],
+        rows["y"],
+        path.points,
+        path.goal_radius,
+        in_contact=rows["in_contact"],
+        contacts=rows["contacts"],
+        u1=rows["u1"],
+        u2=rows["u2"],
+    )
+
+
+def driven(folder: Path) -> Driven:
+    """Return where the chair was in a trial, from when motion was first permitted."""
+    rows = _since_armed(read_run(folder).columns)
+    return Driven(rows["t"] - rows["t"][0], rows["x"], rows["y"])
+
+
+def _since_armed(columns: Columns) -> Columns:
+    armed = np.flatnonzero(columns["state"] == State.ARMED)
+    if len(armed) == 0:
+        raise ValueError("The chair was never permitted to move in this trial: there is nothing to measure.")
+    return {name: column[armed[0] :] for name, column in columns.items()}

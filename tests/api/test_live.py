@@ -1,0 +1,113 @@
+"""The live socket: what it shows, who may open it, when it ends."""
+
+from typing import Any
+
+import pytest
+from fake_clinic import BASE
+from starlette.websockets import WebSocketDisconnect
+
+ORIGIN = {"Origin": BASE}
+LIVE = f"{BASE.replace('http', 'ws')}/api/v1/live"
+
+
+def next_with(socket: Any, key: str) -> Any:
+    while True:
+        message = socket.receive_json()
+        if key in message:
+            return message
+
+
+def test_the_newest_tick_twenty_times_a_second(signed_in: Any) -> None:
+    with signed_in.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+        first, second = socket.receive_json(), socket.receive_json()
+        assert second["tick"] > first["tick"]
+        assert (first["state"], first["fault"], first["control"]) == ("disarmed", None, "alive")
+        assert first["values"][:3] == [None, 0.5, None]
+        assert len(first["values"]) == 8
+        assert (first["run"], first["trial"]) == (None, None)
+        assert first["shirt"]["alive"] is True
+        quality = next_with(socket, "quality")
+        assert len(quality["quality"]) == len(quality["noise"]) == 8
+
+
+def test_an_event_names_what_changed(signed_in: Any) -> None:
+    with signed_in.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+        socket.receive_json()
+        signed_in.visit()
+        assert next_with(socket, "event")["event"] == "visit"
+
+
+@pytest.mark.parametrize("headers", [{}, {"Origin": "http://evil.example"}])
+def test_another_origin_opens_no_socket(signed_in: Any, headers: dict[str, str]) -> None:
+    with pytest.raises(WebSocketDisconnect), signed_in.client.websocket_connect(LIVE, headers=headers):
+        pass
+
+
+def test_nobody_signed_in_opens_no_socket(clinic: Any) -> None:
+    with pytest.raises(WebSocketDisconnect), clinic.client.websocket_connect(LIVE, headers=ORIGIN):
+        pass
+
+
+def test_sign_out_closes_the_socket(signed_in: Any) -> None:
+    with signed_in.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+        socket.receive_json()
+        signed_in.good("POST", "/auth/sign-out")
+        with pytest.raises(WebSocketDisconnect) as closed:
+            next_with(socket, "never")
+        assert closed.value.code == 4401
+
+
+def test_stop_and_the_visitors_movement_go_down_and_nonsense_does_not(signed_in: Any) -> None:
+    with signed_in.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+        for text in ("{", "[]", '{"move": {"right_elbow": NaN}}', '{"move": {"right_elbow": 2}}', '{"unknown": 1}'):
+            socket.send_text(text)
+        socket.send_json({"move": {"right_elbow": 0.7}})
+        socket.send_json({"stop": True})
+        while socket.receive_json()["state"] != "fault":
+            pass
+    moves = [fields for do, fields in signed_in.link.told if do == "move"]
+    assert moves == [{"joints": {"right_elbow": 0.7}}]
+
+
+def test_the_screen_that_drives_is_the_one_of_who_started_and_in_view(signed_in: Any) -> None:
+    def screen() -> bool:
+        signed_in.link.told.clear()
+        while not any(do == "heartbeat" for do, _ in signed_in.link.told):
+            pass
+        return next(fields["screen"] for do, fields in signed_in.link.told if do == "heartbeat")
+
+    signed_in.visit()
+    signed_in.calibrate()
+    plan = signed_in.good("GET", "/floorplans")[0]
+    with signed_in.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+        socket.receive_json()
+        assert screen() is False
+        signed_in.good("POST", "/trials", json={"floorplan": plan["name"], "path": plan["paths"][0]["name"]})
+        trial = next_with(socket, "trial")
+        while trial["trial"] is None:
+            trial = socket.receive_json()
+        assert trial["trial"]["length"] > 5
+        assert trial["run"]["kind"] == "drive"
+        assert screen() is True
+        socket.send_json({"visible": False})
+        while screen():
+            pass
+        socket.send_json({"visible": True})
+        while not screen():
+            pass
+    while screen():
+        pass
+
+
+def test_without_a_control_process_the_chair_is_shown_standing(signed_in: Any) -> None:
+    with signed_in.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+        socket.receive_json()
+        signed_in.link.silent = True
+        while (message := socket.receive_json())["control"] == "alive":
+            pass
+        assert (message["v"], message["omega"], message["state"]) == (0.0, 0.0, "fault")
+        assert message["fault"]["name"] == "control_lost"
+        signed_in.client.portal.call(signed_in.link.dead.set)
+        while message["control"] != "alive":
+            message = socket.receive_json()
+        assert message["state"] == "disarmed"

@@ -1,0 +1,112 @@
+"""Trials as a page starts, sees and ends them; Stop from anywhere."""
+
+import time
+from typing import Any
+
+import pytest
+
+
+@pytest.fixture
+def ready(signed_in: Any) -> Any:
+    signed_in.patient = signed_in.visit()
+    signed_in.calibrate()
+    plan = signed_in.good("GET", "/floorplans")[0]
+    signed_in.where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"]}
+    signed_in.document = signed_in.good("GET", f"/floorplans/{plan['name']}")
+    return signed_in
+
+
+def trial_of(clinic: Any, trial_id: int) -> Any:
+    return clinic.until(f"/trials/{trial_id}", lambda t: t["status"] == "done")
+
+
+def test_floor_plans_are_listed_with_their_paths(ready: Any) -> None:
+    plans = ready.good("GET", "/floorplans")
+    assert len(plans) == 3
+    assert all(plan["width"] > 5 and plan["height"] > 5 and plan["paths"][0]["length"] > 5 for plan in plans)
+    assert ready("GET", "/floorplans/nowhere").status_code == 404
+
+
+def test_a_trial_ends_at_the_goal_and_is_measured(ready: Any) -> None:
+    trial = ready.good("POST", "/trials", json=ready.where)
+    assert (trial["status"], trial["number"], trial["measures"]) == ("running", 1, None)
+    assert [do for do, _ in ready.link.calls[-3:]] == ["world", "run", "arm"]
+    arm = ready.link.calls[-1][1]
+    assert arm["hash"] == ready.good("GET", "/controls")["hash"]
+    assert ready("POST", "/trials", json=ready.where).status_code == 409
+    assert ready("PUT", "/equipment/unused", json={"channels": []}).status_code == 409
+
+    drive = ready.client.app.state.flows.drive
+    line, s = drive.trial.path.line, 0.0
+    while (trial_now := drive.trial) is not None:
+        # The chair goes on once the watch has seen where it is.
+        ready.link.pose = (*line.point_at(s), 0.0)
+        if abs(trial_now.place.done - s) < 0.01:
+            s = min(s + 1.0, line.length)
+        time.sleep(0.001)
+    done = trial_of(ready, trial["id"])
+    assert (done["end"], done["measures"]["dist"], done["path_name"]) == ("goal", 12.0, trial["path"])
+    assert done["trajectory"]["x"][0] == 0.0
+    assert len(done["path"]) >= 2
+    assert [t["number"] for t in ready.good("GET", f"/trials?patient={ready.patient['id']}")] == [1]
+
+
+def test_by_hand_discard_keep_and_the_learning_page(ready: Any) -> None:
+    for number in (1, 2):
+        trial = ready.good("POST", "/trials", json=ready.where)
+        ended = ready.good("POST", "/trials/current/end", json={"reason": "by hand"})
+        assert (ended["id"], ended["end"], ended["number"]) == (trial["id"], "by hand", number)
+        assert ready.link.run == 0
+    assert ready("POST", "/trials/current/end", json={"reason": "by hand"}).status_code == 409
+    page = f"/patients/{ready.patient['id']}/learning?floorplan={ready.where['floorplan']}&path={ready.where['path']}"
+    learning = ready.good("GET", page)
+    assert [row["number"] for row in learning["trials"]] == [1, 2]
+    assert learning["curves"]["dist"]["fit"] is None
+    assert len(learning["trajectories"]) == 2
+    assert ready("POST", f"/trials/{trial['id']}/discard", json={"reason": ""}).status_code == 422
+    assert ready.good("POST", f"/trials/{trial['id']}/discard", json={"reason": "tired"})["kept"] is False
+    assert [row["number"] for row in ready.good("GET", page)["trials"]] == [1]
+    assert ready.good("POST", f"/trials/{trial['id']}/keep")["discard_reason"] is None
+    assert ready("GET", "/trials/999").status_code == 404
+    assert ready("GET", "/trials?patient=999").status_code == 404
+
+
+def test_an_arming_that_is_refused_leaves_no_trial(ready: Any) -> None:
+    ready.link.refuse["arm"] = "The parameters are other ones than those loaded: load them again."
+    answer = ready("POST", "/trials", json=ready.where)
+    assert (answer.status_code, answer.json()["detail"]) == (409, ready.link.refuse["arm"])
+    assert ready.good("GET", f"/trials?patient={ready.patient['id']}") == []
+    assert ready.link.run == 0
+
+
+def test_the_death_of_the_control_process_ends_the_trial_as_a_fault(ready: Any) -> None:
+    trial = ready.good("POST", "/trials", json=ready.where)
+    ready.client.portal.call(ready.link.dead.set)
+    assert trial_of(ready, trial["id"])["end"] == "fault"
+
+
+def test_stop_is_for_anyone_and_twice_and_clear_is_not(ready: Any) -> None:
+    ready.good("POST", "/trials", json=ready.where)
+    token = ready.client.cookies["bodydrive_session"]
+    ready.client.cookies.clear()
+    for _ in range(2):
+        assert ready.good("POST", "/control/stop") == {"state": "fault", "fault": "stop_tablet"}
+    assert ready.client.post("/api/v1/control/stop").status_code == 200
+    foreign = ready.client.post("/api/v1/control/stop", headers={"Origin": "http://evil.example"})
+    assert foreign.status_code == 403
+    assert ready("POST", "/control/clear").status_code == 401
+    ready.client.cookies["bodydrive_session"] = token
+    assert ready.good("POST", "/control/clear") == {"state": "armed", "fault": None}
+    assert [do for do, _ in ready.link.calls].count("stop") == 3
+
+
+def test_stop_answers_even_when_nothing_is_left_to_stop(ready: Any) -> None:
+    ready.link.dead.set()
+    assert ready.good("POST", "/control/stop") == {"state": "fault", "fault": "control_lost"}
+
+
+def test_a_path_that_does_not_exist_starts_nothing(ready: Any) -> None:
+    assert ready("POST", "/trials", json={**ready.where, "path": "nowhere"}).status_code == 404
+    assert ready("POST", "/trials", json={**ready.where, "floorplan": "nowhere"}).status_code == 404
+    assert ready("POST", "/trials", json={**ready.where, "floorplan": "../../x"}).status_code == 422
+    assert "run" not in [do for do, _ in ready.link.calls[-2:]]

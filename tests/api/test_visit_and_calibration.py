@@ -1,0 +1,195 @@
+"""Patients, visits, the wizard and the controls, as a page goes through them."""
+
+from typing import Any
+
+import pytest
+from fake_clinic import JOINTS, Clinic, running
+
+from app.settings import Settings
+
+
+def test_nobody_signed_in_sees_no_patient(clinic: Any) -> None:
+    for path in ("/patients", "/visit", "/equipment", "/calibration", "/controls", "/floorplans", "/trials?patient=1"):
+        answer = clinic("GET", path)
+        assert answer.status_code == 401, path
+        assert answer.json()["detail"].startswith("You are not signed in")
+
+
+def test_a_patient_is_added_deleted_and_brought_back(signed_in: Any) -> None:
+    patient = signed_in.good("POST", "/patients", json={"code": "P-1", "pseudonym": "Heron", "note": "left-handed"})
+    assert (patient["sessions"], patient["trials"], patient["last_seen"]) == (0, 0, None)
+    same = signed_in("POST", "/patients", json={"code": "P-1", "pseudonym": "Otter"})
+    assert same.status_code == 409
+    assert "choose another code" in same.json()["detail"]
+    signed_in.good("DELETE", f"/patients/{patient['id']}")
+    assert signed_in.good("GET", "/patients") == []
+    signed_in.good("POST", f"/patients/{patient['id']}/restore")
+    assert signed_in.good("GET", "/patients")[0]["pseudonym"] == "Heron"
+    assert signed_in("DELETE", "/patients/999").status_code == 404
+
+
+@pytest.mark.parametrize(
+    ("body", "words"),
+    [
+        ({"code": "P 1", "pseudonym": "Heron"}, "code"),
+        ({"code": "P-1"}, "pseudonym: this is missing"),
+        ({"code": "P-1", "pseudonym": "Heron", "name": "Real Name"}, "name: this is not known here"),
+        ({"code": float("nan"), "pseudonym": "Heron"}, "code"),
+        ([1, 2], "What was sent"),
+    ],
+)
+def test_bad_input_is_one_sentence_and_adds_nobody(signed_in: Any, body: Any, words: str) -> None:
+    import json
+
+    answer = signed_in("POST", "/patients", content=json.dumps(body), headers={"Content-Type": "application/json"})
+    assert answer.status_code == 422
+    assert words in answer.json()["detail"]
+    assert isinstance(answer.json()["detail"], str)
+    assert signed_in.good("GET", "/patients") == []
+
+
+def test_what_is_not_json_is_said_so(signed_in: Any) -> None:
+    answer = signed_in("POST", "/patients", content=b"{", headers={"Content-Type": "application/json"})
+    assert (answer.status_code, answer.json()["detail"]) == (422, "What was sent is not JSON: correct it.")
+
+
+def test_without_a_patient_there_is_nothing_to_calibrate(signed_in: Any) -> None:
+    assert signed_in.good("GET", "/visit") == {
+        "patient": None,
+        "session": None,
+        "has_profile": False,
+        "steps_done": [],
+    }
+    answer = signed_in("GET", "/calibration")
+    assert answer.status_code == 409
+    assert "choose a patient" in answer.json()["detail"]
+
+
+def test_the_wizard_goes_from_rest_to_a_saved_profile(signed_in: Any) -> None:
+    signed_in.visit()
+    wizard = signed_in.good("GET", "/calibration")
+    assert [step["kind"] for step in wizard["steps"]] == ["rest", "free"] + ["prompt"] * 4 + ["result"]
+    assert (wizard["current"], wizard["result"], wizard["running"]) == ("rest", None, None)
+    assert signed_in("GET", "/controls").status_code == 409
+    assert signed_in("POST", "/calibration/accept").status_code == 409
+
+    started = signed_in.good("POST", "/calibration/steps/rest/start")
+    assert started["running"] == {"step": "rest", "started_run": 1}
+    assert started["steps"][0]["status"] == "running"
+    assert signed_in("POST", "/calibration/steps/free/start").status_code == 409
+    assert signed_in("DELETE", "/visit").status_code == 409
+    signed_in.link.run_t = 1000.0
+    wizard = signed_in.until("/calibration", lambda c: c["current"] == "free")
+    assert wizard["steps"][0]["status"] == "done"
+    assert signed_in.good("GET", "/visit")["steps_done"] == ["rest"]
+
+    wizard = signed_in.calibrate()
+    assert [joint["name"] for joint in wizard["result"]["joints"]] == list(JOINTS)
+    assert wizard["result"]["accepted"] is True
+    assert wizard["current"] == "result"
+    assert {step["status"] for step in wizard["steps"]} == {"done"}
+    assert signed_in.good("GET", "/visit")["has_profile"] is True
+    assert signed_in.link.parameters["profile"]["joints"][0]["name"] == "right_elbow"
+    assert signed_in("POST", "/calibration/accept").status_code == 409
+
+
+def test_a_step_can_be_cancelled_repeated_and_fail_in_words(signed_in: Any) -> None:
+    signed_in.visit()
+    signed_in.good("POST", "/calibration/steps/rest/start")
+    wizard = signed_in.good("POST", "/calibration/steps/rest/cancel")
+    assert (wizard["running"], wizard["steps"][0]["status"]) == (None, "waiting")
+    assert signed_in.link.run == 0
+    assert signed_in("POST", "/calibration/steps/rest/cancel").status_code == 409
+    assert signed_in("POST", "/calibration/steps/nonsense/start").status_code == 404
+    signed_in.readings["judge"] = "The shirt was silent for 2.0 seconds: repeat this step."
+    signed_in.good("POST", "/calibration/steps/rest/start")
+    signed_in.link.run_t = 1000.0
+    wizard = signed_in.until("/calibration", lambda c: c["running"] is None)
+    assert (wizard["steps"][0]["status"], wizard["current"]) == ("failed", "rest")
+    assert "silent" in wizard["steps"][0]["words"]
+    signed_in.readings["judge"] = None
+    signed_in.calibrate()
+    signed_in.good("POST", "/calibration/steps/rest/start")
+    signed_in.link.run_t = 1000.0
+    wizard = signed_in.until(
+        "/calibration", lambda c: c["running"] is None and c["result"] and not c["result"]["accepted"]
+    )
+    assert [step["status"] for step in wizard["steps"]].count("done") == 7
+
+
+def test_a_fit_that_fails_says_why(signed_in: Any) -> None:
+    signed_in.visit()
+    signed_in.readings["fit"] = "No joint moved: repeat the free movement."
+    for step in signed_in.good("GET", "/calibration")["steps"][:-1]:
+        signed_in.good("POST", f"/calibration/steps/{step['id']}/start")
+        signed_in.link.run_t = 1000.0
+        signed_in.until("/calibration", lambda c: c["running"] is None)
+    wizard = signed_in.until("/calibration", lambda c: c["steps"][-1]["status"] == "failed")
+    assert wizard["steps"][-1]["words"] == "No joint moved: repeat the free movement."
+    assert wizard["result"] is None
+
+
+def test_a_step_fails_in_words_when_the_control_process_dies_and_the_next_one_is_loaded_again(signed_in: Any) -> None:
+    signed_in.visit()
+    signed_in.calibrate()
+    signed_in.good("POST", "/calibration/steps/rest/start")
+    signed_in.client.portal.call(signed_in.link.dead.set)
+    wizard = signed_in.until("/calibration", lambda c: c["running"] is None)
+    assert wizard["steps"][0]["status"] == "failed"
+    assert "repeat" in wizard["steps"][0]["words"]
+    signed_in.until("/equipment", lambda e: e["status"]["control"] == "alive")
+    assert len(signed_in.links) == 2
+    assert [do for do, _ in signed_in.link.calls[:3]] == ["shirt", "body", "parameters"]
+    assert signed_in.link.parameters["profile"]["joints"]
+
+
+def test_a_restart_of_the_web_process_comes_back_to_the_same_step(settings: Settings, signed_in: Any) -> None:
+    signed_in.visit()
+    signed_in.good("POST", "/calibration/steps/rest/start")
+    signed_in.link.run_t = 1000.0
+    signed_in.until("/calibration", lambda c: c["current"] == "free")
+    signed_in.good("POST", "/calibration/go", json={"step": "prompt-left_elbow"})
+    before = signed_in.good("GET", "/calibration")
+    token = signed_in.client.cookies["bodydrive_session"]
+    for again in running(settings):
+        again.client.cookies["bodydrive_session"] = token
+        assert again.good("GET", "/calibration") == before
+
+
+def test_controls_are_set_undone_named_and_never_half(signed_in: Any) -> None:
+    signed_in.visit()
+    signed_in.calibrate()
+    controls = signed_in.good("GET", "/controls")
+    parameters = controls["parameters"]
+    assert (controls["can_undo"], controls["can_redo"], controls["saved"]) == (False, False, ["Standard"])
+    body = {
+        name: parameters[name] for name in ("gestures", "bindings", "mode_u1", "mode_u2", "cutoff", "speeds", "title")
+    }
+    bad = signed_in("PUT", "/controls", json={**body, "bindings": [{"control": "u1+", "gestures": ["nobody"]}]})
+    assert bad.status_code == 422
+    assert "nobody" in bad.json()["detail"]
+    assert signed_in("PUT", "/controls", json={**body, "cutoff": 900.0}).status_code == 422
+    assert signed_in.good("GET", "/controls")["hash"] == controls["hash"]
+    changed = signed_in.good("PUT", "/controls", json={**body, "cutoff": 5.0, "title": "Brisk"})
+    assert changed["can_undo"] is True
+    assert signed_in.link.parameters["cutoff"] == 5.0
+    undone = signed_in.good("POST", "/controls/undo")
+    assert (undone["hash"], undone["can_redo"]) == (controls["hash"], True)
+    assert signed_in.link.parameters["cutoff"] == 3.0
+    assert signed_in.good("POST", "/controls/redo")["parameters"]["title"] == "Brisk"
+    assert signed_in("POST", "/controls/redo").status_code == 409
+    assert signed_in.good("POST", "/controls/load", json={"title": "Standard"})["parameters"]["cutoff"] == 3.0
+    assert signed_in("POST", "/controls/load", json={"title": "Nowhere"}).status_code == 404
+    suggested = signed_in.good("POST", "/controls/suggest")
+    assert suggested["parameters"]["bindings"] == suggested["suggested"]["bindings"]
+
+
+def test_another_shirt_does_not_drive_with_this_calibration(signed_in: Clinic) -> None:
+    signed_in.visit()
+    signed_in.calibrate()
+    worn = signed_in.client.app.state.flows.equipment
+    worn.sample_rate = 250.0
+    assert "calibrate again" in signed_in.good("GET", "/controls")["misfit"]
+    plan = signed_in.good("GET", "/floorplans")[0]
+    answer = signed_in("POST", "/trials", json={"floorplan": plan["name"], "path": plan["paths"][0]["name"]})
+    assert answer.status_code == 409
