@@ -1,0 +1,98 @@
+"""What a recording's files hold, byte by byte: shared by its writer and its reader.
+
+A run's folder has `run.json` (what the run was), then while it is recorded `segment-0000.arrows` and on: Arrow IPC
+streams, beside each a `segment-0000.check` of the checksums of what was written to it. A closed run has `run.parquet`
+instead, and `end.json`: the number of rows and the checksums of the two other files, with its own on a second line.
+"""
+
+import json
+from struct import Struct
+from typing import Any, NamedTuple
+from zlib import crc32
+
+import numpy as np
+from numpy.typing import NDArray
+
+META_FILE = "run.json"
+END_FILE = "end.json"
+PARQUET_FILE = "run.parquet"
+DAMAGE_FILE = "damaged.txt"
+SEGMENT, SEGMENT_CHECK = "segment-{:04d}.arrows", "segment-{:04d}.check"
+
+META_KEY = b"bodydrive"  # under which the Arrow schema carries a copy of run.json
+END_OF_STREAM = b"\xff\xff\xff\xff\x00\x00\x00\x00"  # what closes an Arrow IPC stream
+
+SCALARS = {
+    "t": np.float64,
+    "run_t": np.float64,
+    "t_device": np.float64,
+    "has_frame": np.uint8,
+    "frame_seq": np.uint32,
+    "u1": np.float64,
+    "u2": np.float64,
+    "v": np.float64,
+    "omega": np.float64,
+    "x": np.float64,
+    "y": np.float64,
+    "theta": np.float64,
+    "state": np.uint8,
+    "fault": np.uint8,
+    "cue": np.int32,
+    "in_contact": np.uint8,
+    "contacts": np.uint32,
+}
+PER_GESTURE = ("score", "rate", "activation")
+PER_CHANNEL = "values"
+
+CHECK = Struct("<QII")  # end of a piece in the segment, CRC-32 of the piece, CRC-32 of the twelve bytes before
+
+
+class Piece(NamedTuple):
+    """A part of a segment that was written at once: the schema, a batch of rows, or the end."""
+
+    start: int
+    end: int
+    checksum: int
+
+
+def check_record(end: int, piece: bytes) -> bytes:
+    """Return the record of a piece that ends at byte `end` of its segment."""
+    record = CHECK.pack(end, crc32(piece), 0)
+    return record[:12] + crc32(record[:12]).to_bytes(4, "little")
+
+
+def check_pieces(records: bytes) -> tuple[list[Piece], bool]:
+    """Return the pieces of a segment as its checksums tell, and whether a record, not their end, is wrong."""
+    pieces: list[Piece] = []
+    start = 0
+    for at in range(0, len(records) - CHECK.size + 1, CHECK.size):
+        end, checksum, own = CHECK.unpack_from(records, at)
+        if crc32(records[at : at + 12]) != own or end <= start:
+            return pieces, True
+        pieces.append(Piece(start, end, checksum))
+        start = end
+    return pieces, False
+
+
+def end_bytes(rows: int, dropped: int, checksums: dict[str, int]) -> bytes:
+    """Return the content of `end.json`."""
+    line = json.dumps({"rows": rows, "dropped": dropped, "checksums": checksums}).encode()
+    return line + b"\n" + str(crc32(line)).encode() + b"\n"
+
+
+def parse_end(content: bytes) -> dict[str, Any] | None:
+    """Return what `end.json` says, None when it was cut or changed."""
+    line, _, rest = content.partition(b"\n")
+    if rest != str(crc32(line)).encode() + b"\n":
+        return None
+    parsed: dict[str, Any] = json.loads(line)
+    return parsed
+
+
+def rows_to_columns(rows: NDArray[np.void], n_channels: int, n_gestures: int) -> dict[str, NDArray[Any]]:
+    """Return the columns of ticks (n,): (n,) for one number a tick, (n, n_channels) and (n, n_gestures) for lists."""
+    columns: dict[str, NDArray[Any]] = {name: np.ascontiguousarray(rows[name]) for name in SCALARS}
+    for name in PER_GESTURE:
+        columns[name] = np.ascontiguousarray(rows[name][:, :n_gestures])
+    columns[PER_CHANNEL] = np.ascontiguousarray(rows[PER_CHANNEL][:, :n_channels])
+    return columns
