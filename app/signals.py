@@ -1,5 +1,6 @@
 """A shirt's signals from a file: CSV, Parquet, or one of our own recordings."""
 
+import json
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -9,6 +10,7 @@ from pydantic import ValidationError
 
 from app.columns import Table, read_columns, require_column, row_words
 from app.layout import MAX_CHANNELS, ShirtLayout
+from app.recording_reader import Run, read_run
 from app.sentences import one_sentence
 
 SHORTEST = 10  # samples: fewer make no signal
@@ -26,6 +28,7 @@ class Signals:
     values: NDArray[np.float64] | NDArray[np.float32]  # (n, n_channels), NaN where a sample is missing
     channel_names: list[str]
     sample_rate: float  # Hz
+    t_device: NDArray[np.float64] | None = None  # (n,) s, the shirt's own clock where a recording has it
 
     def between(self, start: float | None, end: float | None) -> slice:
         """Return the rows with `start` <= t < `end` (s); None stands for the recording's own start or end."""
@@ -43,6 +46,8 @@ def read_signals(path: str | Path, layout: ShirtLayout | None = None) -> Signals
         One sentence that names the file, the line or column, and what to do.
     """
     path = Path(path)
+    if path.is_dir():
+        return signals_of_run(read_run(path), path, layout)
     only = None if layout is None else {"t", *layout.channel_names}
     table = read_columns(path, only=only)
     t = require_column(table, path, "t")
@@ -52,14 +57,36 @@ def read_signals(path: str | Path, layout: ShirtLayout | None = None) -> Signals
     if layout is None and len(names) > MAX_CHANNELS:
         raise ValueError(f"{path}: {len(names)} channels are more than a shirt can have, keep at most {MAX_CHANNELS}")
     if missing := [name for name in names if name not in table]:
-        shown = ", ".join(missing[:5]) + (f" and {len(missing) - 5} more" if len(missing) > 5 else "")
-        raise ValueError(
-            f"{path}: channel {shown} of the layout '{layout.name if layout else ''}' is not in this file, "
-            f"add the column or use the layout of the shirt that was recorded"
-        )
+        raise ValueError(_missing(path, missing, layout))
     if len(t) < SHORTEST:
         raise ValueError(f"{path}: {len(t)} samples are too few for a signal, record at least a few seconds")
     return make_signals(t, _stacked(table, names), names, path)
+
+
+def signals_of_run(run: Run, path: Path, layout: ShirtLayout | None = None) -> Signals:
+    """Return the frames of a recorded run, `t` counted from its start, or raise ValueError with one sentence."""
+    recorded = run.meta.get("layout")
+    if recorded is None:
+        raise ValueError(f"{path}: the recording does not say which shirt it is of. {run.words}".rstrip())
+    try:
+        names = ShirtLayout.model_validate_json(json.dumps(recorded)).channel_names
+    except ValidationError as error:
+        raise ValueError(one_sentence(error, f"{path}, layout")) from error
+    wanted = names if layout is None else layout.channel_names
+    if missing := [name for name in wanted if name not in names]:
+        raise ValueError(_missing(path, missing, layout))
+    frames = run.frames()
+    values = frames["values"]
+    if len(values) < SHORTEST:
+        raise ValueError(
+            f"{path}: {len(values)} frames are too few for a signal, name a longer run. {run.words}".rstrip()
+        )
+    signals = make_signals(frames["run_t"], values[:, [names.index(name) for name in wanted]], wanted, path)
+    signals.t_device = frames["t_device"] if np.isfinite(frames["t_device"]).all() else None
+    stated = run.meta.get("sample_rate")
+    if isinstance(stated, int | float) and SLOWEST <= stated <= FASTEST:
+        signals.sample_rate = float(stated)
+    return signals
 
 
 def make_signals(
@@ -110,6 +137,14 @@ def read_layout(path: str | Path) -> ShirtLayout:
         raise ValueError(f"{path}: there is no such layout, check its name") from error
     except OSError as error:
         raise ValueError(f"{path}: this layout cannot be read ({error.strerror}), check it") from error
+
+
+def _missing(path: Path, missing: list[str], layout: ShirtLayout | None) -> str:
+    shown = ", ".join(missing[:5]) + (f" and {len(missing) - 5} more" if len(missing) > 5 else "")
+    return (
+        f"{path}: channel {shown} of the layout '{layout.name if layout else ''}' is not in this recording, "
+        f"add the column or use the layout of the shirt that was recorded"
+    )
 
 
 def _stacked(table: Table, names: list[str]) -> NDArray[np.float64] | NDArray[np.float32]:

@@ -6,7 +6,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from app.layout import Channel, Joint, ShirtLayout
-from app.signals import make_signals, read_layout, read_signals
+from app.recording_reader import Run
+from app.signals import make_signals, read_layout, read_signals, signals_of_run
 
 ROWS = "".join(f"{i * 0.01:.2f},{i},{-i}\n" for i in range(20))
 LAYOUT = ShirtLayout(
@@ -92,17 +93,58 @@ def test_a_bad_file_is_refused_in_one_sentence_that_names_it(write, content, wor
 
 
 def test_channels_that_the_layout_wants_must_be_there(write):
-    with pytest.raises(ValueError, match="channel b of the layout 'two' is not in this file"):
+    with pytest.raises(ValueError, match="channel b of the layout 'two' is not in this recording"):
         read_signals(write("t,a\n" + "".join(f"{i / 100},1\n" for i in range(20))), LAYOUT)
     with pytest.raises(ValueError, match="none of the columns a, b, t is there"):
         read_signals(write("x,y\n1,2\n"), LAYOUT)
 
 
+def recorded_run(**changes):
+    """A run of 2 s at 100 Hz; every fifth turn of the loop came without a frame."""
+    rows = 250
+    has_frame = np.arange(rows) % 5 != 4
+    run_t = np.arange(rows) * 0.008
+    columns = {
+        "t": 5000 + run_t,
+        "run_t": run_t,
+        "t_device": np.cumsum(has_frame) * 0.01,
+        "has_frame": has_frame.astype(np.uint8),
+        "values": np.where(has_frame[:, np.newaxis], np.cumsum(has_frame)[:, np.newaxis] * [1, -1], np.nan).astype(
+            "f4"
+        ),
+    }
+    return Run({"layout": LAYOUT.model_dump(mode="json"), "sample_rate": 100.0, **changes}, columns, 0, "It was cut.")
+
+
+def test_a_recorded_run_gives_its_frames(tmp_path):
+    swapped = ShirtLayout(name="swapped", channels=LAYOUT.channels[::-1], joints=LAYOUT.joints)
+    signals = signals_of_run(recorded_run(), tmp_path)
+    assert (signals.channel_names, signals.sample_rate, len(signals.t)) == (["b", "a"], 100.0, 200)
+    assert signals.values[:, 0].tolist() == list(range(1, 201))
+    assert signals.t_device == pytest.approx(np.arange(1, 201) * 0.01)
+    assert signals.t[0] == 0.0
+    assert signals_of_run(recorded_run(), tmp_path, swapped).values[:, 1].tolist() == list(range(1, 201))
+
+
+def test_a_run_that_does_not_fit_is_refused(tmp_path):
+    other = ShirtLayout(name="other", channels=(Channel(name="c", joint="j"),), joints=LAYOUT.joints)
+    with pytest.raises(ValueError, match="channel c of the layout 'other'"):
+        signals_of_run(recorded_run(), tmp_path, other)
+    with pytest.raises(ValueError, match=r"does not say which shirt it is of\. It was cut\."):
+        signals_of_run(recorded_run(layout=None), tmp_path)
+    with pytest.raises(ValueError, match="channels: this is missing"):
+        signals_of_run(recorded_run(layout={"name": "x", "joints": []}), tmp_path)
+    short = recorded_run()
+    short.columns["has_frame"][5:] = 0
+    with pytest.raises(ValueError, match="4 frames are too few"):
+        signals_of_run(short, tmp_path)
+    with pytest.raises(ValueError, match="there is no recording in this folder"):
+        read_signals(tmp_path)
+
+
 def test_what_is_no_file_of_signals_is_refused(tmp_path, write):
     with pytest.raises(ValueError, match="no such file"):
         read_signals(tmp_path / "nothing.csv")
-    with pytest.raises(ValueError, match="folder"):
-        read_signals(tmp_path)
     with pytest.raises(ValueError, match="not a Parquet file"):
         read_signals(write("t,a\n0,1\n", "signals.parquet"))
     with pytest.raises(ValueError, match="more than a shirt can have"):
