@@ -15,8 +15,10 @@ from app.calibration.vocabulary import DriveParameters, standard_parameters
 from app.cli.errors import InputError
 from app.files import write_atomically
 from app.pipeline.batch import Decoded, decode_block
+from app.pipeline.rerun import decode_run
+from app.recording_reader import read_run
 from app.sentences import one_sentence
-from app.signals import Signals, read_signals
+from app.signals import read_signals
 
 SUFFIXES = (".parquet", ".csv")
 
@@ -34,23 +36,30 @@ def decode(
         raise InputError(f"--out {out}: its name must end in {' or '.join(SUFFIXES)}")
     parameters = overridden(read_parameters(profile), dead_zone, cutoff)
     try:
-        recorded = read_signals(signals, parameters.profile.layout)
-        decoded = decode_block(
-            parameters, recorded.sample_rate, recorded.t, recorded.values.astype(np.float32), t_device=recorded.t
-        )
+        t, sample_rate, decoded = decode_file(signals, parameters)
     except ValueError as error:
         raise InputError(str(error)) from error
-    write_columns(out, columns(parameters, recorded, decoded))
+    write_columns(out, columns(parameters, t, decoded))
     summary = {
-        "frames": len(recorded.t),
-        "seconds": float(recorded.t[-1] - recorded.t[0]),
-        "sample_rate": recorded.sample_rate,
+        "frames": len(t),
+        "seconds": float(t[-1] - t[0]),
+        "sample_rate": sample_rate,
         "out": str(out),
     }
     if as_json:
         typer.echo(json.dumps(summary))
     else:
         typer.echo(f"{summary['frames']} frames, {summary['seconds']:.1f} s, decoded into {out}")
+
+
+def decode_file(signals: Path, parameters: DriveParameters) -> tuple[NDArray[np.float64], float, Decoded]:
+    """Return time (n,) in s, sample rate in Hz, and what was decoded; a recording of ours is driven again."""
+    recorded = read_signals(signals, parameters.profile.layout)
+    if signals.is_dir():
+        run = read_run(signals)
+        return run.frames()["t"], recorded.sample_rate, decode_run(run, parameters)
+    values = recorded.values.astype(np.float32)
+    return recorded.t, recorded.sample_rate, decode_block(parameters, recorded.sample_rate, recorded.t, values)
 
 
 def read_parameters(file: Path) -> DriveParameters:
@@ -92,9 +101,9 @@ def overridden(parameters: DriveParameters, dead_zone: float | None, cutoff: flo
         raise InputError(one_sentence(error, "--dead-zone or --cutoff")) from error
 
 
-def columns(parameters: DriveParameters, recorded: Signals, decoded: Decoded) -> dict[str, NDArray[np.float64]]:
+def columns(parameters: DriveParameters, t: NDArray[np.float64], decoded: Decoded) -> dict[str, NDArray[np.float64]]:
     """Return what is written: time, four columns per gesture, controls, twist and pose."""
-    named = {"t": recorded.t}
+    named = {"t": t}
     for i, gesture in enumerate(parameters.gestures):
         named[f"{gesture.name}_score"] = decoded.score[:, i]
         named[f"{gesture.name}_rate"] = decoded.rate[:, i]

@@ -1,0 +1,52 @@
+"""A recorded run through the chain again: the same signals, the same decisions of the gate, the same floor plan."""
+
+from typing import Any
+
+import numpy as np
+
+from app.calibration.vocabulary import DriveParameters
+from app.geometry import Pose
+from app.hardware.chair.simulator import VirtualChair
+from app.pipeline.batch import Decoded, decode_block
+from app.recording_reader import Run
+from app.world.floorplan import FloorPlan
+
+DRIVE = "drive"  # the kind of run in which the gate decides
+
+
+def decode_run(run: Run, parameters: DriveParameters) -> Decoded:
+    """Decode the frames of a recorded run; with the parameters that it was driven with, what was driven comes out.
+
+    Raises
+    ------
+    ValueError
+        In one sentence, when the run has no frames, or was recorded with another number of channels.
+    """
+    frames = run.frames()
+    values = frames["values"]
+    if not len(values):
+        raise ValueError("the recording holds no frame of the shirt: choose another one")
+    if values.shape[1] != len(parameters.profile.layout.channels):
+        raise ValueError(
+            f"the recording has {values.shape[1]} channels and the profile {len(parameters.profile.layout.channels)}: "
+            f"use the profile of the same shirt"
+        )
+    driven = run.meta.get("kind") == DRIVE
+    return decode_block(
+        parameters,
+        float(run.meta.get("sample_rate", parameters.profile.sample_rate)),
+        frames["t"],
+        values.astype(np.float32),
+        t_device=frames["t_device"],
+        state=frames["state"] if driven else None,
+        chair=_chair(run.meta) if driven else None,
+    )
+
+
+def _chair(meta: dict[str, Any]) -> VirtualChair | None:
+    document = meta.get("floorplan")
+    if not document:
+        return None
+    plan = FloorPlan.model_validate(document)
+    path = plan.path_named(meta["path"]) if meta.get("path") else plan.paths[0]
+    return VirtualChair(plan, Pose(*path.start))
