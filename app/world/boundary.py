@@ -1,0 +1,109 @@
+"""The outline of a region of cells, as few straight lines that never cut into the region."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+Corner = tuple[int, int]  # column, row of a cell's corner
+
+TOLERANCE = 0.9  # cells that the simplified outline may lie outside of the exact one
+SMALL = 12  # cells of circumference; the outline of a smaller thing is kept exactly
+
+# The four sides of a cell at (column, row): neighbour, and the side as an edge that has the cell on its left.
+SIDES = (
+    ((0, -1), (0, 0), (1, 0)),
+    ((1, 0), (1, 0), (1, 1)),
+    ((0, 1), (1, 1), (0, 1)),
+    ((-1, 0), (0, 1), (0, 0)),
+)
+
+
+def outlines(region: NDArray[np.bool_]) -> list[list[Corner]]:
+    """Return the simplified closed outlines of `region` (rows, columns), each without repeating its first corner.
+
+    The region is on the left of every outline. Where cells of it meet only at a corner, the outline parts them, since
+    nothing can pass there.
+    """
+    return [_simplified(loop) for loop in _loops(region)]
+
+
+def _loops(region: NDArray[np.bool_]) -> list[list[Corner]]:
+    """Return the exact outlines, straight runs as one edge."""
+    following: dict[Corner, list[Corner]] = {}
+    padded = np.pad(region, 1)
+    for (across, up), (from_x, from_y), (to_x, to_y) in SIDES:
+        beyond = padded[1 + up : padded.shape[0] - 1 + up, 1 + across : padded.shape[1] - 1 + across]
+        rows, columns = np.nonzero(region & ~beyond)
+        for row, column in zip(rows.tolist(), columns.tolist(), strict=True):
+            following.setdefault((column + from_x, row + from_y), []).append((column + to_x, row + to_y))
+    loops = []
+    while following:
+        start = here = next(iter(following))
+        loop, direction = [], (0, 0)
+        while True:
+            there = _leave(following, here, direction)
+            new_direction = there[0] - here[0], there[1] - here[1]
+            if new_direction != direction:
+                loop.append(here)
+            here, direction = there, new_direction
+            if here == start and (here not in following or not _turns_left(following[here], here, direction)):
+                break
+        if _direction(loop[0], loop[1 % len(loop)]) == direction:
+            loop = loop[1:]  # the search began in the middle of a straight run
+        loops.append(loop)
+    return loops
+
+
+def _leave(following: dict[Corner, list[Corner]], here: Corner, direction: Corner) -> Corner:
+    """Take an edge away from `here`, the one to the left where there are two."""
+    edges = following[here]
+    left = here[0] - direction[1], here[1] + direction[0]
+    there = left if left in edges else edges[0]
+    edges.remove(there)
+    if not edges:
+        del following[here]
+    return there
+
+
+def _turns_left(edges: list[Corner], here: Corner, direction: Corner) -> bool:
+    return (here[0] - direction[1], here[1] + direction[0]) in edges
+
+
+def _direction(a: Corner, b: Corner) -> Corner:
+    return int(np.sign(b[0] - a[0])), int(np.sign(b[1] - a[1]))
+
+
+def _simplified(loop: list[Corner]) -> list[Corner]:
+    """Return `loop` with corners left out, as long as it stays beside the region and near the exact outline."""
+    circumference = sum(abs(a[0] - b[0]) + abs(a[1] - b[1]) for a, b in zip(loop, loop[1:] + loop[:1], strict=True))
+    if circumference <= SMALL:
+        return loop
+    corners = np.array([*loop, loop[0]], dtype=np.float64)
+    kept = [0]
+    last = len(loop)
+    while kept[-1] < last:
+        here = reach = kept[-1]
+        reach += 1
+        misses = 0
+        for there in range(here + 2, last + 1):
+            if _may_skip(corners, here, there):
+                reach, misses = there, 0
+            else:
+                misses += 1
+                if misses > 4:  # a stair's inner corners can be joined though its outer ones cannot
+                    break
+        kept.append(reach)
+    simplified = [loop[index] for index in kept[:-1]]
+    return simplified if len(simplified) >= 3 else loop
+
+
+def _may_skip(corners: NDArray[np.float64], here: int, there: int) -> bool:
+    """Tell whether the corners between two others are near their chord, and none of them outside of it."""
+    chord = corners[there] - corners[here]
+    length = float(np.hypot(*chord))
+    if length == 0.0:
+        return False
+    away = corners[here + 1 : there] - corners[here]
+    left = (chord[0] * away[:, 1] - chord[1] * away[:, 0]) / length
+    along = away @ chord / length
+    beside = left.min() >= -1e-9 and left.max() <= TOLERANCE
+    return bool(beside and along.min() >= -TOLERANCE and along.max() <= length + TOLERANCE)
