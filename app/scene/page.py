@@ -1,0 +1,85 @@
+"""viser's own page, with our style and script in its head: the canvas and the plots, and nothing else of it."""
+
+import re
+from pathlib import Path
+from typing import Final
+
+import viser
+
+# Nothing on the page can be pressed, dragged or seen except the canvas and the plots. A uPlot chart holds a canvas
+# too, so that it and what it stands in stay; the panel's own header and grips go.
+STYLE: Final = """
+html, body { margin: 0; overflow: hidden; }
+body, body div:has(> [data-dock-root]), body div:has(> div > [data-dock-root]) {
+  background: linear-gradient(#d3e2ec, #eaf1f4 46%, #dfe6e4 54%, #d5dcd8) !important;
+}
+body :not(:has(canvas)):not(canvas):not(.uplot *) { display: none !important; }
+* { pointer-events: none !important; touch-action: none; }
+[data-floating-window] {
+  left: auto !important; right: 12px !important; top: 12px !important; height: auto !important;
+  width: clamp(200px, 30vw, 340px) !important; border-radius: 10px !important; overflow: hidden !important;
+  background: #ffffffee !important; box-shadow: 0 1px 6px #16202a22 !important;
+}
+[data-floating-window] * { background: transparent !important; border: 0 !important; }
+[data-floating-window] .u-title { font: 600 12px system-ui, sans-serif !important; color: #16202a; }
+"""
+
+# - The page looks for its server again only while its document has the focus, which a frame never touched has not.
+# - Keys steer viser's camera and open its command palette; they belong to the page around the frame.
+# - viser starts a sorter for Gaussian splats that compiles code from text. Our policy forbids that, and we draw none.
+# - bodydriveView.age() tells how old the picture is (s): since the last stamp, and how far that stamp came late.
+SCRIPT: Final = """
+Document.prototype.hasFocus = () => true;
+window.addEventListener("unhandledrejection", (event) => {
+  if (event.reason instanceof EvalError) event.preventDefault();
+});
+for (const kind of ["keydown", "keyup"]) {
+  window.addEventListener(kind, (event) => {
+    event.stopImmediatePropagation();
+    if (window.parent !== window) {
+      event.preventDefault();
+      window.parent.document.dispatchEvent(new KeyboardEvent(kind, event));
+    }
+  }, true);
+}
+(() => {
+  const WRAP = 100;
+  let stamp = null, seenAt = 0, least = null, late = 0, tickAge = null;
+  setInterval(() => {
+    const viewer = window.__viserMutable;
+    if (!viewer) return;
+    if (viewer.cameraControl) viewer.cameraControl.enabled = false;
+    const node = viewer.nodePoseData && viewer.nodePoseData["/clock"];
+    if (!node || !node.position || node.position[0] === stamp) return;
+    stamp = node.position[0];
+    tickAge = node.position[1];
+    seenAt = performance.now() / 1000;
+    const offset = (((seenAt - stamp) % WRAP) + WRAP) % WRAP;
+    if (least === null) least = offset;
+    late = ((offset - least + WRAP / 2) % WRAP + WRAP) % WRAP - WRAP / 2;
+    if (late < 0) { least = offset; late = 0; }
+  }, 50);
+  window.bodydriveView = {
+    age: () => (stamp === null ? Infinity : performance.now() / 1000 - seenAt + late),
+    tickAge: () => tickAge,
+  };
+})();
+"""
+
+
+def client_page() -> bytes:
+    """Return the page that shows a role's 3D view.
+
+    Raises
+    ------
+    ValueError
+        When viser's page is not the one this was written for.
+    """
+    file = Path(viser.__file__).parent / "client" / "build" / "index.html"
+    page = file.read_text(encoding="utf-8")
+    page, titles = re.subn(r"<title>[^<]*</title>", "<title>bodydrive: view</title>", page, count=1)
+    head = f"<style>{STYLE}</style><script>{SCRIPT}</script></head>"
+    page, heads = re.subn(r"</head>", lambda _: head, page, count=1)
+    if not (titles and heads):
+        raise ValueError(f"{file}: this is not the page of viser 1.1.1, install that version")
+    return page.encode()

@@ -1,0 +1,38 @@
+"""The colours of the drawn world: light walls, calm floors, the chair in the product's teal."""
+
+from typing import Final
+
+Colour = tuple[int, int, int]
+
+FLOOR: Final[Colour] = (196, 200, 192)
+FLOOR_TILE: Final[Colour] = (206, 210, 202)
+WALL: Final[Colour] = (226, 231, 235)
+WALL_TOP: Final[Colour] = (142, 156, 168)
+SKIRTING: Final[Colour] = (150, 163, 173)
+DOOR: Final[Colour] = (178, 142, 104)
+PATH: Final[Colour] = (255, 255, 255)
+PATH_EDGE: Final[Colour] = (126, 146, 160)
+GOAL: Final[Colour] = (11, 107, 107)
+DRIVEN: Final[Colour] = (200, 30, 30)
+
+WOOD: Final[Colour] = (196, 163, 124)
+DARK_WOOD: Final[Colour] = (142, 110, 82)
+FABRIC: Final[Colour] = (122, 148, 172)
+LINEN: Final[Colour] = (240, 241, 238)
+CERAMIC: Final[Colour] = (248, 250, 250)
+METAL: Final[Colour] = (156, 166, 174)
+LEAF: Final[Colour] = (104, 150, 106)
+DARK: Final[Colour] = (62, 72, 82)
+ACCENT: Final[Colour] = (226, 170, 92)
+
+FRAME: Final[Colour] = (14, 124, 124)
+TYRE: Final[Colour] = (48, 54, 60)
+CUSHION: Final[Colour] = (74, 86, 98)
+SKIN: Final[Colour] = (224, 182, 152)
+HAIR: Final[Colour] = (92, 70, 54)
+SHIRT: Final[Colour] = (94, 168, 180)
+TROUSERS: Final[Colour] = (70, 92, 130)
+
+DRIVEN_STROKE: Final = "#c81e1e"
+PRESCRIBED_STROKE: Final = "#1d5fa8"
+"""Plots show the prescribed path blue; on the floor it is white, where it is looked at from a chair."""

@@ -1,0 +1,60 @@
+"""Keeps the scene at the newest tick: a thread of its own, sixty times a second."""
+
+import threading
+from collections.abc import Callable
+from typing import Final
+
+import numpy as np
+
+from app.clock import MonotonicClock
+from app.scene.scene import Scene
+from app.scene.servers import RoleServers
+
+RATE: Final = 60.0  # Hz
+STAMP_EVERY: Final = 0.1  # s
+
+ReadNewest = Callable[[], "np.void | None"]
+
+
+class SceneThread:
+    """A scene and the thread that lets it follow the ticks; `stop` ends the thread, not the servers."""
+
+    def __init__(self, scene: Scene, read_newest: ReadNewest) -> None:
+        self.scene = scene
+        self._read_newest = read_newest
+        self._ended = threading.Event()
+        self._thread = threading.Thread(target=self._run, name="scene", daemon=True)
+
+    def start(self) -> None:
+        """Begin to follow."""
+        self._thread.start()
+
+    def stop(self) -> None:
+        """End the thread and wait for it; once more does nothing."""
+        self._ended.set()
+        if self._thread.is_alive():
+            self._thread.join()
+
+    def _run(self) -> None:
+        clock = MonotonicClock()
+        number, moved_at = -1, clock.now()
+        deadline = stamp_at = clock.now()
+        while not self._ended.is_set():
+            tick = self._read_newest()
+            now = clock.now()
+            if tick is not None and int(tick["number"]) != number:
+                number, moved_at = int(tick["number"]), now
+                self.scene.follow(tick)
+            if now >= stamp_at:
+                self.scene.tell_time(now, now - moved_at)
+                stamp_at = now + STAMP_EVERY
+            # A turn that came late is left out, not made up for.
+            deadline = max(deadline + 1 / RATE, clock.now())
+            self._ended.wait(max(deadline - clock.now(), 0.0))
+
+
+def start_scene(servers: RoleServers, read_newest: ReadNewest) -> SceneThread:
+    """Draw the scene on the servers and let it follow the newest tick; stop it before the servers."""
+    thread = SceneThread(Scene(servers), read_newest)
+    thread.start()
+    return thread

@@ -1,0 +1,107 @@
+"""The driven trajectory, red on the floor: thinned out, and drawn in pieces so that only the last one is sent again."""
+
+import math
+from typing import Final
+
+import numpy as np
+import viser
+from numpy.typing import NDArray
+
+from app.geometry import Pose, wrap_angle
+from app.scene import palette
+
+STEP = 0.05  # m; a point is kept when the chair has moved or turned this far
+TURN = math.radians(5)
+JUMP = 0.5  # m; a chair that is put somewhere else has not driven there
+PIECE = 400  # points; a piece of this length is closed and never sent again
+SEND_EVERY = 0.2  # s
+AT: Final = 0.045  # m above the floor, over the white path
+THICKNESS = 4.0  # pixels
+
+
+class Thinned:
+    """Keeps only the points of a trajectory that can be told apart."""
+
+    def __init__(self) -> None:
+        self._last: Pose | None = None
+
+    def keep(self, pose: Pose) -> bool:
+        """Tell whether to keep this point: the first one, and each that is far enough from the last one kept."""
+        last = self._last
+        if (
+            last is not None
+            and math.hypot(pose.x - last.x, pose.y - last.y) < STEP
+            and abs(wrap_angle(pose.theta - last.theta)) < TURN
+        ):
+            return False
+        self._last = pose
+        return True
+
+
+class Pieces:
+    """The points of the trajectory, cut into pieces that join without a gap."""
+
+    def __init__(self) -> None:
+        self._thinned = Thinned()
+        self.points: list[list[tuple[float, float]]] = [[]]
+
+    def add(self, pose: Pose) -> bool:
+        """Take a pose; return whether it became a point of the last piece."""
+        if not self._thinned.keep(pose):
+            return False
+        point = (pose.x, pose.y)
+        piece = self.points[-1]
+        if piece and math.dist(piece[-1], point) > JUMP:
+            self.points.append([])
+        elif len(piece) >= PIECE:
+            self.points.append([piece[-1]])
+        self.points[-1].append(point)
+        return True
+
+
+class Trajectory:
+    """The trajectory on one role's 3D server."""
+
+    def __init__(self, server: viser.ViserServer) -> None:
+        self._server = server
+        self._pieces = Pieces()
+        self._nodes: dict[int, viser.LineSegmentsHandle] = {}
+        self._drawn = (0, 0)  # pieces, and points of the last one
+        self._sent_at = -math.inf
+
+    def add(self, pose: Pose, t: float) -> None:
+        """Take the chair's pose at `t` (s) and draw what is new, a few times a second."""
+        self._pieces.add(pose)
+        now = (len(self._pieces.points), len(self._pieces.points[-1]))
+        if now == self._drawn or t - self._sent_at < SEND_EVERY:
+            return
+        # Pieces closed since the last time are drawn once more, to their ends.
+        for number in range(max(self._drawn[0] - 1, 0), now[0]):
+            self._draw(number)
+        self._drawn, self._sent_at = now, t
+
+    def clear(self) -> None:
+        """Forget everything: a new trial begins."""
+        for node in self._nodes.values():
+            node.remove()
+        self._nodes.clear()
+        self._pieces = Pieces()
+        self._drawn, self._sent_at = (0, 0), -math.inf
+
+    def _draw(self, number: int) -> None:
+        segments = line_segments(self._pieces.points[number])
+        if not len(segments):
+            return
+        if number in self._nodes:
+            self._nodes[number].points = segments
+            return
+        self._nodes[number] = self._server.scene.add_line_segments(
+            f"/world/driven/{number}", segments, palette.DRIVEN, thickness=THICKNESS, thickness_units="screen"
+        )
+
+
+def line_segments(points: list[tuple[float, float]]) -> NDArray[np.float32]:
+    """Return the pieces of a line through points (x, y): (n - 1, 2, 3) in m, just above the floor."""
+    line = np.full((len(points), 3), AT, dtype=np.float32)
+    line[:, :2] = np.array(points, dtype=np.float32).reshape(-1, 2)
+    return np.stack([line[:-1], line[1:]], axis=1)

@@ -1,0 +1,156 @@
+"""A web process with nothing but the 3D view, and a chair that drives along the path: for the tests of the view.
+
+python tests/browser/view_app.py --floorplan clinic --port 8090
+"""
+
+import argparse
+import math
+import socket
+import sys
+import threading
+from collections.abc import AsyncIterator, Iterator
+from contextlib import asynccontextmanager, contextmanager
+
+import numpy as np
+import uvicorn
+from fastapi import FastAPI, WebSocket
+
+from app.api.view_bridge import view_router
+from app.api.view_controls import view_controls
+from app.clock import MonotonicClock, monotonic
+from app.geometry import Pose
+from app.messages import TICK
+from app.scene.scene_thread import SceneThread, start_scene
+from app.scene.servers import Role, RoleServers
+from app.world.floorplan import FloorPlan, bundled_floorplans, load_floorplan
+
+SPEED = 0.8  # m/s
+
+
+class Ride:
+    """Ticks of a chair that follows a path, swaying a little, again and again."""
+
+    def __init__(self, plan: FloorPlan, path_name: str) -> None:
+        self.line = plan.path_named(path_name).line
+        self.held_at: float | None = None  # m along the path; None: it drives
+        self._began = monotonic()
+
+    def tick(self) -> np.void:
+        """Return the tick of this moment."""
+        now = monotonic()
+        along = ((now - self._began) * SPEED) % self.line.length if self.held_at is None else self.held_at
+        pose = self.pose(along)
+        tick = np.zeros(1, dtype=TICK)[0]
+        tick["number"] = int((now - self._began) * 100) + 1
+        tick["t"], tick["x"], tick["y"], tick["theta"] = now, *pose
+        return tick
+
+    def pose(self, along: float) -> Pose:
+        """Return the place at `along` metres, up to 0.2 m beside the path."""
+        x, y = self.line.point_at(along)
+        ahead_x, ahead_y = self.line.point_at(along + 0.4)
+        heading = (
+            math.atan2(ahead_y - y, ahead_x - x) if along < self.line.length - 0.1 else self.line.heading_at(along)
+        )
+        aside = 0.2 * math.sin(1.3 * along)
+        return Pose(x - aside * math.sin(heading), y + aside * math.cos(heading), heading)
+
+
+def view_app(plan: FloorPlan, path_name: str, rides: list[tuple[Ride, SceneThread]]) -> FastAPI:
+    """Return the application; while it runs, its ride and scene are in `rides`."""
+
+    @asynccontextmanager
+    async def lifespan(app: FastAPI) -> AsyncIterator[None]:
+        with RoleServers() as servers:
+            ride = Ride(plan, path_name)
+            thread = start_scene(servers, ride.tick)
+            thread.scene.set_floorplan(plan, path_name)
+            app.state.servers, app.state.scene = servers, thread.scene
+            rides.append((ride, thread))
+            try:
+                yield
+            finally:
+                thread.stop()
+                app.state.servers = None
+
+    @asynccontextmanager
+    async def anybody(websocket: WebSocket, role: Role) -> AsyncIterator[bool]:
+        yield True
+
+    def port_of(role: Role) -> int | None:
+        servers = app.state.servers
+        return None if servers is None else servers.port(role)
+
+    app = FastAPI(lifespan=lifespan)
+    app.include_router(view_router(port_of, anybody, lambda: None))
+    app.include_router(view_controls(lambda: app.state.scene, lambda: None), prefix="/api/v1")
+    return app
+
+
+class Running:
+    """The application in a thread of this process."""
+
+    def __init__(self, plan: FloorPlan, path_name: str) -> None:
+        self._rides: list[tuple[Ride, SceneThread]] = []
+        self.socket = socket.socket()
+        self.socket.bind(("127.0.0.1", 0))
+        app = view_app(plan, path_name, self._rides)
+        config = uvicorn.Config(
+            app, log_level="error", ws_per_message_deflate=False, ws_ping_interval=2, ws_ping_timeout=3
+        )
+        self._server = uvicorn.Server(config)
+        self._thread = threading.Thread(target=self._server.run, args=([self.socket],))
+        self.address = f"http://127.0.0.1:{self.socket.getsockname()[1]}"
+
+    @property
+    def ride(self) -> Ride:
+        """Return what moves the chair."""
+        return self._rides[0][0]
+
+    @property
+    def scene_thread(self) -> SceneThread:
+        """Return what follows it."""
+        return self._rides[0][1]
+
+    def start(self) -> None:
+        """Return when it serves."""
+        self._thread.start()
+        clock = MonotonicClock()
+        while not self._server.started:
+            if not self._thread.is_alive():
+                raise RuntimeError("the application did not start: see its message above")
+            clock.sleep_until(clock.now() + 0.02)
+
+    def stop(self) -> None:
+        """Return when everything has ended."""
+        self._server.should_exit = True
+        self._thread.join()
+        self.socket.close()
+
+
+@contextmanager
+def running(plan: FloorPlan, path_name: str = "main") -> Iterator[Running]:
+    """Serve the 3D view of a plan."""
+    served = Running(plan, path_name)
+    served.start()
+    try:
+        yield served
+    finally:
+        served.stop()
+
+
+def main() -> None:
+    """Serve until interrupted."""
+    words = argparse.ArgumentParser(description="Serve the 3D view of a floor plan, with a chair that drives.")
+    words.add_argument("--floorplan", default="clinic", choices=list(bundled_floorplans()))
+    words.add_argument("--path", default="main")
+    words.add_argument("--port", type=int, default=8090)
+    chosen = words.parse_args()
+    plan = load_floorplan(bundled_floorplans()[chosen.floorplan])
+    app = view_app(plan, chosen.path, [])
+    sys.stdout.write(f"http://127.0.0.1:{chosen.port}/view/clinician/\n")
+    uvicorn.run(app, host="127.0.0.1", port=chosen.port, log_level="warning", ws_per_message_deflate=False)
+
+
+if __name__ == "__main__":
+    main()
