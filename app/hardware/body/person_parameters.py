@@ -43,6 +43,7 @@ class PersonParameters:
     rise_base, rise_slope : a stroke takes rise_base + rise_slope x size seconds: larger movements last little longer
         (isochrony principle, Viviani and Terzuolo 1982).
     return_factor : the way back to rest takes so many times as long: nothing hurries it.
+    shrug : of a shoulder's stroke, how much of it at most goes up or down instead: nobody moves in one way alone.
     smallest, largest : bounds of a stroke's size, of the joint's range.
     cruise_speed, corner_speed, goal_speed : m/s that feel right on the straight, in a corner and at the goal; the
         chair could do 0.8. Indoors, powered chairs are driven at 0.3 to 0.6 m/s.
@@ -69,6 +70,7 @@ class PersonParameters:
     rise_base: float = 0.45
     rise_slope: float = 0.35
     return_factor: float = 1.6
+    shrug: float = 0.15
     smallest: float = 0.18
     largest: float = 0.95
     cruise_speed: float = 0.6

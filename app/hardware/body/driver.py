@@ -1,0 +1,152 @@
+"""How the simulated person drives: sees late, moves in strokes, errs, and learns."""
+
+import math
+import random
+from collections import deque
+from collections.abc import Sequence
+
+from app.geometry import Pose, wrap_angle
+from app.hardware.body.limb import Limb
+from app.hardware.body.person_parameters import PersonParameters
+from app.hardware.body.steering import Steering, Wish
+from app.hardware.body.stroke_estimate import StrokeEstimate
+
+LIMB_OF: dict[Wish, str] = {
+    "faster": "right_elbow",
+    "slower": "left_elbow",
+    "left": "right_shoulder",
+    "right": "left_shoulder",
+}
+WISH_OF: dict[str, Wish] = {limb: wish for wish, limb in LIMB_OF.items()}
+OTHER_ELBOW = {"right_elbow": "left_elbow", "left_elbow": "right_elbow"}
+"""Both elbows together are the stop gesture: nobody does that by mistake twice, so it is never done here."""
+
+USUAL_EFFECT: dict[Wish, float] = {"faster": 0.3, "slower": 0.3, "left": 0.45, "right": 0.45}
+"""What a full stroke does under the standard parameters, m/s and rad: first beliefs are spread around it."""
+USUAL_LOSS = 0.08  # of the range, taken by the dead-zone
+LOOK_PERIOD = 0.05  # s between two looks at whether something should be done
+SLOWEST, FASTEST = -0.29, 0.79  # m/s: at the limits of speed, a stroke shows less than it does
+SETTLING = 0.12  # s until a finished stroke has passed the low-pass filter
+
+
+class Stroke:
+    """A stroke under way, and what was seen before it."""
+
+    __slots__ = ("before", "end", "limb", "size", "spoilt")
+
+    def __init__(self, limb: str, size: float, end: float, before: float) -> None:
+        self.limb, self.size, self.end, self.before = limb, size, end, before
+        self.spoilt = False  # a wall or a limit of speed had its part in the outcome
+
+
+class Driver:
+    """From what is seen of the chair to strokes of four limbs."""
+
+    def __init__(self, parameters: PersonParameters, seed: int) -> None:
+        self.parameters = parameters
+        self.practice = parameters.practice  # strokes
+        self.limbs = {limb: Limb() for limb in WISH_OF}
+        self._random = random.Random(seed)
+        spread = parameters.estimate_error.after(parameters.practice)
+        self.estimates = {
+            limb: StrokeEstimate(USUAL_EFFECT[wish] * math.exp(self._random.gauss(0, spread)), USUAL_LOSS)
+            for limb, wish in WISH_OF.items()
+        }
+        self.steering: Steering | None = None
+        self._seen: deque[tuple[float, Pose, float, bool]] = deque()
+        self._open: list[Stroke] = []  # strokes whose outcome has not been seen yet
+        self._free_at = 0.0
+        self._look_at = 0.0
+        self._began = False
+
+    def set_path(self, points: Sequence[tuple[float, float]]) -> None:
+        """Show the path to follow, as points in m."""
+        self.steering = Steering(points, self.parameters)
+        self._began = False
+
+    def rest(self) -> None:
+        """Stop driving: limbs under way come back by themselves."""
+        self._began = False
+        self._seen.clear()
+        self._open.clear()
+
+    def drive(self, t: float, pose: Pose, v: float, in_contact: bool) -> None:
+        """Look at `t` (s) at the chair's pose, speed (m/s) and contact, and begin a stroke when one is due."""
+        if self.steering is None:
+            return
+        if not self._began:
+            self._began = True
+            self.steering.begin(pose)
+            self._free_at = self._look_at = t + self.parameters.reaction_time + self._pause()
+        seen = self._seen
+        seen.append((t, pose, v, in_contact))
+        while len(seen) > 1 and seen[1][0] <= t - self.parameters.reaction_time:
+            seen.popleft()
+        if t >= self._look_at:
+            self._look_at = t + LOOK_PERIOD
+            self._look(t, *seen[0])
+
+    def _look(self, t: float, seen_t: float, pose: Pose, v: float, in_contact: bool) -> None:
+        self._learn_from_outcomes(seen_t, pose, v, in_contact)
+        if t < self._free_at or any(limb.is_rising(t) for limb in self.limbs.values()) or self.steering is None:
+            return
+        late = t - seen_t
+        now = Pose(
+            pose.x + v * late * math.cos(pose.theta),
+            pose.y + v * late * math.sin(pose.theta),
+            pose.theta,
+        )
+        intention = self.steering.want(t, now, v)
+        if intention is None:
+            return
+        limb = LIMB_OF[intention.wish]
+        if self._awaits_outcome(limb) or not self._can_move(limb, t):
+            return
+        size = self.estimates[limb].size_for(intention.effect)
+        self._begin_stroke(t, limb, size, pose, v)
+
+    def _can_move(self, limb: str, t: float) -> bool:
+        """Return whether a limb is back at rest, and for an elbow, the other elbow too."""
+        other = OTHER_ELBOW.get(limb)
+        return self.limbs[limb].is_ready(t) and (other is None or self.limbs[other].is_resting(t))
+
+    def _begin_stroke(self, t: float, limb: str, size: float, pose: Pose, v: float) -> None:
+        p, rng = self.parameters, self._random
+        if rng.random() < p.wrong_limb.after(self.practice):
+            wrong = rng.choice([name for name in self.limbs if name != limb])
+            limb = wrong if self._can_move(wrong, t) else limb
+        size = min(p.largest, max(p.smallest, size))
+        size *= 1 + rng.gauss(0, p.stroke_noise.after(self.practice))
+        size = min(1.0, max(p.smallest / 2, size + rng.gauss(0, p.constant_noise)))
+        rise = (p.rise_base + p.rise_slope * size) * max(0.6, 1 + rng.gauss(0, p.timing_noise))
+        self.limbs[limb].aside = rng.uniform(-p.shrug, p.shrug)
+        done = self.limbs[limb].stroke(t, size, rise, rise * p.return_factor)
+        before = v if limb in OTHER_ELBOW else pose.theta
+        self._open.append(Stroke(limb, done, t + rise, before))
+        self._free_at = t + rise + self._pause()
+        if p.learns:
+            self.practice += 1
+
+    def _pause(self) -> float:
+        """Return how long to think before the next stroke, s."""
+        return self.parameters.hesitation.after(self.practice) * self._random.uniform(0.5, 1.5)
+
+    def _awaits_outcome(self, limb: str) -> bool:
+        """Return whether a stroke on the same control has not shown its outcome yet."""
+        return any((stroke.limb in OTHER_ELBOW) == (limb in OTHER_ELBOW) for stroke in self._open)
+
+    def _learn_from_outcomes(self, seen_t: float, pose: Pose, v: float, in_contact: bool) -> None:
+        """Compare what is seen of finished strokes with what was expected of them, and correct the beliefs."""
+        open_strokes = []
+        for stroke in self._open:
+            elbow = stroke.limb in OTHER_ELBOW
+            stroke.spoilt = stroke.spoilt or (elbow and in_contact)
+            if seen_t < stroke.end + SETTLING:
+                open_strokes.append(stroke)
+                continue
+            change = v - stroke.before if elbow else wrap_angle(pose.theta - stroke.before)
+            effect = change if WISH_OF[stroke.limb] in ("faster", "left") else -change
+            at_limit = elbow and not SLOWEST < v < FASTEST
+            if self.parameters.learns and not stroke.spoilt and not at_limit:
+                self.estimates[stroke.limb].learn(stroke.size, effect, self.parameters.correction)
+        self._open = open_strokes

@@ -1,0 +1,62 @@
+"""A simulated person: follows cues, and drives by himself along the path he is shown."""
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.hardware.base import BodyView
+from app.hardware.body.cued import CuedBody
+from app.hardware.body.driver import Driver
+from app.hardware.body.joints import ARM_DEGREES_OF_FREEDOM, second_way
+from app.hardware.body.person_parameters import PARAMETERS, PersonParameters, Skill
+
+
+class Person:
+    """A body that does as the cues say, and while it may drive, drives with the paper's vocabulary.
+
+    The same seed makes the same person with the same errors. What is practised stays: a new run finds the person as the
+    last one left him; only `reset` brings back the first day.
+    """
+
+    def __init__(self, skill: Skill | PersonParameters, seed: int) -> None:
+        self.parameters = skill if isinstance(skill, PersonParameters) else PARAMETERS[skill]
+        self.joints = ARM_DEGREES_OF_FREEDOM
+        self._seed = seed
+        self._path: tuple[tuple[float, float], ...] | None = None
+        self._posture = np.zeros(len(self.joints))
+        self.reset()
+
+    def reset(self) -> None:
+        """Come back to rest as on the first day: nothing practised, and everything random begins anew."""
+        self._t = 0.0
+        self._cued = CuedBody(self.joints, self._seed)
+        self.driver = Driver(self.parameters, self._seed)
+        self._limbs = []
+        for name, limb in self.driver.limbs.items():
+            aside = second_way(name)
+            self._limbs.append((limb, self.joints.index(name), None if aside is None else self.joints.index(aside)))
+        if self._path is not None:
+            self.driver.set_path(self._path)
+
+    def set_path(self, points: Sequence[tuple[float, float]]) -> None:
+        """Show the path to follow, as points in m."""
+        self._path = tuple((float(x), float(y)) for x, y in points)
+        self.driver.set_path(self._path)
+
+    def step(self, dt: float, view: BodyView) -> NDArray[np.float64]:
+        """Live on for `dt` (s) and return the posture (n_joints,): 0 at rest, 1 fully towards the gesture."""
+        self._t += dt
+        if view.driving:
+            self.driver.drive(self._t, view.pose, view.v, view.in_contact)
+        else:
+            self.driver.rest()
+        posture = self._posture
+        posture[:] = self._cued.follow(dt, None if view.driving else view.cue)
+        for limb, along, aside in self._limbs:
+            if not limb.is_resting(self._t):
+                level = limb.level(self._t)
+                posture[along] += level
+                if aside is not None:
+                    posture[aside] += level * limb.aside
+        return posture

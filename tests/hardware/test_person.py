@@ -1,0 +1,190 @@
+"""The simulated person: strokes, beliefs, steering, and learning that is his own."""
+
+import dataclasses
+import itertools
+import math
+import subprocess
+import sys
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from app.geometry import Pose
+from app.hardware.body.course import Course
+from app.hardware.body.driver import Driver
+from app.hardware.body.limb import Limb
+from app.hardware.body.person_parameters import NOVICE, PRACTISED, Practised
+from app.hardware.body.steering import Steering
+from app.hardware.body.stroke_estimate import StrokeEstimate
+
+CORNER = ((0.0, 0.0), (6.0, 0.0), (6.0, 6.0))
+
+
+def course(points=CORNER):
+    return Course(points, cruise=0.6, corner=0.2, goal=0.35, braking=0.15)
+
+
+def test_a_limb_rises_to_its_size_and_returns_more_slowly() -> None:
+    limb = Limb()
+    assert limb.stroke(1.0, 0.6, 0.5, 0.8) == pytest.approx(0.6)
+    assert limb.level(1.0) == 0.0
+    assert limb.level(1.25) == pytest.approx(0.3)  # a minimum-jerk movement is symmetric
+    assert limb.level(1.5) == pytest.approx(0.6)
+    assert limb.is_rising(1.49)
+    assert not limb.is_rising(1.5)
+    assert limb.level(1.9) == pytest.approx(0.3)
+    assert not limb.is_resting(2.2)
+    assert limb.is_resting(2.31)
+    assert limb.level(5.0) == 0.0
+
+
+@given(st.floats(0.05, 1.0), st.floats(0.1, 2.0), st.floats(0.1, 3.0), st.floats(0.0, 5.0))
+def test_a_limb_never_leaves_its_range_nor_jumps(size: float, rise: float, back: float, again: float) -> None:
+    limb = Limb()
+    limb.stroke(0.0, size, rise, back)
+    before = limb.level(again)
+    limb.stroke(again, size, rise, back)
+    assert limb.level(again) == pytest.approx(before)
+    levels = [limb.level(again + i * 0.01) for i in range(600)]
+    assert all(0.0 <= level <= 1.0 for level in levels)
+    assert max(abs(b - a) for a, b in itertools.pairwise(levels)) <= 1.9 * 0.01 / min(rise, back)
+
+
+def test_a_belief_comes_to_the_truth() -> None:
+    estimate = StrokeEstimate(gain=2.0, lost=0.02)
+    sizes = [0.2 + 0.7 * ((i * 7) % 10) / 10 for i in range(400)]
+    for size in sizes:
+        estimate.learn(size, 0.8 * (size - 0.1), 0.2)
+    for size in (0.3, 0.6, 0.9):
+        assert estimate.effect_of(size) == pytest.approx(0.8 * (size - 0.1), abs=0.03)
+        assert estimate.size_for(estimate.effect_of(size)) == pytest.approx(size)
+
+
+@given(st.floats(0.1, 5.0), st.floats(0.0, 1.0), st.floats(-10, 10))
+def test_one_freak_does_not_break_a_belief(gain: float, size: float, effect: float) -> None:
+    estimate = StrokeEstimate(gain, 0.08)
+    estimate.learn(size, effect, 0.08)
+    assert 0.1 <= estimate.gain <= 5.0
+    assert 0.0 <= estimate.lost <= 0.25
+
+
+def test_practice_is_exponential() -> None:
+    quantity = Practised(0.4, 0.1, 350.0)
+    assert quantity.after(0) == pytest.approx(0.4)
+    assert quantity.after(350) == pytest.approx(0.1 + 0.3 / math.e)
+    assert quantity.after(1e6) == pytest.approx(0.1)
+
+
+def test_the_course_is_slow_at_corners_and_at_the_goal() -> None:
+    seen = course()
+    assert seen.speed(3.0) == pytest.approx(0.6)
+    assert seen.speed(6.0) == pytest.approx(0.2)
+    assert seen.speed(5.2) < 0.6  # braking begins before the corner
+    assert seen.speed(12.0) == pytest.approx(0.35)
+
+
+def test_the_bearing_leads_to_the_path_and_round_the_corner() -> None:
+    seen = course()
+    seen.begin(Pose(0.0, 0.0, 0.0))
+    assert seen.bearing(0.0, 0.5, 1.0) < 0
+    for i in range(60):
+        seen.follow(i * 0.1, 0.0)
+    assert seen.bearing(5.9, 0.0, 1.0) > 0.8
+
+
+def test_who_is_lost_goes_back_the_way_he_came() -> None:
+    """Through a door on the left and round behind a wall: not straight at the path, but back to the door."""
+    seen = course(((0.0, 0.0), (20.0, 0.0)))
+    seen.begin(Pose(0.0, 0.0, 0.0))
+    way = [(0.1 * i, 0.0) for i in range(30)]
+    way += [(2.9, 0.1 * i) for i in range(30)]
+    way += [(2.9 + 0.1 * i, 2.9) for i in range(30)]
+    for x, y in way:
+        seen.follow(x, y)
+    assert seen.is_lost
+    assert abs(math.remainder(seen.bearing(*way[-1], 1.0) - math.pi, math.tau)) < 0.2
+    for x, y in reversed(way):
+        seen.follow(x, y)
+    assert not seen.is_lost
+
+
+def test_steering_wishes() -> None:
+    steering = Steering(CORNER, PRACTISED)
+    steering.begin(Pose(0.0, 0.0, 0.0))
+    start = steering.want(0.0, Pose(0.0, 0.0, 0.0), 0.0)
+    assert start is not None
+    assert start.wish == "faster"
+    assert steering.want(0.1, Pose(0.5, 0.0, 0.4), 0.6).wish == "right"
+    assert steering.want(0.2, Pose(0.5, 0.0, -0.4), 0.6).wish == "left"
+    assert steering.want(0.3, Pose(1.0, 0.0, 0.0), 0.6) is None
+    assert steering.want(0.4, Pose(1.0, 0.0, 0.0), -0.2).wish == "faster"
+    for x in (2.0, 3.0, 4.0, 5.0):
+        steering.want(1.0, Pose(x, 0.0, 0.0), 0.6)
+    assert steering.want(9.0, Pose(5.5, 0.0, 0.0), 0.7).wish == "slower"
+
+
+def test_who_is_stuck_backs_away_and_then_drives_on() -> None:
+    steering = Steering(((0.0, 0.0), (9.0, 0.0)), PRACTISED)
+    steering.begin(Pose(0.0, 0.0, 0.0))
+    wishes = [steering.want(0.1 * i, Pose(0.6, 0.0, 0.0), 0.5) for i in range(30)]
+    assert wishes[5] is None or wishes[5].wish == "faster"
+    assert wishes[-1] is not None
+    assert wishes[-1].wish == "slower"
+    assert steering.want(3.5, Pose(0.5, 0.0, 0.0), -0.15) is None
+    assert steering.want(4.5, Pose(0.25, 0.0, 0.0), -0.15).wish == "faster"
+
+
+def drive(driver: Driver, seconds: float, t: float = 0.0) -> list[dict[str, float]]:
+    """Let a driver move his limbs before a chair that never moves."""
+    levels = []
+    for i in range(round(seconds * 100)):
+        now = t + i / 100
+        driver.drive(now, Pose(0.0, 0.0, 1.0), 0.0, False)
+        levels.append({name: limb.level(now) for name, limb in driver.limbs.items()})
+    return levels
+
+
+def test_nothing_moves_before_the_reaction_time() -> None:
+    driver = Driver(NOVICE, 1)
+    driver.set_path(CORNER)
+    levels = drive(driver, 10.0)
+    moving = [i for i, level in enumerate(levels) if any(level.values())]
+    assert moving[0] / 100 >= NOVICE.reaction_time
+
+
+def test_both_elbows_are_never_away_from_rest_together() -> None:
+    for seed in range(5):
+        driver = Driver(NOVICE, seed)
+        driver.set_path(CORNER)
+        for level in drive(driver, 120.0):
+            assert not (level["right_elbow"] > 0 and level["left_elbow"] > 0)
+
+
+def test_one_seed_moves_one_way() -> None:
+    first, second, other = (Driver(NOVICE, seed) for seed in (3, 3, 4))
+    for driver in (first, second, other):
+        driver.set_path(CORNER)
+    assert drive(first, 20.0) == drive(second, 20.0)
+    assert drive(Driver(NOVICE, 3), 1.0) != drive(other, 20.0)
+
+
+def test_who_does_not_learn_gains_no_practice() -> None:
+    driver = Driver(dataclasses.replace(NOVICE, learns=False), 1)
+    driver.set_path(CORNER)
+    before = [(estimate.gain, estimate.lost) for estimate in driver.estimates.values()]
+    drive(driver, 60.0)
+    assert driver.practice == 0
+    assert [(estimate.gain, estimate.lost) for estimate in driver.estimates.values()] == before
+    keen = Driver(NOVICE, 1)
+    keen.set_path(CORNER)
+    drive(keen, 60.0)
+    assert keen.practice > 10
+
+
+def test_the_person_needs_no_scientific_library() -> None:
+    code = (
+        "import sys, app.hardware.body.person; print([m for m in ('scipy', 'sklearn', 'pandas') if m in sys.modules])"
+    )
+    seen = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert seen.stdout.strip() == "[]"
