@@ -1,0 +1,88 @@
+"""`bodydrive study`: the paper's experiment without a screen, faster than real time."""
+
+import json
+import sys
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from app.cli.errors import InputError
+from app.clock import stopwatch
+from app.session.figures import FigureFormat
+from app.session.study import run_study
+from app.session.study_files import check_folder, summary, write_study
+from app.session.study_trial import StudyTrial
+from app.world.floorplan import FloorPlan, bundled_floorplans, load_floorplan
+
+MOST_TRIALS = 1000
+LARGEST_SEED = 2**31 - 1
+
+
+def study(
+    out: Annotated[Path, typer.Option(help="Folder to write; it must be new or empty.")],
+    trials: Annotated[int, typer.Option(min=1, max=MOST_TRIALS, help="How often the path is driven.")] = 22,
+    seed: Annotated[int, typer.Option(min=0, max=LARGEST_SEED, help="The same seed gives the same numbers.")] = 1,
+    floorplan: Annotated[str, typer.Option(help="Name of a bundled floor plan, or a JSON file.")] = "clinic",
+    path: Annotated[str | None, typer.Option(help="Name of a path in it; the first when not given.")] = None,
+    figure_format: Annotated[FigureFormat, typer.Option("--format", help="Of the figures.")] = "png",
+    overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace what the folder holds.")] = False,
+    as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")] = False,
+) -> None:
+    """Let a simulated person calibrate, then drive a path again and again, and score every trial."""
+    try:
+        check_folder(out, overwrite)
+    except ValueError as error:
+        raise InputError(f"--out {error}") from error
+    plan = find_floorplan(floorplan)
+    started = stopwatch()
+    try:
+        chosen = plan.path_named(path) if path is not None else plan.paths[0]
+    except ValueError as error:
+        raise InputError(f"--path: {error}") from error
+    try:
+        result = run_study(trials, seed, plan, chosen.name, progress=None if as_json else _Progress(trials))
+        write_study(result, out, figure_format, overwrite)
+    except ValueError as error:
+        raise InputError(str(error)) from error
+    except OSError as error:
+        raise InputError(f"--out {out} cannot be written ({error.strerror}): choose another place") from error
+    if as_json:
+        typer.echo(json.dumps({"out": str(out), **summary(result)}, allow_nan=False))
+        return
+    for name in ("dist", "e_diff"):
+        typer.echo(result.learning[name]["text"])
+    typer.echo(f"{trials} trials in {stopwatch() - started:.1f} s, written to {out}")
+
+
+def find_floorplan(name: str) -> FloorPlan:
+    """Return the bundled floor plan of this name, or the one in the file of this name.
+
+    Raises
+    ------
+    InputError
+        When there is neither.
+    """
+    bundled = bundled_floorplans()
+    file = bundled.get(name, Path(name))
+    if name not in bundled and not file.exists():
+        raise InputError(f"--floorplan {name}: there is no such floor plan: use {', '.join(bundled)} or a JSON file")
+    try:
+        return load_floorplan(file)
+    except ValueError as error:
+        raise InputError(f"--floorplan {error}") from error
+
+
+class _Progress:
+    """Says on stderr how far it is."""
+
+    def __init__(self, trials: int) -> None:
+        self._trials = trials
+
+    def __call__(self, trial: StudyTrial) -> None:
+        measures: dict[str, Any] = trial.measures
+        reached = "" if measures["reached"] else ", goal not reached"
+        sys.stderr.write(
+            f"trial {trial.number} of {self._trials}: Dist {measures['dist']:.1f} m, "
+            f"E_diff {measures['e_diff']:.2f} m², {measures['time']:.0f} s{reached}\n"
+        )

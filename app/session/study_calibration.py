@@ -1,0 +1,49 @@
+"""The calibration of a study: the application's own script and fit, with a simulated person in the shirt."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.calibration.fit import fit_profile
+from app.calibration.profile import CalibrationProfile
+from app.calibration.repetitions import Repetition, repetitions_of_run
+from app.calibration.script import Step, calibration_script
+from app.cues import cue_index
+from app.messages import NO_CUE
+from app.session.wearer import Wearer
+
+
+def calibrate(wearer: Wearer) -> CalibrationProfile:
+    """Take the wearer through rest, free movement and prompts, and fit the profile.
+
+    Raises
+    ------
+    ValueError
+        When no joint can be mapped.
+    """
+    rest = free = None
+    repetitions: list[Repetition] = []
+    for step in calibration_script(wearer.layout):
+        values, cue = record_step(wearer, step)
+        within = np.array([index != NO_CUE and step.cues[index].kind == step.kind for index in cue])
+        if step.kind == "rest":
+            rest = values[within]
+        elif step.kind == "free":
+            free = values[within]
+        else:
+            repetitions += repetitions_of_run(values, cue, step.cues, wearer.sample_rate)
+    if free is None:
+        raise ValueError("the calibration's script has no free movement: add one")
+    return fit_profile(wearer.layout, wearer.sample_rate, free, rest, repetitions)
+
+
+def record_step(wearer: Wearer, step: Step) -> tuple[NDArray[np.float32], NDArray[np.int32]]:
+    """Return the frames of one step (n, n_channels), and for each the index of its cue (n,)."""
+    count = round(step.duration * wearer.sample_rate)
+    values = np.empty((count, len(wearer.layout.channels)), dtype=np.float32)
+    cue = np.empty(count, dtype=np.int32)
+    for i in range(count):
+        run_t = i / wearer.sample_rate
+        cue[i] = cue_index(step.cues, run_t)
+        asked = None if cue[i] == NO_CUE else step.cues[cue[i]]
+        values[i] = wearer.follow(asked, run_t - asked.start if asked else 0.0).values
+    return values, cue

@@ -1,0 +1,106 @@
+"""One trial of a study: armed behind the neutral check, driven through the chain, scored like any other."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.calibration.vocabulary import DriveParameters
+from app.faults import State
+from app.hardware.chair.simulator import VirtualChair
+from app.messages import Tick
+from app.pipeline.chain import Chain
+from app.pipeline.safety import Conditions
+from app.session.metrics import path_measures
+from app.session.wearer import Wearer
+from app.world.floorplan import FloorPlan, PrescribedPath
+from app.world.progress import Progress
+
+REST_BEFORE = 2.0  # s at rest before a trial, so that the last one's strokes are over
+CLEAR_AFTER = 2.0  # s from a latched fault until somebody has looked and lets the person go on
+COLUMNS = ("t", "x", "y", "theta", "v", "omega", "u1", "u2", "in_contact", "contacts")
+
+Numbers = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class StudyTrial:
+    """One attempt along the path."""
+
+    number: int  # from 1
+    measures: dict[str, Any]
+    faults: int  # latched stops on the way
+    t: Numbers  # (n,) s since motion was permitted
+    x: Numbers  # (n,) m
+    y: Numbers
+    theta: Numbers  # rad
+    v: Numbers  # m/s
+    omega: Numbers  # rad/s
+
+
+def drive_trial(
+    number: int, wearer: Wearer, parameters: DriveParameters, floorplan: FloorPlan, path: PrescribedPath
+) -> StudyTrial:
+    """Drive the path once, until the goal or the path's time limit, and score it."""
+    chain = Chain(wearer.sample_rate, parameters, VirtualChair(floorplan, path.start))
+    conditions = Conditions()
+    _settle(wearer, chain, conditions)
+    rows, faults = _drive(wearer, chain, conditions, path)
+    column = dict(zip(COLUMNS, np.array(rows, dtype=np.float64).T, strict=True))
+    column["t"] = column["t"] - column["t"][0]
+    measures = path_measures(
+        column["t"],
+        column["x"],
+        column["y"],
+        path.points,
+        path.goal_radius,
+        in_contact=column["in_contact"],
+        contacts=column["contacts"],
+        u1=column["u1"],
+        u2=column["u2"],
+    )
+    return StudyTrial(number, measures, faults, *(column[name] for name in ("t", "x", "y", "theta", "v", "omega")))
+
+
+def _settle(wearer: Wearer, chain: Chain, conditions: Conditions) -> None:
+    """Sit still for a moment, disarmed."""
+    for _ in range(round(REST_BEFORE * wearer.sample_rate)):
+        frame = wearer.rest()
+        chain.step(frame, frame.t, conditions)
+
+
+def _drive(
+    wearer: Wearer, chain: Chain, conditions: Conditions, path: PrescribedPath
+) -> tuple[list[tuple[float, ...]], int]:
+    """Return one row per tick since motion was permitted, and how many faults were latched on the way."""
+    progress = Progress(path.line, path.goal_radius)
+    rows: list[tuple[float, ...]] = []
+    faults = 0
+    clear_at = 0.0
+    chain.arm()
+    frame = wearer.rest()
+    tick = chain.step(frame, frame.t, conditions)
+    deadline = frame.t + path.time_limit
+    while frame.t < deadline:
+        if tick.state is State.FAULT and clear_at == 0.0:
+            faults += 1
+            clear_at = frame.t + CLEAR_AFTER
+        elif tick.state is State.FAULT and frame.t >= clear_at:
+            chain.gate.clear()
+            chain.arm()
+            clear_at = 0.0
+        frame = wearer.drive(tick)
+        tick = chain.step(frame, frame.t, conditions)
+        if not rows and tick.state is State.ARMED:
+            deadline = frame.t + path.time_limit
+        if rows or tick.state is State.ARMED:
+            rows.append(_row(tick))
+            progress.update(tick.x, tick.y)
+            if progress.reached:
+                break
+    return rows or [_row(tick)], faults
+
+
+def _row(tick: Tick) -> tuple[float, ...]:
+    return tuple(float(getattr(tick, name)) for name in COLUMNS)

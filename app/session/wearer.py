@@ -1,0 +1,53 @@
+"""A simulated person in the simulated shirt: one frame at a time, without a clock of the machine."""
+
+import numpy as np
+
+from app.cues import Cue
+from app.faults import State
+from app.geometry import Pose
+from app.hardware.base import BodyView
+from app.hardware.body.person import Person
+from app.hardware.shirt.fabric import Fabric
+from app.layout import ShirtLayout
+from app.messages import SensorFrame, Tick
+
+
+class Wearer:
+    """Hands out the shirt's frames as fast as they are asked for; its time is the number of frames over the rate."""
+
+    def __init__(self, person: Person, layout: ShirtLayout, sample_rate: float, seed: int) -> None:
+        """Dress `person`; `seed` is the fabric's, `sample_rate` in Hz."""
+        self.person = person
+        self.layout = layout
+        self.sample_rate = sample_rate
+        self._fabric = Fabric(layout, seed)
+        self._order = np.array([person.joints.index(joint) for joint in self._fabric.joints], dtype=np.intp)
+        self._view = BodyView()
+        self._dt = 1.0 / sample_rate
+        self._seq = 0
+
+    def follow(self, cue: Cue | None, elapsed: float) -> SensorFrame:
+        """Return the next frame of somebody who is asked to do `cue`, which came up `elapsed` (s) ago."""
+        self._view = BodyView(cue=cue, cue_elapsed=elapsed)
+        return self._frame()
+
+    def rest(self) -> SensorFrame:
+        """Return the next frame of somebody who has nothing to do."""
+        self._view = BodyView()
+        return self._frame()
+
+    def drive(self, tick: Tick) -> SensorFrame:
+        """Return the next frame of somebody who sees what `tick` says of the chair."""
+        view = self._view
+        view.cue = None
+        view.driving = tick.state is State.ARMED
+        view.pose = Pose(tick.x, tick.y, tick.theta)
+        view.v, view.omega = tick.v, tick.omega
+        view.in_contact = tick.in_contact
+        return self._frame()
+
+    def _frame(self) -> SensorFrame:
+        values = self._fabric.step(self.person.step(self._dt, self._view)[self._order], self._dt)
+        self._seq += 1
+        t = self._seq * self._dt
+        return SensorFrame(self._seq, t, t, values)
