@@ -8,8 +8,8 @@ from fastapi import APIRouter, FastAPI
 
 from app import __version__
 from app.api import auth, calibration, control, controls, equipment, live, patients, review, trials
-from app.api.deps import People
-from app.api.flows import Flows
+from app.api.deps import People, anyone_signed_in, clinician
+from app.api.flows import Flows, flows_of, show_visit
 from app.api.live_hub import LiveHub
 from app.api.pages import install_pages
 from app.api.passwords import Passwords
@@ -18,6 +18,11 @@ from app.api.refusals import install_refusals
 from app.api.set_up import SetUp
 from app.api.sockets import OpenSockets
 from app.api.trajectories import Trajectories
+from app.api.view_bridge import view_router
+from app.api.view_controls import view_controls
+from app.api.view_keeper import OpenScene, ViewKeeper, may_view
+from app.scene.scene import Scene
+from app.scene.servers import Role
 from app.session.calibration_flow import CalibrationFlow
 from app.session.control import Control, Link
 from app.session.database import Database
@@ -27,6 +32,8 @@ from app.session.readings import Readings
 from app.session.refusals import Refusal
 from app.session.runs import Runs
 from app.session.store_calibration import fail_interrupted_steps
+from app.session.store_patients import open_session
+from app.session.store_people import the_clinic
 from app.session.store_runs import close_interrupted_trials
 from app.session.visit_flow import VisitFlow
 from app.settings import Settings
@@ -37,10 +44,13 @@ ROUTES = (auth, patients, equipment, calibration, controls, trials, review, cont
 OpenLink = Callable[[], Awaitable[Link]]
 
 
-def create_app(settings: Settings, open_link: OpenLink, readings: Readings) -> FastAPI:
+def create_app(
+    settings: Settings, open_link: OpenLink, readings: Readings, open_scene: OpenScene | None = None
+) -> FastAPI:
     """Return the web application; its parts start and end with it.
 
-    `open_link` starts a control process; `readings` is what is read from recordings.
+    `open_link` starts a control process; `readings` is what is read from recordings; `open_scene` opens the 3D view
+    of a visit, and without it there is none.
     """
 
     @asynccontextmanager
@@ -53,7 +63,7 @@ def create_app(settings: Settings, open_link: OpenLink, readings: Readings) -> F
             set_up=SetUp(settings.setup_code),
             sockets=OpenSockets(settings, database),
         )
-        flows = _flows(settings, database, open_link, readings)
+        flows = _flows(settings, database, open_link, readings, open_scene)
         app.state.people, app.state.flows = people, flows
         await _start(database, flows)
         try:
@@ -71,16 +81,27 @@ def create_app(settings: Settings, open_link: OpenLink, readings: Readings) -> F
         docs_url=None,  # these pages would fetch scripts from elsewhere
         redoc_url=None,
     )
+
+    def scene_now() -> Scene | None:
+        return flows_of(app).view.scene
+
+    def port_of(role: Role) -> int | None:
+        return flows_of(app).view.port(role)
+
     install_refusals(app)
     api = APIRouter(prefix=PREFIX)
     for module in ROUTES:
         api.include_router(module.router)
+    api.include_router(view_controls(scene_now, clinician))
     app.include_router(api)
+    app.include_router(view_router(port_of, may_view, anyone_signed_in))
     install_pages(app, settings)
     return app
 
 
-def _flows(settings: Settings, database: Database, open_link: OpenLink, readings: Readings) -> Flows:
+def _flows(
+    settings: Settings, database: Database, open_link: OpenLink, readings: Readings, open_scene: OpenScene | None
+) -> Flows:
     hub: LiveHub
 
     def tell(event: str) -> None:
@@ -109,6 +130,7 @@ def _flows(settings: Settings, database: Database, open_link: OpenLink, readings
         visit=visit,
         live=hub,
         trajectories=Trajectories(readings.drive),
+        view=ViewKeeper(open_scene, link.newest),
         own_floorplans=settings.state / "floorplans",
     )
 
@@ -122,6 +144,14 @@ async def _start(database: Database, flows: Flows) -> None:
     except Refusal:
         flows.visit.loaded = None  # said again, in words, when somebody wants to drive
     flows.live.start()
+    if await asyncio.to_thread(_somebody_is_here, database):
+        await show_visit(flows)
+
+
+def _somebody_is_here(database: Database) -> bool:
+    with database.transaction() as db:
+        clinic = the_clinic(db)
+        return clinic is not None and open_session(db, clinic.id) is not None
 
 
 def _tidy_up(database: Database) -> None:
@@ -135,4 +165,5 @@ async def _end(flows: Flows) -> None:
     await flows.calibration.stop()
     await flows.drive.stop()
     await flows.live.close()
+    await flows.view.close()
     await flows.control.close()

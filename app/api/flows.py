@@ -1,14 +1,17 @@
 """The long-lived parts behind the routes: control, equipment, calibration, trials, the live picture."""
 
+import asyncio
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated
 
-from fastapi import Depends
+from fastapi import Depends, FastAPI
 from starlette.requests import HTTPConnection
 
 from app.api.live_hub import LiveHub
 from app.api.trajectories import Trajectories
+from app.api.view_keeper import ViewKeeper
 from app.session.calibration_flow import CalibrationFlow
 from app.session.control import Control
 from app.session.drive_flow import DriveFlow
@@ -30,6 +33,7 @@ class Flows:
     visit: VisitFlow
     live: LiveHub
     trajectories: Trajectories
+    view: ViewKeeper
     own_floorplans: Path
 
     def floorplan_files(self) -> dict[str, Path]:
@@ -44,10 +48,31 @@ def load_plan(flows: Flows, name: str) -> FloorPlan | None:
     return None if file is None else load_floorplan(file)
 
 
+def plan_to_begin_with(flows: Flows) -> tuple[FloorPlan, str] | None:
+    """Return the first floor plan that can be read and its first path, for a view that has to show something."""
+    for name in bundled_floorplans():
+        with suppress(ValueError):
+            plan = load_plan(flows, name)
+            if plan is not None:
+                return plan, plan.paths[0].name
+    return None
+
+
+async def show_visit(flows: Flows) -> None:
+    """Open a 3D view for the visit that began."""
+    first = await asyncio.to_thread(plan_to_begin_with, flows)
+    await flows.view.open(*(first or (None, None)))
+
+
+def flows_of(app: FastAPI) -> Flows:
+    """Return the long-lived parts of an application that has started."""
+    found: Flows = app.state.flows
+    return found
+
+
 def flows(connection: HTTPConnection) -> Flows:
     """Return the long-lived parts."""
-    found: Flows = connection.app.state.flows
-    return found
+    return flows_of(connection.app)
 
 
 FlowParts = Annotated[Flows, Depends(flows)]

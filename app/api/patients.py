@@ -8,7 +8,7 @@ from pydantic import Field
 from sqlalchemy.orm import Session
 
 from app.api.deps import Anyone, Clinician, PeopleParts
-from app.api.flows import FlowParts
+from app.api.flows import FlowParts, show_visit
 from app.quantities import Count, Document, Name, Title
 from app.session.store_log import write_log
 from app.session.store_patients import (
@@ -153,6 +153,7 @@ async def open_visit(body: OpenVisit, who: Clinician, parts: PeopleParts, flows:
 
     answer = await run_in_threadpool(_open)
     await flows.visit.visit_changed()
+    await show_visit(flows)
     return answer
 
 
@@ -168,5 +169,6 @@ async def end_visit(who: Clinician, parts: PeopleParts, flows: FlowParts) -> Vis
         return _visit(parts, who.clinic_id)
 
     answer = await run_in_threadpool(_end)
+    await flows.view.close()
     await flows.visit.visit_changed()
     return answer

@@ -180,6 +180,7 @@ async def start_trial(body: NewTrial, who: Clinician, parts: PeopleParts, flows:
     misfit = await flows.visit.load_parameters()
     if misfit is not None:
         raise Conflict(misfit)
+    await flows.view.show(plan, path.name)
     trial_id = await flows.drive.start(session, who.person_id, who.name, plan, path)
     return await asyncio.to_thread(_one, parts, who.clinic_id, trial_id)
 

@@ -1,6 +1,7 @@
 """The web process's end of the control process: commands, ticks, heartbeat, and a new one when it dies."""
 
 import asyncio
+import threading
 from collections.abc import Awaitable, Callable
 from contextlib import suppress
 from typing import Any, Literal, Protocol
@@ -58,6 +59,7 @@ class Control:
         self._link: Link | None = None
         self._loaded: dict[str, dict[str, Any]] = {}  # shirt, body, parameters as they were last accepted
         self._tasks: list[asyncio.Task[None]] = []
+        self._reading = threading.Lock()  # the 3D view reads ticks in a thread of its own, but not while they vanish
 
     async def start(self) -> None:
         """Start the control process."""
@@ -69,9 +71,7 @@ class Control:
         for task in self._tasks:
             task.cancel()
         await asyncio.gather(*self._tasks, return_exceptions=True)
-        if self._link is not None:
-            await self._link.close()
-            self._link = None
+        await self._let_go()
         self.state = "lost"
 
     async def call(self, do: str, **fields: Any) -> dict[str, Any]:
@@ -110,12 +110,20 @@ class Control:
                 self._link.tell("move", joints=joints)
 
     def newest(self) -> np.void | None:
-        """Return the newest tick, None when there is none."""
-        return self._link.newest() if self._link is not None and self.state == "alive" else None
+        """Return the newest tick, None when there is none; from any thread."""
+        with self._reading:
+            return self._link.newest() if self._link is not None and self.state == "alive" else None
 
     def since(self, number: int) -> NDArray[np.void] | None:
         """Return the ticks after `number`, None when there is no control process."""
-        return self._link.since(number) if self._link is not None and self.state == "alive" else None
+        with self._reading:
+            return self._link.since(number) if self._link is not None and self.state == "alive" else None
+
+    async def _let_go(self) -> None:
+        with self._reading:
+            link, self._link = self._link, None
+        if link is not None:
+            await link.close()
 
     async def _open(self) -> None:
         self._link = await self._open_link()
@@ -141,8 +149,7 @@ class Control:
                 await self._link.died()
                 self.state = "lost"
                 await self._tell_change()
-                await self._link.close()
-                self._link = None
+                await self._let_go()
             self.state = "starting"
             await self._start_again()
             await self._tell_change()
