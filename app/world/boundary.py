@@ -5,7 +5,7 @@ from numpy.typing import NDArray
 
 Corner = tuple[int, int]  # column, row of a cell's corner
 
-TOLERANCE = 0.9  # cells that the simplified outline may lie outside of the exact one
+TOLERANCE = 1.0  # cells that the simplified outline may lie outside of the exact one: the height of a stair
 SMALL = 12  # cells of circumference; the outline of a smaller thing is kept exactly
 
 # The four sides of a cell at (column, row): neighbour, and the side as an edge that has the cell on its left.
@@ -105,5 +105,5 @@ def _may_skip(corners: NDArray[np.float64], here: int, there: int) -> bool:
     away = corners[here + 1 : there] - corners[here]
     left = (chord[0] * away[:, 1] - chord[1] * away[:, 0]) / length
     along = away @ chord / length
-    beside = left.min() >= -1e-9 and left.max() <= TOLERANCE
+    beside = left.min() >= -1e-9 and left.max() <= TOLERANCE + 1e-9
     return bool(beside and along.min() >= -TOLERANCE and along.max() <= length + TOLERANCE)

@@ -1,0 +1,131 @@
+import json
+import sys
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from app.cli.main import main
+
+
+@pytest.fixture
+def run(monkeypatch, capsys, tmp_path):
+    monkeypatch.chdir(tmp_path)
+
+    def run(*words):
+        monkeypatch.setattr(sys, "argv", ["bodydrive", *words])
+        code = 0
+        try:
+            main()
+        except SystemExit as ended:
+            code = ended.code
+        said = capsys.readouterr()
+        return code, said.out, said.err
+
+    return run
+
+
+@pytest.fixture
+def tables(tmp_path):
+    x = np.linspace(0, 10, 1001)
+    driven = np.column_stack([x / 0.5, x, np.full_like(x, 0.5)])
+    np.savetxt(tmp_path / "driven.csv", driven, delimiter=",", header="t,x,y", comments="")
+    (tmp_path / "path.csv").write_text("x,y\n0,0\n10,0\n")
+    (tmp_path / "point.csv").write_text("x,y\n3,3\n")
+    (tmp_path / "back.csv").write_text("t,x,y\n0,0,0\n2,1,0\n1,2,0\n")
+    return tmp_path
+
+
+@pytest.fixture
+def map_file(tmp_path):
+    pixels = np.zeros((100, 200), np.uint8)
+    pixels[10:90, 10:190] = 254
+    Image.fromarray(pixels).save(tmp_path / "hall.pgm")
+    (tmp_path / "hall.yaml").write_text("image: hall.pgm\nresolution: 0.05\norigin: [0, 0, 0]\n")
+    return "hall.yaml"
+
+
+def test_score_prints_one_object(run, tables):
+    code, out, err = run("score", "driven.csv", "path.csv", "--json")
+    measures = json.loads(out)
+    assert (code, err) == (0, "")
+    assert list(measures) == [
+        *("dist", "path_length", "dist_ratio", "e_diff", "cross_track_rms", "cross_track_max", "cross_track_mean"),
+        *("time", "mean_speed", "stops", "sparc", "ldlj", "reached"),
+    ]
+    assert measures["e_diff"] == pytest.approx(5)
+    assert measures["reached"] is True
+
+
+def test_the_goals_radius_can_be_set(run, tables):
+    _, out, _ = run("score", "driven.csv", "path.csv", "--goal-radius", "0.4", "--json")
+    assert json.loads(out)["reached"] is False
+
+
+def test_score_in_words(run, tables):
+    code, out, _ = run("score", "driven.csv", "path.csv")
+    assert code == 0
+    assert "E_diff, area between them                    5.000 m²" in out
+
+
+def test_columns_of_controls_and_contacts_give_more(run, tables):
+    (tables / "more.csv").write_text("t,x,y,u1,u2,in_contact,extra\n0,0,0,1,0,0,a\n10,5,0,0,1,1,b\n20,10,0,0,-1,0,c\n")
+    measures = json.loads(run("score", "more.csv", "path.csv", "--json")[1])
+    assert measures["collisions"] == 1
+    assert measures["contact_time"] == 10
+    assert measures["turn_reversals"] == 1
+    assert measures["pulses_per_metre"] == pytest.approx(0.3)
+
+
+@pytest.mark.parametrize(
+    ("words", "sentence"),
+    [
+        (("none.csv", "path.csv"), "none.csv: there is no such file"),
+        (("driven.csv", "none.csv"), "none.csv: there is no such file"),
+        (("path.csv", "path.csv"), "path.csv: there is no column 't'"),
+        (("driven.csv", "point.csv"), "point.csv: a path needs at least two different points"),
+        (("back.csv", "path.csv"), "back.csv: t goes backwards in row 3"),
+        (("driven.csv", "path.csv", "--goal-radius", "nan"), "--goal-radius nan"),
+        (("driven.csv", "path.csv", "--goal-radius", "-1"), "--goal-radius -1"),
+    ],
+)
+def test_score_refuses_in_one_sentence(run, tables, words, sentence):
+    code, out, err = run("score", *words)
+    assert (code, out) == (2, "")
+    assert sentence in err
+    assert err.count("\n") == 1
+
+
+def test_a_map_becomes_a_plan(run, tmp_path, map_file):
+    code, out, _ = run("floorplan", "import", map_file, "--out", "plans/hall.json", "--title", "Hall", "--json")
+    assert code == 0
+    summary = json.loads(out)
+    assert (summary["name"], summary["title"], summary["walls"]) == ("hall", "Hall", 4)
+    plan = json.loads((tmp_path / "plans" / "hall.json").read_text())
+    assert plan["title"] == "Hall"
+    assert [file.name for file in (tmp_path / "plans").iterdir()] == ["hall.json"]
+
+
+@pytest.mark.parametrize(
+    ("words", "sentence"),
+    [
+        (("none.yaml", "--out", "plan.json"), "none.yaml: there is no such file"),
+        (("hall.yaml", "--out", "plan.yaml"), "must end in .json"),
+        (("hall.yaml", "--out", "hall.pgm/plan.json"), "cannot be written"),
+        (("hall.yaml", "--out", "plan.json", "--name", "../plan"), "name"),
+        (("hall.pgm", "--out", "plan.json"), "hall.pgm"),
+    ],
+)
+def test_import_refuses_in_one_sentence_and_writes_nothing(run, tmp_path, map_file, words, sentence):
+    before = sorted(tmp_path.iterdir())
+    code, out, err = run("floorplan", "import", *words)
+    assert (code, out) == (2, "")
+    assert sentence in err
+    assert err.count("\n") == 1
+    assert sorted(tmp_path.iterdir()) == before
+
+
+def test_list_names_the_bundled_plans(run):
+    listed = json.loads(run("floorplan", "list", "--json")[1])["floorplans"]
+    assert [plan["name"] for plan in listed] == ["apartment", "clinic", "corridors"]
+    assert "clinic: Clinic storey" in run("floorplan", "list")[1]
