@@ -58,7 +58,7 @@ def decode_file(signals: Path, parameters: DriveParameters) -> tuple[NDArray[np.
     if signals.is_dir():
         run = read_run(signals)
         return run.frames()["t"], recorded.sample_rate, decode_run(run, parameters)
-    values = recorded.values.astype(np.float32)
+    values = recorded.values.astype(np.float32, copy=False)
     return recorded.t, recorded.sample_rate, decode_block(parameters, recorded.sample_rate, recorded.t, values)
 
 

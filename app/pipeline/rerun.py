@@ -36,7 +36,7 @@ def decode_run(run: Run, parameters: DriveParameters) -> Decoded:
         parameters,
         float(run.meta.get("sample_rate", parameters.profile.sample_rate)),
         frames["t"],
-        values.astype(np.float32),
+        values.astype(np.float32, copy=False),
         t_device=frames["t_device"],
         state=frames["state"] if driven else None,
         chair=_chair(run.meta) if driven else None,
