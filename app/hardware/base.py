@@ -1,8 +1,8 @@
 """The roles of the hardware: what every shirt does, and every body inside the simulated one."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Protocol, runtime_checkable
 
 import numpy as np
 from numpy.typing import NDArray
@@ -49,6 +49,24 @@ class Body(Protocol):
 
     def reset(self) -> None:
         """Come back to rest, and begin anew what is random."""
+        ...
+
+
+@runtime_checkable
+class PathFollower(Protocol):
+    """A body that drives along a path by itself."""
+
+    def set_path(self, points: Sequence[tuple[float, float]]) -> None:
+        """Show the path to follow, as points in m."""
+        ...
+
+
+@runtime_checkable
+class Movable(Protocol):
+    """A body whose joints somebody else moves."""
+
+    def move(self, joints: Mapping[str, float]) -> None:
+        """Say where joints should go, 0 (rest) to 1 (all the way); ValueError, in one sentence, when they cannot."""
         ...
 
 

@@ -1,6 +1,6 @@
 """The drivers in one table: word -> (module, class), imported only when asked for."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from importlib import import_module
 from typing import Any, cast
 
@@ -8,7 +8,6 @@ from pydantic import TypeAdapter, ValidationError
 
 from app.clock import Clock
 from app.hardware.base import Body, HardwareError, Shirt
-from app.hardware.body.joints import ARM_DEGREES_OF_FREEDOM
 from app.hardware.configs import BodyConfig, ShirtConfig
 from app.sentences import one_sentence
 
@@ -70,8 +69,8 @@ def make_shirt(config: ShirtConfig, clock: Clock) -> Shirt:
     return cast(Shirt, driver_class("shirt", config.kind, SHIRTS)(config, clock))
 
 
-def make_body(config: BodyConfig, joints: Sequence[str] = ARM_DEGREES_OF_FREEDOM) -> Body:
-    """Return the body that `config` describes, with the degrees of freedom `joints`, at rest.
+def make_body(config: BodyConfig) -> Body:
+    """Return the body that `config` describes, at rest; each class takes the fields of its configuration.
 
     Raises
     ------
@@ -79,7 +78,7 @@ def make_body(config: BodyConfig, joints: Sequence[str] = ARM_DEGREES_OF_FREEDOM
         When its driver cannot be had, or its file cannot be read.
     """
     made = driver_class("body", config.kind, BODIES)
-    return cast(Body, made.from_config(config, joints))
+    return cast(Body, made(**config.model_dump(exclude={"kind"})))
 
 
 def _parse(what: str, document: object, table: Table, adapter: TypeAdapter[Any]) -> object:

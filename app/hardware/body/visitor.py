@@ -7,8 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.hardware.base import BodyView
-from app.hardware.body.joints import second_way
-from app.hardware.configs import VisitorConfig
+from app.hardware.body.joints import ARM_DEGREES_OF_FREEDOM, second_way
 
 THERE_RATE = 11.0  # 1/s: 90 % of the way in 0.35 s, all of it in about 0.5 s
 BACK_RATE = 6.0  # 1/s: nothing hurries the way back
@@ -20,7 +19,7 @@ LONGEST_STEP = 0.02  # s
 class Visitor:
     """Joints that follow targets 0..1, critically damped and no faster than a limb."""
 
-    def __init__(self, joints: Sequence[str]) -> None:
+    def __init__(self, joints: Sequence[str] = ARM_DEGREES_OF_FREEDOM) -> None:
         self.joints = tuple(joints)
         self._companion = [
             (self.joints.index(name), i)
@@ -28,11 +27,6 @@ class Visitor:
             if (name := second_way(joint)) is not None and name in self.joints
         ]
         self.reset()
-
-    @classmethod
-    def from_config(cls, _config: VisitorConfig, joints: Sequence[str]) -> "Visitor":
-        """Return a visitor at rest."""
-        return cls(joints)
 
     def reset(self) -> None:
         """Come back to rest at once."""

@@ -17,8 +17,8 @@ from app.layout import ShirtLayout
 
 FULL_SCALE = 3.3  # V, of the converter
 STEPS = 4096  # of the converter: 12 bits
-SPAN = 0.5  # V that a channel of strength 1 moves when its joint moves all the way
-REST_LEVEL = (1.35, 1.95)  # V at rest: the middle of the converter, so that stretch and slack both have room
+SPAN = 0.45  # V that a channel of strength 1 moves when its joint moves all the way
+REST_LEVEL = (1.2, 1.8)  # V at rest: the middle of the converter, so that stretch and slack both have room
 STRENGTH = (0.5, 1.0)  # of SPAN, how strongly a channel feels its joint
 SLACKENING = 0.3  # share of channels that get slack where the others stretch
 NOISE_BLOCK = 256  # frames of noise drawn at once
@@ -40,9 +40,9 @@ class FabricProperties:
     peak_power: float = 0.8
     drift_per_minute: float = 0.03  # median over channels
     drift_spread: float = 1.08  # of the logarithm: one channel in ten drifts four times as fast
-    drift_period: float = 480.0  # s, in which a channel's drift comes and goes
+    drift_period: float = 120.0  # s, in which a channel's drift comes and goes: longer, and it leaves the range of S5
     noise: float = 0.006
-    second_way: float = 0.46  # how strongly a joint's channels feel its second way to move, against the first
+    second_way: float = 0.44  # how strongly a joint's channels feel its second way to move, against the first
     neighbour: float = 0.10  # the other joints of the same side
     stranger: float = 0.02  # the joints of the other side
 
@@ -192,8 +192,16 @@ def _gains(
         second = second_way(joint)
         if second is not None:
             first, aside = gains[channels, ways.index(joint)], gains[channels, ways.index(second)]
-            gains[channels, ways.index(second)] *= properties.second_way * np.linalg.norm(first) / np.linalg.norm(aside)
+            gains[channels, ways.index(second)] = _set_apart(first, aside, properties.second_way)
     return gains
+
+
+def _set_apart(first: NDArray[np.float64], aside: NDArray[np.float64], ratio: float) -> NDArray[np.float64]:
+    """Return `aside` made mostly independent of `first`, and `ratio` as long."""
+    ahead = first / np.linalg.norm(first)
+    apart = aside - 0.7 * (aside @ ahead) * ahead
+    scaled: NDArray[np.float64] = apart * (ratio * np.linalg.norm(first) / np.linalg.norm(apart))
+    return scaled
 
 
 def _shares(channels: int, properties: FabricProperties, rng: np.random.Generator) -> list[NDArray[np.float64]]:

@@ -1,15 +1,19 @@
 """The simulated shirt: a body in fabric, frame by frame at the pace of a clock."""
 
 import numpy as np
+from numpy.typing import NDArray
 
 from app.clock import Clock
 from app.hardware.base import Body, BodyView, HardwareError
+from app.hardware.body.minimum_jerk import minimum_jerk
 from app.hardware.configs import SimulatorConfig
 from app.hardware.shirt.fabric import Fabric
 from app.hardware.shirt.pace import Pace
 from app.hardware.shirt.standard import standard_layout
 from app.layout import ShirtLayout
 from app.messages import SensorFrame
+
+GLIDE = 1.0  # s from one body's posture to the next one's
 
 
 class SimulatedShirt:
@@ -26,6 +30,9 @@ class SimulatedShirt:
         self._body: Body | None = None
         self._pace: Pace | None = None
         self._seq = 0
+        self._posture: NDArray[np.float64] = np.zeros(0)
+        self._left = self._posture  # the posture that another body left behind
+        self._glide = 0.0  # s until it is forgotten
 
     @property
     def layout(self) -> ShirtLayout:
@@ -46,6 +53,9 @@ class SimulatedShirt:
 
     @body.setter
     def body(self, body: Body | None) -> None:
+        if body is not self._body:
+            self._left = self._posture.copy() if self._glide <= 0.0 else self._gliding(0.0)
+            self._glide = GLIDE if len(self._left) else 0.0
         self._body = body
         known = [] if body is None else list(body.joints)
         felt = self._woven().joints
@@ -62,13 +72,17 @@ class SimulatedShirt:
             When the layout of the paper's shirt is not there, or a dead channel is not in the layout.
         """
         self.body = self._body
+        self._woven().reset()
         self._seq = 0
         self.lost = 0
         self._pace = Pace(self._clock, self.sample_rate)
 
     def read(self, timeout: float) -> SensorFrame | None:
         """Return the next frame when it is due within `timeout` (s)."""
-        if self._pace is None or self._fabric is None or not self._pace.wait(timeout):
+        if self._pace is None or self._fabric is None:
+            self._clock.sleep_until(self._clock.now() + timeout)
+            return None
+        if not self._pace.wait(timeout):
             return None
         missed = self._pace.missed()
         self.lost += missed
@@ -76,7 +90,7 @@ class SimulatedShirt:
         dt = 1.0 / self.sample_rate
         if self._body is not None:
             self._posture[self._to] = self._body.step(dt, self.view)[self._from]
-        values = self._fabric.step(self._posture, dt)
+        values = self._fabric.step(self._posture if self._glide <= 0.0 else self._gliding(dt), dt)
         frame = SensorFrame(self._seq & 0xFFFFFFFF, self._seq / self.sample_rate, self._clock.now(), values)
         self._seq += 1
         return frame
@@ -95,6 +109,13 @@ class SimulatedShirt:
     def close(self) -> None:
         """Stop giving frames."""
         self._pace = None
+
+    def _gliding(self, dt: float) -> NDArray[np.float64]:
+        """Return the posture on the way from the body before to this one: no limb jumps when somebody slips in."""
+        self._glide -= dt
+        share = minimum_jerk(1.0 - self._glide / GLIDE)
+        posture: NDArray[np.float64] = share * self._posture + (1.0 - share) * self._left
+        return posture
 
     def _woven(self) -> Fabric:
         if self._fabric is None:

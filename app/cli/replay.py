@@ -1,0 +1,93 @@
+"""`bodydrive replay`: a recorded run as a shirt that sends datagrams."""
+
+import json
+import math
+import socket
+from collections.abc import Callable
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from app.cli.errors import InputError
+from app.clock import Clock, MonotonicClock
+from app.hardware.base import HardwareError
+from app.hardware.shirt.packet import encode
+from app.hardware.shirt.played import Played, Player, read_played
+
+STANDARD_ADDRESS = "127.0.0.1:5252"
+SLOWEST, FASTEST = 0.01, 100.0  # times the recorded speed
+
+
+def replay(
+    recording: Annotated[Path, typer.Argument(metavar="RECORDING", help="Folder of a recorded run, CSV or Parquet.")],
+    to: Annotated[str, typer.Option(help="Where the datagrams go, HOST:PORT.")] = STANDARD_ADDRESS,
+    loop: Annotated[bool, typer.Option("--loop", help="Begin again at the end.")] = False,
+    speed: Annotated[float, typer.Option(help="How many times as fast as it was recorded.")] = 1.0,
+    as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")] = False,
+) -> None:
+    """Play a recorded run as a shirt source: its frames as datagrams, at their own times. Ctrl-C ends it."""
+    if not SLOWEST <= speed <= FASTEST:
+        raise InputError(f"--speed {speed:g}: give a number between {SLOWEST:g} and {FASTEST:g}")
+    family, address = parse_address(to)
+    try:
+        played = read_played(recording)
+    except HardwareError as error:
+        raise InputError(str(error)) from error
+    if not as_json:
+        typer.echo(
+            f"Sending {played.name} to {to}: {len(played.layout.channels)} channels at "
+            f"{played.sample_rate * speed:g} Hz, {played.t[-1] / speed:.1f} s"
+            f"{' again and again' if loop else ''}. Ctrl-C ends it."
+        )
+    with socket.socket(family, socket.SOCK_DGRAM) as sender:
+        sent, stopped, trouble = play(
+            played, lambda packet: _send(sender, packet, address), MonotonicClock(), loop, speed
+        )
+    if trouble:
+        raise InputError(f"--to {to}: nothing can be sent there ({trouble}), give another address")
+    if as_json:
+        typer.echo(json.dumps({"frames": sent, "to": to, "stopped": stopped}))
+    else:
+        typer.echo(f"{'Stopped' if stopped else 'The recording has ended'}: {sent} frames sent.")
+
+
+def parse_address(text: str) -> tuple[socket.AddressFamily, tuple[str, int]]:
+    """Return the family and the place of HOST:PORT, or raise InputError."""
+    host, colon, port = text.rpartition(":")
+    if not colon or not host or not port.isascii() or not port.isdecimal() or not 0 < int(port) <= 65_535:
+        raise InputError(f"--to {text}: write a host and a port, such as {STANDARD_ADDRESS}")
+    try:
+        family, _, _, _, address = socket.getaddrinfo(host.strip("[]"), int(port), type=socket.SOCK_DGRAM)[0]
+    except OSError as error:
+        raise InputError(f"--to {text}: there is no host of this name, correct it") from error
+    return family, (str(address[0]), int(address[1]))
+
+
+def play(played: Played, send: Callable[[bytes], str], clock: Clock, loop: bool, speed: float) -> tuple[int, bool, str]:
+    """Send the frames at their own times over `speed`, each with the device time it was recorded with.
+
+    Returns how many were sent, whether Ctrl-C ended it, and what `send` said was wrong.
+    """
+    player = Player(played, loop)
+    start = clock.now()
+    sent = 0
+    try:
+        while not math.isinf(player.due):
+            clock.sleep_until(start + player.due / speed)
+            seq, t, values = player.take()
+            if trouble := send(encode(seq, t, values)):
+                return sent, False, trouble
+            sent += 1
+    except KeyboardInterrupt:
+        return sent, True, ""
+    return sent, False, ""
+
+
+def _send(sender: socket.socket, packet: bytes, address: tuple[str, int]) -> str:
+    """Send one datagram; return what is wrong, empty when nothing is."""
+    try:
+        sender.sendto(packet, address)
+    except OSError as error:
+        return error.strerror or str(error)
+    return ""

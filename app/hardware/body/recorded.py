@@ -1,0 +1,125 @@
+"""A body that repeats a recorded movement, given as the rotation of each joint over time."""
+
+import math
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.hardware.base import BodyView, HardwareError
+from app.hardware.body.joints import ARM_DEGREES_OF_FREEDOM, ARM_JOINTS, second_way
+from app.hardware.body.minimum_jerk import minimum_jerk
+
+AXES = ("x", "y", "z")
+BLEND = 1.0  # s in which the end of the recording passes into its beginning
+SHORTEST = 4.0  # s of recording: less has no beginning and end to blend
+STILL = 1e-3  # rad: a joint that moves less has not moved
+PERCENTILES = (1.0, 99.0)  # of the movement: what counts as rest and as all the way
+
+
+class RecordedBody:
+    """Plays `t, JOINT_x, JOINT_y, JOINT_z` (s; rotation vectors, rad) round and round.
+
+    Each joint's rotation vectors are projected on their own principal axes. The first axis is the joint's gesture
+    (elbow flexion, a shoulder's protraction, wrist flexion in most recordings): 0 is the 1st percentile and 1 the 99th,
+    in the direction in which the recording spends less of its time, because people rest where they are most. The second
+    axis is the shoulder's second way to move, on the same scale, and 0 in the middle of what was recorded. Joints that
+    the file does not have stay at rest.
+    """
+
+    def __init__(self, file: str | Path, joints: Sequence[str] = ARM_DEGREES_OF_FREEDOM) -> None:
+        """Read the file.
+
+        Raises
+        ------
+        HardwareError
+            When it cannot be read or holds no joint of this body: one sentence.
+        """
+        self.joints = tuple(joints)
+        self._dt, postures = _postures(Path(file), self.joints)
+        self._postures = _round(postures, round(BLEND / self._dt))
+        self._posture = np.zeros(len(self.joints))
+        self.reset()
+
+    def reset(self) -> None:
+        """Go back to the beginning of the recording."""
+        self._t = 0.0
+
+    @property
+    def duration(self) -> float:
+        """Seconds of one round."""
+        return len(self._postures) * self._dt
+
+    def step(self, dt: float, _view: BodyView) -> NDArray[np.float64]:
+        """Play on for `dt` (s) and return the posture (n_joints,), between samples by straight lines."""
+        self._t = (self._t + dt) % self.duration
+        place = self._t / self._dt
+        before = math.floor(place)
+        share = place - before
+        count = len(self._postures)
+        np.multiply(self._postures[before % count], 1.0 - share, out=self._posture)
+        self._posture += share * self._postures[(before + 1) % count]
+        return self._posture
+
+
+def principal_postures(rotations: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return the postures (n,) along the first and the second principal axis of rotation vectors (n, 3), rad.
+
+    A joint that did not move is at rest in both.
+    """
+    centred = rotations - rotations.mean(axis=0)
+    _, spread, axes = np.linalg.svd(centred, full_matrices=False)
+    if spread[0] / math.sqrt(len(rotations)) < STILL:
+        return np.zeros(len(rotations)), np.zeros(len(rotations))
+    first, second = centred @ axes[0], centred @ axes[1]
+    low, high = np.percentile(first, PERCENTILES)
+    if np.median(first) > (low + high) / 2:
+        first, low, high = -first, -high, -low
+    return (first - low) / (high - low), (second - np.median(second)) / (high - low)
+
+
+def _postures(file: Path, joints: tuple[str, ...]) -> tuple[float, NDArray[np.float64]]:
+    """Return the time between samples (s) and the postures (n, n_joints) of a recording."""
+    from app.columns import read_columns, require_column  # noqa: PLC0415  (loads pyarrow, which other bodies do without)
+
+    try:
+        table = read_columns(file)
+        t = require_column(table, file, "t")
+        named = [joint for joint in joints if any(f"{joint}_{axis}" in table for axis in AXES)]
+        if not named:
+            raise ValueError(
+                f"{file}: there is no joint of the simulated body in this file, name columns like "
+                f"{ARM_JOINTS[0]}_x, {ARM_JOINTS[0]}_y, {ARM_JOINTS[0]}_z"
+            )
+        rotations = {
+            joint: np.stack([require_column(table, file, f"{joint}_{axis}") for axis in AXES], axis=1)
+            for joint in named
+        }
+    except ValueError as error:
+        raise HardwareError(str(error)) from error
+    steps = np.diff(t)
+    if len(t) < 2 or not (steps > 0).all():
+        raise HardwareError(f"{file}: the times in column 't' do not rise from row to row, correct them")
+    if t[-1] - t[0] < SHORTEST:
+        raise HardwareError(
+            f"{file}: {t[-1] - t[0]:g} s of movement are too short to go round, give at least {SHORTEST:g} s"
+        )
+    dt = float(np.median(steps))
+    even = t[0] + dt * np.arange(round((t[-1] - t[0]) / dt) + 1)
+    postures = np.zeros((len(even), len(joints)))
+    for joint, vectors in rotations.items():
+        first, second = principal_postures(vectors)
+        postures[:, joints.index(joint)] = np.interp(even, t, first)
+        aside = second_way(joint)
+        if aside in joints:
+            postures[:, joints.index(aside)] = np.interp(even, t, second)
+    return dt, postures
+
+
+def _round(postures: NDArray[np.float64], blend: int) -> NDArray[np.float64]:
+    """Return the recording with its end passed into its beginning, `blend` rows shorter."""
+    share = np.array([[minimum_jerk((i + 0.5) / blend)] for i in range(blend)])
+    joined = postures[:-blend].copy()
+    joined[:blend] = share * postures[:blend] + (1 - share) * postures[-blend:]
+    return joined

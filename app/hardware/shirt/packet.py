@@ -1,0 +1,108 @@
+"""The datagram of a shirt: one frame, with a checksum (docs/protocols.md, section 6)."""
+
+from struct import Struct
+from zlib import crc32
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.layout import MAX_CHANNELS
+
+MAGIC = b"SHRT"
+VERSION = 1
+INT16 = 1  # flag: samples are int16 of full scale +-32767 instead of float32
+FULL_SCALE = 32767.0
+
+HEADER = Struct("<4sBBHIQ")
+"""Magic, version, flags, channel count, seq (u32), device time (u64, microseconds)."""
+CHECKSUM = Struct("<I")
+LONGEST = HEADER.size + 4 * MAX_CHANNELS + CHECKSUM.size  # bytes
+
+Packet = tuple[int, int, NDArray[np.float32]]
+"""Seq, device time in microseconds, values (n_channels,)."""
+
+_PARTS = HEADER.unpack_from
+_NUMBER = CHECKSUM.unpack_from
+_VALUES_AT = HEADER.size
+
+
+def encode(seq: int, t_device: float, values: NDArray[np.float32], int16: bool = False) -> bytes:
+    """Return the datagram of one frame.
+
+    Parameters
+    ----------
+    seq : int
+        The device's counter; its lower 32 bits are sent.
+    t_device : float
+        The device's time, s, not negative; sent in whole microseconds.
+    values : (n_channels,) array
+        As int16 they are clipped to -1..1, and a NaN is sent as 0.
+    int16 : bool
+        Send 2 bytes a sample instead of 4.
+
+    Raises
+    ------
+    ValueError
+        When there are no channels or more than a shirt can have, or the time is not a time.
+    """
+    if values.ndim != 1 or not 1 <= len(values) <= MAX_CHANNELS:
+        raise ValueError(f"a frame has 1 to {MAX_CHANNELS} channels in one row, this one has the shape {values.shape}")
+    microseconds = round(t_device * 1e6)
+    if not 0 <= microseconds < 2**64:
+        raise ValueError(f"a device time of {t_device:g} s cannot be sent: it counts from 0 up")
+    flags = INT16 if int16 else 0
+    if int16:
+        samples = (
+            np.rint(np.clip(np.nan_to_num(values, posinf=1, neginf=-1), -1, 1) * FULL_SCALE).astype("<i2").tobytes()
+        )
+    else:
+        samples = values.astype("<f4").tobytes()
+    body = HEADER.pack(MAGIC, VERSION, flags, len(values), seq & 0xFFFFFFFF, microseconds) + samples
+    return body + CHECKSUM.pack(crc32(body))
+
+
+def decode(buffer: bytes | bytearray | memoryview, size: int, channels: int) -> Packet | None:
+    """Return the frame in the first `size` bytes of `buffer`, None when it is not one of `channels` channels.
+
+    Any single flipped byte is refused. The values are a copy: the buffer may be used again.
+    """
+    if size < _VALUES_AT:
+        return None
+    magic, version, flags, count, seq, microseconds = _PARTS(buffer)
+    if magic != MAGIC or version != VERSION or count != channels:
+        return None
+    if flags == 0:
+        end = _VALUES_AT + 4 * count
+    elif flags == INT16:
+        end = _VALUES_AT + 2 * count
+    else:
+        return None
+    if size != end + 4 or crc32(memoryview(buffer)[:end]) != _NUMBER(buffer, end)[0]:
+        return None
+    if flags == 0:
+        return seq, microseconds, np.frombuffer(buffer, "<f4", count, _VALUES_AT).astype(np.float32)
+    values = np.frombuffer(buffer, "<i2", count, _VALUES_AT).astype(np.float32)
+    values /= np.float32(FULL_SCALE)
+    return seq, microseconds, values
+
+
+def refusal(buffer: bytes | bytearray | memoryview, size: int, channels: int) -> str:
+    """Return in words why `decode` gave None for these bytes."""
+    if size < HEADER.size + CHECKSUM.size:
+        return f"a datagram of {size} bytes is too short to be a frame"
+    magic, version, flags, count, _, _ = HEADER.unpack_from(buffer)
+    if magic != MAGIC:
+        return "what arrives does not come from a shirt"
+    if version != VERSION:
+        return f"the shirt speaks version {version} of the protocol, version {VERSION} is understood"
+    if flags not in {0, INT16}:
+        return f"the shirt uses flags {flags:#04x} that are not understood"
+    if count != channels:
+        return f"the shirt sends {count} channels, its layout has {channels}: use the layout of this shirt"
+    return "a frame arrived damaged"
+
+
+def _as_int16(values: NDArray[np.float32]) -> NDArray[np.int16]:
+    whole = np.clip(np.nan_to_num(values, nan=0.0, posinf=1.0, neginf=-1.0), -1.0, 1.0) * FULL_SCALE
+    steps: NDArray[np.int16] = np.rint(whole).astype("<i2")
+    return steps

@@ -1,0 +1,177 @@
+"""A file's frames, to be played as a shirt would send them: recorded runs, CSV and Parquet."""
+
+import math
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import ValidationError
+
+from app.hardware.base import HardwareError
+from app.hardware.body.minimum_jerk import minimum_jerk
+from app.layout import Channel, Joint, ShirtLayout
+from app.sentences import one_sentence
+
+BLEND = 0.5  # s in which the end of a looped recording passes into its beginning
+LONGEST_LOSS = 1 << 20  # frames: a larger step of the counter is a device that began anew
+FEWEST = 10  # frames
+CHANNEL_OF_JOINT = re.compile(r"(?P<joint>[A-Za-z0-9].*)_\d+")
+
+
+@dataclass(frozen=True, slots=True)
+class Played:
+    """Frames with their own times."""
+
+    name: str
+    layout: ShirtLayout
+    sample_rate: float  # Hz
+    t: NDArray[np.float64]  # (n,) s, strictly rising from 0
+    seq: NDArray[np.int64]  # (n,) strictly rising from 0; a gap is what was lost when it was recorded
+    values: NDArray[np.float32]  # (n, n_channels)
+
+
+def read_played(path: str | Path) -> Played:
+    """Read the folder of a recorded run, or a CSV or Parquet file of signals.
+
+    A file's layout is `NAME.layout.json` or `layout.json` beside it; without one, channels named JOINT_NUMBER make one.
+
+    Raises
+    ------
+    HardwareError
+        One sentence that says what, where and what to do.
+    """
+    path = Path(path)
+    try:
+        return _read_recording(path) if path.is_dir() else _read_file(path)
+    except ValueError as error:
+        raise HardwareError(str(error)) from error
+
+
+def layout_from_names(path: Path, names: Sequence[str]) -> ShirtLayout:
+    """Return a layout for channels that are named after their joints: right_elbow_1, right_elbow_2 ...
+
+    Raises
+    ------
+    ValueError
+        When a name does not say its joint.
+    """
+    channels = []
+    for name in names:
+        found = CHANNEL_OF_JOINT.fullmatch(name)
+        if found is None:
+            raise ValueError(
+                f"{path}: nothing says which joint the column '{name}' belongs to, put the shirt's layout beside "
+                f"the file as {path.stem}.layout.json or name the columns like right_elbow_1"
+            )
+        channels.append(Channel(name=name, joint=found["joint"]))
+    joints = tuple(dict.fromkeys(channel.joint for channel in channels))
+    return ShirtLayout(
+        name=path.stem[:80],
+        channels=tuple(channels),
+        joints=tuple(Joint(name=joint, label=joint.replace("_", " ").capitalize()) for joint in joints),
+    )
+
+
+class Player:
+    """Hands out the frames one after another; looped, the end passes smoothly into the beginning."""
+
+    def __init__(self, played: Played, loop: bool) -> None:
+        self.due = 0.0  # s since the start: when the next frame is due; infinite after the last one
+        self._played = played
+        self._count = len(played.t)
+        self._at = 0
+        self._loops = loop
+        self._passed, self._passed_seq = 0.0, 0  # s and frames in the rounds before this one
+        self._head = played.values[:0]
+        if loop:
+            blend = max(1, min(round(BLEND * played.sample_rate), self._count // 4))
+            self._count -= blend
+            share = np.array([[minimum_jerk((i + 0.5) / blend)] for i in range(blend)], dtype=np.float32)
+            self._head = share * played.values[:blend] + (1 - share) * played.values[self._count :]
+
+    def take(self) -> tuple[int, float, NDArray[np.float32]]:
+        """Return seq, time (s since the start) and values (n_channels,) of the next frame; not after the last one."""
+        played, i = self._played, self._at
+        in_head = self._passed_seq > 0 and i < len(self._head)
+        values = self._head[i] if in_head else played.values[i]
+        frame = (self._passed_seq + int(played.seq[i]), self.due, values)
+        self._at += 1
+        if self._at < self._count:
+            self.due = self._passed + float(played.t[self._at])
+        elif self._loops:
+            self._at = 0
+            self._passed += float(played.t[self._count])
+            self._passed_seq += int(played.seq[self._count])
+            self.due = self._passed
+        else:
+            self.due = math.inf
+        return frame
+
+
+def _read_file(path: Path) -> Played:
+    from app.signals import read_layout, read_signals  # noqa: PLC0415  (loads pyarrow, which other shirts do not need)
+
+    beside = next((file for file in _layouts_beside(path) if file.exists()), None)
+    if beside is not None and path.exists():
+        layout = read_layout(beside)
+        signals = read_signals(path, layout)
+    else:
+        signals = read_signals(path)
+        try:
+            layout = layout_from_names(path, signals.channel_names)
+        except ValidationError as error:
+            raise ValueError(one_sentence(error, f"{path}: its columns make no layout")) from error
+    t = signals.t - signals.t[0]
+    seq = _rising(np.rint(t * signals.sample_rate).astype(np.int64))
+    return Played(path.name, layout, signals.sample_rate, t, seq, signals.values.astype(np.float32))
+
+
+def _layouts_beside(path: Path) -> tuple[Path, Path]:
+    return path.with_name(f"{path.stem}.layout.json"), path.with_name("layout.json")
+
+
+def _read_recording(folder: Path) -> Played:
+    from app.recording_reader import read_run  # noqa: PLC0415  (loads pyarrow, which other shirts do not need)
+
+    run = read_run(folder)
+    frames = run.frames()
+    if len(frames["t"]) < FEWEST:
+        raise ValueError(f"{folder}: this recording holds {len(frames['t'])} frames of a shirt, name a longer one")
+    layout, sample_rate = _described(folder, run.meta)
+    t = frames["t_device"]
+    if not (np.isfinite(t).all() and (np.diff(t) > 0).all()):  # the device began anew: our own clock did not
+        t = frames["t"]
+    if not (np.diff(t) > 0).all():
+        raise ValueError(f"{folder}: the times of this recording do not rise, name another one")
+    ahead = np.mod(np.diff(frames["frame_seq"].astype(np.int64)), 1 << 32)
+    ahead[(ahead == 0) | (ahead > LONGEST_LOSS)] = 1
+    seq = np.concatenate(([0], np.cumsum(ahead)))
+    values = frames["values"].astype(np.float32)
+    if values.shape[1] != len(layout.channels):
+        raise ValueError(
+            f"{folder}: this recording has {values.shape[1]} channels and its layout {len(layout.channels)}, "
+            f"name another one"
+        )
+    return Played(folder.name, layout, sample_rate, t - t[0], seq, values)
+
+
+def _described(folder: Path, meta: dict[str, Any]) -> tuple[ShirtLayout, float]:
+    """Return the layout and the sample rate (Hz) that a recording says it has."""
+    try:
+        layout = ShirtLayout.model_validate(meta.get("layout"))
+    except ValidationError as error:
+        raise ValueError(one_sentence(error, f"{folder}: the shirt's layout in this recording")) from error
+    rate = meta.get("sample_rate")
+    if not isinstance(rate, int | float) or isinstance(rate, bool) or not 0 < rate < math.inf:
+        raise ValueError(f"{folder}: this recording does not say its sample rate, name another one")
+    return layout, float(rate)
+
+
+def _rising(seq: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Return counters that rise strictly, where uneven times have rounded two frames to one number."""
+    steps = np.maximum(np.diff(seq), 1)
+    return np.concatenate(([0], np.cumsum(steps)))

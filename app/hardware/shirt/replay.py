@@ -1,0 +1,93 @@
+"""A file as a shirt: its frames at their own times."""
+
+import math
+
+from app.clock import Clock
+from app.hardware.base import HardwareError
+from app.hardware.configs import ReplayConfig
+from app.hardware.shirt.played import Played, Player, read_played
+from app.layout import ShirtLayout
+from app.messages import SensorFrame
+
+LONGEST_LAG = 1.0  # s: after a longer hold-up the file waits, where a device would have gone on
+
+
+class ReplayedShirt:
+    """Plays a recorded run, a CSV or a Parquet file, once or for ever."""
+
+    def __init__(self, config: ReplayConfig, clock: Clock) -> None:
+        self.lost = 0
+        self._config = config
+        self._clock = clock
+        self._played: Played | None = None
+        self._player: Player | None = None
+        self._start = 0.0  # monotonic s
+        self._next_seq = 0
+        self._t = 0.0  # s into the replay
+
+    @property
+    def layout(self) -> ShirtLayout:
+        """Names and places of the channels."""
+        return self._read().layout
+
+    @property
+    def sample_rate(self) -> float:
+        """Frames per second, Hz."""
+        return self._read().sample_rate
+
+    def open(self) -> None:
+        """Begin at the file's first frame.
+
+        Raises
+        ------
+        HardwareError
+            When the file is not there, cannot be read, or does not say which channel belongs to which joint.
+        """
+        self._player = Player(self._read(), self._config.loop)
+        self.lost = self._next_seq = 0
+        self._t = 0.0
+        self._start = self._clock.now()
+
+    def read(self, timeout: float) -> SensorFrame | None:
+        """Return the next frame when it is due within `timeout` (s)."""
+        now = self._clock.now()
+        player = self._player
+        if player is None or self._start + player.due > now + timeout:
+            self._clock.sleep_until(now + timeout)
+            return None
+        due = self._start + player.due
+        if due > now:
+            self._clock.sleep_until(due)
+        elif now - due > LONGEST_LAG:
+            self._start += now - due
+        seq, t, values = player.take()
+        self.lost += seq - self._next_seq
+        self._next_seq = seq + 1
+        self._t = t
+        return SensorFrame(seq & 0xFFFFFFFF, t, self._clock.now(), values)
+
+    def pending(self) -> bool:
+        """Return whether the next frame is due already."""
+        return self._player is not None and self._start + self._player.due <= self._clock.now()
+
+    def words(self) -> str:
+        """Return the shirt's state in words."""
+        if self._player is None or self._played is None:
+            return "The replay is closed."
+        if math.isinf(self._player.due):
+            return f"The replay of {self._played.name} has ended: start it again, or let it loop."
+        channels, length = len(self._played.layout.channels), float(self._played.t[-1])
+        where = f"{self._t % length if length else 0.0:.0f} s of {length:.0f} s"
+        return f"Replay of {self._played.name}, {channels} channels at {self._played.sample_rate:g} Hz, {where}."
+
+    def close(self) -> None:
+        """Stop giving frames."""
+        self._player = None
+
+    def _read(self) -> Played:
+        if self._played is None:
+            try:
+                self._played = read_played(self._config.file)
+            except OSError as error:
+                raise HardwareError(f"{self._config.file}: this cannot be read ({error.strerror}), check it") from error
+        return self._played
