@@ -1,38 +1,42 @@
-/** The upper body, front and back, drawn by hand in a box of 200 by 216; the lamps of the sensors lie on it. */
+/** The upper body, front and back, drawn by hand in a box of 200 by 228; the lamps of the sensors lie on it. */
 import { t } from "../texts.js";
 import { s } from "./dom.js";
 
 export const WIDTH = 200;
-export const HEIGHT = 216;
+export const HEIGHT = 228;
+/** What 1 of a layout's y is in this drawing: layouts reach from the crown to the thighs, the drawing ends at the hem. */
+export const LAYOUT_HEIGHT = 262;
 
 // The patient's half at the right of the picture, from the neck down the arm and up again to the hip. The other half mirrors it.
-const SKIN = "M100 44 L108 44 C108.5 52 112 56 121 59.5 C137 64.5 147.5 69 151.5 82 C156 98 160 112 164.5 128 C170 146 176 166 181.5 184 " +
-  "C186.5 193 188 203 184 208 C179.5 212.5 174 205 171.5 193 C165 172 157 155 151.5 139 C146 124 142 111 138.5 99 " +
-  "C138 117 135 132 134 148 C133.5 164 137 182 140 206 C127 211 113 212 100 212";
-const SLEEVE = "M113 56.5 C137 63 147.5 69 151.5 82 C156 98 160 112 164.5 128 C170 146 174.5 161 178.5 174.5 L168 179.5 " +
-  "C162.5 165 157 153 151.5 139 C146 124 142 111 138.5 99 C138 117 135 132 134 148 C133.5 164 137 182 140 206 C127 211 113 212 100 212";
-const NECKLINE = { front: "C112 68 106 73 100 73", back: "C110 61.5 105 63 100 63" };
+const SHOULDER = "C143 54 153.5 58 157.5 72 C161 89 168 103 175 119";
+const INNER_ARM = "C163 168 157 154 153 142 C148 127 145 112 141 97 C140 116 137 132 136 148 C135.5 166 140 188 143 216 C129 222 113 223 100 223";
+const SKIN = `M100 43 L109 43 C109.5 48 113 50.5 126 52 ${SHOULDER} C181 135 186 160 191 184 ` +
+  `C196 194 199 206 195 213 C191 219 184 213 181 204 C179 198 172 194 168.5 186 ${INNER_ARM}`;
+const COLLAR = [114, 50.5];
+const SLEEVE = `C118 51.2 122 51.6 126 52 ${SHOULDER} C180.5 134 185 156 189 175 L166.5 181 ${INNER_ARM}`;
+// From the collar to the middle: two control points and the end.
+const NECKLINE = { front: [112, 63, 106, 68, 100, 68], back: [110, 56, 105, 57, 100, 57] };
 
 /**
  * Draw one side of the body.
  * @param {"front" | "back"} side
  */
 export function outline(side) {
-  const neck = NECKLINE[side].replace("C", "").trim().split(/\s+/).map(Number);
-  const collar = `M113 56.5 C${neck.join(" ")}`;
-  const shirt = `M100 ${neck[5]} C${neck[2]} ${neck[3]} ${neck[0]} ${neck[1]} 113 56.5 ${SLEEVE.slice("M113 56.5 ".length)}`;
+  const [x1, y1, x2, y2, x, y] = NECKLINE[side];
+  const collar = `M${COLLAR.join(" ")} C${x1} ${y1} ${x2} ${y2} ${x} ${y}`;
+  const shirt = `M${x} ${y} C${x2} ${y2} ${x1} ${y1} ${COLLAR.join(" ")} ${SLEEVE}`;
   const half = () => [
     s("path", { class: "skin", d: SKIN }),
     s("path", { class: "cloth", d: shirt }),
     s("path", { class: "seam", d: collar }),
-    s("path", { class: "seam", d: "M138.5 99 C134 88 131 76 127 61.5" }),
-    s("path", { class: "seam", d: "M149 133 C153 131 158 128.5 163 124" }),
+    s("path", { class: "seam", d: "M141 97 C136 84 133 70 131 53" }),
+    s("path", { class: "seam", d: "M152 140 C159 138 167 133 177 125" }),
   ];
   return s("g", { class: "figure", "aria-hidden": "true" },
     s("ellipse", { class: "skin", cx: 100, cy: 24, rx: 16.5, ry: 21 }),
     s("g", {}, half()),
     s("g", { transform: `translate(${WIDTH} 0) scale(-1 1)` }, half()),
-    side === "back" && s("path", { class: "seam spine", d: "M100 66 C99 110 101 160 100 206" }),
+    side === "back" && s("path", { class: "seam spine", d: "M100 62 C99 110 101 160 100 220" }),
     side === "front" && face(),
     sideWords(side));
 }
@@ -45,7 +49,7 @@ function face() {
 function sideWords(side) {
   const [first, second] = side === "front" ? ["shirt.right", "shirt.left"] : ["shirt.left", "shirt.right"];
   return [
-    s("text", { class: "side", x: 14, y: 214, "text-anchor": "middle" }, t(first)),
-    s("text", { class: "side", x: WIDTH - 14, y: 214, "text-anchor": "middle" }, t(second)),
+    s("text", { class: "side", x: 14, y: 225, "text-anchor": "middle" }, t(first)),
+    s("text", { class: "side", x: WIDTH - 14, y: 225, "text-anchor": "middle" }, t(second)),
   ];
 }

@@ -74,7 +74,17 @@ export function stepper({ label, value, low, high, step, digits, unit, onChange 
   };
   for (const [button, direction] of [[less, -1], [more, 1]]) repeatWhileHeld(button, () => turn(direction));
   show();
-  return h("span", { class: "stepper", role: "group", "aria-label": label }, less, shown, more);
+  const element = h("span", { class: "stepper", role: "group", "aria-label": label }, less, shown, more);
+  const setValue = (other) => {
+    now = other;
+    show();
+  };
+  return Object.assign(element, { setValue });
+}
+
+/** A line with words at the left and its control at the right. @param {string} title @param {string} hint @param {Node} control */
+export function setting(title, hint, control) {
+  return h("div", { class: "setting" }, h("div", { class: "words" }, h("b", { class: "small" }, title), hint && h("span", {}, hint)), control);
 }
 
 /** @param {HTMLElement} button @param {() => void} act */

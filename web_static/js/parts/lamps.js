@@ -1,6 +1,6 @@
 /** The quality lamps on the body: every state differs by colour, by shape and by sign; the nearest lamp is the one that is tapped. */
 import { t } from "../texts.js";
-import { HEIGHT, outline, WIDTH } from "./body_outline.js";
+import { HEIGHT, LAYOUT_HEIGHT, outline, WIDTH } from "./body_outline.js";
 import { h, s, set } from "./dom.js";
 
 const SIZE = 4.6; // half the width of a lamp, in units of the outline
@@ -87,7 +87,7 @@ export function bodyLamps(layout, onPick) {
 
 /** @param {Channel} channel */
 function place({ position }) {
-  return [position[0] * WIDTH, position[1] * HEIGHT];
+  return [position[0] * WIDTH, position[1] * LAYOUT_HEIGHT];
 }
 
 function nearestLamp(picture, lamps, event) {

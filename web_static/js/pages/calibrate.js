@@ -1,0 +1,111 @@
+/** The calibration wizard: its steps are kept by the server, so that a reload comes back to the same one. */
+import { calibrateStep } from "../parts/calibrate_step.js";
+import { h, put } from "../parts/dom.js";
+import { nobodyIsHere } from "../parts/nobody.js";
+import { leftOutWords, resultView } from "../parts/result_view.js";
+import { stepBar } from "../parts/step_bar.js";
+import { t } from "../texts.js";
+
+const AUTO_PLACE = "bodydrive-calibrate-auto";
+const PAUSE = 1500; // ms between two steps that follow by themselves: time to breathe out
+
+/** @param {import("../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal}} page */
+export async function show(app, root, { signal }) {
+  if (nobodyIsHere(app, root)) return;
+  let [calibration, equipment] = await Promise.all([app.api.get("/calibration"), app.api.get("/equipment")]);
+  let watched = null; // the step that ran while we looked: only after it does the next one follow by itself
+  let timer = 0;
+  let drawn = new AbortController();
+
+  const take = (answer) => {
+    const before = calibration;
+    calibration = answer;
+    if (answer.running) watched = answer.running.step;
+    else if (before.running) afterStep(before.running.step);
+    draw();
+  };
+  const call = async (path, body) => {
+    clearTimeout(timer);
+    timer = 0;
+    try {
+      take(await app.api.post(path, body));
+    } catch (error) {
+      app.toasts.show(error.message);
+      await readAgain();
+    }
+  };
+  const readAgain = async () => {
+    const [fresh, worn] = await Promise.all([app.api.get("/calibration"), app.api.get("/equipment")]).catch(() => [calibration, equipment]);
+    if (signal.aborted) return;
+    equipment = worn;
+    take(fresh);
+  };
+  const afterStep = (id) => {
+    const isGood = calibration.steps.find((step) => step.id === id)?.status === "done" && watched === id;
+    watched = null;
+    const next = calibration.steps.find((step) => step.id === calibration.current);
+    if (!isGood || !actions.isAuto || !next || next.kind === "result" || next.status === "done") return;
+    timer = setTimeout(() => call(`/calibration/steps/${next.id}/start`), PAUSE);
+  };
+  const actions = {
+    go: (step) => call("/calibration/go", { step }),
+    start: (step) => call(`/calibration/steps/${step}/start`),
+    cancel: (step) => call(`/calibration/steps/${step}/cancel`),
+    setAuto: (on) => {
+      localStorage.setItem(AUTO_PLACE, on ? "on" : "off");
+      actions.isAuto = on;
+      if (!on && timer) {
+        clearTimeout(timer);
+        timer = 0;
+        draw();
+      }
+    },
+    isAuto: localStorage.getItem(AUTO_PLACE) !== "off",
+    get isGoingOn() {
+      return timer !== 0;
+    },
+  };
+  const accept = async () => {
+    try {
+      await app.api.post("/calibration/accept");
+      await app.readVisit();
+      app.go("#/controls");
+    } catch (error) {
+      app.toasts.show(error.message);
+    }
+  };
+  const draw = () => {
+    drawn.abort();
+    drawn = new AbortController();
+    signal.addEventListener("abort", () => drawn.abort(), { signal: drawn.signal });
+    const hadFocus = root.contains(document.activeElement) && document.activeElement !== root.querySelector("h1");
+    const isResult = calibration.current === "result";
+    const view = isResult ? resultPage(calibration, actions, accept) : calibrateStep(app, calibration, equipment, actions, drawn.signal);
+    put(root, h("div", { class: "body calibrate" }, stepBar(calibration.steps, calibration.current, actions.go),
+      h("h1", { tabindex: "-1" }, view.title), view.lead, view.body), h("div", { class: "foot" }, view.foot));
+    if (hadFocus) (root.querySelector(".foot .btn.go") ?? root.querySelector("h1")).focus({ preventScroll: true });
+  };
+  app.live.addEventListener("changed", ({ detail }) => ["calibration", "equipment", "everything"].includes(detail) && readAgain(), { signal });
+  signal.addEventListener("abort", () => clearTimeout(timer));
+  if (calibration.running) watched = calibration.running.step;
+  draw();
+}
+
+function resultPage(calibration, actions, accept) {
+  const { result, steps, running } = calibration;
+  const missing = steps.filter(({ kind, status }) => kind !== "result" && status !== "done");
+  const last = steps.at(-1);
+  const back = h("button", { type: "button", class: "btn", onclick: () => actions.go(steps.at(-2).id) }, t("back"));
+  if (running?.step === "result") return { title: t("calibrate.fitting"), lead: null, body: h("div", { class: "working", role: "status" }), foot: [back] };
+  if (missing.length || !result) {
+    const words = missing.length ? t("result.missing.lead", { count: missing.length }) : last.words;
+    const buttons = missing.map((step) => h("button", { type: "button", class: "btn", onclick: () => actions.go(step.id) }, step.title));
+    return { title: t("result.missing"), lead: h("p", { class: "lead" }, words), body: h("div", { class: "spread" }, buttons), foot: [back] };
+  }
+  const onwards = result.accepted ? h("a", { class: "btn go", href: "#/controls" }, t("result.go-on"))
+    : h("button", { type: "button", class: "btn go", onclick: accept }, t("result.accept"));
+  return {
+    title: t("result.title"), lead: h("p", { class: "lead" }, t("result.lead")), body: resultView(result, actions.start),
+    foot: [back, h("span", { class: "grow" }, result.accepted ? t("result.accepted") : leftOutWords(result.left_out)), onwards],
+  };
+}

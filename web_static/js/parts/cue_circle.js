@@ -1,0 +1,77 @@
+/** The large cue: a ring that fills with the time of the cue, and a disc that grows and shrinks with the movement. */
+import { t } from "../texts.js";
+import { runNow } from "./cue_clock.js";
+import { h, s, set, write } from "./dom.js";
+import { number } from "./format.js";
+
+const RADIUS = 118;
+const ROUND = 2 * Math.PI * RADIUS;
+const DISC_SMALL = 34; // radius at rest
+const DISC_LARGE = 100; // radius at the end of the movement
+const COUNTED = new Set(["ready", "rest", "free"]); // whole seconds; the others are too short to be counted
+
+/** What a cue asks for, in one word or two. @param {{kind: string, joint: string | null}} cue */
+export function cueWords(cue) {
+  if (cue.kind !== "move") return t(`cue.${cue.kind}`);
+  const part = cue.joint?.split("_").at(-1);
+  return ["elbow", "wrist", "shoulder"].includes(part) ? t(`cue.move.${part}`) : t("cue.move");
+}
+
+/**
+ * @param {import("../main.js").App} app @param {any} step @param {boolean} isRunning @param {AbortSignal} signal
+ * @param {(cue: any) => void} onCue told of each new cue
+ */
+export function cueCircle(app, step, { isRunning, idleWords, signal, onCue }) {
+  const disc = s("circle", { class: "disc", cx: 150, cy: 150, r: DISC_SMALL });
+  const ring = s("circle", { class: "ring", cx: 150, cy: 150, r: RADIUS, "stroke-dasharray": ROUND, "stroke-dashoffset": ROUND, transform: "rotate(-90 150 150)" });
+  const word = s("text", { class: "cue-word", x: 150, y: 158, "text-anchor": "middle" });
+  const seconds = s("text", { class: "cue-seconds", x: 150, y: 192, "text-anchor": "middle" });
+  const next = h("p", { class: "cue-next quiet" });
+  const picture = s("svg", { viewBox: "0 0 300 300", class: "cue-picture", "aria-hidden": "true" },
+    s("circle", { class: "track", cx: 150, cy: 150, r: RADIUS }), disc, ring, word, seconds);
+  const element = h("div", { class: "cue" }, picture, next);
+  let shown = -1;
+
+  const idle = () => {
+    set(ring, { "stroke-dashoffset": ROUND });
+    set(disc, { r: DISC_SMALL });
+    write(word, isRunning ? t("calibrate.wait") : "");
+    write(seconds, "");
+    write(next, idleWords);
+    element.dataset.kind = "idle";
+  };
+  const show = (now) => {
+    const cue = step.cues[now.index];
+    if (!cue) return idle();
+    const share = (now.t - cue.start) / (cue.end - cue.start);
+    set(ring, { "stroke-dashoffset": ROUND * (1 - share) });
+    set(disc, { r: discRadius(cue.kind, share) });
+    const left = cue.end - now.t;
+    write(seconds, t("cue.seconds", { seconds: COUNTED.has(cue.kind) ? Math.ceil(left) : number(left, 1) }));
+    if (now.index === shown) return;
+    shown = now.index;
+    element.dataset.kind = cue.kind;
+    write(word, cueWords(cue));
+    const after = step.cues[now.index + 1];
+    write(next, t("cue.next", { next: after ? cueWords(after).toLowerCase() : t("cue.end") }));
+    app.toasts.announce(cueWords(cue), true);
+    onCue(cue);
+  };
+  const turn = () => {
+    if (signal.aborted) return;
+    const now = isRunning ? runNow(app.live, step.cues) : null;
+    if (now) show(now);
+    requestAnimationFrame(turn);
+  };
+  idle();
+  turn();
+  return element;
+}
+
+/** The disc leads the movement: smoothly up, smoothly back. */
+function discRadius(kind, share) {
+  const ease = 0.5 - 0.5 * Math.cos(Math.PI * Math.min(1, Math.max(0, share)));
+  if (kind === "move") return DISC_SMALL + (DISC_LARGE - DISC_SMALL) * ease;
+  if (kind === "return") return DISC_LARGE - (DISC_LARGE - DISC_SMALL) * ease;
+  return DISC_SMALL;
+}

@@ -1,0 +1,24 @@
+/** Gestures in words, and found by what they are. */
+import { t } from "../texts.js";
+
+/** @param {any} profile @returns {Record<string, string>} joint name -> label, of the joints that have a map */
+export function jointLabels(profile) {
+  const labels = Object.fromEntries(profile.layout.joints.map(({ name, label }) => [name, label]));
+  return Object.fromEntries(profile.joints.map(({ name }) => [name, labels[name] ?? name]));
+}
+
+/** @param {{joint: string, direction: number, feature: string}} gesture @param {Record<string, string>} labels */
+export function gestureWords({ joint, direction, feature }, labels) {
+  const words = direction < 0 ? t("gesture.back", { joint: labels[joint] }) : labels[joint];
+  return feature === "displacement" ? t("gesture.held", { joint: words }) : words;
+}
+
+/** @param {any[]} gestures @param {string} joint @param {number} direction */
+export function gestureFor(gestures, joint, direction) {
+  return gestures.find((gesture) => gesture.joint === joint && gesture.direction === direction);
+}
+
+/** A name for a gesture that does not exist yet. @param {string} joint @param {number} direction */
+export function newGestureName(joint, direction) {
+  return direction > 0 ? joint : `${joint}_back`;
+}

@@ -1,0 +1,16 @@
+/** The steps of the calibration as a row: which are done, which is shown, which has to be repeated. */
+import { t } from "../texts.js";
+import { h } from "./dom.js";
+import { icon } from "./icons.js";
+
+/**
+ * @param {any[]} steps @param {string} current @param {(id: string) => void} onGo
+ */
+export function stepBar(steps, current, onGo) {
+  return h("ol", { class: "steps", "aria-label": t("calibrate.steps") }, steps.map((step, index) => {
+    const label = `${step.title}: ${t(`calibrate.step.${step.status}`)}`;
+    const mark = { done: icon("tick", 16), failed: icon("undo", 16) }[step.status] ?? String(index + 1);
+    return h("li", {}, h("button", { type: "button", class: step.status, "aria-label": label, title: label, "aria-current": step.id === current ? "step" : null, onclick: () => onGo(step.id) },
+      h("span", {}, mark)));
+  }));
+}
