@@ -3,11 +3,13 @@
 import math
 from itertools import pairwise
 
+import numpy as np
+
 from app.world.floorplan import FloorPlan
 from app.world.kinematics import CHAIR_RADIUS
 from app.world.obstacles import Box, Cylinder
 
-NEAR = 1.5  # m around the chair; walls further away are not looked at until it has come nearer
+NEAR = 0.8  # m around the chair; walls further away are not looked at until it has moved by half of this
 STEP = 0.1  # m; a longer way is gone in pieces, each far shorter than the chair's radius, so that no wall is jumped
 TOUCH = 1e-3  # m; nearer than this counts as touching
 ROUNDING = 1e-9  # m; what floating-point numbers may take from a distance
@@ -25,16 +27,22 @@ class Collision:
     as its gap. Nothing in it grows; only the cache of what is near changes.
     """
 
-    __slots__ = ("_boxes", "_edges", "_free_square", "_free_x", "_free_y", "_near", "_near_x", "_near_y", "radius")
+    __slots__ = (
+        *("_boxes", "_edges", "_edge_table", "_near", "_near_x", "_near_y"),
+        *("_free_square", "_free_x", "_free_y", "_left_room", "_left_x", "_left_y", "radius"),
+    )
 
     def __init__(self, floorplan: FloorPlan | None, radius: float = CHAIR_RADIUS) -> None:
         self.radius = radius
         self._edges: list[Edge] = [] if floorplan is None else _edges(floorplan, radius)
         self._boxes = [] if floorplan is None else [o for o in floorplan.obstacles if isinstance(o, Box)]
+        self._edge_table = np.array(self._edges, dtype=np.float64).reshape(-1, 6)
         self._near: list[Edge] = []
         self._near_x = self._near_y = math.inf
         self._free_x = self._free_y = 0.0
         self._free_square = -1.0  # of the circle around (_free_x, _free_y) in which nothing is touched
+        self._left_x = self._left_y = math.nan  # where it was last left, and the room there
+        self._left_room = 0.0
         if not self._edges:
             self._free_square = math.inf
 
@@ -82,19 +90,25 @@ class Collision:
             reach = min(room, NEAR - math.hypot(came_x - self._near_x, came_y - self._near_y))
             self._free_square = (reach - TOUCH) ** 2
             return came_x, came_y, False
-        before = _room(near, x, y)
+        left_here = x == self._left_x and y == self._left_y
+        before = self._left_room if left_here else _room(near, x, y)
         if before < -ROUNDING:  # too near already, so nothing is pushed
             came_x, came_y = new_x, new_y
             room = _room(near, new_x, new_y)
         moved = math.hypot(came_x - x, came_y - y)
-        if room < min(before, 0.0) - ROUNDING or moved >= self.radius + min(before, 0.0):
-            return x, y, True
-        return came_x, came_y, room <= TOUCH
+        held = room < min(before, 0.0) - ROUNDING or moved >= self.radius + min(before, 0.0)
+        if held:
+            came_x, came_y, room = x, y, before
+        self._left_x, self._left_y, self._left_room = came_x, came_y, room
+        return came_x, came_y, held or room <= TOUCH
 
     def _look_around(self, x: float, y: float) -> None:
-        """Keep what is so near that the chair could touch it before it looks around again."""
+        """Keep what the chair could touch before it looks around again; in numpy, since a storey has many edges."""
         self._near_x, self._near_y = x, y
-        self._near = [edge for edge in self._edges if _room((edge,), x, y) < NEAR]
+        start_x, start_y, direction_x, direction_y, length, reach = self._edge_table.T
+        along = np.clip((x - start_x) * direction_x + (y - start_y) * direction_y, 0.0, length)
+        distance = np.hypot(x - start_x - along * direction_x, y - start_y - along * direction_y)
+        self._near = [self._edges[index] for index in np.flatnonzero(distance < reach + NEAR).tolist()]
 
 
 def _room(edges: list[Edge] | tuple[Edge, ...], x: float, y: float) -> float:
@@ -110,7 +124,7 @@ def _deepest(edges: list[Edge] | tuple[Edge, ...], x: float, y: float) -> tuple[
         away_x, away_y = x - start_x, y - start_y
         along = away_x * direction_x + away_y * direction_y
         if along > 0.0:
-            along = min(along, length)
+            along = along if along < length else length
             away_x -= along * direction_x
             away_y -= along * direction_y
         distance = math.sqrt(away_x * away_x + away_y * away_y)
