@@ -41,6 +41,7 @@ from app.settings import Settings
 PREFIX = "/api/v1"
 ROUTES = (auth, patients, equipment, calibration, controls, trials, review, control, live)
 
+WebApp = FastAPI
 OpenLink = Callable[[], Awaitable[Link]]
 
 
@@ -97,6 +98,13 @@ def create_app(
     app.include_router(view_router(port_of, may_view, anyone_signed_in))
     install_pages(app, settings)
     return app
+
+
+async def say_goodbye(app: WebApp) -> None:
+    """Close every open page's sockets, so that nothing is waited for when the program ends."""
+    found: People | None = getattr(app.state, "people", None)
+    if found is not None:
+        await found.sockets.close_all()
 
 
 def _flows(
@@ -165,5 +173,4 @@ async def _end(flows: Flows) -> None:
     await flows.calibration.stop()
     await flows.drive.stop()
     await flows.live.close()
-    await flows.view.close()
-    await flows.control.close()
+    await asyncio.gather(flows.view.close(), flows.control.close())

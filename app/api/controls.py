@@ -6,7 +6,6 @@ from typing import Annotated, Any
 
 from fastapi import APIRouter, HTTPException
 from pydantic import Field, ValidationError
-from sqlalchemy.orm import Session
 
 from app.api.deps import Clinician, People, PeopleParts
 from app.api.flows import FlowParts, Flows
@@ -17,6 +16,7 @@ from app.calibration.vocabulary import Binding, ControlMode, DriveParameters, Ge
 from app.messages import MAX_GESTURES
 from app.quantities import Cutoff, Document, Title
 from app.sentences import one_sentence
+from app.session.database import Transaction
 from app.session.store_controls import (
     as_document,
     current_parameters,
@@ -83,7 +83,7 @@ class ControlsView(Document):
     misfit: str | None  # why these cannot drive with the shirt in use
 
 
-def _view(db: Session, flows: Flows, patient_id: int) -> ControlsView:
+def _view(db: Transaction, flows: Flows, patient_id: int) -> ControlsView:
     row, profile = current_parameters(db, patient_id)
     parameters = as_document(row, profile)
     before, after = undo_and_redo(db, patient_id)
@@ -112,7 +112,7 @@ async def look(who: Clinician, parts: PeopleParts, flows: FlowParts) -> Controls
     return await asyncio.to_thread(_read)
 
 
-Change = Callable[[Session, PatientSession], Parameters]
+Change = Callable[[Transaction, PatientSession], Parameters]
 
 
 async def _change(who: SignedIn, parts: People, flows: Flows, what: str, change: Change) -> ControlsView:
@@ -136,7 +136,7 @@ async def _change(who: SignedIn, parts: People, flows: Flows, what: str, change:
 async def set_controls(body: ControlSettings, who: Clinician, parts: PeopleParts, flows: FlowParts) -> ControlsView:
     """Set the controls; an invalid set changes nothing."""
 
-    def _set(db: Session, session: PatientSession) -> Parameters:
+    def _set(db: Transaction, session: PatientSession) -> Parameters:
         _row, profile = current_parameters(db, session.patient_id)
         return save_parameters(db, profile, _whole(body.model_dump(mode="json"), profile))
 
@@ -170,7 +170,7 @@ async def redo(who: Clinician, parts: PeopleParts, flows: FlowParts) -> Controls
 async def suggest(who: Clinician, parts: PeopleParts, flows: FlowParts) -> ControlsView:
     """Bind the gestures that the calibration suggests, with its dead-zones and fulls."""
 
-    def _suggest(db: Session, session: PatientSession) -> Parameters:
+    def _suggest(db: Transaction, session: PatientSession) -> Parameters:
         row, profile_row = current_parameters(db, session.patient_id)
         profile = CalibrationProfile.model_validate(profile_row.document)
         gestures = [

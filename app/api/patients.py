@@ -5,11 +5,11 @@ from typing import Annotated
 from fastapi import APIRouter
 from fastapi.concurrency import run_in_threadpool
 from pydantic import Field
-from sqlalchemy.orm import Session
 
 from app.api.deps import Anyone, Clinician, PeopleParts
 from app.api.flows import FlowParts, show_visit
 from app.quantities import Count, Document, Name, Title
+from app.session.database import Transaction
 from app.session.store_log import write_log
 from app.session.store_patients import (
     add_patient,
@@ -72,7 +72,7 @@ class VisitView(Document):
     steps_done: list[str]
 
 
-def _view(db: Session, patient: Patient) -> PatientView:
+def _view(db: Transaction, patient: Patient) -> PatientView:
     sessions, trials, last = patient_figures(db, patient)
     return PatientView(
         id=patient.id,

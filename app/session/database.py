@@ -44,6 +44,10 @@ def migrate(engine: Engine, revision: str = "head") -> None:
         (command.downgrade if revision == "base" else command.upgrade)(config, revision)
 
 
+Transaction = Session
+"""What the store's functions work in."""
+
+
 class Database:
     """The clinic's database, brought to the newest schema when it is opened."""
 
@@ -54,7 +58,7 @@ class Database:
         migrate(self._engine)
 
     @contextmanager
-    def transaction(self) -> Iterator[Session]:
+    def transaction(self) -> Iterator[Transaction]:
         """Yield a session; all of what was done in it is kept, or nothing when an exception passes."""
         with self._one_at_a_time, Session(self._engine, expire_on_commit=False) as session, session.begin():
             yield session

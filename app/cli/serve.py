@@ -1,0 +1,94 @@
+"""`bodydrive demo` and `bodydrive serve`: the web process, from the first port to the last file."""
+
+import asyncio
+import logging
+import sys
+import tempfile
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from app.api.app import WebApp, create_app
+from app.api.view_keeper import ServedScene
+from app.cli.errors import InputError
+from app.cli.server import WebServer, bind, held, link_to
+from app.session.database import Database
+from app.session.recordings import recorded_readings
+from app.session.store_patients import add_patient, start_session
+from app.session.store_people import add_clinic, count_people
+from app.settings import Settings, new_code, state_folder
+from app.supervisor import ControlProcess
+
+Port = Annotated[int, typer.Option(min=0, max=65_535, help="The port to listen on; 0 takes any free one.")]
+Host = Annotated[str, typer.Option(help="The address to listen on; other machines reach only other ones than this.")]
+State = Annotated[Path | None, typer.Option(help="The folder of the clinic's database and recordings.")]
+
+LOOPBACK = ("127.0.0.1", "localhost", "::1")
+DEMO_PATIENT = ("DEMO-1", "Kingfisher", "A demonstration patient: nobody real.")
+
+
+def demo(port: Port = 8080, host: Host = "127.0.0.1") -> None:
+    """Open a throw-away demonstration clinic: a simulated shirt, a patient, and the virtual chair."""
+    with bind(host, port) as listening, tempfile.TemporaryDirectory(prefix="bodydrive-demo-") as folder:
+        bound = int(listening.getsockname()[1])
+        settings = Settings(state=Path(folder), host=host, port=bound, demo_code=new_code())
+        _furnish(settings)
+        words = f"A demonstration, kept nowhere. Ctrl-C ends it.\n{link_to(host, bound)}#demo={settings.demo_code}"
+        _run(settings, WebServer(_app(settings), listening, words))
+
+
+def serve(port: Port = 8080, host: Host = "127.0.0.1", state: State = None) -> None:
+    """Open a clinic; its database and recordings are kept."""
+    folder = (state or state_folder()).expanduser().resolve()
+    with bind(host, port) as listening, held(folder):
+        bound = int(listening.getsockname()[1])
+        code = new_code() if _nobody_yet(folder) else None
+        settings = Settings(state=folder, host=host, port=bound, setup_code=code)
+        words = [f"The clinic in {folder}. Ctrl-C ends it."]
+        if host not in LOOPBACK:
+            words.append("Others on the network can reach this, and nothing on the way is encrypted.")
+        if code is None:
+            words.append(link_to(host, bound))
+        else:
+            words += [
+                f"Set-up code, for the first owner, within 30 minutes: {code}",
+                f"{link_to(host, bound)}#setup={code}",
+            ]
+        _run(settings, WebServer(_app(settings), listening, "\n".join(words)))
+
+
+def _furnish(settings: Settings) -> None:
+    """Make the demonstration clinic with a patient who is here."""
+    database = Database(settings.database)
+    with database.transaction() as db:
+        clinic = add_clinic(db, "Demonstration")
+        patient = add_patient(db, clinic.id, *DEMO_PATIENT)
+        start_session(db, clinic.id, patient.id)
+    database.close()
+
+
+def _nobody_yet(folder: Path) -> bool:
+    database = Database(Settings(state=folder).database)
+    try:
+        with database.transaction() as db:
+            return count_people(db) == 0
+    finally:
+        database.close()
+
+
+def _app(settings: Settings) -> WebApp:
+    return create_app(settings, ControlProcess.start, recorded_readings(), ServedScene)
+
+
+def _run(settings: Settings, server: WebServer) -> None:
+    """Serve until somebody ends it; say in one sentence what kept it from starting."""
+    logging.basicConfig(level=logging.WARNING, format="bodydrive: %(message)s", stream=sys.stderr)
+    # What these say about browsers that come and go helps nobody; our own errors go through the logger "bodydrive".
+    for name in ("uvicorn", "uvicorn.error", "websockets", "asyncio"):
+        logging.getLogger(name).setLevel(logging.CRITICAL)
+    settings.runs.mkdir(parents=True, exist_ok=True)
+    if not asyncio.run(server.run_until_signal()):
+        raise InputError(
+            "The control process did not start, so there is nothing to show: look at the messages above and try again."
+        )

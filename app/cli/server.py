@@ -1,0 +1,126 @@
+"""The web server in this process: its socket, its end by a signal, and the folder that only one may use."""
+
+import asyncio
+import errno
+import fcntl
+import ipaddress
+import signal
+import socket
+from collections.abc import Iterator
+from contextlib import AbstractContextManager, contextmanager, nullcontext, suppress
+from pathlib import Path
+
+import typer
+import uvicorn
+
+from app.api.app import WebApp, say_goodbye
+from app.cli.errors import InputError
+
+PING_EVERY = 2.0  # s
+# A browser that does not answer for so long has gone: a tablet that sleeps, a cable that is out. Busy ones take a
+# while, and the live socket and the 3D view cut off by themselves, within 3 s, who does not take what is sent.
+PING_LIMIT = 20.0  # s
+LAST_ANSWERS = 1  # s for requests under way when the program ends
+GOODBYE = 0.5  # s for telling the open pages
+
+
+class WebServer(uvicorn.Server):
+    """uvicorn on a socket that is bound already; ends in order on Ctrl-C and SIGTERM, without a word of its own."""
+
+    def __init__(self, app: WebApp, listening: socket.socket, words: str) -> None:
+        super().__init__(
+            uvicorn.Config(
+                app,
+                log_config=None,
+                access_log=False,
+                server_header=False,
+                lifespan="on",
+                ws_per_message_deflate=False,
+                ws_ping_interval=PING_EVERY,
+                ws_ping_timeout=PING_LIMIT,
+                timeout_graceful_shutdown=LAST_ANSWERS,
+            )
+        )
+        self._app = app
+        self._listening = listening
+        self._words = words
+
+    async def run_until_signal(self) -> bool:
+        """Serve until a signal; return whether it had come up."""
+        loop = asyncio.get_running_loop()
+        leaving: list[asyncio.Task[None]] = []
+
+        def leave() -> None:
+            if leaving:
+                self.force_exit = True
+            else:
+                leaving.append(asyncio.create_task(self._leave()))
+
+        for number in (signal.SIGINT, signal.SIGTERM):
+            loop.add_signal_handler(number, leave)
+        with suppress(SystemExit):  # uvicorn's way to say that the application did not start
+            await self.serve([self._listening])
+        return self.started
+
+    async def startup(self, sockets: list[socket.socket] | None = None) -> None:
+        """Start, and only then print the link."""
+        await super().startup(sockets)
+        if self.started:
+            typer.echo(self._words)
+
+    def capture_signals(self) -> AbstractContextManager[None]:  # type: ignore[override]
+        """Leave the signals to us."""
+        return nullcontext()
+
+    async def _leave(self) -> None:
+        with suppress(TimeoutError):
+            await asyncio.wait_for(say_goodbye(self._app), GOODBYE)
+        self.should_exit = True
+
+
+def bind(host: str, port: int) -> socket.socket:
+    """Take the port before anything else is made; a busy one is a sentence."""
+    try:
+        family = socket.AF_INET6 if ":" in host else socket.AF_INET
+        listening = socket.create_server((host, port), family=family, backlog=128)
+    except OSError as error:
+        if error.errno == errno.EADDRINUSE:
+            raise InputError(
+                f"Port {port} of {host} is busy: end the program that uses it, or choose another port with --port "
+                f"(with make: PORT={port + 1 if port < 65_535 else 8080})."
+            ) from error
+        if error.errno == errno.EACCES:
+            raise InputError(f"Port {port} is for the system: choose one above 1023 with --port.") from error
+        raise InputError(
+            f"'{host}' is no address of this machine: leave --host out, or give one of its own."
+        ) from error
+    # Without this, a page whose machine vanished holds its connection for a quarter of an hour.
+    if hasattr(socket, "TCP_USER_TIMEOUT"):
+        listening.setsockopt(socket.IPPROTO_TCP, socket.TCP_USER_TIMEOUT, int(1000 * PING_LIMIT))
+    return listening
+
+
+def link_to(host: str, port: int) -> str:
+    """Return the address to open in a browser on this machine."""
+    with suppress(ValueError):
+        if ipaddress.ip_address(host).is_unspecified:
+            host = "127.0.0.1"
+    return f"http://[{host}]:{port}/" if ":" in host else f"http://{host}:{port}/"
+
+
+@contextmanager
+def held(folder: Path) -> Iterator[None]:
+    """Hold a clinic's folder, so that no second program writes to its database."""
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        file = (folder / "in-use").open("w")
+    except OSError as error:
+        raise InputError(f"{folder} cannot be written: choose another folder with --state.") from error
+    with file:
+        try:
+            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError as error:
+            raise InputError(
+                f"The clinic in {folder} is open already: end the other program, or choose another with --state."
+            ) from error
+        yield
