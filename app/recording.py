@@ -83,9 +83,13 @@ class RunWriter:
     def close(self, until: int) -> tuple[int, int]:
         """Close the recording, wait for it, and return how many rows were written and dropped."""
         self.finish(until)
+        self.wait()
+        return self.rows, self.dropped
+
+    def wait(self) -> None:
+        """Return when the recording is closed, once `finish` was called."""
         if self._thread is not None:
             self._thread.join()
-        return self.rows, self.dropped
 
     def _record(self, ring: TickRing, last: int, run: int) -> None:
         synced = monotonic()

@@ -1,0 +1,56 @@
+"""Tells another program where the virtual chair is: one datagram a tick. A report, never a command."""
+
+import socket
+from contextlib import suppress
+from struct import Struct
+
+from app.hardware.base import HardwareError
+from app.messages import Tick
+
+MAGIC, VERSION = b"BMIP", 1
+
+REPORT = Struct("<4sBBHIQffffff")
+"""docs/protocols.md, section 7: magic, version, state, 0, frame seq, monotonic ns, x, y, theta, v, omega, 0."""
+
+
+def encode_report(tick: Tick) -> bytes:
+    """Return the datagram of a tick: `t` in ns, pose in m and rad, speeds in m/s and rad/s."""
+    return REPORT.pack(
+        MAGIC,
+        VERSION,
+        tick.state,
+        0,
+        tick.frame_seq,
+        int(tick.t * 1e9),
+        tick.x,
+        tick.y,
+        tick.theta,
+        tick.v,
+        tick.omega,
+        0.0,
+    )
+
+
+class ChairReport:
+    """Sends reports to one address; one that cannot be sent is left out."""
+
+    def __init__(self, host: str, port: int) -> None:
+        """Open the way to `host`, or raise HardwareError."""
+        try:
+            family, kind, protocol, _, address = socket.getaddrinfo(host, port, type=socket.SOCK_DGRAM)[0]
+            self._socket = socket.socket(family, kind, protocol)
+        except OSError as error:
+            raise HardwareError(
+                f"reports cannot be sent to {host}:{port} ({error.strerror}): give a host and port"
+            ) from error
+        self._socket.setblocking(False)
+        self._address = address
+
+    def send(self, tick: Tick) -> None:
+        """Send a tick; never waits."""
+        with suppress(OSError):  # nobody there, or no room: the next one is newer
+            self._socket.sendto(encode_report(tick), self._address)
+
+    def close(self) -> None:
+        """Give the socket back."""
+        self._socket.close()

@@ -1,0 +1,71 @@
+"""The fields of each command (docs/protocols.md, section 1)."""
+
+from typing import Annotated, Any, Literal
+
+from pydantic import Field
+
+from app.calibration.vocabulary import DriveParameters
+from app.cues import Cue
+from app.pipeline.open_run import RunKind
+from app.quantities import Document, Fraction, Name
+from app.world.floorplan import FloorPlan
+
+Folder = Annotated[str, Field(min_length=1, max_length=4096, pattern=r"^/[^\x00]*$")]  # absolute
+MAX_CUES = 1000
+
+
+class Nothing(Document):
+    """A command without fields."""
+
+
+class Heartbeat(Document):
+    """The web process lives; whether the screen that armed the chair is in view."""
+
+    screen: bool
+
+
+class Device(Document):
+    """A shirt or a body; the registry looks into the configuration."""
+
+    config: dict[str, Any]
+
+
+class Move(Document):
+    """Where the visitor wants the joints of the simulated body."""
+
+    joints: dict[Name, Fraction]
+
+
+class Parameters(Document):
+    """What to drive with."""
+
+    parameters: DriveParameters | None
+
+
+class World(Document):
+    """Where to drive."""
+
+    floorplan: FloorPlan | None
+    path: Name | None = None
+
+
+class Run(Document):
+    """What to record."""
+
+    run_id: Name
+    folder: Folder
+    kind: RunKind
+    cues: Annotated[tuple[Cue, ...], Field(max_length=MAX_CUES)] = ()
+    meta: dict[str, Any] = Field(default_factory=dict)
+
+
+class Arm(Document):
+    """Permit motion with the parameters of this hash."""
+
+    hash: Annotated[str, Field(pattern=r"^[0-9a-f]{64}$")]
+
+
+class Stop(Document):
+    """Who stopped the chair."""
+
+    by: Literal["tablet", "key"] = "tablet"

@@ -1,0 +1,115 @@
+"""The control loop: one frame in, one tick out, and a tick even when no frame comes."""
+
+import math
+
+from app.clock import Clock
+from app.faults import State
+from app.geometry import Pose
+from app.hardware.base import BodyView
+from app.hardware.chair.report import ChairReport
+from app.messages import NO_CUE, SensorFrame, Tick
+from app.pipeline.open_run import OpenRun
+from app.pipeline.safety import Conditions
+from app.pipeline.setup import Setup
+from app.ring import TickRing
+
+LONGEST_WAIT = 0.02  # s without a frame, then a tick is made without one
+WAIT_PERIODS = 2.0  # the same for a fast shirt, so that its jitter makes no ticks of its own
+MOST_AT_ONCE = 64  # frames decoded before the commands are looked at again
+ALIVE = 0.5  # s: a shirt that sent nothing for so long is not alive
+
+
+class ControlLoop:
+    """Turns for ever; whoever calls `turn` decides when it ends.
+
+    Attributes
+    ----------
+    late : int
+        Ticks that came more than a period after the deadline.
+    heard : float
+        When the web process was heard last (monotonic s); never, at first.
+    """
+
+    def __init__(self, setup: Setup, ring: TickRing, report: ChairReport | None, clock: Clock) -> None:
+        self.setup = setup
+        self.ring = ring
+        self.run: OpenRun | None = None
+        self.late = 0
+        self.heard = -math.inf
+        self.conditions = Conditions(screen=False)
+        self._report = report
+        self._clock = clock
+        self._deadline = clock.now()
+        self._frame_t = -math.inf
+        self._wait = self._period = 0.0
+        self.changed()
+
+    def changed(self) -> None:
+        """Take up another shirt's rate; what took long to set up is not called late."""
+        self._period = 1.0 / self.setup.sample_rate
+        self._wait = min(LONGEST_WAIT, WAIT_PERIODS * self._period)
+        self._deadline = self._clock.now() + self._wait
+
+    @property
+    def shirt_alive(self) -> bool:
+        """Whether the shirt sent a frame just now."""
+        return self.setup.shirt is not None and self._clock.now() - self._frame_t < ALIVE
+
+    def turn(self) -> None:
+        """Wait for a frame until the deadline, and make a tick of it or without it; then of all that are pending."""
+        shirt = self.setup.shirt
+        if shirt is None:
+            self._clock.sleep_until(self._deadline)
+            self._step(None, 0)
+            return
+        frame = shirt.read(max(0.0, self._deadline - self._clock.now()))
+        self._step(frame, shirt.lost)
+        if frame is None:
+            return
+        for _ in range(MOST_AT_ONCE):
+            if not shirt.pending():
+                return
+            frame = shirt.read(0.0)
+            if frame is None:
+                return
+            self._step(frame, shirt.lost)
+
+    def _step(self, frame: SensorFrame | None, lost: int) -> None:
+        t = self._clock.now()
+        if t > self._deadline + self._period:
+            self.late += 1
+        if frame is None and t < self._deadline + self._wait:
+            self._deadline += self._wait  # idle ticks keep their grid
+        else:
+            self._deadline = t + self._wait
+        conditions, run = self.conditions, self.run
+        conditions.supervisor_age = t - self.heard
+        conditions.recording = run is None or not run.writer.words
+        tick = self.setup.chain.step(frame, t, conditions)
+        if self._report is not None:
+            self._report.send(tick)
+        if frame is not None:
+            self._frame_t = t
+        if run is None:
+            run_t, cue = math.nan, NO_CUE
+            self.ring.write(tick, 0, run_t, cue, lost, self.late)
+        else:
+            run_t = t - run.start
+            cue = run.cue_at(run_t)
+            self.ring.write(tick, run.number, run_t, cue, lost, self.late)
+        if self.setup.dressed is not None:
+            self._show(self.setup.dressed.view, tick, cue, run_t)
+
+    def _show(self, view: BodyView, tick: Tick, cue: int, run_t: float) -> None:
+        """Let the body in the simulated shirt see what its wearer would see."""
+        run = self.run
+        if run is None or cue == NO_CUE:
+            view.cue, view.cue_elapsed = None, 0.0
+        else:
+            view.cue = run.cues[cue]
+            view.cue_elapsed = run_t - view.cue.start
+        view.driving = tick.state is State.ARMED and run is not None and run.kind == "drive"
+        view.pose = Pose(tick.x, tick.y, tick.theta)
+        chair = self.setup.chair.state
+        view.v, view.omega = chair.v, chair.omega
+        view.in_contact = tick.in_contact

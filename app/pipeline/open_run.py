@@ -1,0 +1,37 @@
+"""A run while it is recorded: its clock, its cues, its writer."""
+
+import math
+from collections.abc import Sequence
+from typing import Literal
+
+from app.cues import Cue, cue_index
+from app.messages import NO_CUE
+from app.recording import RunWriter
+
+RunKind = Literal["rest", "free", "prompt", "drive"]
+
+
+class OpenRun:
+    """One uninterrupted recording."""
+
+    def __init__(
+        self, run_id: str, number: int, kind: RunKind, cues: Sequence[Cue], start: float, writer: RunWriter
+    ) -> None:
+        """Begin at `start` (monotonic s); `number` is what the run is called in ticks."""
+        self.run_id = run_id
+        self.number = number
+        self.kind = kind
+        self.cues = tuple(cues)
+        self.start = start
+        self.writer = writer
+        self.was_armed = False
+        self._edges = sorted({edge for cue in self.cues for edge in (cue.start, cue.end)})
+        self._cue = NO_CUE
+        self._until = -math.inf  # up to when the current cue is known to stay the current one
+
+    def cue_at(self, run_t: float) -> int:
+        """Return the index of the cue in force at `run_t` (s since the start), which must not go back."""
+        if run_t >= self._until:
+            self._cue = cue_index(self.cues, run_t)
+            self._until = next((edge for edge in self._edges if edge > run_t), math.inf)
+        return self._cue

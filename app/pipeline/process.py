@@ -1,0 +1,85 @@
+"""The control process: `python -m app.pipeline.process --link-fd FD --ring NAME [--report HOST:PORT]`."""
+
+import argparse
+import signal
+import socket
+import sys
+
+from app.clock import MonotonicClock
+from app.faults import Fault
+from app.hardware.base import HardwareError
+from app.hardware.chair.report import ChairReport
+from app.link import CommandServer
+from app.pipeline.commands import Commands
+from app.pipeline.loop import ControlLoop
+from app.pipeline.realtime import go_real_time
+from app.pipeline.setup import Setup
+from app.ring import TickRing
+
+POLL_EVERY = 0.004  # s between two looks at the link
+LAST_TURNS = 0.5  # s: the chair stands before that (the gate's STOP_TIME)
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Run until the link ends; return the exit code."""
+    given = _parser().parse_args(arguments)
+    clock = MonotonicClock()
+    try:
+        report = ChairReport(*given.report) if given.report else None
+        link = socket.socket(fileno=given.link_fd)
+        ring = TickRing.create(given.ring)
+    except (HardwareError, OSError) as error:
+        sys.stderr.write(f"The control process cannot start: {error}\n")
+        return 2
+    try:
+        server = CommandServer(link)
+        setup = Setup(clock)
+        loop = ControlLoop(setup, ring, report, clock)
+        commands = Commands(loop, server, go_real_time(), clock)
+        signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the web process
+        signal.signal(signal.SIGTERM, lambda *_: setattr(commands, "quit", True))
+        _turn_until_told(loop, commands, server, clock)
+        _come_to_a_stop(loop, clock)
+        commands.close()
+        setup.close_shirt()
+    finally:
+        ring.unlink()
+    return 0
+
+
+def _turn_until_told(loop: ControlLoop, commands: Commands, server: CommandServer, clock: MonotonicClock) -> None:
+    poll_at = clock.now()
+    while not (commands.quit or server.closed):
+        loop.turn()
+        now = clock.now()
+        if now >= poll_at:
+            poll_at = now + POLL_EVERY
+            commands.poll()
+
+
+def _come_to_a_stop(loop: ControlLoop, clock: MonotonicClock) -> None:
+    """Go on turning while the gate brings the chair to its stop, the recording included."""
+    loop.setup.chain.gate.stop(Fault.WEB_SILENT)
+    until = clock.now() + LAST_TURNS
+    loop.turn()
+    while not loop.setup.stands and clock.now() < until:
+        loop.turn()
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(prog="python -m app.pipeline.process", description="The control process.")
+    parser.add_argument("--link-fd", type=int, required=True, help="an open end of a stream socket pair")
+    parser.add_argument("--ring", required=True, help="name of the shared memory to make for the ticks")
+    parser.add_argument("--report", type=_address, metavar="HOST:PORT", help="tell this address where the chair is")
+    return parser
+
+
+def _address(text: str) -> tuple[str, int]:
+    host, _, port = text.rpartition(":")
+    if not host or not port.isdecimal() or not 0 < int(port) < 65_536:
+        raise argparse.ArgumentTypeError(f"'{text}' is no address, give one as HOST:PORT")
+    return host, int(port)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,54 @@
+"""Asks the machine for what keeps the loop on time, and says in words what it granted."""
+
+import ctypes
+import gc
+import os
+import resource
+import sys
+
+PRIORITY = 10  # of SCHED_FIFO: above every ordinary program, below the kernel's own threads
+SWITCH_INTERVAL = 1e-4  # s: how long the recorder may hold the interpreter when the loop wants it
+MCL_CURRENT, MCL_FUTURE, MCL_ONFAULT = 1, 2, 4
+LOCK = MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT  # what is in use stays; reserved but untouched memory is not filled
+
+
+def go_real_time() -> list[str]:
+    """Take real-time scheduling for this thread, lock the memory, freeze the garbage collector; return sentences.
+
+    What is not granted is done without.
+    """
+    sys.setswitchinterval(SWITCH_INTERVAL)
+    words = [take_priority(), _lock_memory()]
+    gc.collect()
+    gc.freeze()
+    gc.disable()  # `tidy` collects at moments when nothing moves
+    return words
+
+
+def tidy() -> None:
+    """Collect garbage; to be called only while the chair stands."""
+    gc.collect()
+    gc.freeze()
+
+
+def take_priority() -> str:
+    """Give the calling thread real-time scheduling, not those it starts; return in one sentence whether it was had."""
+    if not hasattr(os, "SCHED_FIFO"):
+        return "This system has no real-time scheduling: close other programs while driving."
+    try:
+        os.sched_setscheduler(0, os.SCHED_FIFO | os.SCHED_RESET_ON_FORK, os.sched_param(PRIORITY))
+    except OSError:
+        return "Real-time scheduling was not granted: close other programs while driving."
+    return "The control loop has real-time scheduling."
+
+
+def _lock_memory() -> str:
+    refused = "Memory is not locked: a machine short of memory may delay the control loop."
+    if sys.platform != "linux":
+        return refused
+    limit, _ = resource.getrlimit(resource.RLIMIT_MEMLOCK)
+    if os.geteuid() != 0 and limit != resource.RLIM_INFINITY:
+        return refused  # a lock that is granted up to a limit makes later allocations fail
+    if ctypes.CDLL(None, use_errno=True).mlockall(LOCK) != 0:
+        return refused
+    return "The control loop's memory is locked."
