@@ -9,7 +9,7 @@ from app.calibration.fit import fit_profile
 from app.clock import stopwatch
 
 
-def measure_fit() -> Row:
+def measure_fit() -> list[Row]:
     """Return how long ten seconds of free movement at 1 kHz take to fit."""
     parameters = bench_parameters(SAMPLE_RATE)
     values = bench_signals(parameters, 10.0)
@@ -19,4 +19,4 @@ def measure_fit() -> Row:
         fit_profile(parameters.profile.layout, SAMPLE_RATE, values)
         durations.append(stopwatch() - before)
     figure = statistics.median(durations) * 1e3
-    return Row("calibration fit of 10 s at 1 kHz x 52", figure, "ms", 100.0, "lower", f"median of {RUNS}")
+    return [Row("calibration fit of 10 s at 1 kHz x 52", figure, "ms", 100.0, "lower", f"median of {RUNS}")]

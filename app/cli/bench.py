@@ -3,28 +3,24 @@
 import json
 import os
 import platform
-from collections.abc import Callable
 from dataclasses import asdict
+from importlib import import_module
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
-from app.bench.chain import measure_chain_step, measure_decode
-from app.bench.fit import measure_fit
-from app.bench.loop import measure_loop
 from app.bench.row import Row
-from app.bench.study import measure_study
-from app.bench.viewers import measure_viewers
 from app.cli.errors import InputError
 
-PARTS: dict[str, Callable[[], list[Row]]] = {
-    "chain": lambda: [measure_chain_step()],
-    "loop": measure_loop,
-    "decode": lambda: [measure_decode()],
-    "fit": lambda: [measure_fit()],
-    "study": lambda: [measure_study()],
-    "viewers": measure_viewers,
+# part -> module and function that measures it, imported only when it is asked for
+PARTS = {
+    "chain": ("app.bench.chain", "measure_chain_step"),
+    "loop": ("app.bench.loop", "measure_loop"),
+    "decode": ("app.bench.chain", "measure_decode"),
+    "fit": ("app.bench.fit", "measure_fit"),
+    "study": ("app.bench.study", "measure_study"),
+    "viewers": ("app.bench.viewers", "measure_viewers"),
 }
 
 
@@ -39,7 +35,8 @@ def bench(
             raise InputError(f"there is no part '{part}' to measure: use any of {', '.join(PARTS)}")
     rows = []
     for part in chosen:
-        for row in PARTS[part]():
+        module, name = PARTS[part]
+        for row in getattr(import_module(module), name)():
             rows.append(row)
             if not as_json:
                 typer.echo(line(row))

@@ -4,7 +4,6 @@ import sys
 from importlib import import_module
 from typing import Annotated
 
-import click
 import typer
 
 from app import __version__
@@ -22,6 +21,10 @@ COMMANDS = {
     "bench": ("app.cli.bench", "bench"),
     "floorplan": ("app.cli.floorplan", "floorplan_app"),
 }
+
+
+# The base of every complaint about words and options; typer carries it, but under no public name.
+Complaint: type[Exception] = next(kind for kind in typer.BadParameter.__mro__ if kind.__name__ == "ClickException")
 
 
 def build(words: list[str]) -> typer.Typer:
@@ -60,9 +63,10 @@ def main() -> None:
         code = build(words)(standalone_mode=False, prog_name="bodydrive")
     except InputError as error:
         refuse(str(error))
-    except click.ClickException as error:
-        refuse(f"{error.format_message()} See bodydrive {' '.join(given[:1])} --help.")
-    except click.Abort:
+    except Complaint as error:
+        sentence = getattr(error, "format_message", error.__str__)()
+        refuse(f"{sentence.rstrip('.')}: see {' '.join(['bodydrive', *words[: len(words) == 1]])} --help")
+    except (typer.Abort, KeyboardInterrupt):
         sys.exit(130)
     sys.exit(code if isinstance(code, int) else 0)
 

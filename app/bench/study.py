@@ -1,0 +1,22 @@
+"""How long the paper's experiment takes without a screen, figures and files included."""
+
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from app.bench.row import Row
+from app.clock import stopwatch
+
+TRIALS = 22
+
+
+def measure_study() -> list[Row]:
+    """Return how long `bodydrive study --trials 22` takes, started as a person would start it."""
+    with tempfile.TemporaryDirectory() as folder:
+        words = ["study", "--trials", str(TRIALS), "--seed", "1", "--floorplan", "clinic"]
+        command = [sys.executable, "-c", "from app.cli.main import main; main()", *words, "--json"]
+        before = stopwatch()
+        subprocess.run([*command, "--out", str(Path(folder) / "study")], check=True, capture_output=True)
+        duration = stopwatch() - before
+    return [Row(f"study --trials {TRIALS}", duration, "s", 60.0, "lower", "one run, files and figures included")]
