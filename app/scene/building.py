@@ -21,6 +21,9 @@ PATH_WIDTH = 0.16  # m
 PATH_EDGE = 0.035  # m of a darker rim on each side, so that white shows on a light floor
 SHORTEST_WALL_PIECE = 1e-6  # m
 
+FURNITURE: Final = "furniture_"  # how the names of its parts begin
+WALLS: Final = ("wall_sides", "wall_tops")
+
 # Heights above the floor, apart enough not to flicker when seen from the top.
 TILES_AT: Final = 0.006
 EDGE_AT: Final = 0.014
@@ -36,16 +39,19 @@ class Part(NamedTuple):
 
 
 def building_parts(plan: FloorPlan) -> dict[str, Part]:
-    """Return what stands still and is seen in every view: floor, walls, furniture."""
+    """Return what stands still: walls, door frames, furniture, floor.
+
+    They are drawn in this order. What hides much comes first, so that little is painted twice: a tablet's time goes
+    into pixels, not into triangles.
+    """
     x_min, y_min, x_max, y_max = plan.bounds
     floor = rectangle(x_min - MARGIN, y_min - MARGIN, x_max + MARGIN, y_max + MARGIN, 0.0)
-    parts = {"floor": Part(floor, palette.FLOOR), "tiles": Part(_tiles(plan), palette.FLOOR_TILE)}
-    for colour, mesh in furniture(plan.obstacles).items():
-        parts[f"furniture_{'_'.join(map(str, colour))}"] = Part(mesh, colour)
-    return parts
+    pieces = {f"{FURNITURE}{'_'.join(map(str, colour))}": Part(mesh, colour) for colour, mesh in _furniture(plan)}
+    ground = {"tiles": Part(_tiles(plan), palette.FLOOR_TILE), "floor": Part(floor, palette.FLOOR)}
+    return _wall_parts(plan) | _door_parts(plan) | pieces | ground
 
 
-def wall_parts(plan: FloorPlan) -> dict[str, Part]:
+def _wall_parts(plan: FloorPlan) -> dict[str, Part]:
     """Return the walls, which some views cut low: sides, tops and skirting."""
     sides, tops, skirting = [], [], []
     thickness, height = plan.wall_thickness, plan.wall_height
@@ -68,7 +74,7 @@ def wall_parts(plan: FloorPlan) -> dict[str, Part]:
     }
 
 
-def door_parts(plan: FloorPlan) -> dict[str, Part]:
+def _door_parts(plan: FloorPlan) -> dict[str, Part]:
     """Return the door frames and the wall above them, which hide the way when seen from above."""
     if not plan.doors:
         return {}
@@ -95,15 +101,15 @@ def path_parts(path: PrescribedPath) -> dict[str, Part]:
     beside = path.goal_radius
     at = (x - math.sin(heading) * beside, y + math.cos(heading) * beside)
     return {
-        "path_edge": Part(strip(points, PATH_WIDTH + 2 * PATH_EDGE, EDGE_AT), palette.PATH_EDGE),
         "path": Part(strip(points, PATH_WIDTH, PATH_AT), palette.PATH),
-        "goal": Part(
-            merged(
-                [ring((x, y, GOAL_AT), path.goal_radius - 0.07, path.goal_radius), flag.moved(*at, heading=heading)]
-            ),
-            palette.GOAL,
-        ),
+        "path_edge": Part(strip(points, PATH_WIDTH + 2 * PATH_EDGE, EDGE_AT), palette.PATH_EDGE),
+        "goal": Part(ring((x, y, GOAL_AT), 0.86 * path.goal_radius, path.goal_radius), palette.GOAL),
+        "flag": Part(flag.moved(*at, heading=heading), palette.GOAL),
     }
+
+
+def _furniture(plan: FloorPlan) -> list[tuple[Colour, Mesh]]:
+    return sorted(furniture(plan.obstacles).items())
 
 
 def _tiles(plan: FloorPlan) -> Mesh:

@@ -171,7 +171,7 @@ def _bar(length: float, width: float, height: float) -> list[Piece]:
         return (along, 0.0, z) if along_x else (0.0, along, z)
 
     posts = [tube(at(side * (reach - across), 0.0), at(side * (reach - across), height), across) for side in (-1, 1)]
-    rail = limb([at(-reach + across, height - across), at(reach - across, height - across)], across)
+    rail = limb([at(-reach + across, height - across), at(reach - across, height - across)], across, 8)
     return [(palette.METAL, merged([*posts, rail]))]
 
 
@@ -197,10 +197,10 @@ def _plant(length: float, _width: float, height: float) -> list[Piece]:
     radius = length / 2
     pot = min(0.42 * height, 0.45)
     crown = height - pot
-    leaves = [ball((0.0, 0.0, pot + 0.55 * crown), (0.8 * radius, 0.8 * radius, 0.5 * crown), 14)]
-    for turn in np.linspace(0.0, math.tau, 5, endpoint=False):
+    leaves = [ball((0.0, 0.0, pot + 0.55 * crown), (0.8 * radius, 0.8 * radius, 0.5 * crown), 12)]
+    for turn in np.linspace(0.0, math.tau, 4, endpoint=False):
         x, y = 0.5 * radius * math.cos(turn), 0.5 * radius * math.sin(turn)
-        leaves.append(ball((x, y, pot + 0.4 * crown), (0.5 * radius, 0.5 * radius, 0.36 * crown), 12))
+        leaves.append(ball((x, y, pot + 0.4 * crown), (0.5 * radius, 0.5 * radius, 0.36 * crown), 8))
     return [
         (palette.ACCENT, tube((0.0, 0.0, 0.0), (0.0, 0.0, pot), 0.78 * radius, radius)),
         (palette.LEAF, merged(leaves)),

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 Vector = tuple[float, float, float]
-ROUND = 20  # sides of what should look round
+ROUND = 16  # sides of what should look round
 
 
 @dataclass(frozen=True, slots=True)

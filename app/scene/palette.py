@@ -4,20 +4,20 @@ from typing import Final
 
 Colour = tuple[int, int, int]
 
-FLOOR: Final[Colour] = (196, 200, 192)
-FLOOR_TILE: Final[Colour] = (206, 210, 202)
+FLOOR: Final[Colour] = (172, 179, 173)
+FLOOR_TILE: Final[Colour] = (182, 189, 182)
 WALL: Final[Colour] = (226, 231, 235)
-WALL_TOP: Final[Colour] = (142, 156, 168)
-SKIRTING: Final[Colour] = (150, 163, 173)
+WALL_TOP: Final[Colour] = (106, 122, 137)
+SKIRTING: Final[Colour] = (128, 143, 155)
 DOOR: Final[Colour] = (178, 142, 104)
 PATH: Final[Colour] = (255, 255, 255)
-PATH_EDGE: Final[Colour] = (126, 146, 160)
+PATH_EDGE: Final[Colour] = (92, 114, 132)
 GOAL: Final[Colour] = (11, 107, 107)
 DRIVEN: Final[Colour] = (200, 30, 30)
 
-WOOD: Final[Colour] = (196, 163, 124)
+WOOD: Final[Colour] = (184, 148, 108)
 DARK_WOOD: Final[Colour] = (142, 110, 82)
-FABRIC: Final[Colour] = (122, 148, 172)
+FABRIC: Final[Colour] = (104, 134, 162)
 LINEN: Final[Colour] = (240, 241, 238)
 CERAMIC: Final[Colour] = (248, 250, 250)
 METAL: Final[Colour] = (156, 166, 174)

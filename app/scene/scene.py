@@ -104,9 +104,9 @@ class Scene:
         Parameters
         ----------
         now
-            Monotonic s.
+            Monotonic time, s.
         tick_age
-            S since the newest tick, at most `CLOCK_WRAPS`.
+            Time since the newest tick, s.
         """
         with self._lock:
             for clock in self._clocks:

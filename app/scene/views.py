@@ -81,11 +81,11 @@ def top_camera(bounds: Bounds, aspect: float, wall_height: float = 0.0) -> Camer
     Parameters
     ----------
     bounds
-        X_min, y_min, x_max, y_max of the plan, m.
+        Of the plan: x_min, y_min, x_max, y_max in m.
     aspect
         Width over height of the picture; a plan that fits better on its side is turned by a quarter.
     wall_height
-        M; the plan fits at this height, where it is nearest to the camera.
+        The plan fits at this height (m), where it is nearest to the camera.
     """
     x_min, y_min, x_max, y_max = bounds
     half_x, half_y = TOP_MARGIN * (x_max - x_min) / 2, TOP_MARGIN * (y_max - y_min) / 2

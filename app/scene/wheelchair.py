@@ -27,16 +27,16 @@ def chair_parts() -> dict[Colour, Mesh]:
                 *(_hub(0.0, side * HALF_WIDTH, DRIVE_WHEEL, 0.11, 0.05) for side in (-1, 1)),
                 *(_hub(x, side * y, CASTOR, 0.045, 0.03) for x, y in ((0.4, 0.22), (-0.34, 0.2)) for side in (-1, 1)),
                 *(
-                    limb([(0.3, side * 0.2, 0.3), (0.42, side * 0.2, 0.3), (0.42, side * 0.22, 0.18)], 0.018)
+                    limb([(0.3, side * 0.2, 0.3), (0.42, side * 0.2, 0.3), (0.42, side * 0.22, 0.18)], 0.018, 8)
                     for side in (-1, 1)
                 ),
                 *(
-                    limb([(0.24, side * 0.13, 0.42), (0.46, side * 0.12, 0.36), (0.56, side * 0.11, 0.14)], 0.016)
+                    limb([(0.24, side * 0.13, 0.42), (0.46, side * 0.12, 0.36), (0.56, side * 0.11, 0.14)], 0.016, 8)
                     for side in (-1, 1)
                 ),
-                *(limb([(-0.22, side * 0.2, 0.4), (-0.34, side * 0.2, 0.22)], 0.018) for side in (-1, 1)),
+                *(limb([(-0.22, side * 0.2, 0.4), (-0.34, side * 0.2, 0.22)], 0.018, 8) for side in (-1, 1)),
                 *(tube((-0.1, side * 0.26, 0.42), (-0.1, side * 0.26, 0.7), 0.014) for side in (-1, 1)),
-                *(limb([(-0.27, side * 0.19, 0.9), (-0.4, side * 0.19, 0.93)], 0.014) for side in (-1, 1)),
+                *(limb([(-0.27, side * 0.19, 0.9), (-0.4, side * 0.19, 0.93)], 0.014, 8) for side in (-1, 1)),
             ]
         ),
         palette.FRAME: merged(

@@ -6,7 +6,7 @@ from typing import Final
 import viser
 
 from app.geometry import Pose
-from app.scene.building import Part, building_parts, door_parts, path_parts, wall_parts
+from app.scene.building import FURNITURE, WALLS, Part, building_parts, path_parts
 from app.scene.meshes import Mesh
 from app.scene.palette import Colour
 from app.scene.views import (
@@ -24,6 +24,7 @@ from app.scene.wheelchair import chair_parts, person_parts
 from app.world.floorplan import FloorPlan
 
 WALLS_SHOWN: Final[dict[View, float]] = {"eye": math.inf, "chase": 1.1, "top": 0.5}  # m: cut low, so that one sees over
+FURNITURE_SHOWN: Final[dict[View, float]] = {"eye": 1.0, "chase": 1.0, "top": 0.25}  # of its height: nothing leans far
 EMPTY: Final[Bounds] = (-5.0, -5.0, 5.0, 5.0)  # of a place without a floor plan
 SUN: Final = (-3000.0, -5000.0, 9000.0)  # so far away that its direction stays the same while the world moves
 LANDSCAPE = 4 / 3  # of a picture whose size is not known yet
@@ -77,7 +78,7 @@ class WorldView:
             if plan != self._plan:
                 self._remove(self._building)
                 if plan is not None:
-                    parts = building_parts(plan) | wall_parts(plan) | door_parts(plan)
+                    parts = building_parts(plan)
                     self._building = {name: _add(self._server, f"/world/{name}", part) for name, part in parts.items()}
             self._remove(self._path)
             if path is not None:
@@ -94,12 +95,16 @@ class WorldView:
         self._view = view
         with self._server.atomic():
             shown = min(WALLS_SHOWN[view] / self._wall_height, 1.0) if self._wall_height else 1.0
-            for name in ("wall_sides", "wall_tops"):
-                if name in self._building:
-                    self._building[name].scale = (1.0, 1.0, shown)
+            for name, node in self._building.items():
+                if name in WALLS:
+                    node.scale = (1.0, 1.0, shown)
+                elif name.startswith(FURNITURE):
+                    node.scale = (1.0, 1.0, FURNITURE_SHOWN[view])
             for name in ("door_frames", "lintels"):
                 if name in self._building:
                     self._building[name].visible = view == "eye"
+            if "flag" in self._path:
+                self._path["flag"].visible = view != "top"
             for body in self._bodies:
                 body.visible = view != "eye"
             self._server.initial_camera.fov = FIELD_OF_VIEW[view]
@@ -171,6 +176,6 @@ def _put(node: viser.SceneNodeHandle, placement: Placement) -> None:
 def _add_lights(server: viser.ViserServer) -> None:
     # They hang under the world so that a wall keeps its shade while the chair turns.
     server.scene.add_light_hemisphere(
-        "/world/sky", sky_color=(255, 255, 255), ground_color=(206, 208, 200), intensity=2.2
+        "/world/sky", sky_color=(255, 255, 255), ground_color=(206, 208, 200), intensity=3.2
     )
-    server.scene.add_light_directional("/world/sun", color=(255, 250, 240), intensity=1.3, position=SUN)
+    server.scene.add_light_directional("/world/sun", color=(255, 250, 240), intensity=2.2, position=SUN)
