@@ -1,0 +1,82 @@
+/** Drive: choose a path, drive it, look at what it came to. */
+import { h, put } from "../parts/dom.js";
+import { emptyPage, nobodyIsHere } from "../parts/nobody.js";
+import { planChooser } from "../parts/plan_chooser.js";
+import { readTrial, showTrialOver } from "../parts/trial_over.js";
+import { showTrial } from "../parts/trial_view.js";
+import { t } from "../texts.js";
+
+/** @param {import("../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal, rest: string[]}} page */
+export async function show(app, root, { signal, rest }) {
+  if (nobodyIsHere(app, root)) return;
+  const trials = await app.api.get(`/trials?patient=${app.visit.patient.id}`);
+  if (signal.aborted) return;
+  const running = trials.find(({ status }) => status === "running");
+  if (running) return drive(app, root, running, signal);
+  if (rest[0] === "over") return over(app, root, rest[1], signal);
+  if (!app.visit.has_profile) return emptyPage(root, t("drive.none.title"), t("drive.none.lead"), "#/calibrate", t("drive.none.go"));
+  return choose(app, root, signal);
+}
+
+/** Start a trial and show it. @param {import("../main.js").App} app @param {{floorplan: string, path: string}} where */
+async function start(app, where) {
+  await app.api.post("/trials", where);
+  app.go("#/drive");
+}
+
+async function choose(app, root, signal) {
+  const [plans, equipment] = await Promise.all([app.api.get("/floorplans"), app.api.get("/equipment")]);
+  const documents = new Map(await Promise.all(plans.map(async ({ name }) => [name, await app.api.get(`/floorplans/${name}`)])));
+  if (signal.aborted) return;
+  const chooser = planChooser(plans, documents);
+  const problem = h("p", { class: "problem", role: "alert" });
+  const button = h("button", { type: "button", class: "btn go large" }, t("drive.start"));
+  button.addEventListener("click", async () => {
+    button.disabled = true;
+    problem.textContent = "";
+    try {
+      await start(app, chooser.chosen());
+    } catch (error) {
+      problem.textContent = error.message;
+      button.disabled = false;
+    }
+  });
+  app.live.addEventListener("changed", ({ detail }) => detail === "trial" && !button.disabled && app.show(), { signal });
+  put(root, h("div", { class: "body" }, h("h1", { tabindex: "-1" }, t("drive.title")), h("p", { class: "lead" }, t("drive.lead")), chooser.element),
+    h("div", { class: "foot" }, h("span", { class: "grow" }, bodyNote(equipment), " ", equipment.shirt.kind === "simulator" && h("a", { href: "#/shirt" }, t("drive.body.change"))), problem, button));
+}
+
+function bodyNote({ shirt, body }) {
+  if (shirt.kind !== "simulator" || !body) return t("drive.body.patient");
+  return t(body.kind === "person" ? `drive.body.person.${body.skill}` : `drive.body.${body.kind}`);
+}
+
+async function drive(app, root, trial, signal) {
+  const [plan, equipment] = await Promise.all([app.api.get(`/floorplans/${trial.floorplan}`), app.api.get("/equipment")]);
+  if (signal.aborted) return;
+  const path = plan.paths.find(({ name }) => name === trial.path);
+  const isVisitor = equipment.shirt.kind === "simulator" && equipment.body?.kind === "visitor";
+  const lookWhetherOver = async ({ detail }) => {
+    if (detail !== "trial" && detail !== "everything") return;
+    const now = (await app.api.get(`/trials?patient=${trial.patient_id}`).catch(() => [])).find(({ id }) => id === trial.id);
+    if (!signal.aborted && now && now.status !== "running") app.go(`#/drive/over/${trial.id}`);
+  };
+  app.live.addEventListener("changed", lookWhetherOver, { signal });
+  showTrial(app, root, { trial, plan, path, isVisitor }, signal);
+}
+
+async function over(app, root, id, signal) {
+  const read = await readTrial(app.api, id);
+  if (signal.aborted) return;
+  showTrialOver(app, root, read, (trial) => {
+    const next = h("button", { type: "button", class: "btn go" }, t("over.next"));
+    next.addEventListener("click", async () => {
+      next.disabled = true;
+      await start(app, { floorplan: trial.floorplan, path: trial.path_name }).catch((error) => {
+        app.toasts.show(error.message);
+        next.disabled = false;
+      });
+    });
+    return [h("a", { class: "btn", href: "#/drive" }, t("over.other")), next];
+  });
+}

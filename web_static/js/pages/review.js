@@ -1,0 +1,99 @@
+/** Review: how a measure went over trials, all trajectories over the path, and every trial. */
+import { h, put } from "../parts/dom.js";
+import { field, selection } from "../parts/fields.js";
+import { moment } from "../parts/format.js";
+import { curveChart, trajectoriesChart } from "../parts/learning_charts.js";
+import { MEASURES, withUnit } from "../parts/measures.js";
+import { emptyPage } from "../parts/nobody.js";
+import { readTrial, showTrialOver } from "../parts/trial_over.js";
+import { t } from "../texts.js";
+
+const MEASURE_PLACE = "bodydrive-measure";
+const LISTED = ["dist", "e_diff", "time"];
+
+/** @param {import("../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal, rest: string[]}} page */
+export async function show(app, root, { signal, rest }) {
+  if (rest[1] === "trial") return oneTrial(app, root, rest, signal);
+  const patients = await app.api.get("/patients");
+  const patient = patients.find(({ id }) => String(id) === rest[0]) ?? patients.find(({ id }) => id === app.visit?.patient?.id) ?? patients.find(({ trials }) => trials) ?? patients[0];
+  if (signal.aborted) return;
+  if (!patient) return emptyPage(root, t("review.none.title"), t("review.nobody.lead"), "#/patients", t("nobody.go"));
+  const trials = await app.api.get(`/trials?patient=${patient.id}`);
+  if (signal.aborted) return;
+  const who = field(t("review.patient"), selection(patients.map(({ id, code, pseudonym }) => ({ value: String(id), label: `${code} ${pseudonym}` })), String(patient.id), (id) => app.go(`#/review/${id}`)));
+  if (!trials.length) return noTrials(root, patients.length > 1 ? who : null);
+  const [plans, paths] = [await app.api.get("/floorplans"), driven(trials)];
+  if (signal.aborted) return;
+  let path = paths.find(({ key }) => key === decodeURIComponent(rest.slice(1, 3).join("/"))) ?? paths.at(-1);
+  let measure = sessionStorage.getItem(MEASURE_PLACE) ?? "e_diff";
+  const place = h("div", { class: "stack" });
+  let drawn = new AbortController();
+  const draw = async () => {
+    drawn.abort();
+    const until = (drawn = new AbortController()).signal;
+    signal.addEventListener("abort", () => drawn.abort(), { signal: until });
+    const where = `floorplan=${encodeURIComponent(path.floorplan)}&path=${encodeURIComponent(path.name)}`;
+    const known = plans.some(({ name }) => name === path.floorplan);
+    const [learning, plan] = await Promise.all([app.api.get(`/patients/${patient.id}/learning?${where}`), known ? app.api.get(`/floorplans/${path.floorplan}`) : null]);
+    if (until.aborted) return;
+    const charts = await Promise.all([curveChart(learning, measure, until), trajectoriesChart(learning, plan, until)]);
+    if (until.aborted) return;
+    const counts = learning.trials.length > 0;
+    put(place, counts && h("div", { class: "charts" },
+      h("section", { class: "card" }, h("h2", {}, t("review.curve")), charts[0], h("p", { class: "small" }, learning.curves[measure]?.text ?? "")),
+      h("section", { class: "card" }, h("h2", {}, t("review.trajectories")), charts[1])),
+      !counts && h("p", { class: "card quiet" }, t("review.no-kept")), trialList(patient, trials.filter((trial) => keyOf(trial) === path.key)));
+  };
+  const choosePath = selection(paths.map((one) => ({ value: one.key, label: pathWords(one, plans) })), path.key, (key) => {
+    path = paths.find((one) => one.key === key);
+    draw().catch((error) => app.toasts.show(error.message));
+  });
+  const chooseMeasure = selection(Object.keys(MEASURES).map((name) => ({ value: name, label: t(`measure.${name}`) })), measure, (name) => {
+    measure = name;
+    sessionStorage.setItem(MEASURE_PLACE, name);
+    draw().catch((error) => app.toasts.show(error.message));
+  });
+  put(root, h("div", { class: "body" }, h("h1", { tabindex: "-1" }, t("review.title")),
+    h("div", { class: "columns filters" }, patients.length > 1 && who, field(t("review.path"), choosePath), field(t("review.measure"), chooseMeasure)), place));
+  await draw();
+}
+
+function keyOf({ floorplan, path }) {
+  return `${floorplan}/${path}`;
+}
+
+/** The paths that were driven, the last driven last. */
+function driven(trials) {
+  const found = new Map();
+  for (const trial of trials) {
+    found.delete(keyOf(trial));
+    found.set(keyOf(trial), { key: keyOf(trial), floorplan: trial.floorplan, name: trial.path, title: trial.floorplan_title });
+  }
+  return [...found.values()];
+}
+
+function pathWords({ floorplan, name, title }, plans) {
+  const path = plans.find((plan) => plan.name === floorplan)?.paths.find((one) => one.name === name);
+  return `${title}: ${path?.title ?? name}`;
+}
+
+function noTrials(root, who) {
+  emptyPage(root, t("review.none.title"), t("review.none.lead"), "#/drive", t("review.none.go"));
+  if (who) root.firstElementChild.append(h("div", { class: "other-patient" }, who));
+}
+
+function trialList(patient, trials) {
+  const row = (trial) => h("tr", { class: trial.kept ? null : "discarded" },
+    h("th", { scope: "row" }, h("a", { class: "row-link", href: `#/review/${patient.id}/trial/${trial.id}`, "aria-label": t("review.open", { number: trial.number }) }, String(trial.number))),
+    h("td", {}, moment(trial.started)), h("td", {}, t(`review.end.${trial.end}`)), LISTED.map((name) => h("td", {}, trial.measures ? withUnit(name, trial.measures[name]) : "–")),
+    h("td", {}, trial.kept ? t("review.kept") : trial.discard_reason));
+  const head = [t("review.column.number"), t("review.column.when"), t("review.column.end"), ...LISTED.map((name) => t(`measure.${name}`)), t("review.column.kept")];
+  return h("section", { class: "card" }, h("h2", {}, t("review.trials")), h("div", { class: "scroll-x", tabindex: "0", role: "region", "aria-label": t("review.trials") },
+    h("table", { class: "measures trials" }, h("thead", {}, h("tr", {}, head.map((words) => h("th", { scope: "col" }, words)))), h("tbody", {}, trials.toReversed().map(row)))));
+}
+
+async function oneTrial(app, root, [patient, , id], signal) {
+  const read = await readTrial(app.api, id);
+  if (signal.aborted) return;
+  showTrialOver(app, root, read, () => [h("a", { class: "btn", href: `#/review/${patient}` }, t("review.back"))]);
+}

@@ -1,0 +1,55 @@
+/** The path measures: unit, digits, which way is better, and how two trials compare. */
+import { t } from "../texts.js";
+import { number, signed } from "./format.js";
+
+/** @type {Record<string, {unit: string, digits: number, better: "low" | "high", needsGoal: boolean}>} */
+export const MEASURES = {
+  dist: { unit: "m", digits: 2, better: "low", needsGoal: true },
+  e_diff: { unit: "m²", digits: 2, better: "low", needsGoal: true },
+  time: { unit: "s", digits: 1, better: "low", needsGoal: true },
+  dist_ratio: { unit: "", digits: 2, better: "low", needsGoal: true },
+  cross_track_rms: { unit: "m", digits: 2, better: "low", needsGoal: false },
+  cross_track_max: { unit: "m", digits: 2, better: "low", needsGoal: false },
+  mean_speed: { unit: "m/s", digits: 2, better: "high", needsGoal: false },
+  stops: { unit: "", digits: 0, better: "low", needsGoal: false },
+  collisions: { unit: "", digits: 0, better: "low", needsGoal: false },
+  contact_time: { unit: "s", digits: 1, better: "low", needsGoal: false },
+  turn_reversals: { unit: "", digits: 0, better: "low", needsGoal: false },
+  pulses_per_metre: { unit: "/m", digits: 1, better: "low", needsGoal: false },
+  sparc: { unit: "", digits: 2, better: "high", needsGoal: false },
+  ldlj: { unit: "", digits: 2, better: "high", needsGoal: false },
+};
+
+/** @param {string} name @param {number | null | undefined} value */
+export function withUnit(name, value) {
+  return `${number(value, MEASURES[name].digits)} ${MEASURES[name].unit}`.trim();
+}
+
+/** Tell whether a trial's measure can stand beside others. @param {string} name @param {any} measures */
+export function comparable(name, measures) {
+  return Number.isFinite(measures?.[name]) && (measures.reached || !MEASURES[name].needsGoal);
+}
+
+/**
+ * How one trial stands against another in one measure; null when they cannot be compared.
+ * @param {string} name @param {any} measures @param {any} before
+ * @returns {{words: string, amount: string, arrow: string, tone: "good" | "bad" | ""} | null}
+ */
+export function change(name, measures, before) {
+  if (!comparable(name, measures) || !comparable(name, before)) return null;
+  const { unit, digits, better } = MEASURES[name];
+  const difference = Number((measures[name] - before[name]).toFixed(digits));
+  if (difference === 0) return { words: t("over.same"), amount: "", arrow: "=", tone: "" };
+  const isBetter = difference < 0 === (better === "low");
+  return {
+    words: t(isBetter ? "over.better" : "over.worse"), amount: `${signed(difference, digits)} ${unit}`.trim(),
+    arrow: difference < 0 ? "↓" : "↑", tone: isBetter ? "good" : "bad",
+  };
+}
+
+/** The best of several trials in one measure; null when there is none. @param {string} name @param {any[]} trials */
+export function best(name, trials) {
+  const values = trials.filter(({ measures }) => comparable(name, measures)).map(({ measures }) => measures[name]);
+  if (!values.length) return null;
+  return MEASURES[name].better === "low" ? Math.min(...values) : Math.max(...values);
+}

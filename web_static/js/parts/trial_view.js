@@ -1,0 +1,103 @@
+/** A running trial: the 3D view fills the page; over it time, place, plan, speed, and what can be done. */
+import { t } from "../texts.js";
+import { cross } from "./cross.js";
+import { h, put, write } from "./dom.js";
+import { segments } from "./fields.js";
+import { clock, number } from "./format.js";
+import { miniPlan } from "./mini_plan.js";
+import { pads } from "./pads.js";
+import { trialCue } from "./trial_cue.js";
+import { viewFrame } from "./view_frame.js";
+
+const VIEWS = ["eye", "chase", "top"];
+const VIEW_PLACE = "bodydrive-view";
+const WIDE = matchMedia("(min-width: 1000px)"); // narrower, the plots would be drawn at the cost of the picture
+const OFF_PATH = 0.01; // m: less is drawn as on the path
+
+/**
+ * @param {import("../main.js").App} app @param {HTMLElement} root
+ * @param {{trial: any, plan: any, path: any, isVisitor: boolean}} what @param {AbortSignal} signal
+ */
+export function showTrial(app, root, { trial, plan, path, isVisitor }, signal) {
+  const end = endButton(app);
+  const cue = trialCue(app, end.run);
+  const mini = miniPlan(plan, path, trial);
+  const place = placeCard(trial);
+  const bar = bottomBar(app, path, end.element, mini, signal);
+  const show = ({ detail: now }) => {
+    cue.show(now);
+    if (now.trial?.id !== trial.id) return;
+    place.show(now);
+    mini.show(now.pose);
+    bar.show(now);
+  };
+  app.live.addEventListener("tick", show, { signal });
+  root.className = "page filled";
+  put(root, h("h1", { class: "unseen", tabindex: "-1" }, t("trial.name", { number: trial.number, plan: trial.floorplan_title })),
+    viewFrame(signal), place.element, mini.element, cue.element,
+    h("div", { class: "lower" }, isVisitor && h("div", { class: "pad-dock" }, pads(app, signal, { hasNote: false }).element), bar.element));
+  app.setShowsTrial(true);
+}
+
+function placeCard(trial) {
+  const [time, done, off, contacts] = [h("div", { class: "big" }), h("span", {}), h("span", {}), h("span", {})];
+  const element = h("div", { class: "hud place" }, h("div", { class: "quiet small" }, t("trial.name", { number: trial.number, plan: trial.floorplan_title })),
+    time, h("div", { class: "small number facts" }, done, off, contacts));
+  const show = ({ trial: now, contacts: count }) => {
+    write(time, clock(now.t));
+    write(done, t("trial.done", { done: number(now.done, 1), length: number(now.length, 0) }));
+    write(off, t("trial.off", { distance: number(Math.abs(now.cross_track) < OFF_PATH ? 0 : Math.abs(now.cross_track), 2) }));
+    write(contacts, count ? t("trial.contacts", { count }) : "");
+  };
+  return { element, show };
+}
+
+function bottomBar(app, path, endElement, mini, signal) {
+  const speed = h("span", {});
+  const square = cross({ hasWords: false });
+  const ask = (call) => call.catch((error) => app.toasts.show(error.message));
+  const look = (view) => {
+    sessionStorage.setItem(VIEW_PLACE, view);
+    ask(app.api.post("/view/clinician/camera", { view }));
+  };
+  const first = sessionStorage.getItem(VIEW_PLACE) ?? "eye";
+  look(first);
+  const views = segments(t("trial.views"), VIEWS.map((view) => ({ value: view, label: t(`trial.view.${view}`) })), first, look);
+  let isOpen = false;
+  const plots = h("button", { type: "button", class: "btn wide-only", "aria-pressed": "false" }, t("trial.plots"));
+  const setPlots = (open) => {
+    isOpen = open;
+    plots.setAttribute("aria-pressed", String(open));
+    mini.element.hidden = open; // the plots stand in the same corner, and show the same line
+    ask(app.api.post("/view/clinician/plots", { open }));
+  };
+  plots.addEventListener("click", () => setPlots(!isOpen));
+  WIDE.addEventListener("change", () => isOpen && !WIDE.matches && setPlots(false), { signal });
+  signal.addEventListener("abort", () => isOpen && setPlots(false));
+  const element = h("div", { class: "hud bar" }, h("div", { class: "speed" }, h("div", { class: "quiet small" }, t("trial.speed")), h("div", { class: "big" }, speed, " ", h("small", {}, t("unit.speed")))),
+    square.element, h("p", { class: "grow instruction" }, path.instruction), h("div", { class: "spread actions" }, views, plots, endElement));
+  const show = (now) => {
+    write(speed, number(now.v, 2));
+    square.show(now.u1 ?? 0, now.u2 ?? 0);
+  };
+  show({ v: 0, u1: 0, u2: 0 });
+  return { element, show };
+}
+
+function endButton(app) {
+  const element = h("button", { type: "button", class: "btn end" }, t("trial.end"));
+  const run = async () => {
+    element.disabled = true;
+    write(element, t("trial.ending"));
+    try {
+      const trial = await app.api.post("/trials/current/end", { reason: "by hand" });
+      app.go(`#/drive/over/${trial.id}`);
+    } catch (error) {
+      app.toasts.show(error.message);
+      element.disabled = false;
+      write(element, t("trial.end"));
+    }
+  };
+  element.addEventListener("click", run);
+  return { element, run };
+}
