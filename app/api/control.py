@@ -1,5 +1,7 @@
 """Stop, for anyone, and Continue."""
 
+import asyncio
+
 from fastapi import APIRouter
 
 from app.api.deps import Clinician
@@ -8,6 +10,8 @@ from app.faults import Fault, State
 from app.quantities import Document
 from app.session.control import Control
 from app.session.refusals import Unavailable
+
+NEXT_TICK_LOOKS = 30  # of 10 ms each: what was cleared shows in one of the next ticks
 
 router = APIRouter(prefix="/control", tags=["stop"])
 
@@ -42,5 +46,11 @@ async def stop(flows: FlowParts) -> ControlView:
 @router.post("/clear")
 async def clear(_who: Clinician, flows: FlowParts) -> ControlView:
     """Clear a latched stop or fault; in a trial a new neutral check follows."""
+    before = flows.control.newest()
     await flows.control.call("clear")
+    for _ in range(NEXT_TICK_LOOKS):
+        now = flows.control.newest()
+        if before is None or now is None or int(now["number"]) > int(before["number"]) + 1:
+            break
+        await asyncio.sleep(0.01)
     return _view(flows.control)

@@ -5,7 +5,6 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from app.cues import Cue
 from app.session.control import Control
 from app.session.database import Database
 from app.session.readings import Readings
@@ -76,8 +75,7 @@ class DriveFlow:
     ) -> int:
         parameters_id, parameters_hash = await asyncio.to_thread(self._parameters, session.patient_id)
         await self._control.call("world", floorplan=plan.model_dump(mode="json"), path=path.name)
-        cues = (Cue(start=0.0, end=path.time_limit, kind="free"),)
-        run = await self._runs.begin(session.id, "drive", cues, {"floorplan": plan.name, "path": path.name})
+        run = await self._runs.begin(session.id, "drive", (), {"floorplan": plan.name, "path": path.name})
         try:
             trial_id = await asyncio.to_thread(self._note, session, parameters_id, person, plan, path, run)
         except BaseException:
