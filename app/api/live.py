@@ -11,6 +11,7 @@ from starlette.websockets import WebSocketDisconnect
 
 from app.api.flows import Flows
 from app.api.live_hub import Viewer
+from app.clock import monotonic
 from app.layout import MAX_JOINTS
 from app.quantities import Document, Fraction, Name
 from app.session.refusals import Refusal
@@ -63,6 +64,6 @@ async def _take(text: str, viewer: Viewer, flows: Flows) -> None:
         with suppress(Refusal):  # no control process: the chair stands already
             await flows.control.call("stop", by="tablet")
     if message.visible is not None:
-        viewer.visible = message.visible
+        viewer.visible, viewer.heard = message.visible, monotonic()
     if message.move is not None:
         flows.control.move(message.move)

@@ -1,0 +1,115 @@
+"""Judging, fitting and measuring from real recordings on disk."""
+
+import itertools
+import math
+import uuid
+
+import numpy as np
+import pytest
+
+from app.calibration.script import calibration_script
+from app.cues import cue_index
+from app.faults import State
+from app.layout import Channel, Joint, ShirtLayout
+from app.messages import Tick
+from app.recording import RunWriter
+from app.ring import TickRing
+from app.session.recordings import recorded_readings
+from app.world.floorplan import PrescribedPath
+
+RATE = 100.0
+JOINTS = ("right_elbow", "left_elbow")
+LAYOUT = ShirtLayout(
+    name="Small",
+    channels=tuple(Channel(name=f"{joint}_{i}", joint=joint) for joint in JOINTS for i in (1, 2)),
+    joints=tuple(Joint(name=joint, label=joint) for joint in JOINTS),
+)
+READINGS = recorded_readings()
+
+
+def record(folder, ticks, cues=()):
+    ring = TickRing.create(f"bodydrive-test-{uuid.uuid4().hex[:12]}")
+    try:
+        meta = {"sample_rate": RATE, "layout": LAYOUT.model_dump(mode="json"), "gestures": []}
+        writer = RunWriter(folder, meta, len(LAYOUT.channels), 0)
+        for number, tick in enumerate(ticks):
+            ring.write(tick, 1, number / RATE, cue_index(cues, number / RATE), 0, 0)
+        writer.start(ring, 0, 1)
+        writer.close(ring.number)
+    finally:
+        ring.unlink()
+        ring.close()
+    return folder
+
+
+def step_ticks(step, seed=0):
+    """Joint angles that do as the cues say, through two channels each, with noise."""
+    random = np.random.default_rng(seed)
+    for number in range(round(step.duration * RATE) + 1):
+        t = number / RATE
+        cue = step.cues[cue_index(step.cues, t)] if cue_index(step.cues, t) >= 0 else None
+        angle = dict.fromkeys(JOINTS, 0.0)
+        if cue is not None and cue.kind == "free":
+            angle = {"right_elbow": 0.5 - 0.5 * math.cos(4 * t), "left_elbow": 0.5 - 0.5 * math.cos(3 * t)}
+        if cue is not None and cue.joint and cue.kind in {"move", "return"}:
+            share = (t - cue.start) / (cue.end - cue.start)
+            angle[cue.joint] = 0.5 - 0.5 * math.cos(math.pi * (share if cue.kind == "move" else 1 - share))
+        values = [gain * angle[joint] for joint in JOINTS for gain in (1.0, -0.6)]
+        values = np.array(values) + random.normal(0, 0.002, 4)
+        yield Tick(t=t, t_device=t, frame_seq=number, values=values.astype(np.float32))
+
+
+@pytest.fixture
+def recorded(tmp_path):
+    steps = calibration_script(LAYOUT)
+    return [(step, record(tmp_path / step.id, step_ticks(step), step.cues)) for step in steps]
+
+
+def test_a_calibration_is_fitted_from_its_recordings_alone(recorded):
+    for step, folder in recorded:
+        assert READINGS.judge(folder, step.duration) is None
+    profile = READINGS.fit(LAYOUT, recorded, [])
+    assert [joint.name for joint in profile.joints] == list(JOINTS)
+    for joint in profile.joints:
+        assert joint.prompted
+        assert joint.evr > 0.95
+        assert joint.sign * joint.weights[0] > 0  # the first channel rises with the movement
+    without = READINGS.fit(LAYOUT, recorded, ["left_elbow_1"])
+    assert "left_elbow_1" in without.left_out
+
+
+def test_a_step_whose_shirt_fell_silent_is_not_taken(tmp_path):
+    step = calibration_script(LAYOUT)[0]
+    ticks = list(step_ticks(step))
+    for tick in ticks[100:140]:
+        tick.values = None
+    folder = record(tmp_path / "rest", ticks, step.cues)
+    assert "silent for 0.4 seconds" in READINGS.judge(folder, step.duration)
+
+
+def trial_ticks(state_at):
+    for number in range(1101):
+        t = number / RATE
+        yield Tick(t=50.0 + t, x=max(0.0, t - 1.0), y=0.0, v=1.0, state=state_at(t), u1=0.5)
+
+
+def test_a_trial_is_measured_from_when_motion_was_permitted(tmp_path):
+    path = PrescribedPath(name="main", title="Main", points=((0.0, 0.0), (10.0, 0.0)), instruction="Drive.")
+    folder = record(tmp_path / "a", trial_ticks(lambda t: State.CHECKING if t < 1.0 else State.ARMED))
+    measures = READINGS.measure(folder, path)
+    assert measures["reached"] is True
+    assert measures["time"] == pytest.approx(9.5, abs=0.1)
+    assert measures["dist"] == pytest.approx(9.5, abs=0.1)
+    assert measures["e_diff"] == pytest.approx(0.0, abs=1e-6)
+    line = READINGS.drive(folder)
+    assert (line.t[0], line.x[0]) == (0.0, 0.0)
+    assert all(before <= after for before, after in itertools.pairwise(line.x))
+
+
+def test_a_trial_that_never_moved_has_no_measures(tmp_path):
+    path = PrescribedPath(name="main", title="Main", points=((0.0, 0.0), (10.0, 0.0)), instruction="Drive.")
+    folder = record(tmp_path / "a", trial_ticks(lambda t: State.CHECKING))
+    with pytest.raises(ValueError, match="never permitted to move"):
+        READINGS.measure(folder, path)
+    with pytest.raises(ValueError, match="no recording"):
+        READINGS.drive(tmp_path / "nowhere")
