@@ -51,13 +51,8 @@ def encode(seq: int, t_device: float, values: NDArray[np.float32], int16: bool =
     if not 0 <= microseconds < 2**64:
         raise ValueError(f"a device time of {t_device:g} s cannot be sent: it counts from 0 up")
     flags = INT16 if int16 else 0
-    if int16:
-        samples = (
-            np.rint(np.clip(np.nan_to_num(values, posinf=1, neginf=-1), -1, 1) * FULL_SCALE).astype("<i2").tobytes()
-        )
-    else:
-        samples = values.astype("<f4").tobytes()
-    body = HEADER.pack(MAGIC, VERSION, flags, len(values), seq & 0xFFFFFFFF, microseconds) + samples
+    samples = _as_int16(values) if int16 else values.astype("<f4").tobytes()
+    body: bytes = HEADER.pack(MAGIC, VERSION, flags, len(values), seq & 0xFFFFFFFF, microseconds) + samples
     return body + CHECKSUM.pack(crc32(body))
 
 
@@ -102,7 +97,7 @@ def refusal(buffer: bytes | bytearray | memoryview, size: int, channels: int) ->
     return "a frame arrived damaged"
 
 
-def _as_int16(values: NDArray[np.float32]) -> NDArray[np.int16]:
+def _as_int16(values: NDArray[np.float32]) -> bytes:
     whole = np.clip(np.nan_to_num(values, nan=0.0, posinf=1.0, neginf=-1.0), -1.0, 1.0) * FULL_SCALE
-    steps: NDArray[np.int16] = np.rint(whole).astype("<i2")
-    return steps
+    samples: bytes = np.rint(whole).astype("<i2").tobytes()
+    return samples
