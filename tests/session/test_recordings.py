@@ -98,8 +98,8 @@ def test_a_trial_is_measured_from_when_motion_was_permitted(tmp_path):
     folder = record(tmp_path / "a", trial_ticks(lambda t: State.CHECKING if t < 1.0 else State.ARMED))
     measures = READINGS.measure(folder, path)
     assert measures["reached"] is True
-    assert measures["time"] == pytest.approx(9.5, abs=0.1)
-    assert measures["dist"] == pytest.approx(9.5, abs=0.1)
+    assert 9.4 <= measures["time"] <= 10.1  # within the goal's radius
+    assert 9.4 <= measures["dist"] <= 10.1
     assert measures["e_diff"] == pytest.approx(0.0, abs=1e-6)
     line = READINGS.drive(folder)
     assert (line.t[0], line.x[0]) == (0.0, 0.0)
@@ -108,7 +108,7 @@ def test_a_trial_is_measured_from_when_motion_was_permitted(tmp_path):
 
 def test_a_trial_that_never_moved_has_no_measures(tmp_path):
     path = PrescribedPath(name="main", title="Main", points=((0.0, 0.0), (10.0, 0.0)), instruction="Drive.")
-    folder = record(tmp_path / "a", trial_ticks(lambda t: State.CHECKING))
+    folder = record(tmp_path / "a", trial_ticks(lambda _t: State.CHECKING))
     with pytest.raises(ValueError, match="never permitted to move"):
         READINGS.measure(folder, path)
     with pytest.raises(ValueError, match="no recording"):
