@@ -1,0 +1,101 @@
+"""What a chair has driven, as the plots show it: a bounded number of points, and the error of the last half minute."""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.geometry import Pose
+from app.scene.trajectory import JUMP, Thinned
+from app.world.path import Path
+
+MOST_POINTS = 500  # of the trajectory; beyond, every second one is left out
+SPAN = 30.0  # s of error
+ERROR_EVERY = 0.1  # s
+ERROR_SHOWN = 1.0  # m on each side
+WINDOW = 1.5  # m along the path within which the chair is looked for
+MARGIN = 1.5  # m around the path
+EDGE = 0.01  # m
+
+Samples = tuple[NDArray[np.float64], ...]
+Range = tuple[float, float]
+
+
+class Driven:
+    """A trajectory beside its path, which may be None: then there is no error."""
+
+    def __init__(self, line: Path | None) -> None:
+        self.line = line
+        self.points: list[tuple[float, float]] = []
+        self.error = ErrorSamples()
+        self._thinned = Thinned()
+        self._last: tuple[float, float] | None = None
+        self._along = 0.0
+
+    def add(self, pose: Pose, t: float) -> None:
+        """Take the chair's pose at `t` (s)."""
+        here = (pose.x, pose.y)
+        if self._last is not None and math.dist(self._last, here) > JUMP:
+            # The chair was put somewhere else, it has not driven there.
+            self.points, self.error, self._thinned = [], ErrorSamples(), Thinned()
+        self._last = here
+        if self._thinned.keep(pose):
+            self.points.append(here)
+            if len(self.points) > MOST_POINTS:
+                self.points = [*self.points[:-1:2], self.points[-1]]
+        if self.line is not None:
+            self.error.add(t, self._cross_track(self.line, here))
+
+    def _cross_track(self, line: Path, here: tuple[float, float]) -> float:
+        self._along, across = line.project_near(*here, self._along, WINDOW)
+        if abs(across) > ERROR_SHOWN:  # perhaps it is near another part of the path
+            self._along, across = line.project(*here)
+        return across
+
+
+class ErrorSamples:
+    """The last half minute of the cross-track error, one sample a tenth of a second."""
+
+    def __init__(self) -> None:
+        count = round(SPAN / ERROR_EVERY) + 1
+        self._before_now = np.linspace(-SPAN, 0.0, count)
+        self._values = np.full(count, np.nan)
+        self._last: int | None = None
+
+    def add(self, t: float, error: float) -> None:
+        """Take the error (m, left positive) at `t` (s); an error beyond the plot is drawn at its edge."""
+        number = math.floor(t / ERROR_EVERY)
+        if self._last is not None and number > self._last:
+            passed = min(number - self._last, len(self._values))
+            self._values[:-passed] = self._values[passed:]
+            self._values[-passed:] = np.nan
+        self._last = number if self._last is None else max(number, self._last)
+        self._values[-1] = min(max(error, -ERROR_SHOWN), ERROR_SHOWN)
+
+    def plotted(self) -> Samples:
+        """Return seconds before now, zero, and the error in m: (n,) each, NaN where there is none."""
+        return self._before_now, np.zeros_like(self._before_now), self._values.copy()
+
+
+def trajectory_samples(line: Path | None, driven: list[tuple[float, float]], x_range: Range) -> Samples:
+    """Return x (n,) of path and trajectory one after the other, y of the path, y of the trajectory (m).
+
+    Each x is kept inside `x_range`: uPlot looks for the first and the last point to draw by bisection, which finds
+    the ends of a row that goes to and fro only when every x lies within.
+    """
+    path = np.array(line.points if line is not None else [(0.0, math.nan)], dtype=np.float64)
+    points = np.array(driven, dtype=np.float64).reshape(-1, 2)
+    x = np.clip(np.concatenate([path[:, 0], points[:, 0]]), x_range[0] + EDGE, x_range[1] - EDGE)
+    nothing = np.full(len(x), np.nan)
+    prescribed, actual = nothing.copy(), nothing.copy()
+    prescribed[: len(path)], actual[len(path) :] = path[:, 1], points[:, 1]
+    return x, prescribed, actual
+
+
+def trajectory_ranges(line: Path, shape: float) -> tuple[Range, Range]:
+    """Return the ranges of x and y (m) that show the whole path undistorted in a plot `shape` times wider than high."""
+    (x_min, y_min), (x_max, y_max) = np.min(line.points, axis=0), np.max(line.points, axis=0)
+    height = max(y_max - y_min, (x_max - x_min) / shape) + 2 * MARGIN
+    width = shape * height
+    x, y = (x_min + x_max) / 2, (y_min + y_max) / 2
+    return (float(x - width / 2), float(x + width / 2)), (float(y - height / 2), float(y + height / 2))

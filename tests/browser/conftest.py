@@ -1,0 +1,97 @@
+"""A real browser, and what it must not do: report an error, or ask another machine for anything."""
+
+import os
+import shutil
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from typing import Any
+from urllib.parse import urlsplit
+
+import pytest
+from playwright.sync_api import Browser, ConsoleMessage, Page, Request, sync_playwright
+
+CHROMIUM = (
+    "--headless=new",
+    "--no-sandbox",
+    "--use-gl=angle",
+    "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+    "--no-first-run",
+)
+
+
+@dataclass
+class PageLog:
+    """What a page did that it should not have."""
+
+    host: str
+    errors: list[str] = field(default_factory=list)
+    outside: list[str] = field(default_factory=list)
+
+    def watch(self, page: Page) -> Page:
+        """Keep a page's console errors, uncaught errors and requests to other hosts."""
+        page.on("console", self._console)
+        page.on("pageerror", lambda error: self.errors.append(f"uncaught: {error}"))
+        page.on("request", self._request)
+        page.on("websocket", lambda socket: self._reached(socket.url))
+        return page
+
+    def assert_clean(self) -> None:
+        """Fail when a page reported an error or asked another machine."""
+        assert self.errors == []
+        assert self.outside == []
+
+    def _console(self, message: ConsoleMessage) -> None:
+        if message.type == "error":
+            self.errors.append(message.text)
+
+    def _request(self, request: Request) -> None:
+        self._reached(request.url)
+
+    def _reached(self, url: str) -> None:
+        parts = urlsplit(url.removeprefix("blob:"))
+        if parts.scheme in {"http", "https", "ws", "wss"} and parts.netloc != self.host:
+            self.outside.append(url)
+
+
+@pytest.fixture(scope="session")
+def browser() -> Iterator[Browser]:
+    """Chromium without a screen, drawing in software."""
+    found = shutil.which("chromium")
+    if found is None:
+        if os.environ.get("BODYDRIVE_NO_SKIP") == "1":
+            pytest.fail("there is no chromium here: install Debian's package 'chromium'")
+        pytest.skip("there is no chromium here: install Debian's package 'chromium' to run the browser tests")
+    with sync_playwright() as playwright:
+        launched = playwright.chromium.launch(executable_path=found, args=list(CHROMIUM))
+        yield launched
+        launched.close()
+
+
+@pytest.fixture(scope="session")
+def page_log() -> Callable[[str], PageLog]:
+    """Return what makes a log for pages from an address."""
+    return lambda address: PageLog(urlsplit(address).netloc)
+
+
+@pytest.fixture(scope="session")
+def until() -> Callable[..., Any]:
+    """Return what waits until an expression is true in a page, and gives its value.
+
+    Playwright's own waiting compiles code from text, which our content policy forbids.
+    """
+
+    def wait(page: Page, expression: str, *, seconds: float = 30.0) -> Any:
+        deadline = time.monotonic() + seconds
+        while True:
+            found = page.evaluate(f"() => ({expression})")
+            if found:
+                return found
+            assert time.monotonic() < deadline, f"still not true after {seconds:g} s: {expression}"
+            page.wait_for_timeout(100)
+
+    return wait

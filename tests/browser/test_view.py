@@ -1,0 +1,163 @@
+"""The 3D view in a real browser: each point that leans on the inside of viser 1.1.1 has its guard here."""
+
+import io
+
+import numpy as np
+import pytest
+from PIL import Image
+from view_app import running
+
+from app.scene.views import VIEWS
+from app.world.floorplan import bundled_floorplans, load_floorplan
+
+PANEL = "document.querySelector('[data-floating-window]:has(.uplot)')"
+# How many points of the first plot are red: the driven trajectory.
+RED_POINTS = """[...document.querySelectorAll(".uplot canvas")].filter((c) => c.width > 0).slice(0, 1).map((c) => {
+    const p = c.getContext("2d").getImageData(0, 0, c.width, c.height).data;
+    return Array.from({length: p.length / 4}, (_, i) => 4 * i)
+        .filter((i) => p[i] > 150 && p[i + 1] < 90 && p[i + 2] < 90 && p[i + 3] > 200).length;
+})[0]"""
+
+pytestmark = pytest.mark.browser
+
+SIZES = {"tablet on its side": (1024, 768), "tablet upright": (820, 1180)}
+SMALL = (640, 480)
+LIVE = "window.bodydriveView && window.bodydriveView.age() < 1"
+
+
+@pytest.fixture(scope="module")
+def app():
+    with running(load_floorplan(bundled_floorplans()["clinic"])) as served:
+        yield served
+
+
+@pytest.fixture(scope="module")
+def log(app, page_log):
+    return page_log(app.address)
+
+
+@pytest.fixture(scope="module")
+def open_view(app, browser, log, until):
+    def opened(size, role="clinician"):
+        page = log.watch(browser.new_page(viewport=dict(zip(("width", "height"), size, strict=True))))
+        page.goto(f"{app.address}/view/{role}/")
+        until(page, LIVE)
+        return page
+
+    return opened
+
+
+@pytest.fixture(scope="module")
+def small_page(open_view):
+    """One page for all that does not depend on its size: software draws few pixels faster."""
+    page = open_view(SMALL)
+    yield page
+    page.close()
+
+
+@pytest.fixture
+def page(app, small_page):
+    yield small_page
+    app.ride.held_at = None
+    app.scene_thread.scene.open_plots(False)
+    app.scene_thread.scene.set_view("clinician", "eye")
+
+
+def picture(page):
+    return np.asarray(Image.open(io.BytesIO(page.screenshot())).convert("RGB"), dtype=np.float64)
+
+
+@pytest.mark.parametrize("size", SIZES.values(), ids=SIZES)
+def test_every_view_draws_a_bright_picture_and_nothing_goes_wrong(app, open_view, log, until, size):
+    app.ride.held_at = 6.0
+    page = open_view(size)
+    seen = {}
+    for view in VIEWS:
+        answer = page.request.post(f"{app.address}/api/v1/view/clinician/camera", data={"view": view})
+        assert answer.json() == {"view": view, "plots": False}
+        fov = {"eye": 68, "chase": 50, "top": 30}[view]
+        until(page, f"Math.abs(window.__viserMutable.camera.fov - {fov}) < 0.5")
+        page.wait_for_timeout(600)
+        seen[view] = picture(page)
+        assert 120 < seen[view].mean() < 250, view
+        assert seen[view].std() > 15, view
+    assert np.abs(seen["eye"] - seen["chase"]).mean() > 5
+    assert np.abs(seen["chase"] - seen["top"]).mean() > 5
+    log.assert_clean()
+    app.ride.held_at = None
+    app.scene_thread.scene.set_view("clinician", "eye")
+    page.close()
+
+
+def test_the_plan_fills_the_picture_from_above(app, page, until):
+    app.scene_thread.scene.set_view("clinician", "top")
+    until(page, "Math.abs(window.__viserMutable.camera.fov - 30) < 0.5")
+    page.wait_for_timeout(800)
+    shot = picture(page)
+    background = np.abs(shot[240] - shot[2].mean(axis=0)).max(axis=1) < 12
+    assert background.mean() < 0.1
+
+
+def test_nothing_of_visers_own_panel_can_be_seen(page):
+    seen = page.evaluate("""() => [...document.querySelectorAll("body *")]
+        .filter((element) => element.checkVisibility() && element.getBoundingClientRect().width > 0)
+        .filter((element) => !element.querySelector("canvas") && element.tagName !== "CANVAS")
+        .map((element) => element.outerHTML.slice(0, 80))""")
+    assert seen == []
+    assert page.evaluate("document.body.innerText.trim()") == ""
+
+
+def test_the_picture_cannot_be_turned_by_hand_or_key(page, until):
+    until(page, "window.__viserMutable.cameraControl.enabled === false")
+    where = "JSON.stringify(window.__viserMutable.camera.matrixWorld.elements)"
+    before = page.evaluate(f"() => {where}")
+    page.mouse.move(300, 250)
+    page.mouse.down()
+    page.mouse.move(450, 200, steps=3)
+    page.mouse.up()
+    page.mouse.wheel(0, 400)
+    page.keyboard.down("w")
+    page.wait_for_timeout(400)
+    page.keyboard.up("w")
+    assert page.evaluate(f"() => {where}") == before
+
+
+def test_the_world_is_where_the_chair_is(app, page, until):
+    app.ride.held_at = 4.0
+    pose = app.ride.pose(4.0)
+    until(page, f"Math.abs(window.__viserMutable.nodePoseData['/world/chair'].position[0] - {pose.x}) < 1e-3")
+    # The camera must not have moved from the origin of viser's world, whatever the chair did.
+    assert page.evaluate("() => window.__viserMutable.camera.position.length()") < 1e-3
+
+
+def test_the_plots_are_closed_until_asked_for_and_leave_most_of_the_picture(app, open_view, log, until):
+    page = open_view((1024, 768))
+    assert not page.evaluate(f"() => !!{PANEL}")
+    answer = page.request.post(f"{app.address}/api/v1/view/clinician/plots", data={"open": True})
+    assert answer.json()["plots"] is True
+    until(page, f"{PANEL} && {PANEL}.checkVisibility() && {RED_POINTS} > 20")
+    box = page.evaluate(f"() => {{ const b = {PANEL}.getBoundingClientRect(); return [b.width, b.height, b.right]; }}")
+    assert box[0] * box[1] < 0.2 * 1024 * 768
+    assert box[2] <= 1024
+    canvas = page.evaluate("() => document.querySelector('canvas[data-engine]').getBoundingClientRect().width")
+    assert canvas == 1024
+    page.request.post(f"{app.address}/api/v1/view/clinician/plots", data={"open": False})
+    until(page, f"!{PANEL} || !{PANEL}.checkVisibility()")
+    log.assert_clean()
+    page.close()
+
+
+def test_a_patient_sees_no_plots(app, open_view, page):
+    app.scene_thread.scene.open_plots(True)
+    patients = open_view(SMALL, role="patient")
+    assert not patients.evaluate("() => !!document.querySelector('.uplot')")
+    patients.close()
+
+
+def test_a_picture_that_stands_still_says_so(app, page, until):
+    app.scene_thread.stop()
+    try:
+        until(page, "window.bodydriveView.age() > 1.2")
+    finally:
+        app.scene_thread.scene.tell_time(0.0, 0.0)
+    until(page, "window.bodydriveView.age() < 60")
