@@ -16,6 +16,7 @@ FITTING = {f"app.calibration.{name}" for name in ("fit", "pca", "quality")}
 PURE_HARDWARE = (
     "app.hardware.body",
     "app.hardware.shirt.fabric",
+    "app.hardware.shirt.standard",
     "app.hardware.chair.simulator",
     "app.hardware.base",
 )

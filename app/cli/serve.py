@@ -15,8 +15,7 @@ from app.cli.errors import InputError
 from app.cli.server import WebServer, bind, held, link_to
 from app.session.database import Database
 from app.session.recordings import recorded_readings
-from app.session.store_patients import add_patient, start_session
-from app.session.store_people import add_clinic, count_people
+from app.session.store_people import count_people
 from app.settings import Settings, new_code, state_folder
 from app.supervisor import ControlProcess
 
@@ -25,7 +24,6 @@ Host = Annotated[str, typer.Option(help="The address to listen on; other machine
 State = Annotated[Path | None, typer.Option(help="The folder of the clinic's database and recordings.")]
 
 LOOPBACK = ("127.0.0.1", "localhost", "::1")
-DEMO_PATIENT = ("DEMO-1", "Kingfisher", "A demonstration patient: nobody real.")
 
 
 def demo(port: Port = 8080, host: Host = "127.0.0.1") -> None:
@@ -33,7 +31,7 @@ def demo(port: Port = 8080, host: Host = "127.0.0.1") -> None:
     with bind(host, port) as listening, tempfile.TemporaryDirectory(prefix="bodydrive-demo-") as folder:
         bound = int(listening.getsockname()[1])
         settings = Settings(state=Path(folder), host=host, port=bound, demo_code=new_code())
-        _furnish(settings)
+        _furnish_demonstration(settings)
         words = f"A demonstration, kept nowhere. Ctrl-C ends it.\n{link_to(host, bound)}#demo={settings.demo_code}"
         _run(settings, WebServer(_app(settings), listening, words))
 
@@ -58,14 +56,14 @@ def serve(port: Port = 8080, host: Host = "127.0.0.1", state: State = None) -> N
         _run(settings, WebServer(_app(settings), listening, "\n".join(words)))
 
 
-def _furnish(settings: Settings) -> None:
-    """Make the demonstration clinic with a patient who is here."""
+def _furnish_demonstration(settings: Settings) -> None:
+    from app.session.demonstration import furnish  # noqa: PLC0415  (only here, because it loads what fits calibrations)
+
     database = Database(settings.database)
-    with database.transaction() as db:
-        clinic = add_clinic(db, "Demonstration")
-        patient = add_patient(db, clinic.id, *DEMO_PATIENT)
-        start_session(db, clinic.id, patient.id)
-    database.close()
+    try:
+        furnish(database)
+    finally:
+        database.close()
 
 
 def _nobody_yet(folder: Path) -> bool:
