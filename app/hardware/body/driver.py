@@ -96,7 +96,7 @@ class Driver:
             pose.y + v * late * math.sin(pose.theta),
             pose.theta,
         )
-        intention = self.steering.want(t, now, v)
+        intention = self.steering.want(t, now, v, self.practice)
         if intention is None:
             return
         limb = LIMB_OF[intention.wish]

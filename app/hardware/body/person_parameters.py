@@ -37,7 +37,7 @@ class PersonParameters:
     wrong_limb : chance that another limb moves than was meant; a quarter at first, hardly ever with practice
         (signal-chain.md, section 7).
     estimate_error : standard deviation of the logarithm of (believed / true effect) of a stroke, drawn for each limb
-        at the start: 0.6 is a factor of 1.8 either way.
+        at the start: 0.8 is a factor of 2.2 either way.
     correction : share of the error in a stroke's effect that is corrected at the next one. State-space fits of
         adaptation give 0.05 to 0.2 (Cheng and Sabes, Neural Computation 18, 2006; Smith et al., PLoS Biology 4, 2006).
     rise_base, rise_slope : a stroke takes rise_base + rise_slope x size seconds: larger movements last little longer
@@ -46,10 +46,10 @@ class PersonParameters:
     shrug : of a shoulder's stroke, how much of it at most goes up or down instead: nobody moves in one way alone.
     smallest, largest : bounds of a stroke's size, of the joint's range.
     cruise_speed, corner_speed, goal_speed : m/s that feel right on the straight, in a corner and at the goal; the
-        chair could do 0.8. Indoors, powered chairs are driven at 0.3 to 0.6 m/s.
+        chair could do 0.8; half of walking pace is what a corridor with doors allows.
     braking : m/s2 that the person reckons with when a corner comes near: one stroke in a second or two.
     look_ahead : m along the path to the point that is steered for; with speed_look_ahead, s, added as speed x time.
-    heading_tolerance : rad of heading error that is let be.
+    heading_tolerance : rad of heading error that is let be: a learner corrects what is plain to see.
     speed_tolerance : m/s of speed error that is let be.
     learns : whether practice changes anything at all.
     practice : strokes practised before the first one here.
@@ -60,26 +60,26 @@ class PersonParameters:
     """
 
     reaction_time: float = 0.25
-    hesitation: Practised = field(default=Practised(0.5, 0.05, 230.0))
-    stroke_noise: Practised = field(default=Practised(0.40, 0.10, 350.0))
+    hesitation: Practised = field(default=Practised(0.4, 0.05, 230.0))
+    stroke_noise: Practised = field(default=Practised(0.5, 0.1, 350.0))
     constant_noise: float = 0.015
     timing_noise: float = 0.08
     wrong_limb: Practised = field(default=Practised(0.25, 0.01, 230.0))
-    estimate_error: Practised = field(default=Practised(0.6, 0.1, 350.0))
+    estimate_error: Practised = field(default=Practised(0.8, 0.1, 350.0))
     correction: float = 0.08
-    rise_base: float = 0.45
-    rise_slope: float = 0.35
-    return_factor: float = 1.6
+    rise_base: float = 0.35
+    rise_slope: float = 0.25
+    return_factor: float = 1.4
     shrug: float = 0.15
     smallest: float = 0.18
     largest: float = 0.95
-    cruise_speed: float = 0.6
-    corner_speed: float = 0.2
+    cruise_speed: float = 0.65
+    corner_speed: float = 0.25
     goal_speed: float = 0.35
-    braking: float = 0.15
-    look_ahead: float = 0.6
+    braking: float = 0.2
+    look_ahead: float = 0.7
     speed_look_ahead: float = 0.7
-    heading_tolerance: float = 0.09
+    heading_tolerance: Practised = field(default=Practised(0.3, 0.11, 350.0))
     speed_tolerance: float = 0.07
     learns: bool = True
     practice: float = 0.0

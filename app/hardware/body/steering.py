@@ -43,8 +43,11 @@ class Steering:
         self.course.begin(pose)
         self._anchor = self._backing = None
 
-    def want(self, t: float, pose: Pose, v: float) -> Intention | None:
-        """Return what is wanted at `t` (s) with the chair at `pose` and speed `v` (m/s), or None when all is well."""
+    def want(self, t: float, pose: Pose, v: float, practice: float = 0.0) -> Intention | None:
+        """Return what is wanted at `t` (s) with the chair at `pose` and speed `v` (m/s), or None when all is well.
+
+        `practice` is how many strokes the driver has behind him.
+        """
         p, course = self._parameters, self.course
         course.follow(pose.x, pose.y)
         ahead = p.look_ahead + p.speed_look_ahead * max(0.0, v)
@@ -61,7 +64,7 @@ class Steering:
             return Intention("slower", excess)
         if v < ROLLING_BACK and not backing and -excess > tolerance:
             return Intention("faster", -excess)
-        if abs(error) > p.heading_tolerance and not (backing and v < ROLLING_BACK):
+        if abs(error) > p.heading_tolerance.after(practice) and not (backing and v < ROLLING_BACK):
             return Intention("left" if error > 0 else "right", abs(error))
         if excess > tolerance:
             return Intention("slower", excess)
