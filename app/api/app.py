@@ -29,7 +29,6 @@ from app.session.database import Database
 from app.session.drive_flow import DriveFlow
 from app.session.equipment import Equipment
 from app.session.readings import Readings
-from app.session.refusals import Refusal
 from app.session.runs import Runs
 from app.session.store_calibration import fail_interrupted_steps
 from app.session.store_patients import open_session
@@ -147,10 +146,7 @@ async def _start(database: Database, flows: Flows) -> None:
     await asyncio.to_thread(_tidy_up, database)
     await flows.control.start()
     await flows.equipment.open()
-    try:
-        await flows.visit.load_parameters()
-    except Refusal:
-        flows.visit.loaded = None  # said again, in words, when somebody wants to drive
+    await flows.visit.try_load_parameters()
     flows.live.start()
     if await asyncio.to_thread(_somebody_is_here, database):
         await show_visit(flows)

@@ -175,7 +175,7 @@ async def accept(who: Clinician, parts: PeopleParts, flows: FlowParts) -> Calibr
             write_log(db, who.name, "calibration accepted", patient=session.patient_id, version=row.version)
 
     await asyncio.to_thread(_save)
-    await flows.visit.load_parameters()
+    await flows.visit.try_load_parameters()
     for event in ("calibration", "controls", "visit"):
         flows.live.tell(event)
     return await _view(flows, session)

@@ -127,7 +127,7 @@ async def _change(who: SignedIn, parts: People, flows: Flows, what: str, change:
             return _view(db, flows, session.patient_id)
 
     view = await asyncio.to_thread(_write)
-    await flows.visit.load_parameters()
+    await flows.visit.try_load_parameters()
     flows.live.tell("controls")
     return view
 

@@ -109,7 +109,7 @@ async def choose_shirt(body: ShirtConfig, who: Clinician, parts: PeopleParts, fl
     try:
         await flows.equipment.use_shirt(config)
     finally:
-        await flows.visit.equipment_changed()
+        await flows.visit.try_load_parameters()
     return await _noted(parts, flows, who.name, "shirt chosen", kind=config["kind"])
 
 

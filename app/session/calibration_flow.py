@@ -69,12 +69,12 @@ class CalibrationFlow:
 
     async def start(self, session_id: int, step_id: str) -> None:
         """Record one step; what was recorded for it before no longer counts."""
-        if self._runs.open is not None or self._running is not None:
-            raise Conflict("Something is being recorded already: wait for its end, or stop it first.")
         progress = await self.progress(session_id)
         step = self._find(progress, step_id)
         if progress.layout != self._equipment.needed_layout():
             raise Conflict("The shirt is another one than when this calibration began: begin the calibration anew.")
+        if self._running is not None:
+            raise Conflict("A step is being recorded already: wait for its end, or cancel it first.")
         self._running = step.id
         try:
             run = await self._runs.begin(session_id, step.kind, step.cues, {"step": step.id})
@@ -138,10 +138,17 @@ class CalibrationFlow:
         finally:
             await self._runs.end()
             await asyncio.to_thread(self._set, session_id, step.id, status, words, None, None)
-            self._running = None
-            self._tell("calibration")
+            if status != "done":
+                self._ended()
         if status == "done":
-            await self._go_on(session_id)
+            try:
+                await self._go_on(session_id)
+            finally:
+                self._ended()
+
+    def _ended(self) -> None:
+        self._running = None
+        self._tell("calibration")
 
     async def _wait(self, number: int, duration: float) -> str:
         """Wait until the run's own time has passed `duration`; return in words why it did not."""
@@ -173,15 +180,14 @@ class CalibrationFlow:
         self._running = RESULT
         await asyncio.to_thread(self._set, session_id, RESULT, "running", "The map is being fitted.", None, None)
         self._tell("calibration")
-        status, words = "done", ""
+        status, words = "failed", "The fit was interrupted: repeat any step, and it is done again."
         try:
             await asyncio.to_thread(self._fit_in_thread, session_id)
+            status, words = "done", ""
         except (ValueError, OSError, Refusal) as error:
-            status, words = "failed", str(error)
+            words = str(error)
         finally:
             await asyncio.to_thread(self._set, session_id, RESULT, status, words, None, None)
-            self._running = None
-            self._tell("calibration")
 
     def _fit_in_thread(self, session_id: int) -> None:
         progress = self._progress(session_id)

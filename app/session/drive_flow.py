@@ -5,6 +5,10 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
+from app.faults import Fault
 from app.session.control import Control
 from app.session.database import Database
 from app.session.readings import Readings
@@ -18,6 +22,7 @@ from app.session.trial_watch import End, TrialPlace, TrialWatch
 from app.world.floorplan import FloorPlan, PrescribedPath
 
 LOOK_EVERY = 0.04  # s
+STOP_LIMIT = 1.5  # s for the same when the application ends; then the trial stays without figures
 END_LIMIT = 30.0  # s for closing and measuring a trial, before a caller is told to look later
 
 
@@ -112,13 +117,15 @@ class DriveFlow:
         """End what runs because the application ends."""
         if self._task is not None:
             self._end_asked.set()
+            await asyncio.wait([self._task], timeout=STOP_LIMIT)
+            self._task.cancel()
             await asyncio.gather(self._task, return_exceptions=True)
 
     async def _see_through(self, trial: RunningTrial) -> None:
         await self._finish(trial, await self._watch(trial))
 
     async def _watch(self, trial: RunningTrial) -> End:
-        last = 0
+        last, fault = 0, Fault.NONE
         while True:
             try:
                 await asyncio.wait_for(self._end_asked.wait(), LOOK_EVERY)
@@ -131,9 +138,18 @@ class DriveFlow:
                 return "fault"
             if len(ticks):
                 last = int(ticks["number"][-1])
-                end = trial.watch.take(ticks[ticks["run"] == trial.run.number])
+                ticks = ticks[ticks["run"] == trial.run.number]
+                fault = await self._note_fault(trial, ticks, fault)
+                end = trial.watch.take(ticks)
                 if end is not None:
                     return end
+
+    async def _note_fault(self, trial: RunningTrial, ticks: NDArray[np.void], before: Fault) -> Fault:
+        """Write each new stop or fault of the trial to the log; return the one that is on now."""
+        now = Fault(int(ticks["fault"][-1])) if len(ticks) else before
+        if now not in {before, Fault.NONE}:
+            await asyncio.to_thread(self._log, "fault", trial=trial.id, fault=now.name.lower())
+        return now
 
     async def _finish(self, trial: RunningTrial, end: End) -> None:
         measures = None
@@ -175,6 +191,10 @@ class DriveFlow:
             )
             write_log(db, person, "armed", trial=trial.id, parameters=parameters_id)
             return trial.id
+
+    def _log(self, what: str, **details: Any) -> None:
+        with self._database.transaction() as db:
+            write_log(db, None, what, **details)
 
     def _drop(self, trial_id: int) -> None:
         with self._database.transaction() as db:

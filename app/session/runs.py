@@ -10,7 +10,7 @@ from typing import Any
 from app.cues import Cue
 from app.session.control import Control
 from app.session.database import Database
-from app.session.refusals import Refusal
+from app.session.refusals import Conflict, Refusal
 from app.session.store_runs import add_run, close_run
 
 
@@ -33,6 +33,7 @@ class Runs:
         self._control = control
         self._folder = folder
         self.open: OpenRun | None = None
+        self._beginning = False
 
     def folder_of(self, run: str) -> Path:
         """Return where the recording of a run lies."""
@@ -40,6 +41,15 @@ class Runs:
 
     async def begin(self, session_id: int, kind: str, cues: Sequence[Cue], meta: dict[str, Any]) -> OpenRun:
         """Start recording; the run is in the database only when the control process has begun it."""
+        if self.open is not None or self._beginning:
+            raise Conflict("Something is being recorded already: wait for its end, or stop it first.")
+        self._beginning = True
+        try:
+            return await self._begin(session_id, kind, cues, meta)
+        finally:
+            self._beginning = False
+
+    async def _begin(self, session_id: int, kind: str, cues: Sequence[Cue], meta: dict[str, Any]) -> OpenRun:
         run_id = uuid.uuid4().hex
         folder = self.folder_of(run_id)
         answer = await self._control.call(

@@ -2,6 +2,7 @@
 
 import asyncio
 from collections.abc import Callable
+from contextlib import suppress
 
 from app.calibration.vocabulary import DriveParameters
 from app.session.calibration_flow import CalibrationFlow
@@ -57,11 +58,14 @@ class VisitFlow:
 
     async def visit_changed(self) -> None:
         """Load what the patient who is here now drives with, or nothing."""
-        await self.load_parameters()
+        await self.try_load_parameters()
         self._tell("visit")
 
     async def load_parameters(self) -> str | None:
         """Load the current parameters into the control process; return in one sentence why they do not fit."""
+        # What was loaded for somebody else must not come back with a new control process.
+        self._control.forget("parameters")
+        self.loaded = None
         document = await asyncio.to_thread(self._current)
         if document is not None:
             words = self.misfit(document)
@@ -71,7 +75,6 @@ class VisitFlow:
                 return None
         else:
             words = None
-        self.loaded = None
         await self._control.load("parameters", parameters=None)
         return words
 
@@ -86,12 +89,10 @@ class VisitFlow:
             return "The shirt sends at another rate than it was calibrated at: calibrate again first."
         return None
 
-    async def equipment_changed(self) -> None:
-        """Load the parameters again after the shirt became another one."""
-        try:
+    async def try_load_parameters(self) -> None:
+        """Load them if it can be done now; a trial loads them anyway before it arms."""
+        with suppress(Refusal):
             await self.load_parameters()
-        except Refusal:
-            self._control.forget("parameters")
 
     def _current(self) -> DriveParameters | None:
         with self._database.transaction() as db:
