@@ -11,7 +11,7 @@ from app.clock import Clock, utc_now
 from app.faults import EXPLANATIONS, Fault, State
 from app.hardware.base import HardwareError
 from app.hardware.registry import parse_body, parse_shirt
-from app.link import CommandServer
+from app.link import NO_ANSWER, CommandServer
 from app.pipeline import documents
 from app.pipeline.loop import ControlLoop
 from app.pipeline.open_run import OpenRun
@@ -68,22 +68,24 @@ class Commands:
         for message in self._server.poll():
             self._do(message)
         if self._ending is not None and self._setup.stands:
-            run, self._loop.run = self._ending[0], None
-            run.writer.finish(self._loop.ring.number)
-            self._closing.append(self._ending)
-            self._ending = None
+            self._finish_run()
         if self._closing:
             self._answer_closed()
 
     def close(self) -> None:
-        """Close an open recording and wait until it is on disk."""
+        """Close an open recording, wait until it is on disk, and say so."""
+        self._finish_run()
+        for run, _ in self._closing:
+            run.writer.wait()
+        self._answer_closed()
+        self._server.close()
+
+    def _finish_run(self) -> None:
         run, self._loop.run = self._loop.run, None
         if run is not None:
             run.writer.finish(self._loop.ring.number)
-        for open_run in [run, *(closing for closing, _ in self._closing)]:
-            if open_run is not None:
-                open_run.writer.wait()
-        self._answer_closed()
+            self._closing.append(self._ending or (run, NO_ANSWER))
+        self._ending = None
 
     def _answer_closed(self) -> None:
         for run, command_id in [closing for closing in self._closing if closing[0].writer.done]:
@@ -117,8 +119,8 @@ class Commands:
         try:
             self._setup.use_shirt(parse_shirt(fields.config))
         finally:
-            self._loop.changed()
             tidy()
+            self._loop.new_shirt()
         shirt = self._setup.shirt
         if shirt is None:
             raise Refused("The shirt was not opened: choose another one.")
@@ -281,4 +283,4 @@ class Commands:
     def _settle(self) -> None:
         """Take what was just loaded into the long-lived memory; the loop begins a new deadline."""
         tidy()
-        self._loop.changed()
+        self._loop.begin_anew()

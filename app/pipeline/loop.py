@@ -15,7 +15,6 @@ from app.ring import TickRing
 
 LONGEST_WAIT = 0.02  # s without a frame, then a tick is made without one
 WAIT_PERIODS = 2.0  # the same for a fast shirt, so that its jitter makes no ticks of its own
-MOST_AT_ONCE = 64  # frames decoded before the commands are looked at again
 ALIVE = 0.5  # s: a shirt that sent nothing for so long is not alive
 
 
@@ -39,15 +38,17 @@ class ControlLoop:
         self.conditions = Conditions(screen=False)
         self._report = report
         self._clock = clock
-        self._deadline = clock.now()
-        self._frame_t = -math.inf
-        self._wait = self._period = 0.0
-        self.changed()
+        self.new_shirt()
 
-    def changed(self) -> None:
-        """Take up another shirt's rate; what took long to set up is not called late."""
+    def new_shirt(self) -> None:
+        """Take up the rate of another shirt, of which nothing has come yet."""
         self._period = 1.0 / self.setup.sample_rate
         self._wait = min(LONGEST_WAIT, WAIT_PERIODS * self._period)
+        self._frame_t = -math.inf
+        self.begin_anew()
+
+    def begin_anew(self) -> None:
+        """Set a new deadline: what took long to set up is not called late."""
         self._deadline = self._clock.now() + self._wait
 
     @property
@@ -56,32 +57,22 @@ class ControlLoop:
         return self.setup.shirt is not None and self._clock.now() - self._frame_t < ALIVE
 
     def turn(self) -> None:
-        """Wait for a frame until the deadline, and make a tick of it or without it; then of all that are pending."""
+        """Wait for a frame, not beyond the deadline, and make a tick of it or without it.
+
+        Every frame gets its tick, at once when several wait: each moves the chair by its own time.
+        """
         shirt = self.setup.shirt
         if shirt is None:
             self._clock.sleep_until(self._deadline)
             self._step(None, 0)
-            return
-        frame = shirt.read(max(0.0, self._deadline - self._clock.now()))
-        self._step(frame, shirt.lost)
-        if frame is None:
-            return
-        for _ in range(MOST_AT_ONCE):
-            if not shirt.pending():
-                return
-            frame = shirt.read(0.0)
-            if frame is None:
-                return
-            self._step(frame, shirt.lost)
+        else:
+            self._step(shirt.read(self._wait), shirt.lost)
 
     def _step(self, frame: SensorFrame | None, lost: int) -> None:
         t = self._clock.now()
         if t > self._deadline + self._period:
             self.late += 1
-        if frame is None and t < self._deadline + self._wait:
-            self._deadline += self._wait  # idle ticks keep their grid
-        else:
-            self._deadline = t + self._wait
+        self._deadline = t + self._wait
         conditions, run = self.conditions, self.run
         conditions.supervisor_age = t - self.heard
         conditions.recording = run is None or not run.writer.words

@@ -24,11 +24,14 @@ def main(arguments: list[str] | None = None) -> int:
     """Run until the link ends; return the exit code."""
     given = _parser().parse_args(arguments)
     clock = MonotonicClock()
+    link = None
     try:
         report = ChairReport(*given.report) if given.report else None
         link = socket.socket(fileno=given.link_fd)
         ring = TickRing.create(given.ring)
     except (HardwareError, OSError) as error:
+        if link is not None:
+            link.close()
         sys.stderr.write(f"The control process cannot start: {error}\n")
         return 2
     try:

@@ -1,0 +1,157 @@
+"""The loop with a clock of its own: a tick for every frame, one without, late ones counted, cues to the sample."""
+
+import math
+import uuid
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from app.clock import FakeClock
+from app.cues import Cue, cue_index
+from app.hardware.base import BodyView
+from app.messages import NO_CUE, SensorFrame
+from app.pipeline.loop import LONGEST_WAIT, ControlLoop
+from app.pipeline.open_run import OpenRun
+from app.pipeline.setup import Setup
+from app.ring import TickRing
+from building import make_layout
+
+RATE = 100.0
+
+
+class ScriptedShirt:
+    """Gives a frame at each of the given times (s), and takes the time that waiting takes."""
+
+    def __init__(self, clock, times):
+        self.layout, self.sample_rate, self.lost = make_layout(8), RATE, 0
+        self._clock, self._times, self._seq = clock, list(times), 0
+
+    def read(self, timeout):
+        if not self._times or self._times[0] > self._clock.now() + timeout:
+            self._clock.sleep_until(self._clock.now() + timeout)
+            return None
+        self._clock.sleep_until(self._times.pop(0))
+        self._seq += 1
+        return SensorFrame(self._seq, self._seq / RATE, self._clock.now(), np.ones(8, np.float32))
+
+
+class Writer:
+    """As much of a run's writer as the loop looks at."""
+
+    words = ""
+
+
+@pytest.fixture
+def ring():
+    made = TickRing.create(f"bodydrive-test-{uuid.uuid4().hex}")
+    made.unlink()
+    yield made
+    made.close()
+
+
+def loop_with(ring, times, clock=None):
+    clock = clock or FakeClock()
+    setup = Setup(clock)
+    setup.shirt = ScriptedShirt(clock, times) if times is not None else None
+    return ControlLoop(setup, ring, None, clock)
+
+
+def ticks_of(loop, turns):
+    for _ in range(turns):
+        loop.turn()
+    return loop.ring.since(0)[0]
+
+
+def test_one_frame_one_tick(ring):
+    times = [i / RATE for i in range(50)]
+    ticks = ticks_of(loop_with(ring, times), 50)
+    assert ticks["has_frame"].all()
+    assert ticks["t"].tolist() == times
+    assert ticks["frame_seq"].tolist() == list(range(1, 51))
+    assert ticks["late"].max() == 0
+
+
+def test_without_frames_ticks_go_on(ring):
+    ticks = ticks_of(loop_with(ring, [0.01, 0.02]), 7)
+    assert ticks["has_frame"].tolist() == [1, 1, 0, 0, 0, 0, 0]
+    np.testing.assert_allclose(np.diff(ticks["t"])[2:], LONGEST_WAIT)
+    assert ticks["late"].max() == 0
+
+
+def test_without_a_shirt_ticks_go_on(ring):
+    ticks = ticks_of(loop_with(ring, None), 10)
+    np.testing.assert_allclose(np.diff(ticks["t"]), LONGEST_WAIT)
+    assert ticks["late"].max() == 0
+
+
+def test_a_tick_later_than_a_period_is_counted(ring):
+    clock = FakeClock()
+    loop = loop_with(ring, [0.01, 0.02, 0.03], clock)
+    ticks_of(loop, 3)
+    clock.time += LONGEST_WAIT + 1 / RATE  # as if the machine had held the process
+    loop.turn()
+    loop.turn()
+    assert ring.since(0)[0]["late"].tolist() == [0, 0, 0, 1, 1]
+    clock.time += 1.0
+    loop.begin_anew()
+    loop.turn()
+    assert loop.late == 1
+
+
+def test_what_waited_is_taken_at_once(ring):
+    clock = FakeClock()
+    loop = loop_with(ring, [i / RATE for i in range(20)], clock)
+    clock.time = 0.2
+    ticks = ticks_of(loop, 20)
+    assert ticks["has_frame"].all()
+    assert set(ticks["t"]) == {0.2}
+
+
+def test_a_shirt_is_alive_while_it_sends(ring):
+    loop = loop_with(ring, [0.01])
+    assert not loop.shirt_alive
+    loop.turn()
+    assert loop.shirt_alive
+    for _ in range(100):
+        loop.turn()
+    assert not loop.shirt_alive
+
+
+def test_cues_are_in_the_ticks_and_before_the_body_s_eyes(ring):
+    times = [i / RATE for i in range(60)]
+    loop = loop_with(ring, times)
+    view = BodyView()
+    loop.setup.dressed = type("Dressed", (), {"view": view, "body": None})()
+    cues = (Cue(start=0.1, end=0.2, kind="rest"), Cue(start=0.2, end=0.4, kind="move", joint="right_elbow"))
+    loop.run = OpenRun("r", 3, "prompt", cues, 0.0, Writer())
+    seen = []
+    for _ in times:
+        loop.turn()
+        seen.append((view.cue, view.cue_elapsed))
+    ticks = ring.since(0)[0]
+    assert ticks["run_t"].tolist() == times
+    assert ticks["cue"].tolist() == [cue_index(cues, t) for t in times]
+    assert [cue for cue, _ in seen] == [None if i == NO_CUE else cues[i] for i in ticks["cue"]]
+    assert seen[25][1] == pytest.approx(0.05)
+    assert set(ticks["run"]) == {3}
+    assert not view.driving
+
+
+def test_outside_a_run_there_is_no_run_time(ring):
+    ticks = ticks_of(loop_with(ring, [0.0]), 1)
+    assert ticks["run"].tolist() == [0]
+    assert math.isnan(ticks["run_t"][0])
+    assert ticks["cue"].tolist() == [NO_CUE]
+
+
+@given(
+    st.lists(st.tuples(st.floats(0, 10), st.floats(0.01, 5)), max_size=6),
+    st.lists(st.floats(0, 16), min_size=1, max_size=60),
+)
+def test_the_cue_of_a_moment_is_that_of_the_list(spans, moments):
+    cues = [Cue(start=start, end=start + length, kind="free") for start, length in spans]
+    run = OpenRun("r", 1, "free", cues, 0.0, Writer())
+    for moment in sorted(moments):
+        assert run.cue_at(moment) == cue_index(cues, moment)

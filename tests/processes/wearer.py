@@ -1,0 +1,67 @@
+"""A shirt over UDP that is worn by nobody: at rest, or one stroke of the right elbow, from a thread."""
+
+import socket
+import threading
+
+import numpy as np
+
+from app.clock import MonotonicClock
+from app.hardware.shirt.packet import encode
+
+RATE = 100.0
+STROKE_TIME = 0.6  # s
+
+
+def free_port():
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
+        probe.bind(("127.0.0.1", 0))
+        return probe.getsockname()[1]
+
+
+def shirt_config(parameters, port):
+    layout = parameters.profile.layout.model_dump(mode="json")
+    return {"kind": "udp", "host": "127.0.0.1", "port": port, "layout": layout, "sample_rate": RATE}
+
+
+class Wearer:
+    """Sends frames at 100 Hz until it is closed; after a stroke the arm stays where it is."""
+
+    def __init__(self, parameters, port):
+        self._profile = parameters.profile
+        self._address = ("127.0.0.1", port)
+        self._stroke_at = None
+        self._ended = threading.Event()
+        self._frames = 0
+        self._thread = threading.Thread(target=self._send)
+        self._thread.start()
+
+    def stroke(self):
+        """Bend the right elbow: forward, at something like half speed."""
+        self._stroke_at = self._frames
+
+    def close(self):
+        self._ended.set()
+        self._thread.join()
+
+    def _values(self):
+        elbow = next(joint for joint in self._profile.joints if joint.name == "right_elbow")
+        values = np.zeros(len(self._profile.layout.channels), dtype=np.float32)
+        for joint in self._profile.joints:
+            values[list(joint.channels)] += np.array(joint.mean, dtype=np.float32)
+        done = 0.0
+        if self._stroke_at is not None:
+            done = min(1.0, (self._frames - self._stroke_at) / RATE / STROKE_TIME)
+        posture = 0.6 * done * done * (3 - 2 * done)
+        values[list(elbow.channels)] += (posture * elbow.span * np.array(elbow.weights)).astype(np.float32)
+        # a channel that never changes counts as broken
+        return values + np.float32(1e-3) * np.random.default_rng(self._frames).standard_normal(len(values), np.float32)
+
+    def _send(self):
+        clock = MonotonicClock()
+        due = clock.now()
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender:
+            while not self._ended.is_set():
+                sender.sendto(encode(self._frames, self._frames / RATE, self._values()), self._address)
+                self._frames += 1
+                due += 1 / RATE
+                clock.sleep_until(due)
