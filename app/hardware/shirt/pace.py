@@ -8,12 +8,13 @@ LONGEST_LAG = 1.0  # s: what is later than this is lost, as with a device that w
 class Pace:
     """Says when each frame is due: the first one at once, then one every period."""
 
-    __slots__ = ("_clock", "_due", "_missed", "_period")
+    __slots__ = ("_clock", "_missed", "_number", "_period", "_start")
 
     def __init__(self, clock: Clock, sample_rate: float) -> None:
         self._clock = clock
         self._period = 1.0 / sample_rate
-        self._due = clock.now()
+        self._start = clock.now()
+        self._number = 0  # of the next frame
         self._missed = 0
 
     def is_due(self) -> bool:
@@ -22,20 +23,24 @@ class Pace:
 
     def wait(self, timeout: float) -> bool:
         """Wait at most `timeout` (s) for the next frame; True when it has come and the one after it is next."""
-        now = self._clock.now()
-        if self._due > now:
-            if self._due > now + timeout:
+        now, due = self._clock.now(), self._due
+        if due > now:
+            if due > now + timeout:
                 self._clock.sleep_until(now + timeout)
                 return False
-            self._clock.sleep_until(self._due)
-        elif now - self._due > LONGEST_LAG:
-            behind = int((now - self._due) / self._period)
+            self._clock.sleep_until(due)
+        elif now - due > LONGEST_LAG:
+            behind = int((now - due) / self._period)
             self._missed += behind
-            self._due += behind * self._period
-        self._due += self._period
+            self._number += behind
+        self._number += 1
         return True
 
     def missed(self) -> int:
         """Return how many frames were lost since this was asked last."""
         missed, self._missed = self._missed, 0
         return missed
+
+    @property
+    def _due(self) -> float:
+        return self._start + self._number * self._period

@@ -1,0 +1,84 @@
+"""Shirts for tests, each with a way to let its next frames come."""
+
+import socket
+
+import numpy as np
+
+from app.clock import FakeClock, MonotonicClock
+from app.hardware.configs import ReplayConfig, SimulatorConfig, UdpConfig
+from app.hardware.shirt.packet import encode
+from app.hardware.shirt.replay import ReplayedShirt
+from app.hardware.shirt.simulator import SimulatedShirt
+from app.hardware.shirt.udp import UdpShirt
+from app.layout import Channel, Joint, ShirtLayout
+
+RATE = 100.0
+
+
+def small_layout():
+    return ShirtLayout(
+        name="small",
+        channels=tuple(Channel(name=f"right_elbow_{i}", joint="right_elbow") for i in range(1, 4)),
+        joints=(Joint(name="right_elbow", label="Right elbow"),),
+    )
+
+
+def write_signals(file, count=200, channels=3, rate=RATE):
+    """Write a CSV whose first channel carries the sample's number, so that loss cannot hide."""
+    names = [f"right_elbow_{i}" for i in range(1, channels + 1)]
+    rows = [",".join(["t", *names])]
+    rows += [",".join([f"{i / rate:.6f}", *(str(i + 1000 * c) for c in range(channels))]) for i in range(count)]
+    file.write_text("\n".join(rows) + "\n")
+    return file
+
+
+class Simulated:
+    """The simulated shirt on a fake clock."""
+
+    def __init__(self, _tmp_path):
+        self.clock = FakeClock(50.0)
+        self.shirt = SimulatedShirt(SimulatorConfig(kind="simulator", layout=small_layout()), self.clock)
+
+    def let_come(self, count):
+        self.clock.time += (count - 1) / RATE + 1e-6
+
+    def end(self):
+        """Nothing else is held."""
+
+
+class Replayed(Simulated):
+    """A file on a fake clock."""
+
+    def __init__(self, tmp_path):
+        self.clock = FakeClock(50.0)
+        file = write_signals(tmp_path / "signals.csv")
+        self.shirt = ReplayedShirt(ReplayConfig(kind="replay", file=str(file), loop=False), self.clock)
+
+
+class Udp:
+    """The shirt over UDP, and a device that sends to it."""
+
+    def __init__(self, _tmp_path):
+        self.clock = MonotonicClock()
+        config = UdpConfig(kind="udp", port=0, layout=small_layout(), sample_rate=RATE)
+        self.shirt = UdpShirt(config, self.clock)
+        self.device = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        self.seq = 0
+
+    def let_come(self, count):
+        for _ in range(count):
+            self.send(self.seq)
+            self.seq += 1
+
+    def send(self, seq, device=None):
+        values = np.array([seq % 1000, 1, 2], dtype=np.float32)
+        self.send_bytes(encode(seq, (seq % (1 << 32)) / RATE, values), device)
+
+    def send_bytes(self, content, device=None):
+        (device or self.device).sendto(content, self.shirt.address)
+
+    def end(self):
+        self.device.close()
+
+
+SHIRTS = (Simulated, Replayed, Udp)

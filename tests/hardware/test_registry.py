@@ -1,0 +1,92 @@
+import re
+
+import pytest
+from pydantic import ValidationError
+from shirts import small_layout
+
+from app.clock import FakeClock
+from app.hardware.base import HardwareError
+from app.hardware.body.person import Person
+from app.hardware.body.visitor import Visitor
+from app.hardware.configs import PersonConfig, ReplayConfig, SimulatorConfig, VisitorConfig
+from app.hardware.registry import BODIES, SHIRTS, driver_class, make_body, make_shirt, parse_body, parse_shirt
+
+
+@pytest.mark.parametrize(("what", "table"), [("shirt", SHIRTS), ("body", BODIES)])
+def test_every_word_of_the_tables_has_its_class(what, table):
+    for word, (_module, name) in table.items():
+        assert driver_class(what, word, table).__name__ == name
+
+
+def test_each_reason_for_having_no_driver_has_its_own_sentence(tmp_path, monkeypatch):
+    (tmp_path / "needs_a_library.py").write_text("import a_library_nobody_has\n")
+    monkeypatch.syspath_prepend(str(tmp_path))
+    table = {
+        "lsl": ("needs_a_library", "LslShirt"),
+        "gone": ("app.hardware.shirt.gone", "GoneShirt"),
+        "empty": ("app.hardware.base", "NoSuchShirt"),
+    }
+    sentences = []
+    for word in ("unheard-of", *table):
+        with pytest.raises(HardwareError) as refused:
+            driver_class("shirt", word, table)
+        sentences.append(str(refused.value))
+    assert "use one of lsl, gone, empty" in sentences[0]
+    assert "needs the library 'a_library_nobody_has', which is not installed" in sentences[1]
+    assert "app.hardware.shirt.gone" in sentences[2]
+    assert "has no class NoSuchShirt" in sentences[3]
+    assert len(set(sentences)) == 4
+    assert all("\n" not in sentence for sentence in sentences)
+
+
+def test_a_missing_file_is_a_sentence_of_its_own(tmp_path):
+    shirt = make_shirt(ReplayConfig(kind="replay", file=str(tmp_path / "none.csv")), FakeClock())
+    with pytest.raises(HardwareError, match="there is no such file"):
+        shirt.open()
+    with pytest.raises(HardwareError, match="there is no such file"):
+        make_body(parse_body({"kind": "recorded", "file": str(tmp_path / "none.csv")}))
+
+
+def test_the_documents_of_the_protocol_are_understood():
+    layout = small_layout().model_dump(mode="json")
+    simulated = {"kind": "simulator", "sample_rate": 100, "seed": 1, "layout": None, "dead_channels": ["a"]}
+    assert parse_shirt(simulated).dead_channels == ("a",)
+    assert parse_shirt({"kind": "replay", "file": "runs/7", "loop": True}).loop
+    udp = {"kind": "udp", "host": "127.0.0.1", "port": 5252, "layout": layout, "sample_rate": 100}
+    assert parse_shirt(udp).layout == small_layout()
+    assert parse_body({"kind": "person", "skill": "novice", "seed": 1}) == PersonConfig(kind="person", skill="novice")
+    assert parse_body({"kind": "visitor"}) == VisitorConfig(kind="visitor")
+    assert parse_body({"kind": "recorded", "file": "body.csv"}).file == "body.csv"
+
+
+@pytest.mark.parametrize(
+    ("document", "words"),
+    [
+        (None, 'needs a "kind": give one of simulator, replay, udp'),
+        ({}, 'needs a "kind"'),
+        ({"kind": "silk"}, "no shirt of the kind 'silk': use one of simulator, replay, udp"),
+        ({"kind": "simulator", "sample_rate": float("nan")}, "sample_rate"),
+        ({"kind": "simulator", "sample_rate": 1}, "sample_rate"),
+        ({"kind": "simulator", "sample_rate": "100"}, "sample_rate"),
+        ({"kind": "simulator", "colour": "red"}, "colour"),
+        ({"kind": "replay"}, "file"),
+        ({"kind": "udp", "port": 70_000, "layout": small_layout().model_dump()}, "port"),
+        ({"kind": "udp", "host": "a host", "layout": small_layout().model_dump()}, "host"),
+        ({"kind": "udp"}, "layout"),
+    ],
+)
+def test_a_configuration_that_is_none_is_one_sentence_that_names_the_place(document, words):
+    with pytest.raises(HardwareError, match=re.escape(words)) as refused:
+        parse_shirt(document)
+    assert "\n" not in str(refused.value)
+
+
+def test_what_is_made_is_what_was_asked_for():
+    assert make_shirt(SimulatorConfig(kind="simulator", sample_rate=250.0), FakeClock()).sample_rate == 250.0
+    assert isinstance(make_body(VisitorConfig(kind="visitor")), Visitor)
+    assert isinstance(make_body(PersonConfig(kind="person", skill="practised", seed=3)), Person)
+
+
+def test_configurations_are_never_changed():
+    with pytest.raises(ValidationError):
+        SimulatorConfig(kind="simulator").seed = 2

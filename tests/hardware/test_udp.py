@@ -1,0 +1,103 @@
+import socket
+
+import numpy as np
+import pytest
+from shirts import RATE, Udp, small_layout
+
+from app.clock import FakeClock
+from app.hardware.base import HardwareError
+from app.hardware.configs import UdpConfig
+from app.hardware.shirt.packet import encode
+from app.hardware.shirt.udp import SILENCE, UdpShirt
+
+WAIT = 2.0  # s
+
+
+@pytest.fixture
+def source(tmp_path):
+    made = Udp(tmp_path)
+    made.shirt.open()
+    yield made
+    made.shirt.close()
+    made.end()
+
+
+@pytest.fixture
+def stranger():
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as other:
+        yield other
+
+
+def test_junk_is_passed_over_and_counted(source):
+    for junk in (b"", b"hello", b"x" * 2000, encode(0, 0.0, np.zeros(52, dtype=np.float32))):
+        source.send_bytes(junk)
+    source.send(0)
+    assert source.shirt.read(WAIT).seq == 0
+    assert source.shirt.junk == 4
+    assert "4 datagrams refused (the shirt sends 52 channels, its layout has 3" in source.shirt.words()
+
+
+def test_before_any_frame_the_words_say_what_is_wrong_with_what_comes(source):
+    source.send_bytes(encode(0, 0.0, np.zeros(52, dtype=np.float32)))
+    assert source.shirt.read(0.05) is None
+    assert source.shirt.words().startswith("No frames from a shirt on 127.0.0.1:")
+    assert "sends 52 channels" in source.shirt.words()
+
+
+def test_gaps_are_counted_late_frames_dropped(source):
+    for seq in (10, 11, 15, 13, 15, 16):
+        source.send(seq)
+    assert [source.shirt.read(WAIT).seq for _ in range(4)] == [10, 11, 15, 16]
+    assert source.shirt.read(0.0) is None
+    assert source.shirt.lost == 3
+    assert "3 frames lost" in source.shirt.words()
+
+
+def test_the_counter_may_wrap(source):
+    for seq in (2**32 - 2, 2**32 - 1, 0, 1):
+        source.send(seq)
+    assert [source.shirt.read(WAIT).seq for _ in range(4)] == [2**32 - 2, 2**32 - 1, 0, 1]
+    assert source.shirt.lost == 0
+
+
+def test_a_second_sender_is_not_mixed_in(source, stranger):
+    source.send(0)
+    assert source.shirt.read(WAIT).seq == 0
+    source.send(500, stranger)
+    source.send(1)
+    assert source.shirt.read(WAIT).seq == 1
+    assert source.shirt.lost == 0
+
+
+def test_after_silence_another_sender_may_be_the_shirt(tmp_path, stranger):
+    clock = FakeClock(10.0)
+    source = Udp(tmp_path)
+    shirt = source.shirt = UdpShirt(UdpConfig(kind="udp", port=0, layout=small_layout(), sample_rate=RATE), clock)
+    shirt.open()
+    source.send(0)
+    assert shirt.read(WAIT).seq == 0
+    port = shirt.address[1]
+    clock.time += SILENCE + 0.1
+    assert shirt.read(0.0) is None
+    assert shirt.address[1] == port
+    source.send(77, stranger)
+    assert shirt.read(WAIT).seq == 77
+    shirt.close()
+    source.end()
+
+
+def test_a_port_that_is_taken_is_one_sentence(source):
+    config = UdpConfig(kind="udp", port=source.shirt.address[1], layout=small_layout())
+    with pytest.raises(HardwareError, match=r"cannot be listened for on 127.0.0.1:\d+ .*: use an address"):
+        UdpShirt(config, FakeClock()).open()
+
+
+def test_an_address_that_is_not_ours_is_one_sentence():
+    config = UdpConfig(kind="udp", host="192.0.2.1", port=0, layout=small_layout())
+    with pytest.raises(HardwareError, match="use an address of this machine"):
+        UdpShirt(config, FakeClock()).open()
+
+
+def test_it_reaches_no_further_than_the_configured_host(source):
+    assert source.shirt.address[0] == "127.0.0.1"
+    assert UdpConfig(kind="udp", layout=small_layout()).host == "127.0.0.1"
