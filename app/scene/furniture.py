@@ -152,7 +152,7 @@ def _ceramic(length: float, width: float, height: float) -> list[Piece]:
 
 def _toilet(length: float, width: float, height: float) -> list[Piece]:
     seat = min(0.45, height)
-    tank = standing_box(0.28 * length, 0.9 * width, 0.0, max(height, seat), x=-0.36 * length)
+    tank = standing_box(0.28 * length, width, 0.0, max(height, seat), x=-0.36 * length)
     bowl = ball((0.12 * length, 0.0, 0.6 * seat), (0.38 * length, 0.46 * width, 0.4 * seat))
     foot = standing_box(0.62 * length, 0.5 * width, 0.0, 0.5 * seat, x=0.1 * length)
     return [(palette.CERAMIC, merged([tank, bowl, foot]))]

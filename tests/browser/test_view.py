@@ -22,7 +22,8 @@ pytestmark = pytest.mark.browser
 
 SIZES = {"tablet on its side": (1024, 768), "tablet upright": (820, 1180)}
 SMALL = (640, 480)
-LIVE = "window.bodydriveView && window.bodydriveView.age() < 1"
+# Far above the second after which a page speaks up: software may need seconds for one picture on a busy machine.
+LIVE = "window.bodydriveView && window.bodydriveView.age() < 20"
 
 
 @pytest.fixture(scope="module")
@@ -156,8 +157,6 @@ def test_a_patient_sees_no_plots(app, open_view, page):
 
 def test_a_picture_that_stands_still_says_so(app, page, until):
     app.scene_thread.stop()
-    try:
-        until(page, "window.bodydriveView.age() > 1.2")
-    finally:
-        app.scene_thread.scene.tell_time(0.0, 0.0)
-    until(page, "window.bodydriveView.age() < 60")
+    until(page, "window.bodydriveView.age() > 2")
+    app.scene_thread.scene.tell_time(12.5, 77.0)
+    until(page, "window.bodydriveView.tickAge() === 77")

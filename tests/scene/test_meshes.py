@@ -1,0 +1,132 @@
+import math
+
+import numpy as np
+import pytest
+
+from app.scene.building import PATH_WIDTH, building_parts, path_parts
+from app.scene.furniture import furniture
+from app.scene.meshes import ball, box, limb, merged, rectangle, ring, standing_box, strip, tube, wheel
+from app.scene.wheelchair import chair_parts, person_parts
+from app.world.floorplan import bundled_floorplans, load_floorplan
+from app.world.kinematics import CHAIR_RADIUS
+from app.world.obstacles import Box, Cylinder
+
+MOST_TRIANGLES = 40_000  # a tablet's share
+MOST_MESHES = 40
+
+
+def volume(mesh):
+    """Positive when every face of a closed mesh looks outwards."""
+    a, b, c = (mesh.vertices[mesh.faces[:, corner]] for corner in range(3))
+    return float(np.einsum("ij,ij->i", a, np.cross(b, c)).sum() / 6)
+
+
+def area_from_above(mesh):
+    a, b, c = (mesh.vertices[mesh.faces[:, corner], :2] for corner in range(3))
+    (ux, uy), (vx, vy) = (b - a).T, (c - a).T
+    return ux * vy - uy * vx
+
+
+@pytest.mark.parametrize(
+    ("mesh", "expected"),
+    [
+        (box((1, 2, 3)), 6.0),
+        (tube((0, 0, 0), (0, 0, 2), 1.0, sides=200), 2 * math.pi),
+        (tube((1, 0, 0), (1, 3, 0), 1.0, 0.0, sides=200), math.pi),
+        (ball((5, 5, 5), 1.0, 100), 4 / 3 * math.pi),
+        (wheel((0, 0, 1), 1.0, 0.1, 0.1, 100), 2 * math.pi**2 * 0.95 * 0.05**2 * 0.935),
+        (box((1, 2, 3)).moved(3, -2, 1, 0.7), 6.0),
+        (standing_box(1, 1, 0, 1).leant(0.4), 1.0),
+    ],
+)
+def test_closed_bodies_look_outwards_and_have_their_size(mesh, expected):
+    assert volume(mesh) == pytest.approx(expected, rel=0.01)
+
+
+@pytest.mark.parametrize(
+    "mesh", [rectangle(0, 0, 1, 1, 0), ring((0, 0, 0), 1, 2), strip([(0, 0), (1, 0), (1, 1)], 0.2, 0)]
+)
+def test_what_lies_on_the_floor_looks_up(mesh):
+    assert (area_from_above(mesh) > 0).all()
+
+
+def test_a_strip_has_the_same_width_before_and_after_a_corner():
+    mesh = strip([(0, 0), (4, 0), (4, 3)], 0.2, 0.0)
+    assert area_from_above(mesh).sum() / 2 == pytest.approx(0.2 * 7, rel=1e-6)
+
+
+def test_a_line_that_turns_back_makes_no_spike():
+    mesh = strip([(0, 0), (4, 0), (0, 0.0), (0, 0), (0, 3)], 0.2, 0.0)
+    assert np.isfinite(mesh.vertices).all()
+    assert np.abs(mesh.vertices).max() < 4.5
+
+
+def test_merging_keeps_every_triangle():
+    parts = [box((1, 1, 1)), ball((0, 0, 0), 1), limb([(0, 0, 0), (1, 0, 0), (1, 1, 0)], 0.1)]
+    whole = merged(parts)
+    assert len(whole.faces) == sum(len(part.faces) for part in parts)
+    assert whole.faces.max() == len(whole.vertices) - 1
+    assert len(merged([]).faces) == 0
+
+
+@pytest.mark.parametrize("name", bundled_floorplans())
+def test_a_building_is_few_meshes_of_few_triangles(name):
+    plan = load_floorplan(bundled_floorplans()[name])
+    parts = building_parts(plan) | path_parts(plan.paths[0])
+    bodies = [*chair_parts().values(), *person_parts().values()]
+    meshes = [part.mesh for part in parts.values()] + bodies
+    assert len(meshes) <= MOST_MESHES
+    assert sum(len(mesh.faces) for mesh in meshes) <= MOST_TRIANGLES
+    for mesh in meshes:
+        assert np.isfinite(mesh.vertices).all()
+        assert mesh.faces.max() < len(mesh.vertices)
+    assert PATH_WIDTH * plan.paths[0].line.length == pytest.approx(
+        area_from_above(parts["path"].mesh).sum() / 2, rel=0.05
+    )
+
+
+def test_the_drawn_chair_is_as_wide_as_the_one_that_bumps_into_walls():
+    across = np.concatenate([mesh.vertices[:, 1] for mesh in chair_parts().values()])
+    assert across.max() == pytest.approx(CHAIR_RADIUS, abs=0.02)
+    assert across.min() == pytest.approx(-CHAIR_RADIUS, abs=0.02)
+
+
+@pytest.mark.parametrize(
+    "label",
+    [
+        "desk",
+        "bed",
+        "treatment table",
+        "sofa",
+        "bench",
+        "chair",
+        "cupboard",
+        "shelf",
+        "counter",
+        "washbasin",
+        "toilet",
+        "mat",
+        "bar",
+        "trolley",
+        "television",
+        "thing without a shape of its own",
+    ],
+)
+@pytest.mark.parametrize("size", [(2.0, 0.8), (0.8, 2.0)])
+def test_furniture_fills_the_footprint_that_stops_the_chair(label, size):
+    box_obstacle = Box(kind="box", label=label, position=(3.0, -2.0), size=size, height=0.8, angle=0.3)
+    points = np.concatenate([mesh.vertices for mesh in furniture([box_obstacle]).values()])
+    away = points[:, :2] - (3.0, -2.0)
+    cos, sin = math.cos(0.3), math.sin(0.3)
+    along, across = away @ (cos, sin), away @ (-sin, cos)
+    assert np.abs(along).max() == pytest.approx(size[0] / 2, rel=0.06)
+    assert np.abs(across).max() == pytest.approx(size[1] / 2, rel=0.06)
+    assert points[:, 2].min() >= 0
+
+
+@pytest.mark.parametrize("label", ["plant", "gym ball", "round table", "stool", "column"])
+def test_round_furniture_fills_its_circle(label):
+    obstacle = Cylinder(kind="cylinder", label=label, position=(1.0, 1.0), radius=0.4, height=0.8)
+    points = np.concatenate([mesh.vertices for mesh in furniture([obstacle]).values()])
+    reach = np.hypot(*(points[:, :2] - (1.0, 1.0)).T).max()
+    assert reach == pytest.approx(0.4, rel=0.06)

@@ -1,0 +1,64 @@
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from app.geometry import Pose
+from app.scene.trajectory import JUMP, PIECE, STEP, Pieces, Thinned, line_segments
+
+
+def test_a_chair_that_stands_adds_one_point():
+    pieces = Pieces()
+    assert [pieces.add(Pose(1.0, 2.0, 0.0)) for _ in range(100)] == [True] + [False] * 99
+
+
+def test_points_are_kept_every_five_centimetres_or_five_degrees():
+    thinned = Thinned()
+    assert thinned.keep(Pose(0, 0, 0))
+    assert not thinned.keep(Pose(0.049, 0, 0))
+    assert thinned.keep(Pose(0.051, 0, 0))
+    assert not thinned.keep(Pose(0.051, 0, math.radians(4.9)))
+    assert thinned.keep(Pose(0.051, 0, math.radians(5.1)))
+
+
+def test_the_heading_may_pass_half_a_turn():
+    thinned = Thinned()
+    thinned.keep(Pose(0, 0, math.pi - 0.01))
+    assert not thinned.keep(Pose(0, 0, -math.pi + 0.01))
+
+
+def test_pieces_are_closed_at_their_length_and_join_without_a_gap():
+    pieces = Pieces()
+    for number in range(3 * PIECE):
+        pieces.add(Pose(0.06 * number, 0.0, 0.0))
+    assert [len(piece) for piece in pieces.points[:-1]] == [PIECE] * (len(pieces.points) - 1)
+    assert len(pieces.points) == 4
+    for before, after in zip(pieces.points[:-1], pieces.points[1:], strict=True):
+        assert before[-1] == after[0]
+
+
+def test_a_chair_that_is_put_elsewhere_has_not_driven_there():
+    pieces = Pieces()
+    pieces.add(Pose(0, 0, 0))
+    pieces.add(Pose(2 * JUMP, 0, 0))
+    assert pieces.points == [[(0, 0)], [(2 * JUMP, 0)]]
+
+
+@given(st.lists(st.tuples(st.floats(-0.4, 0.4), st.floats(-0.4, 0.4)), max_size=200))
+def test_no_driven_place_is_farther_than_a_step_from_a_kept_point(moves):
+    pieces, x, y = Pieces(), 0.0, 0.0
+    for dx, dy in [(0.0, 0.0), *moves]:
+        x, y = x + dx, y + dy
+        pieces.add(Pose(x, y, 0.0))
+        kept = np.array(pieces.points[-1][-1])
+        assert np.hypot(*(kept - (x, y))) < STEP or pieces.points[-1][-1] == (x, y)
+
+
+def test_segments_join_neighbouring_points():
+    segments = line_segments([(0, 0), (1, 0), (1, 2)])
+    assert segments.shape == (2, 2, 3)
+    assert segments[0, 1] == pytest.approx(segments[1, 0])
+    assert line_segments([(0, 0)]).shape == (0, 2, 3)
+    assert line_segments([]).shape == (0, 2, 3)
