@@ -72,7 +72,6 @@ def run_study(
     layout = shirt_layout()
     wearer = Wearer(Person(person, seed), layout, SAMPLE_RATE, seed + SEEDS_APART)
     parameters = standard_parameters(calibrate(wearer))
-    wearer.person.set_path(path.points)
     driven = []
     for number in range(1, trials + 1):
         trial = drive_trial(number, wearer, parameters, floorplan, path)

@@ -43,10 +43,12 @@ def drive_trial(
     number: int, wearer: Wearer, parameters: DriveParameters, floorplan: FloorPlan, path: PrescribedPath
 ) -> StudyTrial:
     """Drive the path once, until the goal or the path's time limit, and score it."""
-    chain = Chain(wearer.sample_rate, parameters, VirtualChair(floorplan, path.start))
+    chair = VirtualChair(floorplan, path.start)
+    chain = Chain(wearer.sample_rate, parameters, chair)
+    wearer.person.set_path(path.points)
     conditions = Conditions()
     _settle(wearer, chain, conditions)
-    rows, faults = _drive(wearer, chain, conditions, path)
+    rows, faults = _drive(wearer, chain, chair, conditions, path)
     column = dict(zip(COLUMNS, np.array(rows, dtype=np.float64).T, strict=True))
     column["t"] = column["t"] - column["t"][0]
     measures = path_measures(
@@ -71,7 +73,7 @@ def _settle(wearer: Wearer, chain: Chain, conditions: Conditions) -> None:
 
 
 def _drive(
-    wearer: Wearer, chain: Chain, conditions: Conditions, path: PrescribedPath
+    wearer: Wearer, chain: Chain, chair: VirtualChair, conditions: Conditions, path: PrescribedPath
 ) -> tuple[list[tuple[float, ...]], int]:
     """Return one row per tick since motion was permitted, and how many faults were latched on the way."""
     progress = Progress(path.line, path.goal_radius)
@@ -90,7 +92,7 @@ def _drive(
             chain.gate.clear()
             chain.arm()
             clear_at = 0.0
-        frame = wearer.drive(tick)
+        frame = wearer.drive(tick.state is State.ARMED, chair.state)
         tick = chain.step(frame, frame.t, conditions)
         if not rows and tick.state is State.ARMED:
             deadline = frame.t + path.time_limit

@@ -3,13 +3,13 @@
 import numpy as np
 
 from app.cues import Cue
-from app.faults import State
 from app.geometry import Pose
 from app.hardware.base import BodyView
 from app.hardware.body.person import Person
+from app.hardware.chair.simulator import ChairState
 from app.hardware.shirt.fabric import Fabric
 from app.layout import ShirtLayout
-from app.messages import SensorFrame, Tick
+from app.messages import SensorFrame
 
 
 class Wearer:
@@ -36,14 +36,14 @@ class Wearer:
         self._view = BodyView()
         return self._frame()
 
-    def drive(self, tick: Tick) -> SensorFrame:
-        """Return the next frame of somebody who sees what `tick` says of the chair."""
+    def drive(self, permitted: bool, chair: ChairState) -> SensorFrame:
+        """Return the next frame of somebody who sees what the chair does and whether it is `permitted` to move."""
         view = self._view
         view.cue = None
-        view.driving = tick.state is State.ARMED
-        view.pose = Pose(tick.x, tick.y, tick.theta)
-        view.v, view.omega = tick.v, tick.omega
-        view.in_contact = tick.in_contact
+        view.driving = permitted
+        view.pose = Pose(chair.x, chair.y, chair.theta)
+        view.v, view.omega = chair.v, chair.omega
+        view.in_contact = chair.in_contact
         return self._frame()
 
     def _frame(self) -> SensorFrame:

@@ -86,7 +86,6 @@ def test_the_course_is_slow_at_corners_and_at_the_goal() -> None:
 
 def test_the_bearing_leads_to_the_path_and_round_the_corner() -> None:
     seen = course()
-    seen.begin(Pose(0.0, 0.0, 0.0))
     assert seen.bearing(0.0, 0.5, 1.0) < 0
     for i in range(60):
         seen.follow(i * 0.1, 0.0)
@@ -96,7 +95,6 @@ def test_the_bearing_leads_to_the_path_and_round_the_corner() -> None:
 def test_who_is_lost_goes_back_the_way_he_came() -> None:
     """Through a door on the left and round behind a wall: not straight at the path, but back to the door."""
     seen = course(((0.0, 0.0), (20.0, 0.0)))
-    seen.begin(Pose(0.0, 0.0, 0.0))
     way = [(0.1 * i, 0.0) for i in range(30)]
     way += [(2.9, 0.1 * i) for i in range(30)]
     way += [(2.9 + 0.1 * i, 2.9) for i in range(30)]
@@ -111,28 +109,26 @@ def test_who_is_lost_goes_back_the_way_he_came() -> None:
 
 def test_steering_wishes() -> None:
     steering = Steering(CORNER, PRACTISED)
-    steering.begin(Pose(0.0, 0.0, 0.0))
-    start = steering.want(0.0, Pose(0.0, 0.0, 0.0), 0.0)
+    start = steering.want(0.0, Pose(0.0, 0.0, 0.0), 0.0, False, 0.0)
     assert start is not None
     assert start.wish == "faster"
-    assert steering.want(0.1, Pose(0.5, 0.0, 0.4), 0.6).wish == "right"
-    assert steering.want(0.2, Pose(0.5, 0.0, -0.4), 0.6).wish == "left"
-    assert steering.want(0.3, Pose(1.0, 0.0, 0.0), 0.6) is None
-    assert steering.want(0.4, Pose(1.0, 0.0, 0.0), -0.2).wish == "faster"
+    assert steering.want(0.1, Pose(0.5, 0.0, 0.4), 0.6, False, 0.0).wish == "right"
+    assert steering.want(0.2, Pose(0.5, 0.0, -0.4), 0.6, False, 0.0).wish == "left"
+    assert steering.want(0.3, Pose(1.0, 0.0, 0.0), 0.6, False, 0.0) is None
+    assert steering.want(0.4, Pose(1.0, 0.0, 0.0), -0.2, False, 0.0).wish == "faster"
     for x in (2.0, 3.0, 4.0, 5.0):
-        steering.want(1.0, Pose(x, 0.0, 0.0), 0.6)
-    assert steering.want(9.0, Pose(5.5, 0.0, 0.0), 0.7).wish == "slower"
+        steering.want(1.0, Pose(x, 0.0, 0.0), 0.6, False, 0.0)
+    assert steering.want(9.0, Pose(5.5, 0.0, 0.0), 0.7, False, 0.0).wish == "slower"
 
 
 def test_who_is_stuck_backs_away_and_then_drives_on() -> None:
     steering = Steering(((0.0, 0.0), (9.0, 0.0)), PRACTISED)
-    steering.begin(Pose(0.0, 0.0, 0.0))
-    wishes = [steering.want(0.1 * i, Pose(0.6, 0.0, 0.0), 0.5) for i in range(30)]
+    wishes = [steering.want(0.1 * i, Pose(0.6, 0.0, 0.0), 0.5, False, 0.0) for i in range(30)]
     assert wishes[5] is None or wishes[5].wish == "faster"
     assert wishes[-1] is not None
     assert wishes[-1].wish == "slower"
-    assert steering.want(3.5, Pose(0.5, 0.0, 0.0), -0.15) is None
-    assert steering.want(4.5, Pose(0.25, 0.0, 0.0), -0.15).wish == "faster"
+    assert steering.want(3.5, Pose(0.5, 0.0, 0.0), -0.15, False, 0.0) is None
+    assert steering.want(4.5, Pose(0.25, 0.0, 0.0), -0.15, False, 0.0).wish == "faster"
 
 
 def drive(driver: Driver, seconds: float, t: float = 0.0) -> list[dict[str, float]]:

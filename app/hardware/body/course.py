@@ -4,7 +4,7 @@ import bisect
 import math
 from collections.abc import Sequence
 
-from app.geometry import Pose, wrap_angle
+from app.geometry import wrap_angle
 from app.world.path import Path
 
 STEP = 0.1  # m between the places where a speed is kept
@@ -19,7 +19,7 @@ WINDOW = 1.5  # m along the path in which the next place is looked for
 
 
 class Course:
-    """A path with a speed for each place, and the place where the driver is."""
+    """A path with a speed for each place, and the place where the driver is: at its start, in the beginning."""
 
     def __init__(
         self, points: Sequence[tuple[float, float]], cruise: float, corner: float, goal: float, braking: float
@@ -43,11 +43,6 @@ class Course:
         bend = abs(wrap_angle(self.path.heading_at(after) - self.path.heading_at(before)))
         share = min(1.0, max(0.0, (bend - GENTLE_BEND) / (SHARP_BEND - GENTLE_BEND)))
         return cruise + (corner - cruise) * share
-
-    def begin(self, pose: Pose) -> None:
-        """Find the start: the driver is put somewhere near the beginning of the path."""
-        self._way_back.clear()
-        self.s, self.cross_track = self.path.project_near(pose.x, pose.y, 0.0, WINDOW)
 
     def follow(self, x: float, y: float) -> None:
         """Find the nearest place on the path, not far from the last one; off the path, remember the way back."""

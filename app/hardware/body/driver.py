@@ -76,7 +76,7 @@ class Driver:
             return
         if not self._began:
             self._began = True
-            self.steering.begin(pose)
+            self.steering.begin()
             self._free_at = self._look_at = t + self.parameters.reaction_time + self._pause()
         seen = self._seen
         seen.append((t, pose, v, in_contact))
@@ -96,7 +96,7 @@ class Driver:
             pose.y + v * late * math.sin(pose.theta),
             pose.theta,
         )
-        intention = self.steering.want(t, now, v, self.practice)
+        intention = self.steering.want(t, now, v, in_contact, self.practice)
         if intention is None:
             return
         limb = LIMB_OF[intention.wish]

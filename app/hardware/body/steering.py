@@ -19,7 +19,8 @@ STUCK_DISTANCE = 0.06  # m that count as getting somewhere
 STUCK_SPEED = 0.1  # m/s from which on the chair should move
 BACK_SPEED = -0.15  # m/s away from a wall
 BACK_DISTANCE = 0.3  # m to back away
-BACK_TIME = 8.0  # s, then forward is tried again
+BACK_TIME = 6.0  # s, then forward is tried again
+GRACE = 2.0  # s after backing, in which nothing counts as being stuck
 
 
 class Intention(NamedTuple):
@@ -38,21 +39,20 @@ class Steering:
         self._anchor: tuple[float, float, float] | None = None  # x, y, t: where and when it last got somewhere
         self._backing: tuple[float, float, float] | None = None  # x, y, t: where and when backing away began
 
-    def begin(self, pose: Pose) -> None:
-        """Look where the chair stands at the start of a drive."""
-        self.course.begin(pose)
+    def begin(self) -> None:
+        """Begin, or go on after a stop: the place on the path is still known, being stuck is forgotten."""
         self._anchor = self._backing = None
 
-    def want(self, t: float, pose: Pose, v: float, practice: float = 0.0) -> Intention | None:
+    def want(self, t: float, pose: Pose, v: float, in_contact: bool, practice: float) -> Intention | None:
         """Return what is wanted at `t` (s) with the chair at `pose` and speed `v` (m/s), or None when all is well.
 
-        `practice` is how many strokes the driver has behind him.
+        `in_contact`: the chair touches something. `practice` is how many strokes the driver has behind him.
         """
         p, course = self._parameters, self.course
         course.follow(pose.x, pose.y)
         ahead = p.look_ahead + p.speed_look_ahead * max(0.0, v)
         error = wrap_angle(course.bearing(pose.x, pose.y, ahead) - pose.theta)
-        backing = self._is_backing(t, pose, v)
+        backing = self._is_backing(t, pose, v, in_contact)
         if backing:
             speed = BACK_SPEED
         else:
@@ -72,18 +72,18 @@ class Steering:
             return Intention("faster", -excess)
         return None
 
-    def _is_backing(self, t: float, pose: Pose, v: float) -> bool:
-        """Return whether to back away: from being stuck until a little way off."""
+    def _is_backing(self, t: float, pose: Pose, v: float, in_contact: bool) -> bool:
+        """Return whether to back away: from being stuck until a little way off, or for as long as one tries."""
         x, y, since = self._anchor or (pose.x, pose.y, t)
-        if abs(v) < STUCK_SPEED or math.hypot(pose.x - x, pose.y - y) > STUCK_DISTANCE:
+        should_move = abs(v) > STUCK_SPEED or in_contact  # what a wall holds is seen to stand
+        if not should_move or math.hypot(pose.x - x, pose.y - y) > STUCK_DISTANCE:
             x, y, since = pose.x, pose.y, t
         self._anchor = (x, y, since)
-        stuck = t - since > STUCK_TIME
-        if self._backing:
-            x, y, since = self._backing
-            far = math.hypot(pose.x - x, pose.y - y) >= BACK_DISTANCE
-            if far or t - since > BACK_TIME or (stuck and v < 0):
-                self._backing = None
-        elif stuck and v > 0:
+        if self._backing is None and t - since > STUCK_TIME:
             self._backing = (pose.x, pose.y, t)
+        elif self._backing is not None:
+            x, y, since = self._backing
+            if math.hypot(pose.x - x, pose.y - y) >= BACK_DISTANCE or t - since > BACK_TIME:
+                self._backing = None
+                self._anchor = (pose.x, pose.y, t + GRACE)
         return self._backing is not None
