@@ -4,6 +4,7 @@ from collections.abc import Callable
 from typing import Annotated, Any
 
 from fastapi import APIRouter, Depends, HTTPException
+from pydantic import StrictBool
 
 from app.quantities import Document
 from app.scene.scene import Scene
@@ -23,7 +24,7 @@ class CameraChoice(Document):
 class PlotsChoice(Document):
     """Whether the plots are shown."""
 
-    open: bool
+    open: StrictBool
 
 
 class ViewState(Document):
