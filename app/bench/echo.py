@@ -1,0 +1,22 @@
+"""A bare blocking echo over UDP: the least that Python can take from datagram to datagram on this machine."""
+
+import socket
+import sys
+
+from app.pipeline.realtime import go_real_time
+
+
+def main() -> None:
+    """Say the port, then send back whatever comes, with the scheduling that the control loop has."""
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as echo:
+        echo.bind(("127.0.0.1", 0))
+        sys.stdout.write(f"{echo.getsockname()[1]}\n")
+        sys.stdout.flush()
+        go_real_time()
+        while True:
+            datagram, address = echo.recvfrom(2048)
+            echo.sendto(datagram, address)
+
+
+if __name__ == "__main__":
+    main()
