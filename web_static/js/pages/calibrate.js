@@ -81,7 +81,7 @@ export async function show(app, root, { signal }) {
     const hadFocus = root.contains(document.activeElement) && document.activeElement !== root.querySelector("h1");
     const isResult = calibration.current === "result";
     const view = isResult ? resultPage(calibration, actions, accept) : calibrateStep(app, calibration, equipment, actions, drawn.signal);
-    put(root, h("div", { class: "body calibrate" }, stepBar(calibration.steps, calibration.current, actions.go),
+    put(root, h("div", { class: `body${isResult ? "" : " one-screen"}` }, stepBar(calibration.steps, calibration.current, actions.go),
       h("h1", { tabindex: "-1" }, view.title), view.lead, view.body), h("div", { class: "foot" }, view.foot));
     if (hadFocus) (root.querySelector(".foot .btn.go") ?? root.querySelector("h1")).focus({ preventScroll: true });
   };

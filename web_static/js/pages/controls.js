@@ -4,6 +4,7 @@ import { ControlsDraft } from "../parts/controls_draft.js";
 import { cross } from "../parts/cross.js";
 import { h, put, write } from "../parts/dom.js";
 import { signed } from "../parts/format.js";
+import { jointLabels, withLabels } from "../parts/gestures.js";
 import { icon } from "../parts/icons.js";
 import { emptyPage, nobodyIsHere } from "../parts/nobody.js";
 import { pads } from "../parts/pads.js";
@@ -26,6 +27,7 @@ export async function show(app, root, { signal }) {
   const open = new Set(); // rows whose fine-tuning is open stay open when the page is drawn again
   const state = h("span", { role: "status" });
   const problem = h("p", { class: "problem", role: "alert" }, view.misfit ?? "");
+  const suggestion = h("p", { class: "card suggestion", role: "status", hidden: true });
   const rowsPlace = h("section", { class: "card" });
   const sidePlace = h("div", { class: "stack" });
   const morePlace = h("div", { class: "controls-more" });
@@ -38,7 +40,8 @@ export async function show(app, root, { signal }) {
     write(problem, "");
     try {
       await draft.ask(path);
-      if (path.endsWith("suggest")) app.toasts.show(t("controls.suggested", { reason: draft.view.suggested.reason }));
+      write(suggestion, path.endsWith("suggest") ? withLabels(draft.view.suggested.reason, jointLabels(draft.profile)) : "");
+      suggestion.hidden = !suggestion.textContent;
     } catch (error) {
       write(problem, error.message);
     }
@@ -74,7 +77,7 @@ export async function show(app, root, { signal }) {
   signal.addEventListener("abort", () => draft.flush());
 
   put(root, h("div", { class: "body" }, h("h1", { tabindex: "-1" }, t("controls.title")),
-    h("div", { class: "lead controls-lead" }, title, undo, redo, state), problem,
+    h("div", { class: "lead controls-lead" }, title, undo, redo, state), problem, suggestion,
     h("div", { class: "controls-columns" }, rowsPlace, sidePlace), morePlace,
     equipment.body?.kind === "visitor" && h("div", { class: "card pad-card docked" }, pads(app, signal).element)),
     h("div", { class: "foot" }, h("button", { type: "button", class: "btn", onclick: () => ask("/controls/suggest") }, t("controls.suggest")),

@@ -3,7 +3,7 @@ import { t } from "../texts.js";
 import { cueCircle } from "./cue_circle.js";
 import { h, write } from "./dom.js";
 import { toggle } from "./fields.js";
-import { drawTraces } from "./joint_strips.js";
+import { drawTraces, middle, QUIET_SPAN } from "./joint_strips.js";
 import { pads } from "./pads.js";
 import { TraceCanvas } from "./traces.js";
 
@@ -69,6 +69,7 @@ function stepTrace(app, layout, step, signal) {
   const canvas = new TraceCanvas({ label: t("cue.trace"), height: 84 });
   const indices = (joint) => layout.channels.flatMap((channel, index) => (channel.joint === joint ? [index] : []));
   const groups = layout.joints.map(({ name }) => indices(name));
+  app.live.addEventListener("quality", () => (canvas.floor = QUIET_SPAN * middle(app.live.noise)), { signal });
   const mean = (values, group) => group.reduce((sum, index) => sum + (values[index] ?? 0), 0) / group.length;
   const own = step.joint ? indices(step.joint) : null;
   drawTraces(app.live, [{ canvas, values: ({ values }) => (own ? own.map((index) => values[index]) : groups.map((group) => mean(values, group))) }], signal);

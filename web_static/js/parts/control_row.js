@@ -24,9 +24,15 @@ export function controlRow(control, draft, isOpen, onToggle) {
   const joined = words.join(t(isStop ? "control.and" : "control.or")).toLowerCase() || t("control.nothing");
   /** @type {{name: string, which: "dead_zone" | "full", stepper: any}[]} */
   const steppers = [];
-  const tuning = h("details", { open: isOpen }, h("summary", {}, t("tune")), fineTune(control, binding, gestures, words, labels, draft, steppers));
-  tuning.addEventListener("toggle", () => onToggle(control, tuning.open));
-  const element = h("section", { class: "control" }, h("h2", {}, h("span", {}, t(`control.${control}`), h("span", { class: "quiet" }, ` ← ${joined}`)), live),
+  const tuning = h("div", { hidden: !isOpen }, fineTune(control, binding, gestures, words, labels, draft, steppers));
+  const tune = h("button", { type: "button", class: "btn bare small tune", "aria-expanded": String(isOpen) }, t("tune"));
+  tune.addEventListener("click", () => {
+    tuning.hidden = !tuning.hidden;
+    tune.setAttribute("aria-expanded", String(!tuning.hidden));
+    onToggle(control, !tuning.hidden);
+  });
+  const title = h("h2", {}, t(`control.${control}`), h("span", { class: "quiet" }, ` ← ${joined}`));
+  const element = h("section", { class: "control" }, h("div", { class: "row" }, title, h("span", { class: "grow" }), live, tune),
     bars.map(({ bar }) => bar.element), isStop && h("p", { class: "quiet small" }, t("control.together")), tuning);
 
   const showLive = (now) => {

@@ -8,6 +8,7 @@ const RADIUS = 118;
 const ROUND = 2 * Math.PI * RADIUS;
 const DISC_SMALL = 34; // radius at rest
 const DISC_LARGE = 100; // radius at the end of the movement
+const LONG_WORD = 8; // letters; longer ones are written smaller, to stay inside the ring
 const COUNTED = new Set(["ready", "rest", "free"]); // whole seconds; the others are too short to be counted
 
 /** What a cue asks for, in one word or two. @param {{kind: string, joint: string | null}} cue */
@@ -52,6 +53,7 @@ export function cueCircle(app, step, { isRunning, idleWords, signal, onCue }) {
     shown = now.index;
     element.dataset.kind = cue.kind;
     write(word, cueWords(cue));
+    set(word, { "data-long": cueWords(cue).length > LONG_WORD || null });
     const after = step.cues[now.index + 1];
     write(next, t("cue.next", { next: after ? cueWords(after).toLowerCase() : t("cue.end") }));
     app.toasts.announce(cueWords(cue), true);

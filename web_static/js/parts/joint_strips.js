@@ -3,7 +3,7 @@ import { t } from "../texts.js";
 import { h } from "./dom.js";
 import { TraceCanvas } from "./traces.js";
 
-const QUIET_SPAN = 16; // times the noise: a body at rest then shows a calm line instead of magnified noise
+export const QUIET_SPAN = 16; // times the noise: a body at rest then shows a calm line instead of magnified noise
 
 /**
  * @param {import("../live.js").Live} live

@@ -8,7 +8,7 @@ const PLACE = "bodydrive-mini-plan";
 
 /** @param {any} plan @param {any} path @param {any} trial */
 export function miniPlan(plan, path, trial) {
-  const picture = planPicture(plan, path.points, { label: t("drive.plan.label", { plan: plan.title, path: path.title }) });
+  const picture = planPicture(plan, path.points, { label: t("drive.plan.label", { plan: plan.title, path: path.title }), isNear: true });
   /** @type {[number, number][]} */
   const driven = (trial.trajectory?.x ?? []).map((x, i) => [x, trial.trajectory.y[i]]);
   const details = h("details", { class: "hud mini", open: localStorage.getItem(PLACE) !== "closed" }, h("summary", {}, t("trial.above")), picture.element);

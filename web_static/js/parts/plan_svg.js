@@ -2,16 +2,17 @@
 import { s, set } from "./dom.js";
 
 const MARGIN = 0.4; // m around the walls
+const NEAR = 1.8; // m around the path: as far as a chair strays
 const CHAIR = "M.55 0 L-.35 .34 L-.35 -.34 Z"; // m, pointing ahead
 
 /** @typedef {{walls: [number, number][][], obstacles: any[], rooms: any[], paths: any[], wall_thickness: number}} FloorPlan */
 
 /**
  * @param {FloorPlan} plan @param {[number, number][]} path
- * @param {{label: string, hasRooms?: boolean, around?: boolean}} options around: show only what lies near the path
+ * @param {{label: string, hasRooms?: boolean, isNear?: boolean}} options isNear: show only what lies near the path
  */
-export function planPicture(plan, path, { label, hasRooms = false }) {
-  const box = bounds(plan, path);
+export function planPicture(plan, path, { label, hasRooms = false, isNear = false }) {
+  const box = isNear ? bounds(path, NEAR) : bounds([...plan.walls.flat(), ...path], MARGIN);
   const driven = s("polyline", { class: "driven" });
   const chair = s("path", { class: "chair", d: CHAIR, visibility: "hidden" });
   const lines = s("g", { class: "lines" }, s("polyline", { class: "prescribed", points: points(path) }), ends(path), driven, chair);
@@ -48,10 +49,9 @@ function obstacle(one) {
   return s("rect", { x: x - width / 2, y: y - depth / 2, width, height: depth, rx: 0.06, transform: one.angle ? `rotate(${(one.angle * 180) / Math.PI} ${x} ${y})` : null });
 }
 
-function bounds(plan, path) {
-  const all = [...plan.walls.flat(), ...path];
-  const xs = all.map(([x]) => x);
-  const ys = all.map(([, y]) => y);
-  const [x, y] = [Math.min(...xs) - MARGIN, Math.min(...ys) - MARGIN];
-  return { x, y, width: Math.max(...xs) + MARGIN - x, height: Math.max(...ys) + MARGIN - y };
+function bounds(line, margin) {
+  const xs = line.map(([x]) => x);
+  const ys = line.map(([, y]) => y);
+  const [x, y] = [Math.min(...xs) - margin, Math.min(...ys) - margin];
+  return { x, y, width: Math.max(...xs) + margin - x, height: Math.max(...ys) + margin - y };
 }

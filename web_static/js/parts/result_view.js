@@ -2,6 +2,7 @@
 import { t } from "../texts.js";
 import { h } from "./dom.js";
 import { number, percent } from "./format.js";
+import { withLabels } from "./gestures.js";
 
 const STUDY = { low: 0.8, high: 0.9 }; // the paper's explained variance of PC1
 const OWN = 0.75; // from here a cell is painted in full, with the text in the other colour
@@ -12,12 +13,13 @@ const TONES = { good: "", usable: "att", repeat: "bad" };
  * @param {any} result @param {(step: string) => void} onRepeat
  */
 export function resultView(result, onRepeat) {
+  const labels = Object.fromEntries(result.joints.map(({ name, label }) => [name, label]));
   return h("div", { class: "stack" },
-    h("div", { class: "joint-cards" }, result.joints.map((joint) => jointCard(joint, onRepeat))),
+    h("div", { class: "joint-cards" }, result.joints.map((joint) => jointCard(joint, withLabels(joint.reason, labels), onRepeat))),
     result.cross_talk && crossTalk(result));
 }
 
-function jointCard(joint, onRepeat) {
+function jointCard(joint, reason, onRepeat) {
   const evr = percent(joint.evr);
   return h("section", { class: "card" },
     h("h2", {}, joint.label, h("span", { class: `tag ${TONES[joint.grade]}` }, t(`result.${joint.grade}`))),
@@ -26,7 +28,7 @@ function jointCard(joint, onRepeat) {
     joint.evr !== null && h("div", { class: "row quiet small figures" }, h("span", {}, t("result.evr", { percent: evr })),
       joint.signal_to_noise !== null && h("span", {}, t("result.noise", { value: number(joint.signal_to_noise, 0) })),
       joint.repeatability !== null && h("span", {}, t("result.spread", { percent: percent(joint.repeatability) }))),
-    joint.grade !== "good" && h("p", { class: "small reason" }, joint.reason),
+    joint.grade !== "good" && h("p", { class: "small reason" }, reason),
     joint.grade !== "good" && joint.step && h("button", { type: "button", class: "btn small", onclick: () => onRepeat(joint.step) }, t("result.again")));
 }
 

@@ -78,6 +78,5 @@ export default {
   "sets.saved": "Saved as “{title}”.",
   "sets.loaded": "“{title}” is in use.",
   "controls.suggest": "Suggest for me",
-  "controls.suggested": "{reason}",
   "controls.drive": "Drive with these",
 };
