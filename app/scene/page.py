@@ -43,21 +43,24 @@ for (const kind of ["keydown", "keyup"]) {
   }, true);
 }
 (() => {
-  const WRAP = 100;
-  let stamp = null, seenAt = 0, least = null, late = 0, tickAge = null;
+  const WRAP = 100;  // s
+  const DRIFT = 2e-4;  // by which two clocks may part, so that an hour of it is not taken for lateness
+  let stamp = null, seenAt = 0, least = 0, late = 0, tickAge = null;
   setInterval(() => {
     const viewer = window.__viserMutable;
     if (!viewer) return;
     if (viewer.cameraControl) viewer.cameraControl.enabled = false;
     const node = viewer.nodePoseData && viewer.nodePoseData["/clock"];
     if (!node || !node.position || node.position[0] === stamp) return;
+    const isFirst = stamp === null;
     stamp = node.position[0];
     tickAge = node.position[1];
-    seenAt = performance.now() / 1000;
+    const now = performance.now() / 1000;
+    least += DRIFT * (now - seenAt);
+    seenAt = now;
     const offset = (((seenAt - stamp) % WRAP) + WRAP) % WRAP;
-    if (least === null) least = offset;
-    late = ((offset - least + WRAP / 2) % WRAP + WRAP) % WRAP - WRAP / 2;
-    if (late < 0) { least = offset; late = 0; }
+    late = isFirst ? 0 : ((offset - least + WRAP / 2) % WRAP + WRAP) % WRAP - WRAP / 2;
+    if (isFirst || late < 0) { least = offset; late = 0; }
   }, 50);
   window.bodydriveView = {
     age: () => (stamp === null ? Infinity : performance.now() / 1000 - seenAt + late),
