@@ -63,9 +63,8 @@ class LiveHub:
     def sees(self, person_id: int) -> bool:
         """Tell whether a page of this person is open, in view, and says so."""
         since = monotonic() - SCREEN_LIMIT
-        return any(
-            viewer.person_id == person_id and viewer.visible and viewer.heard >= since for viewer in self._viewers
-        )
+        viewers = tuple(self._viewers)  # asked from the link's thread, while pages come and go
+        return any(viewer.person_id == person_id and viewer.visible and viewer.heard >= since for viewer in viewers)
 
     async def serve(self, viewer: Viewer) -> None:
         """Send pictures to one page until it goes or does not take them any more."""

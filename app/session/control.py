@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from app.clock import monotonic
 from app.link import LinkLost, LinkRefused
+from app.session.loop_thread import LoopThread
 from app.session.refusals import Conflict, Unavailable
 
 HEARTBEAT_EVERY = 0.1  # s; the control process stops the chair after 0.3 s of silence
@@ -53,25 +54,37 @@ class Control:
 
     def __init__(self, open_link: Callable[[], Awaitable[Link]]) -> None:
         self.state: ControlState = "starting"
-        self.screen: Callable[[], bool] = lambda: False  # whether the screen that drives is in view
+        self.screen: Callable[[], bool] = lambda: False  # whether the screen that drives is in view; from any thread
         self.on_change: list[Callable[[ControlState], Awaitable[None]]] = []
         self._open_link = open_link
         self._link: Link | None = None
         self._loaded: dict[str, dict[str, Any]] = {}  # shirt, body, parameters as they were last accepted
-        self._tasks: list[asyncio.Task[None]] = []
+        self._keeping: asyncio.Task[None] | None = None
+        # The link lives in a thread of its own: a request that takes long must not keep the heartbeat waiting. Should
+        # the loop of the requests stand, then nobody hears the pages any more, and `screen` stops the chair.
+        self._thread: LoopThread | None = None
         self._reading = threading.Lock()  # the 3D view reads ticks in a thread of its own, but not while they vanish
 
     async def start(self) -> None:
         """Start the control process."""
-        await self._open()
-        self._tasks = [asyncio.create_task(self._heartbeat()), asyncio.create_task(self._keep())]
+        self._thread = LoopThread("control link")
+        try:
+            await self._open(self._thread)
+        except BaseException:
+            await self._thread.close()
+            raise
+        self._thread.begin(self._heartbeat())
+        self._keeping = asyncio.create_task(self._keep(self._thread))
 
     async def close(self) -> None:
         """End the control process for good."""
-        for task in self._tasks:
-            task.cancel()
-        await asyncio.gather(*self._tasks, return_exceptions=True)
-        await self._let_go()
+        if self._keeping is None or self._thread is None:
+            return
+        self._keeping.cancel()
+        await asyncio.gather(self._keeping, return_exceptions=True)
+        await self._let_go(self._thread)
+        await self._thread.close()
+        self._keeping = self._thread = None
         self.state = "lost"
 
     async def call(self, do: str, **fields: Any) -> dict[str, Any]:
@@ -84,10 +97,10 @@ class Control:
         Unavailable
             When there is no control process at the moment.
         """
-        if self._link is None or self.state != "alive":
+        if self._link is None or self._thread is None or self.state != "alive":
             raise Unavailable("The control process is being restarted, and the chair stands: try again in a moment.")
         try:
-            return await self._link.call(do, **fields)
+            return await self._thread.run(self._link.call(do, **fields))
         except LinkRefused as refusal:
             raise Conflict(str(refusal)) from refusal
         except LinkLost as lost:
@@ -105,9 +118,14 @@ class Control:
 
     def move(self, joints: dict[str, float]) -> None:
         """Say where the visitor wants the joints of the simulated body."""
-        if self._link is not None and self.state == "alive":
+        if self._thread is not None:
+            self._thread.soon(lambda: self._tell("move", joints=joints))
+
+    def _tell(self, do: str, **fields: Any) -> None:
+        link = self._link
+        if link is not None:
             with suppress(LinkLost):
-                self._link.tell("move", joints=joints)
+                link.tell(do, **fields)
 
     def newest(self) -> np.void | None:
         """Return the newest tick, None when there is none; from any thread."""
@@ -119,49 +137,47 @@ class Control:
         with self._reading:
             return self._link.since(number) if self._link is not None and self.state == "alive" else None
 
-    async def _let_go(self) -> None:
+    async def _let_go(self, thread: LoopThread) -> None:
         with self._reading:
             link, self._link = self._link, None
         if link is not None:
-            await link.close()
+            await thread.run(link.close())
 
-    async def _open(self) -> None:
-        self._link = await self._open_link()
+    async def _open(self, thread: LoopThread) -> None:
+        self._link = await thread.run(_opened(self._open_link))
         for do in ("shirt", "body", "parameters"):
             if do in self._loaded:
                 # A shirt that cannot be opened again shows in `status`; the rest goes on.
                 with suppress(LinkRefused):
-                    await self._link.call(do, **self._loaded[do])
+                    await thread.run(self._link.call(do, **self._loaded[do]))
         self.state = "alive"
 
     async def _heartbeat(self) -> None:
         deadline = monotonic()
         while True:
             deadline = max(deadline + HEARTBEAT_EVERY, monotonic())
-            if self._link is not None:
-                with suppress(LinkLost):
-                    self._link.tell("heartbeat", screen=self.screen())
+            self._tell("heartbeat", screen=self.screen())
             await asyncio.sleep(max(deadline - monotonic(), 0.0))
 
-    async def _keep(self) -> None:
+    async def _keep(self, thread: LoopThread) -> None:
         while True:
             if self._link is not None:
-                await self._link.died()
+                await thread.run(self._link.died())
                 self.state = "lost"
                 await self._tell_change()
-                await self._let_go()
+                await self._let_go(thread)
             self.state = "starting"
-            await self._start_again()
+            await self._start_again(thread)
             await self._tell_change()
 
-    async def _start_again(self) -> None:
+    async def _start_again(self, thread: LoopThread) -> None:
         pause = START_AGAIN_AFTER
         while True:
             await asyncio.sleep(pause)
             try:
-                await self._open()
+                await self._open(thread)
             except (LinkLost, OSError):
-                self._link = None
+                await self._let_go(thread)
                 pause = min(2 * pause, LONGEST_PAUSE)
             else:
                 return
@@ -169,3 +185,7 @@ class Control:
     async def _tell_change(self) -> None:
         for told in self.on_change:
             await told(self.state)
+
+
+async def _opened(open_link: Callable[[], Awaitable[Link]]) -> Link:
+    return await open_link()

@@ -122,7 +122,11 @@ class DriveFlow:
             await asyncio.gather(self._task, return_exceptions=True)
 
     async def _see_through(self, trial: RunningTrial) -> None:
-        await self._finish(trial, await self._watch(trial))
+        end: End = "fault"  # also when watching itself goes wrong: a trial is never left open
+        try:
+            end = await self._watch(trial)
+        finally:
+            await self._finish(trial, end)
 
     async def _watch(self, trial: RunningTrial) -> End:
         last, fault = 0, Fault.NONE

@@ -75,6 +75,7 @@ class FakeLink:
         self.told: list[tuple[str, dict[str, Any]]] = []
         self.refuse: dict[str, str] = {}
         self.dead = asyncio.Event()
+        self.loop = asyncio.get_running_loop()
         self.state, self.fault = State.DISARMED, Fault.NONE
         self.run, self.runs, self.run_t = 0, 0, 0.0
         self.pose = (0.0, 0.0, 0.0)
@@ -137,6 +138,10 @@ class FakeLink:
         tick["values"][0, :8] = np.nan
         tick["values"][0, 1] = 0.5
         return tick
+
+    def die(self) -> None:
+        """Die as a process does: at any moment, from nobody's thread."""
+        self.loop.call_soon_threadsafe(self.dead.set)
 
     async def died(self) -> None:
         await self.dead.wait()

@@ -115,7 +115,7 @@ def test_without_a_control_process_the_chair_is_shown_standing(signed_in: Any) -
             pass
         assert (message["v"], message["omega"], message["state"]) == (0.0, 0.0, "fault")
         assert message["fault"]["name"] == "control_lost"
-        signed_in.client.portal.call(signed_in.link.dead.set)
+        signed_in.link.die()
         while message["control"] != "alive":
             message = socket.receive_json()
         assert message["state"] == "disarmed"

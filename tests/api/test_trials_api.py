@@ -81,7 +81,7 @@ def test_an_arming_that_is_refused_leaves_no_trial(ready: Any) -> None:
 
 def test_the_death_of_the_control_process_ends_the_trial_as_a_fault(ready: Any) -> None:
     trial = ready.good("POST", "/trials", json=ready.where)
-    ready.client.portal.call(ready.link.dead.set)
+    ready.link.die()
     assert trial_of(ready, trial["id"])["end"] == "fault"
 
 
@@ -101,7 +101,7 @@ def test_stop_is_for_anyone_and_twice_and_clear_is_not(ready: Any) -> None:
 
 
 def test_stop_answers_even_when_nothing_is_left_to_stop(ready: Any) -> None:
-    ready.link.dead.set()
+    ready.link.die()
     assert ready.good("POST", "/control/stop") == {"state": "fault", "fault": "control_lost"}
 
 

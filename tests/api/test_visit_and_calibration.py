@@ -133,7 +133,7 @@ def test_a_step_fails_in_words_when_the_control_process_dies_and_the_next_one_is
     signed_in.visit()
     signed_in.calibrate()
     signed_in.good("POST", "/calibration/steps/rest/start")
-    signed_in.client.portal.call(signed_in.link.dead.set)
+    signed_in.link.die()
     wizard = signed_in.until("/calibration", lambda c: c["running"] is None)
     assert wizard["steps"][0]["status"] == "failed"
     assert "repeat" in wizard["steps"][0]["words"]
