@@ -25,6 +25,8 @@ export class App extends EventTarget {
   /** Whether the drive page shows a running trial: then it shows faults itself. */
   showsTrial = false;
   #leave = new AbortController();
+  /** @type {{floorplan: string, path: string} | null} the trial that the drive page shall start */
+  #wanted = null;
 
   async start() {
     this.root = h("main", { class: "page", tabindex: "-1" });
@@ -83,6 +85,19 @@ export class App extends EventTarget {
   go(hash) {
     if (location.hash === hash) this.show();
     else location.hash = hash;
+  }
+
+  /** Start a trial: the drive page prepares the picture first. @param {{floorplan: string, path: string}} where */
+  want(where) {
+    this.#wanted = where;
+    this.go("#/drive");
+  }
+
+  /** The trial that shall be started, once. */
+  takeWanted() {
+    const wanted = this.#wanted;
+    this.#wanted = null;
+    return wanted;
   }
 
   /** Tell the rest of the frame whether a trial fills the page. @param {boolean} is */

@@ -12,16 +12,11 @@ export async function show(app, root, { signal, rest }) {
   const trials = await app.api.get(`/trials?patient=${app.visit.patient.id}`);
   if (signal.aborted) return;
   const running = trials.find(({ status }) => status === "running");
-  if (running) return drive(app, root, running, signal);
+  const where = app.takeWanted();
+  if (running || where) return drive(app, root, running, where, signal);
   if (rest[0] === "over") return over(app, root, rest[1], signal);
   if (!app.visit.has_profile) return emptyPage(root, t("drive.none.title"), t("drive.none.lead"), "#/calibrate", t("drive.none.go"));
   return choose(app, root, signal);
-}
-
-/** Start a trial and show it. @param {import("../main.js").App} app @param {{floorplan: string, path: string}} where */
-async function start(app, where) {
-  await app.api.post("/trials", where);
-  app.go("#/drive");
 }
 
 async function choose(app, root, signal) {
@@ -29,21 +24,10 @@ async function choose(app, root, signal) {
   const documents = new Map(await Promise.all(plans.map(async ({ name }) => [name, await app.api.get(`/floorplans/${name}`)])));
   if (signal.aborted) return;
   const chooser = planChooser(plans, documents);
-  const problem = h("p", { class: "problem", role: "alert" });
-  const button = h("button", { type: "button", class: "btn go large" }, t("drive.start"));
-  button.addEventListener("click", async () => {
-    button.disabled = true;
-    problem.textContent = "";
-    try {
-      await start(app, chooser.chosen());
-    } catch (error) {
-      problem.textContent = error.message;
-      button.disabled = false;
-    }
-  });
-  app.live.addEventListener("changed", ({ detail }) => detail === "trial" && !button.disabled && app.show(), { signal });
+  const button = h("button", { type: "button", class: "btn go large", onclick: () => app.want(chooser.chosen()) }, t("drive.start"));
+  app.live.addEventListener("changed", ({ detail }) => detail === "trial" && app.show(), { signal });
   put(root, h("div", { class: "body" }, h("h1", { tabindex: "-1" }, t("drive.title")), h("p", { class: "lead" }, t("drive.lead")), chooser.element),
-    h("div", { class: "foot" }, h("span", { class: "grow" }, bodyNote(equipment), " ", equipment.shirt.kind === "simulator" && h("a", { href: "#/shirt" }, t("drive.body.change"))), problem, button));
+    h("div", { class: "foot" }, h("span", { class: "grow" }, bodyNote(equipment), " ", equipment.shirt.kind === "simulator" && h("a", { href: "#/shirt" }, t("drive.body.change"))), button));
 }
 
 function bodyNote({ shirt, body }) {
@@ -51,32 +35,40 @@ function bodyNote({ shirt, body }) {
   return t(body.kind === "person" ? `drive.body.person.${body.skill}` : `drive.body.${body.kind}`);
 }
 
-async function drive(app, root, trial, signal) {
-  const [plan, equipment] = await Promise.all([app.api.get(`/floorplans/${trial.floorplan}`), app.api.get("/equipment")]);
+/** Show a trial: one that runs already, or one that is started as soon as there is a picture to drive by. */
+async function drive(app, root, running, where, signal) {
+  const name = running?.floorplan ?? where.floorplan;
+  const [plan, equipment] = await Promise.all([app.api.get(`/floorplans/${name}`), app.api.get("/equipment")]);
   if (signal.aborted) return;
-  const path = plan.paths.find(({ name }) => name === trial.path);
+  let trial = running;
+  const path = plan.paths.find((one) => one.name === (running?.path ?? where.path));
   const isVisitor = equipment.shirt.kind === "simulator" && equipment.body?.kind === "visitor";
   const lookWhetherOver = async ({ detail }) => {
-    if (detail !== "trial" && detail !== "everything") return;
+    if (!trial || (detail !== "trial" && detail !== "everything")) return;
     const now = (await app.api.get(`/trials?patient=${trial.patient_id}`).catch(() => [])).find(({ id }) => id === trial.id);
     if (!signal.aborted && now && now.status !== "running") app.go(`#/drive/over/${trial.id}`);
   };
   app.live.addEventListener("changed", lookWhetherOver, { signal });
-  showTrial(app, root, { trial, plan, path, isVisitor }, signal);
+  const view = showTrial(app, root, { plan, path, isVisitor }, signal);
+  if (running) return view.begin(running);
+  view.ready.then(async () => {
+    if (signal.aborted) return;
+    try {
+      trial = await app.api.post("/trials", where);
+      view.begin(trial);
+      await lookWhetherOver({ detail: "trial" });
+    } catch (error) {
+      app.toasts.show(error.message);
+      app.go("#/drive");
+    }
+  });
 }
 
 async function over(app, root, id, signal) {
   const read = await readTrial(app.api, id);
   if (signal.aborted) return;
-  showTrialOver(app, root, read, (trial) => {
-    const next = h("button", { type: "button", class: "btn go" }, t("over.next"));
-    next.addEventListener("click", async () => {
-      next.disabled = true;
-      await start(app, { floorplan: trial.floorplan, path: trial.path_name }).catch((error) => {
-        app.toasts.show(error.message);
-        next.disabled = false;
-      });
-    });
-    return [h("a", { class: "btn", href: "#/drive" }, t("over.other")), next];
-  });
+  showTrialOver(app, root, read, (trial) => [
+    h("a", { class: "btn", href: "#/drive" }, t("over.other")),
+    h("button", { type: "button", class: "btn go", onclick: () => app.want({ floorplan: trial.floorplan, path: trial.path_name }) }, t("over.next")),
+  ]);
 }

@@ -23,6 +23,12 @@ export const QUALITIES = {
 
 /** @typedef {{name: string, joint: string, position: [number, number] | null, side: "front" | "back" | null}} Channel */
 
+/** A channel's name for people: "Right elbow 3". @param {Channel} channel */
+export function sensorName({ name }) {
+  const words = name.replaceAll("_", " ");
+  return words.charAt(0).toUpperCase() + words.slice(1);
+}
+
 /** The sign of one quality, as it stands on the body and in the legend. @param {keyof typeof QUALITIES} quality */
 export function lampSign(quality) {
   const { shape, sign } = QUALITIES[quality] ?? QUALITIES.silent;
@@ -71,7 +77,7 @@ export function bodyLamps(layout, onPick) {
       if (quality === lamp.quality) continue;
       lamp.quality = quality;
       lamp.element.replaceChildren(...lampSign(quality));
-      set(lamp.element, { "data-quality": quality, "aria-label": `${lamp.channel.name}, ${labels[lamp.channel.joint]}: ${t(`quality.${quality}`)}` });
+      set(lamp.element, { "data-quality": quality, "aria-label": `${sensorName(lamp.channel)}, ${labels[lamp.channel.joint]}: ${t(`quality.${quality}`)}` });
     }
   };
   const mark = (name) => {

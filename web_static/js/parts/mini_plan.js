@@ -6,11 +6,11 @@ import { planPicture } from "./plan_svg.js";
 const STEP = 0.05; // m between two points of the driven line
 const PLACE = "bodydrive-mini-plan";
 
-/** @param {any} plan @param {any} path @param {any} trial */
-export function miniPlan(plan, path, trial) {
+/** @param {any} plan @param {any} path */
+export function miniPlan(plan, path) {
   const picture = planPicture(plan, path.points, { label: t("drive.plan.label", { plan: plan.title, path: path.title }), isNear: true });
   /** @type {[number, number][]} */
-  const driven = (trial.trajectory?.x ?? []).map((x, i) => [x, trial.trajectory.y[i]]);
+  const driven = [];
   const details = h("details", { class: "hud mini", open: localStorage.getItem(PLACE) !== "closed" }, h("summary", {}, t("trial.above")), picture.element);
   details.addEventListener("toggle", () => localStorage.setItem(PLACE, details.open ? "open" : "closed"));
   const show = (pose) => {

@@ -3,8 +3,8 @@ import { t } from "../texts.js";
 import { h, put, s, set, write } from "./dom.js";
 import { toggle } from "./fields.js";
 import { number } from "./format.js";
-import { drawTraces } from "./joint_strips.js";
-import { lampSign } from "./lamps.js";
+import { drawTraces, QUIET_SPAN } from "./joint_strips.js";
+import { lampSign, sensorName } from "./lamps.js";
 import { TraceCanvas } from "./traces.js";
 
 /**
@@ -13,7 +13,7 @@ import { TraceCanvas } from "./traces.js";
  * @param {(isUnused: boolean) => void} onUnused
  */
 export function sensorCard(app, { channel, index, joint, isUnused, signal }, onUnused) {
-  const canvas = new TraceCanvas({ label: t("sensor.trace", { name: channel.name }), height: 96 });
+  const canvas = new TraceCanvas({ label: t("sensor.trace", { name: sensorName(channel) }), height: 96 });
   const lamp = s("svg", { viewBox: "-8 -8 16 16", width: 26, height: 26, "aria-hidden": "true" });
   const quality = h("b", {});
   const words = h("p", { class: "small" });
@@ -27,6 +27,7 @@ export function sensorCard(app, { channel, index, joint, isUnused, signal }, onU
     }
     write(quality, t(`quality.${now}`));
     write(words, t(`quality.${now}.words`));
+    canvas.floor = QUIET_SPAN * (app.live.noise[index] ?? 0);
     write(noise, t("sensor.noise", { noise: figure(app.live.noise[index]) }));
   };
   app.live.addEventListener("quality", showQuality, { signal });
@@ -35,9 +36,9 @@ export function sensorCard(app, { channel, index, joint, isUnused, signal }, onU
   showQuality();
   set(canvas.element, { class: "trace large" });
   return h("section", { class: "card sensor-card", "aria-live": "polite" },
-    h("div", { class: "spread" }, lamp, h("div", { class: "grow" }, h("h2", {}, channel.name), h("span", { class: "quiet small" }, t("sensor.joint", { joint: joint.toLowerCase() }))), quality),
+    h("div", { class: "spread" }, lamp, h("div", { class: "grow" }, h("h2", {}, sensorName(channel)), h("span", { class: "quiet small" }, t("sensor.joint", { joint: joint.toLowerCase() }))), quality),
     canvas.element, h("div", { class: "row quiet small" }, value, noise), words,
-    toggle(t("sensor.unused"), isUnused, onUnused), h("span", { class: "quiet small" }, " ", t("sensor.unused.hint")));
+    h("div", { class: "spread" }, toggle(t("sensor.unused"), isUnused, onUnused), h("span", { class: "quiet small" }, t("sensor.unused.hint"))));
 }
 
 /** Three significant digits, whatever the unit of the shirt. */

@@ -12,7 +12,7 @@ export function trialCue(app, onEnd) {
   let shown = "start";
   let timer = 0;
   const word = (big, small, tone = "") => h("div", { class: `hud cue-card ${tone}` }, h("div", { class: "huge" }, big), small && h("p", {}, small));
-  put(element, word(t("trial.moment")));
+  put(element, word(t("trial.moment"), t("trial.moment.why")));
   const show = (now) => {
     const key = now.control !== "alive" ? "control" : now.fault ? `fault ${now.fault.name}` : now.state;
     if (key === shown) return;
@@ -24,7 +24,7 @@ export function trialCue(app, onEnd) {
     else if (key === "armed" && before !== "start") {
       put(element, word(t("trial.go"), "", "go"));
       timer = setTimeout(() => put(element), GO_SHOWN);
-    } else put(element);
+    } else if (key !== "disarmed" || before !== "start") put(element);
   };
   return { element, show };
 }

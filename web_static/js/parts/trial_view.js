@@ -15,16 +15,22 @@ const WIDE = matchMedia("(min-width: 1000px)"); // narrower, the plots would be 
 const OFF_PATH = 0.01; // m: less is drawn as on the path
 
 /**
+ * Show the picture and what lies over it; `begin` is told of the trial once it runs.
  * @param {import("../main.js").App} app @param {HTMLElement} root
- * @param {{trial: any, plan: any, path: any, isVisitor: boolean}} what @param {AbortSignal} signal
+ * @param {{plan: any, path: any, isVisitor: boolean}} what @param {AbortSignal} signal
+ * @returns {{ready: Promise<void>, begin: (trial: any) => void}}
  */
-export function showTrial(app, root, { trial, plan, path, isVisitor }, signal) {
+export function showTrial(app, root, { plan, path, isVisitor }, signal) {
+  let trial = null;
   const end = endButton(app);
   const cue = trialCue(app, end.run);
-  const mini = miniPlan(plan, path, trial);
-  const place = placeCard(trial);
+  const mini = miniPlan(plan, path);
+  const place = placeCard(plan, path);
   const bar = bottomBar(app, path, end.element, mini, signal);
+  const view = viewFrame(signal);
+  const title = h("h1", { class: "unseen", tabindex: "-1" }, plan.title);
   const show = ({ detail: now }) => {
+    if (!trial) return;
     cue.show(now);
     if (now.trial?.id !== trial.id) return;
     place.show(now);
@@ -33,23 +39,31 @@ export function showTrial(app, root, { trial, plan, path, isVisitor }, signal) {
   };
   app.live.addEventListener("tick", show, { signal });
   root.className = "page filled";
-  put(root, h("h1", { class: "unseen", tabindex: "-1" }, t("trial.name", { number: trial.number, plan: trial.floorplan_title })),
-    viewFrame(signal), place.element, mini.element, cue.element,
+  put(root, title, view.element, place.element, mini.element, cue.element,
     h("div", { class: "lower" }, isVisitor && h("div", { class: "pad-dock" }, pads(app, signal, { hasNote: false }).element), bar.element));
   app.setShowsTrial(true);
+  const begin = (started) => {
+    trial = started;
+    end.element.disabled = false;
+    const words = t("trial.name", { number: trial.number, plan: trial.floorplan_title });
+    write(title, words);
+    place.name(words);
+  };
+  return { ready: view.ready, begin };
 }
 
-function placeCard(trial) {
-  const [time, done, off, contacts] = [h("div", { class: "big" }), h("span", {}), h("span", {}), h("span", {})];
-  const element = h("div", { class: "hud place" }, h("div", { class: "quiet small" }, t("trial.name", { number: trial.number, plan: trial.floorplan_title })),
-    time, h("div", { class: "small number facts" }, done, off, contacts));
+function placeCard(plan, path) {
+  const [name, time, done, off, contacts] = [h("div", { class: "quiet small" }), h("div", { class: "big" }), h("span", {}), h("span", {}), h("span", {})];
+  const element = h("div", { class: "hud place" }, name, time, h("div", { class: "small number facts" }, done, off, contacts));
   const show = ({ trial: now, contacts: count }) => {
     write(time, clock(now.t));
     write(done, t("trial.done", { done: number(now.done, 1), length: number(now.length, 0) }));
     write(off, t("trial.off", { distance: number(Math.abs(now.cross_track) < OFF_PATH ? 0 : Math.abs(now.cross_track), 2) }));
     write(contacts, count ? t("trial.contacts", { count }) : "");
   };
-  return { element, show };
+  write(name, `${plan.title} · ${path.title}`);
+  write(time, clock(0));
+  return { element, show, name: (words) => write(name, words) };
 }
 
 function bottomBar(app, path, endElement, mini, signal) {
@@ -85,7 +99,7 @@ function bottomBar(app, path, endElement, mini, signal) {
 }
 
 function endButton(app) {
-  const element = h("button", { type: "button", class: "btn end" }, t("trial.end"));
+  const element = h("button", { type: "button", class: "btn end", disabled: true }, t("trial.end"));
   const run = async () => {
     element.disabled = true;
     write(element, t("trial.ending"));
