@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.geometry import Pose
-from app.scene.trajectory import JUMP, Thinned
+from app.scene.trajectory import Place, Thinned, was_put
 from app.world.path import Path
 
 MOST_POINTS = 500  # of the trajectory; beyond, every second one is left out
@@ -29,16 +29,16 @@ class Driven:
         self.points: list[tuple[float, float]] = []
         self.error = ErrorSamples()
         self._thinned = Thinned()
-        self._last: tuple[float, float] | None = None
+        self._last: Place | None = None
         self._along = 0.0
 
     def add(self, pose: Pose, t: float) -> None:
         """Take the chair's pose at `t` (s)."""
-        here = (pose.x, pose.y)
-        if self._last is not None and math.dist(self._last, here) > JUMP:
+        here, now = (pose.x, pose.y), Place(pose.x, pose.y, t)
+        if self._last is not None and was_put(self._last, now):
             # The chair was put somewhere else, it has not driven there.
             self.points, self.error, self._thinned = [], ErrorSamples(), Thinned()
-        self._last = here
+        self._last = now
         if self._thinned.keep(pose):
             self.points.append(here)
             if len(self.points) > MOST_POINTS:

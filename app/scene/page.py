@@ -21,7 +21,9 @@ body :not(:has(canvas)):not(canvas):not(.uplot *) { display: none !important; }
   background: #ffffffee !important; box-shadow: 0 1px 6px #16202a22 !important;
 }
 [data-floating-window] * { background: transparent !important; border: 0 !important; }
-[data-floating-window] .u-title { font: 600 12px system-ui, sans-serif !important; color: #16202a; }
+[data-floating-window] .u-title {
+  font: 600 12px system-ui, sans-serif !important; color: #16202a; white-space: nowrap;
+}
 """
 
 # - The page looks for its server again only while its document has the focus, which a frame never touched has not.

@@ -1,7 +1,7 @@
 """The driven trajectory, red on the floor: thinned out, and drawn in pieces so that only the last one is sent again."""
 
 import math
-from typing import Final
+from typing import Final, NamedTuple
 
 import numpy as np
 import viser
@@ -12,11 +12,26 @@ from app.scene import palette
 
 STEP = 0.05  # m; a point is kept when the chair has moved or turned this far
 TURN = math.radians(5)
-JUMP = 0.5  # m; a chair that is put somewhere else has not driven there
+JUMP = 0.5  # m; a chair that is put somewhere else has not driven there ...
+FASTEST = 3.0  # m/s; ... but one that was not looked at for a while has
 PIECE = 400  # points; a piece of this length is closed and never sent again
 SEND_EVERY = 0.2  # s
 AT: Final = 0.045  # m above the floor, over the white path
 THICKNESS = 4.0  # pixels
+
+
+class Place(NamedTuple):
+    """Where the chair was at a time."""
+
+    x: float  # m
+    y: float
+    t: float  # s
+
+
+def was_put(before: Place, after: Place) -> bool:
+    """Tell whether a chair came from one place to the other without driving."""
+    distance = math.hypot(after.x - before.x, after.y - before.y)
+    return distance > max(JUMP, FASTEST * (after.t - before.t))
 
 
 class Thinned:
@@ -43,15 +58,19 @@ class Pieces:
 
     def __init__(self) -> None:
         self._thinned = Thinned()
+        self._last: Place | None = None
         self.points: list[list[tuple[float, float]]] = [[]]
 
-    def add(self, pose: Pose) -> bool:
-        """Take a pose; return whether it became a point of the last piece."""
+    def add(self, pose: Pose, t: float) -> bool:
+        """Take the pose at `t` (s); return whether it became a point of the last piece."""
+        here = Place(pose.x, pose.y, t)
+        begins = self._last is not None and was_put(self._last, here)
+        self._last = here
         if not self._thinned.keep(pose):
             return False
         point = (pose.x, pose.y)
         piece = self.points[-1]
-        if piece and math.dist(piece[-1], point) > JUMP:
+        if begins:
             self.points.append([])
         elif len(piece) >= PIECE:
             self.points.append([piece[-1]])
@@ -71,7 +90,7 @@ class Trajectory:
 
     def add(self, pose: Pose, t: float) -> None:
         """Take the chair's pose at `t` (s) and draw what is new, a few times a second."""
-        self._pieces.add(pose)
+        self._pieces.add(pose, t)
         now = (len(self._pieces.points), len(self._pieces.points[-1]))
         if now == self._drawn or t - self._sent_at < SEND_EVERY:
             return

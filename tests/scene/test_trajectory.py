@@ -11,7 +11,7 @@ from app.scene.trajectory import JUMP, PIECE, STEP, Pieces, Thinned, line_segmen
 
 def test_a_chair_that_stands_adds_one_point():
     pieces = Pieces()
-    assert [pieces.add(Pose(1.0, 2.0, 0.0)) for _ in range(100)] == [True] + [False] * 99
+    assert [pieces.add(Pose(1.0, 2.0, 0.0), 0.1 * number) for number in range(100)] == [True] + [False] * 99
 
 
 def test_points_are_kept_every_five_centimetres_or_five_degrees():
@@ -32,7 +32,7 @@ def test_the_heading_may_pass_half_a_turn():
 def test_pieces_are_closed_at_their_length_and_join_without_a_gap():
     pieces = Pieces()
     for number in range(3 * PIECE):
-        pieces.add(Pose(0.06 * number, 0.0, 0.0))
+        pieces.add(Pose(0.06 * number, 0.0, 0.0), 0.1 * number)
     assert [len(piece) for piece in pieces.points[:-1]] == [PIECE] * (len(pieces.points) - 1)
     assert len(pieces.points) == 4
     for before, after in zip(pieces.points[:-1], pieces.points[1:], strict=True):
@@ -41,9 +41,16 @@ def test_pieces_are_closed_at_their_length_and_join_without_a_gap():
 
 def test_a_chair_that_is_put_elsewhere_has_not_driven_there():
     pieces = Pieces()
-    pieces.add(Pose(0, 0, 0))
-    pieces.add(Pose(2 * JUMP, 0, 0))
+    pieces.add(Pose(0, 0, 0), 0.0)
+    pieces.add(Pose(2 * JUMP, 0, 0), 0.1)
     assert pieces.points == [[(0, 0)], [(2 * JUMP, 0)]]
+
+
+def test_a_chair_that_was_not_looked_at_for_a_while_has_driven():
+    pieces = Pieces()
+    pieces.add(Pose(0, 0, 0), 0.0)
+    pieces.add(Pose(2 * JUMP, 0, 0), 1.5)
+    assert pieces.points == [[(0, 0), (2 * JUMP, 0)]]
 
 
 @given(st.lists(st.tuples(st.floats(-0.4, 0.4), st.floats(-0.4, 0.4)), max_size=200))
@@ -51,7 +58,7 @@ def test_no_driven_place_is_farther_than_a_step_from_a_kept_point(moves):
     pieces, x, y = Pieces(), 0.0, 0.0
     for dx, dy in [(0.0, 0.0), *moves]:
         x, y = x + dx, y + dy
-        pieces.add(Pose(x, y, 0.0))
+        pieces.add(Pose(x, y, 0.0), 0.0)
         kept = np.array(pieces.points[-1][-1])
         assert np.hypot(*(kept - (x, y))) < STEP or pieces.points[-1][-1] == (x, y)
 
