@@ -10,6 +10,7 @@ from zlib import crc32
 
 from app.clock import monotonic
 from app.files import write_atomically
+from app.realtime import RECORDER_PRIORITY, take_priority
 from app.recording_arrow import Encoder, compact
 from app.recording_format import (
     DAMAGE_FILE,
@@ -70,9 +71,14 @@ class RunWriter:
         """Whether the recording is closed, safely on disk."""
         return self._thread is not None and not self._thread.is_alive()
 
-    def start(self, ring: TickRing, after: int, run: int) -> None:
-        """Begin to write the ticks of `run` that come after tick number `after`."""
-        self._thread = threading.Thread(target=self._record, args=(ring, after, run), name="recorder", daemon=True)
+    def start(self, ring: TickRing, after: int, run: int, real_time: bool = False) -> None:
+        """Begin to write the ticks of `run` that come after tick number `after`.
+
+        `real_time`: with a priority just below that of the control loop, where the machine grants it. Otherwise any
+        program could hold up this thread while it has the interpreter, and with it the loop of the same process.
+        """
+        arguments = (ring, after, run, real_time)
+        self._thread = threading.Thread(target=self._record, args=arguments, name="recorder", daemon=True)
         self._thread.start()
 
     def finish(self, until: int) -> None:
@@ -91,7 +97,9 @@ class RunWriter:
         if self._thread is not None:
             self._thread.join()
 
-    def _record(self, ring: TickRing, last: int, run: int) -> None:
+    def _record(self, ring: TickRing, last: int, run: int, real_time: bool) -> None:
+        if real_time:
+            take_priority(RECORDER_PRIORITY)
         synced = monotonic()
         try:
             self._open_segment()
@@ -108,6 +116,8 @@ class RunWriter:
         except Exception as error:  # whatever it was, nobody else would hear of it
             self._damage(error)
             return
+        if real_time:
+            take_priority(0)
         with suppress(OSError):  # without room for the compact form, the segments stay: they are as good
             self._compact()
 

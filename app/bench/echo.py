@@ -3,7 +3,7 @@
 import socket
 import sys
 
-from app.pipeline.realtime import go_real_time
+from app.realtime import go_real_time
 
 
 def main() -> None:

@@ -1,4 +1,4 @@
-"""A web process with two browsers' worth of work: the heartbeat, both 3D views at 60 Hz, both live pages at 20 Hz.
+"""A web process with two browsers' worth of work: heartbeat, both 3D views at 60 Hz, both live pages at 20 Hz.
 
 Both ends of the viewers' connections are in this process, which is more than a web process has to do.
 """
@@ -11,6 +11,7 @@ import struct
 import sys
 from collections.abc import Callable
 from contextlib import suppress
+from pathlib import Path
 
 import numpy as np
 
@@ -50,7 +51,7 @@ class Viewer:
             pass
 
 
-async def main(shirt_port: int, report_port: int) -> None:
+async def main(shirt_port: int, report_port: int, folder: Path) -> None:
     """Start the control process, say so, and keep it armed and watched until stdin ends."""
     control = await ControlProcess.start("--report", f"127.0.0.1:{report_port}")
     parameters = bench_parameters(SAMPLE_RATE)
@@ -69,7 +70,7 @@ async def main(shirt_port: int, report_port: int) -> None:
         _every(HEART_RATE, lambda: control.tell("heartbeat", screen=True)),
         _every(SCENE_RATE, lambda: _show_scene(control, viewers)),
         _every(PAGE_RATE, lambda: _show_page(control, viewers)),
-        _keep_armed(control, parameters.hash),
+        _keep_armed(control, parameters.hash, folder),
     ]
     tasks = [asyncio.create_task(part) for part in work]
     sys.stdout.write("ready\n")
@@ -117,12 +118,17 @@ def _show_page(control: ControlProcess, viewers: list[Viewer]) -> None:
         viewer.writer.write(text)
 
 
-async def _keep_armed(control: ControlProcess, digest: str) -> None:
+async def _keep_armed(control: ControlProcess, digest: str, folder: Path) -> None:
+    """Begin a drive with the first frame, recorded as every drive is, and arm the chair whenever it is not."""
+    recording = False
     while True:
         await asyncio.sleep(0.3)
         tick = control.newest()
         if tick is None or not tick["has_frame"]:
             continue
+        if not recording:
+            await control.call("run", run_id="bench", folder=str(folder), kind="drive", cues=[], meta={})
+            recording = True
         with suppress(LinkRefused):
             if tick["state"] == State.FAULT:
                 await control.call("clear")
@@ -131,4 +137,4 @@ async def _keep_armed(control: ControlProcess, digest: str) -> None:
 
 
 if __name__ == "__main__":
-    asyncio.run(main(int(sys.argv[1]), int(sys.argv[2])))
+    asyncio.run(main(int(sys.argv[1]), int(sys.argv[2]), Path(sys.argv[3])))

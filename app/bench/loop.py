@@ -30,7 +30,7 @@ def measure_loop(runs: int = RUNS, seconds: float = SECONDS) -> list[Row]:
         ratio = statistics.median(through / bare for through, bare in zip(loop, echo, strict=True))
         details = (
             f"{statistics.median(loop):.0f} us against {statistics.median(echo):.0f} us, median of {runs} runs "
-            f"of {seconds:g} s, chair armed for {armed:.0%} of the time"
+            f"of {seconds:g} s, recorded, chair armed for {armed:.0%} of the time"
         )
         rows.append(Row(f"{WHAT}: {name}", ratio, "x", reach, "lower", details))
     return rows
@@ -41,7 +41,7 @@ def _measured(seconds: float) -> dict[str, Any]:
     shirt_port, report_port = _free_ports(2)
     with (
         tempfile.TemporaryDirectory() as folder,
-        _started("app.bench.load", str(shirt_port), str(report_port)) as load,
+        _started("app.bench.load", str(shirt_port), str(report_port), f"{folder}/run") as load,
         _started("app.bench.echo") as echo,
     ):
         try:

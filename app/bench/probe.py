@@ -13,7 +13,7 @@ from app.clock import MonotonicClock, stopwatch
 from app.faults import State
 from app.hardware.chair.report import REPORT
 from app.hardware.shirt.packet import encode
-from app.pipeline.realtime import go_real_time
+from app.realtime import go_real_time
 
 SAMPLE_RATE = 1000.0
 REST = 3.0  # s at the beginning in which the chair is armed, not measured

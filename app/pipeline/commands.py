@@ -15,9 +15,9 @@ from app.link import NO_ANSWER, CommandServer
 from app.pipeline import documents
 from app.pipeline.loop import ControlLoop
 from app.pipeline.open_run import OpenRun
-from app.pipeline.realtime import tidy
 from app.pipeline.setup import Refused
 from app.quantities import Document
+from app.realtime import tidy
 from app.recording import RunWriter
 from app.sentences import one_sentence
 
@@ -170,7 +170,7 @@ class Commands:
         if fields.kind == "drive":
             setup.to_start()
         self._runs += 1
-        writer.start(loop.ring, loop.ring.number, self._runs)
+        writer.start(loop.ring, loop.ring.number, self._runs, real_time=True)
         tidy()
         loop.run = OpenRun(fields.run_id, self._runs, fields.kind, fields.cues, self._clock.now(), writer)
         return {"run": self._runs}

@@ -12,8 +12,8 @@ from app.hardware.chair.report import ChairReport
 from app.link import CommandServer
 from app.pipeline.commands import Commands
 from app.pipeline.loop import ControlLoop
-from app.pipeline.realtime import go_real_time
 from app.pipeline.setup import Setup
+from app.realtime import go_real_time
 from app.ring import TickRing
 
 POLL_EVERY = 0.004  # s between two looks at the link

@@ -6,7 +6,8 @@ import os
 import resource
 import sys
 
-PRIORITY = 10  # of SCHED_FIFO: above every ordinary program, below the kernel's own threads
+LOOP_PRIORITY = 10  # of SCHED_FIFO: above every ordinary program, below the kernel's own threads
+RECORDER_PRIORITY = 5  # below the loop, above what could hold it up while it has the interpreter that the loop wants
 SWITCH_INTERVAL = 1e-4  # s: how long the recorder may hold the interpreter when the loop wants it
 MCL_CURRENT, MCL_FUTURE, MCL_ONFAULT = 1, 2, 4
 LOCK = MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT  # what is in use stays; reserved but untouched memory is not filled
@@ -18,7 +19,7 @@ def go_real_time() -> list[str]:
     What is not granted is done without.
     """
     sys.setswitchinterval(SWITCH_INTERVAL)
-    words = [take_priority(), _lock_memory()]
+    words = [_take_loop_priority(), _lock_memory()]
     gc.collect()
     gc.freeze()
     gc.disable()  # `tidy` collects at moments when nothing moves
@@ -31,15 +32,27 @@ def tidy() -> None:
     gc.freeze()
 
 
-def take_priority() -> str:
-    """Give the calling thread real-time scheduling, not those it starts; return in one sentence whether it was had."""
+def take_priority(priority: int) -> bool:
+    """Give the calling thread, not those it starts, real-time scheduling of this priority; return whether it was had.
+
+    Priority 0 is ordinary scheduling.
+    """
     if not hasattr(os, "SCHED_FIFO"):
-        return "This system has no real-time scheduling: close other programs while driving."
+        return False
     try:
-        os.sched_setscheduler(0, os.SCHED_FIFO | os.SCHED_RESET_ON_FORK, os.sched_param(PRIORITY))
+        if priority:
+            os.sched_setscheduler(0, os.SCHED_FIFO | os.SCHED_RESET_ON_FORK, os.sched_param(priority))
+        else:
+            os.sched_setscheduler(0, os.SCHED_OTHER | os.SCHED_RESET_ON_FORK, os.sched_param(0))
     except OSError:
-        return "Real-time scheduling was not granted: close other programs while driving."
-    return "The control loop has real-time scheduling."
+        return False
+    return True
+
+
+def _take_loop_priority() -> str:
+    if take_priority(LOOP_PRIORITY):
+        return "The control loop has real-time scheduling."
+    return "Real-time scheduling was not granted: close other programs while driving."
 
 
 def _lock_memory() -> str:
