@@ -43,9 +43,7 @@ class Explanation(NamedTuple):
 EXPLANATIONS: dict[Fault, Explanation] = {
     Fault.NONE: Explanation("Nothing is wrong.", "Go on."),
     Fault.STOP_TABLET: Explanation("Stop was pressed on the screen.", "Look around, then tap Continue."),
-    Fault.STOP_GESTURE: Explanation(
-        "The patient made the stop gesture.", "Ask the patient, then tap Continue."
-    ),
+    Fault.STOP_GESTURE: Explanation("The patient made the stop gesture.", "Ask the patient, then tap Continue."),
     Fault.STOP_KEY: Explanation("Stop was pressed on the keyboard.", "Look around, then tap Continue."),
     Fault.NOT_NEUTRAL: Explanation(
         "The body was not at rest within 5 seconds.",
