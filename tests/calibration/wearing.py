@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from app.calibration.fit import fit_profile
 from app.calibration.repetitions import Repetition
 from app.layout import Channel, Joint, ShirtLayout
 
@@ -69,3 +70,9 @@ class Wearer:
 
     def repetitions(self, count=3, **how):
         return [self.repetition(joint, **how) for joint in self.layout.joint_names for _ in range(count)]
+
+
+def calibrate(wearer, **changes):
+    """Return the profile of a wearer who did all steps; `changes` replace what `fit_profile` gets."""
+    pieces = {"free": wearer.free(), "rest": wearer.rest(), "repetitions": wearer.repetitions()}
+    return fit_profile(wearer.layout, wearer.sample_rate, **{**pieces, **changes})

@@ -1,0 +1,61 @@
+"""Channels that cannot be used: named, told, and kept out of the map."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from wearing import Wearer, calibrate, layout_of
+
+from app.calibration.fit import fit_profile, joints_without_map
+
+LAYOUT = layout_of()
+
+
+@pytest.fixture
+def wearer():
+    return Wearer(LAYOUT)
+
+
+@settings(max_examples=15, deadline=None)
+@given(bad=st.sets(st.integers(0, 19), max_size=6), how=st.sampled_from(["all", "some", "dead"]))
+def test_broken_channels_are_named_and_kept_out(bad, how):
+    wearer = Wearer(LAYOUT, seed=5)
+    free = wearer.free()
+    columns = sorted(bad)
+    if how == "dead":
+        free[:, columns] = 7.5
+    else:
+        free[slice(None) if how == "all" else slice(300, 303), columns] = np.nan
+    profile = calibrate(wearer, free=free)
+    assert sorted(profile.left_out) == sorted(LAYOUT.channels[i].name for i in bad)
+    for joint in profile.joints:
+        assert not set(joint.channels) & bad
+        assert np.isfinite(joint.weights).all()
+    lost = {name for name, channels in LAYOUT.channels_of_joint.items() if set(channels) <= bad}
+    assert set(joints_without_map(profile)) == lost
+
+
+def test_lost_frames_do_no_harm(wearer):
+    free = wearer.free()
+    whole = calibrate(wearer, free=free)
+    free[400:410] = np.nan
+    holed = calibrate(wearer, free=free)
+    assert holed.left_out == {}
+    for one, other in zip(whole.joints, holed.joints, strict=True):
+        assert other.span == pytest.approx(one.span, rel=0.02)
+
+
+def test_unused_channels_are_left_out_because_a_person_said_so(wearer):
+    profile = calibrate(wearer, unused={"left_elbow_2"})
+    assert profile.left_out == {"left_elbow_2": "marked as unused"}
+    assert "Channels left out: 1 of 5" in profile.joints[1].reason
+
+
+def test_near_railed_channels_stay_only_when_the_joint_has_no_better_one(wearer):
+    free = wearer.free()
+    reach = np.abs(free).max(axis=0)
+    free *= np.where(np.arange(20) < 5, 80.0, 20.0) / reach
+    free[:, 5] *= 4
+    profile = fit_profile(LAYOUT, 100.0, free=free, full_scale=100.0)
+    assert list(profile.left_out) == ["left_elbow_0"]
+    assert profile.joints[0].channels == (0, 1, 2, 3, 4)
