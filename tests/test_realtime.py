@@ -1,0 +1,53 @@
+"""What is asked of the machine: granted or not, it is said, and the threads of the process stay ordinary."""
+
+import json
+import subprocess
+import sys
+
+import pytest
+
+CODE = """
+import gc, json, os, resource, sys, threading
+import app.realtime
+
+if "refused" in sys.argv:
+    resource.setrlimit(resource.RLIMIT_MEMLOCK, (0, 0))
+    os.setuid(65534)
+words = app.realtime.go_real_time()
+policies = {}
+def note(name):
+    policies[name] = os.sched_getscheduler(0) & ~os.SCHED_RESET_ON_FORK
+note("loop")
+thread = threading.Thread(target=note, args=("thread",))
+thread.start()
+thread.join()
+print(json.dumps({"words": words, "gc": gc.isenabled(), "frozen": gc.get_freeze_count(), "policies": policies,
+                  "names": {"fifo": os.SCHED_FIFO, "other": os.SCHED_OTHER}}))
+"""
+
+
+def told(*arguments):
+    run = subprocess.run([sys.executable, "-c", CODE, *arguments], capture_output=True, text=True, check=True)
+    return json.loads(run.stdout)
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="Only Linux is asked for real-time scheduling.")
+def test_what_is_granted_is_said_and_only_the_loop_has_it():
+    found = told()
+    granted = found["policies"]["loop"] == found["names"]["fifo"]
+    assert ("has real-time scheduling" in found["words"][0]) == granted
+    assert found["policies"]["thread"] == found["names"]["other"]
+    assert not found["gc"]
+    assert found["frozen"] > 1000
+    assert all(sentence.endswith(".") for sentence in found["words"])
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="Only Linux is asked for real-time scheduling.")
+def test_without_the_right_to_it_the_loop_goes_on_and_says_so():
+    try:
+        found = told("refused")
+    except subprocess.CalledProcessError:
+        pytest.skip("Only root can give its rights away, and this test does not run as root.")
+    assert "not granted" in found["words"][0]
+    assert "not locked" in found["words"][1]
+    assert found["policies"]["loop"] == found["names"]["other"]
