@@ -24,6 +24,7 @@ OTHER_ELBOW = {"right_elbow": "left_elbow", "left_elbow": "right_elbow"}
 USUAL_EFFECT: dict[Wish, float] = {"faster": 0.3, "slower": 0.3, "left": 0.45, "right": 0.45}
 """What a full stroke does under the standard parameters, m/s and rad: first beliefs are spread around it."""
 USUAL_LOSS = 0.08  # of the range, taken by the dead-zone
+WORST_BELIEF = 1.5  # standard deviations
 LOOK_PERIOD = 0.05  # s between two looks at whether something should be done
 SLOWEST, FASTEST = -0.29, 0.79  # m/s: at the limits of speed, a stroke shows less than it does
 SETTLING = 0.12  # s until a finished stroke has passed the low-pass filter
@@ -49,7 +50,7 @@ class Driver:
         self._random = random.Random(seed)
         spread = parameters.estimate_error.after(parameters.practice)
         self.estimates = {
-            limb: StrokeEstimate(USUAL_EFFECT[wish] * math.exp(self._random.gauss(0, spread)), USUAL_LOSS)
+            limb: StrokeEstimate(USUAL_EFFECT[wish] * math.exp(spread * self._first_error()), USUAL_LOSS)
             for limb, wish in WISH_OF.items()
         }
         self.steering: Steering | None = None
@@ -58,6 +59,10 @@ class Driver:
         self._free_at = 0.0
         self._look_at = 0.0
         self._began = False
+
+    def _first_error(self) -> float:
+        """Return by how many standard deviations a first belief is off: whoever is further off asks again."""
+        return min(WORST_BELIEF, max(-WORST_BELIEF, self._random.gauss(0, 1)))
 
     def set_path(self, points: Sequence[tuple[float, float]]) -> None:
         """Show the path to follow, as points in m."""

@@ -1,5 +1,7 @@
 """What a person believes a stroke to do, and how that belief is corrected by what it did."""
 
+LOSS_SHARE = 0.005  # how readily an error is put down to the loss rather than to the gain
+
 
 class StrokeEstimate:
     """For one limb: effect = gain x (size - lost), with both numbers learnt from errors.
@@ -29,6 +31,6 @@ class StrokeEstimate:
         """
         above = max(0.05, size - self.lost)
         error = effect - self.effect_of(size)
-        weight = above * above + self.gain * self.gain * 0.02
+        weight = above * above + self.gain * self.gain * LOSS_SHARE
         self.gain = min(5.0, max(0.1, self.gain + correction * error * above / weight))
-        self.lost = min(0.25, max(0.0, self.lost - correction * error * self.gain * 0.02 / weight))
+        self.lost = min(0.25, max(0.0, self.lost - correction * error * self.gain * LOSS_SHARE / weight))
