@@ -6,14 +6,18 @@ import math
 import subprocess
 import sys
 
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from app.cues import Cue
 from app.geometry import Pose
+from app.hardware.base import BodyView
 from app.hardware.body.course import Course
 from app.hardware.body.driver import Driver
 from app.hardware.body.limb import Limb
+from app.hardware.body.person import Person
 from app.hardware.body.person_parameters import NOVICE, PRACTISED, Practised
 from app.hardware.body.steering import Steering
 from app.hardware.body.stroke_estimate import StrokeEstimate
@@ -176,6 +180,66 @@ def test_who_does_not_learn_gains_no_practice() -> None:
     keen.set_path(CORNER)
     drive(keen, 60.0)
     assert keen.practice > 10
+
+
+def practise(driver: Driver, seconds: float) -> tuple[float, float]:
+    """Let a driver drive on an open floor on which a full stroke is worth 0.3 m/s or 0.45 rad; return where he is."""
+    worth = {"right_elbow": 0.3, "left_elbow": -0.3, "right_shoulder": 0.45, "left_shoulder": -0.45}
+    x = y = theta = v = 0.0
+    before = dict.fromkeys(worth, 0.0)
+    for i in range(round(seconds * 100)):
+        driver.drive(i / 100, Pose(x, y, theta), v, False)
+        for name, limb in driver.limbs.items():
+            rise = max(0.0, limb.level(i / 100) - before[name])
+            before[name] = limb.level(i / 100)
+            if name.endswith("elbow"):
+                v = min(0.8, max(-0.3, v + worth[name] * rise))
+            else:
+                theta = math.remainder(theta + worth[name] * rise, math.tau)
+        x += v * math.cos(theta) / 100
+        y += v * math.sin(theta) / 100
+    return x, y
+
+
+def test_practice_moves_beliefs_towards_the_truth_and_the_driver_along_the_path() -> None:
+    def error(driver: Driver) -> float:
+        truth = {"right_elbow": 0.3, "left_elbow": 0.3, "right_shoulder": 0.45, "left_shoulder": 0.45}
+        return sum(abs(math.log(driver.estimates[name].effect_of(0.6) / (0.6 * truth[name]))) for name in truth)
+
+    before = after = 0.0
+    for seed in range(4):
+        driver = Driver(NOVICE, seed)
+        driver.set_path(((0.0, 0.0), (40.0, 0.0), (40.0, 40.0), (0.0, 40.0)))
+        before += error(driver)
+        x, y = practise(driver, 300.0)
+        after += error(driver)
+        assert driver.steering.course.s > 60.0
+        assert abs(driver.steering.course.cross_track) < 1.5
+        assert math.hypot(x, y) > 20.0
+    assert after < 0.6 * before
+
+
+def test_the_person_follows_cues_drives_when_permitted_and_rests_otherwise() -> None:
+    person = Person("practised", 1)
+    person.set_path(CORNER)
+    elbow = person.joints.index("right_elbow")
+    move = Cue(start=0.0, end=1.0, kind="move", joint="right_elbow", repetition=1)
+    asked = [person.step(0.01, BodyView(cue=move))[elbow] for _ in range(150)]
+    assert max(asked) > 0.7
+    for _ in range(300):
+        person.step(0.01, BodyView())
+    calm = [np.abs(person.step(0.01, BodyView())).max() for _ in range(300)]
+    assert max(calm) < 0.03  # tremor
+    driving = [person.step(0.01, BodyView(driving=True))[elbow] for _ in range(300)]
+    assert max(driving) > 0.2  # off he goes
+    for _ in range(300):
+        person.step(0.01, BodyView(driving=False))
+    assert np.abs(person.step(0.01, BodyView())).max() < 0.03
+    practised = person.driver.practice
+    assert practised > PRACTISED.practice
+    person.reset()
+    assert person.driver.practice == PRACTISED.practice
+    assert person.driver.steering is not None
 
 
 def test_the_person_needs_no_scientific_library() -> None:
