@@ -5,7 +5,7 @@ import io
 import json
 import shutil
 import tempfile
-from dataclasses import asdict
+from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +14,7 @@ import pyarrow as pa
 import pyarrow.parquet
 
 from app import __version__
+from app.hardware.body.person_parameters import Practised
 from app.session.figures import FigureFormat, errors_figure, save_figure, trajectories_figure
 from app.session.study import StudyResult
 
@@ -96,7 +97,10 @@ def summary(result: StudyResult) -> dict[str, Any]:
         "path": result.path.name,
         "path_length": result.path.line.length,
         "sample_rate": result.sample_rate,
-        "person": asdict(result.person),
+        "person": {
+            name: value._asdict() if isinstance(value, Practised) else value
+            for name, value in ((field.name, getattr(result.person, field.name)) for field in fields(result.person))
+        },
         "calibration": {
             joint.name: {"evr": joint.evr, "grade": joint.grade, "reason": joint.reason}
             for joint in result.parameters.profile.joints
