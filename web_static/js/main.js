@@ -89,6 +89,12 @@ export class App extends EventTarget {
 
   /** Start a trial: the drive page prepares the picture first. @param {{floorplan: string, path: string}} where */
   want(where) {
+    if (this.live.latest?.fault) {
+      // A stop is taken back by Continue and by nothing else.
+      this.toasts.show(t("note.fault.first"));
+      this.frame.querySelector(".note .btn")?.focus();
+      return;
+    }
     this.#wanted = where;
     this.go("#/drive");
   }

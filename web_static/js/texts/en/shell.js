@@ -34,6 +34,7 @@ export default {
   "note.control": "The control process ended; the chair stands.",
   "note.control.why": "Starting a new one…",
   "note.fault.continue": "Continue",
+  "note.fault.first": "A stop or fault is still in force: see the strip above, and tap Continue there first.",
   "note.signed-out": "You were signed out: sign in again.",
   "error.no-answer": "The application does not answer: see whether it still runs, then try again.",
   "error.status": "The application refused this (code {status}): load the page again.",
