@@ -43,7 +43,9 @@ export class App extends EventTarget {
   async enter() {
     const link = DEMO_LINK.exec(location.hash);
     try {
-      this.me = link ? await this.api.post("/auth/demo", { code: decodeURIComponent(link[1]) }) : await this.api.get("/auth/me");
+      this.me = link
+        ? await this.api.post("/auth/demo", { code: decodeURIComponent(link[1]) })
+        : await this.api.get("/auth/me");
     } catch (error) {
       this.me = await this.api.get("/auth/me").catch(() => null);
       this.toasts.show(error.message);
@@ -159,8 +161,12 @@ export class App extends EventTarget {
 
   #failed(error) {
     console.warn(error);
-    put(this.root, h("h1", { tabindex: "-1" }, t("error.page")), h("p", { class: "lead" }, error.message),
-      h("div", {}, h("button", { type: "button", class: "btn go", onclick: () => this.show() }, t("try-again"))));
+    put(
+      this.root,
+      h("h1", { tabindex: "-1" }, t("error.page")),
+      h("p", { class: "lead" }, error.message),
+      h("div", {}, h("button", { type: "button", class: "btn go", onclick: () => this.show() }, t("try-again"))),
+    );
   }
 
   async #signedIn() {

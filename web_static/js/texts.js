@@ -13,7 +13,16 @@ import shirt from "./texts/en/shirt.js";
 
 export const LANGUAGE = "en";
 
-const CATALOGUE = Object.freeze({ ...shell, ...patients, ...shirt, ...calibrate, ...controls, ...drive, ...measures, ...review });
+const CATALOGUE = Object.freeze({
+  ...shell,
+  ...patients,
+  ...shirt,
+  ...calibrate,
+  ...controls,
+  ...drive,
+  ...measures,
+  ...review,
+});
 const PLURALS = new Intl.PluralRules(LANGUAGE);
 
 /**

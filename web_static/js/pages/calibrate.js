@@ -35,7 +35,10 @@ export async function show(app, root, { signal }) {
     }
   };
   const readAgain = async () => {
-    const [fresh, worn] = await Promise.all([app.api.get("/calibration"), app.api.get("/equipment")]).catch(() => [calibration, equipment]);
+    const [fresh, worn] = await Promise.all([app.api.get("/calibration"), app.api.get("/equipment")]).catch(() => [
+      calibration,
+      equipment,
+    ]);
     if (signal.aborted) return;
     equipment = worn;
     take(fresh);
@@ -74,18 +77,42 @@ export async function show(app, root, { signal }) {
       app.toasts.show(error.message);
     }
   };
+  const restart = () =>
+    app.toasts.show(t("result.restart.ask"), {
+      action: t("result.restart"),
+      run: async () => {
+        await call("/calibration/restart");
+        app.toasts.show(t("result.restarted"));
+      },
+    });
   const draw = () => {
     drawn.abort();
     drawn = new AbortController();
     signal.addEventListener("abort", () => drawn.abort(), { signal: drawn.signal });
     const hadFocus = root.contains(document.activeElement) && document.activeElement !== root.querySelector("h1");
     const isResult = calibration.current === "result";
-    const view = isResult ? resultPage(calibration, actions, accept) : calibrateStep(app, calibration, equipment, actions, drawn.signal);
-    put(root, h("div", { class: `body${isResult ? "" : " one-screen"}` }, stepBar(calibration.steps, calibration.current, actions.go),
-      h("h1", { tabindex: "-1" }, view.title), view.lead, view.body), h("div", { class: "foot" }, view.foot));
+    const view = isResult
+      ? resultPage(calibration, actions, accept)
+      : calibrateStep(app, calibration, equipment, actions, drawn.signal);
+    put(
+      root,
+      h(
+        "div",
+        { class: `body${isResult ? "" : " one-screen"}` },
+        stepBar(calibration.steps, calibration.current, actions.go, restart),
+        h("h1", { tabindex: "-1" }, view.title),
+        view.lead,
+        view.body,
+      ),
+      h("div", { class: "foot" }, view.foot),
+    );
     if (hadFocus) (root.querySelector(".foot .btn.go") ?? root.querySelector("h1")).focus({ preventScroll: true });
   };
-  app.live.addEventListener("changed", ({ detail }) => ["calibration", "equipment", "everything"].includes(detail) && readAgain(), { signal });
+  app.live.addEventListener(
+    "changed",
+    ({ detail }) => ["calibration", "equipment", "everything"].includes(detail) && readAgain(),
+    { signal },
+  );
   signal.addEventListener("abort", () => clearTimeout(timer));
   if (calibration.running) watched = calibration.running.step;
   draw();
@@ -96,16 +123,36 @@ function resultPage(calibration, actions, accept) {
   const missing = steps.filter(({ kind, status }) => kind !== "result" && status !== "done");
   const last = steps.at(-1);
   const back = h("button", { type: "button", class: "btn", onclick: () => actions.go(steps.at(-2).id) }, t("back"));
-  if (running?.step === "result") return { title: t("calibrate.fitting"), lead: null, body: h("div", { class: "working", role: "status" }), foot: [back] };
+  if (running?.step === "result")
+    return {
+      title: t("calibrate.fitting"),
+      lead: null,
+      body: h("div", { class: "working", role: "status" }),
+      foot: [back],
+    };
   if (missing.length || !result) {
     const words = missing.length ? t("result.missing.lead", { count: missing.length }) : last.words;
-    const buttons = missing.map((step) => h("button", { type: "button", class: "btn", onclick: () => actions.go(step.id) }, step.title));
-    return { title: t("result.missing"), lead: h("p", { class: "lead" }, words), body: h("div", { class: "spread" }, buttons), foot: [back] };
+    const buttons = missing.map((step) =>
+      h("button", { type: "button", class: "btn", onclick: () => actions.go(step.id) }, step.title),
+    );
+    return {
+      title: t("result.missing"),
+      lead: h("p", { class: "lead" }, words),
+      body: h("div", { class: "spread" }, buttons),
+      foot: [back],
+    };
   }
-  const onwards = result.accepted ? h("a", { class: "btn go", href: "#/controls" }, t("result.go-on"))
+  const onwards = result.accepted
+    ? h("a", { class: "btn go", href: "#/controls" }, t("result.go-on"))
     : h("button", { type: "button", class: "btn go", onclick: accept }, t("result.accept"));
   return {
-    title: t("result.title"), lead: h("p", { class: "lead" }, t("result.lead")), body: resultView(result, actions.start),
-    foot: [back, h("span", { class: "grow" }, result.accepted ? t("result.accepted") : leftOutWords(result.left_out)), onwards],
+    title: t("result.title"),
+    lead: h("p", { class: "lead" }, t("result.lead")),
+    body: resultView(result, actions.start),
+    foot: [
+      back,
+      h("span", { class: "grow" }, result.accepted ? t("result.accepted") : leftOutWords(result.left_out)),
+      onwards,
+    ],
   };
 }

@@ -40,7 +40,10 @@ export async function show(app, root, { signal }) {
     write(problem, "");
     try {
       await draft.ask(path);
-      write(suggestion, path.endsWith("suggest") ? withLabels(draft.view.suggested.reason, jointLabels(draft.profile)) : "");
+      write(
+        suggestion,
+        path.endsWith("suggest") ? withLabels(draft.view.suggested.reason, jointLabels(draft.profile)) : "",
+      );
       suggestion.hidden = !suggestion.textContent;
     } catch (error) {
       write(problem, error.message);
@@ -52,8 +55,13 @@ export async function show(app, root, { signal }) {
     write(title, t("controls.lead", { title: draft.settings.title }));
   };
   const draw = () => {
-    rows = CONTROLS.map((control) => controlRow(control, draft, open.has(control), (name, isOpen) => (isOpen ? open.add(name) : open.delete(name))));
-    put(rowsPlace, rows.map(({ element }) => element));
+    rows = CONTROLS.map((control) =>
+      controlRow(control, draft, open.has(control), (name, isOpen) => (isOpen ? open.add(name) : open.delete(name))),
+    );
+    put(
+      rowsPlace,
+      rows.map(({ element }) => element),
+    );
     put(morePlace, modesCard(draft), speedsCard(draft), setsCard(app, draft));
     showState();
   };
@@ -73,20 +81,43 @@ export async function show(app, root, { signal }) {
   });
   put(sidePlace, tryCard(app, draft, signal));
   app.live.addEventListener("tick", ({ detail: now }) => rows.forEach((row) => row.showLive(now)), { signal });
-  app.live.addEventListener("changed", ({ detail }) => ["controls", "everything"].includes(detail) && draft.readAgain().catch(() => null), { signal });
+  app.live.addEventListener(
+    "changed",
+    ({ detail }) => ["controls", "everything"].includes(detail) && draft.readAgain().catch(() => null),
+    { signal },
+  );
   signal.addEventListener("abort", () => draft.flush());
 
-  put(root, h("div", { class: "body" }, h("h1", { tabindex: "-1" }, t("controls.title")),
-    h("div", { class: "lead controls-lead" }, title, undo, redo, state), problem, suggestion,
-    h("div", { class: "controls-columns" }, rowsPlace, sidePlace), morePlace,
-    equipment.body?.kind === "visitor" && h("div", { class: "card pad-card docked" }, pads(app, signal).element)),
-    h("div", { class: "foot" }, h("button", { type: "button", class: "btn", onclick: () => ask("/controls/suggest") }, t("controls.suggest")),
-      h("span", { class: "grow" }), h("a", { class: "btn go", href: "#/drive" }, t("controls.drive"))));
+  put(
+    root,
+    h(
+      "div",
+      { class: "body" },
+      h("h1", { tabindex: "-1" }, t("controls.title")),
+      h("div", { class: "lead controls-lead" }, title, undo, redo, state),
+      problem,
+      suggestion,
+      h("div", { class: "controls-columns" }, rowsPlace, sidePlace),
+      morePlace,
+      equipment.body?.kind === "visitor" && h("div", { class: "card pad-card docked" }, pads(app, signal).element),
+    ),
+    h(
+      "div",
+      { class: "foot" },
+      h("button", { type: "button", class: "btn", onclick: () => ask("/controls/suggest") }, t("controls.suggest")),
+      h("span", { class: "grow" }),
+      h("a", { class: "btn go", href: "#/drive" }, t("controls.drive")),
+    ),
+  );
   draw();
 }
 
 function iconButton(name, run) {
-  return h("button", { type: "button", class: "icon-button", "aria-label": t(name), title: t(name), onclick: run }, icon(name, 22));
+  return h(
+    "button",
+    { type: "button", class: "icon-button", "aria-label": t(name), title: t(name), onclick: run },
+    icon(name, 22),
+  );
 }
 
 /** u1 and u2 live, while the chair stands. */
@@ -102,6 +133,13 @@ function tryCard(app, draft, signal) {
   };
   app.live.addEventListener("tick", showLive, { signal });
   square.show(0, 0);
-  return h("section", { class: "card try" }, h("h2", {}, t("try.title")), square.element, h("div", { class: "row" }, u1Words, u1),
-    h("div", { class: "row" }, h("span", {}, t("try.u2")), u2), h("p", { class: "quiet small" }, t("try.note")));
+  return h(
+    "section",
+    { class: "card try" },
+    h("h2", {}, t("try.title")),
+    square.element,
+    h("div", { class: "row" }, u1Words, u1),
+    h("div", { class: "row" }, h("span", {}, t("try.u2")), u2),
+    h("p", { class: "quiet small" }, t("try.note")),
+  );
 }

@@ -15,19 +15,46 @@ export async function show(app, root, { signal, rest }) {
   const where = app.takeWanted();
   if (running || where) return drive(app, root, running, where, signal);
   if (rest[0] === "over") return over(app, root, rest[1], signal);
-  if (!app.visit.has_profile) return emptyPage(root, t("drive.none.title"), t("drive.none.lead"), "#/calibrate", t("drive.none.go"));
+  if (!app.visit.has_profile)
+    return emptyPage(root, t("drive.none.title"), t("drive.none.lead"), "#/calibrate", t("drive.none.go"));
   return choose(app, root, signal);
 }
 
 async function choose(app, root, signal) {
   const [plans, equipment] = await Promise.all([app.api.get("/floorplans"), app.api.get("/equipment")]);
-  const documents = new Map(await Promise.all(plans.map(async ({ name }) => [name, await app.api.get(`/floorplans/${name}`)])));
+  const documents = new Map(
+    await Promise.all(plans.map(async ({ name }) => [name, await app.api.get(`/floorplans/${name}`)])),
+  );
   if (signal.aborted) return;
   const chooser = planChooser(plans, documents);
-  const button = h("button", { type: "button", class: "btn go large", onclick: () => app.want(chooser.chosen()) }, t("drive.start"));
+  const button = h(
+    "button",
+    { type: "button", class: "btn go large", onclick: () => app.want(chooser.chosen()) },
+    t("drive.start"),
+  );
   app.live.addEventListener("changed", ({ detail }) => detail === "trial" && app.show(), { signal });
-  put(root, h("div", { class: "body" }, h("h1", { tabindex: "-1" }, t("drive.title")), h("p", { class: "lead" }, t("drive.lead")), chooser.element),
-    h("div", { class: "foot" }, h("span", { class: "grow" }, bodyNote(equipment), " ", equipment.shirt.kind === "simulator" && h("a", { href: "#/shirt" }, t("drive.body.change"))), button));
+  put(
+    root,
+    h(
+      "div",
+      { class: "body" },
+      h("h1", { tabindex: "-1" }, t("drive.title")),
+      h("p", { class: "lead" }, t("drive.lead")),
+      chooser.element,
+    ),
+    h(
+      "div",
+      { class: "foot" },
+      h(
+        "span",
+        { class: "grow" },
+        bodyNote(equipment),
+        " ",
+        equipment.shirt.kind === "simulator" && h("a", { href: "#/shirt" }, t("drive.body.change")),
+      ),
+      button,
+    ),
+  );
 }
 
 function bodyNote({ shirt, body }) {
@@ -45,7 +72,9 @@ async function drive(app, root, running, where, signal) {
   const isVisitor = equipment.shirt.kind === "simulator" && equipment.body?.kind === "visitor";
   const lookWhetherOver = async ({ detail }) => {
     if (!trial || (detail !== "trial" && detail !== "everything")) return;
-    const now = (await app.api.get(`/trials?patient=${trial.patient_id}`).catch(() => [])).find(({ id }) => id === trial.id);
+    const now = (await app.api.get(`/trials?patient=${trial.patient_id}`).catch(() => [])).find(
+      ({ id }) => id === trial.id,
+    );
     if (!signal.aborted && now && now.status !== "running") app.go(`#/drive/over/${trial.id}`);
   };
   app.live.addEventListener("changed", lookWhetherOver, { signal });
@@ -69,6 +98,14 @@ async function over(app, root, id, signal) {
   if (signal.aborted) return;
   showTrialOver(app, root, read, (trial) => [
     h("a", { class: "btn", href: "#/drive" }, t("over.other")),
-    h("button", { type: "button", class: "btn go", onclick: () => app.want({ floorplan: trial.floorplan, path: trial.path_name }) }, t("over.next")),
+    h(
+      "button",
+      {
+        type: "button",
+        class: "btn go",
+        onclick: () => app.want({ floorplan: trial.floorplan, path: trial.path_name }),
+      },
+      t("over.next"),
+    ),
   ]);
 }

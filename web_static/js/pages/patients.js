@@ -40,8 +40,16 @@ export async function show(app, root, { signal }) {
   const showList = () => {
     const words = search.value.trim().toLowerCase();
     const found = patients.filter((patient) => `${patient.code} ${patient.pseudonym}`.toLowerCase().includes(words));
-    put(list, found.map((patient) => row(app, patient, { open, remove, end })),
-      !found.length && h("p", { class: "card quiet" }, words ? t("patients.none-found", { words: search.value.trim() }) : t("patients.empty")));
+    put(
+      list,
+      found.map((patient) => row(app, patient, { open, remove, end })),
+      !found.length &&
+        h(
+          "p",
+          { class: "card quiet" },
+          words ? t("patients.none-found", { words: search.value.trim() }) : t("patients.empty"),
+        ),
+    );
   };
   const showForm = () => {
     form.hidden = false;
@@ -51,10 +59,23 @@ export async function show(app, root, { signal }) {
   search.addEventListener("input", showList);
   app.addEventListener("visit", showList, { signal });
   showList();
-  put(root, h("div", { class: "body" }, h("h1", { tabindex: "-1" }, t("patients.title")), h("p", { class: "lead" }, t("patients.lead")),
-    h("div", { class: "spread above-list" }, h("div", { class: "grow" }, search),
-      h("button", { type: "button", class: "btn", onclick: showForm }, icon("plus", 20), t("patients.new"))),
-    form, list));
+  put(
+    root,
+    h(
+      "div",
+      { class: "body" },
+      h("h1", { tabindex: "-1" }, t("patients.title")),
+      h("p", { class: "lead" }, t("patients.lead")),
+      h(
+        "div",
+        { class: "spread above-list" },
+        h("div", { class: "grow" }, search),
+        h("button", { type: "button", class: "btn", onclick: showForm }, icon("plus", 20), t("patients.new")),
+      ),
+      form,
+      list,
+    ),
+  );
 }
 
 /** Run a call; show what was refused. @returns {Promise<boolean>} whether it went through */
@@ -75,13 +96,45 @@ function row(app, patient, { open, remove, end }) {
     t("patients.trials", { count: patient.trials }),
     patient.last_seen ? t("patients.last", { day: day(patient.last_seen) }) : t("patients.never"),
   ].join(" · ");
-  return h("div", { class: `person card${isHere ? " here" : ""}`, role: "listitem" },
+  return h(
+    "div",
+    { class: `person card${isHere ? " here" : ""}`, role: "listitem" },
     h("span", { class: "badge", "aria-hidden": "true" }, patient.pseudonym.slice(0, 1).toUpperCase()),
-    h("div", { class: "grow" }, h("b", {}, patient.code), " ", patient.pseudonym, " ", isHere && h("span", { class: "tag" }, t("patients.here")),
-      h("div", { class: "quiet small" }, figures, patient.note && ` · ${patient.note}`)),
+    h(
+      "div",
+      { class: "grow" },
+      h("b", {}, patient.code),
+      " ",
+      patient.pseudonym,
+      " ",
+      isHere && h("span", { class: "tag" }, t("patients.here")),
+      h("div", { class: "quiet small" }, figures, patient.note && ` · ${patient.note}`),
+    ),
     isHere
-      ? [h("button", { type: "button", class: "btn", onclick: end }, t("patients.end")),
-         h("button", { type: "button", class: "btn go", onclick: () => app.go(app.visit.has_profile ? "#/drive" : "#/shirt") }, t("patients.go-on"))]
-      : [h("button", { type: "button", class: "icon-button", "aria-label": t("patients.delete", { code: patient.code }), onclick: () => remove(patient) }, icon("bin", 22)),
-         h("button", { type: "button", class: `btn${app.visit?.patient ? "" : " go"}`, onclick: () => open(patient) }, t("patients.start"))]);
+      ? [
+          h("button", { type: "button", class: "btn", onclick: end }, t("patients.end")),
+          h(
+            "button",
+            { type: "button", class: "btn go", onclick: () => app.go(app.visit.has_profile ? "#/drive" : "#/shirt") },
+            t("patients.go-on"),
+          ),
+        ]
+      : [
+          h(
+            "button",
+            {
+              type: "button",
+              class: "icon-button",
+              "aria-label": t("patients.delete", { code: patient.code }),
+              onclick: () => remove(patient),
+            },
+            icon("bin", 22),
+          ),
+          h(
+            "button",
+            { type: "button", class: `btn${app.visit?.patient ? "" : " go"}`, onclick: () => open(patient) },
+            t("patients.start"),
+          ),
+        ],
+  );
 }

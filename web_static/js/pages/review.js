@@ -15,12 +15,23 @@ const LISTED = ["dist", "e_diff", "time"];
 export async function show(app, root, { signal, rest }) {
   if (rest[1] === "trial") return oneTrial(app, root, rest, signal);
   const patients = await app.api.get("/patients");
-  const patient = patients.find(({ id }) => String(id) === rest[0]) ?? patients.find(({ id }) => id === app.visit?.patient?.id) ?? patients.find(({ trials }) => trials) ?? patients[0];
+  const patient =
+    patients.find(({ id }) => String(id) === rest[0]) ??
+    patients.find(({ id }) => id === app.visit?.patient?.id) ??
+    patients.find(({ trials }) => trials) ??
+    patients[0];
   if (signal.aborted) return;
   if (!patient) return emptyPage(root, t("review.none.title"), t("review.nobody.lead"), "#/patients", t("nobody.go"));
   const trials = await app.api.get(`/trials?patient=${patient.id}`);
   if (signal.aborted) return;
-  const who = field(t("review.patient"), selection(patients.map(({ id, code, pseudonym }) => ({ value: String(id), label: `${code} ${pseudonym}` })), String(patient.id), (id) => app.go(`#/review/${id}`)));
+  const who = field(
+    t("review.patient"),
+    selection(
+      patients.map(({ id, code, pseudonym }) => ({ value: String(id), label: `${code} ${pseudonym}` })),
+      String(patient.id),
+      (id) => app.go(`#/review/${id}`),
+    ),
+  );
   if (!trials.length) return noTrials(root, patients.length > 1 ? who : null);
   const [plans, paths] = [await app.api.get("/floorplans"), driven(trials)];
   if (signal.aborted) return;
@@ -34,27 +45,69 @@ export async function show(app, root, { signal, rest }) {
     signal.addEventListener("abort", () => drawn.abort(), { signal: until });
     const where = `floorplan=${encodeURIComponent(path.floorplan)}&path=${encodeURIComponent(path.name)}`;
     const known = plans.some(({ name }) => name === path.floorplan);
-    const [learning, plan] = await Promise.all([app.api.get(`/patients/${patient.id}/learning?${where}`), known ? app.api.get(`/floorplans/${path.floorplan}`) : null]);
+    const [learning, plan] = await Promise.all([
+      app.api.get(`/patients/${patient.id}/learning?${where}`),
+      known ? app.api.get(`/floorplans/${path.floorplan}`) : null,
+    ]);
     if (until.aborted) return;
     const charts = await Promise.all([curveChart(learning, measure, until), trajectoriesChart(learning, plan, until)]);
     if (until.aborted) return;
     const counts = learning.trials.length > 0;
-    put(place, counts && h("div", { class: "charts" },
-      h("section", { class: "card" }, h("h2", {}, t("review.curve")), charts[0], h("p", { class: "small" }, learning.curves[measure]?.text ?? "")),
-      h("section", { class: "card" }, h("h2", {}, t("review.trajectories")), charts[1])),
-      !counts && h("p", { class: "card quiet" }, t("review.no-kept")), trialList(patient, trials.filter((trial) => keyOf(trial) === path.key)));
+    put(
+      place,
+      counts &&
+        h(
+          "div",
+          { class: "charts" },
+          h(
+            "section",
+            { class: "card" },
+            h("h2", {}, t("review.curve")),
+            charts[0],
+            h("p", { class: "small" }, learning.curves[measure]?.text ?? ""),
+          ),
+          h("section", { class: "card" }, h("h2", {}, t("review.trajectories")), charts[1]),
+        ),
+      !counts && h("p", { class: "card quiet" }, t("review.no-kept")),
+      trialList(
+        patient,
+        trials.filter((trial) => keyOf(trial) === path.key),
+      ),
+    );
   };
-  const choosePath = selection(paths.map((one) => ({ value: one.key, label: pathWords(one, plans) })), path.key, (key) => {
-    path = paths.find((one) => one.key === key);
-    draw().catch((error) => app.toasts.show(error.message));
-  });
-  const chooseMeasure = selection(Object.keys(MEASURES).map((name) => ({ value: name, label: t(`measure.${name}`) })), measure, (name) => {
-    measure = name;
-    sessionStorage.setItem(MEASURE_PLACE, name);
-    draw().catch((error) => app.toasts.show(error.message));
-  });
-  put(root, h("div", { class: "body" }, h("h1", { tabindex: "-1" }, t("review.title")),
-    h("div", { class: "columns filters" }, patients.length > 1 && who, field(t("review.path"), choosePath), field(t("review.measure"), chooseMeasure)), place));
+  const choosePath = selection(
+    paths.map((one) => ({ value: one.key, label: pathWords(one, plans) })),
+    path.key,
+    (key) => {
+      path = paths.find((one) => one.key === key);
+      draw().catch((error) => app.toasts.show(error.message));
+    },
+  );
+  const chooseMeasure = selection(
+    Object.keys(MEASURES).map((name) => ({ value: name, label: t(`measure.${name}`) })),
+    measure,
+    (name) => {
+      measure = name;
+      sessionStorage.setItem(MEASURE_PLACE, name);
+      draw().catch((error) => app.toasts.show(error.message));
+    },
+  );
+  put(
+    root,
+    h(
+      "div",
+      { class: "body" },
+      h("h1", { tabindex: "-1" }, t("review.title")),
+      h(
+        "div",
+        { class: "columns filters" },
+        patients.length > 1 && who,
+        field(t("review.path"), choosePath),
+        field(t("review.measure"), chooseMeasure),
+      ),
+      place,
+    ),
+  );
   await draw();
 }
 
@@ -67,7 +120,12 @@ function driven(trials) {
   const found = new Map();
   for (const trial of trials) {
     found.delete(keyOf(trial));
-    found.set(keyOf(trial), { key: keyOf(trial), floorplan: trial.floorplan, name: trial.path, title: trial.floorplan_title });
+    found.set(keyOf(trial), {
+      key: keyOf(trial),
+      floorplan: trial.floorplan,
+      name: trial.path,
+      title: trial.floorplan_title,
+    });
   }
   return [...found.values()];
 }
@@ -83,13 +141,58 @@ function noTrials(root, who) {
 }
 
 function trialList(patient, trials) {
-  const row = (trial) => h("tr", { class: trial.kept ? null : "discarded" },
-    h("th", { scope: "row" }, h("a", { class: "row-link", href: `#/review/${patient.id}/trial/${trial.id}`, "aria-label": t("review.open", { number: trial.number }) }, String(trial.number))),
-    h("td", {}, moment(trial.started)), h("td", {}, t(`review.end.${trial.end}`)), LISTED.map((name) => h("td", {}, trial.measures ? withUnit(name, trial.measures[name]) : "–")),
-    h("td", {}, trial.kept ? t("review.kept") : trial.discard_reason));
-  const head = [t("review.column.number"), t("review.column.when"), t("review.column.end"), ...LISTED.map((name) => t(`measure.${name}`)), t("review.column.kept")];
-  return h("section", { class: "card" }, h("h2", {}, t("review.trials")), h("div", { class: "scroll-x", tabindex: "0", role: "region", "aria-label": t("review.trials") },
-    h("table", { class: "measures trials" }, h("thead", {}, h("tr", {}, head.map((words) => h("th", { scope: "col" }, words)))), h("tbody", {}, trials.toReversed().map(row)))));
+  const row = (trial) =>
+    h(
+      "tr",
+      { class: trial.kept ? null : "discarded" },
+      h(
+        "th",
+        { scope: "row" },
+        h(
+          "a",
+          {
+            class: "row-link",
+            href: `#/review/${patient.id}/trial/${trial.id}`,
+            "aria-label": t("review.open", { number: trial.number }),
+          },
+          String(trial.number),
+        ),
+      ),
+      h("td", {}, moment(trial.started)),
+      h("td", {}, t(`review.end.${trial.end}`)),
+      LISTED.map((name) => h("td", {}, trial.measures ? withUnit(name, trial.measures[name]) : "–")),
+      h("td", {}, trial.kept ? t("review.kept") : trial.discard_reason),
+    );
+  const head = [
+    t("review.column.number"),
+    t("review.column.when"),
+    t("review.column.end"),
+    ...LISTED.map((name) => t(`measure.${name}`)),
+    t("review.column.kept"),
+  ];
+  return h(
+    "section",
+    { class: "card" },
+    h("h2", {}, t("review.trials")),
+    h(
+      "div",
+      { class: "scroll-x", tabindex: "0", role: "region", "aria-label": t("review.trials") },
+      h(
+        "table",
+        { class: "measures trials" },
+        h(
+          "thead",
+          {},
+          h(
+            "tr",
+            {},
+            head.map((words) => h("th", { scope: "col" }, words)),
+          ),
+        ),
+        h("tbody", {}, trials.toReversed().map(row)),
+      ),
+    ),
+  );
 }
 
 async function oneTrial(app, root, [patient, , id], signal) {

@@ -25,8 +25,12 @@ export async function show(app, root, { signal }) {
     signal.addEventListener("abort", () => drawn.abort(), { signal: drawn.signal });
     const { layout } = equipment;
     put(left, layout && lampsCard(layout));
-    put(below, equipment.body?.kind === "visitor" && h("div", { class: "card pad-card" }, pads(app, drawn.signal).element),
-      layout && h("section", { class: "card" }, h("h2", {}, t("traces.title")), jointStrips(app.live, layout, drawn.signal)));
+    put(
+      below,
+      equipment.body?.kind === "visitor" && h("div", { class: "card pad-card" }, pads(app, drawn.signal).element),
+      layout &&
+        h("section", { class: "card" }, h("h2", {}, t("traces.title")), jointStrips(app.live, layout, drawn.signal)),
+    );
     drawRight();
     showWords();
   };
@@ -41,7 +45,13 @@ export async function show(app, root, { signal }) {
     showLamps();
     lamps.mark(picked);
     markLamp = lamps.mark;
-    return h("section", { class: "card" }, h("h2", {}, t("shirt.sensors"), h("span", { class: "quiet small" }, t("shirt.sensors.hint"))), lamps.element, legend());
+    return h(
+      "section",
+      { class: "card" },
+      h("h2", {}, t("shirt.sensors"), h("span", { class: "quiet small" }, t("shirt.sensors.hint"))),
+      lamps.element,
+      legend(),
+    );
   };
   let markLamp = (_name) => {};
   const pick = (name) => {
@@ -63,22 +73,35 @@ export async function show(app, root, { signal }) {
     const joint = equipment.layout.joints.find(({ name }) => name === channel.joint).label;
     const mark = async (isUnused) => {
       const others = equipment.unused.filter((name) => name !== picked);
-      await use(app.api.put("/equipment/unused", { channels: isUnused ? [...others, picked] : others })).catch((error) => {
-        app.toasts.show(error.message);
-        drawRight();
-      });
+      await use(app.api.put("/equipment/unused", { channels: isUnused ? [...others, picked] : others })).catch(
+        (error) => {
+          app.toasts.show(error.message);
+          drawRight();
+        },
+      );
     };
     return sensorCard(app, { channel, index, joint, isUnused: equipment.unused.includes(picked), signal: until }, mark);
   };
   const use = async (call) => take(await call);
-  const sourceCard = () => summary(t("source.title"), sourceWords(equipment.shirt), () => sourceForm(app, equipment, (config) => use(app.api.put("/equipment/shirt", config))));
-  const bodyCard = () => summary(t("body.title"), equipment.body ? bodyWords(equipment.body) : "", () => bodyForm(app, equipment, (config) => use(app.api.put("/equipment/body", config))));
+  const sourceCard = () =>
+    summary(t("source.title"), sourceWords(equipment.shirt), () =>
+      sourceForm(app, equipment, (config) => use(app.api.put("/equipment/shirt", config))),
+    );
+  const bodyCard = () =>
+    summary(t("body.title"), equipment.body ? bodyWords(equipment.body) : "", () =>
+      bodyForm(app, equipment, (config) => use(app.api.put("/equipment/body", config))),
+    );
   const showWords = () => {
     const all = app.live.quality.length;
     const good = app.live.quality.filter((quality) => quality === "good").length;
     const lost = app.live.latest?.shirt.lost ?? 0;
     const words = equipment.layout ? equipment.status.words : equipment.status.words || t("shirt.none");
-    write(lead, [words, all ? t("shirt.words.count", { good, all }) : "", lost ? t("shirt.lost", { count: lost }) : ""].filter(Boolean).join(" "));
+    write(
+      lead,
+      [words, all ? t("shirt.words.count", { good, all }) : "", lost ? t("shirt.lost", { count: lost }) : ""]
+        .filter(Boolean)
+        .join(" "),
+    );
   };
   const readAgain = async ({ detail }) => {
     if (detail === "equipment" || detail === "everything") take(await app.api.get("/equipment").catch(() => equipment));
@@ -88,9 +111,23 @@ export async function show(app, root, { signal }) {
   app.addEventListener("equipment", ({ detail }) => take(detail), { signal });
 
   const onwards = app.visit?.has_profile ? ["#/drive", "shirt.drive"] : ["#/calibrate", "shirt.calibrate"];
-  put(root, h("div", { class: "body" }, h("h1", { tabindex: "-1" }, t("shirt.title")), lead,
-    h("div", { class: "shirt-columns" }, left, right), below),
-    h("div", { class: "foot" }, h("span", { class: "grow" }, equipment.status.realtime.join(" ")), h("a", { class: "btn go", href: onwards[0] }, t(onwards[1]))));
+  put(
+    root,
+    h(
+      "div",
+      { class: "body" },
+      h("h1", { tabindex: "-1" }, t("shirt.title")),
+      lead,
+      h("div", { class: "shirt-columns" }, left, right),
+      below,
+    ),
+    h(
+      "div",
+      { class: "foot" },
+      h("span", { class: "grow" }, equipment.status.realtime.join(" ")),
+      h("a", { class: "btn go", href: onwards[0] }, t(onwards[1])),
+    ),
+  );
   draw();
 }
 
@@ -102,9 +139,26 @@ function summary(title, words, makeForm) {
 }
 
 function legend() {
-  return h("details", { class: "legend" }, h("summary", {}, t("shirt.legend")),
-    h("dl", {}, Object.keys(QUALITIES).map((quality) => [
-      h("dt", {}, s("svg", { viewBox: "-8 -8 16 16", width: 22, height: 22, "aria-hidden": "true" }, s("g", { class: "sensor", "data-quality": quality }, lampSign(quality))), t(`quality.${quality}`)),
-      h("dd", {}, t(`quality.${quality}.words`)),
-    ])));
+  return h(
+    "details",
+    { class: "legend" },
+    h("summary", {}, t("shirt.legend")),
+    h(
+      "dl",
+      {},
+      Object.keys(QUALITIES).map((quality) => [
+        h(
+          "dt",
+          {},
+          s(
+            "svg",
+            { viewBox: "-8 -8 16 16", width: 22, height: 22, "aria-hidden": "true" },
+            s("g", { class: "sensor", "data-quality": quality }, lampSign(quality)),
+          ),
+          t(`quality.${quality}`),
+        ),
+        h("dd", {}, t(`quality.${quality}.words`)),
+      ]),
+    ),
+  );
 }

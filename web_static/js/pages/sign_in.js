@@ -17,8 +17,22 @@ export async function show(app, root) {
       problem.textContent = error.message;
     }
   };
-  const form = h("form", { class: "stack", onsubmit: submit }, field(t("sign-in.name"), name), field(t("sign-in.password"), password), problem,
-    h("button", { class: "btn go large" }, t("sign-in.go")));
-  put(root, h("div", { class: "door card" }, h("h1", { tabindex: "-1" }, t("sign-in.title")), h("p", { class: "lead" }, t("sign-in.lead")),
-    app.me?.demo ? h("p", {}, t("sign-in.demo")) : form));
+  const form = h(
+    "form",
+    { class: "stack", onsubmit: submit },
+    field(t("sign-in.name"), name),
+    field(t("sign-in.password"), password),
+    problem,
+    h("button", { class: "btn go large" }, t("sign-in.go")),
+  );
+  put(
+    root,
+    h(
+      "div",
+      { class: "door card" },
+      h("h1", { tabindex: "-1" }, t("sign-in.title")),
+      h("p", { class: "lead" }, t("sign-in.lead")),
+      app.me?.demo ? h("p", {}, t("sign-in.demo")) : form,
+    ),
+  );
 }

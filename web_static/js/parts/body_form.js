@@ -37,7 +37,13 @@ export function bodyForm(app, equipment, onUse) {
     put(more);
     if (choice !== "recorded") return use(CHOICES[choice]);
     const bodies = files.filter(({ kind }) => kind === "body");
-    put(more, fileField(bodies, recorded), addFile(app), bodies.length > 0 && h("button", { type: "button", class: "btn go", onclick: () => use(recorded) }, t("source.use")));
+    put(
+      more,
+      fileField(bodies, recorded),
+      addFile(app),
+      bodies.length > 0 &&
+        h("button", { type: "button", class: "btn go", onclick: () => use(recorded) }, t("source.use")),
+    );
   };
   const current = body?.kind === "person" ? body.skill : body?.kind;
   const options = [

@@ -9,8 +9,10 @@ export const LAYOUT_HEIGHT = 262;
 
 // The patient's half at the right of the picture, from the neck down the arm and up again to the hip. The other half mirrors it.
 const SHOULDER = "C143 54 153.5 58 157.5 72 C161 89 168 103 175 119";
-const INNER_ARM = "C163 168 157 154 153 142 C148 127 145 112 141 97 C140 116 137 132 136 148 C135.5 166 140 188 143 216 C129 222 113 223 100 223";
-const SKIN = `M100 43 L109 43 C109.5 48 113 50.5 126 52 ${SHOULDER} C181 135 186 160 191 184 ` +
+const INNER_ARM =
+  "C163 168 157 154 153 142 C148 127 145 112 141 97 C140 116 137 132 136 148 C135.5 166 140 188 143 216 C129 222 113 223 100 223";
+const SKIN =
+  `M100 43 L109 43 C109.5 48 113 50.5 126 52 ${SHOULDER} C181 135 186 160 191 184 ` +
   `C196 194 199 206 195 213 C191 219 184 213 181 204 C179 198 172 194 168.5 186 ${INNER_ARM}`;
 const COLLAR = [114, 50.5];
 const SLEEVE = `C118 51.2 122 51.6 126 52 ${SHOULDER} C180.5 134 185 156 189 175 L166.5 181 ${INNER_ARM}`;
@@ -32,13 +34,16 @@ export function outline(side) {
     s("path", { class: "seam", d: "M141 97 C136 84 133 70 131 53" }),
     s("path", { class: "seam", d: "M152 140 C159 138 167 133 177 125" }),
   ];
-  return s("g", { class: "figure", "aria-hidden": "true" },
+  return s(
+    "g",
+    { class: "figure", "aria-hidden": "true" },
     s("ellipse", { class: "skin", cx: 100, cy: 24, rx: 16.5, ry: 21 }),
     s("g", {}, half()),
     s("g", { transform: `translate(${WIDTH} 0) scale(-1 1)` }, half()),
     side === "back" && s("path", { class: "seam spine", d: "M100 62 C99 110 101 160 100 220" }),
     side === "front" && face(),
-    sideWords(side));
+    sideWords(side),
+  );
 }
 
 function face() {

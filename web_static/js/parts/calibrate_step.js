@@ -24,16 +24,33 @@ export function calibrateStep(app, calibration, equipment, actions, signal) {
   const isRunning = running?.step === current;
   const repetitions = Math.max(0, ...step.cues.map(({ repetition }) => repetition));
   const lead = h("p", { class: "lead" });
-  const showLead = (repetition) => write(lead, [
-    t("calibrate.step", { step: at + 1, steps: steps.length }),
-    repetition ? t("calibrate.repetition", { repetition, all: repetitions }) : "",
-    step.instruction,
-  ].filter(Boolean).join(" · "));
+  const showLead = (repetition) =>
+    write(
+      lead,
+      [
+        t("calibrate.step", { step: at + 1, steps: steps.length }),
+        repetition ? t("calibrate.repetition", { repetition, all: repetitions }) : "",
+        step.instruction,
+      ]
+        .filter(Boolean)
+        .join(" · "),
+    );
   showLead(0);
-  const circle = cueCircle(app, step, { isRunning, idleWords: idleWords(step, equipment, actions), signal, onCue: (cue) => showLead(cue.repetition) });
+  const circle = cueCircle(app, step, {
+    isRunning,
+    idleWords: idleWords(step, equipment, actions),
+    signal,
+    onCue: (cue) => showLead(cue.repetition),
+  });
   const isVisitor = equipment.body?.kind === "visitor" && equipment.shirt.kind === "simulator";
-  const body = h("div", { class: "step-body" }, circle, step.words && !isRunning && h("p", { class: "problem", role: "alert" }, step.words),
-    stepTrace(app, equipment.layout, step, signal), isVisitor && pads(app, signal).element);
+  const body = h(
+    "div",
+    { class: "step-body" },
+    circle,
+    step.words && !isRunning && h("p", { class: "problem", role: "alert" }, step.words),
+    stepTrace(app, equipment.layout, step, signal),
+    isVisitor && pads(app, signal).element,
+  );
   return { title: step.title, lead, body, foot: foot(steps, at, isRunning, Boolean(running), actions) };
 }
 
@@ -46,16 +63,25 @@ function idleWords(step, equipment, { isGoingOn }) {
 
 function foot(steps, at, isRunning, isBusy, actions) {
   const step = steps[at];
-  const button = (words, run, tone = "", isOff = false) => h("button", { type: "button", class: `btn ${tone}`, disabled: isOff, onclick: run }, words);
-  if (isRunning) return [button(t("calibrate.cancel"), () => actions.cancel(step.id)), h("span", { class: "grow" }), auto(actions)];
+  const button = (words, run, tone = "", isOff = false) =>
+    h("button", { type: "button", class: `btn ${tone}`, disabled: isOff, onclick: run }, words);
+  if (isRunning)
+    return [button(t("calibrate.cancel"), () => actions.cancel(step.id)), h("span", { class: "grow" }), auto(actions)];
   const isDone = step.status === "done";
   return [
     at > 0 && button(t("back"), () => actions.go(steps[at - 1].id), "", isBusy),
     isDone && button(t("calibrate.again"), () => actions.start(step.id), "", isBusy),
-    h("span", { class: "grow" }), auto(actions),
+    h("span", { class: "grow" }),
+    auto(actions),
     !isDone && step.kind === "prompt" && button(t("calibrate.skip"), () => actions.go(steps[at + 1].id), "", isBusy),
-    isDone ? button(t("calibrate.next"), () => actions.go(steps[at + 1].id), "go", isBusy)
-      : button(step.status === "failed" ? t("calibrate.again") : t("calibrate.start"), () => actions.start(step.id), "go", isBusy),
+    isDone
+      ? button(t("calibrate.next"), () => actions.go(steps[at + 1].id), "go", isBusy)
+      : button(
+          step.status === "failed" ? t("calibrate.again") : t("calibrate.start"),
+          () => actions.start(step.id),
+          "go",
+          isBusy,
+        ),
   ];
 }
 
@@ -72,6 +98,15 @@ function stepTrace(app, layout, step, signal) {
   app.live.addEventListener("quality", () => (canvas.floor = QUIET_SPAN * middle(app.live.noise)), { signal });
   const mean = (values, group) => group.reduce((sum, index) => sum + (values[index] ?? 0), 0) / group.length;
   const own = step.joint ? indices(step.joint) : null;
-  drawTraces(app.live, [{ canvas, values: ({ values }) => (own ? own.map((index) => values[index]) : groups.map((group) => mean(values, group))) }], signal);
+  drawTraces(
+    app.live,
+    [
+      {
+        canvas,
+        values: ({ values }) => (own ? own.map((index) => values[index]) : groups.map((group) => mean(values, group))),
+      },
+    ],
+    signal,
+  );
   return canvas.element;
 }

@@ -76,7 +76,14 @@ export class ControlsDraft extends EventTarget {
     if (!gesture) {
       const twin = gestureFor(this.settings.gestures, joint, -direction);
       const suggested = twin ?? this.profile.joints.find(({ name }) => name === joint);
-      gesture = { name: newGestureName(joint, direction), joint, direction, feature: "rate", dead_zone: suggested.dead_zone, full: suggested.full };
+      gesture = {
+        name: newGestureName(joint, direction),
+        joint,
+        direction,
+        feature: "rate",
+        dead_zone: suggested.dead_zone,
+        full: suggested.full,
+      };
       this.settings.gestures.push(gesture);
     }
     this.#ownBinding(control).gestures.push(gesture.name);

@@ -24,12 +24,27 @@ export function cueWords(cue) {
  */
 export function cueCircle(app, step, { isRunning, idleWords, signal, onCue }) {
   const disc = s("circle", { class: "disc", cx: 150, cy: 150, r: DISC_SMALL });
-  const ring = s("circle", { class: "ring", cx: 150, cy: 150, r: RADIUS, "stroke-dasharray": ROUND, "stroke-dashoffset": ROUND, transform: "rotate(-90 150 150)" });
+  const ring = s("circle", {
+    class: "ring",
+    cx: 150,
+    cy: 150,
+    r: RADIUS,
+    "stroke-dasharray": ROUND,
+    "stroke-dashoffset": ROUND,
+    transform: "rotate(-90 150 150)",
+  });
   const word = s("text", { class: "cue-word", x: 150, y: 158, "text-anchor": "middle" });
   const seconds = s("text", { class: "cue-seconds", x: 150, y: 192, "text-anchor": "middle" });
   const next = h("p", { class: "cue-next quiet" });
-  const picture = s("svg", { viewBox: "0 0 300 300", class: "cue-picture", "aria-hidden": "true" },
-    s("circle", { class: "track", cx: 150, cy: 150, r: RADIUS }), disc, ring, word, seconds);
+  const picture = s(
+    "svg",
+    { viewBox: "0 0 300 300", class: "cue-picture", "aria-hidden": "true" },
+    s("circle", { class: "track", cx: 150, cy: 150, r: RADIUS }),
+    disc,
+    ring,
+    word,
+    seconds,
+  );
   const element = h("div", { class: "cue" }, picture, next);
   let shown = -1;
 

@@ -20,7 +20,22 @@ export function discardForm(onDiscard, onClose) {
     event.preventDefault();
     onDiscard(chosen === "other" ? words.value.trim() : t(`over.discard.${chosen}`));
   };
-  return h("form", { class: "card discard", onsubmit: submit }, h("h2", {}, t("over.discard.title")),
-    choices(t("over.discard.title"), REASONS.map((value) => ({ value, label: t(`over.discard.${value}`) })), chosen, choose), other,
-    h("div", { class: "spread" }, h("button", { class: "btn go" }, t("over.discard.go")), h("button", { type: "button", class: "btn", onclick: onClose }, t("cancel"))));
+  return h(
+    "form",
+    { class: "card discard", onsubmit: submit },
+    h("h2", {}, t("over.discard.title")),
+    choices(
+      t("over.discard.title"),
+      REASONS.map((value) => ({ value, label: t(`over.discard.${value}`) })),
+      chosen,
+      choose,
+    ),
+    other,
+    h(
+      "div",
+      { class: "spread" },
+      h("button", { class: "btn go" }, t("over.discard.go")),
+      h("button", { type: "button", class: "btn", onclick: onClose }, t("cancel")),
+    ),
+  );
 }

@@ -13,12 +13,22 @@ const REPEAT_EVERY = 90; // ms
 export function field(label, input, hint) {
   const id = `field-${++made}`;
   set(input, { id, "aria-describedby": hint ? `${id}-hint` : null });
-  return h("div", { class: "field" }, h("label", { for: id }, label), input, hint && h("span", { class: "hint", id: `${id}-hint` }, hint));
+  return h(
+    "div",
+    { class: "field" },
+    h("label", { for: id }, label),
+    input,
+    hint && h("span", { class: "hint", id: `${id}-hint` }, hint),
+  );
 }
 
 /** @param {{value: string, label: string}[]} options @param {string} chosen @param {(value: string) => void} [onChange] */
 export function selection(options, chosen, onChange) {
-  const select = h("select", {}, options.map(({ value, label }) => h("option", { value, selected: value === chosen }, label)));
+  const select = h(
+    "select",
+    {},
+    options.map(({ value, label }) => h("option", { value, selected: value === chosen }, label)),
+  );
   if (onChange) select.addEventListener("change", () => onChange(select.value));
   return select;
 }
@@ -29,8 +39,24 @@ export function selection(options, chosen, onChange) {
  */
 export function segments(label, options, chosen, onChange) {
   const name = `segments-${++made}`;
-  return h("div", { class: "segments", role: "radiogroup", "aria-label": label }, options.map((option) =>
-    h("label", {}, h("input", { type: "radio", name, value: option.value, checked: option.value === chosen, onchange: () => onChange(option.value) }), option.label)));
+  return h(
+    "div",
+    { class: "segments", role: "radiogroup", "aria-label": label },
+    options.map((option) =>
+      h(
+        "label",
+        {},
+        h("input", {
+          type: "radio",
+          name,
+          value: option.value,
+          checked: option.value === chosen,
+          onchange: () => onChange(option.value),
+        }),
+        option.label,
+      ),
+    ),
+  );
 }
 
 /**
@@ -39,10 +65,24 @@ export function segments(label, options, chosen, onChange) {
  */
 export function choices(label, options, chosen, onChange) {
   const name = `choices-${++made}`;
-  return h("div", { class: "stack", role: "radiogroup", "aria-label": label }, options.map((option) =>
-    h("label", { class: "choice" },
-      h("input", { type: "radio", name, value: option.value, checked: option.value === chosen, onchange: () => onChange(option.value) }),
-      h("span", { class: "grow" }, h("b", {}, option.label), option.hint && h("span", {}, option.hint)))));
+  return h(
+    "div",
+    { class: "stack", role: "radiogroup", "aria-label": label },
+    options.map((option) =>
+      h(
+        "label",
+        { class: "choice" },
+        h("input", {
+          type: "radio",
+          name,
+          value: option.value,
+          checked: option.value === chosen,
+          onchange: () => onChange(option.value),
+        }),
+        h("span", { class: "grow" }, h("b", {}, option.label), option.hint && h("span", {}, option.hint)),
+      ),
+    ),
+  );
 }
 
 /** @param {string} label @param {boolean} on @param {(on: boolean) => void} onChange */
@@ -72,7 +112,11 @@ export function stepper({ label, value, low, high, step, digits, unit, onChange 
     show();
     onChange(now);
   };
-  for (const [button, direction] of [[less, -1], [more, 1]]) repeatWhileHeld(button, () => turn(direction));
+  for (const [button, direction] of [
+    [less, -1],
+    [more, 1],
+  ])
+    repeatWhileHeld(button, () => turn(direction));
   show();
   const element = h("span", { class: "stepper", role: "group", "aria-label": label }, less, shown, more);
   const setValue = (other) => {
@@ -84,7 +128,12 @@ export function stepper({ label, value, low, high, step, digits, unit, onChange 
 
 /** A line with words at the left and its control at the right. @param {string} title @param {string} hint @param {Node} control */
 export function setting(title, hint, control) {
-  return h("div", { class: "setting" }, h("div", { class: "words" }, h("b", { class: "small" }, title), hint && h("span", {}, hint)), control);
+  return h(
+    "div",
+    { class: "setting" },
+    h("div", { class: "words" }, h("b", { class: "small" }, title), hint && h("span", {}, hint)),
+    control,
+  );
 }
 
 /** @param {HTMLElement} button @param {() => void} act */

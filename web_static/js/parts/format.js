@@ -3,7 +3,12 @@ import { LANGUAGE } from "../texts.js";
 
 const NONE = "–";
 const DAY = new Intl.DateTimeFormat(LANGUAGE, { day: "numeric", month: "short", year: "numeric" });
-const MOMENT = new Intl.DateTimeFormat(LANGUAGE, { day: "numeric", month: "short", hour: "2-digit", minute: "2-digit" });
+const MOMENT = new Intl.DateTimeFormat(LANGUAGE, {
+  day: "numeric",
+  month: "short",
+  hour: "2-digit",
+  minute: "2-digit",
+});
 
 /** @param {number | null | undefined} value @param {number} digits after the point */
 export function number(value, digits) {

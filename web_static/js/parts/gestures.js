@@ -25,5 +25,8 @@ export function newGestureName(joint, direction) {
 
 /** A sentence of the server with the joints called by their labels. @param {string} sentence @param {Record<string, string>} labels */
 export function withLabels(sentence, labels) {
-  return Object.entries(labels).reduce((words, [name, label]) => words.replaceAll(`'${name}'`, name).replaceAll(name, label.toLowerCase()), sentence);
+  return Object.entries(labels).reduce(
+    (words, [name, label]) => words.replaceAll(`'${name}'`, name).replaceAll(name, label.toLowerCase()),
+    sentence,
+  );
 }

@@ -22,7 +22,12 @@ export function handleBar(gesture, name, onChange) {
   const handles = { from: handle("from", name), full: handle("full", name) };
   const words = { from: h("span", { class: "words" }), full: h("span", { class: "words" }) };
   const bar = h("div", { class: "handles" }, live, peak, handles.from, handles.full);
-  const element = h("div", { class: "handle-bar" }, bar, h("div", { class: "under", "aria-hidden": "true" }, words.from, words.full));
+  const element = h(
+    "div",
+    { class: "handle-bar" },
+    bar,
+    h("div", { class: "under", "aria-hidden": "true" }, words.from, words.full),
+  );
 
   const share = (value) => (100 * Math.min(end, Math.max(0, value))) / end;
   const show = () => {
@@ -32,11 +37,19 @@ export function handleBar(gesture, name, onChange) {
       handles[which].style.left = words[which].style.left = `${share(at[which])}%`;
       write(words[which], `${t(`handle.${which}`)} ${value}`);
       words[which].dataset.turn = turnOf(which, isCrowded, share(at[which]));
-      set(handles[which], { "aria-valuemin": 0, "aria-valuemax": end, "aria-valuenow": Number(at[which].toFixed(2)), "aria-valuetext": value });
+      set(handles[which], {
+        "aria-valuemin": 0,
+        "aria-valuemax": end,
+        "aria-valuenow": Number(at[which].toFixed(2)),
+        "aria-valuetext": value,
+      });
     }
   };
   const move = (which, value) => {
-    const bounded = which === "from" ? Math.min(at.full - LEAST_GAP, Math.max(0, value)) : Math.min(end, Math.max(at.from + LEAST_GAP, value));
+    const bounded =
+      which === "from"
+        ? Math.min(at.full - LEAST_GAP, Math.max(0, value))
+        : Math.min(end, Math.max(at.from + LEAST_GAP, value));
     const rounded = Number(bounded.toFixed(3));
     if (rounded === at[which]) return;
     at[which] = rounded;
@@ -45,7 +58,14 @@ export function handleBar(gesture, name, onChange) {
   };
   for (const which of ["from", "full"]) {
     handles[which].addEventListener("keydown", (event) => {
-      const step = { ArrowRight: FINE, ArrowUp: FINE, ArrowLeft: -FINE, ArrowDown: -FINE, PageUp: COARSE, PageDown: -COARSE }[event.key];
+      const step = {
+        ArrowRight: FINE,
+        ArrowUp: FINE,
+        ArrowLeft: -FINE,
+        ArrowDown: -FINE,
+        PageUp: COARSE,
+        PageDown: -COARSE,
+      }[event.key];
       const value = event.key === "Home" ? 0 : event.key === "End" ? end : step ? at[which] + step : null;
       if (value === null) return;
       event.preventDefault();
@@ -64,11 +84,23 @@ export function handleBar(gesture, name, onChange) {
     live.classList.toggle("counts", value > at.from);
     peak.style.left = `${share(highest)}%`;
   };
-  return { element, showLive, setHandles: (from, full) => { [at.from, at.full] = [from, full]; show(); } };
+  return {
+    element,
+    showLive,
+    setHandles: (from, full) => {
+      [at.from, at.full] = [from, full];
+      show();
+    },
+  };
 }
 
 function handle(which, name) {
-  return h("div", { class: "handle", role: "slider", tabindex: "0", "aria-label": t(`handle.${which}.label`, { gesture: name }) });
+  return h("div", {
+    class: "handle",
+    role: "slider",
+    tabindex: "0",
+    "aria-label": t(`handle.${which}.label`, { gesture: name }),
+  });
 }
 
 /** Which way the words under a handle run, so that they neither overlap nor leave the bar. */

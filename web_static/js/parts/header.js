@@ -15,9 +15,27 @@ export function header(app) {
   const chair = h("span", { class: "lamp off wide" }, t("lamp.chair"));
   const lamps = h("div", { class: "lamps" }, shirt, chair);
   const theme = themeButton(app);
-  const leave = h("button", { type: "button", class: "icon-button", title: t("sign-out"), "aria-label": t("sign-out"), onclick: () => app.signOut() }, icon("leave", 22));
-  const element = h("header", { class: "head" }, h("span", { class: "brand" }, t("app.name")), demo, who, lamps,
-    h("div", { class: "tools" }, theme, leave), stopButton(app));
+  const leave = h(
+    "button",
+    {
+      type: "button",
+      class: "icon-button",
+      title: t("sign-out"),
+      "aria-label": t("sign-out"),
+      onclick: () => app.signOut(),
+    },
+    icon("leave", 22),
+  );
+  const element = h(
+    "header",
+    { class: "head" },
+    h("span", { class: "brand" }, t("app.name")),
+    demo,
+    who,
+    lamps,
+    h("div", { class: "tools" }, theme, leave),
+    stopButton(app),
+  );
 
   const showWho = () => {
     const { patient, session } = app.visit ?? {};

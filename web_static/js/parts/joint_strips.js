@@ -16,12 +16,26 @@ export function jointStrips(live, layout, signal) {
     const canvas = new TraceCanvas({ label: t("traces.label", { joint: joint.label, count: indices.length }) });
     return { joint, indices, canvas };
   });
-  live.addEventListener("quality", () => {
-    for (const { canvas, indices } of strips) canvas.floor = QUIET_SPAN * middle(indices.map((index) => live.noise[index]));
-  }, { signal });
-  drawTraces(live, strips.map(({ canvas, indices }) => ({ canvas, values: (now) => indices.map((index) => now.values[index]) })), signal);
-  return h("div", { class: "strips" }, strips.map(({ joint, indices, canvas }) =>
-    h("div", { class: "strip" }, h("span", {}, joint.label, h("small", {}, String(indices.length))), canvas.element)));
+  live.addEventListener(
+    "quality",
+    () => {
+      for (const { canvas, indices } of strips)
+        canvas.floor = QUIET_SPAN * middle(indices.map((index) => live.noise[index]));
+    },
+    { signal },
+  );
+  drawTraces(
+    live,
+    strips.map(({ canvas, indices }) => ({ canvas, values: (now) => indices.map((index) => now.values[index]) })),
+    signal,
+  );
+  return h(
+    "div",
+    { class: "strips" },
+    strips.map(({ joint, indices, canvas }) =>
+      h("div", { class: "strip" }, h("span", {}, joint.label, h("small", {}, String(indices.length))), canvas.element),
+    ),
+  );
 }
 
 /** The median of what is a number, otherwise 0. @param {(number | null | undefined)[]} values */
@@ -38,11 +52,15 @@ export function middle(values) {
  */
 export function drawTraces(live, traces, signal) {
   let isFresh = false;
-  live.addEventListener("tick", ({ detail: now }) => {
-    if (!now.values) return;
-    for (const { canvas, values } of traces) canvas.push(now.t, values(now));
-    isFresh = true;
-  }, { signal });
+  live.addEventListener(
+    "tick",
+    ({ detail: now }) => {
+      if (!now.values) return;
+      for (const { canvas, values } of traces) canvas.push(now.t, values(now));
+      isFresh = true;
+    },
+    { signal },
+  );
   const draw = () => {
     if (signal.aborted) return;
     if (isFresh) for (const { canvas } of traces) canvas.draw();

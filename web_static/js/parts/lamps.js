@@ -42,7 +42,9 @@ export function lampSign(quality) {
  */
 export function bodyLamps(layout, onPick) {
   const labels = Object.fromEntries(layout.joints.map(({ name, label }) => [name, label]));
-  const lamps = layout.channels.map((channel, index) => ({ channel, index, quality: "", element: null })).filter(({ channel }) => channel.position);
+  const lamps = layout.channels
+    .map((channel, index) => ({ channel, index, quality: "", element: null }))
+    .filter(({ channel }) => channel.position);
   let picked = "";
   const pick = (lamp, focus) => {
     onPick(lamp.channel.name);
@@ -53,7 +55,13 @@ export function bodyLamps(layout, onPick) {
     const group = s("g", {});
     for (const lamp of here) {
       const [x, y] = place(lamp.channel);
-      lamp.element = s("g", { class: "sensor", transform: `translate(${x} ${y})`, role: "radio", "aria-checked": "false", tabindex: "-1" });
+      lamp.element = s("g", {
+        class: "sensor",
+        transform: `translate(${x} ${y})`,
+        role: "radio",
+        "aria-checked": "false",
+        tabindex: "-1",
+      });
       lamp.element.addEventListener("keydown", (event) => {
         const step = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 }[event.key];
         if (!step && event.key !== " " && event.key !== "Enter") return;
@@ -77,7 +85,10 @@ export function bodyLamps(layout, onPick) {
       if (quality === lamp.quality) continue;
       lamp.quality = quality;
       lamp.element.replaceChildren(...lampSign(quality));
-      set(lamp.element, { "data-quality": quality, "aria-label": `${sensorName(lamp.channel)}, ${labels[lamp.channel.joint]}: ${t(`quality.${quality}`)}` });
+      set(lamp.element, {
+        "data-quality": quality,
+        "aria-label": `${sensorName(lamp.channel)}, ${labels[lamp.channel.joint]}: ${t(`quality.${quality}`)}`,
+      });
     }
   };
   const mark = (name) => {
@@ -88,7 +99,11 @@ export function bodyLamps(layout, onPick) {
     }
   };
   show([]);
-  return { element: h("div", { class: "bodies", role: "radiogroup", "aria-label": t("shirt.sensors.label") }, sides), show, mark };
+  return {
+    element: h("div", { class: "bodies", role: "radiogroup", "aria-label": t("shirt.sensors.label") }, sides),
+    show,
+    mark,
+  };
 }
 
 /** @param {Channel} channel */

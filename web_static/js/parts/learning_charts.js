@@ -13,38 +13,100 @@ export function curveChart(learning, measure, signal) {
     const traces = [];
     if (fit) {
       const band = { mode: "lines", line: { width: 0 }, hoverinfo: "skip" };
-      traces.push({ ...band, x: fit.n, y: fit.high, showlegend: false },
-        { ...band, x: fit.n, y: fit.low, fill: "tonexty", fillcolor: faint(colours.action, 0.16), name: t("review.band") },
-        { mode: "lines", x: fit.n, y: fit.value, line: { color: colours.action, width: 3 }, name: t("review.fit"), hoverinfo: "skip" });
+      traces.push(
+        { ...band, x: fit.n, y: fit.high, showlegend: false },
+        {
+          ...band,
+          x: fit.n,
+          y: fit.low,
+          fill: "tonexty",
+          fillcolor: faint(colours.action, 0.16),
+          name: t("review.band"),
+        },
+        {
+          mode: "lines",
+          x: fit.n,
+          y: fit.value,
+          line: { color: colours.action, width: 3 },
+          name: t("review.fit"),
+          hoverinfo: "skip",
+        },
+      );
     }
     if (measure === "dist" && rows.length) {
       const length = rows.at(-1).path_length;
-      traces.push({ mode: "lines", x: [rows[0].number, rows.at(-1).number], y: [length, length], line: { color: colours["path-prescribed"], dash: "dash", width: 1.5 }, name: t("review.length"), hoverinfo: "skip" });
+      traces.push({
+        mode: "lines",
+        x: [rows[0].number, rows.at(-1).number],
+        y: [length, length],
+        line: { color: colours["path-prescribed"], dash: "dash", width: 1.5 },
+        name: t("review.length"),
+        hoverinfo: "skip",
+      });
     }
     traces.push({
-      mode: "lines+markers", x: rows.map(({ number }) => number), y: rows.map((row) => row[measure]), name: t("review.trial"), showlegend: false,
-      line: { color: faint(colours.text, 0.35), width: 1 }, marker: { color: colours.text, size: 9, symbol: rows.map((row) => (row.reached ? "circle" : "circle-open")) },
+      mode: "lines+markers",
+      x: rows.map(({ number }) => number),
+      y: rows.map((row) => row[measure]),
+      name: t("review.trial"),
+      showlegend: false,
+      line: { color: faint(colours.text, 0.35), width: 1 },
+      marker: { color: colours.text, size: 9, symbol: rows.map((row) => (row.reached ? "circle" : "circle-open")) },
       hovertemplate: `${t("review.trial")} %{x}: %{y:.2f} ${unit}<extra></extra>`,
     });
     const range = rows.length ? [rows[0].number - 0.5, rows.at(-1).number + 0.5] : [0.5, 1.5];
-    return { traces, layout: { xaxis: { title: { text: t("review.trial") }, dtick: rows.length > 12 ? undefined : 1, range }, yaxis: { title: { text: title }, rangemode: MEASURES[measure].better === "low" ? "tozero" : "normal" } } };
+    return {
+      traces,
+      layout: {
+        xaxis: { title: { text: t("review.trial") }, dtick: rows.length > 12 ? undefined : 1, range },
+        yaxis: { title: { text: title }, rangemode: MEASURES[measure].better === "low" ? "tozero" : "normal" },
+      },
+    };
   });
 }
 
 /** @param {any} learning @param {any} plan or null @param {AbortSignal} signal */
 export function trajectoriesChart(learning, plan, signal) {
   return chart(t("review.trajectories"), signal, (colours) => {
-    const wall = { mode: "lines", line: { color: faint(colours.text, 0.35), width: 2 }, hoverinfo: "skip", showlegend: false };
+    const wall = {
+      mode: "lines",
+      line: { color: faint(colours.text, 0.35), width: 2 },
+      hoverinfo: "skip",
+      showlegend: false,
+    };
     const traces = (plan?.walls ?? []).map((line) => ({ ...wall, ...columns(line) }));
     const newest = learning.trajectories.length - 1;
     const share = Math.max(0.25, 1 / Math.max(1, learning.trajectories.length ** 0.4));
-    learning.trajectories.forEach((one, i) => traces.push({
-      mode: "lines", x: one.x, y: one.y, legendgroup: i === newest ? "newest" : "earlier", showlegend: i === newest || i === 0,
-      line: { color: i === newest ? colours["path-driven"] : faint(colours["path-driven"], share * 0.8), width: i === newest ? 3 : 1.5 },
-      name: t(i === newest ? "review.newest" : "review.earlier"), hovertemplate: `${t("review.trial")} ${one.number}<extra></extra>`,
-    }));
-    if (learning.path.length) traces.push({ mode: "lines", ...columns(learning.path), line: { color: colours["path-prescribed"], width: 3 }, name: t("review.path.line"), hoverinfo: "skip" });
-    return { traces, layout: { xaxis: { title: { text: "x (m)" }, zeroline: false, showgrid: false, constrain: "domain" }, yaxis: { title: { text: "y (m)" }, zeroline: false, showgrid: false, scaleanchor: "x", constrain: "domain" } } };
+    learning.trajectories.forEach((one, i) =>
+      traces.push({
+        mode: "lines",
+        x: one.x,
+        y: one.y,
+        legendgroup: i === newest ? "newest" : "earlier",
+        showlegend: i === newest || i === 0,
+        line: {
+          color: i === newest ? colours["path-driven"] : faint(colours["path-driven"], share * 0.8),
+          width: i === newest ? 3 : 1.5,
+        },
+        name: t(i === newest ? "review.newest" : "review.earlier"),
+        hovertemplate: `${t("review.trial")} ${one.number}<extra></extra>`,
+      }),
+    );
+    if (learning.path.length)
+      traces.push({
+        mode: "lines",
+        ...columns(learning.path),
+        line: { color: colours["path-prescribed"], width: 3 },
+        name: t("review.path.line"),
+        hoverinfo: "skip",
+      });
+    return {
+      traces,
+      layout: {
+        xaxis: { title: { text: "x (m)" }, zeroline: false, showgrid: false, constrain: "domain" },
+        yaxis: { title: { text: "y (m)" }, zeroline: false, showgrid: false, scaleanchor: "x", constrain: "domain" },
+      },
+    };
   });
 }
 

@@ -42,8 +42,10 @@ export function change(name, measures, before) {
   if (difference === 0) return { words: t("over.same"), amount: "", arrow: "=", tone: "" };
   const isBetter = difference < 0 === (better === "low");
   return {
-    words: t(isBetter ? "over.better" : "over.worse"), amount: `${signed(difference, digits)} ${unit}`.trim(),
-    arrow: difference < 0 ? "↓" : "↑", tone: isBetter ? "good" : "bad",
+    words: t(isBetter ? "over.better" : "over.worse"),
+    amount: `${signed(difference, digits)} ${unit}`.trim(),
+    arrow: difference < 0 ? "↓" : "↑",
+    tone: isBetter ? "good" : "bad",
   };
 }
 

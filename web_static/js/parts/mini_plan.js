@@ -8,10 +8,18 @@ const PLACE = "bodydrive-mini-plan";
 
 /** @param {any} plan @param {any} path */
 export function miniPlan(plan, path) {
-  const picture = planPicture(plan, path.points, { label: t("drive.plan.label", { plan: plan.title, path: path.title }), isNear: true });
+  const picture = planPicture(plan, path.points, {
+    label: t("drive.plan.label", { plan: plan.title, path: path.title }),
+    isNear: true,
+  });
   /** @type {[number, number][]} */
   const driven = [];
-  const details = h("details", { class: "hud mini", open: localStorage.getItem(PLACE) !== "closed" }, h("summary", {}, t("trial.above")), picture.element);
+  const details = h(
+    "details",
+    { class: "hud mini", open: localStorage.getItem(PLACE) !== "closed" },
+    h("summary", {}, t("trial.above")),
+    picture.element,
+  );
   details.addEventListener("toggle", () => localStorage.setItem(PLACE, details.open ? "open" : "closed"));
   const show = (pose) => {
     const [x, y] = pose;

@@ -6,8 +6,14 @@
 const SEND_EVERY = 34; // ms: at most 30 messages a second
 export const JOINTS = ["left_shoulder", "left_elbow", "right_elbow", "right_shoulder"];
 const KEYS = {
-  KeyW: "right_elbow", ArrowUp: "right_elbow", KeyS: "left_elbow", ArrowDown: "left_elbow",
-  KeyA: "right_shoulder", ArrowLeft: "right_shoulder", KeyD: "left_shoulder", ArrowRight: "left_shoulder",
+  KeyW: "right_elbow",
+  ArrowUp: "right_elbow",
+  KeyS: "left_elbow",
+  ArrowDown: "left_elbow",
+  KeyA: "right_shoulder",
+  ArrowLeft: "right_shoulder",
+  KeyD: "left_shoulder",
+  ArrowRight: "left_shoulder",
 };
 // Standard gamepad: triggers are buttons 6 and 7; the sticks' vertical axes are 1 and 3, up is negative.
 const TRIGGERS = { left_elbow: 6, right_elbow: 7 };
@@ -87,7 +93,8 @@ export class Movement extends EventTarget {
     const pad = navigator.getGamepads?.().find((one) => one?.connected && one.mapping === "standard");
     if (pad) {
       for (const [joint, button] of Object.entries(TRIGGERS)) this.#follow(joint, pad.buttons[button].value);
-      for (const [joint, axis] of Object.entries(STICKS)) this.#follow(joint, Math.max(0, -pad.axes[axis] - STICK_REST) / (1 - STICK_REST));
+      for (const [joint, axis] of Object.entries(STICKS))
+        this.#follow(joint, Math.max(0, -pad.axes[axis] - STICK_REST) / (1 - STICK_REST));
     } else if (this.#held.gamepad.size) this.#letGo("gamepad");
     requestAnimationFrame(() => this.#readGamepad());
   }

@@ -4,8 +4,16 @@ import { h, put } from "./dom.js";
 
 /** @param {HTMLElement} root @param {string} title @param {string} lead @param {string} hash @param {string} action */
 export function emptyPage(root, title, lead, hash, action) {
-  put(root, h("div", { class: "body empty" }, h("h1", { tabindex: "-1" }, title), h("p", { class: "lead" }, lead),
-    h("a", { class: "btn go large", href: hash }, action)));
+  put(
+    root,
+    h(
+      "div",
+      { class: "body empty" },
+      h("h1", { tabindex: "-1" }, title),
+      h("p", { class: "lead" }, lead),
+      h("a", { class: "btn go large", href: hash }, action),
+    ),
+  );
 }
 
 /** Show the empty page when nobody is here. @param {import("../main.js").App} app @param {HTMLElement} root */

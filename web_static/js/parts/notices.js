@@ -52,5 +52,11 @@ export function continueButton(app) {
 }
 
 function strip(tone, happened, why, button = null) {
-  return h("div", { class: `note ${tone}` }, icon("warning"), h("div", { class: "grow" }, h("b", {}, happened), " ", why), button);
+  return h(
+    "div",
+    { class: `note ${tone}` },
+    icon("warning"),
+    h("div", { class: "grow" }, h("b", {}, happened), " ", why),
+    button,
+  );
 }

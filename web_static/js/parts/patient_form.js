@@ -8,7 +8,13 @@ import { field } from "./fields.js";
  * @param {{onAdded: (patient: any) => void, onClose: () => void}} then
  */
 export function newPatientForm(app, { onAdded, onClose }) {
-  const code = h("input", { type: "text", required: true, maxlength: 64, pattern: "[A-Za-z0-9][A-Za-z0-9_.\\-]*", autocomplete: "off" });
+  const code = h("input", {
+    type: "text",
+    required: true,
+    maxlength: 64,
+    pattern: "[A-Za-z0-9][A-Za-z0-9_.\\-]*",
+    autocomplete: "off",
+  });
   const pseudonym = h("input", { type: "text", required: true, maxlength: 80, autocomplete: "off" });
   const note = h("input", { type: "text", maxlength: 2000, autocomplete: "off" });
   const problem = h("p", { class: "problem", role: "alert" });
@@ -22,10 +28,23 @@ export function newPatientForm(app, { onAdded, onClose }) {
       problem.textContent = error.message;
     }
   };
-  return h("form", { class: "card new-patient", onsubmit: submit }, h("h2", {}, t("patients.new.title")),
-    h("div", { class: "columns" }, field(t("patients.code"), code, t("patients.code.hint")),
-      field(t("patients.pseudonym"), pseudonym, t("patients.pseudonym.hint")), field(t("patients.note"), note, t("patients.note.hint"))),
+  return h(
+    "form",
+    { class: "card new-patient", onsubmit: submit },
+    h("h2", {}, t("patients.new.title")),
+    h(
+      "div",
+      { class: "columns" },
+      field(t("patients.code"), code, t("patients.code.hint")),
+      field(t("patients.pseudonym"), pseudonym, t("patients.pseudonym.hint")),
+      field(t("patients.note"), note, t("patients.note.hint")),
+    ),
     problem,
-    h("div", { class: "spread" }, h("button", { class: "btn go" }, t("patients.add")),
-      h("button", { type: "button", class: "btn", onclick: onClose }, t("cancel"))));
+    h(
+      "div",
+      { class: "spread" },
+      h("button", { class: "btn go" }, t("patients.add")),
+      h("button", { type: "button", class: "btn", onclick: onClose }, t("cancel")),
+    ),
+  );
 }

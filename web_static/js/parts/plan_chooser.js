@@ -24,7 +24,10 @@ export function planChooser(plans, documents) {
     const show = (path) => {
       const document = documents.get(plan.name);
       const { points, title } = document.paths.find(({ name }) => name === path);
-      put(picture, planPicture(document, points, { label: t("drive.plan.label", { plan: plan.title, path: title }) }).element);
+      put(
+        picture,
+        planPicture(document, points, { label: t("drive.plan.label", { plan: plan.title, path: title }) }).element,
+      );
     };
     const first = chosen.floorplan === plan.name ? chosen.path : plan.paths[0].name;
     const choose = (path) => {
@@ -33,21 +36,54 @@ export function planChooser(plans, documents) {
       show(path);
       mark();
     };
-    const choices = plan.paths.map((path) => h("label", { class: "choice" },
-      h("input", { type: "radio", name: "path", value: `${plan.name}/${path.name}`, onchange: () => choose(path.name) }),
-      h("b", { class: "grow" }, path.title), h("span", { class: "number" }, t("drive.length", { length: number(path.length, 0) }))));
+    const choices = plan.paths.map((path) =>
+      h(
+        "label",
+        { class: "choice" },
+        h("input", {
+          type: "radio",
+          name: "path",
+          value: `${plan.name}/${path.name}`,
+          onchange: () => choose(path.name),
+        }),
+        h("b", { class: "grow" }, path.title),
+        h("span", { class: "number" }, t("drive.length", { length: number(path.length, 0) })),
+      ),
+    );
     show(first);
-    const element = h("section", { class: "card plan-card" }, h("h2", {}, plan.title, h("span", { class: "quiet small" }, t("drive.size", { width: number(plan.width, 0), height: number(plan.height, 0) }))),
-      picture, h("div", { class: "paths", role: "radiogroup", "aria-label": t("drive.paths", { plan: plan.title }) }, choices));
+    const element = h(
+      "section",
+      { class: "card plan-card" },
+      h(
+        "h2",
+        {},
+        plan.title,
+        h(
+          "span",
+          { class: "quiet small" },
+          t("drive.size", { width: number(plan.width, 0), height: number(plan.height, 0) }),
+        ),
+      ),
+      picture,
+      h("div", { class: "paths", role: "radiogroup", "aria-label": t("drive.paths", { plan: plan.title }) }, choices),
+    );
     picture.addEventListener("click", () => choose(chosen.floorplan === plan.name ? chosen.path : first));
     return { plan, element };
   });
   const mark = () => {
     for (const { plan, element } of cards) {
       element.classList.toggle("chosen", plan.name === chosen.floorplan);
-      for (const input of element.querySelectorAll("input")) input.checked = input.value === `${chosen.floorplan}/${chosen.path}`;
+      for (const input of element.querySelectorAll("input"))
+        input.checked = input.value === `${chosen.floorplan}/${chosen.path}`;
     }
   };
   mark();
-  return { element: h("div", { class: "plan-cards" }, cards.map(({ element }) => element)), chosen: () => chosen };
+  return {
+    element: h(
+      "div",
+      { class: "plan-cards" },
+      cards.map(({ element }) => element),
+    ),
+    chosen: () => chosen,
+  };
 }

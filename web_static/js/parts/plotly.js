@@ -30,12 +30,30 @@ function plotly() {
  * @param {(colours: Record<string, string>) => {traces: any[], layout: any}} make
  */
 export async function chart(label, signal, make) {
-  const { colours, stop } = palette("text", "text-quiet", "border", "panel", "action", "path-prescribed", "path-driven");
+  const { colours, stop } = palette(
+    "text",
+    "text-quiet",
+    "border",
+    "panel",
+    "action",
+    "path-prescribed",
+    "path-driven",
+  );
   const element = h("div", { class: "chart", role: "img", "aria-label": label });
   const Plotly = await plotly();
   const draw = () => {
     const { traces, layout } = make(colours);
-    Plotly.react(element, traces, { ...frame(colours), ...layout, xaxis: { ...axis(colours), ...layout.xaxis }, yaxis: { ...axis(colours), ...layout.yaxis } }, CONFIG);
+    Plotly.react(
+      element,
+      traces,
+      {
+        ...frame(colours),
+        ...layout,
+        xaxis: { ...axis(colours), ...layout.xaxis },
+        yaxis: { ...axis(colours), ...layout.yaxis },
+      },
+      CONFIG,
+    );
   };
   // Drawn once it stands in the page: only there it has a size.
   requestAnimationFrame(() => !signal.aborted && draw());
@@ -50,20 +68,34 @@ export async function chart(label, signal, make) {
 
 function frame(colours) {
   return {
-    paper_bgcolor: "rgba(0,0,0,0)", plot_bgcolor: "rgba(0,0,0,0)", dragmode: false, hovermode: "closest", autosize: true,
+    paper_bgcolor: "rgba(0,0,0,0)",
+    plot_bgcolor: "rgba(0,0,0,0)",
+    dragmode: false,
+    hovermode: "closest",
+    autosize: true,
     font: { family: "system-ui, sans-serif", size: 13, color: colours["text-quiet"] },
-    margin: { l: 56, r: 12, t: 8, b: 44 }, legend: { orientation: "h", x: 0, y: 1.02, yanchor: "bottom" },
+    margin: { l: 56, r: 12, t: 8, b: 44 },
+    legend: { orientation: "h", x: 0, y: 1.02, yanchor: "bottom" },
     hoverlabel: { bgcolor: colours.panel, bordercolor: colours.border, font: { color: colours.text } },
   };
 }
 
 function axis(colours) {
-  return { gridcolor: colours.border, zerolinecolor: colours.border, linecolor: colours.border, fixedrange: true, automargin: true };
+  return {
+    gridcolor: colours.border,
+    zerolinecolor: colours.border,
+    linecolor: colours.border,
+    fixedrange: true,
+    automargin: true,
+  };
 }
 
 /** A colour with less of it. @param {string} rgb as the browser gives it @param {number} share 0..1 */
 export function faint(rgb, share) {
-  const parts = rgb.match(/[\d.]+/g)?.slice(0, 3).map(Number) ?? [128, 128, 128];
+  const parts = rgb
+    .match(/[\d.]+/g)
+    ?.slice(0, 3)
+    .map(Number) ?? [128, 128, 128];
   // color(srgb ...) counts from 0 to 1, rgb(...) to 255.
   const scale = rgb.startsWith("color(") ? 255 : 1;
   return `rgba(${parts.map((part) => Math.round(part * scale)).join(",")},${share})`;

@@ -20,7 +20,12 @@ export function stepsDone(app) {
 /** @param {import("../main.js").App} app */
 export function rail(app) {
   const links = STEPS.map((step) => {
-    const mark = h("span", { class: "done", hidden: true }, icon("tick", 14), h("span", { class: "unseen" }, t("rail.done")));
+    const mark = h(
+      "span",
+      { class: "done", hidden: true },
+      icon("tick", 14),
+      h("span", { class: "unseen" }, t("rail.done")),
+    );
     const link = h("a", { href: `#/${step}` }, icon(step), h("span", {}, t(`rail.${step}`)), mark);
     return { step, link, mark };
   });
@@ -34,5 +39,9 @@ export function rail(app) {
   for (const event of ["visit", "route"]) app.addEventListener(event, show);
   app.live.addEventListener("quality", show);
   show();
-  return h("nav", { class: "rail", "aria-label": t("rail.label") }, links.map(({ link }) => link));
+  return h(
+    "nav",
+    { class: "rail", "aria-label": t("rail.label") },
+    links.map(({ link }) => link),
+  );
 }

@@ -14,31 +14,84 @@ const TONES = { good: "", usable: "att", repeat: "bad" };
  */
 export function resultView(result, onRepeat) {
   const labels = Object.fromEntries(result.joints.map(({ name, label }) => [name, label]));
-  return h("div", { class: "stack" },
-    h("div", { class: "joint-cards" }, result.joints.map((joint) => jointCard(joint, withLabels(joint.reason, labels), onRepeat))),
-    result.cross_talk && crossTalk(result));
+  return h(
+    "div",
+    { class: "stack" },
+    h(
+      "div",
+      { class: "joint-cards" },
+      result.joints.map((joint) => jointCard(joint, withLabels(joint.reason, labels), onRepeat)),
+    ),
+    result.cross_talk && crossTalk(result),
+  );
 }
 
 function jointCard(joint, reason, onRepeat) {
   const evr = percent(joint.evr);
-  return h("section", { class: "card" },
+  return h(
+    "section",
+    { class: "card" },
     h("h2", {}, joint.label, h("span", { class: `tag ${TONES[joint.grade]}` }, t(`result.${joint.grade}`))),
-    h("div", { class: "evr", role: "img", "aria-label": t("result.bar", { joint: joint.label, percent: evr }) },
-      h("span", { style: `width:${(joint.evr ?? 0) * 100}%` }), h("em", { style: `left:${STUDY.low * 100}%;width:${(STUDY.high - STUDY.low) * 100}%` })),
-    joint.evr !== null && h("div", { class: "row quiet small figures" }, h("span", {}, t("result.evr", { percent: evr })),
-      joint.signal_to_noise !== null && h("span", {}, t("result.noise", { value: number(joint.signal_to_noise, 0) })),
-      joint.repeatability !== null && h("span", {}, t("result.spread", { percent: percent(joint.repeatability) }))),
+    h(
+      "div",
+      { class: "evr", role: "img", "aria-label": t("result.bar", { joint: joint.label, percent: evr }) },
+      h("span", { style: `width:${(joint.evr ?? 0) * 100}%` }),
+      h("em", { style: `left:${STUDY.low * 100}%;width:${(STUDY.high - STUDY.low) * 100}%` }),
+    ),
+    joint.evr !== null &&
+      h(
+        "div",
+        { class: "row quiet small figures" },
+        h("span", {}, t("result.evr", { percent: evr })),
+        joint.signal_to_noise !== null && h("span", {}, t("result.noise", { value: number(joint.signal_to_noise, 0) })),
+        joint.repeatability !== null && h("span", {}, t("result.spread", { percent: percent(joint.repeatability) })),
+      ),
     joint.grade !== "good" && h("p", { class: "small reason" }, reason),
-    joint.grade !== "good" && joint.step && h("button", { type: "button", class: "btn small", onclick: () => onRepeat(joint.step) }, t("result.again")));
+    joint.grade !== "good" &&
+      joint.step &&
+      h("button", { type: "button", class: "btn small", onclick: () => onRepeat(joint.step) }, t("result.again")),
+  );
 }
 
 /** A row per gesture that was asked for, a column per joint that answered. */
 function crossTalk({ joints, cross_talk: rows }) {
   const labels = joints.slice(0, rows.length).map(({ label }) => label);
-  return h("section", { class: "card" }, h("h2", {}, t("result.cross")), h("p", { class: "quiet small" }, t("result.cross.lead")),
-    h("div", { class: "scroll-x", tabindex: "0", role: "region", "aria-label": t("result.cross") }, h("table", { class: "heat" },
-      h("thead", {}, h("tr", {}, h("td", {}), labels.map((label) => h("th", { scope: "col" }, label)))),
-      h("tbody", {}, rows.map((row, i) => h("tr", {}, h("th", { scope: "row" }, t("result.cross.asked", { joint: labels[i].toLowerCase() })), row.map(cell)))))));
+  return h(
+    "section",
+    { class: "card" },
+    h("h2", {}, t("result.cross")),
+    h("p", { class: "quiet small" }, t("result.cross.lead")),
+    h(
+      "div",
+      { class: "scroll-x", tabindex: "0", role: "region", "aria-label": t("result.cross") },
+      h(
+        "table",
+        { class: "heat" },
+        h(
+          "thead",
+          {},
+          h(
+            "tr",
+            {},
+            h("td", {}),
+            labels.map((label) => h("th", { scope: "col" }, label)),
+          ),
+        ),
+        h(
+          "tbody",
+          {},
+          rows.map((row, i) =>
+            h(
+              "tr",
+              {},
+              h("th", { scope: "row" }, t("result.cross.asked", { joint: labels[i].toLowerCase() })),
+              row.map(cell),
+            ),
+          ),
+        ),
+      ),
+    ),
+  );
 }
 
 function cell(value) {

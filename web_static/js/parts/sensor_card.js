@@ -31,14 +31,39 @@ export function sensorCard(app, { channel, index, joint, isUnused, signal }, onU
     write(noise, t("sensor.noise", { noise: figure(app.live.noise[index]) }));
   };
   app.live.addEventListener("quality", showQuality, { signal });
-  app.live.addEventListener("tick", ({ detail }) => write(value, t("sensor.now", { value: figure(detail.values?.[index]) })), { signal });
+  app.live.addEventListener(
+    "tick",
+    ({ detail }) => write(value, t("sensor.now", { value: figure(detail.values?.[index]) })),
+    { signal },
+  );
   drawTraces(app.live, [{ canvas, values: (now) => [now.values[index]] }], signal);
   showQuality();
   set(canvas.element, { class: "trace large" });
-  return h("section", { class: "card sensor-card", "aria-live": "polite" },
-    h("div", { class: "spread" }, lamp, h("div", { class: "grow" }, h("h2", {}, sensorName(channel)), h("span", { class: "quiet small" }, t("sensor.joint", { joint: joint.toLowerCase() }))), quality),
-    canvas.element, h("div", { class: "row quiet small" }, value, noise), words,
-    h("div", { class: "spread" }, toggle(t("sensor.unused"), isUnused, onUnused), h("span", { class: "quiet small" }, t("sensor.unused.hint"))));
+  return h(
+    "section",
+    { class: "card sensor-card", "aria-live": "polite" },
+    h(
+      "div",
+      { class: "spread" },
+      lamp,
+      h(
+        "div",
+        { class: "grow" },
+        h("h2", {}, sensorName(channel)),
+        h("span", { class: "quiet small" }, t("sensor.joint", { joint: joint.toLowerCase() })),
+      ),
+      quality,
+    ),
+    canvas.element,
+    h("div", { class: "row quiet small" }, value, noise),
+    words,
+    h(
+      "div",
+      { class: "spread" },
+      toggle(t("sensor.unused"), isUnused, onUnused),
+      h("span", { class: "quiet small" }, t("sensor.unused.hint")),
+    ),
+  );
 }
 
 /** Three significant digits, whatever the unit of the shirt. */

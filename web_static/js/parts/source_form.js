@@ -36,25 +36,74 @@ export function sourceForm(app, equipment, onUse) {
     }
   };
   choose(equipment.shirt.kind);
-  return h("form", { class: "stack", onsubmit: submit },
-    choices(t("source.title"), kinds.map((kind) => ({ value: kind, label: t(`source.${kind}`), hint: t(`source.${kind}.hint`) })), equipment.shirt.kind, choose),
-    settings, problem, h("button", { class: "btn go" }, t("source.use")));
+  return h(
+    "form",
+    { class: "stack", onsubmit: submit },
+    choices(
+      t("source.title"),
+      kinds.map((kind) => ({ value: kind, label: t(`source.${kind}`), hint: t(`source.${kind}.hint`) })),
+      equipment.shirt.kind,
+      choose,
+    ),
+    settings,
+    problem,
+    h("button", { class: "btn go" }, t("source.use")),
+  );
 }
 
 function simulator(_app, { shirt, layout }) {
   const now = shirt.kind === "simulator" ? shirt : { sample_rate: 100, seed: 1, dead_channels: [], layout: null };
-  const config = { kind: "simulator", sample_rate: now.sample_rate, seed: now.seed, layout: now.layout, dead_channels: now.dead_channels };
+  const config = {
+    kind: "simulator",
+    sample_rate: now.sample_rate,
+    seed: now.seed,
+    layout: now.layout,
+    dead_channels: now.dead_channels,
+  };
   const rates = [...new Set([...RATES, now.sample_rate])].sort((a, b) => a - b);
   const names = shirt.kind === "simulator" ? (layout?.channels ?? []).map(({ name }) => name) : [];
   // Two sensors of different joints, so that the demonstration shows what left-out sensors do without spoiling a joint.
-  const broken = names.length > 2 ? [names[Math.floor(names.length / 3)], names[Math.floor((3 * names.length) / 4)]] : [];
+  const broken =
+    names.length > 2 ? [names[Math.floor(names.length / 3)], names[Math.floor((3 * names.length) / 4)]] : [];
   const fields = [
-    field(t("source.rate"), selection(rates.map((rate) => ({ value: String(rate), label: t("source.rate.unit", { rate }) })), String(now.sample_rate), (rate) => (config.sample_rate = Number(rate)))),
-    h("div", { class: "row" }, h("b", { class: "small" }, t("source.seed")),
-      stepper({ label: t("source.seed"), value: now.seed, low: 1, high: 999, step: 1, digits: 0, unit: "", onChange: (seed) => (config.seed = seed) })),
-    broken.length > 0 && h("div", { class: "row" }, h("b", { class: "small" }, t("source.sensors")),
-      segments(t("source.sensors"), [{ value: "", label: t("source.sensors.all") }, { value: "broken", label: t("source.sensors.broken") }],
-        now.dead_channels.length ? "broken" : "", (choice) => (config.dead_channels = choice ? broken : []))),
+    field(
+      t("source.rate"),
+      selection(
+        rates.map((rate) => ({ value: String(rate), label: t("source.rate.unit", { rate }) })),
+        String(now.sample_rate),
+        (rate) => (config.sample_rate = Number(rate)),
+      ),
+    ),
+    h(
+      "div",
+      { class: "row" },
+      h("b", { class: "small" }, t("source.seed")),
+      stepper({
+        label: t("source.seed"),
+        value: now.seed,
+        low: 1,
+        high: 999,
+        step: 1,
+        digits: 0,
+        unit: "",
+        onChange: (seed) => (config.seed = seed),
+      }),
+    ),
+    broken.length > 0 &&
+      h(
+        "div",
+        { class: "row" },
+        h("b", { class: "small" }, t("source.sensors")),
+        segments(
+          t("source.sensors"),
+          [
+            { value: "", label: t("source.sensors.all") },
+            { value: "broken", label: t("source.sensors.broken") },
+          ],
+          now.dead_channels.length ? "broken" : "",
+          (choice) => (config.dead_channels = choice ? broken : []),
+        ),
+      ),
   ];
   return { fields, config: async () => config };
 }
@@ -62,7 +111,14 @@ function simulator(_app, { shirt, layout }) {
 function replay(app, { shirt, files }) {
   const config = { kind: "replay", file: shirt.file, loop: shirt.loop ?? true };
   return {
-    fields: [fileField(files.filter(({ kind }) => REPLAYED.has(kind)), config), toggle(t("source.loop"), config.loop, (loop) => (config.loop = loop)), addFile(app)],
+    fields: [
+      fileField(
+        files.filter(({ kind }) => REPLAYED.has(kind)),
+        config,
+      ),
+      toggle(t("source.loop"), config.loop, (loop) => (config.loop = loop)),
+      addFile(app),
+    ],
     config: async () => config,
   };
 }
@@ -74,12 +130,23 @@ function udp(_app, { shirt, layout }) {
   const rate = h("input", { type: "number", value: now.sample_rate, min: 1, max: 5000, required: true });
   const file = h("input", { type: "file", accept: ".json,application/json" });
   const config = async () => ({
-    kind: "udp", host: host.value.trim(), port: Number(port.value), sample_rate: Number(rate.value),
+    kind: "udp",
+    host: host.value.trim(),
+    port: Number(port.value),
+    sample_rate: Number(rate.value),
     layout: file.files[0] ? await readDocument(file.files[0]) : layout,
   });
   return {
-    fields: [h("div", { class: "columns" }, field(t("source.host"), host), field(t("source.port"), port), field(t("source.rate"), rate)),
-      field(t("source.layout"), file, t("source.layout.hint"))],
+    fields: [
+      h(
+        "div",
+        { class: "columns" },
+        field(t("source.host"), host),
+        field(t("source.port"), port),
+        field(t("source.rate"), rate),
+      ),
+      field(t("source.layout"), file, t("source.layout.hint")),
+    ],
     config,
   };
 }
@@ -96,13 +163,25 @@ async function readDocument(file) {
 export function fileField(files, config) {
   if (!files.length) return h("p", { class: "quiet small" }, t("source.no-file"));
   if (!files.some(({ name }) => name === config.file)) config.file = files[0].name;
-  const options = files.map((file) => ({ value: file.name, label: t("source.file.option", { name: file.name, size: size(file.size) }) }));
-  return field(t("source.file"), selection(options, config.file, (name) => (config.file = name)));
+  const options = files.map((file) => ({
+    value: file.name,
+    label: t("source.file.option", { name: file.name, size: size(file.size) }),
+  }));
+  return field(
+    t("source.file"),
+    selection(options, config.file, (name) => (config.file = name)),
+  );
 }
 
 /** A button that brings a file to the machine; the page reads the equipment again by itself. @param {import("../main.js").App} app */
 export function addFile(app) {
-  const input = h("input", { type: "file", accept: ".csv,.parquet", class: "unseen", tabindex: "-1", "aria-hidden": "true" });
+  const input = h("input", {
+    type: "file",
+    accept: ".csv,.parquet",
+    class: "unseen",
+    tabindex: "-1",
+    "aria-hidden": "true",
+  });
   input.addEventListener("change", async () => {
     const [file] = input.files;
     if (!file) return;
@@ -115,6 +194,11 @@ export function addFile(app) {
     }
     input.value = "";
   });
-  return h("div", { class: "spread" }, h("button", { type: "button", class: "btn", onclick: () => input.click() }, t("source.add")), input,
-    h("span", { class: "quiet small" }, t("source.add.hint")));
+  return h(
+    "div",
+    { class: "spread" },
+    h("button", { type: "button", class: "btn", onclick: () => input.click() }, t("source.add")),
+    input,
+    h("span", { class: "quiet small" }, t("source.add.hint")),
+  );
 }

@@ -15,10 +15,28 @@ const SPEEDS = [
 
 /** @param {import("./controls_draft.js").ControlsDraft} draft */
 export function modesCard(draft) {
-  const axis = (name) => h("div", {}, h("h3", {}, t(`how.${name}`)), choices(t(`how.${name}`),
-    ["acceleration", "velocity"].map((mode) => ({ value: mode, label: t(`how.${name}.${mode}`), hint: t(`how.${name}.${mode}.hint`) })),
-    draft.settings[`mode_${name}`], (mode) => draft.setValue(`mode_${name}`, mode)));
-  return h("section", { class: "card" }, h("h2", {}, t("how.title")), h("div", { class: "stack" }, axis("u1"), axis("u2")));
+  const axis = (name) =>
+    h(
+      "div",
+      {},
+      h("h3", {}, t(`how.${name}`)),
+      choices(
+        t(`how.${name}`),
+        ["acceleration", "velocity"].map((mode) => ({
+          value: mode,
+          label: t(`how.${name}.${mode}`),
+          hint: t(`how.${name}.${mode}.hint`),
+        })),
+        draft.settings[`mode_${name}`],
+        (mode) => draft.setValue(`mode_${name}`, mode),
+      ),
+    );
+  return h(
+    "section",
+    { class: "card" },
+    h("h2", {}, t("how.title")),
+    h("div", { class: "stack" }, axis("u1"), axis("u2")),
+  );
 }
 
 /** @param {import("./controls_draft.js").ControlsDraft} draft */
@@ -29,9 +47,37 @@ export function speedsCard(draft) {
     const label = t(`speed.${name}`);
     // Whole steps of what people read, within what the chair may do.
     const onChange = (value) => draft.setSpeed(name, Math.min(high, Math.max(low, value / factor)));
-    return setting(label, "", stepper({ label, value: speeds[name] * factor, low: low * factor, high: high * factor, step, digits, unit: t(`unit.${unit}`), onChange }));
+    return setting(
+      label,
+      "",
+      stepper({
+        label,
+        value: speeds[name] * factor,
+        low: low * factor,
+        high: high * factor,
+        step,
+        digits,
+        unit: t(`unit.${unit}`),
+        onChange,
+      }),
+    );
   });
   const [low, high] = draft.limits.cutoff;
-  const damping = stepper({ label: t("speed.cutoff"), value: cutoff, low, high, step: 0.5, digits: 1, unit: t("unit.cutoff"), onChange: (value) => draft.setValue("cutoff", value) });
-  return h("section", { class: "card" }, h("h2", {}, t("speeds.title")), rows, setting(t("speed.cutoff"), t("speed.cutoff.hint"), damping));
+  const damping = stepper({
+    label: t("speed.cutoff"),
+    value: cutoff,
+    low,
+    high,
+    step: 0.5,
+    digits: 1,
+    unit: t("unit.cutoff"),
+    onChange: (value) => draft.setValue("cutoff", value),
+  });
+  return h(
+    "section",
+    { class: "card" },
+    h("h2", {}, t("speeds.title")),
+    rows,
+    setting(t("speed.cutoff"), t("speed.cutoff.hint"), damping),
+  );
 }

@@ -18,7 +18,11 @@ export async function stopNow(app) {
 
 /** The button; it stands in the header of every page, signed in or not. @param {import("../main.js").App} app */
 export function stopButton(app) {
-  const button = h("button", { type: "button", class: "stop", "aria-label": t("stop.label"), id: "stop" }, h("span", {}, t("stop")));
+  const button = h(
+    "button",
+    { type: "button", class: "stop", "aria-label": t("stop.label"), id: "stop" },
+    h("span", {}, t("stop")),
+  );
   const hit = () => {
     button.classList.add("sent");
     setTimeout(() => button.classList.remove("sent"), SHOWN_FOR);
@@ -45,7 +49,11 @@ export function stopOnSpace(app, where, signal) {
   };
   where.addEventListener("keydown", down, { capture: true, signal });
   // The button under the focus would be pressed when the key comes up.
-  where.addEventListener("keyup", (event) => event.code === "Space" && app.live.latest?.trial && !isWriting(event.target) && event.preventDefault(), { capture: true, signal });
+  where.addEventListener(
+    "keyup",
+    (event) => event.code === "Space" && app.live.latest?.trial && !isWriting(event.target) && event.preventDefault(),
+    { capture: true, signal },
+  );
 }
 
 /** Tell whether a key belongs to a field that somebody writes into. @param {any} target */

@@ -11,7 +11,8 @@ export function trialCue(app, onEnd) {
   const element = h("div", { class: "over-view", "aria-live": "assertive" });
   let shown = "start";
   let timer = 0;
-  const word = (big, small, tone = "") => h("div", { class: `hud cue-card ${tone}` }, h("div", { class: "huge" }, big), small && h("p", {}, small));
+  const word = (big, small, tone = "") =>
+    h("div", { class: `hud cue-card ${tone}` }, h("div", { class: "huge" }, big), small && h("p", {}, small));
   put(element, word(t("trial.moment"), t("trial.moment.why")));
   const show = (now) => {
     const key = now.control !== "alive" ? "control" : now.fault ? `fault ${now.fault.name}` : now.state;
@@ -30,6 +31,17 @@ export function trialCue(app, onEnd) {
 }
 
 function faultCard(app, { happened, next_step: next }, onEnd) {
-  return h("div", { class: "hud fault-card" }, h("h2", {}, icon("warning", 28), happened), h("p", {}, next), h("p", { class: "quiet small" }, t("trial.paused")),
-    h("div", { class: "spread" }, continueButton(app), h("button", { type: "button", class: "btn", onclick: onEnd }, t("trial.end"))));
+  return h(
+    "div",
+    { class: "hud fault-card" },
+    h("h2", {}, icon("warning", 28), happened),
+    h("p", {}, next),
+    h("p", { class: "quiet small" }, t("trial.paused")),
+    h(
+      "div",
+      { class: "spread" },
+      continueButton(app),
+      h("button", { type: "button", class: "btn", onclick: onEnd }, t("trial.end")),
+    ),
+  );
 }

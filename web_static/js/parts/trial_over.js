@@ -12,7 +12,9 @@ import { trialSummary } from "./trial_summary.js";
 export async function readTrial(api, id) {
   const trial = await api.get(`/trials/${id}`);
   const [trials, plans] = await Promise.all([api.get(`/trials?patient=${trial.patient_id}`), api.get("/floorplans")]);
-  const plan = plans.some(({ name }) => name === trial.floorplan) ? await api.get(`/floorplans/${trial.floorplan}`) : null;
+  const plan = plans.some(({ name }) => name === trial.floorplan)
+    ? await api.get(`/floorplans/${trial.floorplan}`)
+    : null;
   return { trial, trials, plan };
 }
 
@@ -35,17 +37,36 @@ export function showTrialOver(app, root, read, actions) {
   };
   const discard = async (reason) => {
     await call("discard", { reason });
-    app.toasts.show(t("over.discarded.toast", { number: trial.number }), { action: t("undo"), run: () => call("keep") });
+    app.toasts.show(t("over.discarded.toast", { number: trial.number }), {
+      action: t("undo"),
+      run: () => call("keep"),
+    });
   };
   const ask = () => {
-    put(place, discardForm(discard, () => put(place)));
+    put(
+      place,
+      discardForm(discard, () => put(place)),
+    );
     place.scrollIntoView({ block: "nearest" });
     place.querySelector("input").focus();
   };
-  const keeping = trial.kept ? h("button", { type: "button", class: "btn", onclick: ask }, t("over.discard"))
+  const keeping = trial.kept
+    ? h("button", { type: "button", class: "btn", onclick: ask }, t("over.discard"))
     : h("button", { type: "button", class: "btn", onclick: () => call("keep") }, t("over.keep"));
-  put(root, h("div", { class: "body" }, h("h1", { tabindex: "-1" }, t(`over.${trial.end}`)),
-    h("p", { class: "lead" }, t("over.lead", { number: trial.number, plan: trial.floorplan_title, path, when: moment(trial.started) })),
-    trialSummary(trial, trials, plan), place),
-    h("div", { class: "foot" }, keeping, h("span", { class: "grow" }), actions(trial)));
+  put(
+    root,
+    h(
+      "div",
+      { class: "body" },
+      h("h1", { tabindex: "-1" }, t(`over.${trial.end}`)),
+      h(
+        "p",
+        { class: "lead" },
+        t("over.lead", { number: trial.number, plan: trial.floorplan_title, path, when: moment(trial.started) }),
+      ),
+      trialSummary(trial, trials, plan),
+      place,
+    ),
+    h("div", { class: "foot" }, keeping, h("span", { class: "grow" }), actions(trial)),
+  );
 }

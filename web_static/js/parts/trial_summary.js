@@ -10,7 +10,10 @@ const LARGE = ["dist", "e_diff", "time"];
 /** The trials before this one on the same path that count and were measured. @param {any} trial @param {any[]} trials */
 export function earlierTrials(trial, trials) {
   const pathName = trial.path_name ?? trial.path;
-  return trials.filter((one) => one.id < trial.id && one.floorplan === trial.floorplan && one.path === pathName && one.kept && one.measures);
+  return trials.filter(
+    (one) =>
+      one.id < trial.id && one.floorplan === trial.floorplan && one.path === pathName && one.kept && one.measures,
+  );
 }
 
 /** @param {any} trial what GET /trials/ID answered @param {any[]} trials the patient's @param {any} plan or null */
@@ -18,39 +21,103 @@ export function trialSummary(trial, trials, plan) {
   const earlier = earlierTrials(trial, trials);
   const previous = earlier.at(-1) ?? null;
   const { measures } = trial;
-  return h("div", { class: "stack" },
+  return h(
+    "div",
+    { class: "stack" },
     !trial.kept && h("p", { class: "problem" }, t("over.discarded", { reason: trial.discard_reason })),
     !measures && h("p", { class: "problem" }, t("over.no-measures")),
     measures && !measures.reached && h("p", { class: "card quiet" }, t("over.not-reached")),
-    measures && h("div", { class: "large-figures" }, LARGE.map((name) => largeFigure(name, measures, previous))),
-    h("div", { class: "summary-columns" }, drivenCard(trial, plan), measures && tableCard(trial, previous, earlier)));
+    measures &&
+      h(
+        "div",
+        { class: "large-figures" },
+        LARGE.map((name) => largeFigure(name, measures, previous)),
+      ),
+    h("div", { class: "summary-columns" }, drivenCard(trial, plan), measures && tableCard(trial, previous, earlier)),
+  );
 }
 
 function largeFigure(name, measures, previous) {
   const difference = previous && change(name, measures, previous.measures);
-  return h("section", { class: "card" }, h("h2", {}, t(`measure.${name}`)),
+  return h(
+    "section",
+    { class: "card" },
+    h("h2", {}, t(`measure.${name}`)),
     h("div", { class: "big" }, number(measures[name], MEASURES[name].digits), " ", h("small", {}, MEASURES[name].unit)),
-    h("p", { class: `change ${difference?.tone ?? ""}` }, difference ? `${difference.arrow} ${difference.amount} ${difference.words}`
-      : name === "dist" ? t("over.path-length", { length: number(measures.path_length, 2) }) : " "));
+    h(
+      "p",
+      { class: `change ${difference?.tone ?? ""}` },
+      difference
+        ? `${difference.arrow} ${difference.amount} ${difference.words}`
+        : name === "dist"
+          ? t("over.path-length", { length: number(measures.path_length, 2) })
+          : " ",
+    ),
+  );
 }
 
 function drivenCard(trial, plan) {
   const { trajectory } = trial;
-  if (!plan || !trajectory) return h("section", { class: "card" }, h("h2", {}, t("over.driven")), h("p", { class: "quiet" }, t("over.no-trajectory")));
+  if (!plan || !trajectory)
+    return h(
+      "section",
+      { class: "card" },
+      h("h2", {}, t("over.driven")),
+      h("p", { class: "quiet" }, t("over.no-trajectory")),
+    );
   const picture = planPicture(plan, trial.path, { label: t("over.driven"), hasRooms: true });
   picture.setDriven(trajectory.x.map((x, i) => [x, trajectory.y[i]]));
   return h("section", { class: "card driven-card" }, h("h2", {}, t("over.driven")), picture.element);
 }
 
 function tableCard({ measures }, previous, earlier) {
-  const rows = Object.keys(MEASURES).filter((name) => measures[name] !== undefined).map((name) => {
-    const difference = previous && change(name, measures, previous.measures);
-    return h("tr", {}, h("th", { scope: "row" }, t(`measure.${name}`)), h("td", { class: "own" }, withUnit(name, measures[name])),
-      previous && [h("td", {}, withUnit(name, previous.measures[name])),
-        h("td", { class: `change ${difference?.tone ?? ""}` }, difference ? `${difference.arrow} ${difference.words}` : "–"),
-        h("td", {}, withUnit(name, best(name, earlier)))]);
-  });
-  const head = [t("over.measure"), t("over.this"), ...(previous ? [t("over.previous", { number: previous.number }), t("over.change"), t("over.best")] : [])];
-  return h("section", { class: "card" }, h("h2", {}, t("over.table")), !previous && h("p", { class: "quiet small" }, t("over.first")),
-    h("div", { class: "scroll-x", tabindex: "0", role: "region", "aria-label": t("over.table") }, h("table", { class: "measures" }, h("thead", {}, h("tr", {}, head.map((words) => h("th", { scope: "col" }, words)))), h("tbody", {}, rows))));
+  const rows = Object.keys(MEASURES)
+    .filter((name) => measures[name] !== undefined)
+    .map((name) => {
+      const difference = previous && change(name, measures, previous.measures);
+      return h(
+        "tr",
+        {},
+        h("th", { scope: "row" }, t(`measure.${name}`)),
+        h("td", { class: "own" }, withUnit(name, measures[name])),
+        previous && [
+          h("td", {}, withUnit(name, previous.measures[name])),
+          h(
+            "td",
+            { class: `change ${difference?.tone ?? ""}` },
+            difference ? `${difference.arrow} ${difference.words}` : "–",
+          ),
+          h("td", {}, withUnit(name, best(name, earlier))),
+        ],
+      );
+    });
+  const head = [
+    t("over.measure"),
+    t("over.this"),
+    ...(previous ? [t("over.previous", { number: previous.number }), t("over.change"), t("over.best")] : []),
+  ];
+  return h(
+    "section",
+    { class: "card" },
+    h("h2", {}, t("over.table")),
+    !previous && h("p", { class: "quiet small" }, t("over.first")),
+    h(
+      "div",
+      { class: "scroll-x", tabindex: "0", role: "region", "aria-label": t("over.table") },
+      h(
+        "table",
+        { class: "measures" },
+        h(
+          "thead",
+          {},
+          h(
+            "tr",
+            {},
+            head.map((words) => h("th", { scope: "col" }, words)),
+          ),
+        ),
+        h("tbody", {}, rows),
+      ),
+    ),
+  );
 }

@@ -39,8 +39,20 @@ export function showTrial(app, root, { plan, path, isVisitor }, signal) {
   };
   app.live.addEventListener("tick", show, { signal });
   root.className = "page filled";
-  put(root, title, view.element, place.element, mini.element, cue.element,
-    h("div", { class: "lower" }, isVisitor && h("div", { class: "pad-dock" }, pads(app, signal, { hasNote: false }).element), bar.element));
+  put(
+    root,
+    title,
+    view.element,
+    place.element,
+    mini.element,
+    cue.element,
+    h(
+      "div",
+      { class: "lower" },
+      isVisitor && h("div", { class: "pad-dock" }, pads(app, signal, { hasNote: false }).element),
+      bar.element,
+    ),
+  );
   app.setShowsTrial(true);
   const begin = (started) => {
     trial = started;
@@ -53,12 +65,27 @@ export function showTrial(app, root, { plan, path, isVisitor }, signal) {
 }
 
 function placeCard(plan, path) {
-  const [name, time, done, off, contacts] = [h("div", { class: "quiet small" }), h("div", { class: "big" }), h("span", {}), h("span", {}), h("span", {})];
-  const element = h("div", { class: "hud place" }, name, time, h("div", { class: "small number facts" }, done, off, contacts));
+  const [name, time, done, off, contacts] = [
+    h("div", { class: "quiet small" }),
+    h("div", { class: "big" }),
+    h("span", {}),
+    h("span", {}),
+    h("span", {}),
+  ];
+  const element = h(
+    "div",
+    { class: "hud place" },
+    name,
+    time,
+    h("div", { class: "small number facts" }, done, off, contacts),
+  );
   const show = ({ trial: now, contacts: count }) => {
     write(time, clock(now.t));
     write(done, t("trial.done", { done: number(now.done, 1), length: number(now.length, 0) }));
-    write(off, t("trial.off", { distance: number(Math.abs(now.cross_track) < OFF_PATH ? 0 : Math.abs(now.cross_track), 2) }));
+    write(
+      off,
+      t("trial.off", { distance: number(Math.abs(now.cross_track) < OFF_PATH ? 0 : Math.abs(now.cross_track), 2) }),
+    );
     write(contacts, count ? t("trial.contacts", { count }) : "");
   };
   write(name, `${plan.title} · ${path.title}`);
@@ -76,7 +103,12 @@ function bottomBar(app, path, endElement, mini, signal) {
   };
   const first = sessionStorage.getItem(VIEW_PLACE) ?? "eye";
   look(first);
-  const views = segments(t("trial.views"), VIEWS.map((view) => ({ value: view, label: t(`trial.view.${view}`) })), first, look);
+  const views = segments(
+    t("trial.views"),
+    VIEWS.map((view) => ({ value: view, label: t(`trial.view.${view}`) })),
+    first,
+    look,
+  );
   let isOpen = false;
   const plots = h("button", { type: "button", class: "btn wide-only", "aria-pressed": "false" }, t("trial.plots"));
   const setPlots = (open) => {
@@ -88,8 +120,19 @@ function bottomBar(app, path, endElement, mini, signal) {
   plots.addEventListener("click", () => setPlots(!isOpen));
   WIDE.addEventListener("change", () => isOpen && !WIDE.matches && setPlots(false), { signal });
   signal.addEventListener("abort", () => isOpen && setPlots(false));
-  const element = h("div", { class: "hud bar" }, h("div", { class: "speed" }, h("div", { class: "quiet small" }, t("trial.speed")), h("div", { class: "big" }, speed, " ", h("small", {}, t("unit.speed")))),
-    square.element, h("p", { class: "grow instruction" }, path.instruction), h("div", { class: "spread actions" }, views, plots, endElement));
+  const element = h(
+    "div",
+    { class: "hud bar" },
+    h(
+      "div",
+      { class: "speed" },
+      h("div", { class: "quiet small" }, t("trial.speed")),
+      h("div", { class: "big" }, speed, " ", h("small", {}, t("unit.speed"))),
+    ),
+    square.element,
+    h("p", { class: "grow instruction" }, path.instruction),
+    h("div", { class: "spread actions" }, views, plots, endElement),
+  );
   const show = (now) => {
     write(speed, number(now.v, 2));
     square.show(now.u1 ?? 0, now.u2 ?? 0);

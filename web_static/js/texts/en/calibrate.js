@@ -33,7 +33,8 @@ export default {
   "cue.next": "Next: {next}",
   "cue.trace": "The shirt's signals, the last 10 seconds",
   "result.title": "What this body can do",
-  "result.lead": "Each joint's main movement, and how much of its signal that movement explains. The marks show the 80–90 % of the 2008 study.",
+  "result.lead":
+    "Each joint's main movement, and how much of its signal that movement explains. The marks show the 80–90 % of the 2008 study.",
   "result.good": "Good",
   "result.usable": "Usable",
   "result.repeat": "Repeat",
@@ -53,5 +54,6 @@ export default {
   "result.missing": "The result comes when every step is done.",
   "result.missing.lead": { one: "One step is missing.", other: "{count} steps are missing." },
   "result.restart": "Begin anew",
+  "result.restart.ask": "Begin the calibration anew? What was recorded so far no longer counts.",
   "result.restarted": "The calibration begins anew.",
 };

@@ -25,7 +25,7 @@ export default {
   "handle.full.label": "{gesture}: is full",
   "handle.rate": "{value} FS/s",
   "handle.displacement": "{value} FS",
-  "tune": "Fine-tune",
+  tune: "Fine-tune",
   "tune.gestures": "Movements",
   "tune.add": "Add a movement…",
   "tune.remove": "Remove {gesture}",

@@ -4,7 +4,8 @@ export default {
   "drive.none.lead": "First the calibration: it learns which movements this body can make.",
   "drive.none.go": "Calibrate",
   "drive.title": "Where to?",
-  "drive.lead": "Choose a building and a path. The chair is put on the start; the white line on the floor leads to the goal.",
+  "drive.lead":
+    "Choose a building and a path. The chair is put on the start; the white line on the floor leads to the goal.",
   "drive.start": "Start trial",
   "drive.length": "{length} m",
   "drive.paths": "Paths in “{plan}”",
