@@ -1,0 +1,196 @@
+"""The whole story in a real browser: equipment, calibration, controls, a drive, its score, and what goes wrong."""
+
+import os
+import re
+import signal
+from pathlib import Path
+
+import psutil
+import pytest
+from playwright.sync_api import Error, expect
+from processes.test_demo_process import bodydrive, printed_link
+
+pytestmark = [pytest.mark.browser, pytest.mark.timeout(420)]
+
+SCREENSHOTS = Path(__file__).resolve().parents[2] / "var" / "screenshots"
+TABLETS = {"1024x768": (1024, 768), "820x1180": (820, 1180)}
+STEP_LIMIT = 60_000  # ms: the longest step of the calibration takes 13 s
+AFTER_SOME_SECONDS = re.compile(r"^0:(0[2-9]|[1-5]\d)$")
+DRIVE_LIMIT = 150_000  # ms
+PATIENCE = 60_000  # ms: drawing in software on a busy machine is slow
+
+
+@pytest.fixture
+def demo():
+    """Yield a running demonstration: its process and its link."""
+    with bodydrive("demo", "--port", "0") as process:
+        try:
+            yield process, printed_link(process)
+        finally:
+            process.send_signal(signal.SIGINT)
+            assert process.wait(20) == 0
+
+
+@pytest.fixture(params=TABLETS)
+def tablet(request, browser, page_log, demo):
+    """Yield a page of one tablet, signed in to the demonstration, and a function that keeps a screenshot."""
+    width, height = TABLETS[request.param]
+    link = demo[1]
+    page = browser.new_page(viewport={"width": width, "height": height}, has_touch=True)
+    page.set_default_timeout(PATIENCE)
+    log = page_log(link)
+    log.watch(page)
+    SCREENSHOTS.mkdir(parents=True, exist_ok=True)
+
+    def keep(name):
+        page.screenshot(path=SCREENSHOTS / f"{request.param}-{name}.png")
+
+    page.goto(link)
+    expect(page.get_by_role("heading", name="Where to?")).to_be_visible(timeout=PATIENCE)
+    yield page, keep
+    log.assert_clean()
+    page.close()
+
+
+def visit(page, step):
+    page.goto(page.url.split("#")[0] + f"#/{step}")
+
+
+def drives_to_the_goal(page, keep):
+    """Start the chosen trial, look at it from everywhere, and wait for its end at the goal."""
+    page.get_by_role("button", name="Start trial").click()
+    frame = page.frame_locator("iframe")
+    expect(frame.locator("canvas").first).to_be_visible(timeout=PATIENCE)
+    expect(page.locator(".place .big")).to_have_text(AFTER_SOME_SECONDS, timeout=PATIENCE)
+    for view in ("Eye", "Chase", "Top"):
+        page.get_by_text(view, exact=True).click()
+        page.wait_for_timeout(1500)
+        keep(f"drive-{view.lower()}")
+    go_on_when_held_up(page, "Goal reached")
+
+
+def go_on_when_held_up(page, heading):
+    """Wait for `heading`; a machine that is too busy may stop the chair, and then Continue goes on."""
+    goal = page.get_by_role("heading", name=heading)
+    go_on = page.get_by_role("button", name="Continue")
+    for _ in range(DRIVE_LIMIT // 500):
+        if goal.is_visible():
+            return
+        if go_on.is_visible():
+            try:
+                go_on.click(timeout=1000)
+            except Error:
+                continue  # it went by itself
+        page.wait_for_timeout(500)
+    raise AssertionError(f"'{heading}' did not come: {page.locator('main').inner_text()[:500]}")
+
+
+def test_from_the_shirt_to_a_scored_drive(tablet):
+    page, keep = tablet
+    keep("drive-choose")
+    expect(page.get_by_text("demonstration", exact=False).first).to_be_visible()
+
+    visit(page, "patients")
+    expect(page.get_by_text("Kingfisher").first).to_be_visible()
+    keep("patients")
+
+    visit(page, "shirt")
+    lamps = page.locator(".bodies .sensor")
+    expect(lamps).to_have_count(52)
+    lamps.nth(20).click()
+    page.wait_for_timeout(1500)
+    keep("shirt")
+
+    visit(page, "controls")
+    handle = page.get_by_role("slider").first
+    before = float(handle.get_attribute("aria-valuenow"))
+    handle.focus()
+    page.keyboard.press("ArrowRight")
+    assert float(handle.get_attribute("aria-valuenow")) > before
+    page.wait_for_timeout(1500)
+    keep("controls")
+    page.get_by_role("button", name="Undo").click()
+    page.wait_for_timeout(500)
+    assert float(page.get_by_role("slider").first.get_attribute("aria-valuenow")) == pytest.approx(before)
+
+    visit(page, "drive")
+    page.get_by_text("Straight ahead").click()
+    keep("drive-chosen")
+    drives_to_the_goal(page, keep)
+    expect(page.get_by_text("Dist, distance driven").first).to_be_visible()
+    keep("trial-over-first")
+
+    page.get_by_role("button", name="Next trial").click()
+    expect(page.locator(".place")).to_be_visible()
+    go_on_when_held_up(page, "Goal reached")
+    expect(page.get_by_text("Trial 1").first).to_be_visible()
+    keep("trial-over-second")
+
+    visit(page, "review")
+    expect(page.locator(".js-plotly-plot").first).to_be_visible(timeout=PATIENCE)
+    page.wait_for_timeout(1000)
+    keep("review")
+
+
+def test_the_calibration_is_walked_through_and_survives_a_reload(tablet):
+    page, keep = tablet
+    visit(page, "calibrate")
+    expect(page.get_by_role("button", name="Start")).to_be_visible()
+    keep("calibrate-rest")
+    page.get_by_role("button", name="Start").click()
+    expect(page.get_by_text("Done. Go on, or repeat it.").first).to_be_visible(timeout=STEP_LIMIT)
+    page.get_by_role("button", name="Next").click()
+    heading = page.get_by_role("heading", level=1).inner_text()
+    page.reload()
+    expect(page.get_by_role("heading", level=1)).to_have_text(heading)
+    page.get_by_label("Go on by itself after each step").check()
+    page.get_by_role("button", name="Start").click()
+    page.wait_for_timeout(5000)
+    keep("calibrate-free")
+    expect(page.get_by_text("Push", exact=True).first).to_be_visible(timeout=STEP_LIMIT)
+    keep("calibrate-prompt")
+    expect(page.get_by_role("heading", name="What this body can do")).to_be_visible(timeout=4 * STEP_LIMIT)
+    expect(page.get_by_text("When one gesture is made, what else moves")).to_be_visible(timeout=PATIENCE)
+    keep("calibrate-result")
+    page.get_by_role("button", name="Use this calibration").click()
+    expect(page.get_by_text("This calibration is in use.").first).to_be_visible()
+
+
+def test_the_visitor_drives_by_pads_stops_and_goes_on(tablet, demo):
+    page, keep = tablet
+    visit(page, "shirt")
+    become_the_body(page)
+    keep("shirt-visitor")
+    visit(page, "drive")
+    page.get_by_role("button", name="Start trial").click()
+    expect(page.locator(".pad-dock")).to_be_visible()
+    expect(page.locator(".place .big")).to_have_text(AFTER_SOME_SECONDS, timeout=PATIENCE)
+    page.keyboard.down("ArrowUp")
+    page.wait_for_timeout(1200)
+    keep("visitor-drives")
+    page.keyboard.up("ArrowUp")
+    speed = page.locator(".bar .speed .big")
+    assert float(speed.inner_text().split()[0]) > 0.1
+    page.locator("#stop").dispatch_event("pointerdown")
+    expect(page.get_by_role("button", name="Continue")).to_be_visible()
+    expect(speed).to_contain_text("0.00")
+    keep("stopped")
+    page.get_by_role("button", name="Continue").click()
+    expect(page.get_by_role("button", name="Continue")).to_be_hidden()
+
+    control = next(
+        child
+        for child in psutil.Process(demo[0].pid).children(recursive=True)
+        if "app.pipeline.process" in child.cmdline()
+    )
+    os.kill(control.pid, signal.SIGKILL)
+    expect(page.get_by_text("control process", exact=False).first).to_be_visible()
+    keep("control-lost")
+
+
+def become_the_body(page):
+    """Choose the visitor as the body in front of the simulated shirt."""
+    card = page.locator("section.card", has=page.get_by_role("heading", name="Body inside"))
+    card.locator("summary").click()
+    card.get_by_role("radio", name="You").check(force=True)
+    expect(page.get_by_text("You move this body").first).to_be_visible()
