@@ -6,6 +6,8 @@
 const FIRST_PAUSE = 250; // ms before trying again; doubled with each failure, up to ...
 const LONGEST_PAUSE = 4000; // ms
 const SILENT_AFTER = 1500; // ms without a message: at 20 a second this is a dead link, even if the socket looks open
+const OPENING_LIMIT = 6000; // ms for a socket to open
+const LATE_WATCH = 500; // ms between two looks at the link: this page was busy
 const VISIBLE_EVERY = 100; // ms: a screen that drives must say that it is in view, ten times a second
 const SAY_LOST_AFTER = 700; // ms: a short gap is mended before anybody has to read about it
 const SIGNED_OUT = 4401;
@@ -25,6 +27,7 @@ export class Live extends EventTarget {
   #wanted = false;
   #lostTimer = 0;
   #retryTimer = 0;
+  #watchedAt = 0;
 
   constructor() {
     super();
@@ -64,7 +67,10 @@ export class Live extends EventTarget {
     const socket = new WebSocket(`${scheme}://${location.host}/api/v1/live`);
     this.#socket = socket;
     this.heardAt = performance.now();
-    socket.onopen = () => this.#sayVisible();
+    socket.onopen = () => {
+      this.heardAt = performance.now();
+      this.#sayVisible();
+    };
     socket.onmessage = (event) => {
       if (socket === this.#socket) this.#take(JSON.parse(event.data));
     };
@@ -111,7 +117,13 @@ export class Live extends EventTarget {
   #watch() {
     this.#sayVisible();
     const socket = this.#socket;
-    if (socket && performance.now() - this.heardAt > SILENT_AFTER && document.visibilityState === "visible") {
+    if (!socket || document.visibilityState !== "visible") return;
+    // When we ourselves stood still, messages wait in the queue: give them a turn first.
+    const stoodStill = performance.now() - this.#watchedAt > LATE_WATCH;
+    this.#watchedAt = performance.now();
+    if (stoodStill) return;
+    const limit = socket.readyState === WebSocket.CONNECTING ? OPENING_LIMIT : SILENT_AFTER;
+    if (performance.now() - this.heardAt > limit) {
       socket.onclose = null;
       socket.close();
       this.#lost();

@@ -1,6 +1,6 @@
 /** The two charts of the paper: a measure over trials with its fitted curve, and all trajectories over the path. */
 import { t } from "../texts.js";
-import { MEASURES } from "./measures.js";
+import { comparable, MEASURES } from "./measures.js";
 import { chart, faint } from "./plotly.js";
 
 /** @param {any} learning what GET /patients/ID/learning answered @param {string} measure @param {AbortSignal} signal */
@@ -44,16 +44,7 @@ export function curveChart(learning, measure, signal) {
         hoverinfo: "skip",
       });
     }
-    traces.push({
-      mode: "lines+markers",
-      x: rows.map(({ number }) => number),
-      y: rows.map((row) => row[measure]),
-      name: t("review.trial"),
-      showlegend: false,
-      line: { color: faint(colours.text, 0.35), width: 1 },
-      marker: { color: colours.text, size: 9, symbol: rows.map((row) => (row.reached ? "circle" : "circle-open")) },
-      hovertemplate: `${t("review.trial")} %{x}: %{y:.2f} ${unit}<extra></extra>`,
-    });
+    traces.push(...trialTraces(rows, measure, colours));
     const range = rows.length ? [rows[0].number - 0.5, rows.at(-1).number + 0.5] : [0.5, 1.5];
     return {
       traces,
@@ -63,6 +54,34 @@ export function curveChart(learning, measure, signal) {
       },
     };
   });
+}
+
+/** The trials that can be compared, joined by a line; the others as rings beside it. */
+function trialTraces(rows, measure, colours) {
+  const { unit, digits } = MEASURES[measure];
+  const trace = (some, more) => ({
+    x: some.map(({ number }) => number),
+    y: some.map((row) => row[measure]),
+    hovertemplate: `${t("review.trial")} %{x}: %{y:.${digits}f} ${unit}<extra></extra>`,
+    ...more,
+  });
+  const other = rows.filter((row) => !comparable(measure, row));
+  const traces = [
+    trace(
+      rows.filter((row) => comparable(measure, row)),
+      {
+        mode: "lines+markers",
+        showlegend: false,
+        line: { color: faint(colours.text, 0.35), width: 1.5 },
+        marker: { color: colours.text, size: 9 },
+      },
+    ),
+  ];
+  if (other.length) {
+    const marker = { color: faint(colours.text, 0.5), size: 9, symbol: "circle-open" };
+    traces.push(trace(other, { mode: "markers", name: t("review.not-reached"), marker }));
+  }
+  return traces;
 }
 
 /** @param {any} learning @param {any} plan or null @param {AbortSignal} signal */

@@ -17,6 +17,7 @@ export default {
   "review.fit": "learning curve",
   "review.path.line": "prescribed path",
   "review.length": "length of the path",
+  "review.not-reached": "goal not reached",
   "review.newest": "newest trial",
   "review.earlier": "earlier trials",
   "review.column.number": "Trial",
