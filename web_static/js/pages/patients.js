@@ -17,8 +17,10 @@ export async function show(app, root, { signal }) {
     patients = await app.api.get("/patients");
     showList();
   };
-  const open = async (patient) => {
-    await attempt(app, () => app.api.post("/visit", { patient_id: patient.id }));
+  const open = async (patient, button = null) => {
+    if (button) button.disabled = true; // opening a visit takes a moment: a second tap shall do nothing
+    const isOpen = await attempt(app, () => app.api.post("/visit", { patient_id: patient.id }));
+    if (!isOpen) return read();
     await app.readVisit();
     app.go(app.visit.has_profile ? "#/drive" : "#/shirt");
   };
@@ -53,7 +55,7 @@ export async function show(app, root, { signal }) {
   };
   const showForm = () => {
     form.hidden = false;
-    put(form, newPatientForm(app, { onAdded: open, onClose: () => (form.hidden = true) }));
+    put(form, newPatientForm(app, { onAdded: (patient) => open(patient), onClose: () => (form.hidden = true) }));
     form.querySelector("input").focus();
   };
   search.addEventListener("input", showList);
@@ -132,7 +134,11 @@ function row(app, patient, { open, remove, end }) {
           ),
           h(
             "button",
-            { type: "button", class: `btn${app.visit?.patient ? "" : " go"}`, onclick: () => open(patient) },
+            {
+              type: "button",
+              class: `btn${app.visit?.patient ? "" : " go"}`,
+              onclick: (event) => open(patient, event.currentTarget),
+            },
             t("patients.start"),
           ),
         ],

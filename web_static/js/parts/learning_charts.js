@@ -95,7 +95,7 @@ export function trajectoriesChart(learning, plan, signal) {
     };
     const traces = (plan?.walls ?? []).map((line) => ({ ...wall, ...columns(line) }));
     const newest = learning.trajectories.length - 1;
-    const share = Math.max(0.25, 1 / Math.max(1, learning.trajectories.length ** 0.4));
+    const share = Math.max(0.4, 1 / Math.max(1, learning.trajectories.length ** 0.4));
     learning.trajectories.forEach((one, i) =>
       traces.push({
         mode: "lines",

@@ -4,6 +4,7 @@ import { h, put } from "./dom.js";
 import { icon } from "./icons.js";
 import { continueButton } from "./notices.js";
 
+const LONG = 6; // letters; longer words are written smaller
 const GO_SHOWN = 1600; // ms
 
 /** @param {import("../main.js").App} app @param {() => Promise<void>} onEnd */
@@ -12,7 +13,12 @@ export function trialCue(app, onEnd) {
   let shown = "start";
   let timer = 0;
   const word = (big, small, tone = "") =>
-    h("div", { class: `hud cue-card ${tone}` }, h("div", { class: "huge" }, big), small && h("p", {}, small));
+    h(
+      "div",
+      { class: `hud cue-card ${tone}` },
+      h("div", { class: big.length > LONG ? "huge long" : "huge" }, big),
+      small && h("p", {}, small),
+    );
   put(element, word(t("trial.moment"), t("trial.moment.why")));
   const show = (now) => {
     const key = now.control !== "alive" ? "control" : now.fault ? `fault ${now.fault.name}` : now.state;
