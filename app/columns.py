@@ -16,6 +16,7 @@ Table = dict[str, NDArray[np.generic]]
 NOT_A_NUMBER = ("", "NaN", "nan", "NA", "N/A", "null", "NULL")  # cells that stand for a missing number
 LONGEST_QUOTE = 30
 NO_ROWS = "{}: there is no row below the header, record again or name another file"
+NOT_TEXT = "{}: this is not a CSV file but something binary or not in UTF-8, save it as CSV in UTF-8 or as Parquet"
 
 
 def read_columns(path: Path, text: Collection[str] = (), only: Collection[str] | None = None) -> Table:
@@ -65,9 +66,13 @@ def _is_parquet(path: Path) -> bool:
 def _read_parquet(path: Path, only: Collection[str] | None) -> pa.Table:
     try:
         names = pa_parquet.read_schema(path).names
-        return pa_parquet.read_table(path, columns=[name for name in names if only is None or name in only])
     except pa.ArrowException as error:
         raise ValueError(f"{path}: this is not a Parquet file, save it as one or give it the name of a CSV") from error
+    _refuse_twins(str(path), names)
+    try:
+        return pa_parquet.read_table(path, columns=[name for name in names if only is None or name in only])
+    except pa.ArrowException as error:
+        raise ValueError(f"{path}: this Parquet file was cut or changed and cannot be read, save it anew") from error
 
 
 def _read_csv(path: Path, text: Collection[str], only: Collection[str] | None) -> pa.Table:
@@ -75,7 +80,7 @@ def _read_csv(path: Path, text: Collection[str], only: Collection[str] | None) -
     wanted = [name for name in header if only is None or name in only]
     if not wanted:
         raise ValueError(
-            f"{path}, line 1: none of the columns {_listed(sorted(only or ()))} is there, only {_listed(header)}: "
+            f"{path}, line 1: none of the columns {_listed(sorted(only or ()))} is there, only {_listed(header)}, "
             f"add them or name another file"
         )
     types = {name: pa.string() if name in text else pa.float64() for name in header}
@@ -91,7 +96,7 @@ def _read_csv(path: Path, text: Collection[str], only: Collection[str] | None) -
             ),
         )
     except pa.ArrowException as error:
-        if "Empty CSV" in str(error):
+        if "Empty CSV" in str(error) or "Could not skip initial" in str(error):
             raise ValueError(NO_ROWS.format(path)) from error
         raise ValueError(_what_is_wrong(path, header, set(wanted) - set(text), str(error))) from error
 
@@ -105,19 +110,29 @@ def _header(path: Path) -> list[str]:
     try:
         line = start.decode("utf-8-sig")
     except UnicodeDecodeError as error:
-        raise ValueError(f"{path}: this is not a CSV file but something binary, name a CSV or Parquet file") from error
+        raise ValueError(NOT_TEXT.format(path)) from error
     if "\0" in line:
-        raise ValueError(f"{path}: this is not a CSV file but something binary, name a CSV or Parquet file")
+        raise ValueError(NOT_TEXT.format(path))
+    if "\r" in line.rstrip("\r\n"):
+        raise ValueError(f"{path}: its lines end in carriage returns alone, save the file with other line ends")
     for separator, word in ((";", "semicolons"), ("\t", "tabs")):
         if separator in line and "," not in line:
             raise ValueError(f"{path}, line 1: columns are separated by {word}, save the file with commas instead")
-    names = [name.strip() for name in next(csv.reader([line]))]
+    try:
+        names = [name.strip() for name in next(csv.reader([line]))]
+    except csv.Error as error:
+        raise ValueError(NOT_TEXT.format(path)) from error
     for column, name in enumerate(names, start=1):
         if not name:
             raise ValueError(f"{path}, line 1: column {column} has no name, give it one")
-        if names.count(name) > 1:
-            raise ValueError(f"{path}, line 1: there are two columns '{name}', rename one of them")
+    _refuse_twins(f"{path}, line 1", names)
     return names
+
+
+def _refuse_twins(where: str, names: list[str]) -> None:
+    for name in names:
+        if names.count(name) > 1:
+            raise ValueError(f"{where}: there are two columns '{_quoted(name)}', rename one of them")
 
 
 def _what_is_wrong(path: Path, header: list[str], numeric: set[str], otherwise: str) -> str:
@@ -136,13 +151,12 @@ def _what_is_wrong(path: Path, header: list[str], numeric: set[str], otherwise: 
                     )
                 for name, cell in zip(header, cells, strict=True):
                     if name in numeric and not _is_number(cell):
-                        quoted = " ".join(cell[:LONGEST_QUOTE].split())
                         return (
-                            f"{path}, line {lines.line_num}, column '{name}': '{quoted}' is not a number, "
+                            f"{path}, line {lines.line_num}, column '{name}': '{_quoted(cell)}' is not a number, "
                             f"write one or leave the cell empty"
                         )
     except (UnicodeDecodeError, csv.Error):
-        return f"{path}: this is not a CSV file but something binary, name a CSV or Parquet file"
+        return NOT_TEXT.format(path)
     return f"{path}: this CSV file cannot be read ({otherwise.splitlines()[0]}), save it anew"
 
 
@@ -153,12 +167,14 @@ def _is_number(cell: str) -> bool:
         float(cell)
     except ValueError:
         return False
-    return "_" not in cell
+    return cell.isascii() and "_" not in cell
 
 
 def _as_array(path: Path, name: str, column: Any, text: Collection[str]) -> NDArray[np.generic]:
     if name in text:
         return np.array([str(cell).strip() for cell in column.to_pylist()], dtype=np.str_)
+    if pa.types.is_null(column.type):
+        return np.full(len(column), np.nan)
     if pa.types.is_floating(column.type) or pa.types.is_integer(column.type):
         array: NDArray[np.generic] = column.to_numpy()
         return array if array.dtype == np.float32 else array.astype(np.float64, copy=False)
@@ -166,4 +182,8 @@ def _as_array(path: Path, name: str, column: Any, text: Collection[str]) -> NDAr
 
 
 def _listed(names: list[str], most: int = 6) -> str:
-    return ", ".join(names[:most]) + (f" and {len(names) - most} more" if len(names) > most else "")
+    return ", ".join(map(_quoted, names[:most])) + (f" and {len(names) - most} more" if len(names) > most else "")
+
+
+def _quoted(text: str) -> str:
+    return " ".join(text[:LONGEST_QUOTE].split()) + ("..." if len(text) > LONGEST_QUOTE else "")

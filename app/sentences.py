@@ -18,7 +18,7 @@ def sentence_of(problems: Sequence[Mapping[str, Any]], where: str) -> str:
     first = problems[0]
     place = _place(first["loc"])
     start = f"{where}, {place}" if place else where
-    sentence = f"{start}: {_problem(first['type'], first['msg'], first.get('input'))}"
+    sentence = f"{start}: {_problem(first)}"
     others = len(problems) - 1
     if others:
         sentence += f" ({others} more {'problem' if others == 1 else 'problems'} of this kind in it)"
@@ -36,8 +36,10 @@ def _place(location: tuple[int | str, ...]) -> str:
     return place
 
 
-def _problem(kind: str, message: str, given: object) -> str:
+def _problem(problem: Mapping[str, Any]) -> str:
     """Return the fault and its remedy in words."""
+    kind: str = problem["type"]
+    message: str = problem["msg"]
     if kind == "value_error":
         return message.removeprefix("Value error, ")
     if kind == "missing":
@@ -46,7 +48,12 @@ def _problem(kind: str, message: str, given: object) -> str:
         return "this is not known here, leave it out"
     if kind == "json_invalid":
         return f"this is not JSON, correct it ({message.removeprefix('Invalid JSON: ')})"
-    quoted = repr(given)
+    bounds = problem.get("ctx", {})
+    if kind == "too_long":
+        return f"there may be at most {bounds['max_length']}, but there are {bounds['actual_length']}, remove some"
+    if kind == "too_short":
+        return f"there must be at least {bounds['min_length']}, but there are {bounds['actual_length']}, add some"
+    quoted = repr(problem.get("input"))
     if len(quoted) > LONGEST_QUOTE:
         quoted = quoted[:LONGEST_QUOTE] + "..."
     return f"{message[:1].lower()}{message[1:]}, but it is {quoted}"

@@ -1,6 +1,7 @@
 """A shirt's signals from a file: CSV, Parquet, or one of our own recordings."""
 
 import json
+from codecs import BOM_UTF8
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -17,6 +18,7 @@ SHORTEST = 10  # samples: fewer make no signal
 SLOWEST, FASTEST = 10.0, 5000.0  # Hz: below, a 3 Hz low-pass has nothing to hold on to
 GAP = 1.5  # of the median step: a longer one is a gap
 ROWS_AT_ONCE = 4096
+LARGEST = 1e10  # no sensor gives more; in float32 and in a profile, sums of such values still have room
 EVEN_WITHIN = 1.0  # of the time column's own resolution: how far an even grid may be off and still be the truth
 
 
@@ -29,6 +31,7 @@ class Signals:
     channel_names: list[str]
     sample_rate: float  # Hz
     t_device: NDArray[np.float64] | None = None  # (n,) s, the shirt's own clock where a recording has it
+    words: str = ""  # what is wrong with the recording, in one sentence
 
     def between(self, start: float | None, end: float | None) -> slice:
         """Return the rows with `start` <= t < `end` (s); None stands for the recording's own start or end."""
@@ -56,6 +59,8 @@ def read_signals(path: str | Path, layout: ShirtLayout | None = None) -> Signals
         raise ValueError(f"{path}: there is no channel beside 't', add a column per channel")
     if layout is None and len(names) > MAX_CHANNELS:
         raise ValueError(f"{path}: {len(names)} channels are more than a shirt can have, keep at most {MAX_CHANNELS}")
+    if layout is not None and "t" in names:
+        raise ValueError(f"{path}: the layout '{layout.name}' has a channel 't', which is the time: rename the channel")
     if missing := [name for name in names if name not in table]:
         raise ValueError(_missing(path, missing, layout))
     if len(t) < SHORTEST:
@@ -81,8 +86,11 @@ def signals_of_run(run: Run, path: Path, layout: ShirtLayout | None = None) -> S
         raise ValueError(
             f"{path}: {len(values)} frames are too few for a signal, name a longer run. {run.words}".rstrip()
         )
-    signals = make_signals(frames["run_t"], values[:, [names.index(name) for name in wanted]], wanted, path)
+    chosen = values[:, [names.index(name) for name in wanted]]
+    chosen[np.abs(chosen) > LARGEST] = np.nan
+    signals = make_signals(frames["run_t"], chosen, wanted, path)
     signals.t_device = frames["t_device"] if np.isfinite(frames["t_device"]).all() else None
+    signals.words = run.words
     stated = run.meta.get("sample_rate")
     if isinstance(stated, int | float) and SLOWEST <= stated <= FASTEST:
         signals.sample_rate = float(stated)
@@ -130,7 +138,7 @@ def read_layout(path: str | Path) -> ShirtLayout:
     """Read a shirt layout, or raise ValueError with one sentence."""
     path = Path(path)
     try:
-        return ShirtLayout.model_validate_json(path.read_bytes())
+        return ShirtLayout.model_validate_json(path.read_bytes().removeprefix(BOM_UTF8))
     except ValidationError as error:
         raise ValueError(one_sentence(error, str(path))) from error
     except FileNotFoundError as error:
@@ -148,7 +156,7 @@ def _missing(path: Path, missing: list[str], layout: ShirtLayout | None) -> str:
 
 
 def _stacked(table: Table, names: list[str]) -> NDArray[np.float64] | NDArray[np.float32]:
-    """Return the named columns as (n, n_channels), infinities as NaN."""
+    """Return the named columns as (n, n_channels), infinities and what is larger than any sensor gives as NaN."""
     single = all(table[name].dtype == np.float32 for name in names)
     shape = (len(table["t"]), len(names))
     values: NDArray[np.float64] | NDArray[np.float32]
@@ -157,7 +165,8 @@ def _stacked(table: Table, names: list[str]) -> NDArray[np.float64] | NDArray[np
         rows = slice(first, first + ROWS_AT_ONCE)
         for column, name in enumerate(names):
             values[rows, column] = table[name][rows]
-    values[np.isinf(values)] = np.nan
+        block = values[rows]
+        block[np.abs(block) > LARGEST] = np.nan
     return values
 
 

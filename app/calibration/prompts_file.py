@@ -28,7 +28,10 @@ def read_prompts(path: Path, layout: ShirtLayout, first: float, last: float) -> 
             known = ", ".join(layout.joint_names)
             raise ValueError(f"{where}: there is no joint '{joint}' in '{layout.name}', use one of {known}")
         if end <= start:
-            raise ValueError(f"{where}: the prompt ends at {end:g} s, which is not after its start at {start:g} s")
+            raise ValueError(
+                f"{where}: the prompt ends at {end:g} s, which is not after its start at {start:g} s, "
+                f"correct or remove it"
+            )
         if end <= first or start >= last:
             raise ValueError(
                 f"{where}: the prompt from {start:g} to {end:g} s lies outside the recording, which goes from "
