@@ -66,7 +66,7 @@ def fit_profile(
     fitted = {
         joint: fit_joint(used, moved, resting, [one for one in repetitions if one.joint == joint], sample_rate)
         for joint, used in channels.items()
-        if used and np.ptp(moved[:, list(used)], axis=0).any()
+        if used and moved[:, list(used)].var(axis=0).any()  # 0 also where numbers are too small to be squared
     }
     if not fitted:
         raise ValueError(

@@ -1,16 +1,17 @@
 """Decides which channels a calibration leaves out of the map, and says why."""
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 
 import numpy as np
 
-from app.calibration.pieces import Frames
+from app.calibration.pieces import Frames, held
 from app.calibration.quality import ChannelQuality, channel_quality, worst
 from app.calibration.repetitions import Repetition
 from app.layout import ShirtLayout
 
 # What the short stretches of the prompts can show; noise is judged on the long free movement.
 SEEN_IN_PROMPTS = {"near", "railed", "flat", "nan"}
+FEW_MISSING = 0.05  # of a channel's samples: they are bridged rather than that a joint is lost
 
 
 def channels_left_out(
@@ -22,8 +23,42 @@ def channels_left_out(
     unused: Collection[str],
     full_scale: float | None,
 ) -> dict[str, str]:
-    """Return why channels are left out of the map; one near its rails only where the joint keeps a better one."""
+    """Return why channels are left out of the map.
+
+    One near its rails, or with a few samples missing, is left out only where the joint keeps a better one.
+    """
     groups = layout.channels_of_joint
+    quality = _quality(groups, sample_rate, free, rest, repetitions, full_scale)
+    names = layout.channel_names
+    good = {i for i, one in enumerate(quality) if one.condition == "good" and names[i] not in unused}
+    poor = [i for group in groups.values() if not good.intersection(group) for i in group]
+    if any(quality[i].condition == "nan" for i in poor):
+        bridged = [Repetition(one.joint, _bridged(one.values), one.moving) for one in repetitions]
+        resting = None if rest is None else _bridged(rest)
+        second = _quality(groups, sample_rate, _bridged(free), resting, bridged, full_scale)
+        for i in poor:
+            quality[i] = second[i]
+    left_out: dict[str, str] = {}
+    for indices in groups.values():
+        best_left = any(quality[i].condition == "good" and names[i] not in unused for i in indices)
+        for i in indices:
+            name = names[i]
+            if name in unused:
+                left_out[name] = "marked as unused"
+            elif _is_bad(quality[i], best_left):
+                left_out[name] = quality[i].words
+    return left_out
+
+
+def _quality(
+    groups: Mapping[str, list[int]],
+    sample_rate: float,
+    free: Frames,
+    rest: Frames | None,
+    repetitions: Sequence[Repetition],
+    full_scale: float | None,
+) -> list[ChannelQuality]:
+    """Return the worst that the pieces of a calibration say of each channel."""
     quality = channel_quality(free, list(groups.values()), sample_rate, full_scale)
     if rest is not None:
         at_rest = channel_quality(rest, list(groups.values()), sample_rate, full_scale, moving=False)
@@ -36,16 +71,15 @@ def channels_left_out(
             if len(findings) < len(indices):  # all of them: the joint stood still, which is no channel's fault
                 for i, finding in findings.items():
                     quality[i] = worst(quality[i], finding)
-    left_out: dict[str, str] = {}
-    for indices in groups.values():
-        best_left = any(quality[i].condition == "good" and layout.channels[i].name not in unused for i in indices)
-        for i in indices:
-            name = layout.channels[i].name
-            if name in unused:
-                left_out[name] = "marked as unused"
-            elif _is_bad(quality[i], best_left):
-                left_out[name] = quality[i].words
-    return left_out
+    return quality
+
+
+def _bridged(values: Frames) -> Frames:
+    """Return frames in which channels that miss few samples hold the one before; frames that were lost stay so."""
+    missing = np.isnan(values)
+    lost = missing.all(axis=1, keepdims=True)
+    few = (missing & ~lost).sum(axis=0) <= FEW_MISSING * (~lost).sum()
+    return np.where(few & ~lost, held(values), values)
 
 
 def _is_bad(quality: ChannelQuality, near_too: bool) -> bool:
