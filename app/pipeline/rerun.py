@@ -3,12 +3,15 @@
 from typing import Any
 
 import numpy as np
+from pydantic import ValidationError
 
 from app.calibration.vocabulary import DriveParameters
 from app.geometry import Pose
 from app.hardware.chair.simulator import VirtualChair
 from app.pipeline.batch import Decoded, decode_block
 from app.recording_reader import Run
+from app.sentences import one_sentence
+from app.signals import FASTEST, SLOWEST
 from app.world.floorplan import FloorPlan
 
 DRIVE = "drive"  # the kind of run in which the gate decides
@@ -20,7 +23,8 @@ def decode_run(run: Run, parameters: DriveParameters) -> Decoded:
     Raises
     ------
     ValueError
-        In one sentence, when the run has no frames, or was recorded with another number of channels.
+        In one sentence, when the run has no frames, was recorded with another number of channels, or says nonsense
+        of itself.
     """
     frames = run.frames()
     values = frames["values"]
@@ -34,7 +38,7 @@ def decode_run(run: Run, parameters: DriveParameters) -> Decoded:
     driven = run.meta.get("kind") == DRIVE
     return decode_block(
         parameters,
-        float(run.meta.get("sample_rate", parameters.profile.sample_rate)),
+        _sample_rate(run.meta, parameters.profile.sample_rate),
         frames["t"],
         values.astype(np.float32, copy=False),
         t_device=frames["t_device"],
@@ -43,10 +47,22 @@ def decode_run(run: Run, parameters: DriveParameters) -> Decoded:
     )
 
 
+def _sample_rate(meta: dict[str, Any], otherwise: float) -> float:
+    stated = meta.get("sample_rate", otherwise)
+    if isinstance(stated, bool) or not isinstance(stated, int | float) or not SLOWEST <= stated <= FASTEST:
+        raise ValueError(
+            f"its run.json gives the sample rate as {stated!r}, which must be {SLOWEST:g} to {FASTEST:g} Hz: correct it"
+        )
+    return float(stated)
+
+
 def _chair(meta: dict[str, Any]) -> VirtualChair | None:
     document = meta.get("floorplan")
     if not document:
         return None
-    plan = FloorPlan.model_validate(document)
+    try:
+        plan = FloorPlan.model_validate(document)
+    except ValidationError as error:
+        raise ValueError(one_sentence(error, "its run.json, floorplan")) from error
     path = plan.path_named(meta["path"]) if meta.get("path") else plan.paths[0]
     return VirtualChair(plan, Pose(*path.start))

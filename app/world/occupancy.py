@@ -74,7 +74,7 @@ def _read_document(file: Path) -> MapDocument:
         raise ValueError(f"{file}: there is no such file, check its name") from error
     except OSError as error:
         raise ValueError(f"{file}: this file cannot be read ({error.strerror or error}), check it") from error
-    except (yaml.YAMLError, UnicodeDecodeError, RecursionError) as error:
+    except (yaml.YAMLError, ValueError, RecursionError) as error:
         raise ValueError(f"{file}: this is not a YAML document, name the .yaml file of a map_server map") from error
     if not isinstance(content, dict):
         raise ValueError(f"{file}: this is not a map's document (image, resolution, origin), name another file")
@@ -88,12 +88,15 @@ def _read_image(image_file: Path, named_in: Path) -> NDArray[np.float64]:
     """Return the grey values (rows, columns), 0..255."""
     try:
         with Image.open(image_file) as image:
-            if image.width * image.height > MOST_CELLS:
-                raise ValueError(f"{image_file}: this image has more than {MOST_CELLS:,} pixels, make it coarser")
-            return np.asarray(image.convert("L"), dtype=np.float64)
+            too_large = image.width * image.height > MOST_CELLS
+            grey = None if too_large else np.asarray(image.convert("L"), dtype=np.float64)
     except FileNotFoundError as error:
         raise ValueError(f"{image_file}: there is no such image, put it where {named_in.name} names it") from error
     except (UnidentifiedImageError, Image.DecompressionBombError) as error:
         raise ValueError(f"{image_file}: this is not an image (PGM or PNG) that can be read, save it anew") from error
-    except (OSError, SyntaxError) as error:
-        raise ValueError(f"{image_file}: this image cannot be read ({error}), save it anew") from error
+    except (OSError, SyntaxError, ValueError) as error:
+        what = getattr(error, "strerror", None) or error
+        raise ValueError(f"{image_file}: this image cannot be read ({what}), save it anew") from error
+    if grey is None:
+        raise ValueError(f"{image_file}: this image has more than {MOST_CELLS:,} pixels, make it coarser")
+    return grey
