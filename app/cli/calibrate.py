@@ -12,7 +12,7 @@ from app.calibration.profile import CalibrationProfile
 from app.calibration.prompts_file import read_prompts
 from app.calibration.repetitions import repetitions_of_prompts
 from app.cli.errors import InputError
-from app.files import write_atomically
+from app.cli.output import warn, write_output
 from app.signals import Signals, read_layout, read_signals
 
 PRINTED = ("evr", "span", "sign", "grade", "reason", "dead_zone", "full")
@@ -55,10 +55,9 @@ def calibrate(
         )
     except ValueError as error:
         raise InputError(f"{signals}: {error}") from error
-    try:
-        write_atomically(out, (profile.model_dump_json(indent=1) + "\n").encode())
-    except OSError as error:
-        raise InputError(f"--out {out} cannot be written ({error.strerror}): choose another place") from error
+    sources = (signals, layout) if prompts is None else (signals, layout, prompts)
+    warn(recorded.words)
+    write_output(out, (profile.model_dump_json(indent=1) + "\n").encode(), *sources)
     typer.echo(json.dumps(summary(profile, out), allow_nan=False) if as_json else report(profile, out))
 
 

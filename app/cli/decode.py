@@ -13,7 +13,7 @@ from pydantic import ValidationError
 from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import DriveParameters, standard_parameters
 from app.cli.errors import InputError
-from app.files import write_atomically
+from app.cli.output import warn, write_output
 from app.pipeline.batch import Decoded, decode_block
 from app.pipeline.rerun import decode_run
 from app.recording_reader import read_run
@@ -21,6 +21,8 @@ from app.sentences import one_sentence
 from app.signals import read_signals
 
 SUFFIXES = (".parquet", ".csv")
+LARGEST_THRESHOLD = 100.0  # FS/s, as `app.quantities.Threshold`
+LOWEST_CUTOFF, HIGHEST_CUTOFF = 1.0, 8.0  # Hz, as `app.quantities.Cutoff`
 
 
 def decode(
@@ -39,7 +41,7 @@ def decode(
         t, sample_rate, decoded = decode_file(signals, parameters)
     except ValueError as error:
         raise InputError(str(error)) from error
-    write_columns(out, columns(parameters, t, decoded))
+    write_output(out, content_of(out, columns(parameters, t, decoded)), signals, profile)
     summary = {
         "frames": len(t),
         "seconds": float(t[-1] - t[0]),
@@ -57,7 +59,12 @@ def decode_file(signals: Path, parameters: DriveParameters) -> tuple[NDArray[np.
     recorded = read_signals(signals, parameters.profile.layout)
     if signals.is_dir():
         run = read_run(signals)
-        return run.frames()["t"], recorded.sample_rate, decode_run(run, parameters)
+        try:
+            decoded = decode_run(run, parameters)
+        except ValueError as error:
+            raise InputError(f"{signals}: {error}") from error
+        warn(recorded.words)
+        return run.frames()["t"], recorded.sample_rate, decoded
     values = recorded.values.astype(np.float32, copy=False)
     return recorded.t, recorded.sample_rate, decode_block(parameters, recorded.sample_rate, recorded.t, values)
 
@@ -70,10 +77,8 @@ def read_parameters(file: Path) -> DriveParameters:
         raise InputError(
             f"--profile {file} cannot be read ({error.strerror}): give the file that calibrate wrote"
         ) from error
-    except ValueError as error:
-        raise InputError(
-            f"--profile {file} is not a JSON document ({error}): give the file that calibrate wrote"
-        ) from error
+    except (ValueError, RecursionError) as error:
+        raise InputError(f"--profile {file} is not a JSON document: give the file that calibrate wrote") from error
     try:
         if isinstance(document, dict) and "gestures" in document:
             return DriveParameters.model_validate_json(json.dumps(document))
@@ -85,15 +90,21 @@ def read_parameters(file: Path) -> DriveParameters:
 def overridden(parameters: DriveParameters, dead_zone: float | None, cutoff: float | None) -> DriveParameters:
     """Return `parameters` with another dead-zone for all gestures and another cutoff, where they are given.
 
-    A gesture's `full` keeps its distance where the new dead-zone would reach it.
+    A gesture's `full` keeps its distance, up to the largest there is, where the new dead-zone would reach it.
     """
+    for word, unit, given, least, most in (
+        ("--dead-zone", "FS/s", dead_zone, 0.0, LARGEST_THRESHOLD - 1.0),
+        ("--cutoff", "Hz", cutoff, LOWEST_CUTOFF, HIGHEST_CUTOFF),
+    ):
+        if given is not None and not least <= given <= most:
+            raise InputError(f"{word} {given:g}: give {unit} from {least:g} to {most:g}")
     document = parameters.model_dump(mode="json")
     if cutoff is not None:
         document["cutoff"] = cutoff
     if dead_zone is not None:
         for gesture in document["gestures"]:
             if gesture["full"] <= dead_zone:
-                gesture["full"] = dead_zone + gesture["full"] - gesture["dead_zone"]
+                gesture["full"] = min(dead_zone + gesture["full"] - gesture["dead_zone"], LARGEST_THRESHOLD)
             gesture["dead_zone"] = dead_zone
     try:
         return DriveParameters.model_validate_json(json.dumps(document))
@@ -114,8 +125,8 @@ def columns(parameters: DriveParameters, t: NDArray[np.float64], decoded: Decode
     return named
 
 
-def write_columns(file: Path, named: dict[str, NDArray[np.float64]]) -> None:
-    """Write columns of equal length to a .parquet or .csv file, whole or not at all."""
+def content_of(file: Path, named: dict[str, NDArray[np.float64]]) -> bytes:
+    """Return what columns of equal length are as a .parquet or .csv file, by the name of the file."""
     import pyarrow as pa  # noqa: PLC0415  (keeps the start of the other commands quick)
     import pyarrow.csv  # noqa: PLC0415
     import pyarrow.parquet  # noqa: PLC0415
@@ -126,7 +137,4 @@ def write_columns(file: Path, named: dict[str, NDArray[np.float64]]) -> None:
         pyarrow.csv.write_csv(table, content)
     else:
         pyarrow.parquet.write_table(table, content, compression="zstd")
-    try:
-        write_atomically(file, content.getvalue())
-    except OSError as error:
-        raise InputError(f"--out {file} cannot be written ({error.strerror}): choose another place") from error
+    return content.getvalue()

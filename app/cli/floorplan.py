@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 from app.cli.errors import InputError
-from app.files import write_atomically
+from app.cli.output import write_output
 from app.world.floorplan import bundled_floorplans, load_floorplan
 from app.world.map_import import import_ros_map
 
@@ -35,10 +35,7 @@ def import_map(
         plan = import_ros_map(map_file, title, name)
     except ValueError as error:
         raise InputError(str(error)) from error
-    try:
-        write_atomically(out, plan.model_dump_json(exclude_none=True).encode() + b"\n")
-    except OSError as error:
-        raise InputError(f"--out {out} cannot be written ({error.strerror}): choose another place") from error
+    write_output(out, plan.model_dump_json(exclude_none=True).encode() + b"\n", map_file)
     path = plan.paths[0]
     summary = {
         "name": plan.name,

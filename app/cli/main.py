@@ -65,7 +65,12 @@ def main() -> None:
         refuse(str(error))
     except Complaint as error:
         sentence = getattr(error, "format_message", error.__str__)()
+        if not sentence:  # nothing was asked for, and the help has been printed
+            sys.exit(0)
         refuse(f"{sentence.rstrip('.')}: see {' '.join(['bodydrive', *words[: len(words) == 1]])} --help")
+    except OSError as error:
+        what = error.strerror or error
+        refuse(f"{error.filename or 'the output'} cannot be read or written ({what}): see to it and try again")
     except (typer.Abort, KeyboardInterrupt):
         sys.exit(130)
     sys.exit(code if isinstance(code, int) else 0)
@@ -73,5 +78,6 @@ def main() -> None:
 
 def refuse(sentence: str) -> None:
     """End with `sentence` on stderr and exit code 2."""
-    sys.stderr.write(f"bodydrive: {sentence}\n")
+    line = "".join(letter if letter.isprintable() else " " for letter in sentence)  # also file names have odd letters
+    sys.stderr.write(f"bodydrive: {line}\n")
     sys.exit(2)

@@ -59,7 +59,7 @@ def parse_address(text: str) -> tuple[socket.AddressFamily, tuple[str, int]]:
         raise InputError(f"--to {text}: write a host and a port, such as {STANDARD_ADDRESS}")
     try:
         family, _, _, _, address = socket.getaddrinfo(host.strip("[]"), int(port), type=socket.SOCK_DGRAM)[0]
-    except OSError as error:
+    except (OSError, UnicodeError) as error:
         raise InputError(f"--to {text}: there is no host of this name, correct it") from error
     return family, (str(address[0]), int(address[1]))
 

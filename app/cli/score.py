@@ -15,6 +15,8 @@ from app.world.path import Path as Line
 
 EXTRAS = ("in_contact", "contacts", "u1", "u2")  # columns that give further measures when the trajectory has them
 LARGEST_RADIUS = 1000.0  # m
+FARTHEST = 1e8  # m: map coordinates are smaller
+LONGEST = 86_400.0  # s between the first row and the last
 
 WORDS = {
     "dist": ("Dist, length driven", "m"),
@@ -62,6 +64,11 @@ def score_files(trajectory: Path, path: Path, goal_radius: float) -> Measures:
         points = np.column_stack([require_column(prescribed, path, name) for name in ("x", "y")])
     except ValueError as error:
         raise InputError(str(error)) from error
+    for file, places in ((trajectory, (x, y)), (path, points)):
+        if np.abs(places).max() > FARTHEST:
+            raise InputError(f"{file}: x and y must be metres, at most {FARTHEST:g} from 0: correct them")
+    if np.ptp(t) > LONGEST:
+        raise InputError(f"{trajectory}: it lasts {np.ptp(t):g} s, more than a day: give t in seconds, of one trial")
     try:
         Line(points.tolist())
     except ValueError as error:

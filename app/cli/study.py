@@ -1,6 +1,8 @@
 """`bodydrive study`: the paper's experiment without a screen, faster than real time."""
 
 import json
+import os
+import re
 import sys
 from pathlib import Path
 from typing import Annotated, Any
@@ -8,6 +10,7 @@ from typing import Annotated, Any
 import typer
 
 from app.cli.errors import InputError
+from app.cli.output import check_new_folder
 from app.clock import stopwatch
 from app.session.figures import FigureFormat
 from app.session.study import run_study
@@ -17,6 +20,7 @@ from app.world.floorplan import FloorPlan, bundled_floorplans, load_floorplan
 
 MOST_TRIALS = 1000
 LARGEST_SEED = 2**31 - 1
+OF_A_STUDY = re.compile(r"(study\.json|trials\.csv|trajectories\.(parquet|png|svg)|errors\.(png|svg))").fullmatch
 
 
 def study(
@@ -30,6 +34,9 @@ def study(
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")] = False,
 ) -> None:
     """Let a simulated person calibrate, then drive a path again and again, and score every trial."""
+    check_new_folder(out)
+    if out.is_dir() and (foreign := sorted(entry.name for entry in out.iterdir() if not OF_A_STUDY(entry.name))):
+        raise InputError(f"--out {out} holds '{foreign[0]}', which is no part of a study: name a new or empty folder")
     try:
         check_folder(out, overwrite)
     except ValueError as error:
@@ -65,8 +72,8 @@ def find_floorplan(name: str) -> FloorPlan:
     """
     bundled = bundled_floorplans()
     file = bundled.get(name, Path(name))
-    if name not in bundled and not file.exists():
-        raise InputError(f"--floorplan {name}: there is no such floor plan: use {', '.join(bundled)} or a JSON file")
+    if name not in bundled and not (name and os.path.exists(name)):
+        raise InputError(f"--floorplan '{name}': there is no such floor plan: use {', '.join(bundled)} or a JSON file")
     try:
         return load_floorplan(file)
     except ValueError as error:
