@@ -26,7 +26,7 @@ EYE_DOWN = math.radians(9)
 CHASE_BACK = 3.3  # m
 CHASE_HEIGHT = 2.9  # m
 CHASE_DOWN = math.radians(31)
-TOP_MARGIN = 1.05  # of the plan's size
+TOP_MARGIN = 1.22  # of the plan's size: the page lays its cards over the rim of the picture
 
 
 class Placement(NamedTuple):

@@ -77,7 +77,7 @@ def test_the_whole_plan_fits_from_above_and_fills_one_side(size, aspect, wall_he
     across = max(abs(corner[1]) / (corner[0] * slope * aspect) for corner in corners)
     up = max(abs(corner[2]) / (corner[0] * slope) for corner in corners)
     assert max(across, up) <= 1.0
-    assert max(across, up) > 0.94
+    assert max(across, up) > 0.8
 
 
 def test_a_long_plan_is_turned_in_an_upright_picture():
