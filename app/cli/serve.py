@@ -33,8 +33,9 @@ def demo(port: Port = 8080, host: Host = "127.0.0.1") -> None:
         bound = int(listening.getsockname()[1])
         settings = Settings(state=Path(folder), host=host, port=bound, demo_code=new_code())
         _furnish_demonstration(settings)
-        words = f"A demonstration, kept nowhere. Ctrl-C ends it.\n{link_to(host, bound)}#demo={settings.demo_code}"
-        _run(settings, WebServer(_app(settings), listening, words))
+        words = ["A demonstration, kept nowhere. Ctrl-C ends it.", *_warning(host)]
+        words.append(f"{link_to(host, bound)}#demo={settings.demo_code}")
+        _run(settings, WebServer(_app(settings), listening, "\n".join(words)))
     _leave()
 
 
@@ -45,9 +46,7 @@ def serve(port: Port = 8080, host: Host = "127.0.0.1", state: State = None) -> N
         bound = int(listening.getsockname()[1])
         code = new_code() if _nobody_yet(folder) else None
         settings = Settings(state=folder, host=host, port=bound, setup_code=code)
-        words = [f"The clinic in {folder}. Ctrl-C ends it."]
-        if host not in LOOPBACK:
-            words.append("Others on the network can reach this, and nothing on the way is encrypted.")
+        words = [f"The clinic in {folder}. Ctrl-C ends it.", *_warning(host)]
         if code is None:
             words.append(link_to(host, bound))
         else:
@@ -64,6 +63,12 @@ def _leave() -> None:
     sys.stdout.flush()
     sys.stderr.flush()
     os._exit(0)
+
+
+def _warning(host: str) -> list[str]:
+    if host in LOOPBACK:
+        return []
+    return ["Others on the network can reach this, and nothing on the way is encrypted."]
 
 
 def _furnish_demonstration(settings: Settings) -> None:

@@ -80,7 +80,10 @@ class WebServer(uvicorn.Server):
 
 def bind(host: str, port: int) -> socket.socket:
     """Take the port before anything else is made; a busy one is a sentence."""
+    no_address = f"'{host}' is no address of this machine: leave --host out, or give one of its own."
     try:
+        if not host.strip():  # would mean every address of this machine
+            raise UnicodeError
         family = socket.AF_INET6 if ":" in host else socket.AF_INET
         listening = socket.create_server((host, port), family=family, backlog=128)
     except OSError as error:
@@ -91,9 +94,9 @@ def bind(host: str, port: int) -> socket.socket:
             ) from error
         if error.errno == errno.EACCES:
             raise InputError(f"Port {port} is for the system: choose one above 1023 with --port.") from error
-        raise InputError(
-            f"'{host}' is no address of this machine: leave --host out, or give one of its own."
-        ) from error
+        raise InputError(no_address) from error
+    except UnicodeError as error:
+        raise InputError(no_address) from error
     # Without this, a page whose machine vanished holds its connection for a quarter of an hour.
     if hasattr(socket, "TCP_USER_TIMEOUT"):
         listening.setsockopt(socket.IPPROTO_TCP, socket.TCP_USER_TIMEOUT, int(1000 * PING_LIMIT))
