@@ -3,6 +3,7 @@
 import os
 import re
 import signal
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
 
 import psutil
@@ -31,25 +32,34 @@ def demo():
             assert process.wait(20) == 0
 
 
-@pytest.fixture(params=TABLETS)
-def tablet(request, browser, page_log, demo):
+@contextmanager
+def signed_in(name, browser, page_log, link):
     """Yield a page of one tablet, signed in to the demonstration, and a function that keeps a screenshot."""
-    width, height = TABLETS[request.param]
-    link = demo[1]
+    width, height = TABLETS[name]
     page = browser.new_page(viewport={"width": width, "height": height}, has_touch=True)
     page.set_default_timeout(PATIENCE)
     log = page_log(link)
     log.watch(page)
     SCREENSHOTS.mkdir(parents=True, exist_ok=True)
-
-    def keep(name):
-        page.screenshot(path=SCREENSHOTS / f"{request.param}-{name}.png")
-
     page.goto(link)
     expect(page.get_by_role("heading", name="Where to?")).to_be_visible(timeout=PATIENCE)
-    yield page, keep
+    yield page, lambda picture: page.screenshot(path=SCREENSHOTS / f"{name}-{picture}.png")
     log.assert_clean()
     page.close()
+
+
+@pytest.fixture(params=TABLETS)
+def tablet(request, browser, page_log, demo):
+    """Yield one tablet after the other, each in a demonstration of its own."""
+    with signed_in(request.param, browser, page_log, demo[1]) as page_and_keep:
+        yield page_and_keep
+
+
+@pytest.fixture
+def tablets(browser, page_log, demo):
+    """Yield both tablets, side by side in one demonstration."""
+    with ExitStack() as stack:
+        yield [stack.enter_context(signed_in(name, browser, page_log, demo[1])) for name in TABLETS]
 
 
 def visit(page, step):
@@ -132,12 +142,19 @@ def test_from_the_shirt_to_a_scored_drive(tablet):
     keep("review")
 
 
-def test_the_calibration_is_walked_through_and_survives_a_reload(tablet):
-    page, keep = tablet
-    visit(page, "calibrate")
-    expect(page.get_by_role("button", name="Start")).to_be_visible()
+def test_the_calibration_is_walked_through_and_survives_a_reload(tablets):
+    """One tablet leads, the other one follows; both are looked at."""
+    (page, _), (follower, _) = tablets
+
+    def keep(picture):
+        for _, keep_one in tablets:
+            keep_one(picture)
+
+    for one in (follower, page):
+        visit(one, "calibrate")
+        expect(one.get_by_role("button", name="Start")).to_be_visible()
+        one.get_by_role("switch", name="Go on by itself").set_checked(False, force=True)
     keep("calibrate-rest")
-    page.get_by_role("switch", name="Go on by itself").set_checked(False, force=True)
     page.get_by_role("button", name="Start").click()
     expect(page.get_by_role("heading", name="Move freely")).to_be_visible(timeout=STEP_LIMIT)
     page.reload()
@@ -148,11 +165,12 @@ def test_the_calibration_is_walked_through_and_survives_a_reload(tablet):
     keep("calibrate-free")
     expect(page.locator(".cue-word")).to_have_text("Push", timeout=STEP_LIMIT)
     keep("calibrate-prompt")
-    expect(page.get_by_role("heading", name="What this body can do")).to_be_visible(timeout=4 * STEP_LIMIT)
-    expect(page.get_by_text("When one gesture is made, what else moves")).to_be_visible(timeout=PATIENCE)
+    for one in (page, follower):
+        expect(one.get_by_role("heading", name="What this body can do")).to_be_visible(timeout=4 * STEP_LIMIT)
+        expect(one.get_by_text("When one gesture is made, what else moves")).to_be_visible(timeout=PATIENCE)
     keep("calibrate-result")
     page.get_by_role("button", name="Use this calibration").click()
-    expect(page.get_by_text("This calibration is in use.").first).to_be_visible()
+    expect(page.get_by_role("heading", name="Which movement does what")).to_be_visible()
 
 
 def test_the_visitor_drives_by_pads_stops_and_goes_on(tablet, demo):
