@@ -2,17 +2,19 @@ PYTHON ?= python3
 PORT ?= 8080
 VENV := .venv
 BIN := $(VENV)/bin
+INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt
 
 .PHONY: demo test check bench clean
 
 $(VENV)/.installed: pyproject.toml constraints.txt
-	test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt --editable .
-	touch $@
+	@echo "Installing into $(VENV), once; this takes a minute or two ..."
+	@test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
+	@$(INSTALL) --editable .
+	@touch $@
 
 $(VENV)/.installed-test: $(VENV)/.installed
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt --editable '.[test]'
-	touch $@
+	@$(INSTALL) --editable '.[test]'
+	@touch $@
 
 demo: $(VENV)/.installed
 	@exec $(BIN)/bodydrive demo --port $(PORT)
@@ -24,7 +26,8 @@ check: $(VENV)/.installed-test
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
-	node --version >/dev/null 2>&1 && for file in $$(git ls-files 'web_static/*.js'); do node --check $$file || exit 1; done || echo "node is not here: JavaScript is not checked"
+	@if command -v node >/dev/null; then find web_static -name '*.js' -print0 | xargs -0 -n 1 node --check; \
+	else echo "node is not here: JavaScript is not checked"; fi
 
 bench: $(VENV)/.installed-test
 	$(BIN)/bodydrive bench
