@@ -26,7 +26,10 @@ check: $(VENV)/.installed-test
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
-	@if command -v node >/dev/null; then find web_static -name '*.js' -print0 | xargs -0 -n 1 node --check; \
+	@if command -v node >/dev/null; then \
+	  for file in $$(find web_static -name '*.js'); do \
+	    node --input-type=module --check < $$file || { echo "$$file: see above"; exit 1; }; \
+	  done; \
 	else echo "node is not here: JavaScript is not checked"; fi
 
 bench: $(VENV)/.installed-test
