@@ -50,7 +50,8 @@ async function choose(app, root, signal) {
         { class: "grow" },
         bodyNote(equipment),
         " ",
-        equipment.shirt.kind === "simulator" && h("a", { href: "#/shirt" }, t("drive.body.change")),
+        equipment.shirt.kind === "simulator" &&
+          h("a", { class: "btn bare small", href: "#/shirt" }, t("drive.body.change")),
       ),
       button,
     ),

@@ -3,6 +3,8 @@ import { t } from "../texts.js";
 import { comparable, MEASURES } from "./measures.js";
 import { chart, faint } from "./plotly.js";
 
+const AROUND = 1.5; // m of the building shown around what was driven
+
 /** @param {any} learning what GET /patients/ID/learning answered @param {string} measure @param {AbortSignal} signal */
 export function curveChart(learning, measure, signal) {
   const { unit } = MEASURES[measure];
@@ -119,14 +121,27 @@ export function trajectoriesChart(learning, plan, signal) {
         name: t("review.path.line"),
         hoverinfo: "skip",
       });
+    const driven = learning.trajectories.flatMap(({ x, y }) => x.map((each, i) => [each, y[i]]));
+    const shown = columns([...learning.path, ...driven]);
+    const axis = (words, values) => ({
+      title: { text: words },
+      range: around(values),
+      zeroline: false,
+      showgrid: false,
+    });
     return {
       traces,
-      layout: {
-        xaxis: { title: { text: "x (m)" }, zeroline: false, showgrid: false, constrain: "domain" },
-        yaxis: { title: { text: "y (m)" }, zeroline: false, showgrid: false, scaleanchor: "x", constrain: "domain" },
-      },
+      layout: { xaxis: axis("x (m)", shown.x), yaxis: { ...axis("y (m)", shown.y), scaleanchor: "x" } },
     };
   });
+}
+
+/** From the least to the greatest, and a little further. @param {number[]} values */
+function around(values) {
+  if (!values.length) return undefined;
+  const least = values.reduce((a, b) => Math.min(a, b));
+  const greatest = values.reduce((a, b) => Math.max(a, b));
+  return [least - AROUND, greatest + AROUND];
 }
 
 function columns(line) {

@@ -26,8 +26,12 @@ export function showTrial(app, root, { plan, path, isVisitor }, signal) {
   const cue = trialCue(app, end.run);
   const mini = miniPlan(plan, path);
   const place = placeCard(plan, path);
-  const bar = bottomBar(app, path, end.element, mini, signal);
   const view = viewFrame(signal);
+  const onPlots = (isOpen) => {
+    mini.element.hidden = isOpen; // the plots stand in the same corner, and show the same line
+    view.setPlots(isOpen);
+  };
+  const bar = bottomBar(app, path, end.element, onPlots, signal);
   const title = h("h1", { class: "unseen", tabindex: "-1" }, plan.title);
   const show = ({ detail: now }) => {
     if (!trial) return;
@@ -93,7 +97,7 @@ function placeCard(plan, path) {
   return { element, show, name: (words) => write(name, words) };
 }
 
-function bottomBar(app, path, endElement, mini, signal) {
+function bottomBar(app, path, endElement, onPlots, signal) {
   const speed = h("span", {});
   const square = cross({ hasWords: false });
   const ask = (call) => call.catch((error) => app.toasts.show(error.message));
@@ -114,9 +118,11 @@ function bottomBar(app, path, endElement, mini, signal) {
   const setPlots = (open) => {
     isOpen = open;
     plots.setAttribute("aria-pressed", String(open));
-    mini.element.hidden = open; // the plots stand in the same corner, and show the same line
+    onPlots(open);
     ask(app.api.post("/view/clinician/plots", { open }));
   };
+  // A page that was loaded again may have left them open.
+  ask(app.api.post("/view/clinician/plots", { open: false }));
   plots.addEventListener("click", () => setPlots(!isOpen));
   WIDE.addEventListener("change", () => isOpen && !WIDE.matches && setPlots(false), { signal });
   signal.addEventListener("abort", () => isOpen && setPlots(false));

@@ -9,12 +9,14 @@ const PATIENCE = 12000; // ms for a fresh frame to show its first picture, on a 
 const CALM = 4; // looks in a row without a stutter: loading is over, and Stop answers at once
 const STUTTER = 450; // ms between two looks
 const SLOW = 10; // pictures a second; a slower machine draws with fewer pixels, so that the view stays live
+const QUICK = 45; // pictures a second; there is room for more pixels
 const COARSE_PLACE = "bodydrive-view-coarse";
+const PLOTS_WIDTH = 800; // px that the 3D view's page needs to lay its plots beside the picture
 const COARSEST = 3; // screen pixels to one drawn pixel, each way
 
 /**
  * `ready` comes true with the first live picture: nobody is to drive before there is something to see.
- * @param {AbortSignal} signal @returns {{element: HTMLElement, ready: Promise<void>}}
+ * @param {AbortSignal} signal @returns {{element: HTMLElement, ready: Promise<void>, setPlots: (is: boolean) => void}}
  */
 export function viewFrame(signal) {
   const make = () => h("iframe", { src: "/view/clinician/", title: t("trial.frame"), tabindex: "-1" });
@@ -25,10 +27,25 @@ export function viewFrame(signal) {
   const words = h("p", { class: "stale", role: "alert", hidden: true }, t("trial.stale"));
   const element = h("div", { class: "view" }, frame, words);
   const pace = frameCounter();
-  setCoarse(element, Number(sessionStorage.getItem(COARSE_PLACE)) || 1);
   let isReady = () => {};
   const ready = new Promise((resolve) => (isReady = () => resolve(undefined)));
 
+  let mayRefine = true; // once: a machine on the border shall not go to and fro
+  let hasPlots = false;
+  let coarse = Number(sessionStorage.getItem(COARSE_PLACE)) || 1;
+  const setCoarse = (times) => {
+    coarse = times;
+    sessionStorage.setItem(COARSE_PLACE, String(times));
+    draw(element, times);
+  };
+  const suit = (rate) => {
+    if (rate < SLOW) setCoarse(Math.min(COARSEST, coarse + 1));
+    else if (Number.isFinite(rate) && rate > QUICK && coarse > 1 && mayRefine) {
+      mayRefine = false;
+      setCoarse(coarse - 1);
+    }
+  };
+  draw(element, coarse);
   const look = () => {
     const now = performance.now();
     const age = pictureAge(frame);
@@ -38,7 +55,7 @@ export function viewFrame(signal) {
     lookedAt = now;
     // A view that never comes must not keep the plan and the figures from being used.
     if (calm >= CALM || !isNew) isReady();
-    if (isLive && pace.perSecond(frame) < SLOW) setCoarse(element, Math.min(COARSEST, coarseness(element) + 1));
+    if (isLive && !hasPlots) suit(pace.perSecond(frame));
     if (age === null || document.visibilityState !== "visible") return;
     words.hidden = isLive || isNew;
     if (age < DEAD || isNew) return;
@@ -49,7 +66,12 @@ export function viewFrame(signal) {
   };
   const timer = setInterval(look, LOOK_EVERY);
   signal.addEventListener("abort", () => clearInterval(timer));
-  return { element, ready };
+  /** Plots need room beside the picture, so that the frame may not become too narrow. @param {boolean} is */
+  const setPlots = (is) => {
+    hasPlots = is;
+    draw(element, is ? Math.max(1, Math.min(coarse, element.clientWidth / PLOTS_WIDTH)) : coarse);
+  };
+  return { element, ready, setPlots };
 }
 
 /** Seconds since the picture was last known to be live; null when the frame does not tell. */
@@ -88,11 +110,7 @@ function frameCounter() {
   };
 }
 
-function coarseness(element) {
-  return Number(element.style.getPropertyValue("--coarse")) || 1;
-}
-
-function setCoarse(element, times) {
+/** @param {HTMLElement} element @param {number} times screen pixels to one drawn pixel, each way */
+function draw(element, times) {
   element.style.setProperty("--coarse", String(times));
-  sessionStorage.setItem(COARSE_PLACE, String(times));
 }
