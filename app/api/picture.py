@@ -20,6 +20,7 @@ from app.session.visit_flow import VisitFlow
 STALE = 1.0  # s without a tick: the control process is not to be counted on
 SILENT = 0.5  # s without a frame: the shirt is not alive
 LOOK_BACK = 1.0  # s of frames for the condition of the channels
+NOISY = 3.0  # times the noise of the shirt's channels: a second of small movement is mostly noise in any of them
 
 
 class LivePicture:
@@ -156,19 +157,25 @@ def fault_view(fault: Fault) -> dict[str, str] | None:
 def lamps(layout: ShirtLayout, frames: NDArray[np.float64], sample_rate: float, unused: list[str]) -> list[str]:
     """Return the lamp of every channel from the frames (n, n_channels) of the last second."""
     names = layout.channel_names
-    if len(frames) < 2:
+    if len(frames) < 4:
         conditions = ["silent"] * len(names)
     else:
         groups = list(layout.channels_of_joint.values())
-        conditions = [quality.condition for quality in channel_quality(frames, groups, sample_rate)]
+        noise = noise_of(frames, len(names))
+        much = noise > NOISY * np.nanmedian(noise) if np.isfinite(noise).any() else noise > 0
+        conditions = [
+            "good" if quality.condition == "noisy" and not much[i] else quality.condition
+            for i, quality in enumerate(channel_quality(frames, groups, sample_rate))
+        ]
     return ["unused" if name in unused else condition for name, condition in zip(names, conditions, strict=True)]
 
 
 def noise_of(frames: NDArray[np.float64], channels: int) -> NDArray[np.float64]:
-    """Return the noise (signal units) of every channel: of white noise, differences have sqrt(2) times its spread."""
-    if len(frames) < 3:
+    """Return the noise (signal units) of every channel, (n_channels,)."""
+    if len(frames) < 4:
         return np.full(channels, np.nan)
-    return np.asarray(np.std(np.diff(frames, axis=0), axis=0) / math.sqrt(2.0))
+    # Of second differences: movement, which is smooth, falls out of them; white noise has sqrt(6) times its spread.
+    return np.asarray(np.std(np.diff(frames, n=2, axis=0), axis=0) / math.sqrt(6.0))
 
 
 def _number(value: Any, digits: int) -> float | None:
