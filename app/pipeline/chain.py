@@ -10,7 +10,7 @@ from app.messages import SensorFrame, Tick
 from app.pipeline.controls import Controls
 from app.pipeline.decoder import Decoder, periods_between
 from app.pipeline.health import LossWindow
-from app.pipeline.safety import LARGEST_STEP, Conditions, SafetyGate, shirt_limits
+from app.pipeline.safety import LARGEST_STEP, LOSSY_LIMIT, Conditions, SafetyGate, shirt_limits
 from app.pipeline.shaping import Shaper
 
 
@@ -55,6 +55,7 @@ class Chain:
         if self._decoder:
             self._decoder.reset()
         self._loss.reset()
+        self._lossy_since: float | None = None
         self._t: float | None = None
         self._frame_t: float | None = None
         self._t_device = math.nan
@@ -108,7 +109,9 @@ class Chain:
         elif self._frame_t is None:
             self._frame_t = t  # from here on the first frame is waited for
         frame_age = t - self._frame_t if self._frame_t is not None else math.inf
-        if frame_age > self._stale or self._loss.too_lossy:
+        self._follow_losses(t)
+        unseen = frame_age > self._stale or self._loss.too_lossy
+        if unseen:
             decoder.quieten()
         activation = decoder.activation
         tick.score, tick.rate, tick.drive, tick.activation = decoder.score, decoder.rate, decoder.drive, activation
@@ -116,10 +119,20 @@ class Chain:
         if controls.is_stop(activation) and gate.state is not State.DISARMED:
             gate.stop(Fault.STOP_GESTURE)
         bad_gestures = sum(decoder.bad[i] for i in controls.bound) if True in decoder.bad else 0
-        neutral = gate.state is State.CHECKING and controls.is_neutral(activation)
+        # What is not seen is not seen at rest.
+        neutral = gate.state is State.CHECKING and not unseen and controls.is_neutral(activation)
         permitted = gate.decide(t, pause, neutral, bad_gestures, frame_age, conditions)
         asked = shaper.step(tick.u1, tick.u2, gate.last, dt) if permitted is State.ARMED else STANDSTILL
         return gate.limit(asked, dt)
+
+    def _follow_losses(self, t: float) -> None:
+        """Stop when losses go on: with gestures silenced, nobody could slow a chair that cruises."""
+        if not self._loss.too_lossy:
+            self._lossy_since = None
+        elif self._lossy_since is None:
+            self._lossy_since = t
+        elif t - self._lossy_since > LOSSY_LIMIT and self.gate.state is not State.DISARMED:
+            self.gate.stop(Fault.SHIRT_LOSSY)
 
     def _decode(self, decoder: Decoder, frame: SensorFrame) -> None:
         time_step = frame.t_device - self._t_device

@@ -15,6 +15,7 @@ NEUTRAL_TIME = 0.5  # s at rest before motion (ISO 7176-14, control signal at sw
 NEUTRAL_PATIENCE = 5.0  # s, then a latched fault
 SHIRT_STALE = 0.05  # s: gestures count as neutral
 SHIRT_SILENT = 0.2  # s: disarm (a 200 ms stall disarms in ArduPilot, too)
+LOSSY_LIMIT = 1.5  # s of too many lost frames: one burst of losses is forgotten after 1 s, so these go on
 SLOW_SHIRT = 60.0  # Hz: below it the limits are counted in periods
 STALE_PERIODS, SILENT_PERIODS = 3, 12
 WEB_SILENT = 0.3  # s without a heartbeat of the web process
@@ -128,9 +129,10 @@ class SafetyGate:
         return self.last
 
     def _withdraw(self, state: State) -> None:
+        if self.state is State.ARMED:  # a stop on the way to standstill must not make that way longer
+            self._stop_rate = stop_rate(self.last.v, STOP_DECELERATION)
+            self._stop_turn_rate = stop_rate(self.last.omega, STOP_TURN_DECELERATION)
         self.state = state
-        self._stop_rate = stop_rate(self.last.v, STOP_DECELERATION)
-        self._stop_turn_rate = stop_rate(self.last.omega, STOP_TURN_DECELERATION)
 
     def _fault_now(self, pause: float, bad_gestures: int, frame_age: float, conditions: Conditions) -> Fault:
         # Every comparison is written so that a NaN ends in the fault.

@@ -144,3 +144,43 @@ def test_a_reset_forgets_the_past_and_disarms():
     assert tick.state is State.DISARMED
     assert tick.rate == [0.0] * 4
     assert (tick.u1, tick.u2) == (0.0, 0.0)
+
+
+def bend(parameters, n, full):
+    """Return frames in which the first joint moves evenly, by `full` FS in all."""
+    joint = parameters.profile.joints[0]
+    frames = make_signals(parameters, n, strokes=False)
+    frames[:, list(joint.channels)] += np.outer(np.linspace(0, full, n), joint.weights) * joint.span
+    return frames
+
+
+def test_a_body_that_is_not_seen_is_not_seen_at_rest():
+    parameters = make_parameters()
+    ride = Ride(parameters)
+    for i, frame in enumerate(make_signals(parameters, 200, strokes=False)):
+        ride.feed(frame if i % 2 else None)  # half of the frames get lost
+    assert ride.chain.arm()
+    states = [ride.feed(frame if i % 2 else None).state for i, frame in enumerate(bend(parameters, 90, 1.2))]
+    assert State.ARMED not in states
+
+
+def test_losses_that_go_on_stop_a_chair_that_cruises():
+    parameters = make_parameters()
+    ride = Ride(parameters)
+    ride.arm_at_rest(make_signals(parameters, strokes=False))
+    for frame in bend(parameters, 60, 0.8):
+        tick = ride.feed(frame)
+    assert tick.v > 0.1
+    frames = make_signals(parameters, 300, strokes=False)
+    ticks = [ride.feed(frame if i % 2 else None) for i, frame in enumerate(frames)]
+    assert ticks[-1].fault is Fault.SHIRT_LOSSY
+    assert ride.chain.gate.last == (0.0, 0.0)
+
+
+def test_one_burst_of_losses_is_no_fault():
+    parameters = make_parameters()
+    ride = Ride(parameters)
+    ride.arm_at_rest(make_signals(parameters, strokes=False))
+    for i, frame in enumerate(make_signals(parameters, 400, strokes=False)):
+        tick = ride.feed(None if 100 <= i < 118 else frame)
+    assert (tick.state, tick.fault) == (State.ARMED, Fault.NONE)

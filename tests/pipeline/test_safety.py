@@ -214,3 +214,15 @@ def test_no_input_whatever_gets_past_speed_and_acceleration(steps):
         else:
             assert abs(twist.v) <= abs(last.v)
         last = twist
+
+
+@pytest.mark.parametrize("again", [SafetyGate.disarm, lambda gate: gate.stop(Fault.STOP_TABLET)])
+def test_a_stop_on_the_way_to_standstill_does_not_make_it_longer(again):
+    gate = moving_gate()
+    gate.disarm()
+    for _ in range(round(STOP_TIME / DT / 2)):
+        gate.limit(STANDSTILL, DT)
+    again(gate)
+    for _ in range(round(STOP_TIME / DT / 2) + 1):
+        gate.limit(STANDSTILL, DT)
+    assert gate.last is STANDSTILL
