@@ -148,11 +148,13 @@ class Commands:
         return {}
 
     def _parameters(self, fields: documents.Parameters, _id: int) -> Answer:
+        self._require_no_drive()
         self._setup.use_parameters(fields.parameters)
         self._settle()
         return {"hash": self._setup.hash}
 
     def _world(self, fields: documents.World, _id: int) -> Answer:
+        self._require_no_drive()
         self._setup.use_world(fields.floorplan, fields.path)
         self._settle()
         return {}
@@ -279,6 +281,11 @@ class Commands:
     def _require_no_run(self) -> None:
         if self._loop.run is not None:
             raise Refused("Something is being recorded already: end it first.")
+
+    def _require_no_drive(self) -> None:
+        """Refuse while armed or recording: a stop in a trial is cleared into what was armed, and into nothing else."""
+        self._setup.require_still()
+        self._require_no_run()
 
     def _settle(self) -> None:
         """Take what was just loaded into the long-lived memory; the loop begins a new deadline."""

@@ -150,6 +150,9 @@ def test_a_drive_is_recorded_and_decoding_the_recording_gives_the_same_drive(tmp
                 assert (stopped["state"], stopped["fault"]) == (State.FAULT, Fault.STOP_KEY)
                 sentence = await refusal(control, "arm", hash=digest)
                 assert "keyboard" in sentence
+                # Continue must find what was armed and is written in the recording, not something else.
+                assert "recorded" in await refusal(control, "parameters", parameters=None)
+                assert "recorded" in await refusal(control, "world", floorplan=None, path=None)
                 await control.call("clear")
                 await tick_with(control, lambda tick: tick["state"] == State.ARMED)
                 await control.call("end_run")
