@@ -122,7 +122,12 @@ def _flows(
     visit = VisitFlow(database, link, worn, wizard, drive, tell)
     shown = LivePicture(link, worn, runs, drive, visit)
     hub = LiveHub(shown.picture, shown.quality)
-    link.screen = lambda: drive.trial is not None and hub.sees(drive.trial.person_id)
+
+    def screen_in_view() -> bool:
+        trial = drive.trial  # looked at once: this is asked from the link's thread, and the trial may end meanwhile
+        return trial is not None and hub.sees(trial.person_id)
+
+    link.screen = screen_in_view
 
     async def control_changed(_state: str) -> None:
         tell("equipment")

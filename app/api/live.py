@@ -57,12 +57,13 @@ async def _take(text: str, viewer: Viewer, flows: Flows) -> None:
     if len(text) > MESSAGE_LIMIT:
         return
     try:
-        message = Upward.model_validate(json.loads(text))
-    except (ValidationError, ValueError):
+        said = json.loads(text)
+        if isinstance(said, dict) and said.get("stop") is True:
+            with suppress(Refusal):  # no control process: the chair stands already
+                await flows.control.call("stop", by="tablet")
+        message = Upward.model_validate(said)
+    except (ValidationError, ValueError, RecursionError):
         return
-    if message.stop:
-        with suppress(Refusal):  # no control process: the chair stands already
-            await flows.control.call("stop", by="tablet")
     if message.visible is not None:
         viewer.visible, viewer.heard = message.visible, monotonic()
     if message.move is not None:

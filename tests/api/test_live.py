@@ -69,6 +69,16 @@ def test_stop_and_the_visitors_movement_go_down_and_nonsense_does_not(signed_in:
     assert moves == [{"joints": {"right_elbow": 0.7}}]
 
 
+def test_a_stop_counts_whatever_else_the_message_says(signed_in: Any) -> None:
+    with signed_in.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+        socket.send_json({"move": {"right_elbow": 2}, "unknown": 1, "stop": True})
+        for _ in range(40):
+            if socket.receive_json()["state"] == "fault":
+                break
+        else:
+            pytest.fail("the stop was lost")
+
+
 def test_the_screen_that_drives_is_the_one_of_who_started_and_in_view(signed_in: Any) -> None:
     def screen() -> bool:
         signed_in.link.told.clear()
