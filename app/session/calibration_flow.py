@@ -78,6 +78,10 @@ class CalibrationFlow:
         self._running = step.id
         try:
             run = await self._runs.begin(session_id, step.kind, step.cues, {"step": step.id})
+        except BaseException:  # what may be recorded now is somebody else's
+            self._running = None
+            raise
+        try:
             await asyncio.to_thread(self._set, session_id, step.id, "running", "", run.id, step.id)
         except BaseException:
             self._running = None

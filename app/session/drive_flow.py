@@ -163,9 +163,11 @@ class DriveFlow:
         except (ValueError, OSError):
             measures = None  # too short to measure, or cut: the trial stays in the list without figures
         finally:
-            await asyncio.to_thread(self._save, trial.id, end, measures)
-            self.trial = None
-            self._tell("trial")
+            try:
+                await asyncio.to_thread(self._save, trial.id, end, measures)
+            finally:  # also when the database is gone: the trial is over
+                self.trial = None
+                self._tell("trial")
 
     def _parameters(self, patient_id: int) -> tuple[int, str]:
         with self._database.transaction() as db:

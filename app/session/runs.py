@@ -3,6 +3,7 @@
 import asyncio
 import uuid
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -60,7 +61,12 @@ class Runs:
             cues=[cue.model_dump(mode="json") for cue in cues],
             meta=meta,
         )
-        await asyncio.to_thread(self._note, run_id, session_id, kind)
+        try:
+            await asyncio.to_thread(self._note, run_id, session_id, kind)
+        except BaseException:
+            with suppress(Refusal):  # nobody would know of this run, so nobody would ever end it
+                await self._control.call("end_run")
+            raise
         self.open = OpenRun(run_id, int(answer["run"]), folder, kind, tuple(cues))
         return self.open
 

@@ -1,0 +1,79 @@
+"""What the flows leave behind when something fails on the way."""
+
+import asyncio
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+
+from app.session.calibration_flow import CalibrationFlow
+from app.session.drive_flow import DriveFlow
+from app.session.refusals import Conflict
+from app.session.runs import Runs
+
+
+class Asked:
+    """A control process that does what it is told, and remembers it."""
+
+    def __init__(self) -> None:
+        self.asked: list[str] = []
+
+    async def call(self, do: str, **_fields: Any) -> dict[str, Any]:
+        self.asked.append(do)
+        return {"run": 1, "rows": 0, "dropped": 0}
+
+
+class Gone:
+    """A database that is gone."""
+
+    def transaction(self) -> Any:
+        raise OSError("the database is gone")
+
+
+def runs_with(control: Any, tmp_path: Any) -> Runs:
+    return Runs(Gone(), control, tmp_path)  # type: ignore[arg-type]
+
+
+def test_a_run_that_cannot_be_noted_is_not_left_running(tmp_path: Any) -> None:
+    control = Asked()
+    with pytest.raises(OSError, match="gone"):
+        asyncio.run(runs_with(control, tmp_path).begin(1, "rest", (), {}))
+    assert control.asked == ["run", "end_run"]
+
+
+def test_a_trial_is_over_though_the_database_is_gone(tmp_path: Any) -> None:
+    control, told = Asked(), []
+    flow = DriveFlow(Gone(), control, runs_with(control, tmp_path), told.append, None)  # type: ignore[arg-type]
+    flow.trial = SimpleNamespace(id=1, run=None, path=None)  # type: ignore[assignment]
+
+    async def story() -> None:
+        with pytest.raises(OSError, match="gone"):
+            await flow._finish(flow.trial, "fault")  # type: ignore[arg-type]
+
+    asyncio.run(story())
+    assert not flow.running
+    assert told == ["trial"]
+
+
+def test_a_calibration_step_that_cannot_begin_leaves_another_run_alone(monkeypatch: pytest.MonkeyPatch) -> None:
+    ended: list[bool] = []
+
+    class Busy:
+        async def begin(self, *_given: Any) -> None:
+            raise Conflict("Something is being recorded already.")
+
+        async def end(self) -> None:
+            ended.append(True)
+
+    shirt = SimpleNamespace(needed_layout=lambda: None)
+    flow = CalibrationFlow(None, None, shirt, Busy(), print, None)  # type: ignore[arg-type]
+    step = SimpleNamespace(id="rest", kind="rest", cues=())
+
+    async def progress(_session: int) -> Any:
+        return SimpleNamespace(layout=None, steps=(step,))
+
+    monkeypatch.setattr(flow, "progress", progress)
+    with pytest.raises(Conflict):
+        asyncio.run(flow.start(1, "rest"))
+    assert not ended
+    assert not flow.running
