@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from app.api.app import create_app
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.calibration.script import Step
+from app.clock import monotonic
 from app.faults import Fault, State
 from app.layout import Channel, Joint, ShirtLayout
 from app.link import LinkLost, LinkRefused
@@ -130,7 +131,7 @@ class FakeLink:
     def since(self, _number: int) -> NDArray[np.void]:
         self.number += 1
         tick = np.zeros(1, TICK)
-        tick["number"], tick["t"] = self.number, 0.0 if self.silent else time.monotonic()
+        tick["number"], tick["t"] = self.number, 0.0 if self.silent else monotonic()
         tick["run"], tick["run_t"] = self.run, self.run_t if self.run else np.nan
         tick["x"], tick["y"], tick["theta"] = self.pose
         tick["state"], tick["fault"], tick["cue"] = self.state, self.fault, NO_CUE
