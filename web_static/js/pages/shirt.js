@@ -18,6 +18,8 @@ export async function show(app, root, { signal }) {
   const below = h("div", {});
   let drawn = new AbortController(); // ends what was drawn of the equipment before
   let picked = "";
+  /** @type {Map<string, string>} cards whose form is open, with the choice it shows */
+  const open = new Map();
 
   const draw = () => {
     drawn.abort();
@@ -35,8 +37,10 @@ export async function show(app, root, { signal }) {
     showWords();
   };
   const take = (answer) => {
+    const isSame = keyOf(answer) === keyOf(equipment);
     equipment = answer;
-    draw();
+    if (!isSame) draw();
+    else drawRight(); // only the files to choose from may be others
   };
   const lampsCard = (layout) => {
     const lamps = bodyLamps(layout, pick);
@@ -82,14 +86,30 @@ export async function show(app, root, { signal }) {
     };
     return sensorCard(app, { channel, index, joint, isUnused: equipment.unused.includes(picked), signal: until }, mark);
   };
-  const use = async (call) => take(await call);
+  const use = async (call, card) => {
+    const answer = await call;
+    if (card) open.delete(card);
+    take(answer);
+  };
+  /** A card that says what is in use; its form stays open, and as it is, when the page is drawn again. */
+  const card = (name, words, first, makeForm) =>
+    summary(
+      t(`${name}.title`),
+      words,
+      open.has(name),
+      (isOpen) => {
+        if (!isOpen) open.delete(name);
+        else if (!open.has(name)) open.set(name, first);
+      },
+      () => makeForm({ kind: open.get(name) ?? first, onKind: (kind) => open.set(name, kind) }),
+    );
   const sourceCard = () =>
-    summary(t("source.title"), sourceWords(equipment.shirt), () =>
-      sourceForm(app, equipment, (config) => use(app.api.put("/equipment/shirt", config))),
+    card("source", sourceWords(equipment.shirt), equipment.shirt.kind, (shown) =>
+      sourceForm(app, equipment, (config) => use(app.api.put("/equipment/shirt", config), "source"), shown),
     );
   const bodyCard = () =>
-    summary(t("body.title"), equipment.body ? bodyWords(equipment.body) : "", () =>
-      bodyForm(app, equipment, (config) => use(app.api.put("/equipment/body", config))),
+    card("body", equipment.body ? bodyWords(equipment.body) : "", "", (shown) =>
+      bodyForm(app, equipment, (config) => use(app.api.put("/equipment/body", config), "body"), shown),
     );
   const showWords = () => {
     const all = app.live.quality.length;
@@ -131,10 +151,20 @@ export async function show(app, root, { signal }) {
   draw();
 }
 
-function summary(title, words, makeForm) {
+/** What, drawn anew, would change more than a list of files. */
+function keyOf({ shirt, body, layout, unused }) {
+  return JSON.stringify([shirt, body, layout, unused]);
+}
+
+function summary(title, words, isOpen, onToggle, makeForm) {
   const place = h("div", {});
-  const details = h("details", {}, h("summary", {}, t("source.change")), place);
-  details.addEventListener("toggle", () => details.open && !place.firstChild && put(place, makeForm()));
+  const details = h("details", { open: isOpen }, h("summary", {}, t("source.change")), place);
+  const fillIn = () => details.open && !place.firstChild && put(place, makeForm());
+  details.addEventListener("toggle", () => {
+    onToggle(details.open);
+    fillIn();
+  });
+  fillIn();
   return h("section", { class: "card" }, h("h2", {}, title), h("p", {}, words), details);
 }
 

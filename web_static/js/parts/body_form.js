@@ -19,8 +19,9 @@ export function bodyWords(body) {
 /**
  * A choice takes effect at once; only a recorded body first needs its file.
  * @param {import("../main.js").App} app @param {any} equipment @param {(config: any) => Promise<void>} onUse
+ * @param {{kind: string, onKind: (kind: string) => void}} shown the choice whose settings are shown
  */
-export function bodyForm(app, equipment, onUse) {
+export function bodyForm(app, equipment, onUse, { kind: first, onKind }) {
   const { body, files } = equipment;
   const recorded = { kind: "recorded", file: body?.file };
   const more = h("div", { class: "stack settings" });
@@ -34,6 +35,7 @@ export function bodyForm(app, equipment, onUse) {
     }
   };
   const choose = (choice) => {
+    onKind(choice);
     put(more);
     if (choice !== "recorded") return use(CHOICES[choice]);
     const bodies = files.filter(({ kind }) => kind === "body");
@@ -45,7 +47,8 @@ export function bodyForm(app, equipment, onUse) {
         h("button", { type: "button", class: "btn go", onclick: () => use(recorded) }, t("source.use")),
     );
   };
-  const current = body?.kind === "person" ? body.skill : body?.kind;
+  const current = first || (body?.kind === "person" ? body.skill : body?.kind);
+  if (first === "recorded") choose(first);
   const options = [
     { value: "practised", label: t("body.person.practised"), hint: t("body.person.practised.hint") },
     { value: "novice", label: t("body.person.novice"), hint: t("body.person.novice.hint") },

@@ -2,6 +2,7 @@
 import { t } from "../texts.js";
 import { HEIGHT, LAYOUT_HEIGHT, outline, WIDTH } from "./body_outline.js";
 import { h, s, set } from "./dom.js";
+import { lampPlaces } from "./lamp_places.js";
 
 const SIZE = 4.6; // half the width of a lamp, in units of the outline
 const SHAPES = {
@@ -21,7 +22,7 @@ export const QUALITIES = {
   silent: { shape: "circle", sign: "?" },
 };
 
-/** @typedef {{name: string, joint: string, position: [number, number] | null, side: "front" | "back" | null}} Channel */
+/** @typedef {import("./lamp_places.js").Channel} Channel */
 
 /** A channel's name for people: "Right elbow 3". @param {Channel} channel */
 export function sensorName({ name }) {
@@ -36,25 +37,23 @@ export function lampSign(quality) {
 }
 
 /**
- * Both sides of the body with a lamp for every channel that has a place.
+ * Both sides of the body with a lamp for every channel.
  * @param {{channels: Channel[], joints: {name: string, label: string}[]}} layout
  * @param {(name: string) => void} onPick
  */
 export function bodyLamps(layout, onPick) {
   const labels = Object.fromEntries(layout.joints.map(({ name, label }) => [name, label]));
-  const lamps = layout.channels
-    .map((channel, index) => ({ channel, index, quality: "", element: null }))
-    .filter(({ channel }) => channel.position);
+  const lamps = lampPlaces(layout.channels).map((place) => ({ ...place, quality: "", element: null }));
   let picked = "";
   const pick = (lamp, focus) => {
     onPick(lamp.channel.name);
     if (focus) lamp.element.focus();
   };
   const sides = ["front", "back"].map((side) => {
-    const here = lamps.filter(({ channel }) => (channel.side ?? "front") === side);
+    const here = lamps.filter((lamp) => lamp.side === side);
     const group = s("g", {});
     for (const lamp of here) {
-      const [x, y] = place(lamp.channel);
+      const [x, y] = inDrawing(lamp);
       lamp.element = s("g", {
         class: "sensor",
         transform: `translate(${x} ${y})`,
@@ -106,15 +105,15 @@ export function bodyLamps(layout, onPick) {
   };
 }
 
-/** @param {Channel} channel */
-function place({ position }) {
+/** @param {{position: [number, number]}} lamp */
+function inDrawing({ position }) {
   return [position[0] * WIDTH, position[1] * LAYOUT_HEIGHT];
 }
 
 function nearestLamp(picture, lamps, event) {
   const at = new DOMPoint(event.clientX, event.clientY).matrixTransform(picture.getScreenCTM().inverse());
   const distance = (lamp) => {
-    const [x, y] = place(lamp.channel);
+    const [x, y] = inDrawing(lamp);
     return Math.hypot(x - at.x, y - at.y);
   };
   return lamps.reduce((best, lamp) => (!best || distance(lamp) < distance(best) ? lamp : best), null);

@@ -16,13 +16,15 @@ export function sourceWords(shirt) {
 /**
  * @param {import("../main.js").App} app @param {any} equipment
  * @param {(config: any) => Promise<void>} onUse rejects with a sentence
+ * @param {{kind: string, onKind: (kind: string) => void}} shown the kind whose settings are shown
  */
-export function sourceForm(app, equipment, onUse) {
+export function sourceForm(app, equipment, onUse, { kind: first, onKind }) {
   const kinds = ["simulator", "replay", "udp"];
   const settings = h("div", { class: "stack settings" });
   const problem = h("p", { class: "problem", role: "alert" });
   let parts = null;
   const choose = (kind) => {
+    onKind(kind);
     parts = { simulator, replay, udp }[kind](app, equipment);
     put(settings, parts.fields);
   };
@@ -35,14 +37,14 @@ export function sourceForm(app, equipment, onUse) {
       problem.textContent = error.message;
     }
   };
-  choose(equipment.shirt.kind);
+  choose(first);
   return h(
     "form",
     { class: "stack", onsubmit: submit },
     choices(
       t("source.title"),
       kinds.map((kind) => ({ value: kind, label: t(`source.${kind}`), hint: t(`source.${kind}.hint`) })),
-      equipment.shirt.kind,
+      first,
       choose,
     ),
     settings,
