@@ -58,7 +58,8 @@ class PageLog:
             self.outside.append(url)
 
 
-@pytest.fixture(scope="session")
+# One for each file: Playwright keeps an event loop running as long as it lives, and other tests start their own.
+@pytest.fixture(scope="module")
 def browser() -> Iterator[Browser]:
     """Chromium without a screen, drawing in software."""
     found = shutil.which("chromium")
