@@ -32,7 +32,8 @@ def _place(location: tuple[int | str, ...]) -> str:
         if isinstance(part, int):
             place += f"[{part}]"
         else:
-            place += f".{part}" if place else part
+            name = part if len(part) <= LONGEST_QUOTE else part[:LONGEST_QUOTE] + "..."
+            place += f".{name}" if place else name
     return place
 
 
@@ -48,6 +49,12 @@ def _problem(problem: Mapping[str, Any]) -> str:
         return "this is not known here, leave it out"
     if kind == "json_invalid":
         return f"this is not JSON, correct it ({message.removeprefix('Invalid JSON: ')})"
+    if kind == "union_tag_invalid":
+        return (
+            f"{problem['ctx']['discriminator']} must be one of {problem['ctx']['expected_tags']}, choose one of these"
+        )
+    if kind == "union_tag_not_found":
+        return f"{problem['ctx']['discriminator']} is missing, add it"
     bounds = problem.get("ctx", {})
     if kind == "too_long":
         return f"there may be at most {bounds['max_length']}, but there are {bounds['actual_length']}, remove some"

@@ -19,7 +19,8 @@ WORDS = {
 
 
 def _answer(status: int, sentence: str) -> JSONResponse:
-    return JSONResponse({"detail": sentence}, status)
+    whole = sentence[:1].upper() + sentence[1:].removesuffix(".") + "."
+    return JSONResponse({"detail": whole}, status)
 
 
 async def _broken(request: Request, error: Exception) -> JSONResponse:
@@ -36,6 +37,8 @@ def install_refusals(app: FastAPI) -> None:
 
     @app.exception_handler(HTTPException)
     async def _http(_request: Request, error: HTTPException) -> JSONResponse:
+        if error.status_code == 400:  # only the framework says so, of a body that it cannot take apart
+            return _answer(422, "What was sent cannot be read: correct it.")
         plain = error.detail in {"Not Found", "Method Not Allowed"}
         sentence = WORDS.get(error.status_code, error.detail) if plain else error.detail
         return JSONResponse({"detail": sentence}, error.status_code, headers=error.headers)
@@ -45,6 +48,10 @@ def install_refusals(app: FastAPI) -> None:
         first = error.errors()[0]
         if first["type"] == "json_invalid":
             return _answer(422, "What was sent is not JSON: correct it.")
+        if isinstance(error.body, bytes) and first["loc"] == ("body",):
+            return _answer(415, "What was sent is not declared as JSON: send it as application/json.")
+        if first["type"] == "value_error" and "UploadFile" in first["msg"]:
+            return _answer(422, "What was sent as a file is none: choose a file, then add it again.")
         problems = [{**problem, "loc": tuple(problem["loc"])[1:]} for problem in error.errors()]
         return _answer(422, sentence_of(problems, WHERE.get(str(first["loc"][0]), "What was sent")))
 
