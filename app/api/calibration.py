@@ -3,11 +3,12 @@
 import asyncio
 from typing import Annotated, Any
 
-from fastapi import APIRouter
+from fastapi import APIRouter, Path
 from pydantic import Field
 
-from app.api.deps import Clinician, PeopleParts
+from app.api.deps import Clinician, People, PeopleParts
 from app.api.flows import FlowParts, Flows
+from app.api.signed_in import SignedIn
 from app.calibration.fit import joints_without_map
 from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import standard_parameters
@@ -19,6 +20,9 @@ from app.session.store_log import write_log
 from app.session.tables import PatientSession
 
 router = APIRouter(prefix="/calibration", tags=["calibration"])
+
+
+StepName = Annotated[str, Path(min_length=1, max_length=80)]
 
 
 class Look(Document):
@@ -122,17 +126,16 @@ async def look(who: Clinician, flows: FlowParts) -> CalibrationView:
 
 
 @router.post("/steps/{step}/start")
-async def start_step(step: str, who: Clinician, flows: FlowParts) -> CalibrationView:
+async def start_step(step: StepName, who: Clinician, flows: FlowParts) -> CalibrationView:
     """Record a step, for the first time or again."""
-    session = await flows.visit.needed_session(who.clinic_id)
-    if flows.drive.running:
-        raise Conflict("A trial is running: end it first, then calibrate.")
-    await flows.calibration.start(session.id, step)
+    async with flows.visit.undisturbed("start a step"):
+        session = await flows.visit.needed_session(who.clinic_id)
+        await flows.calibration.start(session.id, step)
     return await _view(flows, session)
 
 
 @router.post("/steps/{step}/cancel")
-async def cancel_step(step: str, who: Clinician, flows: FlowParts) -> CalibrationView:
+async def cancel_step(step: StepName, who: Clinician, flows: FlowParts) -> CalibrationView:
     """Stop recording a step."""
     session = await flows.visit.needed_session(who.clinic_id)
     await flows.calibration.cancel(session.id, step)
@@ -150,16 +153,24 @@ async def go_to_step(body: Look, who: Clinician, flows: FlowParts) -> Calibratio
 @router.post("/restart")
 async def begin_anew(who: Clinician, flows: FlowParts) -> CalibrationView:
     """Forget the steps and begin anew."""
-    session = await flows.visit.needed_session(who.clinic_id)
-    await flows.calibration.restart(session.id)
+    async with flows.visit.undisturbed("begin anew"):
+        session = await flows.visit.needed_session(who.clinic_id)
+        await flows.calibration.restart(session.id)
     return await _view(flows, session)
 
 
 @router.post("/accept")
 async def accept(who: Clinician, parts: PeopleParts, flows: FlowParts) -> CalibrationView:
     """Save the profile as the patient's newest, and load standard parameters on it."""
-    session = await flows.visit.needed_session(who.clinic_id)
-    flows.visit.refuse_while_busy("accept the result")
+    async with flows.visit.undisturbed("accept the result"):
+        session = await flows.visit.needed_session(who.clinic_id)
+        await _accept(who, parts, flows, session)
+    for event in ("calibration", "controls", "visit"):
+        flows.live.tell(event)
+    return await _view(flows, session)
+
+
+async def _accept(who: SignedIn, parts: People, flows: Flows, session: PatientSession) -> None:
     progress = await flows.calibration.progress(session.id)
     profile = progress.profile
     if profile is None:
@@ -176,6 +187,3 @@ async def accept(who: Clinician, parts: PeopleParts, flows: FlowParts) -> Calibr
 
     await asyncio.to_thread(_save)
     await flows.visit.try_load_parameters()
-    for event in ("calibration", "controls", "visit"):
-        flows.live.tell(event)
-    return await _view(flows, session)

@@ -117,17 +117,16 @@ Change = Callable[[Transaction, PatientSession], Parameters]
 
 async def _change(who: SignedIn, parts: People, flows: Flows, what: str, change: Change) -> ControlsView:
     """Change the current set and load it: what is kept is what drives, from the next arming on."""
-    flows.visit.refuse_while_busy("change the controls")
-    session = await flows.visit.needed_session(who.clinic_id)
 
-    def _write() -> ControlsView:
+    def _write(session: PatientSession) -> ControlsView:
         with parts.database.transaction() as db:
             row = change(db, session)
             write_log(db, who.name, what, patient=session.patient_id, parameters=row.id, hash=row.hash)
             return _view(db, flows, session.patient_id)
 
-    view = await asyncio.to_thread(_write)
-    await flows.visit.try_load_parameters()
+    async with flows.visit.undisturbed("change the controls"):
+        view = await asyncio.to_thread(_write, await flows.visit.needed_session(who.clinic_id))
+        await flows.visit.try_load_parameters()
     flows.live.tell("controls")
     return view
 

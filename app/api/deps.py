@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from typing import Annotated
 
-from fastapi import Depends, HTTPException
+from fastapi import Depends, HTTPException, Path
 from starlette.requests import HTTPConnection
 
 from app.api.passwords import Passwords
@@ -12,6 +12,8 @@ from app.api.signed_in import SignedIn, find_signed_in
 from app.api.sockets import OpenSockets
 from app.session.database import Database
 from app.settings import Settings
+
+RowId = Annotated[int, Path(ge=1, le=2**31)]
 
 DRIVERS = frozenset({"owner", "clinician"})
 

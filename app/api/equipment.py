@@ -104,29 +104,29 @@ async def _noted(parts: PeopleParts, flows: Flows, person: str, what: str, **det
 @router.put("/shirt")
 async def choose_shirt(body: ShirtConfig, who: Clinician, parts: PeopleParts, flows: FlowParts) -> EquipmentView:
     """Open another shirt; when it does not open, the one before stays."""
-    flows.visit.refuse_while_busy("change the shirt")
     config = body.model_dump(mode="json")
-    try:
-        await flows.equipment.use_shirt(config)
-    finally:
-        await flows.visit.try_load_parameters()
+    async with flows.visit.undisturbed("change the shirt"):
+        try:
+            await flows.equipment.use_shirt(config)
+        finally:
+            await flows.visit.try_load_parameters()
     return await _noted(parts, flows, who.name, "shirt chosen", kind=config["kind"])
 
 
 @router.put("/body")
 async def choose_body(body: BodyConfig, who: Clinician, parts: PeopleParts, flows: FlowParts) -> EquipmentView:
     """Let somebody else move inside the simulated shirt."""
-    flows.visit.refuse_while_busy("change the body")
     config = body.model_dump(mode="json")
-    await flows.equipment.use_body(config)
+    async with flows.visit.undisturbed("change the body"):
+        await flows.equipment.use_body(config)
     return await _noted(parts, flows, who.name, "body chosen", kind=config["kind"])
 
 
 @router.put("/unused")
 async def mark_unused(body: Unused, who: Clinician, parts: PeopleParts, flows: FlowParts) -> EquipmentView:
     """Mark channels as unused; the next calibration leaves them out."""
-    flows.visit.refuse_while_busy("change the channels")
-    await flows.equipment.leave_unused(body.channels)
+    async with flows.visit.undisturbed("change the channels"):
+        await flows.equipment.leave_unused(body.channels)
     return await _noted(parts, flows, who.name, "channels marked", unused=flows.equipment.unused)
 
 

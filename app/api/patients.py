@@ -6,7 +6,7 @@ from fastapi import APIRouter
 from fastapi.concurrency import run_in_threadpool
 from pydantic import Field
 
-from app.api.deps import Anyone, Clinician, PeopleParts
+from app.api.deps import Anyone, Clinician, PeopleParts, RowId
 from app.api.flows import FlowParts, show_visit
 from app.quantities import Count, Document, Name, Title
 from app.session.database import Transaction
@@ -103,7 +103,7 @@ def new_patient(body: NewPatient, who: Clinician, parts: PeopleParts) -> Patient
 
 
 @router.delete("/patients/{patient_id}")
-def remove_patient(patient_id: int, who: Clinician, parts: PeopleParts) -> PatientView:
+def remove_patient(patient_id: RowId, who: Clinician, parts: PeopleParts) -> PatientView:
     """Take a patient from the list; it can be undone."""
     with parts.database.transaction() as db:
         patient = delete_patient(db, who.clinic_id, patient_id)
@@ -112,7 +112,7 @@ def remove_patient(patient_id: int, who: Clinician, parts: PeopleParts) -> Patie
 
 
 @router.post("/patients/{patient_id}/restore")
-def undo_removal(patient_id: int, who: Clinician, parts: PeopleParts) -> PatientView:
+def undo_removal(patient_id: RowId, who: Clinician, parts: PeopleParts) -> PatientView:
     """Undo the deletion of a patient."""
     with parts.database.transaction() as db:
         patient = restore_patient(db, who.clinic_id, patient_id)
@@ -143,7 +143,6 @@ def who_is_here(who: Anyone, parts: PeopleParts) -> VisitView:
 @router.post("/visit")
 async def open_visit(body: OpenVisit, who: Clinician, parts: PeopleParts, flows: FlowParts) -> VisitView:
     """Open a visit of a patient; the one that was open is ended, and its patient's parameters are unloaded."""
-    flows.visit.refuse_while_busy("open a visit")
 
     def _open() -> VisitView:
         with parts.database.transaction() as db:
@@ -151,16 +150,16 @@ async def open_visit(body: OpenVisit, who: Clinician, parts: PeopleParts, flows:
             write_log(db, who.name, "visit opened", patient=body.patient_id, session=session.id)
         return _visit(parts, who.clinic_id)
 
-    answer = await run_in_threadpool(_open)
-    await flows.visit.visit_changed()
-    await show_visit(flows)
+    async with flows.visit.undisturbed("open a visit"):
+        answer = await run_in_threadpool(_open)
+        await flows.visit.visit_changed()
+        await show_visit(flows)
     return answer
 
 
 @router.delete("/visit")
 async def end_visit(who: Clinician, parts: PeopleParts, flows: FlowParts) -> VisitView:
     """End the visit."""
-    flows.visit.refuse_while_busy("end the visit")
 
     def _end() -> VisitView:
         with parts.database.transaction() as db:
@@ -168,7 +167,8 @@ async def end_visit(who: Clinician, parts: PeopleParts, flows: FlowParts) -> Vis
             write_log(db, who.name, "visit ended")
         return _visit(parts, who.clinic_id)
 
-    answer = await run_in_threadpool(_end)
-    await flows.view.close()
-    await flows.visit.visit_changed()
+    async with flows.visit.undisturbed("end the visit"):
+        answer = await run_in_threadpool(_end)
+        await flows.view.close()
+        await flows.visit.visit_changed()
     return answer

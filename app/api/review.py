@@ -4,9 +4,8 @@ from typing import Annotated, Any
 
 from fastapi import APIRouter, Query
 
-from app.api.deps import Anyone, PeopleParts
+from app.api.deps import Anyone, PeopleParts, RowId
 from app.api.flows import FlowParts
-from app.api.trials import RowId
 from app.quantities import Document
 from app.session.learning import learning_curves
 from app.session.store_log import write_log

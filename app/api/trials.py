@@ -3,10 +3,10 @@
 import asyncio
 from typing import Annotated, Any, Literal
 
-from fastapi import APIRouter, HTTPException, Path, Query
+from fastapi import APIRouter, HTTPException, Query
 from pydantic import Field
 
-from app.api.deps import Anyone, Clinician, People, PeopleParts
+from app.api.deps import Anyone, Clinician, People, PeopleParts, RowId
 from app.api.flows import FlowParts, Flows, load_plan
 from app.api.signed_in import SignedIn
 from app.quantities import Document, Name
@@ -18,8 +18,6 @@ from app.session.tables import Trial
 from app.world.floorplan import FloorPlan
 
 router = APIRouter(tags=["trials"])
-
-RowId = Annotated[int, Path(ge=1, le=2**31)]
 
 
 class PathView(Document):
@@ -162,7 +160,7 @@ def _needed_plan(flows: Flows, name: str) -> FloorPlan:
 
 
 @router.get("/floorplans/{name}")
-def one_floorplan(name: str, _who: Anyone, flows: FlowParts) -> FloorPlan:
+def one_floorplan(name: Name, _who: Anyone, flows: FlowParts) -> FloorPlan:
     """Return a floor plan."""
     return _needed_plan(flows, name)
 
@@ -170,18 +168,18 @@ def one_floorplan(name: str, _who: Anyone, flows: FlowParts) -> FloorPlan:
 @router.post("/trials", status_code=201)
 async def start_trial(body: NewTrial, who: Clinician, parts: PeopleParts, flows: FlowParts) -> TrialView:
     """Start a trial: the chair is put on the start, the recording begins, and the chair is armed."""
-    session = await flows.visit.needed_session(who.clinic_id)
-    flows.visit.refuse_while_busy("start a trial")
-    plan = await asyncio.to_thread(_needed_plan, flows, body.floorplan)
-    try:
-        path = plan.path_named(body.path)
-    except ValueError as error:
-        raise NotFound(f"This floor plan has no path '{body.path}': choose one of the list.") from error
-    misfit = await flows.visit.load_parameters()
-    if misfit is not None:
-        raise Conflict(misfit)
-    await flows.view.show(plan, path.name)
-    trial_id = await flows.drive.start(session, who.person_id, who.name, plan, path)
+    async with flows.visit.undisturbed("start a trial"):
+        session = await flows.visit.needed_session(who.clinic_id)
+        plan = await asyncio.to_thread(_needed_plan, flows, body.floorplan)
+        try:
+            path = plan.path_named(body.path)
+        except ValueError as error:
+            raise NotFound(f"This floor plan has no path '{body.path}': choose one of the list.") from error
+        misfit = await flows.visit.load_parameters()
+        if misfit is not None:
+            raise Conflict(misfit)
+        await flows.view.show(plan, path.name)
+        trial_id = await flows.drive.start(session, who.person_id, who.name, plan, path)
     return await asyncio.to_thread(_one, parts, who.clinic_id, trial_id)
 
 

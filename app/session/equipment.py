@@ -10,7 +10,7 @@ from pydantic import ValidationError
 from app.layout import ShirtLayout
 from app.session.control import Control
 from app.session.database import Database
-from app.session.refusals import Conflict, NotFound, Refusal
+from app.session.refusals import Conflict, NotFound, Refusal, Unavailable
 from app.session.store_people import the_clinic
 
 STANDARD_SHIRT: dict[str, Any] = {
@@ -50,18 +50,20 @@ class Equipment:
 
     async def use_shirt(self, config: dict[str, Any]) -> None:
         """Open another shirt; when it does not open, the one before is opened again and the reason is raised."""
-        before = self.shirt
+        before, body = self.shirt, self.body
+        wanted = (body or STANDARD_BODY) if config["kind"] == "simulator" else None
         try:
             await self._open_shirt(config)
+            if wanted is not None:
+                await self._open_body(wanted)
+        except Unavailable:
+            raise  # nothing was opened, and the next control process is given what was open before
         except Refusal:
-            self.layout = None
+            self.shirt, self.body, self.layout = before, body, None
             await self.open()
             raise
-        if config["kind"] == "simulator":
-            await self._open_body(self.body or STANDARD_BODY)
-            self.body = self.body or STANDARD_BODY
-        else:
-            self.body = None
+        self.body = wanted
+        if wanted is None:
             self._control.forget("body")
         if before != config:
             self.unused = []
@@ -107,10 +109,10 @@ class Equipment:
         if "file" not in config:
             return config
         name = str(config["file"])
-        file = self._files / name
-        if Path(name).name != name or not file.exists():
-            raise NotFound(f"There is no file '{name}' here: bring it with 'Add a file' first.")
-        return {**config, "file": str(file)}
+        for file in self._files.glob("*"):
+            if file.name == name:
+                return {**config, "file": str(file)}
+        raise NotFound(f"There is no file '{name[:80]}' here: bring it with 'Add a file' first.")
 
     def _read(self) -> None:
         with self._database.transaction() as db:

@@ -1,8 +1,8 @@
 """The visit that is going on: what its patient drives with, and what may not be done meanwhile."""
 
 import asyncio
-from collections.abc import Callable
-from contextlib import suppress
+from collections.abc import AsyncIterator, Callable
+from contextlib import asynccontextmanager, suppress
 
 from app.calibration.vocabulary import DriveParameters
 from app.session.calibration_flow import CalibrationFlow
@@ -35,10 +35,20 @@ class VisitFlow:
         self._calibration = calibration
         self._drive = drive
         self._tell = tell
+        self._one_at_a_time = asyncio.Lock()
         self.loaded: DriveParameters | None = None  # what the control process drives with
 
-    def refuse_while_busy(self, what: str) -> None:
-        """Refuse what must not happen during a calibration step or a trial."""
+    @asynccontextmanager
+    async def undisturbed(self, what: str) -> AsyncIterator[None]:
+        """Refuse what must not happen during a step or a trial, and let none begin until it is done.
+
+        Two screens may ask at the same moment: a visit must not change under a trial that is just being started.
+        """
+        async with self._one_at_a_time:
+            self._refuse_while_busy(what)
+            yield
+
+    def _refuse_while_busy(self, what: str) -> None:
         if self._drive.running:
             raise Conflict(f"A trial is running: end it first, then {what}.")
         if self._calibration.running:
