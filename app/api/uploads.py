@@ -1,9 +1,11 @@
 """Files that people bring: a size, a type, a harmless name, and content that can be read."""
 
 import re
+from io import BytesIO
 from pathlib import Path
 from typing import BinaryIO, Literal
 
+import pyarrow
 import pyarrow.parquet
 from fastapi import HTTPException
 
@@ -26,7 +28,7 @@ class FileView(Document):
 
 
 def list_files(folder: Path) -> list[FileView]:
-    """List the files in `folder` that a shirt or a body can be played from."""
+    """List the files in `folder` that a shirt or a body can be played from; what cannot be read is left out."""
     found = []
     for file in sorted(folder.glob("*")) if folder.is_dir() else []:
         if file.name.startswith("."):
@@ -35,7 +37,10 @@ def list_files(folder: Path) -> list[FileView]:
             size = sum(part.stat().st_size for part in file.iterdir() if part.is_file())
             found.append(FileView(name=file.name, kind="recording", size=size))
         elif file.suffix in KINDS:
-            found.append(FileView(name=file.name, kind=_kind(_columns(file)), size=file.stat().st_size))
+            with file.open("rb") as opened:
+                columns = _columns(file.suffix, opened)
+            if columns is not None:
+                found.append(FileView(name=file.name, kind=_kind(columns), size=file.stat().st_size))
     return found
 
 
@@ -58,15 +63,17 @@ def keep_upload(folder: Path, name: str, content: BinaryIO) -> FileView:
     file = folder / safe
     if file.is_dir():
         raise HTTPException(409, f"There is a recording called '{safe}' already: rename the file, then add it again.")
-    write_atomically(file, whole)
-    try:
-        columns = _columns(file)
-        if "t" not in columns or len(columns) < 2:
-            raise ValueError
-    except (ValueError, OSError) as error:
-        file.unlink(missing_ok=True)
+    # Looked at before it is written: a file of this name that is here already must outlive a bad one.
+    columns = _columns(file.suffix, BytesIO(whole))
+    if columns is None or "t" not in columns or len(columns) < 2:
         raise HTTPException(
             422, f"'{safe}' has no column t with channels beside it: the first row must name t and each channel."
+        )
+    try:
+        write_atomically(file, whole)
+    except OSError as error:
+        raise HTTPException(
+            409, f"'{safe}' cannot be kept ({error.strerror or error}): free some disk space, then add it again."
         ) from error
     return FileView(name=safe, kind=_kind(columns), size=len(whole))
 
@@ -80,12 +87,14 @@ def harmless_name(name: str) -> str:
     return f"{clean}.{ending}" if dot and ending else clean
 
 
-def _columns(file: Path) -> list[str]:
-    """Return the names of the columns, reading no more than the file's head."""
-    if file.suffix == ".parquet":
-        return list(pyarrow.parquet.read_schema(file).names)
-    with file.open("rb") as opened:
-        head = opened.read(HEADER)
+def _columns(suffix: str, opened: BinaryIO) -> list[str] | None:
+    """Return the names of the columns, reading no more than needed; None when the file cannot be read."""
+    if suffix == ".parquet":
+        try:
+            return list(pyarrow.parquet.read_schema(opened).names)
+        except (ValueError, OSError, pyarrow.ArrowException):
+            return None
+    head = opened.read(HEADER)
     line = head.partition(b"\n")[0]
     return [column.strip().strip('"') for column in line.decode("utf-8-sig", "replace").split(",")]
 
