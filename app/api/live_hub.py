@@ -2,6 +2,7 @@
 
 import asyncio
 import json
+import logging
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass, field
@@ -17,6 +18,8 @@ EVERY = 0.05  # s
 # need, because the page also draws the 3D view, which may hold it for a moment; the virtual chair hurts nobody.
 SCREEN_LIMIT = 1.0  # s
 SEND_LIMIT = 3.0  # s: a page that does not take a message for so long is cut off, never waited for
+
+logger = logging.getLogger("bodydrive")
 
 Picture = Callable[[], dict[str, Any]]
 Quality = Callable[[], dict[str, Any]]
@@ -96,12 +99,22 @@ class LiveHub:
         while True:
             deadline = max(deadline + EVERY, monotonic())
             if self._viewers:
-                picture = self._picture()
-                if turn % round(1 / EVERY) == 0:
-                    picture |= self._quality()
+                text = self._painted(with_quality=turn % round(1 / EVERY) == 0)
                 turn += 1
-                async with self._fresh:
-                    self._text = json.dumps(picture, separators=(",", ":"), allow_nan=False)
-                    self._number += 1
-                    self._fresh.notify_all()
+                if text is not None:
+                    async with self._fresh:
+                        self._text = text
+                        self._number += 1
+                        self._fresh.notify_all()
             await asyncio.sleep(max(deadline - monotonic(), 0.0))
+
+    def _painted(self, with_quality: bool) -> str | None:
+        """Return the picture of this moment; None, and the reason in the log, when it cannot be made."""
+        try:
+            picture = self._picture()
+            if with_quality:
+                picture |= self._quality()
+            return json.dumps(picture, separators=(",", ":"), allow_nan=False)
+        except Exception:  # one bad picture must not be the last one that anybody sees of a chair that drives
+            logger.exception("The live picture could not be made")
+            return None
