@@ -80,6 +80,7 @@ def decode_block(
     """
     device = t if t_device is None else t_device
     score, silent = _scores(parameters, sample_rate, values)
+    unseen = _unseen(score, silent)
     periods = _periods(device, sample_rate)
     silent |= _too_lossy(t, periods)[:, np.newaxis]
     if any(gesture.feature == "displacement" for gesture in parameters.gestures):
@@ -87,7 +88,7 @@ def decode_block(
     else:
         dead_zone = np.array([gesture.dead_zone for gesture in parameters.gestures])
         reach = np.array([gesture.full for gesture in parameters.gestures]) - dead_zone
-        smoothed = smooth(score, parameters.cutoff, sample_rate)
+        smoothed = smooth(score - unseen, parameters.cutoff, sample_rate)
         rate = np.diff(smoothed, axis=0, prepend=smoothed[:1]) * (sample_rate / periods)[:, np.newaxis]
         drive = np.maximum(rate - dead_zone, 0.0)
         drive[silent] = 0.0
@@ -123,6 +124,16 @@ def _scores(
         last_good = np.maximum.accumulate(good)
         score[:, gesture] = np.where(last_good >= 0, score[np.maximum(last_good, 0), gesture], 0.0)
     return score, bad
+
+
+def _unseen(score: Array, bad: NDArray[np.bool_]) -> Array:
+    """Return how far each score went while its channels were bad, summed up so far (n, n_gestures)."""
+    steps = np.zeros_like(score)
+    if not bad.any():
+        return steps
+    back = bad[:-1] & ~bad[1:]
+    steps[1:][back] = np.diff(score, axis=0)[back]
+    return np.cumsum(steps, axis=0)
 
 
 def _periods(device: Array, sample_rate: float) -> Array:

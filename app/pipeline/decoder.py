@@ -36,7 +36,8 @@ def periods_between(time_step: float, sample_rate: float) -> float:
 class Decoder:
     """Decodes frame by frame; `score`, `rate`, `drive` and `activation` hold one number per gesture.
 
-    A gesture one of whose channels is bad keeps its last score and has activation 0 (safety S5).
+    A gesture one of whose channels is bad keeps its last score and has activation 0 (safety S5). What a limb did
+    meanwhile is no movement at the moment when the channel comes back.
     """
 
     def __init__(self, parameters: DriveParameters, sample_rate: float) -> None:
@@ -64,6 +65,7 @@ class Decoder:
         self._health.reset()
         self._fresh = True
         self._smooth = [0.0] * count
+        self._unseen = [0.0] * count  # FS that the scores went while their channels were bad
         self._baseline = [0.0] * count
         self.score = [0.0] * count
         self.rate = [0.0] * count
@@ -79,6 +81,7 @@ class Decoder:
     def step(self, values: NDArray[np.float32], time_step: float) -> None:
         """Take one frame (n_channels,), `time_step` (s) by the shirt's own clock after the one before."""
         frame = values.astype(np.float64)
+        was_bad = self.bad
         bad_channels = self._health.step(frame)
         if bad_channels is None:
             self.bad = self._none_bad
@@ -93,8 +96,11 @@ class Decoder:
         was_quiet = self._any_held and not any(self.activation)
         for i in self._indices:
             if not self.bad[i]:  # otherwise the last score stays
-                self.score[i] = products[i] - self._offsets[i]
-            smooth = self._filters[i].step(self.score[i])
+                score = products[i] - self._offsets[i]
+                if was_bad[i] and not self._held[i]:
+                    self._unseen[i] += score - self.score[i]
+                self.score[i] = score
+            smooth = self._filters[i].step(self.score[i] - self._unseen[i])
             if self._fresh:
                 self._smooth[i] = self._baseline[i] = smooth
             if self._held[i]:

@@ -57,6 +57,7 @@ def test_missing_frames_late_arrivals_and_bad_channels_change_nothing_of_that():
     values = make_signals(parameters, 3000, seed=3)
     rng = np.random.default_rng(5)
     kept = rng.random(3000) > 0.05
+    values[:30, 0] = np.nan
     values[1200:1240, 7] = np.nan
     values[1500:1510, 3] = 1e6
     values[1800:1900, 2] = values[1800, 2]

@@ -184,3 +184,14 @@ def test_one_burst_of_losses_is_no_fault():
     for i, frame in enumerate(make_signals(parameters, 400, strokes=False)):
         tick = ride.feed(None if 100 <= i < 118 else frame)
     assert (tick.state, tick.fault) == (State.ARMED, Fault.NONE)
+
+
+def test_a_channel_that_comes_back_moves_nothing():
+    parameters = make_parameters()
+    ride = Ride(parameters)
+    ride.arm_at_rest(make_signals(parameters, strokes=False))
+    joint = parameters.profile.joints[0]
+    frames = make_signals(parameters, 150, strokes=False)
+    frames[40:, list(joint.channels)] += np.array(joint.weights, dtype=np.float32) * joint.span * 0.5
+    frames[30:60, joint.channels[0]] = np.nan  # the limb moved while the channel was bad
+    assert all(ride.feed(frame).v == 0.0 for frame in frames)
