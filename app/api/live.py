@@ -19,6 +19,7 @@ from app.session.refusals import Refusal
 router = APIRouter()
 
 MESSAGE_LIMIT = 4096  # characters
+NOT_TEXT = 1003  # close code: our pages send text only
 
 
 class Upward(Document):
@@ -44,8 +45,10 @@ async def live(websocket: WebSocket) -> None:
         try:
             while True:
                 await _take(await websocket.receive_text(), viewer, flows)
-        except (WebSocketDisconnect, RuntimeError, KeyError):
-            pass  # gone, closed by us, or not text: in every case the page comes back by itself
+        except (WebSocketDisconnect, RuntimeError):
+            pass  # gone, or closed by us: in both cases the page comes back by itself
+        except KeyError:
+            await websocket.close(NOT_TEXT)  # left open, it would show nothing for ever
         finally:
             flows.live.forget(viewer)
             sending.cancel()

@@ -75,7 +75,7 @@ class CalibrationFlow:
             raise Conflict("The shirt is another one than when this calibration began: begin the calibration anew.")
         if self._running is not None:
             raise Conflict("A step is being recorded already: wait for its end, or cancel it first.")
-        self._running = step.id
+        self._running, self._task = step.id, None
         try:
             run = await self._runs.begin(session_id, step.kind, step.cues, {"step": step.id})
         except BaseException:  # what may be recorded now is somebody else's
@@ -87,14 +87,16 @@ class CalibrationFlow:
             self._running = None
             await self._runs.end()
             raise
-        self._task = asyncio.create_task(self._record(session_id, step, run.number))
+        task = asyncio.create_task(self._record(session_id, step, run.number))
+        await asyncio.sleep(0)  # a task that is cancelled before it began would never close its recording
+        self._task = task
         self._tell("calibration")
 
     async def cancel(self, session_id: int, step_id: str) -> None:
         """Stop recording a step; it waits again."""
         self._find(await self.progress(session_id), step_id)
-        if self._running != step_id or self._task is None:
-            raise Conflict("This step is not running: start it, or choose another.")
+        if self._running != step_id or self._task is None or self._runs.open is None:
+            raise Conflict("This step is not being recorded, or no longer: start it, or choose another.")
         await self.stop("waiting", "")
 
     async def stop(self, status: str = "failed", words: str = "The application ended during this step.") -> None:
@@ -140,8 +142,12 @@ class CalibrationFlow:
         except (Refusal, ValueError, OSError) as error:
             words = str(error)
         finally:
-            await self._runs.end()
-            await asyncio.to_thread(self._set, session_id, step.id, status, words, None, None)
+            try:
+                await self._runs.end()
+                await asyncio.to_thread(self._set, session_id, step.id, status, words, None, None)
+            except BaseException:  # also when the database is gone: the step is over
+                self._ended()
+                raise
             if status != "done":
                 self._ended()
         if status == "done":

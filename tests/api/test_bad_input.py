@@ -1,0 +1,137 @@
+"""What nobody of good will sends: it is refused in one sentence, and nothing that was there is lost."""
+
+import asyncio
+import io
+from concurrent.futures import ThreadPoolExecutor
+from typing import Any
+
+import pytest
+from fake_clinic import BASE, LAYOUT
+from starlette.websockets import WebSocketDisconnect
+
+from app.session.drive_flow import DriveFlow
+
+LONG = "k" * 100_000
+ORIGIN = {"Origin": BASE}
+LIVE = f"{BASE.replace('http', 'ws')}/api/v1/live"
+
+
+def everything(socket: Any) -> None:
+    while True:
+        socket.receive_json()
+
+
+def sentence(answer: Any, status: int) -> str:
+    assert answer.status_code == status, answer.text
+    detail: str = answer.json()["detail"]
+    assert isinstance(detail, str)
+    assert detail.endswith(".")
+    assert len(detail) < 300
+    return detail
+
+
+@pytest.mark.parametrize("number", ["9223372036854775808", "99999999999999999999999", "-1", "NaN"])
+def test_an_id_that_no_database_holds_is_refused(signed_in: Any, number: str) -> None:
+    for method, path in (("DELETE", f"/patients/{number}"), ("POST", f"/patients/{number}/restore")):
+        sentence(signed_in(method, path), 422)
+
+
+@pytest.mark.parametrize(
+    ("content", "kind", "status"),
+    [
+        (b"\xff\xfe\x00", "application/json", 422),
+        (b"[" * 100_000, "application/json", 422),
+        (b'{"code": "P-1", "pseudonym": "Heron", "' + LONG.encode() + b'": 1}', "application/json", 422),
+        (b'{"code": "P-1", "pseudonym": "Heron"}', "text/plain", 415),
+    ],
+)
+def test_a_body_that_cannot_be_taken_apart(signed_in: Any, content: bytes, kind: str, status: int) -> None:
+    sentence(signed_in("POST", "/patients", content=content, headers={"Content-Type": kind}), status)
+    assert signed_in.good("GET", "/patients") == []
+
+
+def test_names_without_end_are_not_said_back(signed_in: Any) -> None:
+    assert "must be one of 'simulator'" in sentence(signed_in("PUT", "/equipment/shirt", json={"kind": LONG}), 422)
+    assert "'kind' is missing" in sentence(signed_in("PUT", "/equipment/shirt", json={}), 422)
+    sentence(signed_in("GET", "/floorplans/" + LONG[:5000]), 422)
+    for name in (LONG[:4000], "..", "../clinic.db", "/etc/passwd"):
+        sentence(signed_in("PUT", "/equipment/shirt", json={"kind": "replay", "file": name}), 404)
+
+
+def test_a_form_that_is_none(signed_in: Any) -> None:
+    sentence(signed_in("POST", "/equipment/files", data={"file": "text"}), 422)
+    form = {"Content-Type": "multipart/form-data; boundary=x"}
+    sentence(signed_in("POST", "/equipment/files", content=b"junk", headers=form), 422)
+    parts = b"".join(b'--x\r\nContent-Disposition: form-data; name="f%d"\r\n\r\n1\r\n' % i for i in range(1100))
+    sentence(signed_in("POST", "/equipment/files", content=parts + b"--x--", headers=form), 422)
+
+
+def test_a_bad_file_does_not_take_the_place_of_a_good_one(signed_in: Any, settings: Any) -> None:
+    def bring(name: str, content: bytes) -> Any:
+        return signed_in("POST", "/equipment/files", files={"file": (name, io.BytesIO(content), "text/csv")})
+
+    assert bring("walk.csv", b"t,a\n0,1\n").status_code == 201
+    assert bring("walk.csv", b"junk").status_code == 422
+    assert (settings.files / "walk.csv").read_bytes() == b"t,a\n0,1\n"
+    (settings.files / "broken.parquet").write_bytes(b"PAR1 nothing PAR1")
+    assert [file["name"] for file in signed_in.good("GET", "/equipment")["files"]] == ["walk.csv"]
+
+
+def test_a_body_that_does_not_fit_leaves_the_shirt_before(signed_in: Any) -> None:
+    before = signed_in.good("GET", "/equipment")
+    signed_in.link.refuse["body"] = "This body has no joint of that shirt: choose another body."
+    answer = signed_in("PUT", "/equipment/shirt", json={"kind": "simulator", "seed": 7})
+    assert "choose another body" in sentence(answer, 409)
+    del signed_in.link.refuse["body"]
+    after = signed_in.good("GET", "/equipment")
+    assert (after["shirt"], after["body"]) == (before["shirt"], before["body"])
+    assert after["layout"]["name"] == LAYOUT.name
+
+
+def test_a_refused_file_is_named_without_its_place(signed_in: Any, settings: Any) -> None:
+    file = settings.files / "walk.csv"
+    file.parent.mkdir(parents=True)
+    file.write_bytes(b"t,a\n0,x\n")
+    signed_in.link.refuse["shirt"] = f"{file}, line 2, column 'a': 'x' is not a number, write one."
+    said = sentence(signed_in("PUT", "/equipment/shirt", json={"kind": "replay", "file": "walk.csv"}), 409)
+    assert said.lower().startswith("walk.csv, line 2")
+
+
+@pytest.mark.parametrize("message", ["[" * 4000, '{"a":' * 800, "junk", "null", '{"move":{"x":NaN}}'])
+def test_junk_leaves_the_live_socket_open(signed_in: Any, message: str) -> None:
+    with signed_in.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+        socket.send_text(message)
+        for _ in range(3):
+            assert socket.receive_json()["state"] == "disarmed"
+
+
+def test_what_is_no_text_closes_the_live_socket(signed_in: Any) -> None:
+    with signed_in.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+        socket.send_bytes(b"\xff\x00")
+        with pytest.raises(WebSocketDisconnect) as closed:
+            everything(socket)
+    assert closed.value.code == 1003
+
+
+def test_a_visit_does_not_change_under_a_trial_that_is_being_started(
+    signed_in: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    patient = signed_in.visit()
+    signed_in.calibrate()
+    other = signed_in.good("POST", "/patients", json={"code": "P-2", "pseudonym": "Otter"})
+    plan = signed_in.good("GET", "/floorplans")[0]
+    asked: list[Any] = []
+    start = DriveFlow.start
+
+    with ThreadPoolExecutor(1) as screen:
+
+        async def slowly(self: DriveFlow, *given: Any) -> int:
+            asked.append(screen.submit(signed_in, "POST", "/visit", json={"patient_id": other["id"]}))
+            await asyncio.sleep(0.3)
+            return await start(self, *given)
+
+        monkeypatch.setattr(DriveFlow, "start", slowly)
+        signed_in.good("POST", "/trials", json={"floorplan": plan["name"], "path": plan["paths"][0]["name"]})
+        assert "A trial is running" in sentence(asked[0].result(), 409)
+    assert signed_in.good("GET", "/visit")["patient"]["id"] == patient["id"]
+    signed_in.good("POST", "/trials/current/end", json={})
