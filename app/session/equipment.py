@@ -3,7 +3,7 @@
 import asyncio
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 from pydantic import ValidationError
 
@@ -93,7 +93,7 @@ class Equipment:
         return self.layout
 
     async def _open_shirt(self, config: dict[str, Any]) -> None:
-        answer = await self._control.load("shirt", config=self._located(config))
+        answer = await self._load("shirt", config)
         try:
             self.layout = ShirtLayout.model_validate(answer["layout"])
         except ValidationError as error:
@@ -102,7 +102,13 @@ class Equipment:
         self.shirt, self.words = config, ""
 
     async def _open_body(self, config: dict[str, Any]) -> None:
-        await self._control.load("body", config=self._located(config))
+        await self._load("body", config)
+
+    async def _load(self, do: Literal["shirt", "body"], config: dict[str, Any]) -> dict[str, Any]:
+        try:
+            return await self._control.load(do, config=self._located(config))
+        except Conflict as refusal:  # a page knows files by their names, not by their places on this machine
+            raise Conflict(str(refusal).replace(f"{self._files}/", "")) from refusal
 
     def _located(self, config: dict[str, Any]) -> dict[str, Any]:
         """Return the configuration with the file's place instead of its name."""
