@@ -9,6 +9,7 @@ import pytest
 from fake_clinic import BASE, LAYOUT
 from starlette.websockets import WebSocketDisconnect
 
+from app.session.calibration_flow import CalibrationFlow
 from app.session.drive_flow import DriveFlow
 
 LONG = "k" * 100_000
@@ -135,3 +136,18 @@ def test_a_visit_does_not_change_under_a_trial_that_is_being_started(
         assert "A trial is running" in sentence(asked[0].result(), 409)
     assert signed_in.good("GET", "/visit")["patient"]["id"] == patient["id"]
     signed_in.good("POST", "/trials/current/end", json={})
+
+
+def test_a_step_whose_end_cannot_be_written_is_over(signed_in: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    signed_in.visit()
+    signed_in.good("POST", "/calibration/steps/rest/start")
+
+    def full(*_given: Any) -> None:
+        raise OSError("disk full")
+
+    with monkeypatch.context() as broken:
+        broken.setattr(CalibrationFlow, "_set", full)
+        signed_in.link.run_t = 1000.0
+        signed_in.until("/calibration", lambda c: c["running"] is None)
+    assert signed_in.good("POST", "/calibration/steps/rest/start")["running"]["step"] == "rest"
+    signed_in.good("POST", "/calibration/steps/rest/cancel")

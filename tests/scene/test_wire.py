@@ -87,3 +87,9 @@ def test_a_message_cut_off_is_left_out(end):
 
 def test_a_long_message_is_left_out():
     assert not may_pass("clinician", packed(GUI | {"updates": {"value": "x" * 5000}}))
+
+
+@pytest.mark.parametrize("message", [b"\x91" * 4000, b"\x81\xa1a" * 1300])
+def test_what_is_nested_without_end_does_not_pass(message):
+    for role in ("clinician", "patient"):
+        assert not may_pass(role, message)
