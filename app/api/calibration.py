@@ -142,6 +142,15 @@ async def cancel_step(step: StepName, who: Clinician, flows: FlowParts) -> Calib
     return await _view(flows, session)
 
 
+@router.post("/steps/{step}/skip")
+async def skip_step(step: StepName, who: Clinician, flows: FlowParts) -> CalibrationView:
+    """Go on without a prompted movement that this body cannot make."""
+    async with flows.visit.undisturbed("skip a step"):
+        session = await flows.visit.needed_session(who.clinic_id)
+        await flows.calibration.skip(session.id, step)
+    return await _view(flows, session)
+
+
 @router.post("/go")
 async def go_to_step(body: Look, who: Clinician, flows: FlowParts) -> CalibrationView:
     """Look at another step."""

@@ -113,12 +113,16 @@ STOP_TOGETHER = ("right_elbow", "left_elbow")
 
 
 def standard_parameters(profile: CalibrationProfile) -> DriveParameters:
-    """Return the paper's vocabulary on `profile`, with the dead-zones and fulls that the calibration suggests."""
+    """Return the paper's vocabulary on `profile`, with the dead-zones and fulls that the calibration suggests.
+
+    A joint that was not prompted while others were is bound to nothing: its direction is not known.
+    """
     gestures = tuple(
         Gesture(name=joint.name, joint=joint.name, dead_zone=joint.dead_zone, full=joint.full)
         for joint in profile.joints
     )
-    names = [gesture.name for gesture in gestures]
+    prompted = [joint.name for joint in profile.joints if joint.prompted]
+    names = prompted or [gesture.name for gesture in gestures]
     bindings = [
         Binding(control=control, gestures=(name,)) for name, control in PAPER_VOCABULARY.items() if name in names
     ]

@@ -21,6 +21,7 @@ from app.session.tables import PatientSession
 LOOK_EVERY = 0.05  # s
 STANDSTILL_LIMIT = 3.0  # s without progress of the run: nothing more will come
 RESULT = "result"
+OVER = ("done", "skipped")  # states of a step that nothing waits for any more
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,6 +99,19 @@ class CalibrationFlow:
         if self._running != step_id or self._task is None or self._runs.open is None:
             raise Conflict("This step is not being recorded, or no longer: start it, or choose another.")
         await self.stop("waiting", "")
+
+    async def skip(self, session_id: int, step_id: str) -> None:
+        """Go on without a prompted movement that this body cannot make; the map is fitted from the others."""
+        step = self._find(await self.progress(session_id), step_id)
+        if step.kind != "prompt":
+            raise Conflict("Rest and free movement cannot be skipped: the map is fitted from them.")
+        if self._running is not None:
+            raise Conflict("A step is being recorded: wait for its end, or cancel it first.")
+        await asyncio.to_thread(self._set, session_id, step.id, "skipped", "", None, None)
+        try:
+            await self._go_on(session_id)
+        finally:
+            self._ended()
 
     async def stop(self, status: str = "failed", words: str = "The application ended during this step.") -> None:
         """End whatever runs, leaving its step with this status."""
@@ -178,9 +192,9 @@ class CalibrationFlow:
                 return "Nothing was recorded for three seconds: look at the Shirt page, then repeat this step."
 
     async def _go_on(self, session_id: int) -> None:
-        """After a good step: show the next one that is missing, or fit when none is."""
+        """After a step: show the next one that is missing, or fit when none is."""
         progress = await self.progress(session_id)
-        missing = [step.id for step in progress.steps if progress.status[step.id][0] != "done"]
+        missing = [step.id for step in progress.steps if progress.status[step.id][0] not in OVER]
         await self.go(session_id, missing[0] if missing else RESULT)
         if not missing:
             await self._fit_now(session_id)
@@ -205,7 +219,8 @@ class CalibrationFlow:
             raise Conflict("There is no shirt: choose one on the Shirt page, then begin the calibration anew.")
         with self._database.transaction() as db:
             folders = recordings_of(db, session_id)
-        recorded = [(step, self._runs.folder_of(folders[step.id])) for step in progress.steps]
+        done = [step for step in progress.steps if progress.status[step.id][0] == "done"]
+        recorded = [(step, self._runs.folder_of(folders[step.id])) for step in done]
         profile = self._readings.fit(progress.layout, recorded, self._equipment.unused)
         with self._database.transaction() as db:
             session = db.get_one(PatientSession, session_id)

@@ -29,6 +29,8 @@ def judge_recording(folder: Path, duration: float) -> str | None:
     run = read_run(folder)
     if run.words:
         return run.words
+    if run.dropped:
+        return f"{run.dropped} ticks were lost while recording: close other programs, then repeat this step."
     return judge_frames(run.frames()["run_t"], duration, float(run.meta["sample_rate"]))
 
 

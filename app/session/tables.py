@@ -116,7 +116,7 @@ class CalibrationStep(Table):
     __tablename__ = "calibration_step"
     session_id: Mapped[int] = mapped_column(ForeignKey("session.id"), primary_key=True)
     step: Mapped[str] = mapped_column(String(64), primary_key=True)
-    status: Mapped[str] = mapped_column(String(16))  # waiting, running, done, failed
+    status: Mapped[str] = mapped_column(String(16))  # waiting, running, done, failed, skipped
     words: Mapped[str] = mapped_column(String(400))
     run_id: Mapped[str | None] = mapped_column(ForeignKey("run.id"))
 

@@ -117,6 +117,21 @@ def test_a_step_can_be_cancelled_repeated_and_fail_in_words(signed_in: Any) -> N
     assert [step["status"] for step in wizard["steps"]].count("done") == 7
 
 
+def test_a_movement_that_a_body_cannot_make_is_skipped(signed_in: Any) -> None:
+    signed_in.visit()
+    assert signed_in("POST", "/calibration/steps/rest/skip").status_code == 409
+    assert signed_in("POST", "/calibration/steps/nonsense/skip").status_code == 404
+    for step in ("rest", "free", "prompt-right_elbow"):
+        signed_in.good("POST", f"/calibration/steps/{step}/start")
+        signed_in.link.run_t = 1000.0
+        signed_in.until("/calibration", lambda c: c["running"] is None)
+    for joint in ("left_elbow", "right_shoulder", "left_shoulder"):
+        wizard = signed_in.good("POST", f"/calibration/steps/prompt-{joint}/skip")
+    assert [step["status"] for step in wizard["steps"]] == ["done"] * 3 + ["skipped"] * 3 + ["done"]
+    assert (wizard["current"], wizard["running"]) == ("result", None)
+    assert wizard["result"] is not None
+
+
 def test_a_fit_that_fails_says_why(signed_in: Any) -> None:
     signed_in.visit()
     signed_in.readings["fit"] = "No joint moved: repeat the free movement."

@@ -47,13 +47,14 @@ export async function show(app, root, { signal }) {
     const isGood = calibration.steps.find((step) => step.id === id)?.status === "done" && watched === id;
     watched = null;
     const next = calibration.steps.find((step) => step.id === calibration.current);
-    if (!isGood || !actions.isAuto || !next || next.kind === "result" || next.status === "done") return;
+    if (!isGood || !actions.isAuto || !next || next.kind === "result" || next.status === "done" || next.status === "skipped") return;
     timer = setTimeout(() => call(`/calibration/steps/${next.id}/start`), PAUSE);
   };
   const actions = {
     go: (step) => call("/calibration/go", { step }),
     start: (step) => call(`/calibration/steps/${step}/start`),
     cancel: (step) => call(`/calibration/steps/${step}/cancel`),
+    skip: (step) => call(`/calibration/steps/${step}/skip`),
     setAuto: (on) => {
       localStorage.setItem(AUTO_PLACE, on ? "on" : "off");
       actions.isAuto = on;
@@ -120,7 +121,7 @@ export async function show(app, root, { signal }) {
 
 function resultPage(calibration, actions, accept) {
   const { result, steps, running } = calibration;
-  const missing = steps.filter(({ kind, status }) => kind !== "result" && status !== "done");
+  const missing = steps.filter(({ kind, status }) => kind !== "result" && status !== "done" && status !== "skipped");
   const last = steps.at(-1);
   const back = h("button", { type: "button", class: "btn", onclick: () => actions.go(steps.at(-2).id) }, t("back"));
   if (running?.step === "result")

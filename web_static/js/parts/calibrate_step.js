@@ -73,7 +73,7 @@ function foot(steps, at, isRunning, isBusy, actions) {
     isDone && button(t("calibrate.again"), () => actions.start(step.id), "", isBusy),
     h("span", { class: "grow" }),
     auto(actions),
-    !isDone && step.kind === "prompt" && button(t("calibrate.skip"), () => actions.go(steps[at + 1].id), "", isBusy),
+    !isDone && step.kind === "prompt" && button(t("calibrate.skip"), () => actions.skip(step.id), "", isBusy),
     isDone
       ? button(t("calibrate.next"), () => actions.go(steps[at + 1].id), "go", isBusy)
       : button(

@@ -12,7 +12,7 @@ export function stepBar(steps, current, onGo, onRestart) {
     { class: "steps", "aria-label": t("calibrate.steps") },
     steps.map((step, index) => {
       const label = `${step.title}: ${t(`calibrate.step.${step.status}`)}`;
-      const mark = { done: icon("tick", 16), failed: icon("undo", 16) }[step.status] ?? String(index + 1);
+      const mark = { done: icon("tick", 16), failed: icon("undo", 16), skipped: "–" }[step.status] ?? String(index + 1);
       return h(
         "li",
         {},

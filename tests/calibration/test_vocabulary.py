@@ -1,0 +1,40 @@
+import pytest
+from pydantic import ValidationError
+
+from app.calibration.vocabulary import DriveParameters, Gesture, standard_parameters
+from building import make_profile
+
+
+def bound(profile):
+    return {(binding.control, binding.gestures) for binding in standard_parameters(profile).bindings}
+
+
+def test_the_papers_vocabulary_and_a_stop_of_both_elbows():
+    assert bound(make_profile()) == {
+        ("u1+", ("right_elbow",)),
+        ("u1-", ("left_elbow",)),
+        ("u2+", ("right_shoulder",)),
+        ("u2-", ("left_shoulder",)),
+        ("stop", ("right_elbow", "left_elbow")),
+    }
+
+
+def test_a_joint_that_was_not_prompted_is_bound_only_when_none_was():
+    profile = make_profile()
+    unknown = [joint.model_copy(update={"prompted": False}) for joint in profile.joints]
+    one_skipped = profile.model_copy(update={"joints": (unknown[0], *profile.joints[1:])})
+    assert bound(one_skipped) == {("u1-", ("left_elbow",)), ("u2+", ("right_shoulder",)), ("u2-", ("left_shoulder",))}
+    assert bound(profile.model_copy(update={"joints": tuple(unknown)})) == bound(profile)
+
+
+def test_the_hash_is_that_of_what_drives():
+    parameters = standard_parameters(make_profile())
+    again = DriveParameters.model_validate_json(parameters.model_dump_json())
+    assert again.hash == parameters.hash
+    assert parameters.model_copy(update={"cutoff": 3.1}).hash != parameters.hash
+
+
+@pytest.mark.parametrize("full", [0.2, 0.1, float("nan"), float("inf"), 1e308, "1", True])
+def test_full_is_a_number_above_the_dead_zone(full):
+    with pytest.raises(ValidationError):
+        Gesture(name="right_elbow", joint="right_elbow", dead_zone=0.2, full=full)
