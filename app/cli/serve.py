@@ -14,25 +14,29 @@ from app.api.app import WebApp, create_app
 from app.api.view_keeper import ServedScene
 from app.cli.errors import InputError
 from app.cli.server import WebServer, bind, held, link_to
+from app.files import write_atomically
 from app.session.database import Database
 from app.session.recordings import recorded_readings
 from app.session.store_people import count_people
 from app.settings import Settings, new_code, state_folder
 from app.supervisor import ControlProcess
+from app.world.floorplan import FloorPlan, load_floorplan
 
 Port = Annotated[int, typer.Option(min=0, max=65_535, help="The port to listen on; 0 takes any free one.")]
 Host = Annotated[str, typer.Option(help="The address to listen on; other machines reach only other ones than this.")]
+Plans = Annotated[list[Path] | None, typer.Option("--floorplan", help="A floor plan of your own to drive in, too.")]
 State = Annotated[Path | None, typer.Option(help="The folder of the clinic's database and recordings.")]
 
 LOOPBACK = ("127.0.0.1", "localhost", "::1")
 
 
-def demo(port: Port = 8080, host: Host = "127.0.0.1") -> None:
+def demo(port: Port = 8080, host: Host = "127.0.0.1", floorplans: Plans = None) -> None:
     """Open a throw-away demonstration clinic: a simulated shirt, a patient, and the virtual chair."""
+    plans = [_floorplan(file) for file in floorplans or []]
     with bind(host, port) as listening, tempfile.TemporaryDirectory(prefix="bodydrive-demo-") as folder:
         bound = int(listening.getsockname()[1])
         settings = Settings(state=Path(folder), host=host, port=bound, demo_code=new_code())
-        _furnish_demonstration(settings)
+        _furnish_demonstration(settings, plans)
         words = ["A demonstration, kept nowhere. Ctrl-C ends it.", *_warning(host)]
         words.append(f"{link_to(host, bound)}#demo={settings.demo_code}")
         _run(settings, WebServer(_app(settings), listening, "\n".join(words)))
@@ -71,9 +75,18 @@ def _warning(host: str) -> list[str]:
     return ["Others on the network can reach this, and nothing on the way is encrypted."]
 
 
-def _furnish_demonstration(settings: Settings) -> None:
+def _floorplan(file: Path) -> FloorPlan:
+    try:
+        return load_floorplan(file)
+    except ValueError as error:
+        raise InputError(str(error)) from error
+
+
+def _furnish_demonstration(settings: Settings, plans: list[FloorPlan]) -> None:
     from app.session.demonstration import furnish  # noqa: PLC0415  (only here, because it loads what fits calibrations)
 
+    for plan in plans:
+        write_atomically(settings.state / "floorplans" / f"{plan.name}.json", plan.model_dump_json().encode())
     database = Database(settings.database)
     try:
         furnish(database)
