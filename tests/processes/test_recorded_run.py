@@ -1,0 +1,103 @@
+"""What a real control process records, and that decoding it gives the same again."""
+
+import asyncio
+
+import numpy as np
+from processes.running_control import ROOM, SIMULATED, armed, refusal, running, tick_with
+from processes.wearer import Wearer, free_port, shirt_config
+
+from app.faults import Fault, State
+from app.pipeline.rerun import decode_run
+from app.recording_reader import read_run
+from building import make_parameters
+
+
+def test_a_run_with_cues_is_recorded(tmp_path):
+    cues = [
+        {"start": 0.1, "end": 0.3, "kind": "rest"},
+        {"start": 0.3, "end": 0.6, "kind": "move", "joint": "right_elbow", "repetition": 1},
+    ]
+
+    async def story():
+        async with running() as control:
+            answer = await control.call("shirt", config=SIMULATED)
+            assert answer["sample_rate"] == 200.0
+            channels = len(answer["layout"]["channels"])
+            await control.call("body", config={"kind": "person", "skill": "practised", "seed": 1})
+            folder = str(tmp_path / "run")
+            number = (
+                await control.call("run", run_id="r1", folder=folder, kind="prompt", cues=cues, meta={"step": "x"})
+            )["run"]
+            await tick_with(control, lambda tick: tick["run_t"] > 0.8)
+            status = await control.call("status")
+            assert status["recording"]["run_id"] == "r1"
+            assert status["shirt"]["kind"] == "simulator"
+            assert status["shirt"]["alive"]
+            ended = await control.call("end_run")
+            after = await tick_with(control, lambda tick: tick["run"] == 0)
+            assert np.isnan(after["run_t"])
+            return channels, number, ended
+
+    channels, number, ended = asyncio.run(story())
+    assert number == 1
+    run = read_run(tmp_path / "run")
+    assert (run.words, run.rows, run.dropped) == ("", ended["rows"], ended["dropped"])
+    assert ended["dropped"] == 0
+    assert run.meta["meta"] == {"step": "x"}
+    assert [cue["kind"] for cue in run.meta["cues"]] == ["rest", "move"]
+    run_t, cue = run.columns["run_t"], run.columns["cue"]
+    expected = np.select([(run_t >= 0.1) & (run_t < 0.3), (run_t >= 0.3) & (run_t < 0.6)], [0, 1], -1)
+    assert cue.tolist() == expected.tolist()
+    frames = run.frames()
+    assert frames["values"].shape == (len(frames["t"]), channels)
+    assert np.isfinite(frames["values"]).all()
+    assert (np.diff(frames["frame_seq"].astype(int)) == 1).all()
+
+
+def test_a_drive_is_recorded_and_decoding_the_recording_gives_the_same_drive(tmp_path):
+    parameters = make_parameters()
+
+    async def story():
+        port = free_port()
+        async with running() as control:
+            await control.call("shirt", config=shirt_config(parameters, port))
+            digest = (await control.call("parameters", parameters=parameters.model_dump(mode="json")))["hash"]
+            assert digest == parameters.hash
+            await control.call("world", floorplan=ROOM, path="ahead")
+            wearer = Wearer(parameters, port)
+            try:
+                await tick_with(control, lambda tick: tick["has_frame"])
+                await control.call("run", run_id="d", folder=str(tmp_path / "run"), kind="drive", cues=[], meta={})
+                await armed(control, digest)
+                start = control.newest()
+                assert (start["x"], start["y"], start["theta"]) == (1.0, 0.5, 0.0)
+                wearer.stroke()
+                await tick_with(control, lambda tick: tick["x"] > 1.3)
+                assert "armed" in await refusal(control, "parameters", parameters=None)
+                assert "armed" in await refusal(control, "world", floorplan=None, path=None)
+                await control.call("stop", by="key")
+                stopped = await tick_with(control, lambda tick: tick["v"] == 0.0)
+                assert (stopped["state"], stopped["fault"]) == (State.FAULT, Fault.STOP_KEY)
+                sentence = await refusal(control, "arm", hash=digest)
+                assert "keyboard" in sentence
+                # Continue must find what was armed and is written in the recording, not something else.
+                assert "recorded" in await refusal(control, "parameters", parameters=None)
+                assert "recorded" in await refusal(control, "world", floorplan=None, path=None)
+                await control.call("clear")
+                await tick_with(control, lambda tick: tick["state"] == State.ARMED)
+                await control.call("end_run")
+                assert control.newest()["state"] == State.DISARMED
+            finally:
+                wearer.close()
+
+    asyncio.run(story())
+    run = read_run(tmp_path / "run")
+    assert run.words == ""
+    again = decode_run(run, parameters)
+    frames = run.frames()
+    for name in ("score", "rate", "activation", "u1", "u2"):
+        np.testing.assert_allclose(frames[name], getattr(again, name), rtol=0, atol=1e-6, err_msg=name)
+    if run.rows == len(frames["t"]):  # turns without a frame, on a busy machine, have no place in a file of frames
+        for name in ("v", "omega", "x", "y", "theta"):
+            np.testing.assert_allclose(frames[name], getattr(again, name), rtol=0, atol=1e-6, err_msg=name)
+    assert frames["x"].max() > 1.3
