@@ -30,7 +30,6 @@ class Fault(IntEnum):
     LOOP_LATE = 11
     RECORDING_LOST = 12
     CONTROL_LOST = 13  # said by the web process, which is all that is left to say it
-    CHAIR_SILENT = 14
 
 
 class Explanation(NamedTuple):
@@ -82,5 +81,4 @@ EXPLANATIONS: dict[Fault, Explanation] = {
         "The control process ended, and the chair stands.",
         "A new one is starting, disarmed; then start again.",
     ),
-    Fault.CHAIR_SILENT: Explanation("The chair stopped answering.", "Check the chair's power and network."),
 }

@@ -1,28 +1,8 @@
 import json
-import sys
 
 import numpy as np
 import pytest
 from PIL import Image
-
-from app.cli.main import main
-
-
-@pytest.fixture
-def run(monkeypatch, capsys, tmp_path):
-    monkeypatch.chdir(tmp_path)
-
-    def run(*words):
-        monkeypatch.setattr(sys, "argv", ["bodydrive", *words])
-        code = 0
-        try:
-            main()
-        except SystemExit as ended:
-            code = ended.code
-        said = capsys.readouterr()
-        return code, said.out, said.err
-
-    return run
 
 
 @pytest.fixture
@@ -45,8 +25,8 @@ def map_file(tmp_path):
     return "hall.yaml"
 
 
-def test_score_prints_one_object(run, tables):
-    code, out, err = run("score", "driven.csv", "path.csv", "--json")
+def test_score_prints_one_object(bodydrive, tables):
+    code, out, err = bodydrive("score", "driven.csv", "path.csv", "--json")
     measures = json.loads(out)
     assert (code, err) == (0, "")
     assert list(measures) == [
@@ -57,20 +37,20 @@ def test_score_prints_one_object(run, tables):
     assert measures["reached"] is True
 
 
-def test_the_goals_radius_can_be_set(run, tables):
-    _, out, _ = run("score", "driven.csv", "path.csv", "--goal-radius", "0.4", "--json")
+def test_the_goals_radius_can_be_set(bodydrive, tables):
+    _, out, _ = bodydrive("score", "driven.csv", "path.csv", "--goal-radius", "0.4", "--json")
     assert json.loads(out)["reached"] is False
 
 
-def test_score_in_words(run, tables):
-    code, out, _ = run("score", "driven.csv", "path.csv")
+def test_score_in_words(bodydrive, tables):
+    code, out, _ = bodydrive("score", "driven.csv", "path.csv")
     assert code == 0
     assert "E_diff, area between them                    5.000 m²" in out
 
 
-def test_columns_of_controls_and_contacts_give_more(run, tables):
+def test_columns_of_controls_and_contacts_give_more(bodydrive, tables):
     (tables / "more.csv").write_text("t,x,y,u1,u2,in_contact,extra\n0,0,0,1,0,0,a\n10,5,0,0,1,1,b\n20,10,0,0,-1,0,c\n")
-    measures = json.loads(run("score", "more.csv", "path.csv", "--json")[1])
+    measures = json.loads(bodydrive("score", "more.csv", "path.csv", "--json")[1])
     assert measures["collisions"] == 1
     assert measures["contact_time"] == 10
     assert measures["turn_reversals"] == 1
@@ -89,15 +69,15 @@ def test_columns_of_controls_and_contacts_give_more(run, tables):
         (("driven.csv", "path.csv", "--goal-radius", "-1"), "--goal-radius -1"),
     ],
 )
-def test_score_refuses_in_one_sentence(run, tables, words, sentence):
-    code, out, err = run("score", *words)
+def test_score_refuses_in_one_sentence(bodydrive, tables, words, sentence):
+    code, out, err = bodydrive("score", *words)
     assert (code, out) == (2, "")
     assert sentence in err
     assert err.count("\n") == 1
 
 
-def test_a_map_becomes_a_plan(run, tmp_path, map_file):
-    code, out, _ = run("floorplan", "import", map_file, "--out", "plans/hall.json", "--title", "Hall", "--json")
+def test_a_map_becomes_a_plan(bodydrive, tmp_path, map_file):
+    code, out, _ = bodydrive("floorplan", "import", map_file, "--out", "plans/hall.json", "--title", "Hall", "--json")
     assert code == 0
     summary = json.loads(out)
     assert (summary["name"], summary["title"], summary["walls"]) == ("hall", "Hall", 4)
@@ -116,16 +96,16 @@ def test_a_map_becomes_a_plan(run, tmp_path, map_file):
         (("hall.pgm", "--out", "plan.json"), "hall.pgm"),
     ],
 )
-def test_import_refuses_in_one_sentence_and_writes_nothing(run, tmp_path, map_file, words, sentence):
+def test_import_refuses_in_one_sentence_and_writes_nothing(bodydrive, tmp_path, map_file, words, sentence):
     before = sorted(tmp_path.iterdir())
-    code, out, err = run("floorplan", "import", *words)
+    code, out, err = bodydrive("floorplan", "import", *words)
     assert (code, out) == (2, "")
     assert sentence in err
     assert err.count("\n") == 1
     assert sorted(tmp_path.iterdir()) == before
 
 
-def test_list_names_the_bundled_plans(run):
-    listed = json.loads(run("floorplan", "list", "--json")[1])["floorplans"]
+def test_list_names_the_bundled_plans(bodydrive):
+    listed = json.loads(bodydrive("floorplan", "list", "--json")[1])["floorplans"]
     assert [plan["name"] for plan in listed] == ["apartment", "clinic", "corridors"]
-    assert "clinic: Clinic storey" in run("floorplan", "list")[1]
+    assert "clinic: Clinic storey" in bodydrive("floorplan", "list")[1]
