@@ -47,7 +47,7 @@ def may_pass(role: Role, message: bytes) -> bool:
         return False
     try:
         found = _DECODERS[role].decode(message)
-    except (msgspec.DecodeError, RecursionError):
+    except (msgspec.DecodeError, UnicodeDecodeError, RecursionError):
         return False
     if isinstance(found, _GuiUpdate):
         return True
