@@ -30,6 +30,11 @@ class Fault(IntEnum):
     LOOP_LATE = 11
     RECORDING_LOST = 12
     CONTROL_LOST = 13  # said by the web process, which is all that is left to say it
+    STOP_CHAIR = 14
+    CHAIR_SILENT = 15
+    CHAIR_DISARMED = 16
+    CHAIR_NOT_READY = 17
+    BRAKE_BAD = 18
 
 
 class Explanation(NamedTuple):
@@ -80,5 +85,25 @@ EXPLANATIONS: dict[Fault, Explanation] = {
     Fault.CONTROL_LOST: Explanation(
         "The control process ended, and the chair stands.",
         "A new one is starting, disarmed; then start again.",
+    ),
+    Fault.STOP_CHAIR: Explanation(
+        "The chair's own stop switch was pressed, or the chair reports a fault.",
+        "Look around, release the switch, then tap Continue.",
+    ),
+    Fault.CHAIR_SILENT: Explanation(
+        "The chair stopped answering, and stops by itself.",
+        "Check the chair's power and the network, then tap Continue.",
+    ),
+    Fault.CHAIR_DISARMED: Explanation(
+        "The chair disarmed itself: too few commands reached it in time.",
+        "Bring the chair nearer to the network, then tap Continue.",
+    ),
+    Fault.CHAIR_NOT_READY: Explanation(
+        "The chair did not become ready within 5 seconds.",
+        "See on the Chair page what it says, then tap Continue.",
+    ),
+    Fault.BRAKE_BAD: Explanation(
+        "A sensor of the movement that brakes or stops gave impossible values.",
+        "See the lamps on the Shirt page; repeat the calibration without the bad channels.",
     ),
 }

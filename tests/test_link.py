@@ -185,7 +185,7 @@ def test_the_other_s_end_fails_what_waits_and_what_comes_later():
         await client.wait_closed()
         assert client.closed
         with pytest.raises(LinkLost):
-            client.send("heartbeat", screen=True)
+            client.send("heartbeat", screen_age=0.0)
         with pytest.raises(LinkLost):
             await client.call("status")
 

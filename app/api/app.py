@@ -123,11 +123,11 @@ def _flows(
     shown = LivePicture(link, worn, runs, drive, visit)
     hub = LiveHub(shown.picture, shown.quality)
 
-    def screen_in_view() -> bool:
+    def screen_age() -> float | None:
         trial = drive.trial  # looked at once: this is asked from the link's thread, and the trial may end meanwhile
-        return trial is not None and hub.sees(trial.person_id)
+        return 0.0 if trial is not None and hub.sees(trial.person_id) else None
 
-    link.screen = screen_in_view
+    link.screen_age = screen_age
 
     async def control_changed(_state: str) -> None:
         tell("equipment")

@@ -11,8 +11,9 @@ from app.api.deps import Clinician, People, PeopleParts
 from app.api.flows import FlowParts, Flows
 from app.api.signed_in import SignedIn
 from app.calibration.profile import CalibrationProfile
+from app.calibration.speeds import Speeds
 from app.calibration.suggest import suggest_bindings
-from app.calibration.vocabulary import Binding, ControlMode, DriveParameters, Gesture, Speeds
+from app.calibration.vocabulary import Binding, ControlMode, DriveParameters, Gesture
 from app.messages import MAX_GESTURES
 from app.quantities import Cutoff, Document, Title
 from app.sentences import one_sentence

@@ -67,7 +67,7 @@ async def main(shirt_port: int, report_port: int, folder: Path) -> None:
     await control.call("world", floorplan=bench_floorplan().model_dump(mode="json"), path="main")
     viewers = [await Viewer.open() for _ in range(VIEWERS)]
     work = [
-        _every(HEART_RATE, lambda: control.tell("heartbeat", screen=True)),
+        _every(HEART_RATE, lambda: control.tell("heartbeat", screen_age=0.0)),
         _every(SCENE_RATE, lambda: _show_scene(control, viewers)),
         _every(PAGE_RATE, lambda: _show_page(control, viewers)),
         _keep_armed(control, parameters.hash, folder),

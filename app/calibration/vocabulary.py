@@ -7,6 +7,7 @@ from typing import Annotated, Literal, Self
 from pydantic import Field, model_validator
 
 from app.calibration.profile import CalibrationProfile
+from app.calibration.speeds import Speeds
 from app.messages import MAX_GESTURES
 from app.quantities import Cutoff, Document, Gain, Name, Threshold, Title
 
@@ -14,10 +15,7 @@ Control = Literal["u1+", "u1-", "u2+", "u2-", "stop"]
 Feature = Literal["rate", "displacement"]
 ControlMode = Literal["velocity", "acceleration"]
 
-Speed = Annotated[float, Field(strict=True, allow_inf_nan=False, gt=0, le=1.5)]  # m/s
-TurnRate = Annotated[float, Field(strict=True, allow_inf_nan=False, gt=0, le=2.5)]  # rad/s
-Acceleration = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0.1, le=3.0)]  # m/s2
-TurnAcceleration = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0.1, le=20.0)]  # rad/s2
+CruiseTime = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=1, le=30)]  # s
 
 
 class Gesture(Document):
@@ -51,17 +49,6 @@ class Binding(Document):
     gain: Gain = 1.0
 
 
-class Speeds(Document):
-    """Limits of speed and its change; the words are those of wheelchair programming."""
-
-    forward: Speed = 0.8  # m/s
-    reverse: Speed = 0.3  # m/s
-    turn: TurnRate = 1.2  # rad/s
-    acceleration: Acceleration = 0.8  # m/s2, also A_f of the acceleration mode
-    deceleration: Acceleration = 1.2  # m/s2
-    turn_acceleration: TurnAcceleration = 6.0  # rad/s2
-
-
 class DriveParameters(Document):
     """Everything that decides how a body's movement becomes a twist. What was practised is what drives."""
 
@@ -73,6 +60,7 @@ class DriveParameters(Document):
     mode_u2: ControlMode = "velocity"
     cutoff: Cutoff = 3.0  # Hz: tremor damping
     speeds: Speeds = Speeds()
+    cruise_time: CruiseTime = 10.0  # s: a chair that cruises without being asked to for so long slows to standstill
 
     @model_validator(mode="after")
     def _names_fit_together(self) -> Self:

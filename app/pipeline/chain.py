@@ -3,7 +3,8 @@
 import math
 from typing import Protocol
 
-from app.calibration.vocabulary import DriveParameters, Speeds
+from app.calibration.speeds import Speeds
+from app.calibration.vocabulary import DriveParameters
 from app.faults import Fault, State
 from app.geometry import STANDSTILL, Twist
 from app.messages import SensorFrame, Tick

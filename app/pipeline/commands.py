@@ -1,5 +1,6 @@
 """What the web process asks for, done or refused in one sentence (docs/protocols.md, section 1)."""
 
+import math
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -111,7 +112,7 @@ class Commands:
 
     def _heartbeat(self, fields: documents.Heartbeat, _id: int) -> Answer:
         self._loop.heard = self._clock.now()
-        self._loop.conditions.screen = fields.screen
+        self._loop.screen_seen = -math.inf if fields.screen_age is None else self._clock.now() - fields.screen_age
         return {}
 
     def _shirt(self, fields: documents.Device, _id: int) -> Answer:
@@ -228,7 +229,7 @@ class Commands:
 
     def _begin_neutral_check(self) -> None:
         # The screen counts as in view until the next heartbeat says otherwise: the last one was sent before arming.
-        self._loop.conditions.screen = True
+        self._loop.screen_seen = self._clock.now()
         self._setup.chain.arm()
         if self._loop.run is not None:
             self._loop.run.was_armed = True

@@ -7,7 +7,7 @@ from pydantic import Field
 from app.calibration.vocabulary import DriveParameters
 from app.cues import Cue
 from app.pipeline.open_run import RunKind
-from app.quantities import Document, Fraction, Name
+from app.quantities import Document, Fraction, Name, Seconds
 from app.world.floorplan import FloorPlan
 
 Folder = Annotated[str, Field(min_length=1, max_length=4096, pattern=r"^/[^\x00]*$")]  # absolute
@@ -19,9 +19,9 @@ class Nothing(Document):
 
 
 class Heartbeat(Document):
-    """The web process lives; whether the screen that armed the chair is in view."""
+    """The web process lives; how long ago the screen that armed the chair said that it is in view, None: hidden."""
 
-    screen: bool
+    screen_age: Seconds | None
 
 
 class Device(Document):

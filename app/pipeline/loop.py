@@ -27,6 +27,8 @@ class ControlLoop:
         Ticks that came more than a period after the deadline.
     heard : float
         When the web process was heard last (monotonic s); never, at first.
+    screen_seen : float
+        When the screen that armed the chair last said that it is in view (monotonic s).
     """
 
     def __init__(self, setup: Setup, ring: TickRing, report: ChairReport | None, clock: Clock) -> None:
@@ -35,7 +37,8 @@ class ControlLoop:
         self.run: OpenRun | None = None
         self.late = 0
         self.heard = -math.inf
-        self.conditions = Conditions(screen=False)
+        self.screen_seen = -math.inf
+        self.conditions = Conditions()
         self._report = report
         self._clock = clock
         self.new_shirt()
@@ -75,6 +78,7 @@ class ControlLoop:
         self._deadline = t + self._wait
         conditions, run = self.conditions, self.run
         conditions.supervisor_age = t - self.heard
+        conditions.screen_age = t - self.screen_seen
         conditions.recording = run is None or not run.writer.words
         tick = self.setup.chain.step(frame, t, conditions)
         if self._report is not None:

@@ -6,8 +6,9 @@ doubt ends in a ramp to standstill that nothing before it can lengthen.
 
 import math
 from dataclasses import dataclass
+from enum import IntEnum
 
-from app.calibration.vocabulary import Speeds
+from app.calibration.speeds import Speeds
 from app.faults import Fault, State
 from app.geometry import STANDSTILL, Twist
 
@@ -19,6 +20,8 @@ LOSSY_LIMIT = 1.5  # s of too many lost frames: one burst of losses is forgotten
 SLOW_SHIRT = 60.0  # Hz: below it the limits are counted in periods
 STALE_PERIODS, SILENT_PERIODS = 3, 12
 WEB_SILENT = 0.3  # s without a heartbeat of the web process
+SCREEN_SILENT = 0.3  # s without a word of the screen that armed the chair
+CHAIR_SILENT = 0.3  # s without telemetry, which comes every 0.1 s
 LOOP_STALL = 0.3  # s between two ticks: as long as a missing heartbeat
 BAD_GESTURES = 2  # gestures without believable channels that end the drive
 STOP_DECELERATION = 3.0  # m/s2: the firm end of what powered chairs do
@@ -28,13 +31,23 @@ SLACK = 1.0 + 1e-9  # rounding of floats is no violation
 LARGEST_STEP = 0.1  # s: a longer pause between two ticks moves and changes no more than this
 
 
+class ChairCondition(IntEnum):
+    """What a chair says of itself; the virtual chair is always ready."""
+
+    READY = 0  # it has accepted this arming, and moves when told
+    WAITING = 1  # disarmed, or still checking that it is told to stand
+    INHIBITED = 2  # its stop switch is pressed, or it has a fault
+
+
 @dataclass(slots=True)
 class Conditions:
     """What the gate must know of the world outside the chain."""
 
     supervisor_age: float = 0.0  # s since the last heartbeat of the web process
-    screen: bool = True  # the screen that armed the chair is there and visible
+    screen_age: float = 0.0  # s since the screen that armed the chair last said that it is in view; inf: hidden
     recording: bool = True  # the recording, where one is required, is being written
+    chair_age: float = 0.0  # s since the chair's newest telemetry
+    chair: ChairCondition = ChairCondition.READY
 
 
 def shirt_limits(sample_rate: float) -> tuple[float, float]:
@@ -140,7 +153,7 @@ class SafetyGate:
             return Fault.LOOP_LATE
         if not conditions.supervisor_age <= WEB_SILENT:
             return Fault.WEB_SILENT
-        if not conditions.screen:
+        if not conditions.screen_age <= SCREEN_SILENT:
             return Fault.SCREEN_LOST
         if not conditions.recording:
             return Fault.RECORDING_LOST

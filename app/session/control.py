@@ -54,7 +54,8 @@ class Control:
 
     def __init__(self, open_link: Callable[[], Awaitable[Link]]) -> None:
         self.state: ControlState = "starting"
-        self.screen: Callable[[], bool] = lambda: False  # whether the screen that drives is in view; from any thread
+        # How long ago (s) the screen that drives said that it is in view, None: hidden, or none; from any thread.
+        self.screen_age: Callable[[], float | None] = lambda: None
         self.on_change: list[Callable[[ControlState], Awaitable[None]]] = []
         self._open_link = open_link
         self._link: Link | None = None
@@ -156,7 +157,7 @@ class Control:
         deadline = monotonic()
         while True:
             deadline = max(deadline + HEARTBEAT_EVERY, monotonic())
-            self._tell("heartbeat", screen=self.screen())
+            self._tell("heartbeat", screen_age=self.screen_age())
             await asyncio.sleep(max(deadline - monotonic(), 0.0))
 
     async def _keep(self, thread: LoopThread) -> None:

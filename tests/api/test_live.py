@@ -84,7 +84,7 @@ def test_the_screen_that_drives_is_the_one_of_who_started_and_in_view(signed_in:
         signed_in.link.told.clear()
         while not any(do == "heartbeat" for do, _ in signed_in.link.told):
             pass
-        return next(fields["screen"] for do, fields in signed_in.link.told if do == "heartbeat")
+        return next(fields["screen_age"] is not None for do, fields in signed_in.link.told if do == "heartbeat")
 
     signed_in.visit()
     signed_in.calibrate()

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from app.calibration.vocabulary import Speeds
+from app.calibration.speeds import Speeds
 from app.faults import Fault, State
 from app.geometry import STANDSTILL, Twist
 from app.pipeline.safety import (
@@ -104,7 +104,7 @@ def test_every_limit_in_time_around_its_border(name, limit, fault):
 @pytest.mark.parametrize(
     ("condition", "fault"),
     [
-        ({"screen": False}, Fault.SCREEN_LOST),
+        ({"screen_age": math.inf}, Fault.SCREEN_LOST),
         ({"recording": False}, Fault.RECORDING_LOST),
         ({"bad": 2}, Fault.CHANNELS_BAD),
     ],

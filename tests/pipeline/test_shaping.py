@@ -2,7 +2,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.calibration.vocabulary import Speeds
+from app.calibration.speeds import Speeds
 from app.geometry import STANDSTILL, Twist
 from app.pipeline.shaping import Shaper
 from building import make_parameters

@@ -1,0 +1,45 @@
+"""Limits of speed and of its change: those of a parameter set, of a clinic, of a chair."""
+
+from typing import Annotated
+
+from pydantic import Field
+
+from app.quantities import Document
+
+Speed = Annotated[float, Field(strict=True, allow_inf_nan=False, gt=0, le=1.5)]  # m/s
+TurnRate = Annotated[float, Field(strict=True, allow_inf_nan=False, gt=0, le=2.5)]  # rad/s
+Acceleration = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0.1, le=3.0)]  # m/s2
+TurnAcceleration = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0.1, le=20.0)]  # rad/s2
+Jerk = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0.5, le=20.0)]  # m/s3
+TurnJerk = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=1.0, le=400.0)]  # rad/s3
+
+
+class Speeds(Document):
+    """What is not to be exceeded; the words are those of wheelchair programming."""
+
+    forward: Speed = 0.8  # m/s
+    reverse: Speed = 0.3  # m/s
+    turn: TurnRate = 1.2  # rad/s
+    acceleration: Acceleration = 0.8  # m/s2, also A_f of the acceleration mode
+    deceleration: Acceleration = 1.2  # m/s2
+    turn_acceleration: TurnAcceleration = 6.0  # rad/s2
+    jerk: Jerk = 8.0  # m/s3: full acceleration after a tenth of a second, felt as soft and not as late
+    turn_jerk: TurnJerk = 60.0  # rad/s3
+
+
+NO_FURTHER = Speeds(
+    forward=1.5,
+    reverse=1.5,
+    turn=2.5,
+    acceleration=3.0,
+    deceleration=3.0,
+    turn_acceleration=20.0,
+    jerk=20.0,
+    turn_jerk=400.0,
+)
+"""What no clinic and no chair may go beyond."""
+
+
+def most_restrictive(*levels: Speeds) -> Speeds:
+    """Return the limits that hold under several levels of limits: of each the smallest."""
+    return Speeds(**{name: min(getattr(level, name) for level in levels) for name in Speeds.model_fields})

@@ -1,0 +1,71 @@
+"""The secret that a chair and its sender share. Standard library only: this runs on the chair's small board, too."""
+
+import os
+import re
+import secrets
+import stat
+from pathlib import Path
+from typing import NamedTuple
+
+SECRET_BYTES = 32
+LARGEST_ID = 65_535
+_LINE = re.compile(r"(\d{1,5}) ([0-9a-fA-F]{64})")
+
+
+class KeyRefused(Exception):  # noqa: N818
+    """Why a key file is not used, in one sentence that never contains the key."""
+
+
+class Key(NamedTuple):
+    """A chair's number and its secret."""
+
+    id: int  # u16
+    secret: bytes  # 32 bytes
+
+    @property
+    def line(self) -> str:
+        """The one line of a key file, which is also what the QR code of a pairing says."""
+        return f"{self.id} {self.secret.hex()}"
+
+    def __repr__(self) -> str:
+        """Name the key without telling it: this may end in a log."""
+        return f"Key({self.id}, ...)"
+
+
+def new_key(key_id: int) -> Key:
+    """Return a fresh random key of this number."""
+    return Key(key_id, secrets.token_bytes(SECRET_BYTES))
+
+
+def read_key(file: Path) -> Key:
+    """Return the key in `file`; raise KeyRefused when others can read it or it is no key."""
+    try:
+        with file.open() as opened:
+            mode = os.fstat(opened.fileno()).st_mode
+            text = opened.read(200)
+    except (OSError, UnicodeDecodeError) as error:
+        why = error.strerror if isinstance(error, OSError) else "it is no text"
+        raise KeyRefused(f"the key file {file} cannot be read ({why}): give the file that pairing made") from error
+    if stat.S_IMODE(mode) & (stat.S_IRWXG | stat.S_IRWXO):
+        raise KeyRefused(f"the key file {file} can be read by others: say `chmod 600 {file}`, or pair anew")
+    found = _LINE.fullmatch(text.strip())
+    if found is None or int(found[1]) > LARGEST_ID:
+        raise KeyRefused(
+            f"the key file {file} holds no key: it must be one line, a number up to {LARGEST_ID}, a space, "
+            f"{2 * SECRET_BYTES} hex digits"
+        )
+    return Key(int(found[1]), bytes.fromhex(found[2]))
+
+
+def write_key(file: Path, key: Key) -> None:
+    """Write a new key file that only its owner can read; raise FileExistsError rather than write over one."""
+    handle = os.open(file, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
+    try:
+        os.fchmod(handle, 0o600)
+        with os.fdopen(handle, "w") as opened:
+            opened.write(f"{key.line}\n")
+            opened.flush()
+            os.fsync(opened.fileno())
+    except BaseException:
+        file.unlink(missing_ok=True)
+        raise

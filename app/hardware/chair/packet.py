@@ -1,0 +1,111 @@
+"""The chair's datagrams, byte by byte (docs/protocols.md, section 9). Standard library only.
+
+Everything is little-endian. A command and a telemetry carry 52 bytes and a tag of 16: HMAC-SHA-256, cut. The tag of
+a command also covers the receiver's nonce, new at every boot and every disarming: what was recorded is worthless.
+"""
+
+import hmac
+from struct import Struct
+from typing import NamedTuple
+
+from app.hardware.chair.key import Key
+
+VERSION = 1
+COMMAND_MAGIC, TELEMETRY_MAGIC, HELLO_MAGIC = b"BMIW", b"BMIT", b"BMIH"
+DRIVE, STOP, VIRTUAL = 1, 2, 4  # flags of a command
+
+BODY_BYTES, TAG_BYTES, NONCE_BYTES, DIGEST_BYTES = 52, 16, 8, 8
+FRAME_BYTES = BODY_BYTES + TAG_BYTES  # of a command and of a telemetry
+_COMMAND = Struct("<4sBBHIQQffff8s")
+_TELEMETRY = Struct("<4sBBHIQQ8sfffBBH")
+_HELLO = Struct("<4sBBHI")
+
+
+class Command(NamedTuple):
+    """What a sender asks of a chair."""
+
+    flags: int
+    key_id: int
+    epoch: int  # u32, random at each arming
+    sequence: int  # u64, strictly increasing
+    t_ns: int  # the sender's monotonic clock, ns
+    v: float  # m/s
+    omega: float  # rad/s
+    v_cap: float  # m/s: what the sender promises not to go beyond
+    omega_cap: float  # rad/s
+    digest: bytes  # the first 8 bytes of the parameter set's SHA-256
+
+
+class Telemetry(NamedTuple):
+    """What a chair says of itself."""
+
+    state: int  # 0 disarmed, 1 checking neutral, 2 armed, 3 fault
+    key_id: int
+    epoch: int
+    sequence: int  # the last one that was accepted
+    t_ns: int  # the chair's monotonic clock, ns
+    nonce: bytes  # 8 bytes
+    v: float  # m/s, as driven
+    omega: float  # rad/s
+    battery: float  # 0..1, NaN when unknown
+    stop_input: int  # 1: pressed
+    fault: int  # app.hardware.chair.reasons.Reason
+
+
+def encode_command(command: Command, key: Key, nonce: bytes) -> bytes:
+    """Return the 68 bytes of a command, tagged for a receiver whose nonce is `nonce`."""
+    flags, key_id, *rest = command
+    body = _COMMAND.pack(COMMAND_MAGIC, VERSION, flags, key_id, *rest)
+    return body + _tag(key, body + nonce)
+
+
+def decode_command(datagram: bytes, key: Key, nonce: bytes) -> Command | None:
+    """Return a command whose length, magic, version, key number and tag are right, otherwise None.
+
+    Whether it is new, and whether its numbers can be driven, is for the receiver to judge.
+    """
+    if len(datagram) != FRAME_BYTES or datagram[:4] != COMMAND_MAGIC:
+        return None
+    body = datagram[:BODY_BYTES]
+    _, version, flags, key_id, *rest = _COMMAND.unpack(body)
+    if (
+        version != VERSION
+        or key_id != key.id
+        or not hmac.compare_digest(datagram[BODY_BYTES:], _tag(key, body + nonce))
+    ):
+        return None
+    return Command(flags, key_id, *rest)
+
+
+def encode_telemetry(telemetry: Telemetry, key: Key) -> bytes:
+    """Return the 68 bytes of a telemetry."""
+    state, key_id, *rest = telemetry
+    body = _TELEMETRY.pack(TELEMETRY_MAGIC, VERSION, state, key_id, *rest, 0)
+    return body + _tag(key, body)
+
+
+def decode_telemetry(datagram: bytes, key: Key) -> Telemetry | None:
+    """Return a telemetry that this chair has sent, otherwise None."""
+    if len(datagram) != FRAME_BYTES or datagram[:4] != TELEMETRY_MAGIC:
+        return None
+    body = datagram[:BODY_BYTES]
+    _, version, state, key_id, *rest, _ = _TELEMETRY.unpack(body)
+    if version != VERSION or key_id != key.id:
+        return None
+    if not hmac.compare_digest(datagram[BODY_BYTES:], _tag(key, body)):
+        return None
+    return Telemetry(state, key_id, *rest)
+
+
+def encode_hello(key_id: int) -> bytes:
+    """Return the 12 bytes that ask a chair for its telemetry, and grant nothing."""
+    return _HELLO.pack(HELLO_MAGIC, VERSION, 0, key_id, 0)
+
+
+def is_hello(datagram: bytes, key_id: int) -> bool:
+    """Tell whether a datagram asks this chair for its telemetry."""
+    return datagram == encode_hello(key_id)
+
+
+def _tag(key: Key, covered: bytes) -> bytes:
+    return hmac.digest(key.secret, covered, "sha256")[:TAG_BYTES]
