@@ -50,6 +50,16 @@ class Tick:
     fault: Fault = Fault.NONE
     in_contact: bool = False
     contacts: int = 0  # since the start of the run
+    stops: int = 0  # stops and faults that were latched so far, those during another one included
+    dial: float = 1.0  # the speed dial: share of forward, reverse and turn speed
+    chair_kind: int = 0  # 0: virtual, 1: real; of a virtual one, what follows up to the battery says nothing
+    chair_state: int = 0  # as its telemetry says: 0 disarmed, 1 checking neutral, 2 armed, 3 fault
+    chair_fault: int = 0  # app.hardware.chair.reasons.Reason
+    stop_input: int = 0  # 1: the chair's own stop switch is pressed
+    chair_age: float = 0.0  # s since what is known of the chair was true
+    battery: float = math.nan  # 0..1, NaN: unknown
+    driven_v: float = 0.0  # m/s, as the chair says it drives
+    driven_omega: float = 0.0  # rad/s
 
 
 # The same, as one flat record: a slot of the ring between the processes, a row of a recording.
@@ -71,13 +81,23 @@ TICK = np.dtype(
         ("late", "u4"),  # ticks later than a period, since the process started
         ("contacts", "u4"),
         ("run", "u4"),  # counts runs: 0 outside a run, so that a reader finds the rows of one
+        ("stops", "u4"),
         ("cue", "i4"),  # index into the run's cues, NO_CUE outside of them
+        ("dial", "f4"),
+        ("chair_age", "f4"),
+        ("battery", "f4"),
+        ("driven_v", "f4"),
+        ("driven_omega", "f4"),
         ("n_channels", "u2"),
         ("n_gestures", "u2"),
         ("has_frame", "u1"),
         ("state", "u1"),
         ("fault", "u1"),
         ("in_contact", "u1"),
+        ("chair_kind", "u1"),
+        ("chair_state", "u1"),
+        ("chair_fault", "u1"),
+        ("stop_input", "u1"),
         ("score", "f8", (MAX_GESTURES,)),
         ("rate", "f8", (MAX_GESTURES,)),
         ("activation", "f8", (MAX_GESTURES,)),

@@ -28,7 +28,7 @@ def ring_file(name: str) -> Path:
 def _slot_layout(n_gestures: int) -> Struct:
     """Return the fields of `TICK` after `number` up to the activations, in native order, unused gestures zeroed."""
     unused = 8 * (MAX_GESTURES - n_gestures)
-    return Struct(f"@10d5IiHH4B{n_gestures}d{unused}x{n_gestures}d{unused}x{n_gestures}d")
+    return Struct(f"@10d6Ii5fHH8B{n_gestures}d{unused}x{n_gestures}d{unused}x{n_gestures}d")
 
 
 class TickRing:
@@ -134,13 +134,23 @@ class TickRing:
             late,
             tick.contacts,
             run,
+            tick.stops,
             cue,
+            tick.dial,
+            tick.chair_age,
+            tick.battery,
+            tick.driven_v,
+            tick.driven_omega,
             self._n_channels,
             n_gestures,
             has_frame,
             tick.state,
             tick.fault,
             tick.in_contact,
+            tick.chair_kind,
+            tick.chair_state,
+            tick.chair_fault,
+            tick.stop_input,
             *score,
             *tick.rate,
             *tick.activation,

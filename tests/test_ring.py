@@ -70,11 +70,32 @@ def test_what_is_written_is_read(ring, name):
         fault=Fault.STOP_KEY,
         in_contact=True,
         contacts=3,
+        stops=9,
+        dial=0.5,
+        chair_kind=1,
+        chair_state=2,
+        chair_fault=8,
+        stop_input=1,
+        chair_age=0.125,
+        battery=0.75,
+        driven_v=0.25,
+        driven_omega=-0.5,
     )
     ring.write(tick, 2, 0.75, 4, 5, 6)
     reader = TickRing.attach(name)
     read = reader.newest()
-    for field in ("t", "frame_seq", "t_device", "u1", "u2", "v", "omega", "x", "y", "theta", "state", "fault"):
+    chair = (
+        "chair_kind",
+        "chair_state",
+        "chair_fault",
+        "stop_input",
+        "chair_age",
+        "battery",
+        "driven_v",
+        "driven_omega",
+    )
+    scalars = ("t", "frame_seq", "t_device", "u1", "u2", "v", "omega", "x", "y", "theta", "state", "fault")
+    for field in (*scalars, "stops", "dial", *chair):
         assert read[field] == getattr(tick, field), field
     assert (read["number"], read["run"], read["run_t"], read["cue"], read["lost"], read["late"]) == (
         1,
