@@ -6,7 +6,10 @@ from hypothesis import strategies as st
 
 from app.geometry import Pose, Twist
 from app.hardware.chair.simulator import VirtualChair
+from app.world.dynamics import Motion, Wheelchair
+from app.world.dynamics import step as dynamics_step
 from app.world.floorplan import FloorPlan
+from app.world.kinematics import step
 
 PLAN = FloorPlan.model_validate(
     {
@@ -88,3 +91,69 @@ def test_placing_forgets_the_contacts():
 def test_it_cannot_be_put_where_no_chair_can_stand(pose):
     with pytest.raises(ValueError, match="place"):
         VirtualChair(PLAN, pose)
+
+
+TWISTS = st.lists(st.builds(Twist, st.floats(-1.5, 1.5), st.floats(-2.5, 2.5)), min_size=1, max_size=30)
+DYNAMICS = pytest.mark.parametrize("dynamics", ["unicycle", "wheelchair"])
+
+
+@given(TWISTS, st.floats(0.001, 0.1))
+def test_by_default_it_is_the_unicycle_exactly(twists, dt):
+    chair, pose = VirtualChair(None, Pose(1, 2, 3)), Pose(1, 2, 3)
+    for twist in twists:
+        state, pose = chair.drive(twist, dt), step(pose, twist, dt)
+        assert (state.x, state.y, state.theta, state.v, state.omega) == (*pose, *twist)
+
+
+@given(TWISTS)
+def test_as_a_wheelchair_it_tells_what_it_does_and_not_what_it_was_told(twists):
+    chair, motion = VirtualChair(None, Pose(1, 2, 3), dynamics="wheelchair"), Motion(Pose(1, 2, 3))
+    for twist in twists:
+        state, motion = chair.drive(twist, 0.01), dynamics_step(motion, twist, 0.01, Wheelchair())
+        assert (state.x, state.y, state.theta, state.v, state.omega) == (*motion.pose, motion.v, motion.omega)
+
+
+def test_a_wheelchair_lags_behind_and_rolls_out():
+    chair = VirtualChair(None, Pose(0, 0, 0), dynamics="wheelchair")
+    assert 0 < chair.drive(FORWARD, 0.01).v < 0.1
+    for _ in range(200):
+        chair.drive(FORWARD, 0.01)
+    assert 0.7 < chair.drive(Twist(0.0, 0.0), 0.01).v < 0.8
+    for _ in range(300):
+        state = chair.drive(Twist(0.0, 0.0), 0.01)
+    assert (state.v, state.omega) == (0.0, 0.0)
+
+
+def test_a_wall_holds_the_wheels_of_a_wheelchair_too():
+    chair = VirtualChair(PLAN, Pose(-1, 0, 0), dynamics="wheelchair")
+    for _ in range(300):
+        state = chair.drive(FORWARD, 0.01)
+    assert state.x == pytest.approx(-0.37, abs=1e-6)
+    assert (state.in_contact, state.contacts) == (True, 1)
+    assert state.v == pytest.approx(0, abs=1e-9)
+    assert chair.drive(Twist(-0.3, 0.0), 0.01).v == pytest.approx(-0.3 * (1 - math.exp(-0.05)), rel=0.02)
+
+
+@DYNAMICS
+@given(st.lists(st.builds(Twist, st.floats(), st.floats()), max_size=30), st.floats())
+def test_nothing_that_it_is_told_breaks_it(dynamics, twists, dt):
+    chair = VirtualChair(PLAN, Pose(-2, 0, 0), dynamics=dynamics)
+    for twist in twists:
+        state = chair.drive(twist, dt)
+        assert all(map(math.isfinite, (state.x, state.y, state.theta)))
+        assert abs(state.v) <= 60 >= abs(state.omega)
+
+
+@DYNAMICS
+def test_placing_lets_it_stand(dynamics):
+    chair = VirtualChair(None, Pose(0, 0, 0), dynamics=dynamics)
+    for _ in range(50):
+        chair.drive(Twist(0.5, 1.0), 0.01)
+    chair.place(Pose(0, 0, 0))
+    fresh = VirtualChair(None, Pose(0, 0, 0), dynamics=dynamics)
+    assert chair.drive(FORWARD, 0.01) == fresh.drive(FORWARD, 0.01)
+
+
+def test_a_misspelt_kind_of_dynamics_is_refused():
+    with pytest.raises(ValueError, match="unicycle"):
+        VirtualChair(None, Pose(0, 0, 0), dynamics="wheelchairs")

@@ -1,12 +1,17 @@
-"""The virtual chair: the unicycle on a floor plan, stopped by walls, with the verbs of a chair."""
+"""The virtual chair on a floor plan, stopped by walls, with the verbs of a chair: the unicycle, or a wheelchair."""
 
 import math
 from dataclasses import dataclass
+from typing import Literal, get_args
 
-from app.geometry import Pose, Twist
+from app.calibration.speeds import NO_FURTHER
+from app.geometry import STANDSTILL, Pose, Twist
+from app.world import dynamics, kinematics
 from app.world.collision import Collision
+from app.world.dynamics import Motion, Wheelchair
 from app.world.floorplan import FloorPlan
-from app.world.kinematics import step
+
+Dynamics = Literal["unicycle", "wheelchair"]
 
 LONGEST_STEP = 0.1  # s; after a longer silence the chair has not driven on by itself
 FREE_AGAIN = 0.25  # s without touching after which the next touch is a new contact
@@ -27,16 +32,27 @@ class ChairState:
 
 
 class VirtualChair:
-    """A chair that is a program; without a floor plan the floor has no end."""
+    """A chair that is a program; without a floor plan the floor has no end.
 
-    __slots__ = ("_collision", "_contacts", "_free_for", "_pose", "state")
+    As a unicycle it does what it is told, exactly and at once, as in the paper; as a wheelchair it lags, its castors
+    swing in and its wheels slip, and the state tells what it really does.
+    """
 
-    def __init__(self, floorplan: FloorPlan | None, start: Pose) -> None:
+    is_real = False
+    speeds = NO_FURTHER
+
+    __slots__ = ("_collision", "_contacts", "_free_for", "_motion", "_wheelchair", "state")
+
+    def __init__(self, floorplan: FloorPlan | None, start: Pose, dynamics: Dynamics = "unicycle") -> None:
+        """Raise ValueError when there are no such `dynamics`, or the chair cannot stand on `start`."""
+        if dynamics not in get_args(Dynamics):
+            raise ValueError(f"there are no dynamics '{dynamics}': use unicycle or wheelchair")
         self._collision = Collision(floorplan)
+        self._wheelchair = Wheelchair() if dynamics == "wheelchair" else None
         self.place(start)
 
     def place(self, pose: Pose) -> None:
-        """Put the chair on `pose`, at a standstill, with no contacts yet.
+        """Put the chair on `pose`, at a standstill, castors in line, with no contacts yet.
 
         Raises
         ------
@@ -49,7 +65,7 @@ class VirtualChair:
             raise ValueError(
                 f"the chair cannot stand at ({pose.x:.2f}, {pose.y:.2f}): something is in the way, choose a free place"
             )
-        self._pose = pose
+        self._motion = Motion(pose)
         self._contacts = 0
         self._free_for = FREE_AGAIN
         self.state = ChairState(pose.x, pose.y, pose.theta, 0.0, 0.0, False, 0)
@@ -59,23 +75,26 @@ class VirtualChair:
 
         A step of no or negative duration moves nothing; a twist that is no command of a wheelchair is a standstill.
         """
-        v, omega = twist
-        if not (-FASTEST <= v <= FASTEST and -FASTEST <= omega <= FASTEST):
-            v = omega = 0.0
-            twist = Twist(0.0, 0.0)
+        if not (-FASTEST <= twist.v <= FASTEST and -FASTEST <= twist.omega <= FASTEST):
+            twist = STANDSTILL
         if not dt > 0.0:
             return self.state
         dt = min(dt, LONGEST_STEP)
-        pose = self._pose
-        wanted = step(pose, twist, dt)
-        x, y, touching = self._collision.slide(pose.x, pose.y, wanted.x, wanted.y)
+        pose = self._motion.pose
+        if self._wheelchair is None:
+            wanted = Motion(kinematics.step(pose, twist, dt), *twist)
+        else:
+            wanted = dynamics.step(self._motion, twist, dt, self._wheelchair)
+        v, theta = wanted.v, wanted.pose.theta
+        x, y, touching = self._collision.slide(pose.x, pose.y, wanted.pose.x, wanted.pose.y)
         if touching:
             if self._free_for >= FREE_AGAIN:
                 self._contacts += 1
             self._free_for = 0.0
             v = ((x - pose.x) * math.cos(pose.theta) + (y - pose.y) * math.sin(pose.theta)) / dt
+            wanted = wanted._replace(pose=Pose(x, y, theta), v=v)  # the wall holds the wheels, too
         else:
             self._free_for += dt
-        self._pose = Pose(x, y, wanted.theta)
-        self.state = ChairState(x, y, wanted.theta, v, omega, touching, self._contacts)
+        self._motion = wanted
+        self.state = ChairState(x, y, theta, v, wanted.omega, touching, self._contacts)
         return self.state
