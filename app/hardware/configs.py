@@ -1,11 +1,12 @@
-"""Which shirt, and what moves inside the simulated one: the configurations of docs/protocols.md, section 2."""
+"""Which shirt, what moves inside the simulated one, which chair: the configurations of docs/protocols.md, section 2."""
 
 from typing import Annotated, Literal
 
 from pydantic import Field
 
+from app.calibration.speeds import Speeds
 from app.layout import ShirtLayout
-from app.quantities import Count, Document, Hertz, Name, Port
+from app.quantities import Count, Document, Hertz, Name, Port, Title
 
 ShirtRate = Annotated[Hertz, Field(ge=10, le=2000)]
 FilePlace = Annotated[str, Field(min_length=1, max_length=4096, pattern=r"^[^\x00]+$")]
@@ -61,5 +62,24 @@ class RecordedConfig(Document):
     file: FilePlace
 
 
+class VirtualChairConfig(Document):
+    """The chair that is a program."""
+
+    kind: Literal["virtual"]
+    dynamics: Literal["unicycle", "wheelchair"] = "unicycle"
+
+
+class RealChairConfig(Document):
+    """A chair behind a receiver (docs/protocols.md, section 9)."""
+
+    kind: Literal["udp"]
+    name: Title
+    host: Host
+    port: Annotated[Port, Field(gt=0)] = 5354
+    key_file: FilePlace
+    speeds: Speeds  # what this chair may do
+
+
 ShirtConfig = Annotated[SimulatorConfig | ReplayConfig | UdpConfig, Field(discriminator="kind")]
 BodyConfig = Annotated[PersonConfig | VisitorConfig | RecordedConfig, Field(discriminator="kind")]
+ChairConfig = Annotated[VirtualChairConfig | RealChairConfig, Field(discriminator="kind")]

@@ -2,14 +2,17 @@
 
 from collections.abc import Mapping
 from importlib import import_module
-from typing import Any, cast
+from typing import TYPE_CHECKING, Any, cast
 
 from pydantic import TypeAdapter, ValidationError
 
 from app.clock import Clock
 from app.hardware.base import Body, HardwareError, Shirt
-from app.hardware.configs import BodyConfig, ShirtConfig
+from app.hardware.configs import BodyConfig, ChairConfig, RealChairConfig, ShirtConfig
 from app.sentences import one_sentence
+
+if TYPE_CHECKING:
+    from app.hardware.chair.link import ChairLink
 
 Table = Mapping[str, tuple[str, str]]
 
@@ -23,10 +26,14 @@ BODIES: Table = {
     "visitor": ("app.hardware.body.visitor", "Visitor"),
     "recorded": ("app.hardware.body.recorded", "RecordedBody"),
 }
+CHAIRS: Table = {
+    "virtual": ("app.hardware.chair.simulator", "VirtualChair"),
+    "udp": ("app.hardware.chair.link", "ChairLink"),
+}
 
 
 def driver_class(what: str, word: str, table: Table) -> Any:
-    """Return the class behind a word of `table`; `what` ("shirt", "body") names it in sentences.
+    """Return the class behind a word of `table`; `what` ("shirt", "body", "chair") names it in sentences.
 
     Raises
     ------
@@ -64,6 +71,11 @@ def parse_body(document: object) -> BodyConfig:
     return cast(BodyConfig, _parse("body", document, BODIES, TypeAdapter(BodyConfig)))
 
 
+def parse_chair(document: object) -> ChairConfig:
+    """Return the chair configuration in `document` (JSON values), or raise HardwareError with one sentence."""
+    return cast(ChairConfig, _parse("chair", document, CHAIRS, TypeAdapter(ChairConfig)))
+
+
 def make_shirt(config: ShirtConfig, clock: Clock) -> Shirt:
     """Return the shirt that `config` describes, not yet open; raise HardwareError when its driver cannot be had."""
     return cast(Shirt, driver_class("shirt", config.kind, SHIRTS)(config, clock))
@@ -79,6 +91,11 @@ def make_body(config: BodyConfig) -> Body:
     """
     made = driver_class("body", config.kind, BODIES)
     return cast(Body, made(**config.model_dump(exclude={"kind"})))
+
+
+def make_real_chair(config: RealChairConfig) -> "ChairLink":
+    """Return the link to the chair that `config` describes, not yet open; raise HardwareError without its driver."""
+    return cast("ChairLink", driver_class("chair", config.kind, CHAIRS)(config))
 
 
 def _parse(what: str, document: object, table: Table, adapter: TypeAdapter[Any]) -> object:

@@ -8,11 +8,22 @@ from app.clock import FakeClock
 from app.hardware.base import HardwareError
 from app.hardware.body.person import Person
 from app.hardware.body.visitor import Visitor
-from app.hardware.configs import PersonConfig, ReplayConfig, SimulatorConfig, VisitorConfig
-from app.hardware.registry import BODIES, SHIRTS, driver_class, make_body, make_shirt, parse_body, parse_shirt
+from app.hardware.configs import PersonConfig, ReplayConfig, SimulatorConfig, VirtualChairConfig, VisitorConfig
+from app.hardware.registry import (
+    BODIES,
+    CHAIRS,
+    SHIRTS,
+    driver_class,
+    make_body,
+    make_real_chair,
+    make_shirt,
+    parse_body,
+    parse_chair,
+    parse_shirt,
+)
 
 
-@pytest.mark.parametrize(("what", "table"), [("shirt", SHIRTS), ("body", BODIES)])
+@pytest.mark.parametrize(("what", "table"), [("shirt", SHIRTS), ("body", BODIES), ("chair", CHAIRS)])
 def test_every_word_of_the_tables_has_its_class(what, table):
     for word, (_module, name) in table.items():
         assert driver_class(what, word, table).__name__ == name
@@ -57,6 +68,11 @@ def test_the_documents_of_the_protocol_are_understood():
     assert parse_body({"kind": "person", "skill": "novice", "seed": 1}) == PersonConfig(kind="person", skill="novice")
     assert parse_body({"kind": "visitor"}) == VisitorConfig(kind="visitor")
     assert parse_body({"kind": "recorded", "file": "body.csv"}).file == "body.csv"
+    assert parse_chair({"kind": "virtual"}) == VirtualChairConfig(kind="virtual", dynamics="unicycle")
+    speeds = {"forward": 0.5}
+    real = parse_chair({"kind": "udp", "name": "Salon 2", "host": "chair.lan", "key_file": "7.key", "speeds": speeds})
+    assert (real.port, real.speeds.forward, real.speeds.reverse) == (5354, 0.5, 0.3)
+    assert make_real_chair(real).speeds == real.speeds
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,356 @@
+"""The sender of a real chair, tick by tick with times of our own, against a chair's end that notes what comes."""
+
+import itertools
+import math
+import os
+import socket
+
+import pytest
+from chair_stand_in import ARMED, CHECKING, DISARMED, FAULT, StandInChair
+
+from app.calibration.speeds import NO_FURTHER, Speeds
+from app.faults import State
+from app.geometry import STANDSTILL, Pose, Twist
+from app.hardware.base import HardwareError
+from app.hardware.chair.key import Key, new_key, write_key
+from app.hardware.chair.link import HELLO_EVERY, LAST_FRAMES, MOST_DATAGRAMS, PERIOD, ChairLink
+from app.hardware.chair.packet import DRIVE, STOP, encode_telemetry
+from app.hardware.chair.reasons import Reason
+from app.hardware.configs import RealChairConfig
+
+LIMITS = Speeds(forward=0.5, reverse=0.2, turn=1.0)
+AHEAD = Twist(0.25, -0.5)
+
+
+class Story:
+    """A link and its chair, and the time of both."""
+
+    def __init__(self, folder):
+        self.chair = StandInChair(folder)
+        self.link = ChairLink(self.chair.config)
+        self.link.open()
+        self.t = 100.0
+
+    def turn(self, state, twist=STANDSTILL, dt=0.005):
+        """One turn of a loop; return the commands that it brought."""
+        self.t += dt
+        self.link.listen(self.t)
+        self.link.tell(state, twist, LIMITS, self.t)
+        return self.chair.commands()
+
+    def during(self, seconds, state, twist=STANDSTILL, dt=0.005):
+        return list(itertools.chain.from_iterable(self.turn(state, twist, dt) for _ in range(round(seconds / dt))))
+
+    def hear(self, state=DISARMED, epoch=0, sequence=0, **changes):
+        self.chair.say(state, epoch, sequence, **changes)
+        self.link.listen(self.t)
+
+    def meet(self):
+        self.turn(State.DISARMED)
+        self.hear()
+
+    def check(self):
+        """Begin the neutral check, and return its first command."""
+        return self.turn(State.CHECKING)[0]
+
+    def arm(self):
+        """Arm both sides, and return the arming's epoch."""
+        self.meet()
+        first = self.check()
+        last = self.during(0.1, State.CHECKING)[-1]
+        self.hear(ARMED, first.epoch, last.sequence)
+        assert self.link.heard.ready
+        return first.epoch
+
+    def close(self):
+        self.link.close()
+        self.chair.close()
+
+
+@pytest.fixture
+def story(tmp_path):
+    made = Story(tmp_path)
+    yield made
+    made.close()
+
+
+def test_disarmed_it_says_hello_at_5_hz_and_nothing_else_until_it_is_heard(story):
+    assert story.during(2.0, State.DISARMED) == []
+    assert story.chair.hellos == pytest.approx(2.0 / HELLO_EVERY, abs=1)
+    assert math.isinf(story.link.age(story.t))
+    assert "does not answer" in story.link.words()
+    heard = story.chair.hellos
+    for _ in range(10):
+        story.hear()
+        assert story.during(0.1, State.DISARMED) == []
+    assert story.chair.hellos == heard
+    assert story.link.age(story.t) == pytest.approx(0.1)
+    assert story.link.words().endswith("disarmed, battery 50%.")
+
+
+def test_a_chair_that_is_paired_with_another_address_is_heard_often_enough(story):
+    oldest = 0.0
+    answered = 0
+    for _ in range(400):
+        story.turn(State.DISARMED)
+        if story.chair.hellos > answered:
+            answered = story.chair.hellos
+            story.hear()
+        elif answered:
+            oldest = max(oldest, story.link.age(story.t))
+    assert oldest < 0.3
+
+
+@pytest.mark.parametrize("dt", [0.0005, 0.001, 0.005, 0.0037, 0.01])
+def test_50_hz_whatever_the_loop_s_rate(story, dt):
+    story.meet()
+    times = []
+    for _ in range(round(2.0 / dt)):
+        times += [story.t] * len(story.turn(State.CHECKING, dt=dt))
+    assert len(times) == pytest.approx(2.0 / PERIOD, abs=2)
+    assert max(after - before for before, after in itertools.pairwise(times)) < PERIOD + dt + 1e-9
+
+
+def test_a_held_up_loop_leaves_deadlines_out(story):
+    story.meet()
+    story.during(0.1, State.CHECKING)
+    assert len(story.turn(State.CHECKING, dt=0.5)) == 1
+    assert len(story.during(0.1, State.CHECKING)) in (5, 6)
+
+
+def test_the_neutral_check_sends_zeros_and_armed_sends_the_twist(story):
+    story.link.digest = b"digest-1"
+    story.meet()
+    first = story.check()
+    commands = [first, *story.during(0.2, State.CHECKING, AHEAD)]
+    assert all((command.flags, command.v, command.omega) == (0, 0.0, 0.0) for command in commands)
+    assert {command.epoch for command in commands} == {first.epoch}
+    assert first.epoch != 0
+    driven = story.during(0.2, State.ARMED, AHEAD)
+    assert len(driven) == 10
+    assert all((command.flags, command.v, command.omega) == (DRIVE, 0.25, -0.5) for command in driven)
+    every = commands + driven
+    assert all(after.sequence > before.sequence for before, after in itertools.pairwise(every))
+    assert all(after.t_ns > before.t_ns for before, after in itertools.pairwise(every))
+    assert {(command.v_cap, command.omega_cap, command.digest) for command in every} == {(0.5, 1.0, b"digest-1")}
+
+
+def test_the_parameter_set_of_an_arming_stays_the_same(story):
+    story.link.digest = b"digest-1"
+    story.meet()
+    story.check()
+    story.link.digest = b"digest-2"
+    assert story.during(0.1, State.ARMED)[-1].digest == b"digest-1"
+    story.turn(State.DISARMED)
+    assert story.check().digest == b"digest-2"
+
+
+@pytest.mark.parametrize(("state", "flags"), [(State.FAULT, STOP), (State.DISARMED, 0)])
+@pytest.mark.parametrize("before", [State.CHECKING, State.ARMED])
+def test_an_end_is_told_at_once_ten_times_and_then_silence(story, before, state, flags):
+    story.arm()
+    story.turn(before, AHEAD, dt=PERIOD)  # just now there was a command: the next is not due
+    commands = story.turn(state, AHEAD, dt=0.001)
+    assert len(commands) == 1
+    story.hear()
+    commands += story.during(0.1, state, AHEAD)
+    story.hear()
+    commands += story.during(0.1, state, AHEAD)
+    story.hear()
+    assert len(commands) == LAST_FRAMES
+    assert all((command.flags, command.v, command.omega) == (flags, 0.0, 0.0) for command in commands)
+    assert math.isinf(story.link.due)
+    assert story.during(0.1, state, AHEAD) == []
+
+
+def test_a_stop_while_disarmed_is_told_too_and_clearing_it_is_not(story):
+    story.arm()
+    story.turn(State.DISARMED)
+    story.during(0.3, State.DISARMED)
+    stops = story.during(0.1, State.FAULT)
+    rest = story.during(0.4, State.DISARMED)
+    assert len(stops + rest) == LAST_FRAMES
+    assert {command.flags for command in stops + rest} == {STOP}
+
+
+def test_every_arming_has_an_epoch_of_its_own(story):
+    story.meet()
+    epochs = []
+    for _ in range(20):
+        epochs.append(story.check().epoch)
+        story.turn(State.DISARMED)
+    assert len(set(epochs)) == 20
+
+
+def test_the_sequence_grows_when_the_chair_is_opened_again(story):
+    story.meet()
+    before = story.check().sequence
+    story.link.close()
+    story.link = ChairLink(story.chair.config)
+    story.link.open()
+    story.meet()
+    assert story.check().sequence > before
+
+
+def test_nothing_is_sent_while_the_nonce_is_unknown_and_at_once_when_it_is_known(story):
+    assert story.during(0.2, State.CHECKING) == []
+    assert story.chair.refused == 0
+    story.hear()
+    assert len(story.turn(State.CHECKING, dt=PERIOD)) == 1
+
+
+def test_a_chair_that_disarms_during_the_check_gets_a_new_epoch_under_its_new_nonce(story):
+    story.meet()
+    first = story.check()
+    story.chair.nonce = b"nonce--2"
+    story.hear(DISARMED, first.epoch, first.sequence)
+    again = story.during(0.1, State.CHECKING)
+    assert again
+    assert {command.epoch for command in again}.isdisjoint({first.epoch})
+
+
+def test_a_chair_that_disarms_itself_while_armed_gets_none(story):
+    epoch = story.arm()
+    story.turn(State.ARMED, AHEAD)
+    story.chair.nonce = b"nonce--2"
+    story.hear(DISARMED, epoch, 5)
+    assert not story.link.heard.ready
+    assert story.link.age(story.t) < 0.3  # it is heard: it is not silent but disarmed
+    assert {command.epoch for command in story.during(0.1, State.ARMED, AHEAD)} == {epoch}
+
+
+def test_commands_that_take_long_to_arrive_count_as_silence(story):
+    epoch = story.arm()
+    oldest = []
+    sent = []
+    for _ in range(10):  # telemetry comes in time, but tells of commands that are 0.4 s old
+        sent += [(story.t, command) for command in story.during(0.1, State.ARMED, AHEAD)]
+        known = [command.sequence for t, command in sent if t < story.t - 0.4]
+        story.hear(ARMED, epoch, known[-1] if known else 0)
+        oldest.append(story.link.age(story.t))
+    assert max(oldest) > 0.3
+    assert story.t - story.link.heard.t == 0.0
+
+
+def test_commands_that_arrive_in_time_do_not(story):
+    epoch = story.arm()
+    for _ in range(10):
+        sequence = story.during(0.1, State.ARMED, AHEAD)[-1].sequence
+        assert story.link.age(story.t) < 0.25
+        story.hear(ARMED, epoch, sequence)
+        assert story.link.age(story.t) < 0.05
+
+
+def test_recorded_telemetry_changes_nothing(story):
+    epoch = story.arm()
+    recorded = story.chair.say(ARMED, epoch, 4)
+    story.link.listen(story.t)
+    newest = story.link.heard.newest
+    story.chair.send(recorded)
+    story.chair.send(encode_telemetry(newest, new_key(7)))  # another key
+    story.chair.send(recorded[:-1])
+    story.chair.send(recorded + b"x")
+    story.chair.send(bytes(68))
+    story.link.listen(story.t)
+    assert story.link.heard.newest is newest
+
+
+def test_others_on_the_network_are_not_heard_and_a_flood_does_not_hold_it_up(story):
+    story.meet()
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as other:
+        true = story.chair.telemetry(FAULT)
+        other.sendto(true, story.chair._sender)
+        story.link.listen(story.t)
+        assert story.link.heard.newest.state == DISARMED
+    for _ in range(MOST_DATAGRAMS + 10):
+        story.chair.send(b"junk")
+    story.chair.send(true)
+    story.link.listen(story.t)
+    assert story.link.heard.newest.state == DISARMED
+    story.link.listen(story.t)
+    assert story.link.heard.newest.state == FAULT
+
+
+def test_nobody_there_is_no_trouble_and_costs_no_command_once_somebody_is(tmp_path):
+    story = Story(tmp_path)
+    try:
+        address = story.chair.socket.getsockname()
+        story.meet()
+        story.check()
+        story.chair.socket.close()
+        story.t += PERIOD
+        story.link.tell(State.CHECKING, STANDSTILL, LIMITS, story.t)  # the kernel answers: nobody listens
+        story.chair.socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        story.chair.socket.bind(address)
+        story.chair.socket.setblocking(False)
+        story.t += 0.001
+        story.link.tell(State.FAULT, STANDSTILL, LIMITS, story.t)
+        assert [command.flags for command in story.chair.commands()] == [STOP]
+    finally:
+        story.close()
+
+
+def test_the_place_is_reckoned_from_what_the_chair_says_until_it_is_silent(story):
+    story.link.place(Pose(1.0, 2.0, 0.0))
+    story.meet()
+    story.hear(v=0.5, omega=0.0)
+    for _ in range(10):
+        state = story.link.drive(AHEAD, 0.01)
+    assert (state.x, state.y, state.v) == (pytest.approx(1.05), 2.0, 0.5)
+    story.t += 0.31
+    story.link.listen(story.t)
+    state = story.link.drive(AHEAD, 1.0)
+    assert (state.x, state.v) == (pytest.approx(1.05), 0.0)
+    story.hear(v=math.nan, omega=1e30)
+    assert story.link.drive(AHEAD, 1.0).x == pytest.approx(1.05)
+
+
+def test_it_stands_when_the_chair_says_so_or_after_a_while(story):
+    epoch = story.arm()
+    story.turn(State.ARMED, AHEAD)
+    assert not story.link.stands
+    story.turn(State.DISARMED)
+    story.hear(DISARMED, epoch, 9, v=0.2)
+    assert not story.link.stands
+    story.hear(DISARMED, epoch, 9)
+    assert story.link.stands
+    for _ in range(10):  # one that never says so is not waited for
+        story.t += 0.11
+        story.hear(DISARMED, epoch, 9, v=0.2)
+    assert story.link.stands
+
+
+def test_its_words_tell_what_the_chair_says(story):
+    story.meet()
+    story.hear(FAULT, stop_input=1, fault=Reason.STOP_INPUT, battery=math.nan)
+    assert story.link.words().endswith("inhibited. The chair's own stop switch is pressed.")
+    story.hear(CHECKING, fault=200)
+    assert story.link.words().endswith("checking that it is told to stand, battery 50%.")
+
+
+def test_what_cannot_be_opened_is_one_sentence_without_the_key(tmp_path, monkeypatch):
+    key = Key(3, bytes(range(32)))
+    write_key(tmp_path / "good.key", key)
+    write_key(tmp_path / "open.key", key)
+    (tmp_path / "open.key").chmod(0o644)
+    (tmp_path / "bad.key").write_text(key.line[:-1])
+    (tmp_path / "bad.key").chmod(0o600)
+
+    def unknown(host, *_args, **_keywords):
+        raise socket.gaierror(socket.EAI_NONAME, "Name or service not known")
+
+    monkeypatch.setattr(socket, "getaddrinfo", unknown)
+    sentences = []
+    descriptors = len(os.listdir("/proc/self/fd")) if os.path.isdir("/proc/self/fd") else 0
+    for file in ("none.key", "open.key", "bad.key", "good.key"):
+        document = {"kind": "udp", "name": "Salon", "host": "no-such-chair", "key_file": str(tmp_path / file)}
+        link = ChairLink(RealChairConfig.model_validate({**document, "speeds": NO_FURTHER.model_dump()}))
+        with pytest.raises(HardwareError) as refused:
+            link.open()
+        link.close()
+        sentences.append(str(refused.value))
+    for words, sentence in zip(("cannot be read", "by others", "no key", "cannot be reached"), sentences, strict=True):
+        assert words in sentence
+    assert all(key.secret.hex()[:60] not in sentence and "\n" not in sentence for sentence in sentences)
+    if descriptors:
+        assert len(os.listdir("/proc/self/fd")) == descriptors
