@@ -6,26 +6,39 @@ import platform
 from dataclasses import asdict
 from importlib import import_module
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, NamedTuple
 
 import typer
 
 from app.bench.row import Row
 from app.cli.errors import InputError
 
-# part -> module and function that measures it, imported only when it is asked for
+
+class Part(NamedTuple):
+    """Something that can be measured; its module is imported only when it is asked for."""
+
+    module: str
+    function: str
+    words: str
+
+
 PARTS = {
-    "chain": ("app.bench.chain", "measure_chain_step"),
-    "loop": ("app.bench.loop", "measure_loop"),
-    "decode": ("app.bench.chain", "measure_decode"),
-    "fit": ("app.bench.fit", "measure_fit"),
-    "study": ("app.bench.study", "measure_study"),
-    "viewers": ("app.bench.viewers", "measure_viewers"),
+    "chain": Part("app.bench.chain", "measure_chain_step", "a step from signals to the chair"),
+    "gate": Part("app.bench.gate", "measure_gate", "a step of the safety gate"),
+    "frame": Part("app.bench.frame", "measure_frame", "a frame to the real chair, encoded and verified"),
+    "loop": Part("app.bench.loop", "measure_loop", "datagram in to datagram out"),
+    "decode": Part("app.bench.chain", "measure_decode", "decoding a recording"),
+    "fit": Part("app.bench.fit", "measure_fit", "fitting a calibration"),
+    "study": Part("app.bench.study", "measure_study", "the paper's experiment without a screen"),
+    "viewers": Part("app.bench.viewers", "measure_viewers", "the 3D view for four"),
 }
+HELP = (
+    f"What to measure, all of it when left out: {'; '.join(f'{name}: {part.words}' for name, part in PARTS.items())}."
+)
 
 
 def bench(
-    parts: Annotated[list[str] | None, typer.Argument(metavar="[PART]...", help=f"Any of {', '.join(PARTS)}.")] = None,
+    parts: Annotated[list[str] | None, typer.Argument(metavar="[PART]...", help=HELP)] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")] = False,
 ) -> None:
     """Measure how fast this machine does it, beside what is to be reached."""
@@ -35,8 +48,8 @@ def bench(
             raise InputError(f"there is no part '{part}' to measure: use any of {', '.join(PARTS)}")
     rows = []
     for part in chosen:
-        module, name = PARTS[part]
-        for row in getattr(import_module(module), name)():
+        module, function, _ = PARTS[part]
+        for row in getattr(import_module(module), function)():
             rows.append(row)
             if not as_json:
                 typer.echo(line(row))

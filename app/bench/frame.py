@@ -1,0 +1,30 @@
+"""What a frame to the real chair costs: encoding it at one end, verifying it at the other."""
+
+import statistics
+
+from app.bench.row import Row
+from app.clock import stopwatch
+from app.hardware.chair.key import new_key
+from app.hardware.chair.packet import DIGEST_BYTES, DRIVE, NONCE_BYTES, Command, decode_command, encode_command
+
+RUNS = 5
+FRAMES = 20_000
+REACH = 8.0  # us
+
+
+def measure_frame() -> list[Row]:
+    """Return the cost of encoding and verifying one command: median over the runs of the mean over the frames."""
+    figure = 1e6 * statistics.median(_frame_time() for _ in range(RUNS))
+    details = f"both ends together, HMAC-SHA-256 twice; median of {RUNS} x {FRAMES}"
+    return [Row("frame to the chair, encode and verify", figure, "us", REACH, "lower", details)]
+
+
+def _frame_time() -> float:
+    """Return the mean duration, s."""
+    key, nonce, digest = new_key(1), bytes(NONCE_BYTES), bytes(DIGEST_BYTES)
+    before = stopwatch()
+    for i in range(FRAMES):
+        command = Command(DRIVE, key.id, 7, i, i, 0.5, 0.1, 0.8, 1.2, digest)
+        if decode_command(encode_command(command, key, nonce), key, nonce) is None:
+            raise RuntimeError("the chair of the benchmark did not take a frame")
+    return (stopwatch() - before) / FRAMES

@@ -1,0 +1,43 @@
+"""What the gate costs: deciding and limiting, armed, with everything in order."""
+
+import statistics
+
+from app.bench.row import Row
+from app.calibration.speeds import Speeds
+from app.clock import stopwatch
+from app.faults import State
+from app.geometry import Twist
+from app.pipeline.safety import Conditions, SafetyGate
+
+RUNS = 5
+STEPS = 50_000
+RATE = 1000.0  # Hz
+REACH = 5.0  # us: half a percent of a period at 1 kHz
+TURN_AFTER = 400  # steps, so that the ramps are always at work
+
+
+def measure_gate() -> list[Row]:
+    """Return the cost of one step of the gate: median over the runs of the mean over the steps."""
+    figure = 1e6 * statistics.median(_step_time() for _ in range(RUNS))
+    details = f"decide and limit, armed, speeds changing all the time; median of {RUNS} x {STEPS}"
+    return [Row("gate, one step", figure, "us", REACH, "lower", details)]
+
+
+def _step_time() -> float:
+    """Return the mean duration of a step, s."""
+    gate, conditions = SafetyGate(Speeds(), RATE), Conditions()
+    wishes = [Twist(0.8, 1.2), Twist(-0.3, -1.2)]
+    gate.arm()
+    t = 0.0
+    while gate.state is not State.ARMED:
+        t += 1 / RATE
+        gate.decide(t, 1 / RATE, True, 0, 0.0, conditions)
+    before = stopwatch()
+    for i in range(STEPS):
+        t += 1 / RATE
+        gate.decide(t, 1 / RATE, False, 0, 0.0, conditions)
+        gate.limit(wishes[i // TURN_AFTER % 2], 1 / RATE)
+    duration = stopwatch() - before
+    if gate.state is not State.ARMED:
+        raise RuntimeError(f"the gate of the benchmark stopped: {gate.fault.name}")
+    return duration / STEPS
