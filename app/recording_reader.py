@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from app.recording_format import (
     DAMAGE_FILE,
+    DRIVEN,
     END_FILE,
     END_OF_STREAM,
     META_FILE,
@@ -37,6 +38,7 @@ class Run:
 
     `columns` holds arrays (n_rows,), for `values` (n_rows, n_channels), for `score`, `rate` and `activation`
     (n_rows, n_gestures). A row without `has_frame` is a turn of the loop in which no frame came: its values are NaN.
+    What the chair drove is NaN in a recording that is older than these columns.
     """
 
     meta: dict[str, Any]  # what `run.json` says; empty when it cannot be read any more
@@ -163,6 +165,9 @@ def _columns(tables: list[pa.Table], meta: dict[str, Any]) -> Columns:
         return _no_rows(meta)
     rows = pa.concat_tables(tables)
     columns: Columns = {name: rows.column(name).to_numpy() for name in SCALARS}
+    for name, kind in DRIVEN.items():
+        known = name in rows.column_names
+        columns[name] = rows.column(name).to_numpy() if known else np.full(rows.num_rows, np.nan, kind)
     for name in (*PER_GESTURE, PER_CHANNEL):
         if name in rows.column_names:
             lists: Any = rows.column(name)
@@ -177,7 +182,7 @@ def _columns(tables: list[pa.Table], meta: dict[str, Any]) -> Columns:
 
 
 def _no_rows(meta: dict[str, Any]) -> Columns:
-    columns: Columns = {name: np.empty(0, kind) for name, kind in SCALARS.items()}
+    columns: Columns = {name: np.empty(0, kind) for name, kind in (SCALARS | DRIVEN).items()}
     columns |= {name: np.empty((0, len(meta.get("gestures") or ()))) for name in PER_GESTURE}
     layout = meta.get("layout")
     channels = layout.get("channels") if isinstance(layout, dict) else None

@@ -10,10 +10,11 @@ import numpy as np
 import pytest
 
 import app.recording as recording_module
+from app import recording_arrow, recording_format
 from app.faults import State
 from app.messages import Tick
 from app.recording import RunWriter
-from app.recording_format import SCALARS
+from app.recording_format import DRIVEN, SCALARS
 from app.recording_reader import read_run
 from app.ring import RING_SLOTS, TickRing
 from building import make_layout
@@ -32,7 +33,7 @@ def ring():
 
 def write_ticks(ring, count, run=1, first=0):
     values = np.zeros(CHANNELS, dtype=np.float32)
-    tick = Tick(values=values, state=State.ARMED)
+    tick = Tick(values=values, state=State.ARMED, driven_v=0.5)
     for i in range(first, first + count):
         values[:] = i + np.arange(CHANNELS) / 8
         tick.t, tick.t_device, tick.frame_seq, tick.x = 100 + i / 100, i / 100, i, 0.5 * i
@@ -89,10 +90,23 @@ def test_what_is_recorded_is_read(ring, tmp_path):
     assert run.rows == 400
     assert run.dropped == 0
     assert_rows_begin(run, 400)
-    assert set(run.columns) == {*SCALARS, "score", "rate", "activation", "values"}
+    assert set(run.columns) == {*SCALARS, *DRIVEN, "score", "rate", "activation", "values"}
     assert run.columns["state"].tolist() == [State.ARMED] * 400
     assert run.columns["cue"].tolist() == [i // 10 for i in range(400)]
+    assert run.columns["driven_v"].tolist() == [0.5] * 400
     assert sorted(file.name for file in folder.iterdir()) == ["end.json", "run.json", "run.parquet"]
+
+
+def test_a_recording_from_before_the_driven_columns_is_read(ring, tmp_path, monkeypatch):
+    with monkeypatch.context() as before:
+        for module in (recording_arrow, recording_format):
+            before.setattr(module, "DRIVEN", {})
+        folder = record(ring, tmp_path / "run", 40)
+    run = read_run(folder)
+    assert run.words == ""
+    assert_rows_begin(run, 40)
+    assert np.isnan(run.columns["driven_v"]).all()
+    assert run.columns["driven_omega"].shape == (40,)
 
 
 def test_only_the_rows_of_the_run_are_recorded(ring, tmp_path):
