@@ -36,12 +36,12 @@ def make_engine(file: Path) -> Engine:
 
 
 def migrate(engine: Engine, revision: str = "head") -> None:
-    """Bring the schema to `revision`: up with "head", down with "base"."""
+    """Bring the schema to `revision`: up with "head" or a number, down with "base" or "-1" (by one)."""
     with engine.begin() as connection:
         config = Config()
         config.set_main_option("script_location", str(MIGRATIONS).replace("%", "%%"))
         config.attributes["connection"] = connection
-        (command.downgrade if revision == "base" else command.upgrade)(config, revision)
+        (command.downgrade if revision in {"base", "-1"} else command.upgrade)(config, revision)
 
 
 Transaction = Session

@@ -18,7 +18,7 @@ SIGNED_IN_FOR = timedelta(hours=12)  # a working day; then everybody signs in ag
 
 def add_clinic(db: Session, name: str) -> Clinic:
     """Make the clinic of this database."""
-    clinic = Clinic(name=name, created=utc_now(), shirt=None, body=None, unused=[])
+    clinic = Clinic(name=name, created=utc_now(), shirt=None, body=None, unused=[], chair=None, limits=None)
     db.add(clinic)
     db.flush()
     return clinic

@@ -1,9 +1,9 @@
-"""The tables of a clinic: people, patients, visits, calibrations, parameters, runs, trials, and the log."""
+"""The tables of a clinic: people, patients, visits, calibrations, parameters, runs, trials, chairs, drives, log."""
 
 from datetime import UTC, datetime
 from typing import Any
 
-from sqlalchemy import JSON, DateTime, ForeignKey, Index, MetaData, String, UniqueConstraint, text
+from sqlalchemy import JSON, DateTime, Float, ForeignKey, Index, MetaData, String, UniqueConstraint, text
 from sqlalchemy.engine import Dialect
 from sqlalchemy.orm import DeclarativeBase, Mapped, mapped_column
 from sqlalchemy.types import TypeDecorator
@@ -48,6 +48,8 @@ class Clinic(Table):
     shirt: Mapped[dict[str, Any] | None]  # configuration of the shirt in use
     body: Mapped[dict[str, Any] | None]  # configuration of what moves inside a simulated shirt
     unused: Mapped[list[Any]]  # names of channels that are marked as unused
+    chair: Mapped[dict[str, Any] | None]  # which chair is driven: its id (none: the virtual one) and the dynamics
+    limits: Mapped[dict[str, Any] | None]  # Speeds that nobody here may exceed; None: the owner has set none
 
 
 class Person(Table):
@@ -184,6 +186,40 @@ class Trial(Table):
     kept: Mapped[bool]
     discard_reason: Mapped[str | None] = mapped_column(String(200))
     measures: Mapped[dict[str, Any] | None]
+
+
+class Chair(Table):
+    """A real chair that shares a key with this machine; the key itself lies in a file, never here."""
+
+    __tablename__ = "chair"
+    __table_args__ = (UniqueConstraint("clinic_id", "key_id"),)
+    id: Mapped[int] = mapped_column(primary_key=True)
+    clinic_id: Mapped[int] = mapped_column(ForeignKey("clinic.id"))
+    name: Mapped[str] = mapped_column(String(80))
+    host: Mapped[str] = mapped_column(String(253))
+    port: Mapped[int]
+    key_id: Mapped[int]
+    speeds: Mapped[dict[str, Any]]  # what this chair may do
+    paired: Mapped[datetime]
+    removed: Mapped[datetime | None]  # its drives still name it
+
+
+class Drive(Table):
+    """One drive of a real chair, from arming to its end."""
+
+    __tablename__ = "drive"
+    id: Mapped[int] = mapped_column(primary_key=True)
+    clinic_id: Mapped[int] = mapped_column(ForeignKey("clinic.id"))
+    patient_id: Mapped[int] = mapped_column(ForeignKey("patient.id"), index=True)
+    session_id: Mapped[int] = mapped_column(ForeignKey("session.id"))
+    run_id: Mapped[str] = mapped_column(ForeignKey("run.id"))
+    chair_id: Mapped[int] = mapped_column(ForeignKey("chair.id"))
+    parameters_id: Mapped[int] = mapped_column(ForeignKey("parameters.id"))
+    hash: Mapped[str] = mapped_column(String(64))  # of the parameter set as it was armed
+    started: Mapped[datetime]
+    ended: Mapped[datetime | None]
+    end: Mapped[str | None] = mapped_column(String(16))  # by hand, fault
+    distance: Mapped[float | None] = mapped_column(Float)  # m
 
 
 class LogEntry(Table):

@@ -7,10 +7,13 @@ from alembic.autogenerate import compare_metadata
 from alembic.migration import MigrationContext
 from sqlalchemy import inspect, text
 from sqlalchemy.exc import IntegrityError
+from sqlalchemy.orm import Session
 
 from app.clock import utc_now
 from app.session.database import Database, make_engine, migrate
+from app.session.store_chairs import add_chair, limits_of
 from app.session.tables import Clinic, Patient, Table
+from app.speeds import NO_FURTHER
 
 
 def test_the_migrations_make_exactly_the_tables_of_the_code(tmp_path: Path) -> None:
@@ -44,7 +47,7 @@ def test_every_connection_is_durable_and_keeps_references_whole(tmp_path: Path) 
 
 def add_clinic_and_break(database: Database) -> None:
     with database.transaction() as db:
-        db.add(Clinic(name="Lost", created=utc_now(), shirt=None, body=None, unused=[]))
+        db.add(Clinic(name="Lost", created=utc_now(), shirt=None, body=None, unused=[], chair=None, limits=None))
         db.flush()
         db.execute(text("INSERT INTO person (clinic_id) VALUES (NULL)"))
 
@@ -53,7 +56,7 @@ def test_a_broken_transaction_leaves_nothing_and_content_survives_reopening(tmp_
     file = tmp_path / "folder" / "a.sqlite"
     database = Database(file)
     with database.transaction() as db:
-        db.add(Clinic(name="Kept", created=utc_now(), shirt=None, body=None, unused=[]))
+        db.add(Clinic(name="Kept", created=utc_now(), shirt=None, body=None, unused=[], chair=None, limits=None))
     with pytest.raises(IntegrityError):
         add_clinic_and_break(database)
     database.close()
@@ -70,3 +73,36 @@ def test_a_patient_of_no_clinic_is_refused(tmp_path: Path) -> None:
     with pytest.raises(IntegrityError), database.transaction() as db:
         db.add(Patient(clinic_id=7, code="A", pseudonym="A", note="", created=utc_now(), deleted=None))
     database.close()
+
+
+def test_what_a_clinic_had_before_real_chairs_is_there_after_going_up_and_down(tmp_path: Path) -> None:
+    engine = make_engine(tmp_path / "a.sqlite")
+    migrate(engine, "0001")
+    with engine.begin() as connection:
+        connection.execute(
+            text(
+                "INSERT INTO clinic (id, name, created, shirt, body, unused) "
+                "VALUES (1, 'Old', '2025-01-01 00:00:00', '{\"kind\": \"simulator\"}', NULL, '[\"a\"]')"
+            )
+        )
+        connection.execute(
+            text(
+                "INSERT INTO patient (id, clinic_id, code, pseudonym, note, created) "
+                "VALUES (1, 1, 'P-1', 'Heron', '', '2025-01-01 00:00:00')"
+            )
+        )
+    migrate(engine)
+    with Session(engine) as db, db.begin():
+        clinic = db.get_one(Clinic, 1)
+        assert (clinic.shirt, clinic.unused, clinic.chair, clinic.limits) == ({"kind": "simulator"}, ["a"], None, None)
+        assert limits_of(clinic) == NO_FURTHER
+        clinic.limits = {"forward": 0.4}
+        add_chair(db, clinic, "Blue", "10.0.0.7", 5354, 1, NO_FURTHER)
+    migrate(engine, "-1")
+    with engine.connect() as connection:
+        row = connection.execute(text("SELECT name, shirt, unused FROM clinic")).one()
+        patients = connection.execute(text("SELECT pseudonym FROM patient")).scalars().all()
+    assert tuple(row) == ("Old", '{"kind": "simulator"}', '["a"]')
+    assert patients == ["Heron"]
+    assert {"chair", "drive"}.isdisjoint(inspect(engine).get_table_names())
+    engine.dispose()
