@@ -3,11 +3,11 @@
 import statistics
 
 from app.bench.row import Row
-from app.calibration.speeds import Speeds
 from app.clock import stopwatch
 from app.faults import State
 from app.geometry import Twist
-from app.pipeline.safety import Conditions, SafetyGate
+from app.pipeline.safety import BadGestures, Conditions, SafetyGate
+from app.speeds import Speeds
 
 RUNS = 5
 STEPS = 50_000
@@ -25,17 +25,17 @@ def measure_gate() -> list[Row]:
 
 def _step_time() -> float:
     """Return the mean duration of a step, s."""
-    gate, conditions = SafetyGate(Speeds(), RATE), Conditions()
+    gate, conditions, nothing_bad = SafetyGate(Speeds(), RATE), Conditions(), BadGestures()
     wishes = [Twist(0.8, 1.2), Twist(-0.3, -1.2)]
     gate.arm()
     t = 0.0
     while gate.state is not State.ARMED:
         t += 1 / RATE
-        gate.decide(t, 1 / RATE, True, 0, 0.0, conditions)
+        gate.decide(t, 1 / RATE, True, nothing_bad, 0.0, conditions)
     before = stopwatch()
     for i in range(STEPS):
         t += 1 / RATE
-        gate.decide(t, 1 / RATE, False, 0, 0.0, conditions)
+        gate.decide(t, 1 / RATE, False, nothing_bad, 0.0, conditions)
         gate.limit(wishes[i // TURN_AFTER % 2], 1 / RATE)
     duration = stopwatch() - before
     if gate.state is not State.ARMED:

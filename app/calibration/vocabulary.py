@@ -7,9 +7,9 @@ from typing import Annotated, Literal, Self
 from pydantic import Field, model_validator
 
 from app.calibration.profile import CalibrationProfile
-from app.calibration.speeds import Speeds
 from app.messages import MAX_GESTURES
 from app.quantities import Cutoff, Document, Gain, Name, Threshold, Title
+from app.speeds import Speeds
 
 Control = Literal["u1+", "u1-", "u2+", "u2-", "stop"]
 Feature = Literal["rate", "displacement"]

@@ -7,6 +7,7 @@ decisions counts as armed throughout.
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +19,7 @@ from app.pipeline.chain import Chair
 from app.pipeline.controls import Controls
 from app.pipeline.decoder import LONGEST_GAP, Decoder, projection
 from app.pipeline.health import ChannelHealth, LossWindow
+from app.pipeline.ramp import Ramp
 from app.pipeline.safety import (
     LARGEST_STEP,
     STOP_DECELERATION,
@@ -25,7 +27,7 @@ from app.pipeline.safety import (
     stop_rate,
     towards_zero,
 )
-from app.pipeline.shaping import Shaper
+from app.pipeline.shaping import Shaper, forward_ramp, turn_ramp
 from app.smoothing import smooth
 
 Array = NDArray[np.float64]
@@ -185,19 +187,23 @@ def _twists(
 ) -> tuple[Array, Array]:
     permitted = np.ones(len(u1), dtype=np.bool_) if state is None else state == State.ARMED
     shaper = Shaper(parameters)
+    forward, turn = forward_ramp(parameters.speeds), turn_ramp(parameters.speeds)
     return (
-        _ramped(shaper.speed, STOP_DECELERATION, u1, dt, permitted),
-        _ramped(shaper.turn_rate, STOP_TURN_DECELERATION, u2, dt, permitted),
+        _ramped(_Axis(shaper.speed, forward, STOP_DECELERATION, shaper), u1, dt, permitted),
+        _ramped(_Axis(shaper.turn_rate, turn, STOP_TURN_DECELERATION, None), u2, dt, permitted),
     )
 
 
-def _ramped(
-    shape: Callable[[float, float, float], float],
-    deceleration: float,
-    control: Array,
-    dt: Array,
-    permitted: NDArray[np.bool_],
-) -> Array:
+class _Axis(NamedTuple):
+    """How one axis of the twist follows from its control."""
+
+    shape: Callable[[float, float, float, float], float]
+    ramp: Ramp
+    stop_deceleration: float
+    cruises: Shaper | None  # where a speed that nobody asks for runs out
+
+
+def _ramped(axis: _Axis, control: Array, dt: Array, permitted: NDArray[np.bool_]) -> Array:
     """Return one axis of the twists: each speed follows from the one before.
 
     Where nothing is asked for and nothing changes any more, the speed stays until something is asked for again, and
@@ -208,19 +214,25 @@ def _ramped(
     places = np.append(np.flatnonzero(asks), len(control))
     next_ask = places[np.searchsorted(places, np.arange(len(control)), side="right")].tolist()
     controls, steps, permissions = control.tolist(), dt.tolist(), permitted.tolist()
-    last = rate = 0.0
+    last = rate = stop = 0.0
     was_permitted = True
     i = 0
     while i < len(controls):
+        step = steps[i]
         if permissions[i]:
-            speed = shape(controls[i], last, steps[i])
+            speed = axis.ramp.bounded(last, rate, axis.shape(controls[i], last, rate, step), step)
+            rate = (speed - last) / step if step > 0.0 else rate
         else:
             if was_permitted:
-                rate = stop_rate(last, deceleration)
-            speed = towards_zero(last, rate * steps[i])
+                stop, rate = stop_rate(last, axis.stop_deceleration), 0.0
+                if axis.cruises:
+                    axis.cruises.reset()
+            speed = towards_zero(last, stop * step)
         was_permitted = permissions[i]
-        settled = speed == last and steps[i] > 0.0 and (controls[i] == 0.0 or not was_permitted)
+        settled = speed == last and step > 0.0 and (controls[i] == 0.0 or not was_permitted)
         end = next_ask[i] if settled else i + 1
+        if settled and axis.cruises and was_permitted and speed:
+            end = i + 1 + axis.cruises.coast(steps[i + 1 : end])
         speeds[i:end] = speed
         last = speed
         i = end

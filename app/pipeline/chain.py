@@ -3,7 +3,6 @@
 import math
 from typing import Protocol
 
-from app.calibration.speeds import Speeds
 from app.calibration.vocabulary import DriveParameters
 from app.faults import Fault, State
 from app.geometry import STANDSTILL, Twist
@@ -11,8 +10,12 @@ from app.messages import SensorFrame, Tick
 from app.pipeline.controls import Controls
 from app.pipeline.decoder import Decoder, periods_between
 from app.pipeline.health import LossWindow
-from app.pipeline.safety import LARGEST_STEP, LOSSY_LIMIT, Conditions, SafetyGate, shirt_limits
+from app.pipeline.safety import LARGEST_STEP, LOSSY_LIMIT, BadGestures, Conditions, SafetyGate, shirt_limits
 from app.pipeline.shaping import Shaper
+from app.speeds import NO_FURTHER, Speeds, most_restrictive
+
+DIALLED = ("forward", "reverse", "turn")  # what the speed dial turns down
+NONE_BAD = BadGestures()
 
 
 class ChairState(Protocol):
@@ -26,7 +29,17 @@ class ChairState(Protocol):
 
 
 class Chair(Protocol):
-    """The one verb that a chair has."""
+    """The one verb that a chair has, and what it is."""
+
+    @property
+    def speeds(self) -> Speeds:
+        """What it may do at most."""
+        ...
+
+    @property
+    def is_real(self) -> bool:
+        """Whether a person may sit in it."""
+        ...
 
     def drive(self, twist: Twist, dt: float) -> ChairState:
         """Do `twist` for `dt` (s) and tell where that led."""
@@ -39,22 +52,60 @@ class Chain:
     def __init__(self, sample_rate: float, parameters: DriveParameters | None, chair: Chair) -> None:
         self.parameters = parameters
         self.chair = chair
-        self.gate = SafetyGate(parameters.speeds if parameters else Speeds(), sample_rate)
+        self.clinic = NO_FURTHER
+        self.dial = 1.0  # the speed dial: which share of the speeds is left
+        self.gate = SafetyGate(self._limits(self.clinic, self.dial), sample_rate)
         self._decoder = Decoder(parameters, sample_rate) if parameters else None
         self._controls = Controls(parameters) if parameters else None
         self._shaper = Shaper(parameters) if parameters else None
+        if self._shaper:
+            self._shaper.restrict(self.limits)
         self._sample_rate = sample_rate
         self._stale, _ = shirt_limits(sample_rate)
         self._loss = LossWindow()
         self._tick = Tick()
         self.reset()
 
+    @property
+    def limits(self) -> Speeds:
+        """What is not exceeded now: the smallest of parameters, clinic and chair, turned down by the dial."""
+        return self.gate.limits
+
+    def set_clinic(self, clinic: Speeds) -> bool:
+        """Let the clinic's limits be these; False, and nothing changed, when they are higher and it may move."""
+        if not self._restrict(clinic, self.dial):
+            return False
+        self.clinic = clinic
+        return True
+
+    def set_dial(self, share: float) -> bool:
+        """Turn the speed dial to `share`; False, and nothing changed, when that is up and it may move."""
+        if not self._restrict(self.clinic, share):
+            return False
+        self.dial = share
+        return True
+
+    def _restrict(self, clinic: Speeds, share: float) -> bool:
+        limits = self._limits(clinic, share)
+        if not self.gate.restrict(limits, self._at_rest):
+            return False
+        if self._shaper:
+            self._shaper.restrict(limits)
+        return True
+
+    def _limits(self, clinic: Speeds, share: float) -> Speeds:
+        own = self.parameters.speeds if self.parameters else Speeds()
+        smallest = most_restrictive(own, clinic, self.chair.speeds)
+        return smallest.model_copy(update={name: share * getattr(smallest, name) for name in DIALLED})
+
     def reset(self) -> None:
         """Forget the past, disarm: the next frame begins a new run. A latched fault stays."""
         self.gate.disarm()
-        self.gate.last = STANDSTILL
-        if self._decoder:
+        self.gate.stand()
+        if self._decoder and self._shaper:
             self._decoder.reset()
+            self._shaper.reset()
+        self._at_rest = True  # every bound gesture, in the newest tick
         self._loss.reset()
         self._lossy_since: float | None = None
         self._t: float | None = None
@@ -90,7 +141,7 @@ class Chain:
         tick.v, tick.omega = twist
         tick.x, tick.y, tick.theta = state.x, state.y, state.theta
         tick.in_contact, tick.contacts = state.in_contact, state.contacts
-        tick.state, tick.fault = self.gate.state, self.gate.fault
+        tick.state, tick.fault, tick.stops = self.gate.state, self.gate.fault, self.gate.stops
         return tick
 
     def _decide(
@@ -119,12 +170,17 @@ class Chain:
         tick.u1, tick.u2 = controls.step(activation)
         if controls.is_stop(activation) and gate.state is not State.DISARMED:
             gate.stop(Fault.STOP_GESTURE)
-        bad_gestures = sum(decoder.bad[i] for i in controls.bound) if True in decoder.bad else 0
-        # What is not seen is not seen at rest.
-        neutral = gate.state is State.CHECKING and not unseen and controls.is_neutral(activation)
-        permitted = gate.decide(t, pause, neutral, bad_gestures, frame_age, conditions)
-        asked = shaper.step(tick.u1, tick.u2, gate.last, dt) if permitted is State.ARMED else STANDSTILL
-        return gate.limit(asked, dt)
+        self._at_rest = not unseen and controls.is_neutral(activation)  # what is not seen is not seen at rest
+        permitted = gate.decide(t, pause, self._at_rest, self._bad(decoder, controls), frame_age, conditions)
+        if permitted is not State.ARMED:
+            shaper.reset()
+            return gate.limit(STANDSTILL, dt)
+        return gate.limit(shaper.step(tick.u1, tick.u2, gate.last, gate.rates, dt), dt)
+
+    def _bad(self, decoder: Decoder, controls: Controls) -> BadGestures:
+        if True not in decoder.bad:
+            return NONE_BAD
+        return BadGestures(sum(decoder.bad[i] for i in controls.bound), not controls.can_brake(decoder.bad))
 
     def _follow_losses(self, t: float) -> None:
         """Stop when losses go on: with gestures silenced, nobody could slow a chair that cruises."""

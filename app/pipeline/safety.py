@@ -7,10 +7,12 @@ doubt ends in a ramp to standstill that nothing before it can lengthen.
 import math
 from dataclasses import dataclass
 from enum import IntEnum
+from typing import NamedTuple
 
-from app.calibration.speeds import Speeds
 from app.faults import Fault, State
 from app.geometry import STANDSTILL, Twist
+from app.pipeline.shaping import forward_ramp, turn_ramp
+from app.speeds import Speeds
 
 NEUTRAL_TIME = 0.5  # s at rest before motion (ISO 7176-14, control signal at switch-on)
 NEUTRAL_PATIENCE = 5.0  # s, then a latched fault
@@ -27,7 +29,6 @@ BAD_GESTURES = 2  # gestures without believable channels that end the drive
 STOP_DECELERATION = 3.0  # m/s2: the firm end of what powered chairs do
 STOP_TURN_DECELERATION = 6.0  # rad/s2
 STOP_TIME = 0.25  # s: from any permitted speed to standstill
-SLACK = 1.0 + 1e-9  # rounding of floats is no violation
 LARGEST_STEP = 0.1  # s: a longer pause between two ticks moves and changes no more than this
 
 
@@ -48,6 +49,13 @@ class Conditions:
     recording: bool = True  # the recording, where one is required, is being written
     chair_age: float = 0.0  # s since the chair's newest telemetry
     chair: ChairCondition = ChairCondition.READY
+
+
+class BadGestures(NamedTuple):
+    """Which bound gestures have channels that cannot be believed."""
+
+    bound: int = 0  # how many
+    brakes: bool = False  # no gesture is left that slows or stops a chair that cruises
 
 
 def shirt_limits(sample_rate: float) -> tuple[float, float]:
@@ -71,16 +79,38 @@ class SafetyGate:
     """Permits or withdraws motion, and bounds what passes."""
 
     def __init__(self, speeds: Speeds, sample_rate: float) -> None:
-        self._forward, self._reverse, self._turn = speeds.forward, speeds.reverse, speeds.turn
-        self._acceleration = max(speeds.acceleration, speeds.deceleration)
-        self._turn_acceleration = speeds.turn_acceleration
+        self._limits = speeds
+        self._forward, self._turn = forward_ramp(speeds), turn_ramp(speeds)
         _, self._shirt_silent = shirt_limits(sample_rate)
         self.state = State.DISARMED
         self.fault = Fault.NONE
-        self.last = STANDSTILL
+        self.stops = 0
+        self.stand()
         self._checking_since: float | None = None
         self._neutral_since: float | None = None
+
+    def stand(self) -> None:
+        """Take the chair for standing, as at the start of a run."""
+        self.last = STANDSTILL
+        self.rates = STANDSTILL
         self._stop_rate = self._stop_turn_rate = 0.0
+
+    @property
+    def limits(self) -> Speeds:
+        """What is not exceeded now."""
+        return self._limits
+
+    def restrict(self, speeds: Speeds, neutral: bool) -> bool:
+        """Set other limits: lower ones hold at once; a higher one only at standstill and with every gesture at rest.
+
+        Return whether they were set; when not, nothing has changed.
+        """
+        raises = any(getattr(speeds, name) > getattr(self._limits, name) for name in Speeds.model_fields)
+        if raises and not (neutral and self.last == STANDSTILL):
+            return False
+        self._limits = speeds
+        self._forward, self._turn = forward_ramp(speeds), turn_ramp(speeds)
+        return True
 
     def arm(self) -> bool:
         """Begin the neutral check; return False, and change nothing, when a fault is latched."""
@@ -97,47 +127,53 @@ class SafetyGate:
             self._withdraw(State.DISARMED)
 
     def stop(self, fault: Fault) -> None:
-        """Latch a stop. It may be given at any time and any number of times; the first reason stays."""
+        """Latch a stop. It may be given at any time and any number of times; each counts, the first reason stays."""
+        self.stops += 1
         if self.state is not State.FAULT:
             self.fault = fault
             self._withdraw(State.FAULT)
 
-    def clear(self) -> None:
-        """Let go of a latched fault: disarmed, never moving."""
-        if self.state is State.FAULT:
-            self.state = State.DISARMED
-            self.fault = Fault.NONE
+    def clear(self, stops: int) -> bool:
+        """Let go of a latched fault: disarmed, never moving.
+
+        `stops` is how many stops whoever clears has seen; when there was another since, nothing is cleared.
+        """
+        if self.state is not State.FAULT or stops != self.stops:
+            return False
+        self.state = State.DISARMED
+        self.fault = Fault.NONE
+        return True
 
     def decide(
-        self, t: float, pause: float, neutral: bool, bad_gestures: int, frame_age: float, conditions: Conditions
+        self, t: float, pause: float, neutral: bool, bad: BadGestures, frame_age: float, conditions: Conditions
     ) -> State:
         """Return whether motion is permitted at `t` (s), `pause` (s) after the tick before.
 
-        `neutral`: every bound gesture is inside its dead-zone. `bad_gestures`: how many bound gestures have channels
-        that cannot be believed. `frame_age`: s since the shirt's newest frame.
+        `neutral`: every bound gesture is inside its dead-zone. `bad`: which of them have channels that cannot be
+        believed. `frame_age`: s since the shirt's newest frame.
         """
         if self.state is State.CHECKING or self.state is State.ARMED:
-            fault = self._fault_now(pause, bad_gestures, frame_age, conditions)
+            fault = self._fault_now(pause, bad, frame_age, conditions)
             if fault is not Fault.NONE:
                 self.stop(fault)
             elif self.state is State.CHECKING:
-                self._check_neutral(t, neutral)
+                self._check_neutral(t, neutral and not bad.bound, bad, conditions.chair)
         return self.state
 
     def limit(self, asked: Twist, dt: float) -> Twist:
         """Return the twist that may be sent, `dt` (s) after the last; without permission, the ramp to standstill."""
         if self.state is State.ARMED and not (math.isfinite(asked.v) and math.isfinite(asked.omega)):
             self.stop(Fault.BAD_NUMBER)
+        last = self.last
         if self.state is State.ARMED:
-            change = self._acceleration * dt * SLACK
-            turn_change = self._turn_acceleration * dt * SLACK
-            v = min(self.last.v + change, max(self.last.v - change, asked.v))
-            omega = min(self.last.omega + turn_change, max(self.last.omega - turn_change, asked.omega))
-            v = min(self._forward, max(-self._reverse, v))
-            self.last = Twist(v, min(self._turn, max(-self._turn, omega)))
-        elif self.last is not STANDSTILL:
-            v = towards_zero(self.last.v, self._stop_rate * dt)
-            omega = towards_zero(self.last.omega, self._stop_turn_rate * dt)
+            v = self._forward.bounded(last.v, self.rates.v, asked.v, dt)
+            omega = self._turn.bounded(last.omega, self.rates.omega, asked.omega, dt)
+            if dt > 0.0:
+                self.rates = Twist((v - last.v) / dt, (omega - last.omega) / dt)
+            self.last = Twist(v, omega)
+        elif last is not STANDSTILL:
+            v = towards_zero(last.v, self._stop_rate * dt)
+            omega = towards_zero(last.omega, self._stop_turn_rate * dt)
             self.last = Twist(v, omega) if v or omega else STANDSTILL
         return self.last
 
@@ -145,9 +181,10 @@ class SafetyGate:
         if self.state is State.ARMED:  # a stop on the way to standstill must not make that way longer
             self._stop_rate = stop_rate(self.last.v, STOP_DECELERATION)
             self._stop_turn_rate = stop_rate(self.last.omega, STOP_TURN_DECELERATION)
+            self.rates = STANDSTILL
         self.state = state
 
-    def _fault_now(self, pause: float, bad_gestures: int, frame_age: float, conditions: Conditions) -> Fault:
+    def _fault_now(self, pause: float, bad: BadGestures, frame_age: float, conditions: Conditions) -> Fault:
         # Every comparison is written so that a NaN ends in the fault.
         if not pause <= LOOP_STALL:
             return Fault.LOOP_LATE
@@ -155,15 +192,21 @@ class SafetyGate:
             return Fault.WEB_SILENT
         if not conditions.screen_age <= SCREEN_SILENT:
             return Fault.SCREEN_LOST
+        if not conditions.chair_age <= CHAIR_SILENT:
+            return Fault.CHAIR_SILENT
+        if conditions.chair is ChairCondition.INHIBITED:
+            return Fault.STOP_CHAIR
+        if self.state is State.ARMED and conditions.chair is not ChairCondition.READY:
+            return Fault.CHAIR_DISARMED
         if not conditions.recording:
             return Fault.RECORDING_LOST
         if not frame_age <= self._shirt_silent:
             return Fault.SHIRT_SILENT
-        if bad_gestures >= BAD_GESTURES:
+        if bad.bound >= BAD_GESTURES:
             return Fault.CHANNELS_BAD
-        return Fault.NONE
+        return Fault.BRAKE_BAD if bad.brakes else Fault.NONE
 
-    def _check_neutral(self, t: float, neutral: bool) -> None:
+    def _check_neutral(self, t: float, neutral: bool, bad: BadGestures, chair: ChairCondition) -> None:
         if self._checking_since is None:
             self._checking_since = t
         if not neutral:
@@ -171,6 +214,9 @@ class SafetyGate:
         elif self._neutral_since is None:
             self._neutral_since = t
         if self._neutral_since is not None and t - self._neutral_since >= NEUTRAL_TIME:
-            self.state = State.ARMED
+            if chair is ChairCondition.READY:
+                self.state = State.ARMED
+            elif t - self._checking_since > NEUTRAL_PATIENCE:
+                self.stop(Fault.CHAIR_NOT_READY)
         elif t - self._checking_since > NEUTRAL_PATIENCE:
-            self.stop(Fault.NOT_NEUTRAL)
+            self.stop(Fault.CHANNELS_BAD if bad.bound else Fault.NOT_NEUTRAL)

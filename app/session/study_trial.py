@@ -89,7 +89,7 @@ def _drive(
             faults += 1
             clear_at = frame.t + CLEAR_AFTER
         elif tick.state is State.FAULT and frame.t >= clear_at:
-            chain.gate.clear()
+            chain.gate.clear(chain.gate.stops)
             chain.arm()
             clear_at = 0.0
         frame = wearer.drive(tick.state is State.ARMED, chair.state)

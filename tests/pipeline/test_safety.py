@@ -7,7 +7,6 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from app.calibration.speeds import Speeds
 from app.faults import Fault, State
 from app.geometry import STANDSTILL, Twist
 from app.pipeline.safety import (
@@ -16,10 +15,12 @@ from app.pipeline.safety import (
     NEUTRAL_TIME,
     STOP_TIME,
     WEB_SILENT,
+    BadGestures,
     Conditions,
     SafetyGate,
     shirt_limits,
 )
+from app.speeds import Speeds
 
 DT = 0.01
 SPEEDS = Speeds()
@@ -27,7 +28,7 @@ anything = st.floats(allow_nan=True, allow_infinity=True)
 
 
 def decide(gate, t, *, pause=DT, neutral=True, bad=0, age=0.0, **conditions):
-    return gate.decide(t, pause, neutral, bad, age, Conditions(**conditions))
+    return gate.decide(t, pause, neutral, BadGestures(bad), age, Conditions(**conditions))
 
 
 def armed_gate():
@@ -43,7 +44,7 @@ def moving_gate():
     gate = armed_gate()
     for _ in range(200):
         gate.limit(Twist(9.0, 9.0), DT)
-    assert gate.last == Twist(SPEEDS.forward, SPEEDS.turn)
+    assert gate.last == pytest.approx(Twist(SPEEDS.forward, SPEEDS.turn))
     return gate
 
 
@@ -79,7 +80,7 @@ def test_never_at_rest_is_a_latched_fault_after_five_seconds():
     assert steps * DT == pytest.approx(NEUTRAL_PATIENCE + DT, abs=DT)
     assert gate.fault is Fault.NOT_NEUTRAL
     assert not gate.arm()
-    gate.clear()
+    gate.clear(gate.stops)
     assert gate.state is State.DISARMED
     assert gate.arm()
 
@@ -166,7 +167,7 @@ def test_a_stop_counts_while_disarmed_too():
 def test_clearing_never_moves():
     gate = moving_gate()
     gate.stop(Fault.STOP_GESTURE)
-    gate.clear()
+    gate.clear(gate.stops)
     assert gate.state is State.DISARMED
     speeds = [gate.limit(Twist(1.0, 1.0), DT).v for _ in range(40)]
     assert speeds == sorted(speeds, reverse=True)
@@ -200,7 +201,7 @@ def test_no_input_whatever_gets_past_speed_and_acceleration(steps):
         elif event == "stop":
             gate.stop(Fault.STOP_KEY)
         elif event == "clear":
-            gate.clear()
+            gate.clear(gate.stops)
         elif event == "disarm":
             gate.disarm()
         t += dt

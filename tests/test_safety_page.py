@@ -1,0 +1,30 @@
+"""The tables of docs/safety.md name tests that exist, and no invariant is left out."""
+
+import ast
+import re
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[1]
+PAGE = (ROOT / "docs" / "safety.md").read_text()
+INVARIANTS = [f"S{number}" for number in range(1, 22) if number != 19]  # there is no S19
+NAMED = re.findall(r"`([\w/]+\.py)::(\w+)`", PAGE)
+
+
+def functions_of(file):
+    return {node.name for node in ast.walk(ast.parse(file.read_text())) if isinstance(node, ast.FunctionDef)}
+
+
+@pytest.mark.parametrize(("place", "name"), NAMED, ids=lambda part: part)
+def test_every_test_that_the_page_names_is_there(place, name):
+    files = [file for file in (ROOT / "tests").rglob("*.py") if file.as_posix().endswith(f"/{place}")]
+    assert len(files) == 1, f"{place} stands {len(files)} times in tests/"
+    assert name in functions_of(files[0])
+
+
+@pytest.mark.parametrize("invariant", INVARIANTS)
+def test_every_invariant_has_its_row(invariant):
+    rows = [line for line in PAGE.splitlines() if re.match(rf"\| {invariant} \|", line)]
+    assert len(rows) == 1
+    assert re.search(r"::test_|`make drills`|not shown", rows[0]), "a row names its test, or says why there is none"
