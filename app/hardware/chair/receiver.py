@@ -1,0 +1,240 @@
+"""What decides on the chair: takes datagrams, watches the time, and says how fast the chair may be driven.
+
+No clock, no socket, no file; standard library only. What it does is in docs/protocols.md, section 9. Whatever is wrong
+with a datagram, it leaves everything as it was.
+"""
+
+import math
+import secrets
+from collections.abc import Callable
+from dataclasses import dataclass
+from enum import IntEnum
+
+from app.geometry import STANDSTILL, Twist
+from app.hardware.chair.key import Key
+from app.hardware.chair.packet import (
+    DRIVE,
+    NONCE_BYTES,
+    STOP,
+    VIRTUAL,
+    Command,
+    Telemetry,
+    decode_command,
+    encode_telemetry,
+)
+from app.hardware.chair.reasons import Reason
+
+NEUTRAL_TIME = 0.5  # s of zero commands before motion, as in the gate (S2)
+NEUTRAL_PATIENCE = 5.0  # s, then disarmed again
+QUIET = 0.1  # s without a newer command: slow to standstill (S3)
+SILENT = 0.3  # s: disarmed
+LATE = 0.1  # s that a command may come later than the quickest: an older one is not newer
+FORGIVEN = 0.1  # s per s: how fast the measure of the quickest gives way, for clocks that drift
+STALL = 0.1  # s between two steps, after which what was commanded is too old
+ACCELERATION, TURN_ACCELERATION = 3.0, 20.0  # m/s2, rad/s2: the chair's own ramps, above those of any parameter set
+STOP_DECELERATION, STOP_TURN_DECELERATION, STOP_TIME = 3.0, 6.0, 0.25  # as in the gate: m/s2, rad/s2, s
+V_MAX, OMEGA_MAX = 1.5, 2.5  # m/s, rad/s: no receiver allows more
+
+
+class ReceiverState(IntEnum):
+    """The state of the telemetry."""
+
+    DISARMED = 0
+    CHECKING = 1  # an epoch was taken, and commands to stand are counted
+    ARMED = 2
+    FAULT = 3  # for as long as something lasts that forbids motion
+
+
+@dataclass(slots=True)
+class _Axis:
+    """One speed on its way to what it is told."""
+
+    cap: float
+    acceleration: float
+    deceleration: float  # of a stop
+    driven: float = 0.0
+    target: float = 0.0
+    stop_rate: float = 0.0
+
+    def stop(self) -> None:
+        """Go to standstill; a stop during a stop does not make the way longer."""
+        self.target = 0.0
+        self.stop_rate = max(self.stop_rate, self.deceleration, abs(self.driven) / STOP_TIME)
+
+    def step(self, dt: float) -> None:
+        """Drive on for `dt` (s)."""
+        change = (self.stop_rate or self.acceleration) * dt
+        self.driven = min(self.driven + change, max(self.driven - change, self.target))
+
+
+class Receiver:
+    """One chair with its key and its caps.
+
+    Attributes
+    ----------
+    state : ReceiverState
+    reason : Reason
+        Why the chair stands; NONE once it is armed.
+    accepted : int
+        Commands that were acted on.
+    """
+
+    def __init__(
+        self,
+        key: Key,
+        v_max: float = V_MAX,
+        omega_max: float = OMEGA_MAX,
+        *,
+        refuses_virtual: bool = False,
+        new_nonce: Callable[[int], bytes] = secrets.token_bytes,
+    ) -> None:
+        self._key = key
+        self._refuses_virtual = refuses_virtual
+        self._new_nonce = new_nonce
+        self._v = _Axis(v_max, ACCELERATION, STOP_DECELERATION)
+        self._omega = _Axis(omega_max, TURN_ACCELERATION, STOP_TURN_DECELERATION)
+        self.state = ReceiverState.DISARMED
+        self.reason = Reason.NONE
+        self.accepted = 0
+        self.nonce = new_nonce(NONCE_BYTES)
+        self._epoch: int | None = None  # the last one that was taken
+        self._sequence = 0
+        self._digest = b""
+        self._was_driven = False  # the drive flag was set in this epoch
+        self._heard = self._checking_since = self._neutral_since = -math.inf
+        self._sender_t = 0.0
+        self._quickest = math.inf  # s, smallest difference between our clock and the sender's in this epoch
+        self._stepped: float | None = None
+
+    @property
+    def driven(self) -> Twist:
+        """How fast the chair is driven now."""
+        return Twist(self._v.driven, self._omega.driven)
+
+    def take(self, datagram: bytes, t: float) -> bool:
+        """Act on a command that came at `t` (s); return False, with nothing changed, when it is not to be acted on."""
+        command = decode_command(datagram, self._key, self.nonce)
+        if command is None or not _is_drivable(command) or (self._refuses_virtual and command.flags & VIRTUAL):
+            return False
+        if self.state is ReceiverState.DISARMED:
+            if not self._opens_epoch(command):
+                return False
+            self._begin_epoch(command, t)
+        elif not self._is_newer(command, t):
+            return False
+        self.accepted += 1
+        self._judge_lateness(command, t)
+        self._sequence, self._heard = command.sequence, t
+        self._obey(command, t)
+        return True
+
+    def step(self, t: float, *, stop_pressed: bool = False, output_broken: bool = False) -> Twist:
+        """Live on until `t` (s); return how fast to drive."""
+        pause = 0.0 if self._stepped is None else t - self._stepped
+        self._stepped = t
+        self._watch(t, pause, stop_pressed, output_broken)
+        dt = min(max(pause, 0.0), STALL)
+        self._v.step(dt)
+        self._omega.step(dt)
+        return self.driven if self._v.driven or self._omega.driven else STANDSTILL
+
+    def stop(self, reason: Reason) -> None:
+        """Disarm: the way to standstill, a new nonce, and an epoch that is over."""
+        self._v.stop()
+        self._omega.stop()
+        self.reason = reason
+        if self.state in (ReceiverState.CHECKING, ReceiverState.ARMED):
+            self.state = ReceiverState.DISARMED
+            self.nonce = self._new_nonce(NONCE_BYTES)
+
+    def telemetry(self, t: float, battery: float = math.nan, *, stop_pressed: bool = False) -> bytes:
+        """Return the datagram that says how the chair is at `t` (s)."""
+        return encode_telemetry(
+            Telemetry(
+                state=self.state,
+                key_id=self._key.id,
+                epoch=self._epoch or 0,
+                sequence=self._sequence,
+                t_ns=int(t * 1e9),
+                nonce=self.nonce,
+                v=self._v.driven,
+                omega=self._omega.driven,
+                battery=battery,
+                stop_input=int(stop_pressed),
+                fault=self.reason,
+            ),
+            self._key,
+        )
+
+    def _opens_epoch(self, command: Command) -> bool:
+        stands = command.v == 0.0 and command.omega == 0.0 and not command.flags & STOP
+        return stands and command.epoch != self._epoch
+
+    def _begin_epoch(self, command: Command, t: float) -> None:
+        self.state = ReceiverState.CHECKING
+        self._epoch, self._digest = command.epoch, command.digest
+        self._was_driven = False
+        self._checking_since = self._neutral_since = t
+        self._quickest = math.inf
+
+    def _is_newer(self, command: Command, t: float) -> bool:
+        if command.epoch != self._epoch or command.digest != self._digest or command.sequence <= self._sequence:
+            return False
+        sender_t = command.t_ns * 1e-9
+        if sender_t <= self._sender_t:  # a clock that stands tells nothing
+            return True
+        allowed = self._quickest + FORGIVEN * (t - self._heard) + LATE
+        return t - sender_t <= allowed
+
+    def _judge_lateness(self, command: Command, t: float) -> None:
+        sender_t = command.t_ns * 1e-9
+        if sender_t != self._sender_t or math.isinf(self._quickest):
+            leaked = self._quickest + FORGIVEN * max(0.0, t - self._heard)
+            self._quickest = min(leaked, t - sender_t)
+        self._sender_t = sender_t
+
+    def _obey(self, command: Command, t: float) -> None:
+        if command.flags & STOP:
+            self.stop(Reason.TOLD_TO_STOP)
+        elif self._was_driven and not command.flags & DRIVE:
+            self.stop(Reason.WITHDRAWN)
+        elif self.state is ReceiverState.CHECKING:
+            if command.v or command.omega:
+                self._neutral_since = t
+            elif t - self._neutral_since >= NEUTRAL_TIME:
+                self.state, self.reason = ReceiverState.ARMED, Reason.NONE
+        elif self.state is ReceiverState.ARMED and command.flags & DRIVE:
+            self._was_driven = True
+            self._drive(self._v, command.v, command.v_cap)
+            self._drive(self._omega, command.omega, command.omega_cap)
+
+    def _drive(self, axis: _Axis, wanted: float, promised: float) -> None:
+        cap = min(axis.cap, promised)
+        axis.stop_rate = 0.0
+        axis.target = min(cap, max(-cap, wanted))
+
+    def _watch(self, t: float, pause: float, stop_pressed: bool, output_broken: bool) -> None:
+        forbids = Reason.STOP_INPUT if stop_pressed else Reason.OUTPUT if output_broken else Reason.NONE
+        if forbids is not Reason.NONE:
+            self.stop(forbids)
+            self.state = ReceiverState.FAULT
+        elif self.state is ReceiverState.FAULT:
+            self.state = ReceiverState.DISARMED
+        if self.state not in (ReceiverState.CHECKING, ReceiverState.ARMED):
+            return
+        silence = t - self._heard
+        if not pause <= STALL:
+            self.stop(Reason.LATE)
+        elif not silence < SILENT:
+            self.stop(Reason.SILENT)
+        elif not silence < QUIET:
+            self._v.stop()
+            self._omega.stop()
+            self._neutral_since = t
+        elif self.state is ReceiverState.CHECKING and t - self._checking_since > NEUTRAL_PATIENCE:
+            self.stop(Reason.NOT_NEUTRAL)
+
+
+def _is_drivable(command: Command) -> bool:
+    numbers = (command.v, command.omega, command.v_cap, command.omega_cap)
+    return all(map(math.isfinite, numbers)) and command.v_cap >= 0.0 and command.omega_cap >= 0.0
