@@ -24,7 +24,7 @@ PURE_HARDWARE = (
 MAY_IMPORT = {
     LEAVES: {LEAVES},
     "world": {LEAVES},
-    "hardware": {LEAVES, "world", "calibration"},
+    "hardware": {LEAVES, "world"},
     "calibration": {LEAVES},
     "pipeline": {LEAVES, "hardware", "world", "calibration"},
     "session": {LEAVES, "world", "calibration", "pipeline", "hardware"},
@@ -80,8 +80,6 @@ def test_imports_follow_the_table(file):
         assert imported_package in MAY_IMPORT[importer] | {importer}, f"{module_of(file)} imports {imported}"
         if importer == "pipeline" and imported_package == "calibration":
             assert not any(imported.startswith(fitting) for fitting in FITTING), imported
-        if importer == "hardware" and imported_package == "calibration":
-            assert imported.startswith("app.calibration.speeds"), imported
         if importer == "session" and imported_package == "pipeline" and imported != "app.pipeline":
             assert any(imported.startswith(pure) for pure in PURE_PIPELINE), imported
         if importer == "session" and imported_package == "hardware":

@@ -4,9 +4,9 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from app.calibration.speeds import Speeds
 from app.layout import ShirtLayout
 from app.quantities import Count, Document, Hertz, Name, Port, Title
+from app.speeds import Speeds
 
 ShirtRate = Annotated[Hertz, Field(ge=10, le=2000)]
 FilePlace = Annotated[str, Field(min_length=1, max_length=4096, pattern=r"^[^\x00]+$")]

@@ -2,24 +2,22 @@
 
 import math
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any, NamedTuple
 
 from pydantic import ValidationError
 
-from app import __version__
-from app.clock import Clock, utc_now
-from app.faults import EXPLANATIONS, Fault, State
+from app.clock import Clock
+from app.faults import Fault, State
 from app.hardware.base import HardwareError
-from app.hardware.registry import parse_body, parse_shirt
-from app.link import NO_ANSWER, CommandServer
+from app.hardware.registry import parse_body, parse_chair, parse_shirt
+from app.link import CommandServer
 from app.pipeline import documents
+from app.pipeline.arming import real_chair_refusal, refusal
 from app.pipeline.loop import ControlLoop
-from app.pipeline.open_run import OpenRun
+from app.pipeline.runs import Runs
 from app.pipeline.setup import Refused
 from app.quantities import Document
 from app.realtime import tidy
-from app.recording import RunWriter
 from app.sentences import one_sentence
 
 Answer = dict[str, Any]
@@ -44,9 +42,7 @@ class Commands:
         self._server = server
         self._real_time = real_time
         self._clock = clock
-        self._runs = 0
-        self._ending: tuple[OpenRun, int] | None = None  # a run, and who wants to know when it has ended
-        self._closing: list[tuple[OpenRun, int]] = []  # runs that are being brought to the disk
+        self._runs = Runs(loop, server, clock)
         self._commands = {
             "heartbeat": Command(documents.Heartbeat, self._heartbeat),
             "shirt": Command(documents.Device, self._shirt),
@@ -54,12 +50,15 @@ class Commands:
             "move": Command(documents.Move, self._move),
             "parameters": Command(documents.Parameters, self._parameters),
             "world": Command(documents.World, self._world),
+            "chair": Command(documents.Device, self._chair),
+            "limits": Command(documents.Limits, self._limits),
+            "dial": Command(documents.Dial, self._dial),
             "run": Command(documents.Run, self._run),
             "end_run": Command(documents.Nothing, self._end_run),
             "arm": Command(documents.Arm, self._arm),
             "disarm": Command(documents.Nothing, self._disarm),
             "stop": Command(documents.Stop, self._stop),
-            "clear": Command(documents.Nothing, self._clear),
+            "clear": Command(documents.Clear, self._clear),
             "status": Command(documents.Nothing, self._status),
             "quit": Command(documents.Nothing, self._quit),
         }
@@ -68,31 +67,12 @@ class Commands:
         """Do what has been asked for, and answer what has been finished."""
         for message in self._server.poll():
             self._do(message)
-        if self._ending is not None and self._setup.stands:
-            self._finish_run()
-        if self._closing:
-            self._answer_closed()
+        self._runs.poll()
 
     def close(self) -> None:
         """Close an open recording, wait until it is on disk, and say so."""
-        self._finish_run()
-        for run, _ in self._closing:
-            run.writer.wait()
-        self._answer_closed()
+        self._runs.close()
         self._server.close()
-
-    def _finish_run(self) -> None:
-        run, self._loop.run = self._loop.run, None
-        if run is not None:
-            run.writer.finish(self._loop.ring.number)
-            self._closing.append(self._ending or (run, NO_ANSWER))
-        self._ending = None
-
-    def _answer_closed(self) -> None:
-        for run, command_id in [closing for closing in self._closing if closing[0].writer.done]:
-            self._closing.remove((run, command_id))
-            writer = run.writer
-            self._server.answer(command_id, rows=writer.rows, dropped=writer.dropped, words=writer.words)
 
     def _do(self, message: dict[str, Any]) -> None:
         command_id, word = message.pop("id"), message.pop("do")
@@ -160,76 +140,39 @@ class Commands:
         self._settle()
         return {}
 
+    def _chair(self, fields: documents.Device, _id: int) -> Answer:
+        self._require_no_drive()
+        self._setup.use_chair(parse_chair(fields.config))
+        self._loop.new_chair()
+        self._settle()
+        return {"kind": "virtual" if self._setup.link is None else "udp"}
+
+    def _limits(self, fields: documents.Limits, _id: int) -> Answer:
+        self._setup.use_clinic(fields.clinic)
+        return {}
+
+    def _dial(self, fields: documents.Dial, _id: int) -> Answer:
+        self._setup.use_dial(fields.share)
+        return {"share": self._setup.chain.dial}
+
     def _run(self, fields: documents.Run, _id: int) -> Answer:
         self._require_no_run()
-        setup, loop = self._setup, self._loop
-        if setup.shirt is None:
-            raise Refused(setup.shirt_words)
-        setup.chain.gate.disarm()
-        if not setup.stands:
-            raise Refused("The chair still comes to its stop: try again in a moment.")
-        writer = self._new_writer(fields)
-        setup.chain.reset()
-        if fields.kind == "drive":
-            setup.to_start()
-        self._runs += 1
-        writer.start(loop.ring, loop.ring.number, self._runs, real_time=True)
-        tidy()
-        loop.run = OpenRun(fields.run_id, self._runs, fields.kind, fields.cues, self._clock.now(), writer)
-        return {"run": self._runs}
-
-    def _new_writer(self, fields: documents.Run) -> RunWriter:
-        setup = self._setup
-        shirt, parameters, floorplan = setup.shirt, setup.parameters, setup.floorplan
-        if shirt is None:
-            raise Refused(setup.shirt_words)
-        gestures = [gesture.name for gesture in parameters.gestures] if parameters else []
-        meta = {
-            "run_id": fields.run_id,
-            "kind": fields.kind,
-            "created": utc_now().isoformat(),
-            "software": __version__,
-            "layout": shirt.layout.model_dump(mode="json"),
-            "sample_rate": shirt.sample_rate,
-            "gestures": gestures,
-            "cues": [cue.model_dump(mode="json") for cue in fields.cues],
-            "parameters": parameters.model_dump(mode="json") if parameters else None,
-            "floorplan": floorplan.model_dump(mode="json") if floorplan else None,
-            "path": setup.path.name if setup.path else None,
-            "meta": fields.meta,
-        }
-        try:
-            return RunWriter(Path(fields.folder), meta, len(shirt.layout.channels), len(gestures))
-        except OSError as error:
-            raise Refused(
-                f"The recording cannot be begun ({error.strerror or error}): free some disk space."
-            ) from error
+        return {"run": self._runs.begin(fields)}
 
     def _end_run(self, _fields: documents.Nothing, command_id: int) -> None:
-        run = self._loop.run
-        if run is None or self._ending is not None:
-            raise Refused("Nothing is being recorded: begin a run first.")
-        self._setup.chain.gate.disarm()
-        run.was_armed = False
-        self._ending = run, command_id
+        self._runs.end(command_id)
 
     def _arm(self, fields: documents.Arm, _id: int) -> Answer:
-        setup, gate = self._setup, self._setup.chain.gate
-        if setup.chain.parameters is None:
-            raise Refused("There is nothing to drive with: calibrate first.")
-        if fields.hash != setup.hash:
-            raise Refused("The controls were changed meanwhile: load them again, then arm.")
-        if self._ending is not None:
+        if self._runs.ending:
             raise Refused("The run is being ended: begin a new one first.")
-        if gate.state is State.FAULT:
-            what = EXPLANATIONS[gate.fault]
-            raise Refused(f"{what.happened} {what.next_step}")
+        _refuse(refusal(self._loop, fields.hash))
         self._begin_neutral_check()
         return {}
 
     def _begin_neutral_check(self) -> None:
         # The screen counts as in view until the next heartbeat says otherwise: the last one was sent before arming.
         self._loop.screen_seen = self._clock.now()
+        self._loop.tell_chair()  # a real one hears of what was before: then this is a new arming to it
         self._setup.chain.arm()
         if self._loop.run is not None:
             self._loop.run.was_armed = True
@@ -244,11 +187,16 @@ class Commands:
         self._setup.chain.gate.stop(STOPPED_BY[fields.by])
         return {}
 
-    def _clear(self, _fields: documents.Nothing, _id: int) -> Answer:
+    def _clear(self, fields: documents.Clear, _id: int) -> Answer:
         gate, run = self._setup.chain.gate, self._loop.run
-        latched = gate.state is State.FAULT
-        gate.clear()
-        if latched and run is not None and run.kind == "drive" and run.was_armed:
+        if gate.state is not State.FAULT:
+            return {}
+        goes_on = run is not None and run.kind == "drive" and run.was_armed
+        if goes_on:
+            _refuse(real_chair_refusal(self._loop))
+        if not gate.clear(fields.stops):
+            raise Refused("There was another stop meanwhile: look around, then tap Continue again.")
+        if goes_on:
             self._begin_neutral_check()
         return {}
 
@@ -262,18 +210,13 @@ class Commands:
                 "sample_rate": setup.sample_rate if setup.shirt else 0.0,
                 "lost": setup.shirt.lost if setup.shirt else 0,
             },
+            "chair": {"kind": "virtual" if setup.link is None else "udp", "words": setup.chair_words},
+            "dial": setup.chain.dial,
             "realtime": self._real_time,
             "late": loop.late,
-            "recording": self._recording(),
+            "recording": self._runs.status(),
             "hash": setup.hash,
         }
-
-    def _recording(self) -> Answer | None:
-        run = self._loop.run
-        if run is None:
-            return None
-        writer = run.writer
-        return {"run_id": run.run_id, "rows": writer.rows, "dropped": writer.dropped, "words": writer.words}
 
     def _quit(self, _fields: documents.Nothing, _id: int) -> Answer:
         self.quit = True
@@ -292,3 +235,9 @@ class Commands:
         """Take what was just loaded into the long-lived memory; the loop begins a new deadline."""
         tidy()
         self._loop.begin_anew()
+
+
+def _refuse(sentence: str) -> None:
+    """Raise Refused unless the sentence is empty."""
+    if sentence:
+        raise Refused(sentence)

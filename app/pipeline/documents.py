@@ -7,10 +7,12 @@ from pydantic import Field
 from app.calibration.vocabulary import DriveParameters
 from app.cues import Cue
 from app.pipeline.open_run import RunKind
-from app.quantities import Document, Fraction, Name, Seconds
+from app.quantities import Count, Document, Fraction, Name, Seconds
+from app.speeds import Speeds
 from app.world.floorplan import FloorPlan
 
 Folder = Annotated[str, Field(min_length=1, max_length=4096, pattern=r"^/[^\x00]*$")]  # absolute
+Share = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0.1, le=1)]
 MAX_CUES = 1000
 
 
@@ -25,7 +27,7 @@ class Heartbeat(Document):
 
 
 class Device(Document):
-    """A shirt or a body; the registry looks into the configuration."""
+    """A shirt, a body or a chair; the registry looks into the configuration."""
 
     config: dict[str, Any]
 
@@ -49,6 +51,18 @@ class World(Document):
     path: Name | None = None
 
 
+class Limits(Document):
+    """What the clinic's owner allows."""
+
+    clinic: Speeds
+
+
+class Dial(Document):
+    """Which share of forward, reverse and turn speed to drive at."""
+
+    share: Share
+
+
 class Run(Document):
     """What to record."""
 
@@ -69,3 +83,9 @@ class Stop(Document):
     """Who stopped the chair."""
 
     by: Literal["tablet", "key"] = "tablet"
+
+
+class Clear(Document):
+    """Let go of a latched fault; how many stops there had been when the person looked."""
+
+    stops: Count

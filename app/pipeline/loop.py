@@ -6,15 +6,18 @@ from app.clock import Clock
 from app.faults import State
 from app.geometry import Pose
 from app.hardware.base import BodyView
+from app.hardware.chair.link import ChairLink
 from app.hardware.chair.report import ChairReport
 from app.messages import NO_CUE, SensorFrame, Tick
 from app.pipeline.open_run import OpenRun
-from app.pipeline.safety import Conditions
+from app.pipeline.safety import ChairCondition, Conditions
 from app.pipeline.setup import Setup
 from app.ring import TickRing
 
 LONGEST_WAIT = 0.02  # s without a frame, then a tick is made without one
 WAIT_PERIODS = 2.0  # the same for a fast shirt, so that its jitter makes no ticks of its own
+CHAIR_WAIT = 0.01  # s between two looks at a real chair, and at what the web process wants of it
+BURST = 0.01  # s for which a due command is put off while frames are there already: only the newest matters
 ALIVE = 0.5  # s: a shirt that sent nothing for so long is not alive
 
 
@@ -39,6 +42,7 @@ class ControlLoop:
         self.heard = -math.inf
         self.screen_seen = -math.inf
         self.conditions = Conditions()
+        self._put_off = math.inf  # since when a command waits for newer frames
         self._report = report
         self._clock = clock
         self.new_shirt()
@@ -50,6 +54,10 @@ class ControlLoop:
         self._frame_t = -math.inf
         self.begin_anew()
 
+    def new_chair(self) -> None:
+        """Forget the condition of the chair before."""
+        self.conditions.chair, self.conditions.chair_age = ChairCondition.READY, 0.0
+
     def begin_anew(self) -> None:
         """Set a new deadline: what took long to set up is not called late."""
         self._deadline = self._clock.now() + self._wait
@@ -59,29 +67,68 @@ class ControlLoop:
         """Whether the shirt sent a frame just now."""
         return self.setup.shirt is not None and self._clock.now() - self._frame_t < ALIVE
 
+    @property
+    def chair_is_told(self) -> bool:
+        """Whether nothing is left to be told to a real chair."""
+        link = self.setup.link
+        return link is None or math.isinf(link.due)
+
     def turn(self) -> None:
         """Wait for a frame, not beyond the deadline, and make a tick of it or without it.
 
-        Every frame gets its tick, at once when several wait: each moves the chair by its own time.
+        Every frame gets its tick, at once when several wait: each moves the chair by its own time. For a real chair
+        it also returns earlier, without a tick, when a command is due: the ticks are the same for every chair.
         """
-        shirt = self.setup.shirt
-        if shirt is None:
-            self._clock.sleep_until(self._deadline)
-            self._step(None, 0)
+        shirt, link = self.setup.shirt, self.setup.link
+        wait = self._wait
+        if link is not None:
+            now = self._clock.now()
+            wait = max(0.0, min(CHAIR_WAIT, min(self._deadline, link.due) - now))
+        if shirt is not None:
+            frame, lost = shirt.read(wait), shirt.lost
         else:
-            self._step(shirt.read(self._wait), shirt.lost)
+            self._clock.sleep_until(self._deadline if link is None else now + wait)
+            frame, lost = None, 0
+        if link is not None:
+            t = self._clock.now()
+            link.listen(t)
+            if frame is None and t < self._deadline:
+                self.tell_chair()
+                return
+        self._step(frame, lost)
+
+    def tell_chair(self) -> None:
+        """Tell a real chair what the gate permits, if it is time to or the gate's state has changed."""
+        link, shirt, gate = self.setup.link, self.setup.shirt, self.setup.chain.gate
+        if link is None:
+            return
+        t = self._clock.now()
+        if gate.state is State.ARMED and t >= link.due and shirt is not None and shirt.pending():
+            self._put_off = min(self._put_off, t)
+            if t - self._put_off < BURST:
+                return
+        self._put_off = math.inf
+        link.tell(gate.state, gate.last, self.setup.chain.limits, t)
 
     def _step(self, frame: SensorFrame | None, lost: int) -> None:
         t = self._clock.now()
         if t > self._deadline + self._period:
             self.late += 1
         self._deadline = t + self._wait
-        conditions, run = self.conditions, self.run
+        setup, conditions, run = self.setup, self.conditions, self.run
+        link = setup.link
         conditions.supervisor_age = t - self.heard
         conditions.screen_age = t - self.screen_seen
-        conditions.recording = run is None or not run.writer.words
-        tick = self.setup.chain.step(frame, t, conditions)
-        if self._report is not None:
+        conditions.recording = link is None if run is None else not run.writer.words
+        if link is not None:
+            conditions.chair, conditions.chair_age = chair_condition(link), link.age(t)
+        tick = setup.chain.step(frame, t, conditions)
+        state = setup.chair.state
+        tick.driven_v, tick.driven_omega, tick.dial = state.v, state.omega, setup.chain.dial
+        if link is not None:
+            self.tell_chair()
+            note_chair(tick, link, t)
+        elif self._report is not None:
             self._report.send(tick)
         if frame is not None:
             self._frame_t = t
@@ -92,8 +139,8 @@ class ControlLoop:
             run_t = t - run.start
             cue = run.cue_at(run_t)
             self.ring.write(tick, run.number, run_t, cue, lost, self.late)
-        if self.setup.dressed is not None:
-            self._show(self.setup.dressed.view, tick, cue, run_t)
+        if setup.dressed is not None:
+            self._show(setup.dressed.view, tick, cue, run_t)
 
     def _show(self, view: BodyView, tick: Tick, cue: int, run_t: float) -> None:
         """Let the body in the simulated shirt see what its wearer would see."""
@@ -108,3 +155,20 @@ class ControlLoop:
         chair = self.setup.chair.state
         view.v, view.omega = chair.v, chair.omega
         view.in_contact = tick.in_contact
+
+
+def chair_condition(link: ChairLink) -> ChairCondition:
+    """Return what the gate must know of what a real chair says."""
+    if link.heard.inhibited:
+        return ChairCondition.INHIBITED
+    return ChairCondition.READY if link.heard.ready else ChairCondition.WAITING
+
+
+def note_chair(tick: Tick, link: ChairLink, t: float) -> None:
+    """Write into a tick what a real chair says of itself."""
+    tick.chair_kind = 1
+    tick.chair_age = link.age(t)
+    newest = link.heard.newest
+    if newest is not None:
+        tick.chair_state, tick.chair_fault, tick.stop_input = newest.state, newest.fault, newest.stop_input
+        tick.battery = newest.battery

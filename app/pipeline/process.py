@@ -44,7 +44,7 @@ def main(arguments: list[str] | None = None) -> int:
         _turn_until_told(loop, commands, server, clock)
         _come_to_a_stop(loop, clock)
         commands.close()
-        setup.close_shirt()
+        setup.close()
     finally:
         ring.unlink()
     return 0
@@ -58,14 +58,16 @@ def _turn_until_told(loop: ControlLoop, commands: Commands, server: CommandServe
         if now >= poll_at:
             poll_at = now + POLL_EVERY
             commands.poll()
+            loop.tell_chair()  # a stop is not kept until the next tick
 
 
 def _come_to_a_stop(loop: ControlLoop, clock: MonotonicClock) -> None:
-    """Go on turning while the gate brings the chair to its stop, the recording included."""
+    """Go on turning while the gate brings the chair to its stop, the recording included; a real one is told so."""
     loop.setup.chain.gate.stop(Fault.WEB_SILENT)
+    loop.tell_chair()
     until = clock.now() + LAST_TURNS
     loop.turn()
-    while not loop.setup.stands and clock.now() < until:
+    while not (loop.setup.stands and loop.chair_is_told) and clock.now() < until:
         loop.turn()
 
 

@@ -1,19 +1,21 @@
-"""What is connected and loaded: shirt, body, parameters, world; and the chain made of them."""
+"""What is connected and loaded: shirt, body, chair, limits, parameters, world; and the chain made of them."""
 
 from typing import Protocol, cast
 
 from app.calibration.vocabulary import DriveParameters
 from app.clock import Clock
 from app.faults import State
-from app.geometry import STANDSTILL, Pose
-from app.hardware.base import Body, BodyView, Shirt
-from app.hardware.chair.simulator import VirtualChair
-from app.hardware.configs import BodyConfig, ShirtConfig
-from app.hardware.registry import make_body, make_shirt
+from app.geometry import STANDSTILL
+from app.hardware.base import ORIGIN, Body, BodyView, Shirt
+from app.hardware.chair.link import ChairLink
+from app.hardware.chair.packet import DIGEST_BYTES
+from app.hardware.chair.simulator import Dynamics, VirtualChair
+from app.hardware.configs import BodyConfig, ChairConfig, RealChairConfig, ShirtConfig
+from app.hardware.registry import make_body, make_real_chair, make_shirt
 from app.pipeline.chain import Chain
+from app.speeds import NO_FURTHER, Speeds
 from app.world.floorplan import FloorPlan, PrescribedPath
 
-ORIGIN = Pose(0.0, 0.0, 0.0)
 IDLE_RATE = 50.0  # Hz: how often the loop turns while there is no shirt
 
 
@@ -40,7 +42,11 @@ class Setup:
         self.hash: str | None = None
         self.floorplan: FloorPlan | None = None
         self.path: PrescribedPath | None = None
-        self.chair = VirtualChair(None, ORIGIN)
+        self.chair: VirtualChair | ChairLink = VirtualChair(None, ORIGIN)
+        self.link: ChairLink | None = None  # the same chair, when it is a real one
+        self._dynamics: Dynamics = "unicycle"
+        self._clinic = NO_FURTHER
+        self._dial = 1.0
         self.chain = Chain(IDLE_RATE, None, self.chair)
 
     @property
@@ -54,9 +60,14 @@ class Setup:
         return self.shirt.words() if self.shirt else "No shirt is connected: choose one on the Shirt page."
 
     @property
+    def chair_words(self) -> str:
+        """The chair's state in words."""
+        return self.link.words() if self.link else f"The virtual chair, moving as a {self._dynamics}."
+
+    @property
     def stands(self) -> bool:
-        """Whether the chair is commanded to stand."""
-        return self.chain.gate.last == STANDSTILL
+        """Whether the chair is commanded to stand; a real one is waited for until it does."""
+        return self.chain.gate.last == STANDSTILL and (self.link is None or self.link.stands)
 
     def require_still(self) -> None:
         """Raise Refused while the chair moves or may move."""
@@ -87,12 +98,51 @@ class Setup:
         self.shirt_kind = ""
         self._link_chain()
 
+    def close(self) -> None:
+        """Give the devices back."""
+        self.close_chair()
+        if self.shirt is not None:
+            self.shirt.close()
+
     def use_body(self, config: BodyConfig) -> None:
         """Let somebody else into the simulated shirt; raise HardwareError when the body cannot be had."""
         if self.dressed is None:
             raise Refused("Only the simulated shirt has a body to choose: choose the simulated shirt first.")
         self.dressed.body = make_body(config)
         self._show_path()
+
+    def use_chair(self, config: ChairConfig) -> None:
+        """Drive this chair from now on; raise HardwareError, with the chair in use as it was, when it cannot be had."""
+        self.require_still()
+        if isinstance(config, RealChairConfig):
+            link = make_real_chair(config)
+            link.open()
+            self.close_chair()
+            self.chair = self.link = link
+            self.floorplan = self.path = None
+        else:
+            self.close_chair()
+            self._dynamics = config.dynamics
+            self.chair = VirtualChair(self.floorplan, self.path.start if self.path else ORIGIN, self._dynamics)
+        self._link_chain()
+
+    def close_chair(self) -> None:
+        """Let go of a real chair."""
+        if self.link is not None:
+            self.link.close()
+        self.link = None
+
+    def use_clinic(self, speeds: Speeds) -> None:
+        """Hold the clinic's limits: lower ones at once, higher ones only while nothing moves."""
+        if not self.chain.set_clinic(speeds):
+            raise Refused("Limits are raised only while the chair stands and nobody moves: end the drive first.")
+        self._clinic = speeds
+
+    def use_dial(self, share: float) -> None:
+        """Drive at this share of the speeds: a lower one at once, a higher one only while nothing moves."""
+        if not self.chain.set_dial(share):
+            raise Refused("The dial is turned up only while the chair stands and the patient is at rest.")
+        self._dial = share
 
     def use_parameters(self, parameters: DriveParameters | None) -> None:
         """Drive with these from now on."""
@@ -104,23 +154,27 @@ class Setup:
         self._link_chain()
 
     def use_world(self, floorplan: FloorPlan | None, path: str | None) -> None:
-        """Put the virtual chair on the start of a path, or on an endless floor."""
+        """Put the virtual chair on the start of a path, or on an endless floor, which is all that a real one knows."""
         self.require_still()
+        if self.link is not None:
+            if floorplan is not None:
+                raise Refused("A real chair drives in no floor plan: choose the virtual chair first.")
+            return
         chosen = None
         if floorplan is not None:
             try:
                 chosen = floorplan.path_named(path) if path else floorplan.paths[0]
-                chair = VirtualChair(floorplan, chosen.start)
+                chair = VirtualChair(floorplan, chosen.start, self._dynamics)
             except ValueError as error:
                 raise Refused(f"{error}.") from error
         else:
-            chair = VirtualChair(None, ORIGIN)
+            chair = VirtualChair(None, ORIGIN, self._dynamics)
         self.floorplan, self.path, self.chair = floorplan, chosen, chair
         self.chain.chair = chair
         self._show_path()
 
     def to_start(self) -> None:
-        """Put the virtual chair on the start."""
+        """Put the virtual chair on the start, and reckon a real one's way from where it stands."""
         self.chair.place(self.path.start if self.path else ORIGIN)
 
     def _fits(self, parameters: DriveParameters) -> bool:
@@ -128,12 +182,17 @@ class Setup:
         return self.shirt is None or self.shirt.layout.channel_names == parameters.profile.layout.channel_names
 
     def _link_chain(self) -> None:
-        """Make a new chain; a latched fault is carried over."""
-        fault = self.chain.gate.fault if self.chain.gate.state is State.FAULT else None
+        """Make a new chain; a latched fault, the count of stops and the limits are carried over."""
+        gate = self.chain.gate
         fitting = self.parameters if self.shirt is not None else None
         self.chain = Chain(self.sample_rate, fitting, self.chair)
-        if fault is not None:
-            self.chain.gate.stop(fault)
+        self.chain.set_clinic(self._clinic)
+        self.chain.set_dial(self._dial)
+        self.chain.gate.stops = gate.stops
+        if gate.state is State.FAULT:
+            self.chain.gate.stop(gate.fault)
+        if self.link is not None:
+            self.link.digest = bytes.fromhex(self.hash)[:DIGEST_BYTES] if self.hash else bytes(DIGEST_BYTES)
 
     def _show_path(self) -> None:
         """Let a body that drives by himself see the path."""

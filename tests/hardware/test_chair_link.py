@@ -8,7 +8,6 @@ import socket
 import pytest
 from chair_stand_in import ARMED, CHECKING, DISARMED, FAULT, StandInChair
 
-from app.calibration.speeds import NO_FURTHER, Speeds
 from app.faults import State
 from app.geometry import STANDSTILL, Pose, Twist
 from app.hardware.base import HardwareError
@@ -17,6 +16,7 @@ from app.hardware.chair.link import HELLO_EVERY, LAST_FRAMES, MOST_DATAGRAMS, PE
 from app.hardware.chair.packet import DRIVE, STOP, encode_telemetry
 from app.hardware.chair.reasons import Reason
 from app.hardware.configs import RealChairConfig
+from app.speeds import NO_FURTHER, Speeds
 
 LIMITS = Speeds(forward=0.5, reverse=0.2, turn=1.0)
 AHEAD = Twist(0.25, -0.5)

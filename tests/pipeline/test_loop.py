@@ -7,34 +7,16 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from scripted_shirt import RATE, ScriptedShirt
 
 from app.clock import FakeClock
 from app.cues import Cue, cue_index
 from app.hardware.base import BodyView
-from app.messages import NO_CUE, SensorFrame
+from app.messages import NO_CUE
 from app.pipeline.loop import LONGEST_WAIT, ControlLoop
 from app.pipeline.open_run import OpenRun
 from app.pipeline.setup import Setup
 from app.ring import TickRing
-from building import make_layout
-
-RATE = 100.0
-
-
-class ScriptedShirt:
-    """Gives a frame at each of the given times (s), and takes the time that waiting takes."""
-
-    def __init__(self, clock, times):
-        self.layout, self.sample_rate, self.lost = make_layout(8), RATE, 0
-        self._clock, self._times, self._seq = clock, list(times), 0
-
-    def read(self, timeout):
-        if not self._times or self._times[0] > self._clock.now() + timeout:
-            self._clock.sleep_until(self._clock.now() + timeout)
-            return None
-        self._clock.sleep_until(self._times.pop(0))
-        self._seq += 1
-        return SensorFrame(self._seq, self._seq / RATE, self._clock.now(), np.ones(8, np.float32))
 
 
 class Writer:

@@ -58,10 +58,17 @@ async def refusal(control, do, **fields):
     return sentence
 
 
+async def clear(control):
+    """Let go of a fault, as somebody would who saw the newest tick."""
+    tick = control.newest()
+    with suppress(LinkRefused):  # another stop since: it shows in what comes next
+        await control.call("clear", stops=0 if tick is None else int(tick["stops"]))
+
+
 async def armed(control, digest):
     """Arm, again when this busy machine held something up, and wait for permission."""
     for _ in range(5):
-        await control.call("clear")
+        await clear(control)
         await control.call("arm", hash=digest)
         tick = await tick_with(control, lambda tick: tick["state"] in (State.ARMED, State.FAULT))
         if tick["state"] == State.ARMED:

@@ -83,7 +83,8 @@ def test_a_drive_is_recorded_and_decoding_the_recording_gives_the_same_drive(tmp
                 # Continue must find what was armed and is written in the recording, not something else.
                 assert "recorded" in await refusal(control, "parameters", parameters=None)
                 assert "recorded" in await refusal(control, "world", floorplan=None, path=None)
-                await control.call("clear")
+                assert "another stop" in await refusal(control, "clear", stops=int(stopped["stops"]) - 1)
+                await control.call("clear", stops=int(stopped["stops"]))
                 await tick_with(control, lambda tick: tick["state"] == State.ARMED)
                 await control.call("end_run")
                 assert control.newest()["state"] == State.DISARMED

@@ -34,7 +34,7 @@ async def main():
         tick = control.newest()
         state = State.DISARMED if tick is None else State(int(tick["state"]))
         if not said and state is State.FAULT:  # this machine was too busy for a moment
-            await control.call("clear")
+            await control.call("clear", stops=int(tick["stops"]))
         elif not said and state is State.DISARMED and tick is not None and tick["has_frame"]:
             await control.call("arm", hash=answer["hash"])
         elif not said and state is State.ARMED:

@@ -10,7 +10,6 @@ import socket
 from collections import deque
 from pathlib import Path
 
-from app.calibration.speeds import Speeds
 from app.faults import State
 from app.geometry import STANDSTILL, Pose, Twist
 from app.hardware.base import ORIGIN, HardwareError
@@ -31,8 +30,10 @@ from app.hardware.chair.packet import (
 from app.hardware.chair.reasons import WORDS, Reason
 from app.hardware.chair.simulator import FASTEST, ChairState
 from app.hardware.configs import RealChairConfig
+from app.speeds import Speeds
 
 PERIOD = 0.02  # s between two commands
+LEAST_GAP = 0.005  # s: after a hold-up the next deadline may be very near
 LAST_FRAMES = 10  # zero commands after disarming or a stop: any one of them suffices
 HELLO_AFTER = 0.15  # s without telemetry, which comes every 0.1 s to whom the chair is paired with
 HELLO_EVERY = 0.2  # s: a chair that is paired with another address is heard at 5 Hz, and so never counts as silent
@@ -215,7 +216,9 @@ class ChairLink:
 
     def _send(self, twist: Twist, limits: Speeds, t: float) -> None:
         # Deadlines are absolute; those that were missed are left out.
-        self.due += PERIOD * (1 + (t - self.due) // PERIOD)
+        self.due += PERIOD * ((t - self.due) // PERIOD)
+        while self.due < t + LEAST_GAP:
+            self.due += PERIOD
         armed = self._state is State.ARMED
         if self._state not in RUNNING:
             self._left -= 1

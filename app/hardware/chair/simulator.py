@@ -4,8 +4,8 @@ import math
 from dataclasses import dataclass
 from typing import Literal, get_args
 
-from app.calibration.speeds import NO_FURTHER
 from app.geometry import STANDSTILL, Pose, Twist
+from app.speeds import NO_FURTHER
 from app.world import dynamics, kinematics
 from app.world.collision import Collision
 from app.world.dynamics import Motion, Wheelchair

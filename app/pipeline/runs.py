@@ -1,0 +1,137 @@
+"""Runs: begun where there is room for them, ended when the chair stands, answered when they are on the disk."""
+
+import shutil
+from pathlib import Path
+from typing import Any
+
+from app import __version__
+from app.clock import Clock, utc_now
+from app.link import NO_ANSWER, CommandServer
+from app.pipeline import documents
+from app.pipeline.loop import ControlLoop
+from app.pipeline.open_run import OpenRun
+from app.pipeline.setup import Refused
+from app.realtime import tidy
+from app.recording import RunWriter
+
+LEAST_FREE = 500_000_000  # bytes on the disk of the recordings: a drive of 20 minutes with the largest shirt
+
+
+class Runs:
+    """Begins and ends the recordings of a loop, one at a time."""
+
+    def __init__(self, loop: ControlLoop, server: CommandServer, clock: Clock) -> None:
+        self._loop = loop
+        self._server = server
+        self._clock = clock
+        self._count = 0
+        self._ending: tuple[OpenRun, int] | None = None  # a run, and who wants to know when it has ended
+        self._closing: list[tuple[OpenRun, int]] = []  # runs that are being brought to the disk
+
+    @property
+    def ending(self) -> bool:
+        """Whether the run waits for the chair to stand."""
+        return self._ending is not None
+
+    def begin(self, fields: documents.Run) -> int:
+        """Disarm and begin a run; return its number in ticks, or raise Refused."""
+        loop, setup = self._loop, self._loop.setup
+        if setup.shirt is None:
+            raise Refused(setup.shirt_words)
+        setup.chain.gate.disarm()
+        loop.tell_chair()
+        if not setup.stands:
+            raise Refused("The chair still comes to its stop: try again in a moment.")
+        writer = self._new_writer(fields)
+        setup.chain.reset()
+        if fields.kind == "drive":
+            setup.to_start()
+        self._count += 1
+        writer.start(loop.ring, loop.ring.number, self._count, real_time=True)
+        tidy()
+        loop.run = OpenRun(fields.run_id, self._count, fields.kind, fields.cues, self._clock.now(), writer)
+        return self._count
+
+    def end(self, command_id: int) -> None:
+        """Disarm, and end the run when the chair stands."""
+        run = self._loop.run
+        if run is None or self._ending is not None:
+            raise Refused("Nothing is being recorded: begin a run first.")
+        self._loop.setup.chain.gate.disarm()
+        run.was_armed = False
+        self._ending = run, command_id
+
+    def poll(self) -> None:
+        """Go on with what is being ended."""
+        if self._ending is not None and self._loop.setup.stands:
+            self._finish()
+        if self._closing:
+            self._answer_closed()
+
+    def close(self) -> None:
+        """Close an open recording, wait until it is on disk, and say so."""
+        self._finish()
+        for run, _ in self._closing:
+            run.writer.wait()
+        self._answer_closed()
+
+    def status(self) -> dict[str, Any] | None:
+        """Return what is known of the run, None outside of one."""
+        run = self._loop.run
+        if run is None:
+            return None
+        writer = run.writer
+        return {"run_id": run.run_id, "rows": writer.rows, "dropped": writer.dropped, "words": writer.words}
+
+    def _finish(self) -> None:
+        run, self._loop.run = self._loop.run, None
+        if run is not None:
+            run.writer.finish(self._loop.ring.number)
+            self._closing.append(self._ending or (run, NO_ANSWER))
+        self._ending = None
+
+    def _answer_closed(self) -> None:
+        for run, command_id in [closing for closing in self._closing if closing[0].writer.done]:
+            self._closing.remove((run, command_id))
+            writer = run.writer
+            self._server.answer(command_id, rows=writer.rows, dropped=writer.dropped, words=writer.words)
+
+    def _new_writer(self, fields: documents.Run) -> RunWriter:
+        setup = self._loop.setup
+        shirt, parameters, floorplan = setup.shirt, setup.parameters, setup.floorplan
+        if shirt is None:
+            raise Refused(setup.shirt_words)
+        gestures = [gesture.name for gesture in parameters.gestures] if parameters else []
+        meta = {
+            "run_id": fields.run_id,
+            "kind": fields.kind,
+            "created": utc_now().isoformat(),
+            "software": __version__,
+            "layout": shirt.layout.model_dump(mode="json"),
+            "sample_rate": shirt.sample_rate,
+            "gestures": gestures,
+            "cues": [cue.model_dump(mode="json") for cue in fields.cues],
+            "parameters": parameters.model_dump(mode="json") if parameters else None,
+            "floorplan": floorplan.model_dump(mode="json") if floorplan else None,
+            "path": setup.path.name if setup.path else None,
+            "meta": fields.meta,
+        }
+        folder = Path(fields.folder)
+        try:
+            require_room(folder)
+            return RunWriter(folder, meta, len(shirt.layout.channels), len(gestures))
+        except OSError as error:
+            raise Refused(
+                f"The recording cannot be begun ({error.strerror or error}): free some disk space."
+            ) from error
+
+
+def require_room(folder: Path) -> None:
+    """Raise Refused when a recording in `folder`, which need not exist yet, could fill its disk."""
+    place = next(place for place in (folder, *folder.parents) if place.exists())
+    free = shutil.disk_usage(place).free
+    if free < LEAST_FREE:
+        raise Refused(
+            f"Only {free / 1e6:.0f} MB are free on the disk of the recordings, and nothing may be lost of a drive: "
+            f"free {LEAST_FREE / 1e6:.0f} MB, then begin again."
+        )
