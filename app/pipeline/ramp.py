@@ -26,6 +26,8 @@ class Ramp(NamedTuple):
         """
         if not dt > 0.0:
             return speed
+        if asked == speed and rate == 0.0 and -self.bottom <= speed <= self.top:
+            return speed  # most of the time: an even speed, or none
         wanted = (asked - speed) / dt
         low, high = -self._highest(-speed, self.bottom, dt), self._highest(speed, self.top, dt)
         softest, hardest = rate - self.jerk * dt, rate + self.jerk * dt

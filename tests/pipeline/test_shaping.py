@@ -2,9 +2,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.calibration.speeds import Speeds
 from app.geometry import STANDSTILL, Twist
 from app.pipeline.shaping import Shaper
+from app.speeds import Speeds
 from building import make_parameters
 
 control = st.floats(-1, 1)
