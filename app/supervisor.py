@@ -15,7 +15,8 @@ from app.link import ANSWER_LIMIT, ControlClient, LinkLost, Message
 from app.ring import TickRing, Ticks
 
 START_LIMIT = 20.0  # s: a cold start from a slow disk
-END_RUN_LIMIT = 120.0  # s: hours of recording are made compact before the answer comes
+# s, where an answer may take longer than that of other commands, or must not.
+LIMITS = {"end_run": 120.0, "stop": 2.0}  # hours of recording are made compact before the answer comes
 QUIT_LIMIT = 3.0  # s: the chair comes to its stop, an open recording is closed
 
 
@@ -69,7 +70,7 @@ class ControlProcess:
 
     async def call(self, do: str, **fields: Any) -> Message:
         """Send a command and return its answer; raise LinkRefused or LinkLost."""
-        return await self.client.call(do, limit=END_RUN_LIMIT if do == "end_run" else ANSWER_LIMIT, **fields)
+        return await self.client.call(do, limit=LIMITS.get(do, ANSWER_LIMIT), **fields)
 
     def tell(self, do: str, **fields: Any) -> None:
         """Send a command that wants no answer; raise LinkLost when the process is gone."""
@@ -92,6 +93,11 @@ class ControlProcess:
         finally:
             ended.cancel()
             closed.cancel()
+
+    def kill(self) -> None:
+        """End the process at once, whatever it does; a chair behind it stops by itself. From any thread."""
+        with suppress(ProcessLookupError):
+            self._process.kill()
 
     async def close(self) -> None:
         """Bring the chair to its stop, end the process and give back what it held."""

@@ -1,10 +1,11 @@
 """The web process's end of the control process: commands, ticks, heartbeat, and a new one when it dies."""
 
 import asyncio
+import logging
 import threading
 from collections.abc import Awaitable, Callable
 from contextlib import suppress
-from typing import Any, Literal, Protocol
+from typing import Any, Literal, Protocol, get_args
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,11 +15,19 @@ from app.link import LinkLost, LinkRefused
 from app.session.loop_thread import LoopThread
 from app.session.refusals import Conflict, Unavailable
 
+logger = logging.getLogger("bodydrive")
+
 HEARTBEAT_EVERY = 0.1  # s; the control process stops the chair after 0.3 s of silence
+STOP_LIMIT = 0.4  # s: whoever stops gets an answer, also when there is nobody left who could give one
+LOOK_EVERY = 0.25  # s
+HANG_LIMIT = 2.0  # s without a tick: a loop that stood for so long has lost its chair, and is replaced
+OPENING_LIMIT = 12.0  # s, while it does one of these for us: longer than its answer is waited for
+OPENING = frozenset({"chair", "shirt", "body", "parameters", "world", "run"})  # all are refused while it may move
 START_AGAIN_AFTER = 0.5  # s; doubled with each start that fails, up to ...
 LONGEST_PAUSE = 8.0  # s
 
 ControlState = Literal["alive", "starting", "lost"]
+Loaded = Literal["limits", "dial", "chair", "shirt", "body", "parameters"]
 
 
 class Link(Protocol):
@@ -44,6 +53,10 @@ class Link(Protocol):
         """Return when the process has ended."""
         ...
 
+    def kill(self) -> None:
+        """End the process at once, whatever it does."""
+        ...
+
     async def close(self) -> None:
         """End the process and give back what it held."""
         ...
@@ -59,10 +72,12 @@ class Control:
         self.on_change: list[Callable[[ControlState], Awaitable[None]]] = []
         self._open_link = open_link
         self._link: Link | None = None
-        self._loaded: dict[str, dict[str, Any]] = {}  # shirt, body, parameters as they were last accepted
+        self._loaded: dict[str, dict[str, Any]] = {}  # what a later control process must be given, too
+        self._opening = 0  # commands under way that may hold the loop up, because they open something
+        self._hurried: set[asyncio.Task[dict[str, Any]]] = set()  # stops that nobody waits for any more
         self._keeping: asyncio.Task[None] | None = None
         # The link lives in a thread of its own: a request that takes long must not keep the heartbeat waiting. Should
-        # the loop of the requests stand, then nobody hears the pages any more, and `screen` stops the chair.
+        # the loop of the requests stand, then nobody hears the screens any more, and their age stops the chair.
         self._thread: LoopThread | None = None
         self._reading = threading.Lock()  # the 3D view reads ticks in a thread of its own, but not while they vanish
 
@@ -75,6 +90,7 @@ class Control:
             await self._thread.close()
             raise
         self._thread.begin(self._heartbeat())
+        self._thread.begin(self._watch())
         self._keeping = asyncio.create_task(self._keep(self._thread))
 
     async def close(self) -> None:
@@ -98,22 +114,42 @@ class Control:
         Unavailable
             When there is no control process at the moment.
         """
-        if self._link is None or self._thread is None or self.state != "alive":
+        link = self._link
+        opening = do in OPENING
+        if link is None or self._thread is None or self.state != "alive":
             raise Unavailable("The control process is being restarted, and the chair stands: try again in a moment.")
+        self._opening += opening
         try:
-            return await self._thread.run(self._link.call(do, **fields))
+            return await self._thread.run(link.call(do, **fields))
         except LinkRefused as refusal:
             raise Conflict(str(refusal)) from refusal
         except LinkLost as lost:
+            # One that does not answer may still do later what it was asked, a run without anybody who knows of it.
+            link.kill()
             raise Unavailable("The control process did not answer, and the chair stands: try again.") from lost
+        finally:
+            self._opening -= opening
 
-    async def load(self, do: Literal["shirt", "body", "parameters"], **fields: Any) -> dict[str, Any]:
+    async def stop(self) -> bool:
+        """Stop the chair; return soon whether the control process said that it did. One that does not is replaced."""
+        stopping = asyncio.create_task(self.call("stop", by="tablet"))
+        self._hurried.add(stopping)
+        stopping.add_done_callback(self._stopped)
+        await asyncio.wait({stopping}, timeout=STOP_LIMIT)
+        return stopping.done() and not stopping.cancelled() and stopping.exception() is None
+
+    def _stopped(self, stopping: "asyncio.Task[dict[str, Any]]") -> None:
+        self._hurried.discard(stopping)
+        if not stopping.cancelled():
+            stopping.exception()  # nobody may be left who looks at it
+
+    async def load(self, do: Loaded, **fields: Any) -> dict[str, Any]:
         """Send what a later control process must be given too."""
         answer = await self.call(do, **fields)
         self._loaded[do] = fields
         return answer
 
-    def forget(self, do: Literal["shirt", "body", "parameters"]) -> None:
+    def forget(self, do: Loaded) -> None:
         """Leave something out from what a later control process is given."""
         self._loaded.pop(do, None)
 
@@ -121,6 +157,14 @@ class Control:
         """Say where the visitor wants the joints of the simulated body."""
         if self._thread is not None:
             self._thread.soon(lambda: self._tell("move", joints=joints))
+
+    def beat(self) -> None:
+        """Send a heartbeat now: the screen that drives was hidden, and the chair must not wait for the next one."""
+        if self._thread is not None:
+            self._thread.soon(self._beat)
+
+    def _beat(self) -> None:
+        self._tell("heartbeat", screen_age=self.screen_age())
 
     def _tell(self, do: str, **fields: Any) -> None:
         link = self._link
@@ -146,9 +190,9 @@ class Control:
 
     async def _open(self, thread: LoopThread) -> None:
         self._link = await thread.run(_opened(self._open_link))
-        for do in ("shirt", "body", "parameters"):
+        for do in get_args(Loaded):
             if do in self._loaded:
-                # A shirt that cannot be opened again shows in `status`; the rest goes on.
+                # A device that cannot be opened again shows in `status`; the rest goes on.
                 with suppress(LinkRefused):
                     await thread.run(self._link.call(do, **self._loaded[do]))
         self.state = "alive"
@@ -157,8 +201,24 @@ class Control:
         deadline = monotonic()
         while True:
             deadline = max(deadline + HEARTBEAT_EVERY, monotonic())
-            self._tell("heartbeat", screen_age=self.screen_age())
+            self._beat()
             await asyncio.sleep(max(deadline - monotonic(), 0.0))
+
+    async def _watch(self) -> None:
+        """Kill a control process whose loop stands: what it still holds may be a chair that waits to drive on."""
+        watched, since = self._link, monotonic()
+        while True:
+            await asyncio.sleep(LOOK_EVERY)
+            link, now = self._link, monotonic()
+            if link is not watched or link is None or self.state != "alive":
+                watched, since = link, now
+                continue
+            tick = link.newest()
+            last = since if tick is None else max(since, float(tick["t"]))
+            if monotonic() - last > (OPENING_LIMIT if self._opening else HANG_LIMIT):
+                logger.error("The control process stood still for %g s and is replaced", monotonic() - last)
+                link.kill()
+                watched = None
 
     async def _keep(self, thread: LoopThread) -> None:
         while True:
