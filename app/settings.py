@@ -68,6 +68,11 @@ class Settings:
         return self.state / "runs"
 
     @property
+    def keys(self) -> Path:
+        """Return the folder of the keys that are shared with real chairs, one file each."""
+        return self.state / "keys"
+
+    @property
     def database(self) -> Path:
         """Return the database's file."""
         return self.state / "bodydrive.sqlite"
