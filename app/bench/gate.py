@@ -12,7 +12,7 @@ from app.speeds import Speeds
 RUNS = 5
 STEPS = 50_000
 RATE = 1000.0  # Hz
-REACH = 5.0  # us: half a percent of a period at 1 kHz
+REACH = 10.0  # us: a hundredth of a period at 1 kHz
 TURN_AFTER = 400  # steps, so that the ramps are always at work
 
 

@@ -1,6 +1,7 @@
 """A web process with two browsers' worth of work: heartbeat, both 3D views at 60 Hz, both live pages at 20 Hz.
 
 Both ends of the viewers' connections are in this process, which is more than a web process has to do.
+Arguments: the shirt's port, the report's port, a folder for the recording, and for a real chair its port and key file.
 """
 
 import asyncio
@@ -12,10 +13,11 @@ import sys
 from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
-from app.bench.subject import CHANNELS, bench_floorplan, bench_parameters
+from app.bench.subject import CHANNELS, bench_chair, bench_floorplan, bench_parameters
 from app.clock import monotonic
 from app.faults import State
 from app.link import LinkRefused
@@ -51,10 +53,11 @@ class Viewer:
             pass
 
 
-async def main(shirt_port: int, report_port: int, folder: Path) -> None:
+async def main(shirt_port: int, report_port: int, folder: Path, chair: dict[str, Any] | None) -> None:
     """Start the control process, say so, and keep it armed and watched until stdin ends."""
     control = await ControlProcess.start("--report", f"127.0.0.1:{report_port}")
-    parameters = bench_parameters(SAMPLE_RATE)
+    # On a real chair acceleration mode is refused without a stop switch.
+    parameters = bench_parameters(SAMPLE_RATE, "acceleration" if chair is None else "velocity")
     shirt = {
         "kind": "udp",
         "host": "127.0.0.1",
@@ -65,6 +68,8 @@ async def main(shirt_port: int, report_port: int, folder: Path) -> None:
     await control.call("shirt", config=shirt)
     await control.call("parameters", parameters=parameters.model_dump(mode="json"))
     await control.call("world", floorplan=bench_floorplan().model_dump(mode="json"), path="main")
+    if chair is not None:
+        await control.call("chair", config=chair)
     viewers = [await Viewer.open() for _ in range(VIEWERS)]
     work = [
         _every(HEART_RATE, lambda: control.tell("heartbeat", screen_age=0.0)),
@@ -131,10 +136,11 @@ async def _keep_armed(control: ControlProcess, digest: str, folder: Path) -> Non
             recording = True
         with suppress(LinkRefused):
             if tick["state"] == State.FAULT:
-                await control.call("clear")
+                await control.call("clear", stops=int(tick["stops"]))
             if tick["state"] in (State.FAULT, State.DISARMED):
                 await control.call("arm", hash=digest)
 
 
 if __name__ == "__main__":
-    asyncio.run(main(int(sys.argv[1]), int(sys.argv[2]), Path(sys.argv[3])))
+    real_chair = bench_chair(int(sys.argv[4]), Path(sys.argv[5])) if len(sys.argv) > 4 else None
+    asyncio.run(main(int(sys.argv[1]), int(sys.argv[2]), Path(sys.argv[3]), real_chair))

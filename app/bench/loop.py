@@ -1,16 +1,15 @@
 """UDP in to UDP out through the control process, beside a busy web process, against a bare echo in the same run."""
 
 import json
-import socket
 import statistics
 import subprocess
-import sys
 import tempfile
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from app.bench.parts import free_ports, module, next_line, started
 from app.bench.row import Row
 
 RUNS = 3
@@ -38,49 +37,20 @@ def measure_loop(runs: int = RUNS, seconds: float = SECONDS) -> list[Row]:
 
 def _measured(seconds: float) -> dict[str, Any]:
     """Return the answers' times of one run, s."""
-    shirt_port, report_port = _free_ports(2)
+    shirt_port, report_port = free_ports(2)
     with (
         tempfile.TemporaryDirectory() as folder,
-        _started("app.bench.load", str(shirt_port), str(report_port), f"{folder}/run") as load,
-        _started("app.bench.echo") as echo,
+        started("app.bench.load", str(shirt_port), str(report_port), f"{folder}/run") as load,
+        started("app.bench.echo") as echo,
     ):
         try:
-            _first_line(load)
-            echo_port = _first_line(echo)
+            next_line(load)
+            echo_port = next_line(echo)
             result = Path(folder) / "times.json"
             ports = [str(shirt_port), echo_port, str(report_port)]
-            subprocess.run([*_module("app.bench.probe"), *ports, str(seconds), str(result)], check=True)
+            subprocess.run([*module("app.bench.probe"), *ports, str(seconds), str(result)], check=True)
             found: dict[str, Any] = json.loads(result.read_text())
         finally:
             echo.kill()
             load.communicate()
     return found
-
-
-def _module(name: str) -> list[str]:
-    return [sys.executable, "-m", name]
-
-
-def _started(module: str, *arguments: str) -> subprocess.Popen[str]:
-    return subprocess.Popen(
-        [*_module(module), *arguments], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, bufsize=1
-    )
-
-
-def _first_line(process: subprocess.Popen[str]) -> str:
-    line = process.stdout.readline().strip() if process.stdout else ""
-    if not line:
-        raise RuntimeError("a part of the benchmark did not start: its message stands above")
-    return line
-
-
-def _free_ports(count: int) -> list[int]:
-    """Return ports that are free just now."""
-    sockets = [socket.socket(socket.AF_INET, socket.SOCK_DGRAM) for _ in range(count)]
-    try:
-        for probe in sockets:
-            probe.bind(("127.0.0.1", 0))
-        return [int(probe.getsockname()[1]) for probe in sockets]
-    finally:
-        for probe in sockets:
-            probe.close()

@@ -1,11 +1,15 @@
-"""What is measured on: parameters for 52 channels and four joints, a room of 100 walls, a minute of movement."""
+"""What is measured on: parameters for 52 channels and four joints, a room of 100 walls, movement, a chair."""
+
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from app.calibration.profile import CalibrationProfile, JointMap
-from app.calibration.vocabulary import PAPER_VOCABULARY, DriveParameters, standard_parameters
+from app.calibration.vocabulary import PAPER_VOCABULARY, ControlMode, DriveParameters, standard_parameters
 from app.layout import Channel, Joint, ShirtLayout
+from app.speeds import NO_FURTHER
 from app.world.floorplan import FloorPlan
 
 CHANNELS = 52
@@ -13,8 +17,8 @@ STROKE_TIME, CYCLE_TIME = 0.6, 6.0  # s
 WALLS = 100
 
 
-def bench_parameters(sample_rate: float) -> DriveParameters:
-    """Return the paper's vocabulary on a made-up calibration of 13 channels per joint."""
+def bench_parameters(sample_rate: float, mode: ControlMode = "acceleration") -> DriveParameters:
+    """Return the paper's vocabulary on a made-up calibration of 13 channels per joint; `mode` is that of u1."""
     rng = np.random.default_rng(1)
     joints = list(PAPER_VOCABULARY)
     layout = ShirtLayout(
@@ -52,7 +56,7 @@ def bench_parameters(sample_rate: float) -> DriveParameters:
         high=(10.0,) * CHANNELS,
         joints=tuple(maps),
     )
-    return standard_parameters(profile)
+    return standard_parameters(profile).model_copy(update={"mode_u1": mode})
 
 
 def bench_signals(parameters: DriveParameters, seconds: float) -> NDArray[np.float32]:
@@ -84,3 +88,16 @@ def bench_floorplan() -> FloorPlan:
         ],
     }
     return FloorPlan.model_validate(document)
+
+
+def bench_chair(port: int, key_file: Path) -> dict[str, Any]:
+    """Return the configuration of a real chair whose receiver listens on `port` of this machine."""
+    speeds = NO_FURTHER.model_dump(mode="json")
+    return {
+        "kind": "udp",
+        "name": "bench",
+        "host": "127.0.0.1",
+        "port": port,
+        "key_file": str(key_file),
+        "speeds": speeds,
+    }

@@ -27,6 +27,8 @@ PARTS = {
     "gate": Part("app.bench.gate", "measure_gate", "a step of the safety gate"),
     "frame": Part("app.bench.frame", "measure_frame", "a frame to the real chair, encoded and verified"),
     "loop": Part("app.bench.loop", "measure_loop", "datagram in to datagram out"),
+    "stop": Part("app.bench.stop", "measure_stop", "Stop on the tablet to the frame that stops a real chair"),
+    "period": Part("app.bench.period", "measure_period", "how evenly a real chair is told, under load and junk"),
     "decode": Part("app.bench.chain", "measure_decode", "decoding a recording"),
     "fit": Part("app.bench.fit", "measure_fit", "fitting a calibration"),
     "study": Part("app.bench.study", "measure_study", "the paper's experiment without a screen"),

@@ -1,0 +1,51 @@
+"""The processes that a benchmark is made of: how they are started and asked."""
+
+import socket
+import subprocess
+import sys
+from collections.abc import Sequence
+
+
+def module(name: str) -> list[str]:
+    """Return the command that runs a module of this program."""
+    return [sys.executable, "-m", name]
+
+
+def started(name: str, *arguments: str, descriptors: Sequence[int] = ()) -> subprocess.Popen[str]:
+    """Start a module that talks in lines; it is handed the open `descriptors`."""
+    return subprocess.Popen(
+        [*module(name), *arguments],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        text=True,
+        bufsize=1,
+        pass_fds=descriptors,
+    )
+
+
+def next_line(process: subprocess.Popen[str]) -> str:
+    """Return what a part says next; raise RuntimeError when it has ended instead."""
+    line = process.stdout.readline().strip() if process.stdout else ""
+    if not line:
+        raise RuntimeError("a part of the benchmark did not start, or ended early: its message stands above")
+    return line
+
+
+def ask(process: subprocess.Popen[str], word: str) -> str:
+    """Say a word to a part and return what it answers."""
+    if process.stdin is not None:
+        process.stdin.write(f"{word}\n")
+        process.stdin.flush()
+    return next_line(process)
+
+
+def free_ports(count: int) -> list[int]:
+    """Return ports that are free just now."""
+    sockets = [socket.socket(socket.AF_INET, socket.SOCK_DGRAM) for _ in range(count)]
+    try:
+        for probe in sockets:
+            probe.bind(("127.0.0.1", 0))
+        return [int(probe.getsockname()[1]) for probe in sockets]
+    finally:
+        for probe in sockets:
+            probe.close()

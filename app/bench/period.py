@@ -1,0 +1,84 @@
+"""How evenly commands come to a chair while a busy web process runs beside and junk floods both ports."""
+
+import json
+import socket
+import tempfile
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+
+from app.bench.junk import KEY_ID
+from app.bench.parts import ask, free_ports, next_line, started
+from app.bench.row import Row
+from app.hardware.chair.key import new_key, write_key
+
+SECONDS = 15.0
+JUNK_RATE = 50_000.0  # datagrams/s to each of the two ports
+SETTLING = 1.0  # s of junk before it counts
+WHAT = "command period at the chair, 50 Hz, under load and junk"
+
+
+class Measured(NamedTuple):
+    """What came of one run."""
+
+    gaps: list[float]  # s between commands, in order
+    driving: float  # share of them that drove
+    rates: list[float]  # junk that was really sent, datagrams/s: to the chair's port, to the sender's
+
+
+def measure_period(seconds: float = SECONDS, rate: float = JUNK_RATE) -> list[Row]:
+    """Return the p99 of the time between two commands, and the longest."""
+    gaps, driving, rates = _measured(seconds, rate)
+    milliseconds = 1e3 * np.array(gaps)
+    details = (
+        f"{len(gaps)} commands, {driving:.0%} of them driving, shirt at 1 kHz, beside two browsers' worth of work; "
+        f"junk sent: {rates[0]:,.0f}/s to the chair's port, {rates[1]:,.0f}/s to the sender's"
+    )
+    p99 = float(np.percentile(milliseconds, 99))
+    return [
+        Row(f"{WHAT}: p99", p99, "ms", 25.0, "lower", details),
+        Row(f"{WHAT}: longest gap", float(milliseconds.max()), "ms", 40.0, "lower", "the same run"),
+    ]
+
+
+def _measured(seconds: float, rate: float) -> Measured:
+    shirt_port, report_port = free_ports(2)
+    key = new_key(KEY_ID)
+    with (
+        tempfile.TemporaryDirectory() as folder,
+        socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as chair_socket,
+        socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as elsewhere,
+    ):
+        chair_socket.bind(("127.0.0.1", 0))
+        chair_port = chair_socket.getsockname()[1]
+        key_file = Path(folder) / "1.key"
+        write_key(key_file, key)
+        descriptor = chair_socket.fileno()
+        recording = str(Path(folder) / "run")
+        with (
+            started("app.bench.chair_process", str(descriptor), str(key_file), descriptors=[descriptor]) as chair,
+            started(
+                "app.bench.load", str(shirt_port), str(report_port), recording, str(chair_port), str(key_file)
+            ) as load,
+            started("app.bench.feed", str(shirt_port)) as feed,
+        ):
+            try:
+                next_line(load)
+                sender_port = next_line(chair)
+                # To the sender it comes from the chair's own address: from any other one the kernel takes it away.
+                targets = [f"{chair_port}:W:{elsewhere.fileno()}", f"{sender_port}:T:{descriptor}"]
+                sources = [elsewhere.fileno(), descriptor]
+                with started("app.bench.junk", str(rate), str(seconds), *targets, descriptors=sources) as junk:
+                    flood = json.loads(next_line(junk))
+                heard = json.loads(ask(chair, "tell"))
+            finally:
+                for part in (feed, load, chair):
+                    part.communicate()
+    begin, end = flood["begin"] + SETTLING, flood["end"]
+    times = [t for t in heard["times"] if begin < t < end]
+    driving = sum(begin < t < end for t in heard["driving"])
+    lasted = flood["end"] - flood["begin"]
+    # A silence at either end counts, too.
+    gaps = np.diff([begin, *times, end]).tolist()
+    return Measured(gaps, driving / max(1, len(times)), [sent / lasted for sent in flood["sent"]])

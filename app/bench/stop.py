@@ -1,0 +1,84 @@
+"""How long from Stop on the tablet to the first frame that stops the chair, on one machine."""
+
+import http.client
+import random
+import subprocess
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+
+from app.bench.listening import ListeningChair
+from app.bench.parts import ask, next_line, started
+from app.bench.row import Row
+from app.clock import MonotonicClock, monotonic
+from app.hardware.chair.key import new_key, write_key
+from app.hardware.chair.packet import STOP
+
+STOPS = 100  # of each kind
+REACH = 25.0  # ms
+DRIVING = 0.1  # s at most before a stop, at random, so that it meets every phase of the loop
+FRAME_LIMIT = 2.0  # s: a frame that comes no sooner never comes
+LOOK_EVERY = 0.002  # s
+
+
+def measure_stop(stops: int = STOPS) -> list[Row]:
+    """Return the p99 from sending the command to the frame, and from `POST /control/stop` to the frame."""
+    clock, pause = MonotonicClock(), random.Random(1)
+    key = new_key(1)
+    over_link: list[float] = []
+    over_http: list[float] = []
+    with tempfile.TemporaryDirectory() as folder, ListeningChair(key) as chair:
+        key_file = Path(folder) / "1.key"
+        write_key(key_file, key)
+        with started("app.bench.stop_served", str(chair.port), str(key_file), folder) as web:
+            try:
+                address = ("127.0.0.1", int(next_line(web)))
+                for times, stop in [(over_link, _by_link), (over_http, _by_http)] * stops:
+                    ask(web, "arm")
+                    clock.sleep_until(clock.now() + pause.uniform(0.0, DRIVING))
+                    times.append(_stopped(chair, clock, lambda stop=stop: stop(web, address)))  # type: ignore[misc]
+            finally:
+                web.communicate()
+    return [
+        _row("tablet stop to the first stop frame, from the command on the link: p99", over_link),
+        _row("tablet stop to the first stop frame, from POST /control/stop: p99", over_http),
+    ]
+
+
+def _by_link(web: subprocess.Popen[str], _address: tuple[str, int]) -> float:
+    return float(ask(web, "stop"))
+
+
+def _by_http(_web: subprocess.Popen[str], address: tuple[str, int]) -> float:
+    connection = http.client.HTTPConnection(*address, timeout=FRAME_LIMIT)
+    connection.connect()  # a page's connection stands already
+    before = monotonic()
+    connection.request("POST", "/api/v1/control/stop")
+    status = connection.getresponse().status
+    connection.close()
+    if status != http.client.OK:
+        raise RuntimeError(f"the web process of the benchmark answered a stop by {status}")
+    return before
+
+
+def _stopped(chair: ListeningChair, clock: MonotonicClock, stop: Callable[[], float]) -> float:
+    """Stop, and return how long after that the first stop frame came, s."""
+    seen = len(chair.heard)
+    before = stop()
+    while clock.now() < before + FRAME_LIMIT:
+        for came, command in chair.heard[seen:]:
+            if command.flags & STOP:
+                return came - before
+        clock.sleep_until(clock.now() + LOOK_EVERY)
+    raise RuntimeError("no stop frame came after a stop")
+
+
+def _row(what: str, times: list[float]) -> Row:
+    milliseconds = 1e3 * np.array(times)
+    details = (
+        f"{len(times)} stops while armed, shirt at 100 Hz; median {np.median(milliseconds):.1f} ms, "
+        f"worst {milliseconds.max():.1f} ms"
+    )
+    return Row(what, float(np.percentile(milliseconds, 99)), "ms", REACH, "lower", details)

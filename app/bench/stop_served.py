@@ -1,0 +1,97 @@
+"""The web process of the stop's benchmark: the real application, its own control process, and a chair to be stopped.
+
+Arguments: the chair's port, its key file, a folder for the state. Prints the port that it serves. Then, for each line
+on stdin: `arm` prints `armed` as soon as the chair may move; `stop` sends the command over the link, and prints when
+(monotonic s). Ends with stdin.
+"""
+
+import asyncio
+import socket
+import sys
+from pathlib import Path
+
+import uvicorn
+
+from app.api.app import create_app
+from app.api.flows import flows_of
+from app.bench.subject import bench_chair, bench_floorplan, bench_parameters
+from app.clock import monotonic
+from app.faults import EXPLANATIONS, Fault, State
+from app.session.control import Control
+from app.session.recordings import recorded_readings
+from app.session.refusals import Conflict
+from app.settings import Settings
+from app.supervisor import ControlProcess
+
+SAMPLE_RATE = 100.0  # Hz
+LOOK_EVERY = 0.005  # s
+ARMING_LIMIT = 30.0  # s
+
+
+async def main(chair_port: int, key_file: Path, folder: Path) -> None:
+    """Serve until stdin ends."""
+    with socket.create_server(("127.0.0.1", 0)) as listening:
+        port = listening.getsockname()[1]
+        app = create_app(Settings(state=folder, port=port), ControlProcess.start, recorded_readings())
+        server = uvicorn.Server(uvicorn.Config(app, log_level="error", lifespan="on"))
+        serving = asyncio.create_task(server.serve([listening]))
+        while not server.started:
+            if serving.done():
+                raise RuntimeError("the web process of the benchmark did not start: its message stands above")
+            await asyncio.sleep(LOOK_EVERY)
+        control = flows_of(app).control
+        control.screen_age = lambda: 0.0  # a screen that is in view all the time
+        digest = await _set_up(control, chair_port, key_file, folder)
+        _say(str(port))
+        while word := (await asyncio.to_thread(sys.stdin.readline)).strip():
+            if word == "arm":
+                await _arm(control, digest)
+                _say("armed")
+            else:
+                before = monotonic()
+                await control.call("stop", by="tablet")
+                _say(repr(before))
+        server.should_exit = True
+        await serving
+
+
+async def _set_up(control: Control, chair_port: int, key_file: Path, folder: Path) -> str:
+    parameters = bench_parameters(SAMPLE_RATE, "velocity")  # the other one asks for a stop switch
+    layout = parameters.profile.layout.model_dump(mode="json")
+    await control.call("shirt", config={"kind": "simulator", "sample_rate": SAMPLE_RATE, "seed": 1, "layout": layout})
+    await control.call("body", config={"kind": "visitor"})
+    await control.call("parameters", parameters=parameters.model_dump(mode="json"))
+    await control.call("world", floorplan=bench_floorplan().model_dump(mode="json"), path="main")
+    await control.call("chair", config=bench_chair(chair_port, key_file))
+    await control.call("run", run_id="bench", folder=str(folder / "run"), kind="drive", cues=[], meta={})
+    return parameters.hash
+
+
+async def _arm(control: Control, digest: str) -> None:
+    """Arm, again when this machine was too busy for it, and return when the chair may move."""
+    began, why = monotonic(), "there are no ticks"
+    while monotonic() < began + ARMING_LIMIT:
+        await asyncio.sleep(LOOK_EVERY)
+        tick = control.newest()
+        if tick is None or tick["t"] < began:
+            continue
+        if tick["state"] == State.ARMED:
+            return
+        why = EXPLANATIONS[Fault(int(tick["fault"]))].happened
+        try:
+            if tick["state"] == State.FAULT:
+                await control.call("clear", stops=int(tick["stops"]))
+            elif tick["state"] == State.DISARMED:
+                await control.call("arm", hash=digest)
+        except Conflict as refusal:
+            why = str(refusal)
+    raise RuntimeError(f"the chair of the benchmark could not be armed: {why}")
+
+
+def _say(line: str) -> None:
+    sys.stdout.write(f"{line}\n")
+    sys.stdout.flush()
+
+
+if __name__ == "__main__":
+    asyncio.run(main(int(sys.argv[1]), Path(sys.argv[2]), Path(sys.argv[3])))

@@ -1,0 +1,49 @@
+"""The rows of the real chair, in short: real processes, judged by what they count, not by how fast they were."""
+
+import json
+import socket
+import subprocess
+
+from app.bench.junk import KEY_ID
+from app.bench.parts import module
+from app.bench.period import measure_period
+from app.bench.stop import measure_stop
+from app.hardware.chair.key import new_key
+from app.hardware.chair.packet import FRAME_BYTES, decode_command, decode_telemetry
+
+
+def test_junk_looks_like_frames_is_none_and_is_counted():
+    key = new_key(KEY_ID)
+    with (
+        socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as ours,
+        socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as source,
+    ):
+        ours.bind(("127.0.0.1", 0))
+        ours.settimeout(5.0)
+        port, descriptor = ours.getsockname()[1], source.fileno()
+        asked = ["200", "0.5", f"{port}:W:{descriptor}", f"{port}:T:{descriptor}"]
+        told = subprocess.run(
+            [*module("app.bench.junk"), *asked], pass_fds=[descriptor], capture_output=True, text=True, check=True
+        )
+        flood = json.loads(told.stdout)
+        assert flood["sent"] == [100, 100]
+        assert flood["end"] - flood["begin"] > 0.2
+        datagrams = [ours.recv(2000) for _ in range(200)]
+    assert {len(datagram) for datagram in datagrams} == {FRAME_BYTES}
+    assert {datagram[:4] for datagram in datagrams} == {b"BMIW", b"BMIT"}
+    assert not any(decode_command(datagram, key, bytes(8)) for datagram in datagrams)
+    assert not any(decode_telemetry(datagram, key) for datagram in datagrams)
+
+
+def test_a_stop_is_measured_from_its_command_to_its_frame():
+    rows = measure_stop(stops=2)
+    assert [row.unit for row in rows] == ["ms", "ms"]
+    assert all(0.0 < row.figure < 2000.0 for row in rows)
+    assert all("2 stops" in row.details for row in rows)
+
+
+def test_the_command_period_is_measured_while_the_chair_drives_under_junk():
+    p99, longest = measure_period(seconds=3.0, rate=2000.0)
+    assert 5.0 < p99.figure <= longest.figure
+    assert "/s to the chair's port" in p99.details
+    assert 10 < int(p99.details.split()[0]) < 200  # two seconds of them
