@@ -43,3 +43,11 @@ NO_FURTHER = Speeds(
 def most_restrictive(*levels: Speeds) -> Speeds:
     """Return the limits that hold under several levels of limits: of each the smallest."""
     return Speeds(**{name: min(getattr(level, name) for level in levels) for name in Speeds.model_fields})
+
+
+DIALLED = ("forward", "reverse", "turn")
+
+
+def dialled(speeds: Speeds, share: float) -> Speeds:
+    """Return what is left of limits under a speed dial that lets a `share` (0.1 to 1) through."""
+    return speeds.model_copy(update={name: share * getattr(speeds, name) for name in DIALLED})

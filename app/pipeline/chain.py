@@ -12,9 +12,8 @@ from app.pipeline.decoder import Decoder, periods_between
 from app.pipeline.health import LossWindow
 from app.pipeline.safety import LARGEST_STEP, LOSSY_LIMIT, BadGestures, Conditions, SafetyGate, shirt_limits
 from app.pipeline.shaping import Shaper
-from app.speeds import NO_FURTHER, Speeds, most_restrictive
+from app.speeds import NO_FURTHER, Speeds, dialled, most_restrictive
 
-DIALLED = ("forward", "reverse", "turn")  # what the speed dial turns down
 NONE_BAD = BadGestures()
 
 
@@ -95,8 +94,7 @@ class Chain:
 
     def _limits(self, clinic: Speeds, share: float) -> Speeds:
         own = self.parameters.speeds if self.parameters else Speeds()
-        smallest = most_restrictive(own, clinic, self.chair.speeds)
-        return smallest.model_copy(update={name: share * getattr(smallest, name) for name in DIALLED})
+        return dialled(most_restrictive(own, clinic, self.chair.speeds), share)
 
     def reset(self) -> None:
         """Forget the past, disarm: the next frame begins a new run. A latched fault stays."""
