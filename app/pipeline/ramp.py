@@ -50,7 +50,7 @@ class Ramp(NamedTuple):
 
     def _highest(self, speed: float, top: float, dt: float) -> float:
         """Return the largest rate that may be taken at `speed`; the smallest follows by looking from the other side."""
-        within = reach(top - speed, self.jerk, dt)
+        within = max(-self.deceleration, reach(top - speed, self.jerk, dt))
         if speed >= 0.0:
             return min(self.acceleration, within)
         # Slowing down from a backward speed: on passing standstill it becomes speeding up, with that limit.

@@ -3,7 +3,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from app.geometry import STANDSTILL, Twist
-from app.pipeline.shaping import Shaper
+from app.pipeline.shaping import TURN_BUILD_UP, Shaper, forward_ramp, turn_ramp
 from app.speeds import Speeds
 from building import make_parameters
 
@@ -14,46 +14,99 @@ def shaper(**changes):
     return Shaper(make_parameters().model_copy(update=changes))
 
 
+def driven(shape, wishes, twist=STANDSTILL, dt=0.01):
+    """Return the twists that follow from (u1, u2)."""
+    rates, seen = STANDSTILL, []
+    for u1, u2 in wishes:
+        after = shape.step(u1, u2, twist, rates, dt)
+        rates = Twist((after.v - twist.v) / dt, (after.omega - twist.omega) / dt)
+        twist = after
+        seen.append(twist)
+    return seen
+
+
 def test_one_full_stroke_of_half_a_second_adds_about_a_third_of_a_metre_per_second():
-    twist = STANDSTILL
-    for i in range(50):
-        u1 = 1 - abs(i - 24.5) / 25  # a stroke's activation rises and falls
-        twist = shaper().step(u1 * 1.6 if u1 * 1.6 < 1 else 1.0, 0.0, twist, 0.01)
-    assert twist.v == pytest.approx(0.32, abs=0.08)
+    stroke = [(min(1.0, 1.6 * (1 - abs(i - 24.5) / 25)), 0.0) for i in range(50)]  # an activation rises and falls
+    assert driven(shaper(), stroke)[-1].v == pytest.approx(0.32, abs=0.08)
 
 
 def test_velocity_mode_is_the_papers_equation_once_the_ramp_is_over():
-    velocity = shaper(mode_u1="velocity")
-    twist = STANDSTILL
-    for _ in range(300):
-        twist = velocity.step(0.5, -0.25, twist, 0.01)
-    assert twist.v == pytest.approx(0.5 * Speeds().forward)
-    assert twist.omega == pytest.approx(-0.25 * Speeds().turn)
+    twist = driven(shaper(mode_u1="velocity"), [(0.5, -0.25)] * 300)[-1]
+    assert twist == Twist(0.5 * Speeds().forward, -0.25 * Speeds().turn)
 
 
 def test_backwards_only_through_standstill():
-    velocity = shaper(mode_u1="velocity")
-    twist, seen = Twist(0.8, 0.0), []
-    for _ in range(300):
-        twist = velocity.step(-1.0, 0.0, twist, 0.01)
-        seen.append(twist.v)
+    seen = [twist.v for twist in driven(shaper(mode_u1="velocity"), [(-1.0, 0.0)] * 300, Twist(0.8, 0.0))]
     assert 0.0 in seen
     assert seen[-1] == -Speeds().reverse
+    assert seen == sorted(seen, reverse=True)
 
 
-@given(
-    st.sampled_from(["velocity", "acceleration"]),
-    st.sampled_from(["velocity", "acceleration"]),
-    st.lists(st.tuples(control, control, st.floats(0, 0.1)), max_size=60),
-)
-def test_speeds_and_ramps_hold_for_any_controls(mode_u1, mode_u2, inputs):
-    speeds = Speeds()
-    shape = shaper(mode_u1=mode_u1, mode_u2=mode_u2)
-    last = STANDSTILL
-    for u1, u2, dt in inputs:
-        twist = shape.step(u1, u2, last, dt)
-        assert -speeds.reverse <= twist.v <= speeds.forward
-        assert abs(twist.omega) <= speeds.turn
-        assert abs(twist.v - last.v) <= max(speeds.acceleration, speeds.deceleration) * dt + 1e-9
-        assert abs(twist.omega - last.omega) <= speeds.turn_acceleration * dt + 1e-9
-        last = twist
+def test_a_wish_for_more_than_the_reverse_speed_gets_the_reverse_speed():
+    assert driven(shaper(mode_u1="velocity"), [(-0.9, 0.0)] * 300)[-1].v == -Speeds().reverse
+
+
+def test_acceleration_mode_adds_what_is_asked_and_keeps_it():
+    assert shaper().speed(0.5, 0.2, 0.0, 0.01) == 0.2 + 0.5 * Speeds().acceleration * 0.01
+    assert shaper().speed(-0.5, 0.2, 0.0, 0.01) == 0.2 - 0.5 * Speeds().acceleration * 0.01
+    assert shaper().speed(0.0, 0.2, 0.0, 0.01) == 0.2
+    turning = shaper(mode_u2="acceleration")
+    assert turning.turn_rate(-0.5, 0.1, 0.0, 0.01) == 0.1 - 0.5 * Speeds().turn / TURN_BUILD_UP * 0.01
+    assert turning.turn_rate(0.0, 0.1, 0.0, 0.01) == 0.1
+
+
+def test_a_cruise_that_nobody_asks_for_runs_out():
+    shape = shaper(cruise_time=2.0)
+    seen = [twist.v for twist in driven(shape, [(0.0, 0.0)] * 400, Twist(0.6, 0.0))]
+    assert seen[:199] == [0.6] * 199
+    assert seen[204] < 0.6
+    assert seen[-1] == 0.0
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_any_intention_lets_it_go_on(sign):
+    shape = shaper(cruise_time=2.0)
+    rest, wish = [(0.0, 0.0)] * 150, [(sign * 1e-6, 0.0)]
+    assert driven(shape, (rest + wish) * 4, Twist(0.6, 0.0))[-1].v == pytest.approx(0.6, abs=1e-5)
+
+
+def test_a_new_permission_begins_the_cruise_anew():
+    shape = shaper(cruise_time=2.0)
+    driven(shape, [(0.0, 0.0)] * 150, Twist(0.6, 0.0))
+    shape.reset()
+    assert driven(shape, [(0.0, 0.0)] * 190, Twist(0.6, 0.0))[-1].v == 0.6
+
+
+def test_in_velocity_mode_nothing_runs_out():
+    shape = shaper(mode_u1="velocity", cruise_time=1.0)
+    assert driven(shape, [(1.0, 0.0)] * 500)[-1].v == Speeds().forward
+    assert shape.coast([0.01] * 500) == 500
+
+
+def test_coasting_at_once_is_coasting_step_by_step():
+    at_once, stepped = shaper(cruise_time=2.0), shaper(cruise_time=2.0)
+    count = at_once.coast([0.01] * 400)
+    seen = [twist.v for twist in driven(stepped, [(0.0, 0.0)] * 400, Twist(0.6, 0.0))]
+    assert seen[count - 1] == 0.6
+    assert seen[count] < 0.6
+    assert at_once.coast([0.001] * 3) <= 3
+    assert shaper(cruise_time=2.0).coast([0.01] * 5) == 5
+
+
+def test_lower_limits_are_shaped_within():
+    shape = shaper(mode_u1="velocity")
+    shape.restrict(Speeds(forward=0.4, turn=0.5))
+    assert driven(shape, [(1.0, -1.0)] * 300)[-1] == Twist(0.4, -0.5)
+
+
+@given(st.lists(st.tuples(st.floats(-0.3, 0.8), st.floats(-0.8, 0.8)), max_size=60), st.floats(0.001, 0.1))
+def test_the_gate_grants_a_shaped_wish_as_it_is(wishes, dt):
+    shape = shaper(mode_u1="velocity")
+    forward, turn = forward_ramp(Speeds()), turn_ramp(Speeds())
+    last, rates = STANDSTILL, STANDSTILL
+    for u1, u2 in wishes:
+        asked = shape.step(u1, u2, last, rates, dt)
+        assert forward.bounded(last.v, rates.v, asked.v, dt) == pytest.approx(asked.v, abs=1e-9)
+        assert turn.bounded(last.omega, rates.omega, asked.omega, dt) == pytest.approx(asked.omega, abs=1e-9)
+        rates = Twist((asked.v - last.v) / dt, (asked.omega - last.omega) / dt)
+        last = asked

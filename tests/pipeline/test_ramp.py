@@ -1,0 +1,122 @@
+"""Speed, acceleration and jerk of one axis: for any wish, any step widths, from any state that can come about."""
+
+import math
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from app.pipeline.ramp import Ramp, reach
+
+FORWARD = Ramp(top=0.8, bottom=0.3, acceleration=0.8, deceleration=1.2, jerk=8.0)
+ROUNDING = 1e-6  # of a limit: a change is a difference of speeds, divided by a short time
+
+ramps = st.builds(
+    Ramp,
+    top=st.floats(0.05, 1.5),
+    bottom=st.floats(0.05, 1.5),
+    acceleration=st.floats(0.1, 3.0),
+    deceleration=st.floats(0.1, 3.0),
+    jerk=st.floats(0.5, 20.0),
+)
+steps = st.one_of(st.just(0.01), st.floats(1e-4, 0.1))
+wishes = st.one_of(st.floats(-2, 2), st.floats(allow_nan=False, allow_infinity=False), st.just(0.0))
+
+
+def followed(ramp, wishes_and_steps, speed=0.0, rate=0.0):
+    """Yield (speed before, rate before, speed, rate, dt) along the way."""
+    for asked, dt in wishes_and_steps:
+        after = ramp.bounded(speed, rate, asked, dt)
+        change = (after - speed) / dt
+        yield speed, rate, after, change, dt
+        speed, rate = after, change
+
+
+def assert_within(ramp, before, rate, after, change, dt):
+    assert -ramp.bottom <= after <= ramp.top
+    assert abs(change - rate) <= ramp.jerk * dt * (1 + ROUNDING) + ROUNDING
+    if before * change > 0 or before == 0.0:  # away from standstill
+        assert abs(change) <= ramp.acceleration * (1 + ROUNDING)
+    else:
+        assert abs(change) <= max(ramp.acceleration, ramp.deceleration) * (1 + ROUNDING)
+    if before * after > 0 and abs(after) < abs(before):
+        assert abs(change) <= ramp.deceleration * (1 + ROUNDING) or abs(rate) > abs(change)
+
+
+@given(ramps, st.lists(st.tuples(wishes, steps), max_size=120))
+def test_no_wish_whatever_gets_past_speed_acceleration_and_jerk(ramp, wished):
+    for step in followed(ramp, wished):
+        assert_within(ramp, *step)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_nor_do_twenty_five_thousand_of_them(seed):
+    rng = np.random.default_rng(seed)
+    ramp = Ramp(*rng.uniform((0.05, 0.05, 0.1, 0.1, 0.5), (1.5, 1.5, 3.0, 3.0, 20.0)).tolist())
+    kinds = rng.choice([9.0, -9.0, 0.0, 1e308, -1e308, 5e-324], size=25_000)
+    wished = np.where(rng.random(25_000) < 0.5, kinds, rng.normal(size=25_000)).repeat(1)
+    widths = np.where(rng.random(25_000) < 0.7, 0.01, rng.uniform(1e-4, 0.1, 25_000))
+    for step in followed(ramp, zip(wished.tolist(), widths.tolist(), strict=True)):
+        assert_within(ramp, *step)
+
+
+def test_what_may_be_done_is_handed_back_bit_for_bit():
+    asked = 0.1 + 0.01 * 0.0777
+    assert FORWARD.bounded(0.1, 0.07, asked, 0.01) == asked
+
+
+@pytest.mark.parametrize("dt", [0.0, -0.01, math.nan])
+def test_without_time_nothing_changes(dt):
+    assert FORWARD.bounded(0.3, 0.2, 0.8, dt) == 0.3
+    assert FORWARD.towards(0.3, 0.2, 0.8, dt) == 0.3
+
+
+@pytest.mark.parametrize("start", [0.8, -0.3])
+def test_a_limit_that_was_lowered_is_come_down_to_and_never_left_upwards(start):
+    lower = FORWARD._replace(top=0.2, bottom=0.1)
+    way = list(followed(lower, [(9.0 * start, 0.01)] * 400, speed=start))
+    assert all(abs(after) <= abs(before) for before, _, after, _, _ in way)
+    assert abs(way[-1][2]) == pytest.approx(0.2 if start > 0 else 0.1, abs=1e-6)
+    assert all(abs(change - rate) <= 8.0 * dt * (1 + ROUNDING) for _, rate, _, change, dt in way)
+    assert max(abs(change) for *_, change, _ in way) <= 1.2 * (1 + ROUNDING)
+
+
+@pytest.mark.parametrize("dt", [0.001, 0.01, 0.02])
+@pytest.mark.parametrize("target", [0.8, 0.35, 0.0, -0.3])
+@pytest.mark.parametrize("start", [0.8, 0.1, 0.0, -0.3])
+def test_a_target_is_reached_exactly_and_not_passed(start, target, dt):
+    speed, rate, way = start, 0.0, [start]
+    for _ in range(round(4 / dt)):
+        after = FORWARD.bounded(speed, rate, FORWARD.towards(speed, rate, target, dt), dt)
+        rate, speed = (after - speed) / dt, after
+        way.append(speed)
+    assert speed == pytest.approx(target, abs=1e-9)
+    assert all((after - before) * (target - start) >= -1e-12 for before, after in pairwise(way))
+    if target == 0.0:
+        assert speed == 0.0
+    # As quick as its limits permit, give or take the softness at both ends.
+    quickest = abs(target - start) / (0.8 if abs(target) > abs(start) else 1.2) if start * target >= 0 else 0.0
+    arrived = next(i for i, speed in enumerate(way) if speed == pytest.approx(target, abs=1e-4)) * dt
+    assert quickest - dt <= arrived <= quickest + 0.3 + 8 * dt or start * target < 0
+
+
+def test_away_from_standstill_and_towards_it_have_limits_of_their_own():
+    up = [change for *_, change, _ in followed(FORWARD, [(0.8, 0.01)] * 150)]
+    down = [change for *_, change, _ in followed(FORWARD, [(0.0, 0.01)] * 150, speed=0.8)]
+    assert max(up) == pytest.approx(0.8)
+    assert min(down) == pytest.approx(-1.2)
+    through = list(followed(FORWARD, [(-0.3, 0.01)] * 200, speed=0.8))
+    assert min(change for before, _, _, change, _ in through if before > 0.2) == pytest.approx(-1.2)
+    assert min(change for before, _, _, change, _ in through if before <= 0) >= -0.8 * (1 + ROUNDING)
+    back = list(followed(FORWARD, [(0.8, 0.01)] * 200, speed=-0.3))
+    assert max(change for before, _, _, change, _ in back if before < -0.1) == pytest.approx(1.2, rel=0.2)
+    assert max(change for before, _, _, change, _ in back if before >= 0) <= 0.8 * (1 + ROUNDING)
+
+
+@given(st.floats(0, 3), st.floats(0.5, 20), st.floats(1e-4, 0.1))
+def test_reach_spends_the_headroom_and_no_more(headroom, jerk, dt):
+    rate = reach(headroom, jerk, dt)
+    assert rate * dt + rate * rate / (2 * jerk) == pytest.approx(headroom, abs=1e-9)
+    assert reach(-headroom, jerk, dt) == -rate or headroom == 0
