@@ -1,0 +1,285 @@
+"""The gate: what a chair says, levels of limits, counted stops, ten thousand boots."""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from app.faults import EXPLANATIONS, Fault, State
+from app.geometry import STANDSTILL, Twist
+from app.pipeline.safety import (
+    CHAIR_SILENT,
+    NEUTRAL_PATIENCE,
+    NEUTRAL_TIME,
+    SCREEN_SILENT,
+    BadGestures,
+    ChairCondition,
+    Conditions,
+    SafetyGate,
+    shirt_limits,
+    stop_rate,
+    towards_zero,
+)
+from app.speeds import NO_FURTHER, Speeds, dialled, most_restrictive
+
+DT = 0.01
+SPEEDS = Speeds()
+READY, WAITING, INHIBITED = ChairCondition.READY, ChairCondition.WAITING, ChairCondition.INHIBITED
+SMALLEST = {"acceleration": 0.1, "deceleration": 0.1, "turn_acceleration": 0.1, "jerk": 0.5, "turn_jerk": 1.0}
+
+
+def decide(gate, t, *, neutral=True, bad=BadGestures(), age=0.0, **conditions):  # noqa: B008  (it is a tuple)
+    return gate.decide(t, DT, neutral, bad, age, Conditions(**conditions))
+
+
+def armed_gate(speeds=SPEEDS):
+    gate = SafetyGate(speeds, 100.0)
+    assert gate.arm()
+    for i in range(60):
+        decide(gate, i * DT)
+    assert gate.state is State.ARMED
+    return gate
+
+
+def moving_gate():
+    gate = armed_gate()
+    for _ in range(200):
+        gate.limit(Twist(9.0, 9.0), DT)
+    return gate
+
+
+def test_ten_thousand_boots_and_not_one_command_but_zero():
+    rng = np.random.default_rng(1)
+    for wish in rng.normal(size=(10_000, 2)).tolist():
+        gate = SafetyGate(SPEEDS, 100.0)
+        assert decide(gate, 0.0) is State.DISARMED
+        assert gate.limit(Twist(*wish), DT) is STANDSTILL
+
+
+def test_the_neutral_check_begins_when_it_is_first_looked_at():
+    gate = SafetyGate(SPEEDS, 100.0)
+    gate.arm()
+    assert decide(gate, 1000.0) is State.CHECKING
+    assert decide(gate, 1000.0 + NEUTRAL_TIME - 1e-9) is State.CHECKING
+    assert decide(gate, 1000.0 + NEUTRAL_TIME) is State.ARMED
+
+
+def test_arming_again_does_not_shorten_the_check_nor_interrupt_a_drive():
+    gate = SafetyGate(SPEEDS, 100.0)
+    gate.arm()
+    decide(gate, 0.0)
+    assert gate.arm()
+    assert decide(gate, 0.3) is State.CHECKING
+    assert decide(gate, NEUTRAL_TIME) is State.ARMED
+    assert gate.arm()
+    assert gate.state is State.ARMED
+
+
+@pytest.mark.parametrize("leave", ["disarm", "clear"])
+def test_after_any_way_out_the_whole_check_comes_again(leave):
+    gate = moving_gate()
+    if leave == "clear":
+        gate.stop(Fault.STOP_TABLET)
+        assert gate.clear(gate.stops)
+    gate.disarm()
+    assert gate.arm()
+    assert decide(gate, 50.0) is State.CHECKING
+    assert decide(gate, 50.0 + NEUTRAL_TIME - 1e-6) is State.CHECKING
+    assert decide(gate, 50.0 + NEUTRAL_TIME) is State.ARMED
+
+
+def test_the_patience_is_five_seconds_and_not_a_tick_less():
+    gate = SafetyGate(SPEEDS, 100.0)
+    gate.arm()
+    decide(gate, 0.0, neutral=False)
+    assert decide(gate, NEUTRAL_PATIENCE, neutral=False) is State.CHECKING
+    assert decide(gate, math.nextafter(NEUTRAL_PATIENCE, 9), neutral=False) is State.FAULT
+    assert gate.fault is Fault.NOT_NEUTRAL
+
+
+def test_a_chair_that_is_not_ready_is_waited_for():
+    gate = SafetyGate(SPEEDS, 100.0)
+    gate.arm()
+    for i in range(200):
+        assert decide(gate, i * DT, chair=WAITING) is State.CHECKING
+    assert decide(gate, 2.0) is State.ARMED
+
+
+def test_and_not_for_longer_than_five_seconds():
+    gate = SafetyGate(SPEEDS, 100.0)
+    gate.arm()
+    decide(gate, 0.0, chair=WAITING)
+    assert decide(gate, NEUTRAL_PATIENCE, chair=WAITING) is State.CHECKING
+    assert decide(gate, math.nextafter(NEUTRAL_PATIENCE, 9), chair=WAITING) is State.FAULT
+    assert gate.fault is Fault.CHAIR_NOT_READY
+
+
+@pytest.mark.parametrize(
+    ("conditions", "fault"),
+    [
+        ({"chair": WAITING}, Fault.CHAIR_DISARMED),
+        ({"chair": INHIBITED}, Fault.STOP_CHAIR),
+        ({"chair_age": math.nextafter(CHAIR_SILENT, 1)}, Fault.CHAIR_SILENT),
+        ({"chair_age": math.inf}, Fault.CHAIR_SILENT),
+        ({"chair_age": math.nan}, Fault.CHAIR_SILENT),
+        ({"screen_age": math.nextafter(SCREEN_SILENT, 1)}, Fault.SCREEN_LOST),
+        ({"screen_age": math.nan}, Fault.SCREEN_LOST),
+    ],
+)
+def test_what_the_chair_or_the_screen_does_not_say_stops(conditions, fault):
+    gate = moving_gate()
+    assert decide(gate, 1.0, **conditions) is State.FAULT
+    assert gate.fault is fault
+    assert abs(gate.limit(Twist(9.0, 9.0), DT).v) < SPEEDS.forward
+
+
+def test_at_the_border_itself_it_drives_on():
+    assert decide(moving_gate(), 1.0, chair_age=CHAIR_SILENT, screen_age=SCREEN_SILENT) is State.ARMED
+
+
+def test_a_pressed_switch_forbids_the_check_too():
+    gate = SafetyGate(SPEEDS, 100.0)
+    gate.arm()
+    assert decide(gate, 0.0, chair=INHIBITED) is State.FAULT
+    assert gate.fault is Fault.STOP_CHAIR
+
+
+def test_one_bad_gesture_is_not_at_rest():
+    gate = SafetyGate(SPEEDS, 100.0)
+    gate.arm()
+    for i in range(501):
+        assert decide(gate, i * DT, bad=BadGestures(1)) is State.CHECKING
+    decide(gate, 5.02, bad=BadGestures(1))
+    assert gate.fault is Fault.CHANNELS_BAD
+
+
+def test_the_last_brake_that_breaks_stops_at_once():
+    gate = moving_gate()
+    assert decide(gate, 1.0, bad=BadGestures(1, brakes=False)) is State.ARMED
+    assert decide(gate, 1.0, bad=BadGestures(1, brakes=True)) is State.FAULT
+    assert gate.fault is Fault.BRAKE_BAD
+
+
+def test_each_stop_counts_and_only_who_saw_the_last_clears():
+    gate = armed_gate()
+    gate.stop(Fault.STOP_TABLET)
+    seen = gate.stops
+    gate.stop(Fault.STOP_KEY)
+    assert not gate.clear(seen)
+    assert (gate.state, gate.fault) == (State.FAULT, Fault.STOP_TABLET)
+    assert gate.clear(seen + 1)
+    assert (gate.state, gate.fault) == (State.DISARMED, Fault.NONE)
+    assert not gate.clear(gate.stops)
+
+
+def test_a_fault_that_is_found_counts_too():
+    gate = moving_gate()
+    decide(gate, 1.0, recording=False)
+    assert gate.stops == 1
+    decide(gate, 1.1, recording=False)
+    assert gate.stops == 1  # latched already: nothing is looked for any more
+
+
+def test_every_fault_of_the_gate_has_words():
+    assert set(EXPLANATIONS) == set(Fault)
+    assert all(words.happened.endswith(".") and words.next_step.endswith(".") for words in EXPLANATIONS.values())
+
+
+@pytest.mark.parametrize("name", list(Speeds.model_fields))
+def test_a_lower_limit_holds_at_once_and_a_higher_one_only_at_rest(name):
+    lower = SPEEDS.model_copy(update={name: max(0.5 * getattr(SPEEDS, name), SMALLEST.get(name, 0.0))})
+    gate = moving_gate()
+    assert gate.restrict(lower, neutral=False)
+    assert gate.limits == lower
+    assert not gate.restrict(SPEEDS, neutral=True)  # it moves
+    assert gate.limits == lower
+    gate.disarm()
+    for _ in range(50):
+        gate.limit(STANDSTILL, DT)
+    assert not gate.restrict(SPEEDS, neutral=False)
+    assert gate.restrict(SPEEDS, neutral=True)
+    assert gate.limits == SPEEDS
+
+
+def test_a_speed_above_a_limit_that_was_lowered_comes_down_at_the_deceleration():
+    gate = moving_gate()
+    assert gate.restrict(dialled(SPEEDS, 0.5), neutral=False)
+    twists = [gate.limit(Twist(9.0, 9.0), DT) for _ in range(200)]
+    speeds = [twist.v for twist in twists]
+    assert speeds == sorted(speeds, reverse=True)
+    assert twists[-1] == pytest.approx((0.4, 0.6), abs=1e-6)
+    assert max(-np.diff(speeds)) <= SPEEDS.deceleration * DT * (1 + 1e-6)
+
+
+levels = st.builds(
+    Speeds,
+    forward=st.floats(0.05, 1.5),
+    reverse=st.floats(0.05, 1.5),
+    turn=st.floats(0.05, 2.5),
+    acceleration=st.floats(0.1, 3.0),
+    deceleration=st.floats(0.1, 3.0),
+    turn_acceleration=st.floats(0.1, 20.0),
+    jerk=st.floats(0.5, 20.0),
+    turn_jerk=st.floats(1.0, 400.0),
+)
+
+
+@given(st.lists(st.tuples(levels, st.booleans(), st.booleans()), max_size=20))
+def test_no_limit_ever_rises_but_at_standstill_and_neutral(steps):
+    gate = armed_gate()
+    for wanted, neutral, moves in steps:
+        if moves:
+            gate.limit(Twist(0.3, 0.1), DT)
+        before, stood = gate.limits, gate.last == STANDSTILL
+        done = gate.restrict(wanted, neutral)
+        assert gate.limits == (wanted if done else before)
+        raised = any(getattr(gate.limits, name) > getattr(before, name) for name in Speeds.model_fields)
+        assert not raised or (neutral and stood)
+
+
+@given(levels, levels, levels, st.floats(0.1, 1))
+def test_of_several_levels_the_smallest_holds(own, clinic, chair, share):
+    smallest = most_restrictive(own, clinic, chair)
+    for name in Speeds.model_fields:
+        assert getattr(smallest, name) == min(getattr(level, name) for level in (own, clinic, chair))
+        assert getattr(NO_FURTHER, name) >= getattr(dialled(smallest, share), name)
+
+
+def test_after_a_drive_the_ramps_begin_at_nothing():
+    gate = moving_gate()
+    gate.disarm()
+    assert gate.rates == STANDSTILL
+    gate.stand()
+    assert (gate.last, gate.rates) == (STANDSTILL, STANDSTILL)
+
+
+def test_a_step_without_time_leaves_the_ramps_alone():
+    gate = armed_gate()
+    gate.limit(Twist(9.0, 9.0), DT)
+    before = gate.last, gate.rates
+    gate.limit(Twist(9.0, 9.0), 0.0)
+    assert (gate.last, gate.rates) == before
+
+
+def test_the_rates_are_what_the_speeds_did():
+    gate = armed_gate()
+    first = gate.limit(Twist(9.0, -9.0), DT)
+    assert gate.rates == pytest.approx((first.v / DT, first.omega / DT))
+    assert (first.v, first.omega) == pytest.approx((SPEEDS.jerk * DT * DT, -SPEEDS.turn_jerk * DT * DT))
+
+
+@pytest.mark.parametrize(
+    ("rate", "limits"), [(59.999, (3 / 59.999, 12 / 59.999)), (60.0, (0.05, 0.2)), (10, (0.3, 1.2))]
+)
+def test_the_shirt_s_limits_change_over_at_60_hz(rate, limits):
+    assert shirt_limits(rate) == pytest.approx(limits)
+
+
+def test_the_way_to_standstill():
+    assert stop_rate(0.4, 3.0) == 3.0
+    assert stop_rate(-1.5, 3.0) == 6.0
+    assert towards_zero(0.5, 0.2) == pytest.approx(0.3)
+    assert towards_zero(-0.5, 0.2) == pytest.approx(-0.3)
+    assert towards_zero(0.1, 0.2) == towards_zero(-0.1, 0.2) == towards_zero(0.0, 0.2) == 0.0
