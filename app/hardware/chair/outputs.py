@@ -3,11 +3,15 @@
 import json
 import math
 import os
+import select
 from collections.abc import Mapping
 from importlib import import_module
 from typing import Protocol
 
-from app.geometry import Twist
+from app.geometry import Pose, Twist
+from app.hardware.chair.odometry import arc
+
+STDOUT = 1
 
 
 class OutputRefused(Exception):  # noqa: N818
@@ -24,65 +28,88 @@ class Output(Protocol):
         ...
 
     def close(self) -> None:
-        """Give back what is held; the chair stands."""
+        """Let the chair stand, and give back what is held."""
         ...
 
 
-class SimulatedDrive:
-    """A differential drive that is a program: two wheels, and where they have led."""
+class Sink:
+    """Lines to a reader who may be slow: what would have to wait is not written."""
 
-    is_real = False
-    WHEEL_DISTANCE = 0.55  # m, between the driven wheels of a powered chair
+    def __init__(self, handle: int) -> None:
+        self._handle = handle
+        self._writable = select.poll()
+        self._writable.register(handle, select.POLLOUT)
 
-    def __init__(self) -> None:
-        self.x = self.y = self.theta = 0.0  # m, m, rad
-        self.left = self.right = 0.0  # m/s, of the wheels
-        self._t: float | None = None
+    def put(self, line: str) -> bool:
+        """Write a line; return False when there is no room for it now, raise OSError when nobody reads any more.
 
-    def drive(self, t: float, state: str, twist: Twist, reason: str) -> None:  # noqa: ARG002
-        """Turn the wheels; what they did until now has moved the chair."""
-        dt = 0.0 if self._t is None else t - self._t
-        v, omega = (self.left + self.right) / 2, (self.right - self.left) / self.WHEEL_DISTANCE
-        self.x += v * math.cos(self.theta) * dt
-        self.y += v * math.sin(self.theta) * dt
-        self.theta = math.remainder(self.theta + omega * dt, math.tau)
-        half = twist.omega * self.WHEEL_DISTANCE / 2
-        self.left, self.right, self._t = twist.v - half, twist.v + half, t
-
-    def close(self) -> None:
-        """Hold nothing."""
+        A pipe that is ready has room for a page, more than any line here; its flags, which it shares with other
+        programs, stay as they are.
+        """
+        if not self._writable.poll(0):
+            return False
+        os.write(self._handle, f"{line}\n".encode())
+        return True
 
 
 class Lines:
-    """One JSON line for each change and at least every 100 ms, on stdout; a reader that does not read misses lines."""
+    """One JSON line for each change and at least every 100 ms; a reader that does not read misses lines."""
 
     is_real = False
     EVERY = 0.1  # s
+    MARGIN = 0.01  # s, a step: the line that would be due before the next one is said now
 
-    def __init__(self, handle: int = 1) -> None:
-        self._handle = handle
-        os.set_blocking(handle, False)
+    def __init__(self, handle: int = STDOUT) -> None:
+        self._sink = Sink(handle)
         self._last: tuple[str, Twist, str] | None = None
         self._due = -math.inf
-        self._rest = b""  # of a line that only partly went out: the next begins on a line of its own
 
     def drive(self, t: float, state: str, twist: Twist, reason: str) -> None:
         """Say what is driven, when it is something else or was not said for long."""
         now = (state, twist, reason)
         if now == self._last and t < self._due:
             return
-        self._last, self._due = now, t + self.EVERY
         line = {"t": round(t, 6), "state": state, "v": twist.v, "omega": twist.omega, "reason": reason}
-        waiting = self._rest or json.dumps(line).encode() + b"\n"
-        try:
-            self._rest = waiting[os.write(self._handle, waiting) :]
-        except BlockingIOError:
-            self._last = None  # said as soon as there is room
-        # What else goes wrong is for the caller: nobody is left who reads.
+        if self._sink.put(json.dumps(line)):
+            self._last, self._due = now, t + self.EVERY - self.MARGIN
 
     def close(self) -> None:
-        """Leave stdout as it was found."""
-        os.set_blocking(self._handle, True)
+        """Hold nothing."""
+
+
+class SimulatedDrive:
+    """A differential drive that is a program: two wheels, where they have led, and a line about it every second."""
+
+    is_real = False
+    WHEEL_DISTANCE = 0.55  # m, between the driven wheels of a powered chair
+    EVERY = 1.0  # s
+
+    def __init__(self, handle: int = STDOUT) -> None:
+        self.pose = Pose(0.0, 0.0, 0.0)
+        self.left = self.right = 0.0  # m/s, of the wheels
+        self._sink = Sink(handle)
+        self._t: float | None = None
+        self._state = ""
+        self._due = -math.inf
+
+    def drive(self, t: float, state: str, twist: Twist, reason: str) -> None:
+        """Turn the wheels; what they did until now has moved the chair."""
+        dt = 0.0 if self._t is None else t - self._t
+        turned = Twist((self.left + self.right) / 2, (self.right - self.left) / self.WHEEL_DISTANCE)
+        self.pose = arc(self.pose, turned, dt)
+        half = twist.omega * self.WHEEL_DISTANCE / 2
+        self.left, self.right, self._t = twist.v - half, twist.v + half, t
+        if (state != self._state or t >= self._due) and self._sink.put(self._words(state, reason)):
+            self._state, self._due = state, t + self.EVERY
+
+    def close(self) -> None:
+        """Hold nothing."""
+
+    def _words(self, state: str, reason: str) -> str:
+        x, y, theta = self.pose
+        where = f"at ({x:.2f}, {y:.2f}) m, heading {math.degrees(theta):.0f} degrees"
+        words = f"{state}: wheels at {self.left:.2f} and {self.right:.2f} m/s, {where}."
+        return f"{words} {reason}" if reason else words
 
 
 OUTPUTS: Mapping[str, tuple[str, str]] = {
@@ -93,20 +120,18 @@ OUTPUTS: Mapping[str, tuple[str, str]] = {
 
 
 def open_output(word: str) -> Output:
-    """Return the output of this name.
+    """Return the output of this name in `OUTPUTS`.
 
     Raises
     ------
     OutputRefused
-        When there is no such output, or the library that it needs is missing.
+        When the library that it needs is missing, or does not find what it needs.
     """
-    if word not in OUTPUTS:
-        raise OutputRefused(f"there is no output '{word}': use one of {', '.join(OUTPUTS)}")
     module, name = OUTPUTS[word]
     try:
         output: Output = getattr(import_module(module), name)()
     except ModuleNotFoundError as error:
         raise OutputRefused(
-            f"the output '{word}' needs the library '{error.name}': install it with pip install 'bodydrive[{word}]'"
+            f"the output {word} needs the library {error.name}, install it with pip install 'bodydrive[{word}]'"
         ) from error
     return output

@@ -12,9 +12,9 @@ class Reason(IntEnum):
     WITHDRAWN = 3  # the sender took back its permission to drive
     STOP_INPUT = 4
     NOT_NEUTRAL = 5  # no zero commands after a new epoch
-    LATE = 6  # the receiver itself stood still
+    LATE = 6  # the receiver itself was held up
     OUTPUT = 7  # what the receiver drives does not take commands
-    ENDING = 8  # the receiver is being ended
+    ENDING = 8  # somebody ended the receiver
 
 
 WORDS = {
@@ -22,9 +22,9 @@ WORDS = {
     Reason.SILENT: "The chair heard no new command for too long.",
     Reason.TOLD_TO_STOP: "The chair was told to stop.",
     Reason.WITHDRAWN: "The sender withdrew its permission to drive.",
-    Reason.STOP_INPUT: "The chair's own stop switch is pressed.",
+    Reason.STOP_INPUT: "The chair was stopped by its own switch.",
     Reason.NOT_NEUTRAL: "The chair was not commanded to stand for half a second after it was armed.",
-    Reason.LATE: "The chair's own computer stood still for too long.",
-    Reason.OUTPUT: "The chair's electronics do not take commands.",
-    Reason.ENDING: "The chair's receiver is being ended.",
+    Reason.LATE: "The chair's own computer was held up for too long.",
+    Reason.OUTPUT: "The chair's electronics took no commands.",
+    Reason.ENDING: "The chair's receiver was ended.",
 }

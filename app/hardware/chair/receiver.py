@@ -75,8 +75,8 @@ class Receiver:
     state : ReceiverState
     reason : Reason
         Why the chair stands; NONE once it is armed.
-    accepted : int
-        Commands that were acted on.
+    nonce : bytes
+        What the tag of a command must cover now; new after every epoch.
     """
 
     def __init__(
@@ -95,12 +95,11 @@ class Receiver:
         self._omega = _Axis(omega_max, TURN_ACCELERATION, STOP_TURN_DECELERATION)
         self.state = ReceiverState.DISARMED
         self.reason = Reason.NONE
-        self.accepted = 0
         self.nonce = new_nonce(NONCE_BYTES)
         self._epoch: int | None = None  # the last one that was taken
         self._sequence = 0
         self._digest = b""
-        self._was_driven = False  # the drive flag was set in this epoch
+        self._was_permitted = False  # the drive flag was set in this epoch
         self._heard = self._checking_since = self._neutral_since = -math.inf
         self._sender_t = 0.0
         self._quickest = math.inf  # s, smallest difference between our clock and the sender's in this epoch
@@ -120,10 +119,11 @@ class Receiver:
             if not self._opens_epoch(command):
                 return False
             self._begin_epoch(command, t)
-        elif not self._is_newer(command, t):
+        elif self.state is ReceiverState.FAULT or not self._is_newer(command, t):
             return False
-        self.accepted += 1
         self._judge_lateness(command, t)
+        if t - self._heard >= QUIET:
+            self._neutral_since = t
         self._sequence, self._heard = command.sequence, t
         self._obey(command, t)
         return True
@@ -173,12 +173,16 @@ class Receiver:
     def _begin_epoch(self, command: Command, t: float) -> None:
         self.state = ReceiverState.CHECKING
         self._epoch, self._digest = command.epoch, command.digest
-        self._was_driven = False
+        self._was_permitted = False
         self._checking_since = self._neutral_since = t
         self._quickest = math.inf
 
     def _is_newer(self, command: Command, t: float) -> bool:
-        if command.epoch != self._epoch or command.digest != self._digest or command.sequence <= self._sequence:
+        if command.epoch != self._epoch or command.sequence <= self._sequence:
+            return False
+        if command.flags & STOP:  # never too late, whatever it was armed with
+            return True
+        if command.digest != self._digest:
             return False
         sender_t = command.t_ns * 1e-9
         if sender_t <= self._sender_t:  # a clock that stands tells nothing
@@ -196,15 +200,17 @@ class Receiver:
     def _obey(self, command: Command, t: float) -> None:
         if command.flags & STOP:
             self.stop(Reason.TOLD_TO_STOP)
-        elif self._was_driven and not command.flags & DRIVE:
+            return
+        if self._was_permitted and not command.flags & DRIVE:
             self.stop(Reason.WITHDRAWN)
-        elif self.state is ReceiverState.CHECKING:
+            return
+        self._was_permitted = bool(command.flags & DRIVE)
+        if self.state is ReceiverState.CHECKING:
             if command.v or command.omega:
                 self._neutral_since = t
             elif t - self._neutral_since >= NEUTRAL_TIME:
                 self.state, self.reason = ReceiverState.ARMED, Reason.NONE
-        elif self.state is ReceiverState.ARMED and command.flags & DRIVE:
-            self._was_driven = True
+        elif self._was_permitted:
             self._drive(self._v, command.v, command.v_cap)
             self._drive(self._omega, command.omega, command.omega_cap)
 

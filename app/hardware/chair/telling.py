@@ -3,8 +3,9 @@
 import math
 import socket
 from contextlib import suppress
-from typing import Any, Protocol
+from typing import Any
 
+from app.hardware.chair.inputs import Inputs
 from app.hardware.chair.packet import is_hello
 from app.hardware.chair.receiver import Receiver, ReceiverState
 
@@ -12,15 +13,6 @@ EVERY = 0.1  # s
 ANSWER_PAUSE = 0.02  # s between two answers to hellos: anybody can say hello
 
 Address = Any  # what a socket calls an address
-
-
-class Battery(Protocol):
-    """What is read just before it is told."""
-
-    @property
-    def battery(self) -> float:
-        """Charge, 0..1, NaN when unknown."""
-        ...
 
 
 class Telling:
@@ -46,13 +38,13 @@ class Telling:
         if t - self._answered >= ANSWER_PAUSE and is_hello(datagram, self._key_id):
             self._hello = self._asking = address
 
-    def tell(self, t: float, battery: Battery, stop_pressed: bool) -> None:
-        """Send what is due at `t` (s)."""
+    def tell(self, t: float, inputs: Inputs, stop_pressed: bool, now: bool = False) -> None:
+        """Send what is due at `t` (s), or `now`."""
         state = self._receiver.state
-        due = t - self._told >= EVERY or state is not self._state
+        due = now or t - self._told >= EVERY or state is not self._state
         if not due and self._hello is None:
             return
-        datagram = self._receiver.telemetry(t, battery.battery, stop_pressed=stop_pressed)
+        datagram = self._receiver.telemetry(t, inputs.battery, stop_pressed=stop_pressed)
         if self._hello is not None:
             self._send(datagram, self._hello)
             self._hello, self._answered = None, t

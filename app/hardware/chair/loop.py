@@ -1,0 +1,106 @@
+"""The receiver's loop: looks at the watch every 10 ms, whatever comes in. Standard library only."""
+
+import math
+import select
+import socket
+
+from app.clock import Clock
+from app.hardware.chair.inputs import Inputs
+from app.hardware.chair.outputs import Output
+from app.hardware.chair.packet import FRAME_BYTES
+from app.hardware.chair.reasons import WORDS, Reason
+from app.hardware.chair.receiver import Receiver
+from app.hardware.chair.telling import Telling
+
+STEP = 0.01  # s between two looks at the watch: the finest of safety.md's limits is 100 ms
+LEAST = 0.001  # s to listen, after a hold-up, too
+DRAINING = 0.005  # s in a step for what is no command: the rest of the machine lives on in a flood
+ENDING_LIMIT = 0.5  # s for the way to standstill when somebody ends this
+PROBE_STEPS = 50  # steps whose lateness is measured at the start
+PROBE_LIMIT = 0.01  # s: as much later would make 110 ms of the 100
+
+
+class ReceiverLoop:
+    """Turns in steps until `ending`.
+
+    Attributes
+    ----------
+    ending : bool
+        Set by whoever ends it, also from within a signal.
+    """
+
+    def __init__(
+        self, receiver: Receiver, telling: Telling, end: socket.socket, output: Output, inputs: Inputs, clock: Clock
+    ) -> None:
+        """`end` is a bound socket that does not block."""
+        self._receiver = receiver
+        self._telling = telling
+        self._socket = end
+        self._output = output
+        self._inputs = inputs
+        self._clock = clock
+        self._output_broken = False
+        self.ending = False
+
+    def run(self) -> None:
+        """Turn until `ending`, then bring the chair to standstill and say so."""
+        due = self._clock.now()
+        while not self.ending:
+            due = max(due + STEP, self._clock.now() + LEAST)
+            self._listen(due)
+            self._step()
+        self._receiver.stop(Reason.ENDING)
+        until = self._clock.now() + ENDING_LIMIT
+        while any(self._receiver.driven) and self._clock.now() < until:
+            due += STEP
+            self._clock.sleep_until(due)
+            self._step()
+        self._step(last=True)
+
+    def _listen(self, due: float) -> None:
+        """Take what comes until `due` (s); commands take effect at once."""
+        enough = math.inf
+        while (t := self._clock.now()) < due:
+            if t >= enough:
+                self._clock.sleep_until(due)
+                return
+            try:
+                datagram, address = self._socket.recvfrom(FRAME_BYTES + 1)  # the one more shows what is too long
+            except OSError:  # nothing is there; or an answer of ours found nobody, which is no news about the chair
+                select.select([self._socket], [], [], due - t)
+                continue
+            if self._receiver.take(datagram, t):
+                self._telling.commanded_by(address)
+                self._step()
+            else:
+                self._telling.greet(datagram, address, t)
+                enough = min(enough, t + DRAINING)
+
+    def _step(self, last: bool = False) -> None:
+        t = self._clock.now()
+        pressed = self._inputs.stop_pressed
+        twist = self._receiver.step(t, stop_pressed=pressed, output_broken=self._output_broken)
+        state, reason = self._receiver.state, self._receiver.reason
+        try:
+            self._output.drive(t, state.name.lower(), twist, "" if reason is Reason.NONE else WORDS[reason])
+            self._output_broken = False
+        except OSError:
+            self._output_broken = True
+            if not self._output.is_real:
+                self.ending = True  # nobody reads any more
+        self._telling.tell(t, self._inputs, pressed, now=last)
+
+
+def slowness(clock: Clock) -> list[str]:
+    """Measure for half a second whether this machine keeps the steps; return what is to be said."""
+    due, worst = clock.now(), 0.0
+    for _ in range(PROBE_STEPS):
+        due += STEP
+        clock.sleep_until(due)
+        worst = max(worst, clock.now() - due)
+    if worst <= PROBE_LIMIT:
+        return []
+    return [
+        f"This machine was {1e3 * worst:.0f} ms late in half a second of waiting: the chair may stop by as much later "
+        "than the 110 and 310 ms that are promised. End other programs before anybody drives."
+    ]
