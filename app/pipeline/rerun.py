@@ -65,4 +65,4 @@ def _chair(meta: dict[str, Any]) -> VirtualChair | None:
     except ValidationError as error:
         raise ValueError(one_sentence(error, "its run.json, floorplan")) from error
     path = plan.path_named(meta["path"]) if meta.get("path") else plan.paths[0]
-    return VirtualChair(plan, Pose(*path.start))
+    return VirtualChair(plan, Pose(*path.start), meta.get("dynamics", "unicycle"))

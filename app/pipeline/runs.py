@@ -114,6 +114,7 @@ class Runs:
             "parameters": parameters.model_dump(mode="json") if parameters else None,
             "floorplan": floorplan.model_dump(mode="json") if floorplan else None,
             "path": setup.path.name if setup.path else None,
+            "dynamics": setup.dynamics,
             "meta": fields.meta,
         }
         folder = Path(fields.folder)

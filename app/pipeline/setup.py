@@ -50,6 +50,11 @@ class Setup:
         self.chain = Chain(IDLE_RATE, None, self.chair)
 
     @property
+    def dynamics(self) -> Dynamics | None:
+        """How the virtual chair moves; None when a real one is driven, which moves by itself."""
+        return None if self.link else self._dynamics
+
+    @property
     def sample_rate(self) -> float:
         """Frames per second (Hz) that the shirt promises; the loop's own pace without a shirt."""
         return self.shirt.sample_rate if self.shirt else IDLE_RATE

@@ -3,6 +3,7 @@
 import asyncio
 
 import numpy as np
+import pytest
 from processes.running_control import ROOM, SIMULATED, armed, refusal, running, tick_with
 from processes.wearer import Wearer, free_port, shirt_config
 
@@ -54,7 +55,8 @@ def test_a_run_with_cues_is_recorded(tmp_path):
     assert (np.diff(frames["frame_seq"].astype(int)) == 1).all()
 
 
-def test_a_drive_is_recorded_and_decoding_the_recording_gives_the_same_drive(tmp_path):
+@pytest.mark.parametrize("dynamics", ["unicycle", "wheelchair"])
+def test_a_drive_is_recorded_and_decoding_the_recording_gives_the_same_drive(tmp_path, dynamics):
     parameters = make_parameters()
 
     async def story():
@@ -63,6 +65,7 @@ def test_a_drive_is_recorded_and_decoding_the_recording_gives_the_same_drive(tmp
             await control.call("shirt", config=shirt_config(parameters, port))
             digest = (await control.call("parameters", parameters=parameters.model_dump(mode="json")))["hash"]
             assert digest == parameters.hash
+            await control.call("chair", config={"kind": "virtual", "dynamics": dynamics})
             await control.call("world", floorplan=ROOM, path="ahead")
             wearer = Wearer(parameters, port)
             try:
@@ -93,7 +96,7 @@ def test_a_drive_is_recorded_and_decoding_the_recording_gives_the_same_drive(tmp
 
     asyncio.run(story())
     run = read_run(tmp_path / "run")
-    assert run.words == ""
+    assert (run.words, run.meta["dynamics"]) == ("", dynamics)
     again = decode_run(run, parameters)
     frames = run.frames()
     for name in ("score", "rate", "activation", "u1", "u2"):
