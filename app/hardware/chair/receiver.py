@@ -185,7 +185,7 @@ class Receiver:
         if command.digest != self._digest:
             return False
         sender_t = command.t_ns * 1e-9
-        if sender_t <= self._sender_t:  # a clock that stands tells nothing
+        if sender_t == self._sender_t:  # a clock that stands tells nothing
             return True
         allowed = self._quickest + FORGIVEN * (t - self._heard) + LATE
         return t - sender_t <= allowed
