@@ -16,7 +16,7 @@ from app.ring import TickRing
 
 LONGEST_WAIT = 0.02  # s without a frame, then a tick is made without one
 WAIT_PERIODS = 2.0  # the same for a fast shirt, so that its jitter makes no ticks of its own
-CHAIR_WAIT = 0.01  # s between two looks at a real chair, and at what the web process wants of it
+CHAIR_WAIT = 0.01  # s between two looks at a real chair, and at what the web process wants of it (LONGEST_WAIT / 2)
 BURST = 0.01  # s for which a due command is put off while frames are there already: only the newest matters
 ALIVE = 0.5  # s: a shirt that sent nothing for so long is not alive
 
@@ -83,7 +83,8 @@ class ControlLoop:
         wait = self._wait
         if link is not None:
             now = self._clock.now()
-            wait = max(0.0, min(CHAIR_WAIT, min(self._deadline, link.due) - now))
+            left = max(0.0, min(self._deadline, link.due) - now)
+            wait = left if left <= CHAIR_WAIT else left / 2
         if shirt is not None:
             frame, lost = shirt.read(wait), shirt.lost
         else:
@@ -161,7 +162,7 @@ def chair_condition(link: ChairLink) -> ChairCondition:
     """Return what the gate must know of what a real chair says."""
     if link.heard.inhibited:
         return ChairCondition.INHIBITED
-    return ChairCondition.READY if link.heard.ready else ChairCondition.WAITING
+    return ChairCondition.READY if link.ready else ChairCondition.WAITING
 
 
 def note_chair(tick: Tick, link: ChairLink, t: float) -> None:

@@ -14,7 +14,7 @@ from app.hardware.base import HardwareError
 from app.hardware.chair.key import Key, new_key, write_key
 from app.hardware.chair.link import HELLO_EVERY, LAST_FRAMES, MOST_DATAGRAMS, PERIOD, ChairLink
 from app.hardware.chair.packet import DRIVE, STOP, encode_telemetry
-from app.hardware.chair.reasons import Reason
+from app.hardware.chair.reasons import WORDS, Reason
 from app.hardware.configs import RealChairConfig
 from app.speeds import NO_FURTHER, Speeds
 
@@ -241,6 +241,21 @@ def test_commands_that_arrive_in_time_do_not(story):
         assert story.link.age(story.t) < 0.05
 
 
+def test_a_sender_that_stood_still_does_not_let_the_chair_go_on(story):
+    """Safety S15: the chair has begun to stop by itself."""
+    epoch = story.arm()
+    sequence = story.during(0.1, State.ARMED, AHEAD)[-1].sequence
+    story.t += 0.2
+    story.hear(ARMED, epoch, sequence)
+    assert story.link.heard.ready
+    assert not story.link.ready
+    story.turn(State.FAULT)
+    story.check()
+    last = story.during(0.1, State.CHECKING)[-1]
+    story.hear(ARMED, last.epoch, last.sequence)
+    assert story.link.ready
+
+
 def test_recorded_telemetry_changes_nothing(story):
     epoch = story.arm()
     recorded = story.chair.say(ARMED, epoch, 4)
@@ -323,7 +338,7 @@ def test_it_stands_when_the_chair_says_so_or_after_a_while(story):
 def test_its_words_tell_what_the_chair_says(story):
     story.meet()
     story.hear(FAULT, stop_input=1, fault=Reason.STOP_INPUT, battery=math.nan)
-    assert story.link.words().endswith("inhibited. The chair's own stop switch is pressed.")
+    assert story.link.words().endswith(f"stop switch pressed. {WORDS[Reason.STOP_INPUT]}")
     story.hear(CHECKING, fault=200)
     assert story.link.words().endswith("checking that it is told to stand, battery 50%.")
 

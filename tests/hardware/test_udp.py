@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from shirts import RATE, Udp, small_layout
 
-from app.clock import FakeClock
+from app.clock import FakeClock, MonotonicClock
 from app.hardware.base import HardwareError
 from app.hardware.configs import UdpConfig
 from app.hardware.shirt.packet import encode
@@ -101,3 +101,14 @@ def test_an_address_that_is_not_ours_is_one_sentence():
 def test_it_reaches_no_further_than_the_configured_host(source):
     assert source.shirt.address[0] == "127.0.0.1"
     assert UdpConfig(kind="udp", layout=small_layout()).host == "127.0.0.1"
+
+
+def test_waits_that_differ_each_time_are_kept_and_cut_short_by_a_frame(source):
+    clock = MonotonicClock()
+    for wait in (0.02, 0.013, 0.013, 0.013, 0.007, 0.02):
+        begun = clock.now()
+        assert source.shirt.read(wait) is None
+        assert clock.now() - begun >= wait - 1e-3
+    for seq, wait in enumerate((WAIT, WAIT, WAIT, WAIT / 2, WAIT / 3)):
+        source.send(seq)
+        assert source.shirt.read(wait).seq == seq

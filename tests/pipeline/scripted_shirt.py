@@ -25,3 +25,6 @@ class ScriptedShirt:
 
     def pending(self):
         return bool(self._times) and self._times[0] <= self._clock.now()
+
+    def words(self):
+        return "A shirt for tests."

@@ -34,6 +34,9 @@ from app.speeds import Speeds
 
 PERIOD = 0.02  # s between two commands
 LEAST_GAP = 0.005  # s: after a hold-up the next deadline may be very near
+STALLED = (
+    0.15  # s without a command, after which the chair (which waits 0.1 s) stops: it is not to go on by itself (S15)
+)
 LAST_FRAMES = 10  # zero commands after disarming or a stop: any one of them suffices
 HELLO_AFTER = 0.15  # s without telemetry, which comes every 0.1 s to whom the chair is paired with
 HELLO_EVERY = 0.2  # s: a chair that is paired with another address is heard at 5 Hz, and so never counts as silent
@@ -75,6 +78,8 @@ class ChairLink:
         self._nonce = b""  # for which the epoch was begun
         self._armed_digest = self.digest
         self._sent: deque[tuple[int, float]] = deque(maxlen=100)  # sequence, when
+        self._sent_at = -math.inf
+        self._stalled = False  # since the arming no command was sent for too long
         self._echoed = -math.inf  # when the newest command was sent of which the chair has told that it has it
         self._hello_due = -math.inf
         self.place(ORIGIN)
@@ -129,6 +134,7 @@ class ChairLink:
     def listen(self, t: float) -> None:
         """Take what has come up to `t` (monotonic s), and ask for telemetry when none comes."""
         self._now = t
+        self._stalled |= self._state is State.ARMED and t - self._sent_at > STALLED
         for _ in range(MOST_DATAGRAMS):
             datagram = self._received()
             if datagram is None:
@@ -163,9 +169,14 @@ class ChairLink:
         return max(age, t - self._echoed) if self._state is State.ARMED and self.heard.ready else age
 
     @property
+    def ready(self) -> bool:
+        """Whether the chair has accepted this arming, moves when told, and has been told without a pause."""
+        return self.heard.ready and not self._stalled
+
+    @property
     def silent(self) -> bool:
         """Whether the chair has not been heard for too long."""
-        return self._now - self.heard.t > SILENT
+        return not self._now - self.heard.t <= SILENT  # before anything was listened for, that is no number
 
     @property
     def stands(self) -> bool:
@@ -180,7 +191,7 @@ class ChairLink:
         newest = self.heard.newest
         if newest is None or self.silent:
             return f"{chair} does not answer: check its power and the network."
-        words = f"{chair}, {STATE_WORDS[min(newest.state, 3)]}"
+        words = f"{chair}, {'stop switch pressed' if newest.stop_input else STATE_WORDS[min(newest.state, 3)]}"
         if 0.0 <= newest.battery <= 1.0:
             words += f", battery {newest.battery:.0%}"
         why = Reason(newest.fault) if newest.fault in WORDS else Reason.NONE
@@ -200,6 +211,7 @@ class ChairLink:
             self._flags = self._left = 0
             self._armed_digest = self.digest
             self._nonce = b""
+            self._stalled = False
             self.due = t
         elif state is State.FAULT or (state is State.DISARMED and before in RUNNING):
             self._ended = t
@@ -242,6 +254,7 @@ class ChairLink:
         )
         self._put(encode_command(command, self._key, newest.nonce))
         self._sent.append((command.sequence, t))
+        self._sent_at = t
 
     def _note_echo(self, telemetry: Telemetry) -> None:
         if self.heard.answers:

@@ -1,6 +1,7 @@
 """A shirt that sends its frames as datagrams."""
 
 import math
+import select
 import socket
 import struct
 
@@ -35,7 +36,8 @@ class UdpShirt:
         self._sequence = Sequence()
         self._socket: socket.socket | None = None
         self._buffer = bytearray(BUFFER)
-        self._timeout = -1.0
+        self._timeout = -1.0  # s, which the kernel was told
+        self._wait = -1.0  # s, which was asked for last
         self._sender: tuple[str, int] | None = None
         self._candidate: tuple[str, int] = ("", 0)
         self._heard = -math.inf  # monotonic s
@@ -131,13 +133,14 @@ class UdpShirt:
         flags = 0
         if wait <= 0.0:
             flags = socket.MSG_DONTWAIT
+        elif wait == self._wait:
+            self._tell_kernel(wait)
         elif wait != self._timeout:
-            # The kernel's own timeout: one call for each frame, where a timeout of Python's would be two.
-            seconds, fraction = divmod(max(wait, 1e-6), 1.0)
-            self._socket.setsockopt(
-                socket.SOL_SOCKET, socket.SO_RCVTIMEO, _TIME.pack(int(seconds), int(fraction * 1e6))
-            )
-            self._timeout = wait
+            # The kernel counts its own timeout in ticks of up to 10 ms: too coarse for one that differs each time.
+            self._wait = wait
+            flags = socket.MSG_DONTWAIT
+            if not select.select([self._socket], [], [], wait)[0]:
+                return -1
         try:
             if self._sender is not None:
                 return self._socket.recv_into(self._buffer, 0, flags)
@@ -145,6 +148,15 @@ class UdpShirt:
         except (BlockingIOError, ConnectionError):
             return -1
         return size
+
+    def _tell_kernel(self, wait: float) -> None:
+        """Wait by the kernel's own timeout: one call for each frame, where a timeout of Python's would be two."""
+        if self._socket is not None and wait != self._timeout:
+            seconds, fraction = divmod(max(wait, 1e-6), 1.0)
+            self._socket.setsockopt(
+                socket.SOL_SOCKET, socket.SO_RCVTIMEO, _TIME.pack(int(seconds), int(fraction * 1e6))
+            )
+            self._timeout = wait
 
     def _listen_to_one(self) -> None:
         if self._socket is not None:

@@ -1,0 +1,211 @@
+"""What is asked of the control process, done or refused, with a clock of its own and no process."""
+
+import json
+import shutil
+import socket
+import uuid
+from types import SimpleNamespace
+
+import pytest
+from hardware.chair_stand_in import StandInChair
+from scripted_shirt import ScriptedShirt
+
+from app.clock import FakeClock
+from app.faults import Fault, State
+from app.geometry import Twist
+from app.link import CommandServer
+from app.pipeline.commands import Commands
+from app.pipeline.loop import ControlLoop
+from app.pipeline.runs import LEAST_FREE, require_room
+from app.pipeline.setup import Refused, Setup
+from app.ring import TickRing
+from app.speeds import NO_FURTHER, Speeds
+from building import make_parameters, make_signals
+
+
+class Office:
+    """Commands and their answers, the shirt's frames, and the heartbeat."""
+
+    def __init__(self):
+        self.parameters = make_parameters()
+        signals = make_signals(self.parameters, 2000, strokes=False)
+        self.clock = FakeClock()
+        self.ring = TickRing.create(f"bodydrive-test-{uuid.uuid4().hex}")
+        self.ring.unlink()
+        self.setup = Setup(self.clock)
+        layout = self.parameters.profile.layout
+        self.setup.shirt = ScriptedShirt(self.clock, [i / 100 for i in range(2000)], signals, layout=layout)
+        self.setup.use_parameters(self.parameters)
+        self.loop = ControlLoop(self.setup, self.ring, None, self.clock)
+        self._ours, theirs = socket.socketpair()
+        self._ours.settimeout(10.0)
+        self.commands = Commands(self.loop, CommandServer(theirs), [], self.clock)
+        self._count = 0
+
+    def ask(self, do, **fields):
+        self._count += 1
+        self._ours.sendall(json.dumps({"id": self._count, "do": do, **fields}).encode() + b"\n")
+        self.commands.poll()
+        return json.loads(self._ours.recv(1 << 16))
+
+    def refused(self, do, **fields):
+        answer = self.ask(do, **fields)
+        assert not answer["ok"]
+        assert "\n" not in answer["error"]
+        return answer["error"]
+
+    def done(self, do, **fields):
+        answer = self.ask(do, **fields)
+        assert answer["ok"], answer
+        return answer
+
+    def live(self, seconds):
+        until = self.clock.now() + seconds
+        while self.clock.now() < until:
+            self.loop.heard = self.loop.screen_seen = self.clock.now()
+            self.loop.turn()
+
+    def close(self):
+        self.commands.close()
+        self.setup.close_chair()
+        self._ours.close()
+        self.ring.close()
+
+
+@pytest.fixture
+def office():
+    made = Office()
+    yield made
+    made.close()
+
+
+@pytest.fixture
+def chair(tmp_path):
+    made = StandInChair(tmp_path)
+    yield made
+    made.close()
+
+
+def limits(**changes):
+    return NO_FURTHER.model_copy(update=changes).model_dump()
+
+
+def test_lower_limits_hold_at_once_and_higher_ones_only_at_rest(office):
+    office.live(0.1)
+    office.done("limits", clinic=limits(forward=0.5))
+    assert office.setup.chain.limits.forward == 0.5
+    gate = office.setup.chain.gate
+    gate.last = Twist(0.4, 0.0)  # as if it drove
+    office.done("limits", clinic=limits(forward=0.3))
+    assert office.setup.chain.limits.forward == 0.3
+    assert "raised only while" in office.refused("limits", clinic=limits(forward=0.4))
+    assert office.setup.chain.limits.forward == 0.3
+    gate.stand()
+    office.done("limits", clinic=limits(forward=0.4))
+    assert office.setup.chain.limits.forward == 0.4
+    assert "clinic" in office.refused("limits", clinic=limits(forward=9.0))
+
+
+def test_the_dial_turns_down_at_once_and_up_only_at_rest(office):
+    office.live(0.1)
+    full = office.setup.chain.limits
+    assert office.done("dial", share=0.5)["share"] == 0.5
+    assert office.setup.chain.limits.turn == 0.5 * full.turn
+    office.setup.chain.gate.last = Twist(0.2, 0.0)
+    office.done("dial", share=0.4)
+    assert "turned up only" in office.refused("dial", share=0.5)
+    office.setup.chain.gate.stand()
+    assert office.done("status")["dial"] == 0.4
+    for share in (0.0, 0.09, 1.01, None, "1"):
+        assert "share" in office.refused("dial", share=share)
+
+
+def test_limits_dial_and_the_count_of_stops_outlive_other_parameters(office):
+    office.live(0.1)
+    office.done("limits", clinic=limits(forward=0.5))
+    office.done("dial", share=0.5)
+    office.done("stop", by="tablet")
+    office.done("stop", by="tablet")
+    slower = office.parameters.model_copy(update={"speeds": Speeds(turn=1.0)})
+    office.done("parameters", parameters=slower.model_dump(mode="json"))
+    chain = office.setup.chain
+    assert (chain.limits.forward, chain.limits.turn, chain.dial) == (0.25, 0.5, 0.5)
+    assert (chain.gate.state, chain.gate.fault) == (State.FAULT, Fault.STOP_TABLET)
+    assert chain.gate.stops >= 2
+
+
+def test_only_the_stop_that_was_seen_is_cleared(office):
+    office.live(0.1)
+    office.done("stop", by="tablet")
+    office.live(0.05)
+    seen = int(office.ring.newest()["stops"])
+    office.done("stop", by="key")
+    assert "another stop" in office.refused("clear", stops=seen)
+    assert office.setup.chain.gate.fault is Fault.STOP_TABLET
+    office.live(0.05)
+    office.done("clear", stops=int(office.ring.newest()["stops"]))
+    assert office.setup.chain.gate.state is State.DISARMED
+    office.done("clear", stops=0)  # nothing to clear is no fault
+    assert "stops" in office.refused("clear")
+
+
+def test_a_chair_that_cannot_be_had_leaves_the_one_before(office, chair):
+    before = office.setup.chair
+    chair.key_file.chmod(0o644)
+    assert "can be read by others" in office.refused("chair", config=chair.document)
+    assert "no chair of the kind 'sofa'" in office.refused("chair", config={"kind": "sofa"})
+    assert office.setup.chair is before
+    assert office.done("status")["chair"]["kind"] == "virtual"
+
+
+def test_the_caps_of_a_real_chair_hold_and_go_with_it(office, chair):
+    office.live(0.1)
+    slow = {**chair.document, "speeds": limits(forward=0.25)}
+    assert office.done("chair", config=slow)["kind"] == "udp"
+    assert office.setup.chain.limits.forward == 0.25
+    assert office.setup.link.digest == bytes.fromhex(office.parameters.hash)[:8]
+    assert office.done("chair", config={"kind": "virtual", "dynamics": "wheelchair"})["kind"] == "virtual"
+    assert office.setup.chain.limits.forward == office.parameters.speeds.forward
+    assert "wheelchair" in office.done("status")["chair"]["words"]
+
+
+def test_a_real_chair_is_armed_only_when_it_is_recorded_heard_and_its_switch_is_known(office, chair, tmp_path):
+    office.live(0.1)
+    office.done("chair", config=chair.document)
+    digest = office.parameters.hash
+    assert "recorded" in office.refused("arm", hash=digest)
+    office.done("run", run_id="r", folder=str(tmp_path / "r"), kind="drive", cues=[], meta={})
+    assert "does not answer" in office.refused("arm", hash=digest)
+
+    def hear(**changes):
+        office.live(0.01)
+        chair.commands()
+        chair.say(**changes)
+        office.live(0.01)
+
+    hear()
+    assert "needs its stop switch" in office.refused("arm", hash=digest)
+    hear(stop_input=1, state=3, fault=4)
+    assert "stop switch pressed" in office.refused("arm", hash=digest)
+    hear()
+    office.done("arm", hash=digest)
+    assert office.setup.chain.gate.state is State.CHECKING
+
+
+@pytest.mark.parametrize("free", [LEAST_FREE - 1, LEAST_FREE])
+def test_no_run_begins_on_a_disk_that_could_fill(office, tmp_path, monkeypatch, free):
+    monkeypatch.setattr(shutil, "disk_usage", lambda _place: SimpleNamespace(free=free))
+    run = {"run_id": "r", "folder": str(tmp_path / "deep" / "r"), "kind": "rest", "cues": [], "meta": {}}
+    if free < LEAST_FREE:
+        assert "500 MB are free" in office.refused("run", **run)
+        assert not (tmp_path / "deep").exists()
+    else:
+        office.done("run", **run)
+
+
+def test_room_is_looked_for_where_the_folder_will_be(tmp_path, monkeypatch):
+    asked = []
+    monkeypatch.setattr(shutil, "disk_usage", lambda place: asked.append(place) or SimpleNamespace(free=0))
+    with pytest.raises(Refused, match=r"Only 0 MB are free"):
+        require_room(tmp_path / "not" / "yet" / "there")
+    assert asked == [tmp_path]
