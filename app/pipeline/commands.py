@@ -210,7 +210,11 @@ class Commands:
                 "sample_rate": setup.sample_rate if setup.shirt else 0.0,
                 "lost": setup.shirt.lost if setup.shirt else 0,
             },
-            "chair": {"kind": "virtual" if setup.link is None else "udp", "words": setup.chair_words},
+            "chair": {
+                "kind": "virtual" if setup.link is None else "udp",
+                "words": setup.chair_words,
+                "switch_seen": setup.link is not None and setup.link.heard.switch_seen,
+            },
             "dial": setup.chain.dial,
             "realtime": self._real_time,
             "late": loop.late,
