@@ -1,0 +1,133 @@
+"""`bodydrive chair`: pair with a real chair, and the program that runs on it."""
+
+import io
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from app.cli.errors import InputError
+from app.hardware.chair import receive as receiver
+from app.settings import Settings, state_folder
+
+if TYPE_CHECKING:
+    from app.hardware.chair.key import Key
+    from app.hardware.configs import RealChairConfig
+
+chair_app = typer.Typer(
+    help="Pair with a real chair; receive on the chair what it is to drive.",
+    no_args_is_help=True,
+    pretty_exceptions_enable=False,
+)
+
+Limit = Annotated[float | None, typer.Option(help="What this chair may do at most; a careful standard when not given.")]
+
+
+@chair_app.command(
+    "receive",
+    add_help_option=False,  # its own --help is the right one
+    context_settings={"allow_extra_args": True, "ignore_unknown_options": True},
+)
+def receive(context: typer.Context) -> None:
+    """Run on the chair: check commands, watch the time, ramp, and drive an output."""
+    raise typer.Exit(receiver.main(context.args, "bodydrive chair receive"))
+
+
+@chair_app.command("pair")
+def pair(
+    *,
+    name: Annotated[str, typer.Option(help="What people call the chair.")],
+    host: Annotated[str, typer.Option(help="The chair's address, as this machine reaches it.")],
+    port: Annotated[int, typer.Option(min=1, max=65_535, help="Where its receiver listens.")] = receiver.PORT,
+    state: Annotated[Path | None, typer.Option(help="The folder of the clinic's database and recordings.")] = None,
+    forward: Limit = None,
+    reverse: Limit = None,
+    turn: Limit = None,
+    acceleration: Limit = None,
+    deceleration: Limit = None,
+    turn_acceleration: Limit = None,
+    jerk: Limit = None,
+    turn_jerk: Limit = None,
+) -> None:
+    """Make a key for a chair, keep it with the clinic, and show it once as a QR code.
+
+    Speeds are in m/s and rad/s, accelerations in m/s2 and rad/s2, jerks in m/s3 and rad/s3.
+    """
+    settings = Settings(state=(state or state_folder()).expanduser().resolve())
+    limits = {
+        "forward": forward,
+        "reverse": reverse,
+        "turn": turn,
+        "acceleration": acceleration,
+        "deceleration": deceleration,
+        "turn_acceleration": turn_acceleration,
+        "jerk": jerk,
+        "turn_jerk": turn_jerk,
+    }
+    speeds = {word: number for word, number in limits.items() if number is not None}
+    chair = _described({"name": name, "host": host, "port": port, "speeds": speeds}, settings.keys)
+    key = _paired(chair, settings)
+    typer.echo(_code(key))
+    for sentence in _instructions(chair, key, settings.keys):
+        typer.echo(sentence)
+
+
+def _described(fields: dict[str, object], keys: Path) -> "RealChairConfig":
+    """Return the chair as the control process will open it."""
+    from pydantic import ValidationError  # noqa: PLC0415  (not before it is needed: a chair's board loads none of it)
+
+    from app.hardware.configs import RealChairConfig  # noqa: PLC0415
+    from app.sentences import one_sentence  # noqa: PLC0415
+
+    try:
+        return RealChairConfig.model_validate({"kind": "udp", "key_file": str(keys / "0.key"), **fields})
+    except ValidationError as error:
+        raise InputError(one_sentence(error, "the chair")) from error
+
+
+def _paired(chair: "RealChairConfig", settings: Settings) -> "Key":
+    """Note the chair and write its key; neither stays when one of them fails. The clinic may be served meanwhile."""
+    from app.session.database import Database  # noqa: PLC0415
+    from app.session.pairing import key_file, pair_chair  # noqa: PLC0415
+    from app.session.refusals import Refusal  # noqa: PLC0415
+    from app.session.store_log import write_log  # noqa: PLC0415
+    from app.session.store_people import add_clinic, the_clinic  # noqa: PLC0415
+
+    database, key = Database(settings.database), None
+    try:
+        with database.transaction() as db:
+            clinic = the_clinic(db) or add_clinic(db, "Clinic")
+            row, key = pair_chair(db, clinic, settings.keys, chair.name, chair.host, chair.port, chair.speeds)
+            write_log(db, None, "chair paired", chair=row.id, key_id=key.id, host=chair.host, port=chair.port)
+        return key
+    except BaseException as error:
+        if key is not None:
+            key_file(settings.keys, key.id).unlink(missing_ok=True)
+        if isinstance(error, Refusal):
+            raise InputError(str(error)) from error
+        raise
+    finally:
+        database.close()
+
+
+def _code(key: "Key") -> str:
+    """Return a key as a QR code for a terminal, in half blocks where it can show them."""
+    import segno  # noqa: PLC0415
+
+    drawn = io.StringIO()
+    has_blocks = "utf" in (sys.stdout.encoding or "").lower()
+    segno.make_qr(key.line, error="m").terminal(drawn, compact=has_blocks)
+    return drawn.getvalue()
+
+
+def _instructions(chair: "RealChairConfig", key: "Key", keys: Path) -> list[str]:
+    file = f"{key.id}.key"
+    anywhere = "::" if ":" in chair.host else "0.0.0.0"  # noqa: S104  (the chair's board, not this machine)
+    fastest = max(chair.speeds.forward, chair.speeds.reverse)
+    return [
+        f"{chair.name} at {chair.host}:{chair.port} is paired. Its key lies in {keys / file} and in the code above.",
+        f"On the chair, write what the code says into a file {file} that only its owner can read, and start there:",
+        f"bodydrive chair receive --key-file {file} --output ros2 --bind {anywhere} --port {chair.port} "
+        f"--v-max {fastest:g} --omega-max {chair.speeds.turn:g}",
+    ]
