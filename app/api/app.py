@@ -7,7 +7,21 @@ from contextlib import asynccontextmanager
 from fastapi import APIRouter, FastAPI
 
 from app import __version__
-from app.api import auth, calibration, control, controls, equipment, live, patients, review, trials
+from app.api import (
+    auth,
+    calibration,
+    chairs,
+    control,
+    controls,
+    drives,
+    equipment,
+    limits,
+    live,
+    patients,
+    review,
+    screen,
+    trials,
+)
 from app.api.deps import People, anyone_signed_in, clinician
 from app.api.flows import Flows, flows_of, show_visit
 from app.api.live_hub import LiveHub
@@ -15,22 +29,30 @@ from app.api.pages import install_pages
 from app.api.passwords import Passwords
 from app.api.picture import LivePicture
 from app.api.refusals import install_refusals
+from app.api.screens import Screens
 from app.api.set_up import SetUp
 from app.api.sockets import OpenSockets
 from app.api.trajectories import Trajectories
 from app.api.view_bridge import view_router
 from app.api.view_controls import view_controls
 from app.api.view_keeper import OpenScene, ViewKeeper, may_view
+from app.clock import monotonic
 from app.scene.scene import Scene
 from app.scene.servers import Role
+from app.session.arming import RealArming
 from app.session.calibration_flow import CalibrationFlow
+from app.session.chairs import Chairs
 from app.session.control import Control, Link
 from app.session.database import Database
 from app.session.drive_flow import DriveFlow
 from app.session.equipment import Equipment
+from app.session.fault_log import FaultLog
+from app.session.limits import ClinicLimits
 from app.session.readings import Readings
+from app.session.real_drive import RealDriveFlow
 from app.session.runs import Runs
 from app.session.store_calibration import fail_interrupted_steps
+from app.session.store_drives import close_interrupted_drives
 from app.session.store_patients import open_session
 from app.session.store_people import the_clinic
 from app.session.store_runs import close_interrupted_trials
@@ -38,7 +60,21 @@ from app.session.visit_flow import VisitFlow
 from app.settings import Settings
 
 PREFIX = "/api/v1"
-ROUTES = (auth, patients, equipment, calibration, controls, trials, review, control, live)
+ROUTES = (
+    auth,
+    patients,
+    equipment,
+    chairs,
+    limits,
+    calibration,
+    controls,
+    trials,
+    drives,
+    review,
+    control,
+    live,
+    screen,
+)
 
 WebApp = FastAPI
 OpenLink = Callable[[], Awaitable[Link]]
@@ -117,42 +153,61 @@ def _flows(
     link = Control(open_link)
     runs = Runs(database, link, settings.runs)
     worn = Equipment(database, link, settings.files, tell)
+    seats = Chairs(database, link, settings.keys, tell)
+    allowed = ClinicLimits(database, link, tell)
     wizard = CalibrationFlow(database, link, worn, runs, tell, readings)
     drive = DriveFlow(database, link, runs, tell, readings)
-    visit = VisitFlow(database, link, worn, wizard, drive, tell)
-    shown = LivePicture(link, worn, runs, drive, visit)
+    real = RealDriveFlow(database, link, runs, tell, readings)
+    visit = VisitFlow(database, link, worn, wizard, drive, real, tell)
+    shown = LivePicture(link, worn, seats, runs, drive, real, visit)
     hub = LiveHub(shown.picture, shown.quality)
 
-    def screen_age() -> float | None:
-        trial = drive.trial  # looked at once: this is asked from the link's thread, and the trial may end meanwhile
-        return 0.0 if trial is not None and hub.sees(trial.person_id) else None
-
-    link.screen_age = screen_age
+    def driven_now() -> dict[str, int]:
+        trial, drive_now = drive.trial, real.drive
+        if drive_now is not None:
+            return {"drive": drive_now.id}
+        return {} if trial is None else {"trial": trial.id}
 
     async def control_changed(_state: str) -> None:
         tell("equipment")
 
     link.on_change.append(control_changed)
-    return Flows(
+    flows = Flows(
         control=link,
         equipment=worn,
         runs=runs,
         calibration=wizard,
         drive=drive,
+        real=real,
+        chairs=seats,
+        limits=allowed,
+        arming=RealArming(database, link, worn, visit, seats, allowed, demonstration=settings.demo),
         visit=visit,
+        screens=Screens(),
+        faults=FaultLog(database, link, driven_now),
         live=hub,
         trajectories=Trajectories(readings.drive),
         view=ViewKeeper(open_scene, link.newest),
         own_floorplans=settings.state / "floorplans",
     )
 
+    def screen_age() -> float | None:
+        screen = flows.driving_screen
+        return None if screen is None else flows.screens.age(screen, monotonic())
+
+    link.screen_age = screen_age
+    return flows
+
 
 async def _start(database: Database, flows: Flows) -> None:
     await asyncio.to_thread(_tidy_up, database)
     await flows.control.start()
+    await flows.limits.open()
+    await flows.chairs.open()
     await flows.equipment.open()
     await flows.visit.try_load_parameters()
     flows.live.start()
+    flows.faults.start()
     if await asyncio.to_thread(_somebody_is_here, database):
         await show_visit(flows)
 
@@ -168,10 +223,11 @@ def _tidy_up(database: Database) -> None:
     with database.transaction() as db:
         fail_interrupted_steps(db)
         close_interrupted_trials(db)
+        close_interrupted_drives(db)
 
 
 async def _end(flows: Flows) -> None:
     await flows.calibration.stop()
-    await flows.drive.stop()
-    await flows.live.close()
+    await asyncio.gather(flows.drive.stop(), flows.real.stop())
+    await asyncio.gather(flows.live.close(), flows.faults.close())
     await asyncio.gather(flows.view.close(), flows.control.close())

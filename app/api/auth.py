@@ -8,7 +8,7 @@ from fastapi.concurrency import run_in_threadpool
 from pydantic import Field
 
 from app import __version__
-from app.api.deps import PeopleParts
+from app.api.deps import ForEveryone, PeopleParts
 from app.api.passwords import weakness
 from app.api.signed_in import COOKIE, find_signed_in
 from app.quantities import Document
@@ -23,7 +23,7 @@ from app.session.store_people import (
     the_clinic,
 )
 
-router = APIRouter(prefix="/auth", tags=["sign-in"])
+router = APIRouter(prefix="/auth", tags=["sign-in"], dependencies=[ForEveryone])
 
 Code = Annotated[str, Field(min_length=1, max_length=200)]
 PersonName = Annotated[str, Field(min_length=1, max_length=80, pattern=r"^\S(.*\S)?$")]
@@ -101,7 +101,7 @@ def enter_demonstration(body: DemoCode, request: Request, response: Response, pa
         clinic = the_clinic(db)
         name = "Demo clinician"
         if clinic is not None and find_person(db, name) is None:
-            add_person(db, clinic, name, "clinician", None)
+            add_person(db, clinic, name, "owner", None)
     return _let_in(parts, request, response, name, "demonstration")
 
 

@@ -11,9 +11,8 @@ from app.api.deps import Clinician, People, PeopleParts
 from app.api.flows import FlowParts, Flows
 from app.api.signed_in import SignedIn
 from app.calibration.profile import CalibrationProfile
-from app.calibration.speeds import Speeds
 from app.calibration.suggest import suggest_bindings
-from app.calibration.vocabulary import Binding, ControlMode, DriveParameters, Gesture
+from app.calibration.vocabulary import Binding, ControlMode, CruiseTime, DriveParameters, Gesture
 from app.messages import MAX_GESTURES
 from app.quantities import Cutoff, Document, Title
 from app.sentences import one_sentence
@@ -29,6 +28,7 @@ from app.session.store_controls import (
 )
 from app.session.store_log import write_log
 from app.session.tables import Parameters, PatientSession, Profile
+from app.speeds import Speeds
 
 router = APIRouter(prefix="/controls", tags=["controls"])
 
@@ -43,6 +43,9 @@ LIMITS: dict[str, tuple[float, float]] = {
     "acceleration": (0.1, 3.0),
     "deceleration": (0.1, 3.0),
     "turn_acceleration": (0.1, 20.0),
+    "jerk": (0.5, 20.0),
+    "turn_jerk": (1.0, 400.0),
+    "cruise_time": (1.0, 30.0),
 }
 
 
@@ -55,6 +58,7 @@ class ControlSettings(Document):
     mode_u2: ControlMode
     cutoff: Cutoff
     speeds: Speeds
+    cruise_time: CruiseTime = 10.0
     title: Title = "Standard"
 
 
@@ -81,6 +85,7 @@ class ControlsView(Document):
     saved: list[str]
     suggested: Suggested
     limits: dict[str, tuple[float, float]]
+    held: dict[str, float]  # speeds of the set that the clinic or the chosen chair does not allow: what holds instead
     misfit: str | None  # why these cannot drive with the shirt in use
 
 
@@ -91,12 +96,13 @@ def _view(db: Transaction, flows: Flows, patient_id: int) -> ControlsView:
     suggestion = suggest_bindings(parameters.profile)
     return ControlsView(
         parameters=parameters,
-        hash=row.hash,
+        hash=parameters.hash,
         can_undo=before is not None,
         can_redo=after is not None,
         saved=saved_titles(db, patient_id),
         suggested=Suggested(bindings=suggestion.bindings, reason=suggestion.reason),
         limits=LIMITS,
+        held=flows.arming.held(parameters.speeds),
         misfit=flows.visit.misfit(parameters),
     )
 
@@ -122,8 +128,9 @@ async def _change(who: SignedIn, parts: People, flows: Flows, what: str, change:
     def _write(session: PatientSession) -> ControlsView:
         with parts.database.transaction() as db:
             row = change(db, session)
-            write_log(db, who.name, what, patient=session.patient_id, parameters=row.id, hash=row.hash)
-            return _view(db, flows, session.patient_id)
+            view = _view(db, flows, session.patient_id)
+            write_log(db, who.name, what, patient=session.patient_id, parameters=row.id, hash=view.hash)
+            return view
 
     async with flows.visit.undisturbed("change the controls"):
         view = await asyncio.to_thread(_write, await flows.visit.needed_session(who.clinic_id))

@@ -53,5 +53,18 @@ def clinician(who: Annotated[SignedIn, Depends(anyone_signed_in)]) -> SignedIn:
     return who
 
 
+def owner(who: Annotated[SignedIn, Depends(anyone_signed_in)]) -> SignedIn:
+    """Return who is signed in; 403 for those who did not set up the clinic."""
+    if who.role != "owner":
+        raise HTTPException(403, "Only an owner of the clinic changes this: ask one.")
+    return who
+
+
+def everyone() -> None:
+    """Mark a route that asks nobody who they are; each route says whom it is for (tests/api/test_roles.py)."""
+
+
+ForEveryone = Depends(everyone)
 Anyone = Annotated[SignedIn, Depends(anyone_signed_in)]
 Clinician = Annotated[SignedIn, Depends(clinician)]
+Owner = Annotated[SignedIn, Depends(owner)]

@@ -1,6 +1,8 @@
 """The shirt, what moves inside it, its channels, and the files that people bring."""
 
 import asyncio
+import shutil
+from pathlib import Path
 from typing import Annotated, Any
 
 from fastapi import APIRouter, UploadFile
@@ -15,6 +17,9 @@ from app.quantities import Document, Name
 from app.session.control import Control
 from app.session.refusals import Refusal
 from app.session.store_log import write_log
+
+LITTLE_ROOM = 2_000_000_000  # bytes: somebody should make room, and there is still time to
+LEAST_ROOM = 500_000_000  # bytes: from there on the control process refuses to record
 
 router = APIRouter(prefix="/equipment", tags=["equipment"])
 
@@ -42,6 +47,13 @@ class ChairView(Document):
     words: str
 
 
+class DiskView(Document):
+    """How much room is left for recordings."""
+
+    free: int  # bytes
+    words: str  # what to do about it, empty while there is enough
+
+
 class EquipmentView(Document):
     """Everything that is connected."""
 
@@ -52,6 +64,7 @@ class EquipmentView(Document):
     status: StatusView
     files: list[FileView]
     chair: ChairView
+    disk: DiskView
 
 
 async def _status(control: Control, flows: Flows) -> StatusView:
@@ -82,8 +95,20 @@ async def _view(parts: PeopleParts, flows: Flows) -> EquipmentView:
         unused=worn.unused,
         status=await _status(flows.control, flows),
         files=await asyncio.to_thread(list_files, parts.settings.files),
-        chair=ChairView(words="The virtual chair: nothing moves but the picture."),
+        chair=ChairView(words=await flows.chairs.state()),
+        disk=await asyncio.to_thread(_disk, parts.settings.state),
     )
+
+
+def _disk(folder: Path) -> DiskView:
+    free = shutil.disk_usage(folder).free
+    words = ""
+    if free < LITTLE_ROOM:
+        words = (
+            f"Only {free / 1e9:.1f} GB are free on the disk of the recordings, and below "
+            f"{LEAST_ROOM / 1e9:.1f} GB nothing is recorded or driven any more: make room."
+        )
+    return DiskView(free=free, words=words)
 
 
 @router.get("")

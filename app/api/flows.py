@@ -10,12 +10,18 @@ from fastapi import Depends, FastAPI
 from starlette.requests import HTTPConnection
 
 from app.api.live_hub import LiveHub
+from app.api.screens import Screen, Screens
 from app.api.trajectories import Trajectories
 from app.api.view_keeper import ViewKeeper
+from app.session.arming import RealArming
 from app.session.calibration_flow import CalibrationFlow
+from app.session.chairs import Chairs
 from app.session.control import Control
 from app.session.drive_flow import DriveFlow
 from app.session.equipment import Equipment
+from app.session.fault_log import FaultLog
+from app.session.limits import ClinicLimits
+from app.session.real_drive import RealDriveFlow
 from app.session.runs import Runs
 from app.session.visit_flow import VisitFlow
 from app.world.floorplan import FloorPlan, bundled_floorplans, load_floorplan
@@ -30,11 +36,37 @@ class Flows:
     runs: Runs
     calibration: CalibrationFlow
     drive: DriveFlow
+    real: RealDriveFlow
+    chairs: Chairs
+    limits: ClinicLimits
+    arming: RealArming
     visit: VisitFlow
+    screens: Screens
+    faults: FaultLog
     live: LiveHub
     trajectories: Trajectories
     view: ViewKeeper
     own_floorplans: Path
+
+    @property
+    def driving_screen(self) -> Screen | None:
+        """The screen that armed what is driven now; from any thread."""
+        # Looked at once each: they may end meanwhile.
+        going_on = self.real.drive or self.drive.trial
+        return None if going_on is None else Screen(going_on.person_id, going_on.screen)
+
+    def saw(self, screen: Screen, visible: bool, t: float, link: object) -> None:
+        """Take what a screen says; the one that drives and is hidden stops the chair with this very message."""
+        was_in_view = self.screens.age(screen, t) is not None
+        self.screens.seen(screen, visible, t, link)
+        if was_in_view and not visible and screen == self.driving_screen:
+            self.control.beat()
+
+    def lost(self, screen: Screen, link: object) -> None:
+        """Take a screen out whose socket has ended; the same holds for the one that drives."""
+        self.screens.gone(screen, link)
+        if screen == self.driving_screen:
+            self.control.beat()
 
     def floorplan_files(self) -> dict[str, Path]:
         """Return the files of all floor plans by name: the bundled ones, then the clinic's own."""

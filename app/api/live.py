@@ -2,7 +2,6 @@
 
 import asyncio
 import json
-from contextlib import suppress
 from typing import Annotated
 
 from fastapi import APIRouter, WebSocket
@@ -11,10 +10,8 @@ from starlette.websockets import WebSocketDisconnect
 
 from app.api.flows import Flows
 from app.api.live_hub import Viewer
-from app.clock import monotonic
 from app.layout import MAX_JOINTS
 from app.quantities import Document, Fraction, Name
-from app.session.refusals import Refusal
 
 router = APIRouter()
 
@@ -23,10 +20,9 @@ NOT_TEXT = 1003  # close code: our pages send text only
 
 
 class Upward(Document):
-    """What a page says: where the visitor moves, whether the page is in view, or Stop."""
+    """What a page says: where the visitor moves, or Stop."""
 
     move: Annotated[dict[Name, Fraction], Field(max_length=MAX_JOINTS)] | None = None
-    visible: bool | None = None
     stop: bool = False
 
 
@@ -39,12 +35,12 @@ async def live(websocket: WebSocket) -> None:
         return
     await websocket.accept()
     flows: Flows = websocket.app.state.flows
-    viewer = Viewer(websocket, who.person_id)
+    viewer = Viewer(websocket)
     async with sockets.guarded(websocket, who):
         sending = asyncio.create_task(flows.live.serve(viewer))
         try:
             while True:
-                await _take(await websocket.receive_text(), viewer, flows)
+                await _take(await websocket.receive_text(), flows)
         except (WebSocketDisconnect, RuntimeError):
             pass  # gone, or closed by us: in both cases the page comes back by itself
         except KeyError:
@@ -55,19 +51,16 @@ async def live(websocket: WebSocket) -> None:
             await asyncio.gather(sending, return_exceptions=True)
 
 
-async def _take(text: str, viewer: Viewer, flows: Flows) -> None:
+async def _take(text: str, flows: Flows) -> None:
     """Do what a page asks; what cannot be read is left alone, except that a Stop is looked for first."""
     if len(text) > MESSAGE_LIMIT:
         return
     try:
         said = json.loads(text)
         if isinstance(said, dict) and said.get("stop") is True:
-            with suppress(Refusal):  # no control process: the chair stands already
-                await flows.control.call("stop", by="tablet")
+            await flows.control.stop()
         message = Upward.model_validate(said)
     except (ValidationError, ValueError, RecursionError):
         return
-    if message.visible is not None:
-        viewer.visible, viewer.heard = message.visible, monotonic()
     if message.move is not None:
         flows.control.move(message.move)

@@ -14,9 +14,6 @@ from starlette.websockets import WebSocketState
 from app.clock import monotonic
 
 EVERY = 0.05  # s
-# A page says ten times a second that it is in view. This is longer than the 0.3 s that a chair with a person in it will
-# need, because the page also draws the 3D view, which may hold it for a moment; the virtual chair hurts nobody.
-SCREEN_LIMIT = 1.0  # s
 SEND_LIMIT = 3.0  # s: a page that does not take a message for so long is cut off, never waited for
 
 logger = logging.getLogger("bodydrive")
@@ -30,9 +27,6 @@ class Viewer:
     """One open page."""
 
     websocket: WebSocket
-    person_id: int
-    visible: bool = True
-    heard: float = field(default_factory=monotonic)  # s, when the page last said whether it is in view
     events: dict[str, None] = field(default_factory=dict)  # what changed and was not yet told, in order
 
 
@@ -62,12 +56,6 @@ class LiveHub:
         """Let every page know that something changed on the server."""
         for viewer in self._viewers:
             viewer.events[event] = None
-
-    def sees(self, person_id: int) -> bool:
-        """Tell whether a page of this person is open, in view, and says so."""
-        since = monotonic() - SCREEN_LIMIT
-        viewers = tuple(self._viewers)  # asked from the link's thread, while pages come and go
-        return any(viewer.person_id == person_id and viewer.visible and viewer.heard >= since for viewer in viewers)
 
     async def serve(self, viewer: Viewer) -> None:
         """Send pictures to one page until it goes or does not take them any more."""

@@ -11,9 +11,12 @@ from app.clock import monotonic
 from app.faults import EXPLANATIONS, Fault, State
 from app.layout import ShirtLayout
 from app.messages import NO_CUE
+from app.session.chair_said import chair_not_open, chair_said
+from app.session.chairs import Chairs
 from app.session.control import Control
 from app.session.drive_flow import DriveFlow
 from app.session.equipment import Equipment
+from app.session.real_drive import RealDriveFlow
 from app.session.runs import Runs
 from app.session.visit_flow import VisitFlow
 
@@ -26,11 +29,22 @@ NOISY = 3.0  # times the noise of the shirt's channels: a second of small moveme
 class LivePicture:
     """Reads the ring and says what it means; keeps the last place of the chair for when there is nothing to read."""
 
-    def __init__(self, control: Control, equipment: Equipment, runs: Runs, drive: DriveFlow, visit: VisitFlow) -> None:
+    def __init__(
+        self,
+        control: Control,
+        equipment: Equipment,
+        chairs: Chairs,
+        runs: Runs,
+        drive: DriveFlow,
+        real: RealDriveFlow,
+        visit: VisitFlow,
+    ) -> None:
         self._control = control
         self._equipment = equipment
+        self._chairs = chairs
         self._runs = runs
         self._drive = drive
+        self._real = real
         self._visit = visit
         self._number = 0
         self._pose: list[float | None] = [0.0, 0.0, 0.0]
@@ -64,8 +78,12 @@ class LivePicture:
                 "lost": int(tick["lost"]),
                 "age": None if age is None else round(age, 3),
             },
+            "stops": int(tick["stops"]),
+            "dial": _number(tick["dial"], 3),
+            "chair": self._chair(tick),
             "run": self._run(tick),
             "trial": self._trial(),
+            "drive": self._real_drive(),
         }
 
     def quality(self) -> dict[str, Any]:
@@ -124,6 +142,15 @@ class LivePicture:
             return None
         return {"id": trial.id, **{name: _number(value, 3) for name, value in trial.place._asdict().items()}}
 
+    def _chair(self, tick: np.void) -> dict[str, Any] | None:
+        if self._chairs.chosen is None:
+            return None
+        return chair_said(tick) if tick["chair_kind"] else chair_not_open(self._chairs.not_open)
+
+    def _real_drive(self) -> dict[str, Any] | None:
+        drive = self._real.drive
+        return None if drive is None else {"id": drive.id, "t": _number(drive.watch.t, 3)}
+
     def _nothing(self) -> dict[str, Any]:
         """Return the picture of a chair that stands because nothing is left that could move it."""
         control = "lost" if self._control.state == "alive" else self._control.state
@@ -141,8 +168,12 @@ class LivePicture:
             **{name: [] for name in ("score", "rate", "activation")},
             "values": None,
             "shirt": {"alive": False, "sample_rate": self._equipment.sample_rate, "lost": 0, "age": None},
+            "stops": 0,
+            "dial": 1.0,
+            "chair": None if self._chairs.chosen is None else chair_not_open("The control process is being restarted."),
             "run": None,
             "trial": self._trial(),
+            "drive": self._real_drive(),
         }
 
 

@@ -1,5 +1,6 @@
 """Every refusal as `{"detail": sentence}`, and never a traceback."""
 
+import errno
 import logging
 
 from fastapi import FastAPI, Request
@@ -8,9 +9,9 @@ from fastapi.responses import JSONResponse
 from starlette.exceptions import HTTPException
 
 from app.sentences import sentence_of
-from app.session.refusals import Conflict, NotFound, Refusal, Unavailable
+from app.session.refusals import NO_ROOM, Conflict, Full, NotFound, Refusal, Unavailable
 
-STATUS: dict[type[Exception], int] = {NotFound: 404, Conflict: 409, Unavailable: 503}
+STATUS: dict[type[Exception], int] = {NotFound: 404, Conflict: 409, Unavailable: 503, Full: 507}
 WHERE = {"body": "What was sent", "query": "The address", "path": "The address", "header": "A header"}
 WORDS = {
     404: "There is nothing at this address: check it.",
@@ -24,6 +25,8 @@ def _answer(status: int, sentence: str) -> JSONResponse:
 
 
 async def _broken(request: Request, error: Exception) -> JSONResponse:
+    if isinstance(error, OSError) and error.errno == errno.ENOSPC:
+        return _answer(507, NO_ROOM)
     logging.getLogger("bodydrive").error("%s %s failed", request.method, request.url.path, exc_info=error)
     return _answer(500, "Something went wrong inside the application: try again, and report it if it happens again.")
 

@@ -7,7 +7,9 @@ from fastapi import APIRouter, HTTPException, Query
 from pydantic import Field
 
 from app.api.deps import Anyone, Clinician, People, PeopleParts, RowId
+from app.api.driving import require_controller
 from app.api.flows import FlowParts, Flows, load_plan
+from app.api.screen import ScreenWord
 from app.api.signed_in import SignedIn
 from app.quantities import Document, Name
 from app.session.refusals import Conflict, NotFound
@@ -15,6 +17,7 @@ from app.session.store_log import write_log
 from app.session.store_patients import find_patient
 from app.session.store_runs import find_trial, keep_trial, trials_of
 from app.session.tables import Trial
+from app.session.watching import Starter
 from app.world.floorplan import FloorPlan
 
 router = APIRouter(tags=["trials"])
@@ -39,10 +42,11 @@ class FloorPlanView(Document):
 
 
 class NewTrial(Document):
-    """Where to drive."""
+    """Where to drive, and the screen that must stay in view meanwhile."""
 
     floorplan: Name
     path: Name
+    screen: ScreenWord
 
 
 class EndTrial(Document):
@@ -170,6 +174,8 @@ async def start_trial(body: NewTrial, who: Clinician, parts: PeopleParts, flows:
     """Start a trial: the chair is put on the start, the recording begins, and the chair is armed."""
     async with flows.visit.undisturbed("start a trial"):
         session = await flows.visit.needed_session(who.clinic_id)
+        if flows.chairs.chosen is not None:
+            raise Conflict("A real chair is chosen: choose the virtual one for a trial.")
         plan = await asyncio.to_thread(_needed_plan, flows, body.floorplan)
         try:
             path = plan.path_named(body.path)
@@ -179,7 +185,7 @@ async def start_trial(body: NewTrial, who: Clinician, parts: PeopleParts, flows:
         if misfit is not None:
             raise Conflict(misfit)
         await flows.view.show(plan, path.name)
-        trial_id = await flows.drive.start(session, who.person_id, who.name, plan, path)
+        trial_id = await flows.drive.start(session, Starter(who.person_id, who.name, body.screen), plan, path)
     return await asyncio.to_thread(_one, parts, who.clinic_id, trial_id)
 
 
@@ -191,6 +197,7 @@ def _one(parts: PeopleParts, clinic_id: int, trial_id: int) -> TrialView:
 @router.post("/trials/current/end")
 async def end_trial(_body: EndTrial, who: Clinician, parts: PeopleParts, flows: FlowParts) -> TrialView:
     """End the trial by hand; answered when it has been measured."""
+    require_controller(flows, who)
     trial_id = await flows.drive.end()
     return await asyncio.to_thread(_one, parts, who.clinic_id, trial_id)
 

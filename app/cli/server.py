@@ -15,6 +15,7 @@ import uvicorn
 
 from app.api.app import WebApp, say_goodbye
 from app.cli.errors import InputError
+from app.realtime import tidy
 
 PING_EVERY = 2.0  # s
 # A browser that does not answer for so long has gone: a tablet that sleeps, a cable that is out. Busy ones take a
@@ -34,6 +35,7 @@ class WebServer(uvicorn.Server):
                 log_config=None,
                 access_log=False,
                 server_header=False,
+                proxy_headers=False,  # who asks is who is connected, never who a header names
                 lifespan="on",
                 ws_per_message_deflate=False,
                 ws_ping_interval=PING_EVERY,
@@ -66,6 +68,8 @@ class WebServer(uvicorn.Server):
         """Start, and only then print the link."""
         await super().startup(sockets)
         if self.started:
+            # What was loaded stays: looking through all of it for garbage takes 0.2 s, in which no Stop would be heard.
+            tidy()
             typer.echo(self._words)
 
     def capture_signals(self) -> AbstractContextManager[None]:  # type: ignore[override]

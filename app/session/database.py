@@ -1,5 +1,6 @@
 """The one place that opens the database: SQLite, its settings, its migrations, one writer at a time."""
 
+import sqlite3
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -9,7 +10,10 @@ from typing import Any
 from alembic import command
 from alembic.config import Config
 from sqlalchemy import Engine, create_engine, event
+from sqlalchemy.exc import OperationalError
 from sqlalchemy.orm import Session
+
+from app.session.refusals import NO_ROOM, Full, Unavailable
 
 MIGRATIONS = Path(__file__).parent / "migrations"
 BUSY_TIMEOUT = 5000  # ms; another program (a backup) may hold the file for a moment
@@ -59,9 +63,25 @@ class Database:
 
     @contextmanager
     def transaction(self) -> Iterator[Transaction]:
-        """Yield a session; all of what was done in it is kept, or nothing when an exception passes."""
-        with self._one_at_a_time, Session(self._engine, expire_on_commit=False) as session, session.begin():
-            yield session
+        """Yield a session; all of what was done in it is kept, or nothing when an exception passes.
+
+        Raises
+        ------
+        Full
+            When there is no room for what was done in it.
+        Unavailable
+            When another program holds the file for too long.
+        """
+        try:
+            with self._one_at_a_time, Session(self._engine, expire_on_commit=False) as session, session.begin():
+                yield session
+        except OperationalError as error:
+            code = getattr(error.orig, "sqlite_errorcode", None)
+            if code == sqlite3.SQLITE_FULL:
+                raise Full(NO_ROOM) from error
+            if code in {sqlite3.SQLITE_BUSY, sqlite3.SQLITE_LOCKED}:
+                raise Unavailable("Another program holds the database: wait for its end, then try again.") from error
+            raise
 
     def close(self) -> None:
         """Close every connection."""

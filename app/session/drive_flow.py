@@ -5,23 +5,19 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
-from app.faults import Fault
 from app.session.control import Control
 from app.session.database import Database
 from app.session.readings import Readings
 from app.session.refusals import Conflict
 from app.session.runs import OpenRun, Runs
-from app.session.store_controls import current_parameters
+from app.session.store_controls import as_document, current_parameters
 from app.session.store_log import write_log
 from app.session.store_runs import add_trial, finish_trial
 from app.session.tables import PatientSession, Run, Trial
 from app.session.trial_watch import End, TrialPlace, TrialWatch
+from app.session.watching import RunLost, Starter, watched
 from app.world.floorplan import FloorPlan, PrescribedPath
 
-LOOK_EVERY = 0.04  # s
 STOP_LIMIT = 1.5  # s for the same when the application ends; then the trial stays without figures
 END_LIMIT = 30.0  # s for closing and measuring a trial, before a caller is told to look later
 
@@ -31,7 +27,8 @@ class RunningTrial:
     """The trial that is being driven."""
 
     id: int
-    person_id: int  # who started it, and whose screen must stay in view
+    person_id: int  # who started it
+    screen: str  # the word of the screen that did, which must stay in view
     run: OpenRun
     watch: TrialWatch
     path: PrescribedPath
@@ -63,32 +60,28 @@ class DriveFlow:
         """Whether a trial is being started, driven or measured."""
         return self._starting or self.trial is not None
 
-    async def start(
-        self, session: PatientSession, person_id: int, person: str, plan: FloorPlan, path: PrescribedPath
-    ) -> int:
+    async def start(self, session: PatientSession, who: Starter, plan: FloorPlan, path: PrescribedPath) -> int:
         """Begin a trial and return its id: chair on the start, recording, armed."""
         if self.running or self._runs.open is not None:
             raise Conflict("Something is being recorded already: end it first, then start a trial.")
         self._starting = True
         try:
-            return await self._start(session, person_id, person, plan, path)
+            return await self._start(session, who, plan, path)
         finally:
             self._starting = False
 
-    async def _start(
-        self, session: PatientSession, person_id: int, person: str, plan: FloorPlan, path: PrescribedPath
-    ) -> int:
+    async def _start(self, session: PatientSession, who: Starter, plan: FloorPlan, path: PrescribedPath) -> int:
         parameters_id, parameters_hash = await asyncio.to_thread(self._parameters, session.patient_id)
         await self._control.call("world", floorplan=plan.model_dump(mode="json"), path=path.name)
         run = await self._runs.begin(session.id, "drive", (), {"floorplan": plan.name, "path": path.name})
         try:
-            trial_id = await asyncio.to_thread(self._note, session, parameters_id, person, plan, path, run)
+            trial_id = await asyncio.to_thread(self._note, session, parameters_id, who.name, plan, path, run)
         except BaseException:
             await self._runs.end()
             raise
         watch = TrialWatch(path.line, path.goal_radius, path.time_limit)
         self._end_asked.clear()
-        self.trial = RunningTrial(trial_id, person_id, run, watch, path)
+        self.trial = RunningTrial(trial_id, who.person_id, who.screen, run, watch, path)
         try:
             await self._control.call("arm", hash=parameters_hash)
         except BaseException:
@@ -129,31 +122,10 @@ class DriveFlow:
             await self._finish(trial, end)
 
     async def _watch(self, trial: RunningTrial) -> End:
-        last, fault = 0, Fault.NONE
-        while True:
-            try:
-                await asyncio.wait_for(self._end_asked.wait(), LOOK_EVERY)
-            except TimeoutError:
-                pass
-            else:
-                return "by hand"
-            ticks = self._control.since(last)
-            if ticks is None:
-                return "fault"
-            if len(ticks):
-                last = int(ticks["number"][-1])
-                ticks = ticks[ticks["run"] == trial.run.number]
-                fault = await self._note_fault(trial, ticks, fault)
-                end = trial.watch.take(ticks)
-                if end is not None:
-                    return end
-
-    async def _note_fault(self, trial: RunningTrial, ticks: NDArray[np.void], before: Fault) -> Fault:
-        """Write each new stop or fault of the trial to the log; return the one that is on now."""
-        now = Fault(int(ticks["fault"][-1])) if len(ticks) else before
-        if now not in {before, Fault.NONE}:
-            await asyncio.to_thread(self._log, "fault", trial=trial.id, fault=now.name.lower())
-        return now
+        try:
+            return await watched(self._control, trial.run.number, self._end_asked, trial.watch.take) or "by hand"
+        except RunLost:
+            return "fault"
 
     async def _finish(self, trial: RunningTrial, end: End) -> None:
         measures = None
@@ -171,8 +143,9 @@ class DriveFlow:
 
     def _parameters(self, patient_id: int) -> tuple[int, str]:
         with self._database.transaction() as db:
-            row, _profile = current_parameters(db, patient_id)
-            return row.id, row.hash
+            row, profile = current_parameters(db, patient_id)
+            # As the control process reckons it: the stored one may be of an older program, which knew fewer fields.
+            return row.id, as_document(row, profile).hash
 
     def _note(
         self,
@@ -197,10 +170,6 @@ class DriveFlow:
             )
             write_log(db, person, "armed", trial=trial.id, parameters=parameters_id)
             return trial.id
-
-    def _log(self, what: str, **details: Any) -> None:
-        with self._database.transaction() as db:
-            write_log(db, None, what, **details)
 
     def _drop(self, trial_id: int) -> None:
         with self._database.transaction() as db:

@@ -1,5 +1,7 @@
 """How the session refuses: one sentence that says what, where and what to do."""
 
+NO_ROOM = "The disk is full, and nothing was kept of this: make room, then try again."
+
 
 class Refusal(Exception):  # noqa: N818
     """What was asked cannot be done; the sentence says why and what to do."""
@@ -15,3 +17,7 @@ class Conflict(Refusal):
 
 class Unavailable(Refusal):
     """A part that is needed is not there at the moment: try again."""
+
+
+class Full(Refusal):
+    """There is no room on the disk."""

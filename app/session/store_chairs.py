@@ -1,5 +1,6 @@
 """Real chairs: which there are, which one is driven, and what the clinic's owner allows."""
 
+from collections.abc import Iterator
 from typing import Any
 
 from sqlalchemy import select
@@ -32,12 +33,10 @@ def add_chair(db: Session, clinic: Clinic, name: str, host: str, port: int, key_
     return chair
 
 
-def free_key_id(db: Session, clinic: Clinic) -> int:
-    """Return the number of the next key: one that no chair here ever had, so that an old key is nobody's."""
+def free_key_ids(db: Session, clinic: Clinic) -> Iterator[int]:
+    """Yield the numbers of keys that no chair here ever had, so that an old key is nobody's."""
     used = set(db.scalars(select(Chair.key_id).where(Chair.clinic_id == clinic.id)))
-    for key_id in range(1, LARGEST_KEY_ID + 1):
-        if key_id not in used:
-            return key_id
+    yield from (key_id for key_id in range(1, LARGEST_KEY_ID + 1) if key_id not in used)
     raise Conflict("Every number of a key was used: begin with a new state folder.")
 
 

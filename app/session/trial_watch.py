@@ -6,12 +6,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.faults import State
+from app.session.watching import FaultPatience
 from app.world.path import Path
 from app.world.progress import Progress
 
 End = Literal["goal", "time-out", "by hand", "fault"]
-
-FAULT_LIMIT = 20.0  # s: a latched stop pauses a trial; uncleared for so long, it ends it
 
 
 class TrialPlace(NamedTuple):
@@ -35,7 +34,7 @@ class TrialWatch:
         self._progress = Progress(path, goal_radius)
         self._time_limit = time_limit
         self._began: float | None = None
-        self._fault_since: float | None = None
+        self._patience = FaultPatience()
         self.place = TrialPlace(0.0, 0.0, path.length, 0.0, 0.0)
 
     def take(self, ticks: NDArray[np.void]) -> End | None:
@@ -47,12 +46,8 @@ class TrialWatch:
         return None
 
     def _take_one(self, t: float, x: float, y: float, state: State) -> End | None:
-        if state is State.FAULT:
-            self._fault_since = t if self._fault_since is None else self._fault_since
-            if t - self._fault_since >= FAULT_LIMIT:
-                return "fault"
-        else:
-            self._fault_since = None
+        if self._patience.ends(t, state):
+            return "fault"
         if self._began is None:
             if state is not State.ARMED:
                 return None

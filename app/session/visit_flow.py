@@ -10,6 +10,7 @@ from app.session.control import Control
 from app.session.database import Database
 from app.session.drive_flow import DriveFlow
 from app.session.equipment import Equipment
+from app.session.real_drive import RealDriveFlow
 from app.session.refusals import Conflict, Refusal
 from app.session.store_controls import as_document, current_parameters, newest_profile
 from app.session.store_patients import open_session
@@ -27,6 +28,7 @@ class VisitFlow:
         equipment: Equipment,
         calibration: CalibrationFlow,
         drive: DriveFlow,
+        real: RealDriveFlow,
         tell: Callable[[str], None],
     ) -> None:
         self._database = database
@@ -34,13 +36,14 @@ class VisitFlow:
         self._equipment = equipment
         self._calibration = calibration
         self._drive = drive
+        self._real = real
         self._tell = tell
         self._one_at_a_time = asyncio.Lock()
         self.loaded: DriveParameters | None = None  # what the control process drives with
 
     @asynccontextmanager
     async def undisturbed(self, what: str) -> AsyncIterator[None]:
-        """Refuse what must not happen during a step or a trial, and let none begin until it is done.
+        """Refuse what must not happen during a step, a trial or a drive, and let none begin until it is done.
 
         Two screens may ask at the same moment: a visit must not change under a trial that is just being started.
         """
@@ -51,6 +54,8 @@ class VisitFlow:
     def _refuse_while_busy(self, what: str) -> None:
         if self._drive.running:
             raise Conflict(f"A trial is running: end it first, then {what}.")
+        if self._real.running:
+            raise Conflict(f"The real chair is armed: end the drive first, then {what}.")
         if self._calibration.running:
             raise Conflict(f"A calibration step is running: cancel it first, then {what}.")
 

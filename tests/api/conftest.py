@@ -8,7 +8,7 @@ from argon2 import PasswordHasher
 from fake_clinic import Clinic, running
 
 from app.api.passwords import Passwords
-from app.session import calibration_flow, drive_flow
+from app.session import calibration_flow, watching
 from app.session.database import Database
 from app.session.store_people import add_clinic
 from app.settings import Settings
@@ -29,7 +29,7 @@ def _light_passwords(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.fixture(autouse=True)
 def _quick_looks(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(calibration_flow, "LOOK_EVERY", 0.002)
-    monkeypatch.setattr(drive_flow, "LOOK_EVERY", 0.002)
+    monkeypatch.setattr(watching, "LOOK_EVERY", 0.002)
 
 
 @pytest.fixture

@@ -4,6 +4,7 @@ import asyncio
 import time
 import warnings
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.api.app import create_app
+from app.api.screens import Screen
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.calibration.script import Step
 from app.clock import monotonic
@@ -26,6 +28,7 @@ with warnings.catch_warnings():
     warnings.simplefilter("ignore")
     from starlette.testclient import TestClient
 
+WORD = "the-screen-of-the-tests"
 JOINTS = ("right_elbow", "left_elbow", "right_shoulder", "left_shoulder")
 BASE = "http://127.0.0.1:8080"
 LAYOUT = ShirtLayout(
@@ -83,6 +86,9 @@ class FakeLink:
         self.number = 0
         self.parameters: dict[str, Any] | None = None
         self.silent = False
+        self.stops, self.dial, self.chair = 0, 1.0, "virtual"
+        self.says: dict[str, Any] = {"battery": 0.5}  # what the real chair says, by the names of the tick
+        self.switch_seen = False
 
     async def call(self, do: str, **fields: Any) -> dict[str, Any]:
         if self.dead.is_set():
@@ -105,9 +111,18 @@ class FakeLink:
             if self.parameters is None:
                 raise LinkRefused("Nothing is loaded.")
             self.state = State.ARMED
+        if do == "chair":
+            self.chair = fields["config"]["kind"]
+            return {"kind": self.chair}
+        if do == "dial":
+            self.dial = fields["share"]
+            return {"share": self.dial}
         if do == "stop":
+            self.stops += 1
             self.state, self.fault = State.FAULT, Fault.STOP_TABLET
-        if do == "clear":
+        if do == "clear" and self.state is State.FAULT:
+            if fields["stops"] != self.stops:
+                raise LinkRefused("There was another stop meanwhile.")
             self.state, self.fault = (State.ARMED if self.run else State.DISARMED), Fault.NONE
         if do == "status":
             return {
@@ -116,6 +131,8 @@ class FakeLink:
                 "late": 0,
                 "recording": None,
                 "hash": None,
+                "chair": {"kind": self.chair, "words": f"A {self.chair} chair.", "switch_seen": self.switch_seen},
+                "dial": self.dial,
             }
         return {}
 
@@ -136,9 +153,15 @@ class FakeLink:
         tick["x"], tick["y"], tick["theta"] = self.pose
         tick["state"], tick["fault"], tick["cue"] = self.state, self.fault, NO_CUE
         tick["has_frame"], tick["n_channels"], tick["n_gestures"] = 1, 8, 4
+        tick["stops"], tick["dial"], tick["chair_kind"] = self.stops, self.dial, self.chair == "udp"
+        for name, value in self.says.items():
+            tick[name] = value
         tick["values"][0, :8] = np.nan
         tick["values"][0, 1] = 0.5
         return tick
+
+    def kill(self) -> None:
+        self.die()
 
     def die(self) -> None:
         """Die as a process does: at any moment, from nobody's thread."""
@@ -180,6 +203,20 @@ class Clinic:
                 return answer
             time.sleep(0.02)
 
+    @contextmanager
+    def screen(self, word: str = WORD) -> Iterator[Any]:
+        """Open the socket of a screen that is in view, of the first person who signed in."""
+        url = f"{BASE.replace('http', 'ws')}/api/v1/screen"
+        with self.client.websocket_connect(url, headers={"Origin": BASE}) as socket:
+            socket.send_json({"screen": word, "visible": True})
+            while self.flows.screens.age(Screen(1, word), monotonic()) is None:
+                time.sleep(0.002)
+            yield socket
+
+    @property
+    def flows(self) -> Any:
+        return self.client.app.state.flows  # type: ignore[attr-defined]
+
     def visit(self) -> Any:
         patient = self.good("POST", "/patients", json={"code": "P-1", "pseudonym": "Heron"})
         return self.good("POST", "/visit", json={"patient_id": patient["id"]})["patient"]
@@ -214,5 +251,5 @@ def running(settings: Settings) -> Iterator[Clinic]:
         drive=lambda _folder: Driven(line, line, 0 * line),
     )
     app = create_app(settings, open_link, readings)
-    with TestClient(app, base_url=BASE, raise_server_exceptions=False) as client:
+    with TestClient(app, base_url=BASE, raise_server_exceptions=False, client=("127.0.0.1", 50_000)) as client:
         yield Clinic(client, links, answers)

@@ -6,7 +6,7 @@ from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import pytest
-from fake_clinic import BASE, LAYOUT
+from fake_clinic import BASE, LAYOUT, WORD
 from starlette.websockets import WebSocketDisconnect
 
 from app.session.calibration_flow import CalibrationFlow
@@ -132,7 +132,9 @@ def test_a_visit_does_not_change_under_a_trial_that_is_being_started(
             return await start(self, *given)
 
         monkeypatch.setattr(DriveFlow, "start", slowly)
-        signed_in.good("POST", "/trials", json={"floorplan": plan["name"], "path": plan["paths"][0]["name"]})
+        signed_in.good(
+            "POST", "/trials", json={"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}
+        )
         assert "A trial is running" in sentence(asked[0].result(), 409)
     assert signed_in.good("GET", "/visit")["patient"]["id"] == patient["id"]
     signed_in.good("POST", "/trials/current/end", json={})

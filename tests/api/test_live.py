@@ -3,7 +3,7 @@
 from typing import Any
 
 import pytest
-from fake_clinic import BASE
+from fake_clinic import BASE, WORD
 from starlette.websockets import WebSocketDisconnect
 
 ORIGIN = {"Origin": BASE}
@@ -79,42 +79,20 @@ def test_a_stop_counts_whatever_else_the_message_says(signed_in: Any) -> None:
             pytest.fail("the stop was lost")
 
 
-def test_the_screen_that_drives_is_the_one_of_who_started_and_in_view(signed_in: Any) -> None:
-    def screen() -> bool:
-        signed_in.link.told.clear()
-        while not any(do == "heartbeat" for do, _ in signed_in.link.told):
-            pass
-        return next(fields["screen_age"] is not None for do, fields in signed_in.link.told if do == "heartbeat")
-
+def test_a_trial_shows_where_it_stands(signed_in: Any) -> None:
     signed_in.visit()
     signed_in.calibrate()
     plan = signed_in.good("GET", "/floorplans")[0]
     with signed_in.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
-        socket.receive_json()
-        assert screen() is False
-        signed_in.good("POST", "/trials", json={"floorplan": plan["name"], "path": plan["paths"][0]["name"]})
-        trial = next_with(socket, "trial")
-        while trial["trial"] is None:
-            trial = socket.receive_json()
-        assert trial["trial"]["length"] > 5
-        assert trial["run"]["kind"] == "drive"
-        socket.send_json({"visible": True})
-        while not screen():
-            pass
-        socket.send_json({"visible": False})
-        while screen():
-            pass
-        socket.send_json({"visible": True})
-        while not screen():
-            pass
-        # A page that says nothing any more counts as hidden, though its socket is open.
-        while screen():
-            pass
-        socket.send_json({"visible": True})
-        while not screen():
-            pass
-    while screen():
-        pass
+        signed_in.good(
+            "POST", "/trials", json={"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}
+        )
+        message = next_with(socket, "trial")
+        while message["trial"] is None:
+            message = socket.receive_json()
+        assert message["trial"]["length"] > 5
+        assert message["run"]["kind"] == "drive"
+        assert (message["stops"], message["dial"], message["chair"], message["drive"]) == (0, 1.0, None, None)
 
 
 def test_without_a_control_process_the_chair_is_shown_standing(signed_in: Any) -> None:

@@ -32,7 +32,7 @@ def test_one_bad_picture_is_not_the_last() -> None:
         hub = LiveHub(picture, dict)
         hub.start()
         async with asyncio.timeout(5):
-            await hub.serve(Viewer(page, 1))  # type: ignore[arg-type]
+            await hub.serve(Viewer(page))  # type: ignore[arg-type]
         await hub.close()
 
     asyncio.run(story())

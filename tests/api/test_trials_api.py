@@ -4,6 +4,7 @@ import time
 from typing import Any
 
 import pytest
+from fake_clinic import WORD
 
 
 @pytest.fixture
@@ -11,7 +12,7 @@ def ready(signed_in: Any) -> Any:
     signed_in.patient = signed_in.visit()
     signed_in.calibrate()
     plan = signed_in.good("GET", "/floorplans")[0]
-    signed_in.where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"]}
+    signed_in.where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}
     signed_in.document = signed_in.good("GET", f"/floorplans/{plan['name']}")
     return signed_in
 
@@ -94,9 +95,11 @@ def test_stop_is_for_anyone_and_twice_and_clear_is_not(ready: Any) -> None:
     assert ready.client.post("/api/v1/control/stop").status_code == 200
     foreign = ready.client.post("/api/v1/control/stop", headers={"Origin": "http://evil.example"})
     assert foreign.status_code == 403
-    assert ready("POST", "/control/clear").status_code == 401
+    assert ready("POST", "/control/clear", json={"stops": 3}).status_code == 401
     ready.client.cookies["bodydrive_session"] = token
-    assert ready.good("POST", "/control/clear") == {"state": "armed", "fault": None}
+    seen_before = ready("POST", "/control/clear", json={"stops": 2})
+    assert seen_before.status_code == 409
+    assert ready.good("POST", "/control/clear", json={"stops": 3}) == {"state": "armed", "fault": None}
     assert [do for do, _ in ready.link.calls].count("stop") == 3
 
 

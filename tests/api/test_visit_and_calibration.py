@@ -3,7 +3,7 @@
 from typing import Any
 
 import pytest
-from fake_clinic import JOINTS, Clinic, running
+from fake_clinic import JOINTS, WORD, Clinic, running
 
 from app.settings import Settings
 
@@ -206,5 +206,7 @@ def test_another_shirt_does_not_drive_with_this_calibration(signed_in: Clinic) -
     worn.sample_rate = 250.0
     assert "calibrate again" in signed_in.good("GET", "/controls")["misfit"]
     plan = signed_in.good("GET", "/floorplans")[0]
-    answer = signed_in("POST", "/trials", json={"floorplan": plan["name"], "path": plan["paths"][0]["name"]})
+    answer = signed_in(
+        "POST", "/trials", json={"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}
+    )
     assert answer.status_code == 409

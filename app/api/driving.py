@@ -1,0 +1,43 @@
+"""One controller at a time: who armed goes on and ends; everybody else may look, and stop."""
+
+from dataclasses import dataclass
+
+from fastapi import HTTPException
+from starlette.requests import HTTPConnection
+
+from app.api.flows import Flows
+from app.api.nearby import require_nearby
+from app.api.signed_in import SignedIn
+
+ANOTHER = "Somebody else started this drive, and only they go on or end it here: you can stop it, and ask them."
+
+
+@dataclass(frozen=True, slots=True)
+class Controller:
+    """Who may go on with what is being driven."""
+
+    person_id: int
+    real: bool
+
+
+def controller_of(flows: Flows) -> Controller | None:
+    """Return whose trial or drive it is that goes on, None when nothing is driven."""
+    drive, trial = flows.real.drive, flows.drive.trial
+    if drive is not None:
+        return Controller(drive.person_id, real=True)
+    return None if trial is None else Controller(trial.person_id, real=False)
+
+
+def require_controller(flows: Flows, who: SignedIn) -> Controller | None:
+    """Refuse those who did not start what is being driven; anybody may do what is left when nothing is."""
+    controller = controller_of(flows)
+    if controller is not None and controller.person_id != who.person_id:
+        raise HTTPException(409, ANOTHER)
+    return controller
+
+
+def require_hand_on_chair(flows: Flows, who: SignedIn, connection: HTTPConnection) -> None:
+    """Refuse, for what sets the chair in motion, those who did not start the drive or are not in the building."""
+    controller = require_controller(flows, who)
+    if controller is not None and controller.real:
+        require_nearby(connection)

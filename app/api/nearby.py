@@ -1,0 +1,47 @@
+"""Whether somebody asks from within the building: only there can a person see the chair that they set in motion."""
+
+import ipaddress
+
+from fastapi import HTTPException
+from starlette.requests import HTTPConnection
+
+# Private, link-local and loopback networks (RFC 1918, 3927, 4193, 4291); others that are "not global" lie elsewhere.
+NEAR = [
+    ipaddress.ip_network(network)
+    for network in (
+        "127.0.0.0/8",
+        "10.0.0.0/8",
+        "172.16.0.0/12",
+        "192.168.0.0/16",
+        "169.254.0.0/16",
+        "::1/128",
+        "fc00::/7",
+        "fe80::/10",
+    )
+]
+PASSED_ON = ("forwarded", "via", "x-real-ip")  # headers of a request that somebody else passes on
+
+FAR = (
+    "The chair is set in motion only from a screen in the building, connected without anything in between: "
+    "go to the chair, and open the page there."
+)
+
+
+def is_nearby(connection: HTTPConnection) -> bool:
+    """Tell whether a request comes straight from a machine of the building's own network."""
+    names = [name.lower() for name in connection.headers]
+    if any(name in PASSED_ON or name.startswith("x-forwarded") for name in names) or connection.client is None:
+        return False
+    try:
+        address = ipaddress.ip_address(connection.client.host.partition("%")[0])
+    except ValueError:
+        return False
+    if isinstance(address, ipaddress.IPv6Address) and address.ipv4_mapped is not None:
+        address = address.ipv4_mapped
+    return any(address in network for network in NEAR)
+
+
+def require_nearby(connection: HTTPConnection) -> None:
+    """Refuse those who are elsewhere."""
+    if not is_nearby(connection):
+        raise HTTPException(403, FAR)

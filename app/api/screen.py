@@ -1,0 +1,66 @@
+"""The screen socket: ten times a second a page says, from a worker of its own, whether it is in view."""
+
+import json
+from typing import Annotated
+
+from fastapi import APIRouter, WebSocket
+from pydantic import Field, ValidationError
+from starlette.websockets import WebSocketDisconnect
+
+from app.api.flows import Flows
+from app.api.screens import Screen
+from app.clock import monotonic
+from app.quantities import Document
+
+router = APIRouter()
+
+MESSAGE_LIMIT = 300  # characters
+NOT_TEXT = 1003  # close code
+
+ScreenWord = Annotated[str, Field(min_length=8, max_length=64, pattern=r"^[A-Za-z0-9_-]+$")]
+
+
+class Said(Document):
+    """What a screen says."""
+
+    screen: ScreenWord
+    visible: bool
+
+
+@router.websocket("/screen")
+async def screen_socket(websocket: WebSocket) -> None:
+    """Take the signs of one screen; the chair that it armed stops when they end."""
+    sockets = websocket.app.state.people.sockets
+    who = await sockets.admit(websocket)
+    if who is None:
+        return
+    await websocket.accept()
+    flows: Flows = websocket.app.state.flows
+    screen: Screen | None = None
+    async with sockets.guarded(websocket, who):
+        try:
+            while True:
+                said = _read(await websocket.receive_text())
+                if said is None:
+                    continue
+                if screen is not None and screen.word != said.screen:
+                    flows.lost(screen, websocket)
+                screen = Screen(who.person_id, said.screen)
+                flows.saw(screen, said.visible, monotonic(), websocket)
+        except (WebSocketDisconnect, RuntimeError):
+            pass  # gone, or closed by us
+        except KeyError:
+            await websocket.close(NOT_TEXT)
+        finally:
+            if screen is not None:
+                flows.lost(screen, websocket)
+
+
+def _read(text: str) -> Said | None:
+    """Return what was said; None for what cannot be read, which is as good as silence."""
+    if len(text) > MESSAGE_LIMIT:
+        return None
+    try:
+        return Said.model_validate(json.loads(text))
+    except (ValidationError, ValueError, RecursionError):
+        return None

@@ -1,0 +1,173 @@
+"""What arming the real chair would apply, and what still speaks against it."""
+
+import asyncio
+from dataclasses import dataclass
+
+import numpy as np
+
+from app.calibration.vocabulary import DriveParameters
+from app.session.chair_said import CHAIR_FAULT, is_silent, why_not
+from app.session.chairs import Chairs
+from app.session.control import Control
+from app.session.database import Database
+from app.session.differences import differences
+from app.session.equipment import Equipment
+from app.session.limits import ClinicLimits
+from app.session.practised import NO_PRACTICE, Practice, Practised
+from app.session.refusals import Refusal
+from app.session.store_controls import as_document, current_parameters, newest_profile
+from app.session.store_patients import open_session
+from app.session.tables import PatientSession
+from app.session.visit_flow import VisitFlow
+from app.speeds import NO_FURTHER, Speeds, dialled, most_restrictive
+
+NOT_A_BODY = frozenset({"simulator", "replay"})  # shirts that nobody wears
+
+NOBODY = "Nobody is here: choose a patient on the Patients page first."
+NOT_CALIBRATED = "Nothing is calibrated yet: go to Calibrate and accept a result first."
+NO_CHAIR = "The virtual chair is chosen: choose a real one first."
+NOT_WORN = "A simulated or repeated shirt must not drive a real chair: choose the shirt that the patient wears."
+NOT_PRACTISED = "This set was never practised on the virtual chair: finish a trial with it, and keep it, first."
+SHOW_THE_SWITCH = (
+    "In acceleration mode a chair cruises by itself: press and release its stop switch once to show that it works, "
+    "or choose velocity mode."
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Arming:
+    """Everything that a person reads before arming; what is not known is None."""
+
+    session: PatientSession | None
+    parameters_id: int | None
+    parameters: DriveParameters | None
+    speeds: Speeds | None  # what would hold
+    practice: Practice
+    last_practised: DriveParameters | None
+    differences: list[str]  # since then
+    refusals: list[str]  # empty: the chair can be armed
+
+
+@dataclass(frozen=True, slots=True)
+class _Set:
+    """What the database knows."""
+
+    session: PatientSession | None = None
+    parameters_id: int | None = None
+    parameters: DriveParameters | None = None
+    practice: Practice = NO_PRACTICE
+    last_practised: DriveParameters | None = None
+
+
+class RealArming:
+    """Looks at everything that has to be right before a real chair is armed; what it cannot see it refuses."""
+
+    def __init__(
+        self,
+        database: Database,
+        control: Control,
+        equipment: Equipment,
+        visit: VisitFlow,
+        chairs: Chairs,
+        limits: ClinicLimits,
+        *,
+        demonstration: bool,
+    ) -> None:
+        self._database = database
+        self._control = control
+        self._equipment = equipment
+        self._visit = visit
+        self._chairs = chairs
+        self._limits = limits
+        self._demonstration = demonstration
+        self._practised = Practised()
+
+    async def look(self, clinic_id: int) -> Arming:
+        """Return what arming would apply at this moment."""
+        found = await asyncio.to_thread(self._read, clinic_id)
+        parameters, last = found.parameters, found.last_practised
+        changed = [] if parameters is None or last is None else differences(parameters, last)
+        return Arming(
+            session=found.session,
+            parameters_id=found.parameters_id,
+            parameters=parameters,
+            speeds=None if parameters is None else self._speeds(parameters),
+            practice=found.practice,
+            last_practised=last,
+            differences=changed,
+            refusals=[*self._about_the_patient(found), *await self._about_the_chair(parameters)],
+        )
+
+    @property
+    def warning(self) -> str:
+        """Return what must be said of a chair that nobody wears a shirt for; empty where that cannot be."""
+        if self._chairs.chosen is None or not (self._demonstration and self._equipment.shirt["kind"] in NOT_A_BODY):
+            return ""
+        return "A demonstration: the simulated body may drive this chair, so nobody may sit in it."
+
+    def held(self, speeds: Speeds) -> dict[str, float]:
+        """Return what holds instead of those numbers of a set that the clinic or the chosen chair does not allow."""
+        held = self._without_dial(speeds).model_dump()
+        return {name: value for name, value in held.items() if value < getattr(speeds, name)}
+
+    def _without_dial(self, speeds: Speeds) -> Speeds:
+        chair = NO_FURTHER if self._chairs.chosen is None else Speeds.model_validate(self._chairs.chosen.speeds)
+        return most_restrictive(speeds, self._limits.speeds, chair)
+
+    def _speeds(self, parameters: DriveParameters) -> Speeds:
+        tick = self._control.newest()
+        return dialled(self._without_dial(parameters.speeds), 1.0 if tick is None else float(tick["dial"]))
+
+    def _about_the_patient(self, found: _Set) -> list[str]:
+        if found.session is None:
+            return [NOBODY]
+        if found.parameters is None:
+            return [NOT_CALIBRATED]
+        refusals = []
+        misfit = self._visit.misfit(found.parameters)
+        if misfit is not None:
+            refusals.append(misfit)
+        if self._equipment.shirt["kind"] in NOT_A_BODY and not self._demonstration:
+            refusals.append(NOT_WORN)
+        if found.practice.trials == 0:
+            refusals.append(NOT_PRACTISED)
+        return refusals
+
+    async def _about_the_chair(self, parameters: DriveParameters | None) -> list[str]:
+        if self._chairs.chosen is None:
+            return [NO_CHAIR]
+        tick = self._control.newest()
+        refusal = self._chair_now(self._chairs.chosen.name, tick)
+        if refusal or parameters is None or "acceleration" not in (parameters.mode_u1, parameters.mode_u2):
+            return [refusal] if refusal else []
+        try:
+            status = await self._control.call("status")
+        except Refusal as lost:
+            return [str(lost)]
+        return [] if status["chair"].get("switch_seen") else [SHOW_THE_SWITCH]
+
+    def _chair_now(self, name: str, tick: np.void | None) -> str:
+        if tick is None:
+            return "The control process is being restarted: wait a moment."
+        if not tick["chair_kind"]:
+            return self._chairs.not_open
+        if is_silent(tick):
+            return f"{name} does not answer: check its power and the network."
+        if tick["stop_input"]:
+            return f"The stop switch of {name} is pressed: look around, then release it."
+        return why_not(int(tick["chair_fault"])) if int(tick["chair_state"]) == CHAIR_FAULT else ""
+
+    def _read(self, clinic_id: int) -> _Set:
+        with self._database.transaction() as db:
+            session = open_session(db, clinic_id)
+            if session is None or newest_profile(db, session.patient_id) is None:
+                return _Set(session)
+            row, profile = current_parameters(db, session.patient_id)
+            parameters = as_document(row, profile)
+            return _Set(
+                session,
+                row.id,
+                parameters,
+                self._practised.practice(db, session.patient_id, parameters.hash),
+                self._practised.newest(db, session.patient_id),
+            )

@@ -1,0 +1,64 @@
+"""What a real chair says of itself, in words."""
+
+import math
+from typing import Any
+
+import numpy as np
+
+from app.hardware.chair.reasons import WORDS, Reason
+from app.pipeline.safety import CHAIR_SILENT
+
+STATES = ("disarmed", "checking", "armed", "fault")
+CHAIR_FAULT = 3  # the last of them
+
+
+def why_not(fault: int) -> str:
+    """Return in a sentence why a chair whose state is fault stands."""
+    if fault == Reason.NONE or fault not in WORDS:
+        return "The chair reports a fault that this program does not know."
+    return WORDS[Reason(fault)]
+
+
+def is_silent(tick: np.void) -> bool:
+    """Return whether the chair of this tick has not been heard for too long."""
+    return not float(tick["chair_age"]) <= CHAIR_SILENT
+
+
+def chair_said(tick: np.void) -> dict[str, Any]:
+    """Return what the newest tick (`app.messages.TICK`) holds of a real chair, for the live picture."""
+    state, fault = int(tick["chair_state"]), int(tick["chair_fault"])
+    if is_silent(tick):
+        words = "The chair does not answer: check its power and the network."
+    elif state == CHAIR_FAULT:
+        words = why_not(fault)
+    else:
+        words = "" if fault == Reason.NONE else why_not(fault)
+    return {
+        "kind": "udp",
+        "state": STATES[min(state, CHAIR_FAULT)],
+        "age": _number(tick["chair_age"]),
+        "battery": _number(tick["battery"]),
+        "stop_input": bool(tick["stop_input"]),
+        "v": _number(tick["driven_v"]) or 0.0,
+        "omega": _number(tick["driven_omega"]) or 0.0,
+        "words": words,
+    }
+
+
+def chair_not_open(words: str) -> dict[str, Any]:
+    """Return the same of a chair that was chosen and could not be opened."""
+    return {
+        "kind": "udp",
+        "state": STATES[0],
+        "age": None,
+        "battery": None,
+        "stop_input": False,
+        "v": 0.0,
+        "omega": 0.0,
+        "words": words,
+    }
+
+
+def _number(value: Any) -> float | None:
+    number = float(value)
+    return round(number, 3) if math.isfinite(number) else None

@@ -1,0 +1,63 @@
+"""A row in the log for every stop and every fault, whatever was going on."""
+
+import asyncio
+import logging
+from collections.abc import Callable
+from typing import Any
+
+from app.faults import Fault
+from app.session.control import Control, ControlState
+from app.session.database import Database
+from app.session.store_log import write_log
+
+LOOK_EVERY = 0.1  # s
+
+logger = logging.getLogger("bodydrive")
+
+
+class FaultLog:
+    """Looks at the newest tick and notes what was latched; a stop given during another one is no new row."""
+
+    def __init__(self, database: Database, control: Control, during: Callable[[], dict[str, int]]) -> None:
+        """`during` names the trial or the drive that goes on."""
+        self._database = database
+        self._control = control
+        self._during = during
+        self._latched = Fault.NONE
+        self._task: asyncio.Task[None] | None = None
+        control.on_change.append(self._changed)
+
+    def start(self) -> None:
+        """Begin to look."""
+        self._task = asyncio.create_task(self._look())
+
+    async def close(self) -> None:
+        """Look no more."""
+        if self._task is not None:
+            self._task.cancel()
+            await asyncio.gather(self._task, return_exceptions=True)
+
+    async def _look(self) -> None:
+        while True:
+            await asyncio.sleep(LOOK_EVERY)
+            tick = self._control.newest()
+            if tick is not None:
+                await self._note(Fault(int(tick["fault"])))
+
+    async def _changed(self, state: ControlState) -> None:
+        if state == "lost":
+            await self._note(Fault.CONTROL_LOST)
+
+    async def _note(self, fault: Fault) -> None:
+        before, self._latched = self._latched, fault
+        if fault in {before, Fault.NONE}:
+            return
+        what = "stop" if fault.name.startswith("STOP_") else "fault"
+        try:
+            await asyncio.to_thread(self._write, what, fault=fault.name.lower(), **self._during())
+        except Exception:  # a database that is full now may be written to later
+            logger.exception("A %s could not be noted in the log", what)
+
+    def _write(self, what: str, **details: Any) -> None:
+        with self._database.transaction() as db:
+            write_log(db, None, what, **details)
