@@ -35,6 +35,7 @@ def measure_stop(stops: int = STOPS) -> list[Row]:
         with started("app.bench.stop_served", str(chair.port), str(key_file), folder) as web:
             try:
                 address = ("127.0.0.1", int(next_line(web)))
+                _request(address, "GET", "/")  # the page that has the button was loaded before
                 for times, stop in [(over_link, _by_link), (over_http, _by_http)] * stops:
                     ask(web, "arm")
                     clock.sleep_until(clock.now() + pause.uniform(0.0, DRIVING))
@@ -52,14 +53,19 @@ def _by_link(web: subprocess.Popen[str], _address: tuple[str, int]) -> float:
 
 
 def _by_http(_web: subprocess.Popen[str], address: tuple[str, int]) -> float:
+    return _request(address, "POST", "/api/v1/control/stop")
+
+
+def _request(address: tuple[str, int], method: str, path: str) -> float:
+    """Ask the web process, and return when that began (monotonic s)."""
     connection = http.client.HTTPConnection(*address, timeout=FRAME_LIMIT)
     connection.connect()  # a page's connection stands already
     before = monotonic()
-    connection.request("POST", "/api/v1/control/stop")
+    connection.request(method, path)
     status = connection.getresponse().status
     connection.close()
     if status != http.client.OK:
-        raise RuntimeError(f"the web process of the benchmark answered a stop by {status}")
+        raise RuntimeError(f"the web process of the benchmark answered {method} {path} by {status}")
     return before
 
 

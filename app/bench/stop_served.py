@@ -17,6 +17,7 @@ from app.api.flows import flows_of
 from app.bench.subject import bench_chair, bench_floorplan, bench_parameters
 from app.clock import monotonic
 from app.faults import EXPLANATIONS, Fault, State
+from app.realtime import tidy
 from app.session.control import Control
 from app.session.recordings import recorded_readings
 from app.session.refusals import Conflict
@@ -39,6 +40,7 @@ async def main(chair_port: int, key_file: Path, folder: Path) -> None:
             if serving.done():
                 raise RuntimeError("the web process of the benchmark did not start: its message stands above")
             await asyncio.sleep(LOOK_EVERY)
+        tidy()  # as the web server does
         control = flows_of(app).control
         control.screen_age = lambda: 0.0  # a screen that is in view all the time
         digest = await _set_up(control, chair_port, key_file, folder)
