@@ -1,0 +1,119 @@
+"""Who may do what: every route says whom it is for, and is asked by everybody."""
+
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+from fake_clinic import BASE, Clinic
+from fastapi import FastAPI
+from fastapi.dependencies.models import Dependant
+from fastapi.routing import APIRoute, APIWebSocketRoute, RouteContext, iter_route_contexts
+from starlette.websockets import WebSocketDisconnect
+
+from app.api.deps import anyone_signed_in, clinician, everyone, owner
+from app.session.store_people import add_person, find_person, sign_in, the_clinic
+
+RIGHTS = {everyone: 0, anyone_signed_in: 1, clinician: 2, owner: 3}
+ROLES = {"anonymous": 0, "reviewer": 1, "clinician": 2, "owner": 3}
+PAGES = {"/vendor/plotly.min.js"}  # as public as the other files of the pages
+
+# What a person may do here is this table, and the code; a new route has to be put in both.
+FOR_EVERYONE = {
+    "POST /auth/demo",
+    "POST /auth/setup",
+    "POST /auth/sign-in",
+    "POST /auth/sign-out",
+    "GET /auth/me",
+    "POST /control/stop",
+}
+FOR_OWNERS = {"POST /chairs", "DELETE /chairs/{chair_id}", "PUT /limits"}
+FOR_REVIEWERS = {
+    "GET /patients",
+    "GET /visit",
+    "GET /equipment",
+    "GET /chairs",
+    "GET /limits",
+    "GET /floorplans",
+    "GET /floorplans/{name}",
+    "GET /trials",
+    "GET /trials/{trial_id}",
+    "GET /drives",
+    "GET /drives/summary",
+    "GET /patients/{patient_id}/learning",
+    "GET /view/{role}/",
+}
+
+
+def asked(dependant: Dependant) -> Iterator[Any]:
+    """Yield what a route depends on, at any depth."""
+    for below in dependant.dependencies:
+        yield below.call
+        yield from asked(below)
+
+
+def contexts(app: FastAPI, kind: type) -> list[RouteContext]:
+    """Return all routes of a kind as they are reached, those of included routers too."""
+    return [context for context in iter_route_contexts(app.routes) if isinstance(context.original_route, kind)]
+
+
+def table(app: FastAPI) -> dict[str, int | None]:
+    """Return the highest right that each route asks for, None when it asks for none."""
+    rights = {}
+    for context in contexts(app, APIRoute):
+        right = max((RIGHTS[call] for call in asked(context.dependant) if call in RIGHTS), default=None)
+        for method in context.methods - {"HEAD"}:
+            if context.path not in PAGES:
+                rights[f"{method} {context.path.removeprefix('/api/v1')}"] = right
+    return rights
+
+
+def test_every_route_says_whom_it_is_for_and_it_is_the_table(clinic: Clinic) -> None:
+    rights = table(clinic.client.app)  # type: ignore[arg-type]
+    assert len(rights) >= 50
+    assert [name for name, right in rights.items() if right is None] == []
+    assert {name for name, right in rights.items() if right == 0} == FOR_EVERYONE
+    assert {name for name, right in rights.items() if right == 1} == FOR_REVIEWERS
+    assert {name for name, right in rights.items() if right == 3} == FOR_OWNERS
+
+
+@pytest.mark.parametrize("role", ROLES)
+def test_the_matrix_of_roles_and_routes(clinic: Clinic, role: str) -> None:
+    """Nothing is sent along, so that what may be done is refused for its content, and nothing else is."""
+    database = clinic.client.app.state.people.database  # type: ignore[attr-defined]
+    with database.transaction() as db:
+        if role != "anonymous":
+            add_person(db, the_clinic(db), role, role, None)
+    wrong = []
+    for name, right in table(clinic.client.app).items():  # type: ignore[arg-type]
+        clinic.client.cookies.clear()
+        if role != "anonymous":
+            with database.transaction() as db:  # anew: one of the routes signs out
+                clinic.client.cookies["bodydrive_session"] = sign_in(db, find_person(db, role), "test")
+        method, path = name.split()
+        for placeholder in ("{chair_id}", "{patient_id}", "{trial_id}"):
+            path = path.replace(placeholder, "1")
+        path = path.replace("{name}", "nowhere").replace("{step}", "rest").replace("{role}", "clinician")
+        prefix = "" if path.startswith("/view/clinician/") and method == "GET" else "/api/v1"
+        status = clinic.client.request(method, f"{prefix}{path}", headers={"Origin": BASE}).status_code
+        needed = right or 0
+        if needed and ROLES[role] == 0:
+            expected = {401}
+        elif needed > ROLES[role]:
+            expected = {403}
+        else:
+            expected = {200, 201, 404, 409, 415, 422, 503}
+        if status not in expected:
+            wrong.append((name, status))
+    assert wrong == []
+
+
+def test_no_websocket_opens_for_nobody(clinic: Clinic) -> None:
+    sockets = {context.path for context in contexts(clinic.client.app, APIWebSocketRoute)}  # type: ignore[arg-type]
+    assert sockets == {"/api/v1/live", "/api/v1/screen", "/view/{role}", "/view/{role}/"}
+    for path in sockets:
+        url = f"{BASE.replace('http', 'ws')}{path.replace('{role}', 'clinician')}"
+        with (
+            pytest.raises(WebSocketDisconnect),
+            clinic.client.websocket_connect(url, headers={"Origin": BASE}) as socket,
+        ):
+            socket.receive_text()
