@@ -1,0 +1,175 @@
+"""A sender written from safety.md alone, by somebody who never saw this project's code: struct, hmac, a socket."""
+
+import fcntl
+import hashlib
+import hmac
+import json
+import os
+import random
+import socket
+import struct
+import subprocess
+import sys
+import threading
+import time
+from contextlib import suppress
+from pathlib import Path
+
+PATIENCE = 30.0  # s
+ROOT = Path(__file__).resolve().parents[2]
+COMMAND, TELEMETRY = struct.Struct("<4sBBHIQQffff8s"), struct.Struct("<4sBBHIQQ8sfffBBH")
+KEY_ID, SECRET = 513, bytes(range(100, 132))
+
+
+class StrangeSender:
+    """Commands a receiver at 50 Hz from a thread of its own, so that a busy test does not hold it up."""
+
+    def __init__(self, port):
+        self.socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        self.socket.connect(("127.0.0.1", port))
+        self.socket.settimeout(0.005)
+        self.sent = []  # (monotonic s, datagram)
+        self.telemetry = []  # what came with a true tag, unpacked, newest last
+        self.flags, self.v, self.omega = 0, 0.0, 0.0
+        self.sending = False
+        self._epoch, self._sequence = 0, 0
+        self._ending = False
+        self._thread = threading.Thread(target=self._run)
+        self._thread.start()
+
+    @property
+    def nonce(self):
+        return self.telemetry[-1][7]
+
+    def hello(self):
+        self.socket.send(struct.pack("<4sBBHI", b"BMIH", 1, 0, KEY_ID, 0))
+
+    def wait_for(self, condition):
+        """Wait for a telemetry of which this is true, and return it."""
+        until = time.monotonic() + PATIENCE
+        while time.monotonic() < until:
+            if self.telemetry and condition(self.telemetry[-1]):
+                return self.telemetry[-1]
+            time.sleep(0.005)
+        raise AssertionError(f"the chair did not say so: {self.telemetry[-3:]}")
+
+    def arm(self):
+        """Begin a new epoch and wait until the chair is armed; anew when the machine was too busy for it."""
+        for _ in range(10):
+            while not self.telemetry:
+                self.hello()
+                time.sleep(0.05)
+            self.flags, self.v, self.omega = 0, 0.0, 0.0
+            self._epoch = random.getrandbits(32)
+            self.sending = True
+            told = self.wait_for(lambda told: told[4] == self._epoch and told[2] in (0, 2))
+            if told[2] == 2:
+                return
+        raise AssertionError("the chair was never armed")
+
+    def drive(self, v, omega=0.0):
+        self.v, self.omega, self.flags = v, omega, 1
+
+    def frame(self):
+        self._sequence += 1
+        fields = (KEY_ID, self._epoch, self._sequence, time.monotonic_ns(), self.v, self.omega, 1.5, 2.5, b"12345678")
+        body = COMMAND.pack(b"BMIW", 1, self.flags, *fields)
+        return body + hmac.new(SECRET, body + self.nonce, hashlib.sha256).digest()[:16]
+
+    def close(self):
+        self._ending = True
+        self._thread.join()
+        self.socket.close()
+
+    def _run(self):
+        due = 0.0
+        while not self._ending:
+            with suppress(OSError):  # nothing came, or nobody listens
+                self._hear(self.socket.recv(100))
+            if self.sending and time.monotonic() >= due:
+                due = time.monotonic() + 0.018
+                datagram = self.frame()
+                self.sent.append((time.monotonic(), datagram))
+                with suppress(OSError):
+                    self.socket.send(datagram)
+
+    def _hear(self, datagram):
+        if len(datagram) != 68 or datagram[:4] != b"BMIT":
+            return
+        if hmac.new(SECRET, datagram[:52], hashlib.sha256).digest()[:16] == datagram[52:]:
+            self.telemetry.append(TELEMETRY.unpack(datagram[:52]))
+
+
+class Receiver:
+    """The receiver as a process, its lines and its complaints."""
+
+    def __init__(self, folder, *options, output="stdout", interpreter=("-S",), environment=None):
+        self.key_file = Path(folder) / "513.key"
+        if not self.key_file.exists():
+            self.key_file.touch(mode=0o600)
+            self.key_file.write_text(f"{KEY_ID} {SECRET.hex()}\n")
+        command = [sys.executable, *interpreter, "-m", "app.hardware.chair.receive", "--key-file", str(self.key_file)]
+        self.process = subprocess.Popen(
+            [*command, "--output", output, "--port", "0", *options],
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+            cwd=folder,
+            env={**os.environ, "PYTHONPATH": str(ROOT), **(environment or {})},
+        )
+        self.words = self.process.stderr.readline()
+        assert self.words.startswith("listening on 127.0.0.1:"), self.words
+        self.port = int(self.words.rpartition(":")[2])
+        self._deaf = threading.Event()
+        self.lines = []
+        self._looked_at = 0
+        self._threads = [threading.Thread(target=self._read), threading.Thread(target=self._read_errors)]
+        for thread in self._threads:
+            thread.start()
+
+    def _read(self):
+        for line in self.process.stdout:
+            while self._deaf.is_set():
+                time.sleep(0.01)
+            self.lines.append(json.loads(line) if line.startswith("{") else line)
+
+    def _read_errors(self):
+        for line in self.process.stderr:
+            self.words += line
+
+    def stop_reading(self):
+        """Leave its lines in a pipe that is soon full."""
+        self._deaf.set()
+        fcntl.fcntl(self.process.stdout, fcntl.F_SETPIPE_SZ, 4096)
+
+    def read_on(self):
+        self._deaf.clear()
+
+    def wait_for(self, condition):
+        """Return the next line, after the one that was returned last, of which this is true."""
+        until = time.monotonic() + PATIENCE
+        while time.monotonic() < until:
+            while self._looked_at < len(self.lines):
+                self._looked_at += 1
+                if condition(self.lines[self._looked_at - 1]):
+                    return self.lines[self._looked_at - 1]
+            time.sleep(0.005)
+        raise AssertionError(f"the chair did not do so: {self.lines[-3:]}")
+
+    def end(self, number):
+        """Send a signal, and return the exit code; all lines are there then."""
+        self.process.send_signal(number)
+        return self.wait()
+
+    def wait(self):
+        code = self.process.wait(PATIENCE)
+        for thread in self._threads:
+            thread.join(PATIENCE)
+        return code
+
+    def close(self):
+        if self.process.poll() is None:
+            self.process.kill()
+        self.wait()
+        self.process.stdout.close()
+        self.process.stderr.close()
