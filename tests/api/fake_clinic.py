@@ -21,6 +21,7 @@ from app.layout import Channel, Joint, ShirtLayout
 from app.link import LinkLost, LinkRefused
 from app.messages import NO_CUE, TICK
 from app.session.readings import Driven, Readings
+from app.session.tables import LogEntry
 from app.settings import Settings
 
 with warnings.catch_warnings():
@@ -216,6 +217,11 @@ class Clinic:
     @property
     def flows(self) -> Any:
         return self.client.app.state.flows  # type: ignore[attr-defined]
+
+    def log(self) -> list[LogEntry]:
+        """Return the rows of the log, the newest last."""
+        with self.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
+            return list(db.query(LogEntry).order_by(LogEntry.id))
 
     def visit(self) -> Any:
         patient = self.good("POST", "/patients", json={"code": "P-1", "pseudonym": "Heron"})

@@ -1,0 +1,159 @@
+"""Chairs, limits and the speed dial as the pages use them."""
+
+import stat
+from pathlib import Path
+from typing import Any
+
+import pytest
+from fake_clinic import Clinic, running
+
+from app.hardware.chair.key import read_key
+from app.settings import Settings
+from app.speeds import NO_FURTHER, Speeds
+
+SLOW = {**Speeds().model_dump(), "forward": 0.4, "turn": 0.6}
+CHAIR = {"name": "Blue chair", "host": "10.0.0.7", "port": 5354, "speeds": SLOW}
+
+
+def test_a_key_is_shown_once_kept_for_us_alone_and_told_to_nobody_else(signed_in: Clinic, settings: Settings) -> None:
+    answer = signed_in.good("POST", "/chairs", json=CHAIR)
+    file = settings.keys / "1.key"
+    key = read_key(file)
+    assert answer["key_line"] == key.line
+    assert answer["qr"].startswith("<svg")
+    assert "script" not in answer["qr"]
+    assert stat.S_IMODE(file.stat().st_mode) == 0o600
+    assert stat.S_IMODE(settings.keys.stat().st_mode) == 0o700
+    later = signed_in.good("GET", "/chairs")
+    assert "key_line" not in later
+    assert "qr" not in later
+    secret = key.secret.hex()
+    assert secret not in str(later)
+    signed_in.good("PUT", "/chairs/chosen", json={"id": later["chairs"][0]["id"], "dynamics": "unicycle"})
+    assert secret not in str(signed_in.link.calls)
+    for file in settings.state.glob("bodydrive.sqlite*"):
+        assert secret.encode() not in file.read_bytes()
+        assert key.secret not in file.read_bytes()
+
+
+def test_unpairing_deletes_the_key_and_its_number_is_not_used_again(signed_in: Clinic, settings: Settings) -> None:
+    first = signed_in.good("POST", "/chairs", json=CHAIR)["chairs"][0]
+    assert signed_in("POST", "/chairs", json=CHAIR).status_code == 409
+    signed_in.good("PUT", "/chairs/chosen", json={"id": first["id"], "dynamics": "wheelchair"})
+    left = signed_in.good("DELETE", f"/chairs/{first['id']}")
+    assert (left["chairs"], left["chosen"], left["dynamics"]) == ([], None, "wheelchair")
+    assert signed_in.link.chair == "virtual"
+    assert list(settings.keys.iterdir()) == []
+    assert signed_in("DELETE", f"/chairs/{first['id']}").status_code == 404
+    assert signed_in.good("POST", "/chairs", json=CHAIR)["chairs"][0]["key_id"] == 2
+
+
+@pytest.mark.parametrize(
+    "wrong", [{"port": 0}, {"port": 70_000}, {"host": "a b"}, {"name": ""}, {"speeds": {**SLOW, "forward": 1.6}}]
+)
+def test_a_chair_that_cannot_be_is_refused_in_a_sentence(signed_in: Clinic, wrong: dict[str, Any]) -> None:
+    answer = signed_in("POST", "/chairs", json={**CHAIR, **wrong})
+    assert answer.status_code == 422
+    assert answer.json()["detail"].endswith(".")
+    assert signed_in.good("GET", "/chairs")["chairs"] == []
+
+
+def test_the_chosen_chair_is_opened_kept_and_given_to_the_next_control_process(
+    signed_in: Clinic, settings: Settings
+) -> None:
+    chair = signed_in.good("POST", "/chairs", json=CHAIR)["chairs"][0]
+    chosen = signed_in.good("PUT", "/chairs/chosen", json={"id": chair["id"], "dynamics": "unicycle"})
+    assert chosen["chosen"] == chair["id"]
+    config = {"kind": "udp", "name": "Blue chair", "host": "10.0.0.7", "port": 5354, "speeds": SLOW}
+    config["key_file"] = str(settings.keys / "1.key")
+    assert signed_in.link.calls[-2] == ("chair", {"config": config})
+    before = signed_in.link
+    before.die()
+    signed_in.until("/equipment", lambda e: signed_in.link is not before and e["status"]["control"] == "alive")
+    assert ("chair", {"config": config}) in signed_in.link.calls
+    assert next(do for do, _ in signed_in.link.calls if do != "status") == "limits"
+
+
+def test_the_choice_outlives_the_application(settings: Settings, signed_in: Clinic) -> None:
+    chair = signed_in.good("POST", "/chairs", json=CHAIR)["chairs"][0]
+    signed_in.good("PUT", "/chairs/chosen", json={"id": chair["id"], "dynamics": "wheelchair"})
+    signed_in.good("PUT", "/limits", json=SLOW)
+    for again in running(settings):
+        again.good("POST", "/auth/demo", json={"code": "the-code-of-the-link"})
+        assert again.good("GET", "/chairs")["chosen"] == chair["id"]
+        assert again.good("GET", "/limits") == SLOW
+        assert ("limits", {"clinic": SLOW}) in again.link.calls
+
+
+def test_a_chair_that_does_not_open_is_said_and_changes_nothing(signed_in: Clinic, settings: Settings) -> None:
+    chair = signed_in.good("POST", "/chairs", json=CHAIR)["chairs"][0]
+    signed_in.link.refuse["chair"] = f"the key file {settings.keys}/1.key cannot be read"
+    answer = signed_in("PUT", "/chairs/chosen", json={"id": chair["id"], "dynamics": "unicycle"})
+    assert answer.status_code == 409
+    assert answer.json()["detail"] == "The key file 1.key cannot be read."
+    assert signed_in.good("GET", "/chairs")["chosen"] is None
+
+
+def test_a_virtual_chair_may_move_like_a_wheelchair(signed_in: Clinic) -> None:
+    signed_in.good("PUT", "/chairs/chosen", json={"id": None, "dynamics": "wheelchair"})
+    assert signed_in.link.calls[-1] == ("chair", {"config": {"kind": "virtual", "dynamics": "wheelchair"}})
+    assert signed_in("PUT", "/chairs/chosen", json={"id": 9, "dynamics": "unicycle"}).status_code == 404
+    assert signed_in("PUT", "/chairs/chosen", json={"id": None, "dynamics": "rocket"}).status_code == 422
+
+
+def test_limits_hold_in_the_control_process_first_and_are_logged(signed_in: Clinic, settings: Settings) -> None:
+    assert signed_in.good("GET", "/limits") == NO_FURTHER.model_dump()
+    assert signed_in.good("PUT", "/limits", json=SLOW) == SLOW
+    assert ("limits", {"clinic": SLOW}) in signed_in.link.calls
+    signed_in.link.refuse["limits"] = "Limits are raised only while the chair stands."
+    refused = signed_in("PUT", "/limits", json=NO_FURTHER.model_dump())
+    assert (refused.status_code, refused.json()["detail"]) == (409, signed_in.link.refuse["limits"])
+    assert signed_in.good("GET", "/limits") == SLOW
+    rows = signed_in.log()
+    assert [row.details["now"]["forward"] for row in rows if row.what == "limits set"] == [0.4]
+    assert signed_in("PUT", "/limits", json={**SLOW, "forward": float("1e9")}).status_code == 422
+
+
+def test_a_set_above_the_limits_keeps_its_numbers_and_says_what_holds(signed_in: Clinic) -> None:
+    signed_in.visit()
+    signed_in.calibrate()
+    assert signed_in.good("GET", "/controls")["held"] == {}
+    signed_in.good("PUT", "/limits", json=SLOW)
+    view = signed_in.good("GET", "/controls")
+    assert view["parameters"]["speeds"]["forward"] == 0.8
+    assert view["held"] == {"forward": 0.4, "turn": 0.6}
+    chair = signed_in.good("POST", "/chairs", json={**CHAIR, "speeds": {**SLOW, "forward": 0.3}})["chairs"][0]
+    signed_in.good("PUT", "/chairs/chosen", json={"id": chair["id"], "dynamics": "unicycle"})
+    assert signed_in.good("GET", "/controls")["held"] == {"forward": 0.3, "turn": 0.6}
+
+
+def test_the_dial_is_turned_logged_and_given_to_the_next_control_process(signed_in: Clinic) -> None:
+    assert signed_in.good("POST", "/control/dial", json={"share": 0.5}) == {"share": 0.5}
+    for wrong in (0.05, 1.1, True, "1"):
+        assert signed_in("POST", "/control/dial", json={"share": wrong}).status_code == 422
+    signed_in.link.refuse["dial"] = "The dial is turned up only while the chair stands."
+    assert signed_in("POST", "/control/dial", json={"share": 0.9}).status_code == 409
+    before = signed_in.link
+    before.die()
+    signed_in.until("/equipment", lambda e: signed_in.link is not before and e["status"]["control"] == "alive")
+    assert signed_in.link.dial == 0.5
+    assert [row.details["share"] for row in signed_in.log() if row.what == "dial turned"] == [0.5]
+
+
+def test_the_disk_is_told_before_it_is_full(signed_in: Clinic, monkeypatch: pytest.MonkeyPatch) -> None:
+    usage = type("Usage", (), {"free": 3_000_000_000})()
+    monkeypatch.setattr("app.api.equipment.shutil.disk_usage", lambda _folder: usage)
+    assert signed_in.good("GET", "/equipment")["disk"] == {"free": 3_000_000_000, "words": ""}
+    usage.free = 1_400_000_000
+    assert "1.4 GB" in signed_in.good("GET", "/equipment")["disk"]["words"]
+
+
+def test_a_full_disk_is_a_sentence(signed_in: Clinic, monkeypatch: pytest.MonkeyPatch) -> None:
+    def full(_file: Path, *_given: Any) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr("app.session.pairing.write_key", full)
+    answer = signed_in("POST", "/chairs", json=CHAIR)
+    assert answer.status_code == 507
+    assert "make room" in answer.json()["detail"]
+    assert signed_in.good("GET", "/chairs")["chairs"] == []

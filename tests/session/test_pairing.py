@@ -1,0 +1,72 @@
+"""Chairs and their keys in the database and on the disk."""
+
+import stat
+from pathlib import Path
+
+import pytest
+from sqlalchemy.orm import Session
+
+from app.hardware.chair.key import read_key
+from app.session import store_chairs
+from app.session.pairing import key_file, pair_chair, unpair_chair
+from app.session.refusals import Conflict, NotFound
+from app.session.store_chairs import chairs_of, find_chair, limits_of
+from app.session.store_people import add_clinic
+from app.session.tables import Clinic
+from app.speeds import NO_FURTHER, Speeds
+
+
+@pytest.fixture
+def clinic(db: Session) -> Clinic:
+    return add_clinic(db, "Clinic")
+
+
+def paired(db: Session, clinic: Clinic, keys: Path, name: str) -> int:
+    return pair_chair(db, clinic, keys, name, "10.0.0.7", 5354, Speeds())[0].id
+
+
+def test_each_chair_has_a_key_of_its_own(db: Session, clinic: Clinic, tmp_path: Path) -> None:
+    keys = tmp_path / "keys"
+    ids = [paired(db, clinic, keys, name) for name in ("Blue", "Red")]
+    assert [chair.key_id for chair in chairs_of(db, clinic)] == [1, 2]
+    secrets = {read_key(key_file(keys, key_id)).secret for key_id in (1, 2)}
+    assert len(secrets) == 2
+    assert all(stat.S_IMODE(file.stat().st_mode) == 0o600 for file in keys.iterdir())
+    unpair_chair(db, clinic, keys, ids[0])
+    assert [chair.name for chair in chairs_of(db, clinic)] == ["Red"]
+    assert [file.name for file in keys.iterdir()] == ["2.key"]
+    with pytest.raises(NotFound):
+        find_chair(db, clinic, ids[0])
+    assert paired(db, clinic, keys, "Blue") == ids[1] + 1
+    assert chairs_of(db, clinic)[-1].key_id == 3
+
+
+def test_a_key_that_an_interrupted_pairing_left_is_not_written_over(
+    db: Session, clinic: Clinic, tmp_path: Path
+) -> None:
+    (tmp_path / "1.key").write_text("left")
+    paired(db, clinic, tmp_path, "Blue")
+    assert chairs_of(db, clinic)[0].key_id == 2
+    assert (tmp_path / "1.key").read_text() == "left"
+
+
+def test_two_chairs_of_one_name_would_be_mixed_up(db: Session, clinic: Clinic, tmp_path: Path) -> None:
+    paired(db, clinic, tmp_path, "Blue")
+    with pytest.raises(Conflict, match="already a chair called 'Blue'"):
+        paired(db, clinic, tmp_path, "Blue")
+    assert [file.name for file in tmp_path.glob("*.key")] == ["1.key"]
+
+
+def test_when_every_number_was_used_there_is_a_sentence(
+    db: Session, clinic: Clinic, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(store_chairs, "LARGEST_KEY_ID", 1)
+    paired(db, clinic, tmp_path, "Blue")
+    with pytest.raises(Conflict, match="Every number"):
+        paired(db, clinic, tmp_path, "Red")
+
+
+def test_a_limit_that_an_older_program_did_not_know_is_that_of_the_application(clinic: Clinic) -> None:
+    clinic.limits = {"forward": 0.4}
+    assert limits_of(clinic) == NO_FURTHER.model_copy(update={"forward": 0.4})
+    assert limits_of(None) == NO_FURTHER
