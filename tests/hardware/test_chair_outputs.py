@@ -1,0 +1,77 @@
+"""What a receiver drives without a chair: lines for another program, and a drive that is a program."""
+
+import json
+import math
+import os
+from itertools import pairwise
+
+import pytest
+
+from app.geometry import STANDSTILL, Twist
+from app.hardware.chair.outputs import Lines, SimulatedDrive, open_output
+
+
+@pytest.fixture
+def pipe():
+    ends = os.pipe()
+    yield ends
+    for end in ends:
+        os.close(end)
+
+
+def lines_of(end):
+    return [json.loads(line) for line in os.read(end, 1 << 20).decode().splitlines()]
+
+
+def test_each_change_is_a_line_and_the_same_is_one_every_100_ms(pipe):
+    reading, writing = pipe
+    output = Lines(writing)
+    output.drive(1.0, "disarmed", STANDSTILL, "")
+    output.drive(1.01, "disarmed", STANDSTILL, "why")
+    output.drive(1.02, "armed", Twist(0.1, -0.2), "")
+    assert lines_of(reading) == [
+        {"t": 1.0, "state": "disarmed", "v": 0.0, "omega": 0.0, "reason": ""},
+        {"t": 1.01, "state": "disarmed", "v": 0.0, "omega": 0.0, "reason": "why"},
+        {"t": 1.02, "state": "armed", "v": 0.1, "omega": -0.2, "reason": ""},
+    ]
+    for step in range(1000):
+        output.drive(1.03 + step / 100, "armed", Twist(0.1, -0.2), "")
+    said = [1.02] + [line["t"] for line in lines_of(reading)]
+    assert max(b - a for a, b in pairwise(said)) <= 0.1 + 1e-6
+    assert len(said) <= 130
+
+
+def test_a_reader_who_does_not_read_misses_lines_and_the_next_one_is_whole(pipe):
+    reading, writing = pipe
+    output = Lines(writing)
+    for step in range(5000):
+        output.drive(step / 100, "armed", Twist(step / 1e4, 0.0), "")
+    assert all(set(line) == {"t", "state", "v", "omega", "reason"} for line in lines_of(reading))
+    output.drive(60.0, "disarmed", STANDSTILL, "it was full")
+    assert lines_of(reading)[-1]["reason"] == "it was full"
+
+
+def test_a_reader_who_left_is_said_to_whoever_drives():
+    reading, writing = os.pipe()
+    os.close(reading)
+    try:
+        with pytest.raises(OSError, match="pipe"):
+            Lines(writing).drive(1.0, "disarmed", STANDSTILL, "")
+    finally:
+        os.close(writing)
+
+
+def test_the_simulated_drive_goes_where_its_wheels_lead(pipe):
+    reading, writing = pipe
+    drive = SimulatedDrive(writing)
+    steps = 314
+    for step in range(steps + 1):
+        drive.drive(step / 100, "armed", Twist(0.5, 0.5), "")
+    assert (drive.left, drive.right) == (pytest.approx(0.3625), pytest.approx(0.6375))
+    heading = 0.5 * steps / 100
+    assert drive.pose == pytest.approx((math.sin(heading), 1 - math.cos(heading), heading), abs=1e-9)
+    drive.drive(3.15, "disarmed", STANDSTILL, "Why.")
+    said = os.read(reading, 10_000).decode().splitlines()
+    assert [line.partition(":")[0] for line in said] == ["armed"] * 4 + ["disarmed"]
+    assert said[-1].endswith("Why.")
+    assert not open_output("sim").is_real

@@ -1,0 +1,157 @@
+"""The receiver's loop on a clock of its own: a flood does not hold up the watch, and who ends it is told."""
+
+import math
+from itertools import pairwise
+
+import pytest
+from hardware.commanded import KEY, Commanded
+
+from app.clock import FakeClock
+from app.geometry import STANDSTILL
+from app.hardware.chair.inputs import Inputs
+from app.hardware.chair.loop import DRAINING, STEP, ReceiverLoop, slowness
+from app.hardware.chair.packet import DRIVE, FRAME_BYTES, decode_telemetry
+from app.hardware.chair.reasons import Reason
+from app.hardware.chair.receiver import ReceiverState
+from app.hardware.chair.telling import Telling
+
+EACH = 20e-6  # s that a datagram takes: fifty thousand a second
+SENDER = ("somebody", 1)
+
+
+class Flooded:
+    """A socket in which there is always another datagram: junk, and now and then what `chair` sends."""
+
+    def __init__(self, chair, clock):
+        self.chair, self.clock = chair, clock
+        self.due = clock.now()
+        self.words = (0.0, 0.0, 0)
+        self.received = 0
+        self.sent = []
+
+    def recvfrom(self, size):
+        assert size == FRAME_BYTES + 1
+        self.clock.time += EACH
+        self.received += 1
+        if self.clock.now() >= self.due:
+            self.due += 0.02
+            self.chair.t = self.clock.now()
+            return self.chair.frame(*self.words), SENDER
+        return b"BMIW\x01" + bytes(63), ("nobody", 2)
+
+    def sendto(self, datagram, address):
+        self.sent.append((decode_telemetry(datagram, KEY), address))
+
+
+class Noted:
+    """An output that notes; it breaks when told to."""
+
+    def __init__(self, is_real=False):
+        self.is_real, self.broken = is_real, False
+        self.said = []
+
+    def drive(self, t, state, twist, reason):
+        if self.broken:
+            raise BrokenPipeError
+        self.said.append((t, state, twist, reason))
+
+
+@pytest.fixture
+def turning(request):
+    """Return a loop, its socket, its output and its receiver; it is ended by `until`."""
+    chair = Commanded()
+    clock = FakeClock(chair.t)
+    flooded, output = Flooded(chair, clock), Noted(getattr(request, "param", False))
+    telling = Telling(chair.receiver, KEY.id, flooded, None)
+    loop = ReceiverLoop(chair.receiver, telling, flooded, output, Inputs(None, None), clock)
+    return loop, flooded, output, chair.receiver
+
+
+def ending_after(loop, output, seconds, then=lambda: None):
+    """End the loop after so long, and do something `then`."""
+    note, began = output.drive, loop._clock.now()
+
+    def drive(t, *words):
+        if t - began >= seconds and not loop.ending:
+            loop.ending = True
+            then()
+        note(t, *words)
+
+    output.drive = drive
+
+
+def test_a_flood_neither_holds_up_the_watch_nor_a_command(turning):
+    loop, flooded, output, receiver = turning
+
+    def drive():
+        flooded.words = (0.4, 0.0, DRIVE)
+        ending_after(loop, output, 1.0)
+        loop.ending = False
+
+    ending_after(loop, output, 0.7, drive)
+    loop.run()
+    times = [t for t, *_ in output.said]
+    assert max(b - a for a, b in pairwise(times)) <= STEP + 2 * EACH
+    assert max(twist.v for _, _, twist, _ in output.said) == pytest.approx(0.4)
+    assert receiver.reason is Reason.ENDING
+    turns = 1.7 / STEP
+    assert flooded.received <= turns * (DRAINING / EACH + 4), "half of the time is left to others"
+
+
+def test_who_ends_it_while_it_drives_gets_a_ramp_and_a_last_word(turning):
+    loop, _, output, receiver = turning
+    receiver._v.driven = 0.75
+    loop.ending = True
+    loop.run()
+    assert output.said[0][2].v < 0.75
+    assert output.said[-1][2] == STANDSTILL
+    assert output.said[-1][0] - output.said[0][0] <= 0.26
+    assert all(reason == "The chair's receiver was ended." for *_, reason in output.said)
+
+
+def test_telemetry_goes_to_who_drives(turning):
+    loop, flooded, output, _ = turning
+    ending_after(loop, output, 0.8)
+    loop.run()
+    assert {address for _, address in flooded.sent} == {SENDER}
+    told = [telemetry for telemetry, _ in flooded.sent]
+    assert {telemetry.state for telemetry in told} == {0, 1, 2}
+    assert (told[-1].state, told[-1].fault, told[-1].v) == (0, Reason.ENDING, 0.0)
+    pauses = [(b.t_ns - a.t_ns) * 1e-9 for a, b in pairwise(told)]
+    assert max(pauses) <= 0.11 + 1e-6
+
+
+def test_a_reader_who_left_ends_it(turning):
+    loop, _, output, receiver = turning
+    output.broken = True
+    loop.run()
+    assert (receiver.state, receiver.reason) == (ReceiverState.FAULT, Reason.OUTPUT)
+
+
+@pytest.mark.parametrize("turning", [True], indirect=True)
+def test_motors_that_take_no_commands_are_tried_again(turning):
+    loop, _, output, receiver = turning
+    output.broken = True
+    steps = []
+
+    def mend():
+        steps.append(receiver.state)
+        output.broken = len(steps) < 20
+        loop.ending = len(steps) >= 40
+        return False
+
+    loop._inputs = type("Switch", (), {"stop_pressed": property(lambda _: mend()), "battery": math.nan})()
+    loop.run()
+    assert steps[10] is ReceiverState.FAULT
+    assert steps[30] is not ReceiverState.FAULT
+
+
+def test_a_machine_that_wakes_late_says_so_at_the_start():
+    assert slowness(FakeClock()) == []
+
+    class Late(FakeClock):
+        def sleep_until(self, deadline):
+            super().sleep_until(deadline + (0.023 if deadline > 0.2 else 0.0))
+
+    (sentence,) = slowness(Late())
+    assert "23 ms" in sentence
