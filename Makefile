@@ -4,7 +4,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt
 
-.PHONY: demo test check bench clean
+.PHONY: demo test check safety drills bench clean
 
 $(VENV)/.installed: pyproject.toml constraints.txt
 	@echo "Installing into $(VENV), once; this takes a minute or two ..."
@@ -31,6 +31,13 @@ check: $(VENV)/.installed-test
 	    node --input-type=module --check < $$file || { echo "$$file: see above"; exit 1; }; \
 	  done; \
 	else echo "node is not here: JavaScript is not checked"; fi
+
+safety: $(VENV)/.installed-test
+	@$(INSTALL) --editable '.[safety]'
+	$(BIN)/python tests/mutation.py
+
+drills: $(VENV)/.installed-test
+	PYTHONPATH=tests $(BIN)/python -m drills --out docs/drills.md
 
 bench: $(VENV)/.installed-test
 	$(BIN)/bodydrive bench

@@ -63,14 +63,27 @@ def test_nor_do_twenty_five_thousand_of_them(seed):
 
 
 def test_what_may_be_done_is_handed_back_bit_for_bit():
-    asked = 0.1 + 0.01 * 0.0777
-    assert FORWARD.bounded(0.1, 0.07, asked, 0.01) == asked
+    rng = np.random.default_rng(3)
+    for speed, more in zip(rng.uniform(0.1, 0.5, 500).tolist(), rng.uniform(-1, 1, 500).tolist(), strict=True):
+        asked = speed + 0.05 * more * 0.01
+        assert FORWARD.bounded(speed, 0.0, asked, 0.01) == asked
+
+
+def test_what_may_not_be_done_is_not_handed_back():
+    assert FORWARD.bounded(0.1, 0.0, 0.1 + 0.081 * 0.01, 0.01) == pytest.approx(0.1 + 0.08 * 0.01, abs=1e-12)
+
+
+def test_a_chair_that_brakes_softly_may_still_set_off_briskly():
+    brisk = FORWARD._replace(acceleration=2.0, deceleration=0.5)
+    assert max(change for *_, change, _ in followed(brisk, [(0.8, 0.01)] * 150)) == pytest.approx(2.0)
+    assert min(change for *_, change, _ in followed(brisk, [(0.0, 0.01)] * 300, speed=0.8)) == pytest.approx(-0.5)
 
 
 @pytest.mark.parametrize("dt", [0.0, -0.01, math.nan])
 def test_without_time_nothing_changes(dt):
     assert FORWARD.bounded(0.3, 0.2, 0.8, dt) == 0.3
     assert FORWARD.towards(0.3, 0.2, 0.8, dt) == 0.3
+    assert FORWARD.towards(0.3, 0.0, 0.3, dt) == 0.3
 
 
 @pytest.mark.parametrize("start", [0.8, -0.3])

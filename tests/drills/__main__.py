@@ -1,0 +1,58 @@
+"""`python -m drills`: all fault drills on real processes and sockets, and their table; `make drills`."""
+
+import argparse
+import asyncio
+import os
+import platform
+import random
+import sys
+from pathlib import Path
+
+from drills.drills import DRILLS
+from drills.results import HEAD
+
+PAGE = Path(__file__).resolve().parents[2] / "docs" / "drills.md"
+
+
+def main():
+    """Run the chosen drills; return 0 when every limit was kept."""
+    parser = argparse.ArgumentParser(prog="python -m drills", description="Fault drills with real processes.")
+    parser.add_argument("--only", nargs="+", choices=list(DRILLS), default=list(DRILLS), help="these drills")
+    parser.add_argument("--share", type=float, default=1.0, help="of the runs, 0 to 1")
+    parser.add_argument("--short", action="store_true", help="the few runs that `make test` does")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--out", type=Path, help=f"write the page here, as {PAGE.name}")
+    given = parser.parse_args()
+    rows, violations = [], 0
+    for name in given.only:
+        drill, full, short = DRILLS[name]
+        runs = short if given.short else max(1, round(full * given.share))
+        result = asyncio.run(drill(runs, random.Random(given.seed)))
+        rows.append(result.row())
+        violations += len(result.violations)
+        sys.stdout.write("\n".join([HEAD, rows[-1], *result.violations[:5], ""]))
+        sys.stdout.flush()
+    table = "\n".join([HEAD, *rows])
+    sys.stdout.write(f"\n{table}\n")
+    if given.out:
+        given.out.write_text(_page(table))
+    return 1 if violations else 0
+
+
+def _page(table):
+    machine = f"{platform.machine()}, {os.cpu_count()} cores, {platform.system()} {platform.release()}"
+    return f"""# Fault drills
+
+Made by `make drills`: real processes and sockets, injured at random moments while the chair cruises.
+{machine}, Python {platform.python_version()}.
+
+Times run from the injury, by one monotonic clock, as the receiver's own lines say them. A limit is what safety.md asks
+of the part, and a tick or a command period where one stands between. "Machine late" is the longest time for which an
+ordinary thread was not let run meanwhile; only by so much may a time lie above its limit.
+
+{table}
+"""
+
+
+if __name__ == "__main__":
+    sys.exit(main())

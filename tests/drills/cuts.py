@@ -1,0 +1,104 @@
+"""S3: the network is cut at a random moment. A sender of its own for each chair, so that several are cut at once."""
+
+import asyncio
+import random
+import tempfile
+from pathlib import Path
+
+from drills.results import Result, Watcher
+from processes.chair_process import ReceiverProcess
+
+from app.clock import monotonic
+from app.hardware.chair.key import read_key
+from app.hardware.chair.packet import DRIVE, Command, decode_telemetry, encode_command, encode_hello
+
+PERIOD = 0.02  # s between two commands
+SIDE_BY_SIDE = 4
+LOOK_ON = 0.62  # s after a cut
+SPEED, ALMOST = 0.8, 0.799  # m/s: a command carries them as float32
+
+
+class Sender(asyncio.DatagramProtocol):
+    """Drives a receiver at 50 Hz."""
+
+    def __init__(self, key, dice):
+        self._key, self._dice = key, dice
+        self._sequence = self._epoch = 0
+        self.nonce = None
+        self.state = None
+
+    def connection_made(self, transport):
+        self._transport = transport
+
+    def datagram_received(self, datagram, _address):
+        telemetry = decode_telemetry(datagram, self._key)
+        if telemetry is not None:
+            self.nonce, self.state = telemetry.nonce, telemetry.state
+
+    def ask(self):
+        self._transport.sendto(encode_hello(self._key.id))
+
+    def begin(self):
+        self._epoch = self._dice.randrange(1, 2**32)
+
+    def command(self, v):
+        self._sequence += 1
+        t = monotonic()
+        command = Command(DRIVE, self._key.id, self._epoch, self._sequence, int(t * 1e9), v, 0.0, 1.5, 2.5, b"practise")
+        self._transport.sendto(encode_command(command, self._key, self.nonce))
+        return t
+
+    async def drive(self, v, until):
+        """Send one speed until a condition holds, and return when the last command went out."""
+        due = last = monotonic()
+        while not until():
+            last = self.command(v)
+            due = max(due + PERIOD, monotonic())
+            await asyncio.sleep(due - monotonic())
+        return last
+
+
+async def cuts(runs, dice):
+    """Cut, in all `runs` times."""
+    result = Result("network cut at a random moment", 0.11, 0.31)
+    watcher = Watcher()
+    shares = [runs // SIDE_BY_SIDE + (i < runs % SIDE_BY_SIDE) for i in range(SIDE_BY_SIDE)]
+    try:
+        await asyncio.gather(*(_cut(result, watcher, share, dice.random()) for share in shares if share))
+    finally:
+        watcher.close()
+    result.remark = f"{SIDE_BY_SIDE} chairs side by side; from the last command that was sent"
+    return result
+
+
+async def _cut(result, watcher, runs, seed):
+    dice = random.Random(seed)
+    with tempfile.TemporaryDirectory(prefix="bodydrive-cut-") as folder:
+        receiver = await asyncio.to_thread(ReceiverProcess, Path(folder))
+        key = read_key(receiver.key_file)
+        address = ("127.0.0.1", receiver.config()["port"])
+        loop = asyncio.get_running_loop()
+        transport, sender = await loop.create_datagram_endpoint(lambda: Sender(key, dice), remote_addr=address)
+        try:
+            for _ in range(runs):
+                await _one(result, watcher, receiver, sender, dice)
+        finally:
+            transport.close()
+            await asyncio.to_thread(receiver.close)
+
+
+async def _one(result, watcher, receiver, sender, dice):
+    while sender.nonce is None or sender.state != 0:
+        sender.ask()
+        await asyncio.sleep(0.05)
+    sender.begin()
+    await sender.drive(0.0, lambda: receiver.newest["state"] == "armed")
+    length = monotonic() + dice.uniform(0.3, 0.4)
+    cut = await sender.drive(SPEED, lambda: monotonic() > length and receiver.newest["v"] > ALMOST)
+    await asyncio.sleep(LOOK_ON)
+    lines = receiver.since(cut)
+    begun = next((line["t"] - cut for line in lines if line["v"] < ALMOST), None)
+    disarmed = next((line["t"] - cut for line in lines if line["state"] == "disarmed"), None)
+    if begun is None or disarmed is None or receiver.newest["v"]:
+        result.violations.append(f"run {result.runs + 1}: the chair went on")
+    result.add(begun, disarmed, watcher.late(cut, cut + LOOK_ON))

@@ -1,0 +1,86 @@
+"""What drills found, as a table."""
+
+import threading
+from dataclasses import dataclass, field
+
+from app.clock import monotonic
+
+
+@dataclass
+class Result:
+    """All runs of one drill; times in s from the injury."""
+
+    drill: str
+    limit: float | None  # s until the stop begins
+    disarm_limit: float | None = None  # s until the chair is disarmed
+    begun: list[float] = field(default_factory=list)
+    disarmed: list[float] = field(default_factory=list)
+    late: list[float] = field(default_factory=list)  # s that this machine let others wait meanwhile
+    violations: list[str] = field(default_factory=list)
+    runs: int = 0
+    remark: str = ""
+
+    def add(self, begun: float | None, disarmed: float | None = None, late: float = 0.0) -> None:
+        """Take in one run; a time beyond its limit is a violation, unless this machine stood still for the rest."""
+        self.runs += 1
+        self.late.append(late)
+        for name, time, times, limit in (
+            ("stop begun", begun, self.begun, self.limit),
+            ("disarmed", disarmed, self.disarmed, self.disarm_limit),
+        ):
+            if time is None:
+                continue
+            times.append(time)
+            if limit is not None and time > limit + late:
+                self.violations.append(f"run {self.runs}: {name} after {1e3 * time:.0f} ms, limit {1e3 * limit:.0f} ms")
+
+    def row(self) -> str:
+        cells = [
+            self.drill,
+            str(self.runs),
+            _worst(self.begun),
+            "" if self.limit is None else f"{1e3 * self.limit:.0f}",
+            _worst(self.disarmed),
+            "" if self.disarm_limit is None else f"{1e3 * self.disarm_limit:.0f}",
+            _worst(self.late),
+            f"**{len(self.violations)} violations**: {self.violations[0]}" if self.violations else "kept",
+            self.remark,
+        ]
+        return f"| {' | '.join(cells)} |"
+
+
+HEAD = """| drill | runs | worst: stop begun, ms | limit | worst: disarmed, ms | limit | machine late, ms | | remark |
+|---|---|---|---|---|---|---|---|---|"""
+
+
+def _worst(times: list[float]) -> str:
+    return f"{1e3 * max(times):.0f}" if times else ""
+
+
+class Watcher:
+    """Knows for how long this machine did not let an ordinary thread run."""
+
+    EVERY = 0.005  # s
+    USUAL = 0.015  # s: as late is everything at times
+
+    def __init__(self) -> None:
+        self._gaps: list[tuple[float, float]] = []
+        self._ended = threading.Event()
+        self._thread = threading.Thread(target=self._watch)
+        self._thread.start()
+
+    def _watch(self) -> None:
+        last = monotonic()
+        while not self._ended.wait(self.EVERY):
+            now = monotonic()
+            if now - last - self.EVERY > self.USUAL:
+                self._gaps.append((now, now - last - self.EVERY))
+            last = now
+
+    def late(self, begin: float, end: float) -> float:
+        """Return the longest such time that fell between two moments."""
+        return max((gap for at, gap in self._gaps if at >= begin and at - gap <= end), default=0.0)
+
+    def close(self) -> None:
+        self._ended.set()
+        self._thread.join()

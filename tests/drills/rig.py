@@ -1,0 +1,203 @@
+"""Real processes for a drill: a worn shirt, a control process, a bad network, a receiver; armed and cruising."""
+
+import asyncio
+import json
+import os
+import socket
+import subprocess
+import sys
+import tempfile
+from contextlib import asynccontextmanager, suppress
+from pathlib import Path
+
+from drills.relay import Relay
+from drills.results import Watcher
+from processes.chair_process import ReceiverProcess
+from processes.running_control import clear, tick_with
+from processes.wearer import RATE, Wearer, free_port, shirt_config
+
+from app.clock import MonotonicClock
+from app.faults import State
+from app.hardware.shirt.packet import encode
+from app.link import LinkLost, LinkRefused
+from app.supervisor import ControlProcess
+from building import make_parameters
+
+PARAMETERS = make_parameters()  # acceleration mode: after one stroke the chair cruises with the hands at rest
+CRUISE = 0.15  # m/s at least
+AFTER = 0.75  # s that a drill looks on after its injury
+TRIES = 6
+
+
+class DrillWearer(Wearer):
+    """A wearer whose shirt can stall, or break in some of its channels."""
+
+    def __init__(self, parameters, port):
+        self.stalled = False
+        self.broken = {}  # channel: value
+        super().__init__(parameters, port)
+
+    def rest(self):
+        """Have made no stroke."""
+        self._stroke_at = None
+
+    def _values(self):
+        values = super()._values()
+        for channel, value in self.broken.items():
+            values[channel] = value
+        return values
+
+    def _send(self):
+        clock = MonotonicClock()
+        due = clock.now()
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender:
+            while not self._ended.is_set():
+                if not self.stalled:
+                    sender.sendto(encode(self._frames, self._frames / RATE, self._values()), self._address)
+                self._frames += 1
+                due += 1 / RATE
+                clock.sleep_until(due)
+
+
+class Rig:
+    """Everything between an arm and a wheel, but the arm and the wheel."""
+
+    def __init__(self, folder, seed):
+        self._folder = Path(folder)
+        (self._folder / "chair").mkdir()
+        self.receiver = ReceiverProcess(self._folder / "chair")
+        self.relay = Relay(self.receiver.config()["port"], seed)
+        self.watcher = Watcher()
+        self._shirt_port = free_port()
+        self.wearer = DrillWearer(PARAMETERS, self._shirt_port)
+        self.control = None
+        self.screen_age = 0.0
+        self.beats = True
+        self._heart = None
+        self._runs = 0
+
+    async def start_control(self):
+        """Start a control process and give it everything it needs to arm."""
+        self.control = await ControlProcess.start()
+        self._heart = asyncio.create_task(self._beat(self.control))
+        await self.control.call("shirt", config=shirt_config(PARAMETERS, self._shirt_port))
+        await self.control.call("parameters", parameters=PARAMETERS.model_dump(mode="json"))
+        await self.control.call("chair", config=self.receiver.config(port=self.relay.port))
+        await tick_with(self.control, lambda tick: tick["has_frame"] and tick["chair_age"] < 0.3)
+        await self.show_switch()
+        await self.begin_run()
+
+    async def begin_run(self):
+        self._runs += 1
+        run = {"run_id": f"d{self._runs}", "folder": str(self._folder / f"run{self._runs}"), "kind": "drive"}
+        await self.control.call("run", **run, cues=[], meta={})
+
+    async def show_switch(self):
+        """Let the chair's switch be seen, once, so that acceleration mode may be armed."""
+        self.receiver.press(True)
+        await tick_with(self.control, lambda tick: tick["stop_input"] == 1)
+        self.receiver.press(False)
+        await tick_with(self.control, lambda tick: tick["stop_input"] == 0 and tick["chair_state"] == 0)
+
+    async def cruise(self):
+        """Arm, make one stroke, and return when the chair drives by itself."""
+        for _ in range(TRIES):
+            self.wearer.rest()
+            with suppress(LinkRefused):
+                await clear(self.control)
+                await self.control.call("arm", hash=PARAMETERS.hash)
+            tick = await tick_with(self.control, _decided)
+            if tick["state"] != State.ARMED:
+                continue
+            self.wearer.stroke()
+            tick = await tick_with(self.control, lambda tick: tick["state"] != State.ARMED or tick["driven_v"] > CRUISE)
+            await asyncio.sleep(0.45)  # the stroke ends, and the arm is back
+            if self.control.newest()["state"] == State.ARMED and self.receiver.newest["v"] > CRUISE:
+                return
+        raise AssertionError("the chair could not be brought to cruise")
+
+    async def _beat(self, control):
+        with suppress(LinkLost):
+            while True:
+                if self.beats:
+                    control.tell("heartbeat", screen_age=self.screen_age)
+                await asyncio.sleep(0.05)
+
+    async def start_web(self):
+        """Start a process that starts a control process and arms the chair, and return when the chair cruises."""
+        self._runs += 1
+        given = {
+            "shirt": shirt_config(PARAMETERS, self._shirt_port),
+            "chair": self.receiver.config(port=self.relay.port),
+            "folder": str(self._folder / f"run{self._runs}"),
+        }
+        self.wearer.rest()
+        web = await asyncio.create_subprocess_exec(
+            sys.executable, "-m", "drills.web", json.dumps(given), stdout=subprocess.PIPE, env=environment()
+        )
+        await asyncio.sleep(1.0)
+        for _ in range(TRIES):
+            self.receiver.press(True)
+            await asyncio.sleep(0.4)
+            self.receiver.press(False)
+            try:
+                await asyncio.wait_for(web.stdout.readline(), 5.0)
+            except TimeoutError:
+                continue
+            break
+        self.wearer.stroke()
+        await asyncio.to_thread(self.receiver.wait_for, lambda line: line["v"] > CRUISE)
+        await asyncio.sleep(0.45)
+        return web
+
+    async def end_control(self):
+        if self._heart is not None:
+            self._heart.cancel()
+            await asyncio.gather(self._heart, return_exceptions=True)
+        if self.control is not None:
+            await self.control.close()
+        self.control = None
+
+    def chair_stopped(self, injured):
+        """Return after how long (s) the chair began to stop, and was disarmed; None: it has not."""
+        lines = self.receiver.since(injured)
+        before = [line for line in self.receiver.lines[-400:] if line["t"] <= injured]
+        cruise = before[-1]["v"] if before else 0.0
+        begun = next((line["t"] for line in lines if line["v"] < cruise - 1e-6 or line["state"] != "armed"), None)
+        disarmed = next((line["t"] for line in lines if line["state"] != "armed"), None)
+        return tuple(None if t is None else t - injured for t in (begun, disarmed))
+
+    def went_on(self, injured, after):
+        """Tell whether the chair was driven faster again later than `after` (s), or did not come to stand."""
+        speeds = [abs(line["v"]) for line in self.receiver.since(injured + after)]
+        return speeds != sorted(speeds, reverse=True) or bool(speeds and speeds[-1])
+
+    async def close(self):
+        await self.end_control()
+        await asyncio.to_thread(self.wearer.close)
+        self.relay.close()
+        self.receiver.close()
+        self.watcher.close()
+
+
+def environment():
+    """Return an environment in which a process finds the tests."""
+    tests = str(Path(__file__).resolve().parents[1])
+    return {**os.environ, "PYTHONPATH": os.pathsep.join([tests, os.environ.get("PYTHONPATH", "")])}
+
+
+def _decided(tick):
+    return tick["state"] in (State.ARMED, State.FAULT)
+
+
+@asynccontextmanager
+async def rig(seed=0, *, controlled=True):
+    """Yield a rig whose chair can be made to cruise; without its own control process when somebody else has one."""
+    with tempfile.TemporaryDirectory(prefix="bodydrive-drill-") as folder:
+        made = Rig(folder, seed)
+        try:
+            if controlled:
+                await made.start_control()
+            yield made
+        finally:
+            await made.close()
