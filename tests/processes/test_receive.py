@@ -128,7 +128,7 @@ def test_a_receiver_that_was_held_up_finds_itself_disarmed(started):
     assert all(line["v"] <= 0.6 for line in after(receiver.lines, held))
 
 
-@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT])
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT, signal.SIGHUP])
 def test_ended_while_it_moves_it_ramps_says_so_and_leaves(started, number):
     receiver, sender = started()
     armed_and_driving(receiver, sender)

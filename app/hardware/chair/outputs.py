@@ -57,7 +57,7 @@ class Lines:
 
     is_real = False
     EVERY = 0.1  # s
-    MARGIN = 0.01  # s, a step: the line that would be due before the next one is said now
+    MARGIN = 0.02  # s, two steps: a line that would be due before the next one, or while a step is late, is said now
 
     def __init__(self, handle: int = STDOUT) -> None:
         self._sink = Sink(handle)

@@ -54,8 +54,9 @@ def main(arguments: Sequence[str] | None = None, program: str = "python -m app.h
     receiver = Receiver(key, given.v_max, given.omega_max, refuses_virtual=output.is_real)
     inputs = Inputs(given.stop_input, given.battery_input)
     loop = ReceiverLoop(receiver, Telling(receiver, key.id, end, paired), end, output, inputs, clock)
-    for which in (signal.SIGTERM, signal.SIGINT):
-        signal.signal(which, lambda *_: setattr(loop, "ending", True))
+    for which in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
+        if which is not signal.SIGHUP or signal.getsignal(which) is not signal.SIG_IGN:  # nohup asks to live on
+            signal.signal(which, lambda *_: setattr(loop, "ending", True))
     host, port = end.getsockname()[:2]
     place = f"[{host}]:{port}" if ":" in host else f"{host}:{port}"
     for sentence in (
