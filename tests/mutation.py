@@ -26,7 +26,7 @@ SAME = {
     "TURN_BUILD_UP * dt": "the constant is 1 s: to divide by it or to multiply with it is the same",
     "rate == 0.0 and": "only a short cut: the long way gives the same speed",
     "rate == 1.0 and": "only a short cut: the long way gives the same speed",
-    "is_permitted": "at the very border both ways give the same within a thousand millionth",
+    "is_permitted": "what may be done is handed back as asked; reckoned anew it is the same but for rounding",
     "abs(away)": "at the very border both ways lead to the target",
     "abs(target) >= abs(speed)": "from a speed to itself no limit is needed",
     "speed > 0.0:": "at standstill both branches give the same",
