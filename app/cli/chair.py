@@ -9,6 +9,7 @@ import typer
 
 from app.cli.errors import InputError
 from app.hardware.chair import receive as receiver
+from app.session.refusals import Refusal
 from app.settings import Settings, state_folder
 
 if TYPE_CHECKING:
@@ -67,7 +68,10 @@ def pair(
     }
     speeds = {word: number for word, number in limits.items() if number is not None}
     chair = _described({"name": name, "host": host, "port": port, "speeds": speeds}, settings.keys)
-    key = _paired(chair, settings)
+    try:
+        key = _paired(chair, settings)
+    except Refusal as refusal:
+        raise InputError(str(refusal)) from refusal
     typer.echo(_code(key))
     for sentence in _instructions(chair, key, settings.keys):
         typer.echo(sentence)
@@ -90,7 +94,6 @@ def _paired(chair: "RealChairConfig", settings: Settings) -> "Key":
     """Note the chair and write its key; neither stays when one of them fails. The clinic may be served meanwhile."""
     from app.session.database import Database  # noqa: PLC0415
     from app.session.pairing import key_file, pair_chair  # noqa: PLC0415
-    from app.session.refusals import Refusal  # noqa: PLC0415
     from app.session.store_log import write_log  # noqa: PLC0415
     from app.session.store_people import add_clinic, the_clinic  # noqa: PLC0415
 
@@ -100,15 +103,13 @@ def _paired(chair: "RealChairConfig", settings: Settings) -> "Key":
             clinic = the_clinic(db) or add_clinic(db, "Clinic")
             row, key = pair_chair(db, clinic, settings.keys, chair.name, chair.host, chair.port, chair.speeds)
             write_log(db, None, "chair paired", chair=row.id, key_id=key.id, host=chair.host, port=chair.port)
-        return key
-    except BaseException as error:
+    except BaseException:
         if key is not None:
             key_file(settings.keys, key.id).unlink(missing_ok=True)
-        if isinstance(error, Refusal):
-            raise InputError(str(error)) from error
         raise
     finally:
         database.close()
+    return key
 
 
 def _code(key: "Key") -> str:

@@ -10,7 +10,7 @@ from typing import Any
 from alembic import command
 from alembic.config import Config
 from sqlalchemy import Engine, create_engine, event
-from sqlalchemy.exc import OperationalError
+from sqlalchemy.exc import DatabaseError
 from sqlalchemy.orm import Session
 
 from app.session.refusals import NO_ROOM, Full, Unavailable
@@ -53,13 +53,18 @@ Transaction = Session
 
 
 class Database:
-    """The clinic's database, brought to the newest schema when it is opened."""
+    """The clinic's database, brought to the newest schema when it is opened; Refusal when it cannot be."""
 
     def __init__(self, file: Path) -> None:
         file.parent.mkdir(parents=True, exist_ok=True)
         self._engine = make_engine(file)
         self._one_at_a_time = threading.Lock()
-        migrate(self._engine)
+        try:
+            with _in_words():
+                migrate(self._engine)
+        except BaseException:
+            self.close()
+            raise
 
     @contextmanager
     def transaction(self) -> Iterator[Transaction]:
@@ -70,19 +75,32 @@ class Database:
         Full
             When there is no room for what was done in it.
         Unavailable
-            When another program holds the file for too long.
+            When another program holds the file for too long, or it is damaged.
         """
-        try:
-            with self._one_at_a_time, Session(self._engine, expire_on_commit=False) as session, session.begin():
-                yield session
-        except OperationalError as error:
-            code = getattr(error.orig, "sqlite_errorcode", None)
-            if code == sqlite3.SQLITE_FULL:
-                raise Full(NO_ROOM) from error
-            if code in {sqlite3.SQLITE_BUSY, sqlite3.SQLITE_LOCKED}:
-                raise Unavailable("Another program holds the database: wait for its end, then try again.") from error
-            raise
+        with (
+            _in_words(),
+            self._one_at_a_time,
+            Session(self._engine, expire_on_commit=False) as session,
+            session.begin(),
+        ):
+            yield session
 
     def close(self) -> None:
         """Close every connection."""
         self._engine.dispose()
+
+
+@contextmanager
+def _in_words() -> Iterator[None]:
+    """Say in a sentence what people can do something about."""
+    try:
+        yield
+    except DatabaseError as error:
+        code = getattr(error.orig, "sqlite_errorcode", 0) & 0xFF  # the rest of it says which way it happened
+        if code == sqlite3.SQLITE_FULL:
+            raise Full(NO_ROOM) from error
+        if code in {sqlite3.SQLITE_BUSY, sqlite3.SQLITE_LOCKED}:
+            raise Unavailable("Another program holds the database: wait for its end, then try again.") from error
+        if code in {sqlite3.SQLITE_NOTADB, sqlite3.SQLITE_CORRUPT}:
+            raise Unavailable("The database is damaged: put a copy of it back, or begin with a new folder.") from error
+        raise

@@ -169,6 +169,23 @@ def test_a_database_that_keeps_nothing_leaves_no_key(bodydrive, tmp_path, monkey
     assert paired(tmp_path) == []
 
 
+def test_a_database_that_another_program_holds_is_said_so(bodydrive, tmp_path, monkeypatch):
+    bodydrive(*BLUE)
+    monkeypatch.setattr("app.session.database.BUSY_TIMEOUT", 50)
+    holding = sqlite3.connect(tmp_path / "clinic" / "bodydrive.sqlite", isolation_level=None)
+    holding.execute("BEGIN EXCLUSIVE")
+    refused(bodydrive(*BLUE[:3], "Red", *BLUE[4:]), "Another program")
+    holding.close()
+    assert kept_keys(tmp_path) == ["1.key"]
+
+
+def test_a_damaged_database_is_said_so(bodydrive, tmp_path):
+    (tmp_path / "clinic").mkdir()
+    (tmp_path / "clinic" / "bodydrive.sqlite").write_text("this is no database at all" * 100)
+    refused(bodydrive(*BLUE), "damaged")
+    assert kept_keys(tmp_path) == []
+
+
 def test_a_key_file_that_was_left_behind_is_not_used_again(bodydrive, tmp_path):
     (tmp_path / "clinic" / "keys").mkdir(parents=True)
     left = pairing.key_file(tmp_path / "clinic" / "keys", 1)
