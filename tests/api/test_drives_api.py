@@ -274,8 +274,11 @@ def test_only_who_armed_goes_on_and_ends_and_anybody_stops(ready: Any) -> None:
         ready.client.cookies.clear()
         ready.client.cookies["bodydrive_session"] = mine
         assert ready("POST", "/control/clear", json={"stops": 1}).status_code == 409  # there was a second stop
+        while not any(row.what == "stop" for row in ready.log()):
+            time.sleep(0.01)
         assert ready.good("POST", "/control/clear", json={"stops": 2})["state"] == "armed"
         ready.good("POST", "/drives/current/end")
+    assert [row.details["fault"] for row in ready.log() if row.what == "stop"] == ["stop_tablet"]
 
 
 def test_the_live_picture_shows_what_the_chair_says(ready: Any) -> None:

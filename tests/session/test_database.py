@@ -6,12 +6,16 @@ import pytest
 from alembic.autogenerate import compare_metadata
 from alembic.migration import MigrationContext
 from sqlalchemy import inspect, text
-from sqlalchemy.exc import IntegrityError
+from sqlalchemy.exc import IntegrityError, OperationalError
 from sqlalchemy.orm import Session
 
 from app.clock import utc_now
+from app.session import database as database_module
 from app.session.database import Database, make_engine, migrate
+from app.session.refusals import Full, Unavailable
 from app.session.store_chairs import add_chair, limits_of
+from app.session.store_patients import add_patient
+from app.session.store_people import add_clinic
 from app.session.tables import Clinic, Patient, Table
 from app.speeds import NO_FURTHER
 
@@ -106,3 +110,44 @@ def test_what_a_clinic_had_before_real_chairs_is_there_after_going_up_and_down(t
     assert patients == ["Heron"]
     assert {"chair", "drive"}.isdisjoint(inspect(engine).get_table_names())
     engine.dispose()
+
+
+def add_many_patients(database: Database, clinic_id: int) -> None:
+    with database.transaction() as db:
+        for number in range(100):
+            add_patient(db, clinic_id, f"P-{number}", "Heron", "n" * 2000)
+
+
+def test_a_full_disk_is_a_refusal_in_a_sentence_and_what_was_there_stays(tmp_path: Path) -> None:
+    database = Database(tmp_path / "a.sqlite")
+    with database.transaction() as db:
+        clinic = add_clinic(db, "Kept")
+        pages = db.execute(text("PRAGMA page_count")).scalar_one()
+        db.execute(text(f"PRAGMA max_page_count = {pages + 1}"))  # of this connection, which the pool keeps
+    with pytest.raises(Full, match="make room"):
+        add_many_patients(database, clinic.id)
+    with database.transaction() as db:
+        assert db.query(Patient).count() == 0
+        assert [kept.name for kept in db.query(Clinic)] == ["Kept"]
+    database.close()
+
+
+def test_a_database_that_another_program_holds_is_a_refusal(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(database_module, "BUSY_TIMEOUT", 1)
+    database = Database(tmp_path / "a.sqlite")
+    other = make_engine(tmp_path / "a.sqlite")
+    with (
+        other.begin(),  # takes the file for writing at once
+        pytest.raises(Unavailable, match="Another program"),
+        database.transaction() as db,
+    ):
+        add_clinic(db, "Late")
+    other.dispose()
+    database.close()
+
+
+def test_a_mistake_of_ours_is_no_full_disk(tmp_path: Path) -> None:
+    database = Database(tmp_path / "a.sqlite")
+    with pytest.raises(OperationalError), database.transaction() as db:
+        db.execute(text("SELECT nothing FROM nowhere"))
+    database.close()
