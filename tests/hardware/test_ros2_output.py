@@ -89,6 +89,19 @@ def test_a_sample_that_dds_does_not_take_is_a_broken_output_and_is_said_again(ou
     assert heard() == [(0.3, 0.0)]
 
 
+@pytest.mark.parametrize("error", [core.DDSException(core.DDSException.DDS_RETCODE_ERROR), AttributeError()])
+def test_closing_is_no_trouble_when_nobody_acknowledges(output, error):
+    class Alone:
+        def write(self, _sample):
+            pass
+
+        def wait_for_acks(self, _duration):
+            raise error
+
+    output._writer = Alone()
+    output.close()
+
+
 @pytest.mark.parametrize("number", ["x", "-1", "233", "1.5"])
 def test_a_domain_that_is_none_is_refused(monkeypatch, number):
     monkeypatch.setenv("ROS_DOMAIN_ID", number)
