@@ -1,60 +1,16 @@
 """The real demonstration: started as a person would, its control process killed, ended by a signal."""
 
-import json
-import os
 import re
 import signal
 import socket
-import subprocess
-import sys
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
 
 import httpx
 import psutil
 import pytest
-from websockets.sync.client import ClientConnection, connect
-
-ROOT = Path(__file__).resolve().parents[2]
-COMMAND = [sys.executable, "-c", "from app.cli.main import main; main()"]
-
-
-def bodydrive(*words: str, **more: Any) -> "subprocess.Popen[str]":
-    environment = {**os.environ, "PYTHONPATH": str(ROOT), **more}
-    return subprocess.Popen(
-        [*COMMAND, *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment
-    )
-
-
-def printed_link(process: "subprocess.Popen[str]") -> str:
-    assert process.stdout is not None
-    for line in process.stdout:
-        if line.startswith("http"):
-            return line.strip()
-    raise AssertionError(process.communicate()[1])
-
-
-class Demo:
-    """A running demonstration and somebody who is signed in to it."""
-
-    def __init__(self, process: "subprocess.Popen[str]") -> None:
-        self.process = process
-        base, code = printed_link(process).split("/#demo=")
-        self.base = base
-        self.client = httpx.Client(base_url=f"{base}/api/v1", headers={"Origin": base}, timeout=60)
-        assert self.client.post("/auth/demo", json={"code": code}).json()["signed_in"]
-
-    def live(self) -> ClientConnection:
-        cookie = "; ".join(f"{name}={value}" for name, value in self.client.cookies.items())
-        return connect(
-            f"{self.base.replace('http', 'ws')}/api/v1/live", additional_headers={"Cookie": cookie}, origin=self.base
-        )
-
-    def control_process(self) -> psutil.Process:
-        children = psutil.Process(self.process.pid).children(recursive=True)
-        return next(child for child in children if "app.pipeline.process" in child.cmdline())
+from processes.served_demo import Demo, bodydrive, printed_link, until
 
 
 @pytest.fixture
@@ -70,17 +26,10 @@ def demo(tmp_path: Path) -> Iterator[Demo]:
         process.communicate()
 
 
-def until(socket_: ClientConnection, good: Callable[[Any], bool]) -> Any:
-    while True:
-        message = json.loads(socket_.recv(timeout=60))
-        if good(message):
-            return message
-
-
 def test_the_story_of_a_control_process_that_dies_and_of_an_orderly_end(demo: Demo, tmp_path: Path) -> None:
     equipment = demo.client.get("/equipment").json()
     assert len(equipment["layout"]["channels"]) == 52
-    with demo.live() as live:
+    with demo.socket("live") as live:
         message = until(live, lambda m: m["values"] is not None)
         assert len(message["values"]) == 52
         until(live, lambda m: "quality" in m and "silent" not in m["quality"])

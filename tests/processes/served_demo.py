@@ -1,0 +1,59 @@
+"""A real demonstration for tests: started as a person would, and somebody who is signed in to it."""
+
+import json
+import os
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import httpx
+import psutil
+from websockets.sync.client import ClientConnection, connect
+
+ROOT = Path(__file__).resolve().parents[2]
+COMMAND = [sys.executable, "-c", "from app.cli.main import main; main()"]
+
+
+def bodydrive(*words: str, **more: Any) -> "subprocess.Popen[str]":
+    environment = {**os.environ, "PYTHONPATH": str(ROOT), **more}
+    return subprocess.Popen(
+        [*COMMAND, *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment
+    )
+
+
+def printed_link(process: "subprocess.Popen[str]") -> str:
+    assert process.stdout is not None
+    for line in process.stdout:
+        if line.startswith("http"):
+            return line.strip()
+    raise AssertionError(process.communicate()[1])
+
+
+class Demo:
+    """A running demonstration and somebody who is signed in to it."""
+
+    def __init__(self, process: "subprocess.Popen[str]") -> None:
+        self.process = process
+        base, code = printed_link(process).split("/#demo=")
+        self.base = base
+        self.client = httpx.Client(base_url=f"{base}/api/v1", headers={"Origin": base}, timeout=60)
+        assert self.client.post("/auth/demo", json={"code": code}).json()["signed_in"]
+
+    def socket(self, name: str) -> ClientConnection:
+        """Open the live socket or the screen socket."""
+        cookie = "; ".join(f"{name}={value}" for name, value in self.client.cookies.items())
+        address = f"{self.base.replace('http', 'ws')}/api/v1/{name}"
+        return connect(address, additional_headers={"Cookie": cookie}, origin=self.base)
+
+    def control_process(self) -> psutil.Process:
+        children = psutil.Process(self.process.pid).children(recursive=True)
+        return next(child for child in children if "app.pipeline.process" in child.cmdline())
+
+
+def until(socket_: ClientConnection, good: Callable[[Any], bool]) -> Any:
+    while True:
+        message = json.loads(socket_.recv(timeout=60))
+        if good(message):
+            return message

@@ -1,0 +1,123 @@
+"""A real chair through the whole application: paired, practised for, armed, stopped by a hidden screen, ended."""
+
+import json
+import threading
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from processes.chair_process import ReceiverProcess
+from processes.served_demo import Demo, bodydrive, until
+from processes.wearer import free_port
+
+from app.hardware.chair.key import Key, write_key
+from app.speeds import Speeds
+
+WORD = "the-screen-of-this-test"
+ARMINGS = 5  # on a machine so busy that a heartbeat may be late
+
+
+class InView:
+    """A page's worker: says ten times a second whether the page is in view."""
+
+    def __init__(self, demo: Demo) -> None:
+        self.visible = True
+        self._ended = threading.Event()
+        self._socket = demo.socket("screen")
+        self._thread = threading.Thread(target=self._say)
+        self._thread.start()
+
+    def hide(self) -> None:
+        self.visible = False
+        self._send()
+
+    def close(self) -> None:
+        self._ended.set()
+        self._thread.join()
+        self._socket.close()
+
+    def _say(self) -> None:
+        while not self._ended.wait(0.05):
+            self._send()
+
+    def _send(self) -> None:
+        self._socket.send(json.dumps({"screen": WORD, "visible": self.visible}))
+
+
+@pytest.fixture
+def demo(tmp_path: Path) -> Iterator[Demo]:
+    process = bodydrive("demo", "--port", "0", TMPDIR=str(tmp_path))
+    try:
+        running = Demo(process)
+        yield running
+        running.client.close()
+    finally:
+        process.terminate()
+        process.communicate(timeout=60)
+
+
+def good(demo: Demo, method: str, path: str, body: Any = None) -> Any:
+    answer = demo.client.request(method, path, json=body)
+    assert answer.status_code in {200, 201}, answer.text
+    return answer.json()
+
+
+def armed(demo: Demo, live: Any) -> Any:
+    """Wait for permission; go on after a fault, as a person would."""
+    for _ in range(ARMINGS):
+        message = until(live, lambda m: m["state"] in {"armed", "fault"})
+        if message["state"] == "armed":
+            return message
+        good(demo, "POST", "/control/clear", {"stops": message["stops"]})
+    raise AssertionError(f"it could not be armed: {message['fault']}")
+
+
+def test_the_story_of_a_real_chair(demo: Demo, tmp_path: Path) -> None:
+    port = free_port()
+    chair = {"name": "Blue", "host": "127.0.0.1", "port": port, "speeds": Speeds(forward=0.5).model_dump()}
+    paired = good(demo, "POST", "/chairs", chair)
+    number, secret = paired["key_line"].split()
+    write_key(tmp_path / "7.key", Key(int(number), bytes.fromhex(secret)))
+    receiver = ReceiverProcess(tmp_path, port)
+    screen = InView(demo)
+    try:
+        with demo.socket("live") as live:
+            until(live, lambda m: m["values"] is not None)
+            plan = good(demo, "GET", "/floorplans")[0]
+            where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}
+            good(demo, "POST", "/trials", where)
+            armed(demo, live)
+            until(live, lambda m: m["trial"] is not None and m["trial"]["t"] > 1.0)
+            assert good(demo, "POST", "/trials/current/end", {})["measures"] is not None
+
+            good(demo, "PUT", "/chairs/chosen", {"id": paired["chairs"][0]["id"], "dynamics": "unicycle"})
+            until(live, lambda m: m["chair"] is not None and (m["chair"]["age"] or 9.0) < 0.3)
+            summary = good(demo, "GET", "/drives/summary")
+            assert (summary["practised"]["trials"], summary["speeds"]["forward"]) == (1, 0.5)
+            assert [sentence[:20] for sentence in summary["refusals"]] == ["In acceleration mode"]
+            receiver.press(True)
+            until(live, lambda m: m["chair"]["stop_input"])
+            receiver.press(False)
+            until(live, lambda m: not m["chair"]["stop_input"] and m["chair"]["state"] == "disarmed")
+            assert good(demo, "GET", "/drives/summary")["refusals"] == []
+
+            drive = good(demo, "POST", "/drives", {"hash": summary["parameters"]["hash"], "screen": WORD})
+            armed(demo, live)
+            shown = until(live, lambda m: m["chair"]["state"] == "armed")
+            assert shown["drive"]["id"] == drive["id"]
+            receiver.wait_for(lambda line: line["state"] == "armed")
+
+            screen.hide()
+            stopped = until(live, lambda m: m["state"] == "fault")
+            assert stopped["fault"]["name"] == "screen_lost"
+            receiver.wait_for(lambda line: line["state"] == "disarmed" and line["v"] == 0.0)
+            screen.visible = True
+            good(demo, "POST", "/control/clear", {"stops": stopped["stops"]})
+            assert armed(demo, live)["drive"]["id"] == drive["id"]
+            ended = good(demo, "POST", "/drives/current/end")
+            assert (ended["end"], ended["hash"]) == ("by hand", summary["parameters"]["hash"])
+            receiver.wait_for(lambda line: line["state"] == "disarmed")
+    finally:
+        screen.close()
+        receiver.close()
