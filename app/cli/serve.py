@@ -17,6 +17,7 @@ from app.cli.server import WebServer, bind, held, link_to
 from app.files import write_atomically
 from app.session.database import Database
 from app.session.recordings import recorded_readings
+from app.session.refusals import Refusal
 from app.session.store_people import count_people
 from app.settings import Settings, new_code, state_folder
 from app.supervisor import ControlProcess
@@ -95,7 +96,10 @@ def _furnish_demonstration(settings: Settings, plans: list[FloorPlan]) -> None:
 
 
 def _nobody_yet(folder: Path) -> bool:
-    database = Database(Settings(state=folder).database)
+    try:
+        database = Database(Settings(state=folder).database)
+    except Refusal as refusal:
+        raise InputError(str(refusal)) from refusal
     try:
         with database.transaction() as db:
             return count_people(db) == 0
