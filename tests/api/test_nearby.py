@@ -1,11 +1,15 @@
 """Who counts as being in the building."""
 
+import socket
+
 import pytest
+from fastapi import FastAPI
 from hypothesis import given
 from hypothesis import strategies as st
 from starlette.requests import HTTPConnection
 
 from app.api.nearby import is_nearby
+from app.cli.server import WebServer
 
 
 def asked_from(host: str | None, **headers: str) -> HTTPConnection:
@@ -64,3 +68,9 @@ def test_no_text_is_an_address_by_accident(host: str) -> None:
 def test_what_was_passed_on_is_far(name: str) -> None:
     assert not is_nearby(asked_from("127.0.0.1", **{name: "127.0.0.1"}))
     assert is_nearby(asked_from("127.0.0.1", User_Agent="a browser"))
+
+
+def test_the_server_believes_no_header_about_who_is_connected() -> None:
+    with socket.create_server(("127.0.0.1", 0)) as listening:
+        server = WebServer(FastAPI(), listening, "")
+    assert server.config.proxy_headers is False

@@ -7,9 +7,14 @@ from typing import Any
 import pytest
 
 from app.session.calibration_flow import CalibrationFlow
+from app.session.database import Database
 from app.session.drive_flow import DriveFlow
-from app.session.refusals import Conflict
+from app.session.real_drive import RealDriveFlow
+from app.session.refusals import Conflict, Unavailable
 from app.session.runs import Runs
+from app.session.store_patients import add_patient, start_session
+from app.session.store_people import add_clinic
+from app.session.tables import Run
 
 
 class Asked:
@@ -39,6 +44,47 @@ def test_a_run_that_cannot_be_noted_is_not_left_running(tmp_path: Any) -> None:
     with pytest.raises(OSError, match="gone"):
         asyncio.run(runs_with(control, tmp_path).begin(1, "rest", (), {}))
     assert control.asked == ["run", "end_run"]
+
+
+@pytest.mark.parametrize("refusal", [Unavailable("It did not answer."), Conflict("Nothing is being recorded.")])
+def test_a_run_whose_end_nobody_answers_is_open_no_more(database: Database, tmp_path: Any, refusal: Exception) -> None:
+    """The control process that owes the answer is ended by then (test_control.py), so it records no more either."""
+    with database.transaction() as db:
+        clinic = add_clinic(db, "Clinic")
+        patient = add_patient(db, clinic.id, "P-1", "Heron", "")
+        session = start_session(db, clinic.id, patient.id)
+
+    class Owing(Asked):
+        async def call(self, do: str, **fields: Any) -> dict[str, Any]:
+            if do == "end_run":
+                raise refusal
+            return await super().call(do, **fields)
+
+    async def story() -> None:
+        runs = Runs(database, Owing(), tmp_path)  # type: ignore[arg-type]
+        first = await runs.begin(session.id, "rest", (), {})
+        assert await runs.end() == first
+        assert runs.open is None
+        assert (await runs.begin(session.id, "rest", (), {})).id != first.id
+
+    asyncio.run(story())
+    with database.transaction() as db:
+        ended = [run.ended is not None for run in db.query(Run).order_by(Run.started)]
+    assert ended == [True, False]
+
+
+def test_a_drive_is_over_though_the_database_is_gone(tmp_path: Any) -> None:
+    told: list[str] = []
+    flow = RealDriveFlow(Gone(), Asked(), runs_with(Asked(), tmp_path), told.append, None)  # type: ignore[arg-type]
+    flow.drive = SimpleNamespace(id=1, run=None)  # type: ignore[assignment]
+
+    async def story() -> None:
+        with pytest.raises(OSError, match="gone"):
+            await flow._finish(flow.drive, "fault")  # type: ignore[arg-type]
+
+    asyncio.run(story())
+    assert not flow.running
+    assert told == ["drive"]
 
 
 def test_a_trial_is_over_though_the_database_is_gone(tmp_path: Any) -> None:
