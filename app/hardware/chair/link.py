@@ -34,9 +34,7 @@ from app.speeds import Speeds
 
 PERIOD = 0.02  # s between two commands
 LEAST_GAP = 0.005  # s: after a hold-up the next deadline may be very near
-STALLED = (
-    0.15  # s without a command, after which the chair (which waits 0.1 s) stops: it is not to go on by itself (S15)
-)
+STALLED = 0.15  # s without a command: the chair, which waits 0.1 s, has stopped, and is not to go on by itself (S15)
 LAST_FRAMES = 10  # zero commands after disarming or a stop: any one of them suffices
 HELLO_AFTER = 0.15  # s without telemetry, which comes every 0.1 s to whom the chair is paired with
 HELLO_EVERY = 0.2  # s: a chair that is paired with another address is heard at 5 Hz, and so never counts as silent
