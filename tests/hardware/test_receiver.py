@@ -47,7 +47,7 @@ def test_it_drives_what_it_is_told_after_half_a_second_of_zeros(chair):
         chair.sequence,
         chair.receiver.nonce,
     )
-    assert (told.v, told.omega, told.fault) == (pytest.approx(0.5), pytest.approx(-0.7), 0)
+    assert (told.v, told.omega, told.fault, told.stop_input) == (pytest.approx(0.5), pytest.approx(-0.7), 0, 0)
     assert told.t_ns == pytest.approx(chair.t * 1e9)
     assert math.isnan(told.battery)
 
@@ -84,7 +84,6 @@ def test_a_gap_begins_the_half_second_anew(chair):
 
 def test_the_gap_counts_also_when_nobody_looked_at_the_watch_within_it(chair):
     chair.send()
-    chair.step()
     chair.step(0.09)
     chair.t += 0.02
     chair.command(0.48)
@@ -229,10 +228,20 @@ def test_a_clock_that_drifts_is_followed(chair):
     assert chair.receiver.driven.v == pytest.approx(0.5)
 
 
-def test_a_sender_without_a_clock_is_not_judged_by_it(chair):
-    chair.command(0.56, t_ns=0)
-    chair.command(5.0, 0.5, 0.0, DRIVE, t_ns=0)
+@pytest.mark.parametrize("t_ns", [0, 5_000_000_000, 2**64 - 1])
+def test_a_sender_without_a_clock_is_not_judged_by_it(chair, t_ns):
+    chair.command(0.56, t_ns=t_ns)
+    chair.command(5.0, 0.5, 0.0, DRIVE, t_ns=t_ns)
     assert chair.receiver.driven.v == pytest.approx(0.5)
+
+
+@pytest.mark.parametrize("started_anew", [-300.0, 300.0])
+def test_a_sender_that_was_started_anew_has_another_clock(chair, started_anew):
+    chair.drive()
+    chair.wait(0.4)
+    chair.sender_ahead += started_anew
+    chair.drive(0.3)
+    assert chair.receiver.driven.v == pytest.approx(0.3)
 
 
 def test_every_nonce_is_another():

@@ -33,12 +33,15 @@ def test_silence_slows_the_chair_after_100_ms_and_disarms_it_after_300(chair):
 
 
 def test_a_command_after_a_short_silence_drives_on(chair):
-    chair.drive(0.9)
+    chair.drive(1.5, seconds=1.0)
     chair.wait(0.2)
-    assert chair.receiver.driven.v < 0.9
+    slowest = chair.receiver.driven.v
+    assert slowest < 1.0
     assert chair.state is ARMED
-    chair.command(0.3, 0.9, 0.0, DRIVE)
-    assert chair.receiver.driven.v == pytest.approx(0.9)
+    chair.command(0.1, 1.5, 0.0, DRIVE)
+    assert chair.receiver.driven.v == pytest.approx(slowest + 3.0 * 0.1), "as gently as ever, not as it slowed"
+    chair.command(0.4, 1.5, 0.0, DRIVE)
+    assert chair.receiver.driven.v == pytest.approx(1.5)
 
 
 def test_disarmed_no_later_than_300_ms_after_the_last_command_and_a_step(chair):
@@ -101,6 +104,7 @@ def test_the_smaller_cap_holds(own, promised, wanted, driven):
     chair.arm()
     chair.command(1.0, *wanted, DRIVE, v_cap=promised[0], omega_cap=promised[1])
     assert chair.receiver.driven == pytest.approx(driven)
+    assert chair.state is ARMED
 
 
 @settings(max_examples=60, deadline=None)
