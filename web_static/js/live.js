@@ -7,8 +7,8 @@ const FIRST_PAUSE = 250; // ms before trying again; doubled with each failure, u
 const LONGEST_PAUSE = 4000; // ms
 const SILENT_AFTER = 1500; // ms without a message: at 20 a second this is a dead link, even if the socket looks open
 const OPENING_LIMIT = 6000; // ms for a socket to open
-const LATE_WATCH = 500; // ms between two looks at the link: this page was busy
-const VISIBLE_EVERY = 100; // ms: a screen that drives must say that it is in view, ten times a second
+const LOOK_EVERY = 100; // ms between two looks at the link
+const LATE_LOOK = 500; // ms between two looks: this page was busy
 const SAY_LOST_AFTER = 700; // ms: a short gap is mended before anybody has to read about it
 const SIGNED_OUT = 4401;
 
@@ -31,8 +31,7 @@ export class Live extends EventTarget {
 
   constructor() {
     super();
-    document.addEventListener("visibilitychange", () => this.#sayVisible());
-    setInterval(() => this.#watch(), VISIBLE_EVERY);
+    setInterval(() => this.#watch(), LOOK_EVERY);
   }
 
   /** Open the socket and keep it open. */
@@ -67,10 +66,7 @@ export class Live extends EventTarget {
     const socket = new WebSocket(`${scheme}://${location.host}/api/v1/live`);
     this.#socket = socket;
     this.heardAt = performance.now();
-    socket.onopen = () => {
-      this.heardAt = performance.now();
-      this.#sayVisible();
-    };
+    socket.onopen = () => (this.heardAt = performance.now());
     socket.onmessage = (event) => {
       if (socket === this.#socket) this.#take(JSON.parse(event.data));
     };
@@ -115,11 +111,10 @@ export class Live extends EventTarget {
   }
 
   #watch() {
-    this.#sayVisible();
     const socket = this.#socket;
     if (!socket || document.visibilityState !== "visible") return;
     // When we ourselves stood still, messages wait in the queue: give them a turn first.
-    const stoodStill = performance.now() - this.#watchedAt > LATE_WATCH;
+    const stoodStill = performance.now() - this.#watchedAt > LATE_LOOK;
     this.#watchedAt = performance.now();
     if (stoodStill) return;
     const limit = socket.readyState === WebSocket.CONNECTING ? OPENING_LIMIT : SILENT_AFTER;
@@ -128,9 +123,5 @@ export class Live extends EventTarget {
       socket.close();
       this.#lost();
     }
-  }
-
-  #sayVisible() {
-    this.send({ visible: document.visibilityState === "visible" });
   }
 }

@@ -4,25 +4,30 @@ import { Live } from "./live.js";
 import { h, put } from "./parts/dom.js";
 import { header } from "./parts/header.js";
 import { notices } from "./parts/notices.js";
-import { rail, STEPS } from "./parts/rail.js";
+import { PAGES, rail } from "./parts/rail.js";
 import { stopOnSpace } from "./parts/stop.js";
 import { followSystem } from "./parts/theme.js";
 import { Toasts } from "./parts/toast.js";
+import { Screen } from "./screen.js";
 import { t } from "./texts.js";
 
 const DEMO_LINK = /^#demo=(.+)$/;
+const LOOK_AT_DISK_EVERY = 60_000; // ms
 
-/** Events: `me`, `visit`, `route`, `trial-view`. */
+/** Events: `me`, `visit`, `route`, `trial-view`, `disk`. */
 export class App extends EventTarget {
   api = new Api(() => this.signedOut());
   live = new Live();
+  screen = new Screen();
   toasts = new Toasts();
   /** @type {any} */
   me = null;
   /** @type {any} */
   visit = null;
   route = { page: "", rest: [] };
-  /** Whether the drive page shows a running trial: then it shows faults itself. */
+  /** Why the disk is a worry; empty when it is none. */
+  diskWords = "";
+  /** Whether the drive page shows a running trial or drive: then it shows faults itself. */
   showsTrial = false;
   #leave = new AbortController();
   /** @type {{floorplan: string, path: string} | null} the trial that the drive page shall start */
@@ -36,6 +41,7 @@ export class App extends EventTarget {
     this.live.addEventListener("changed", (event) => this.#changed(event.detail));
     this.live.addEventListener("connection", () => !this.live.connected && this.#whoAmI());
     window.addEventListener("hashchange", () => this.show());
+    setInterval(() => this.#lookAtDisk(), LOOK_AT_DISK_EVERY);
     await this.enter();
   }
 
@@ -70,6 +76,7 @@ export class App extends EventTarget {
   signedOut(say = true) {
     if (!this.me?.signed_in) return;
     this.live.close();
+    this.screen.close();
     this.me = { ...this.me, signed_in: false };
     this.visit = null;
     if (say) this.toasts.show(t("note.signed-out"));
@@ -108,7 +115,7 @@ export class App extends EventTarget {
     return wanted;
   }
 
-  /** Tell the rest of the frame whether a trial fills the page. @param {boolean} is */
+  /** Tell the rest of the frame whether a trial or a drive has the page, and shows its faults itself. @param {boolean} is */
   setShowsTrial(is) {
     if (this.showsTrial === is) return;
     this.showsTrial = is;
@@ -143,7 +150,7 @@ export class App extends EventTarget {
       return this.me?.needs_setup ? "set_up" : "sign_in";
     }
     const [page, ...rest] = location.hash.replace(/^#\/?/, "").split("/");
-    if (!STEPS.includes(page)) {
+    if (!PAGES.includes(page)) {
       const next = this.#next();
       history.replaceState(null, "", `#/${next}`);
       this.route = { page: next, rest: [] };
@@ -173,9 +180,20 @@ export class App extends EventTarget {
     if (this.me?.signed_in) {
       await this.readVisit().catch((error) => this.toasts.show(error.message));
       this.live.open();
+      this.screen.open();
+      this.#lookAtDisk();
     }
     this.dispatchEvent(new Event("me"));
     await this.show();
+  }
+
+  async #lookAtDisk() {
+    if (!this.me?.signed_in) return;
+    const equipment = await this.api.get("/equipment").catch(() => null);
+    const words = equipment?.disk?.words ?? "";
+    if (words === this.diskWords) return;
+    this.diskWords = words;
+    this.dispatchEvent(new Event("disk"));
   }
 
   async #whoAmI() {
@@ -186,6 +204,7 @@ export class App extends EventTarget {
   #changed(what) {
     if (what === "sign-in") this.#whoAmI();
     else if (what !== "controls" && this.me?.signed_in) this.readVisit().catch(() => null);
+    if (what === "equipment" || what === "trial") this.#lookAtDisk();
   }
 }
 

@@ -3,11 +3,13 @@
  * A text may hold {values}; a text of the form {one, other} is chosen by the value `count`.
  */
 import calibrate from "./texts/en/calibrate.js";
+import chair from "./texts/en/chair.js";
 import controls from "./texts/en/controls.js";
 import drive from "./texts/en/drive.js";
 import measures from "./texts/en/measures.js";
 import patients from "./texts/en/patients.js";
 import review from "./texts/en/review.js";
+import settings from "./texts/en/settings.js";
 import shell from "./texts/en/shell.js";
 import shirt from "./texts/en/shirt.js";
 
@@ -20,8 +22,10 @@ const CATALOGUE = Object.freeze({
   ...calibrate,
   ...controls,
   ...drive,
+  ...chair,
   ...measures,
   ...review,
+  ...settings,
 });
 const PLURALS = new Intl.PluralRules(LANGUAGE);
 

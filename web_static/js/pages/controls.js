@@ -35,6 +35,7 @@ export async function show(app, root, { signal }) {
   const redo = iconButton("redo", () => ask("/controls/redo"));
   const title = h("span", {});
   let rows = [];
+  let speeds = speedsCard(draft);
 
   const ask = async (path) => {
     write(problem, "");
@@ -62,7 +63,8 @@ export async function show(app, root, { signal }) {
       rowsPlace,
       rows.map(({ element }) => element),
     );
-    put(morePlace, modesCard(draft), speedsCard(draft), setsCard(app, draft));
+    speeds = speedsCard(draft);
+    put(morePlace, modesCard(draft), speeds.element, setsCard(app, draft));
     showState();
   };
   draft.addEventListener("shape", draw);
@@ -73,6 +75,7 @@ export async function show(app, root, { signal }) {
   });
   draft.addEventListener("saved", () => {
     write(state, t("controls.saved"));
+    speeds.showHeld();
     showState();
   });
   draft.addEventListener("refused", ({ detail }) => {

@@ -1,4 +1,5 @@
 /** Drive: choose a path, drive it, look at what it came to. */
+import { chairChoice } from "../parts/chair_choice.js";
 import { h, put } from "../parts/dom.js";
 import { emptyPage, nobodyIsHere } from "../parts/nobody.js";
 import { planChooser } from "../parts/plan_chooser.js";
@@ -17,11 +18,16 @@ export async function show(app, root, { signal, rest }) {
   if (rest[0] === "over") return over(app, root, rest[1], signal);
   if (!app.visit.has_profile)
     return emptyPage(root, t("drive.none.title"), t("drive.none.lead"), "#/calibrate", t("drive.none.go"));
+  if (rest[0] === "chair") return (await import("./chair.js")).show(app, root, { signal, rest });
   return choose(app, root, signal);
 }
 
 async function choose(app, root, signal) {
-  const [plans, equipment] = await Promise.all([app.api.get("/floorplans"), app.api.get("/equipment")]);
+  const [plans, equipment, chairs] = await Promise.all(
+    ["/floorplans", "/equipment", "/chairs"].map((path) => app.api.get(path)),
+  );
+  if (signal.aborted) return;
+  if (chairs.chosen !== null) return location.replace("#/drive/chair");
   const documents = new Map(
     await Promise.all(plans.map(async ({ name }) => [name, await app.api.get(`/floorplans/${name}`)])),
   );
@@ -40,6 +46,7 @@ async function choose(app, root, signal) {
       { class: "body" },
       h("h1", { tabindex: "-1" }, t("drive.title")),
       h("p", { class: "lead" }, t("drive.lead")),
+      chairChoice(app, chairs),
       chooser.element,
     ),
     h(
@@ -84,7 +91,7 @@ async function drive(app, root, running, where, signal) {
   view.ready.then(async () => {
     if (signal.aborted) return;
     try {
-      trial = await app.api.post("/trials", where);
+      trial = await app.api.post("/trials", { ...where, screen: app.screen.word });
       view.begin(trial);
       await lookWhetherOver({ detail: "trial" });
     } catch (error) {

@@ -126,12 +126,21 @@ export function stepper({ label, value, low, high, step, digits, unit, onChange 
   return Object.assign(element, { setValue });
 }
 
-/** A line with words at the left and its control at the right. @param {string} title @param {string} hint @param {Node} control */
+/**
+ * A line with words at the left and its control at the right.
+ * @param {string} title @param {import("./dom.js").Child} hint a text, or several of them @param {Node} control
+ */
 export function setting(title, hint, control) {
+  const hints = [hint].flat().filter(Boolean);
   return h(
     "div",
     { class: "setting" },
-    h("div", { class: "words" }, h("b", { class: "small" }, title), hint && h("span", {}, hint)),
+    h(
+      "div",
+      { class: "words" },
+      h("b", { class: "small" }, title),
+      hints.map((one) => (one instanceof Node ? one : h("span", {}, one))),
+    ),
     control,
   );
 }

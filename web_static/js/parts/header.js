@@ -1,5 +1,6 @@
 /** The header: product, who is here, lamps of the equipment, colours, sign-out, Stop. */
 import { t } from "../texts.js";
+import { chairState } from "./chair_card.js";
 import { h, set, write } from "./dom.js";
 import { icon } from "./icons.js";
 import { stopButton } from "./stop.js";
@@ -54,9 +55,13 @@ export function header(app) {
     write(shirt, alive && all ? t("lamp.shirt", { good, all }) : t("lamp.shirt.silent"));
   };
   const showChair = () => {
-    const armed = app.live.latest?.state === "armed";
-    chair.className = armed ? "lamp wide" : "lamp off wide";
-    write(chair, armed ? t("lamp.armed") : t("lamp.chair"));
+    const now = app.live.latest;
+    const armed = now?.state === "armed";
+    const state = now?.chair && chairState(now.chair);
+    element.classList.toggle("has-chair", Boolean(state));
+    const isBad = state === "silent" || state === "fault";
+    chair.className = `lamp${isBad ? " att" : armed ? "" : " off"}${state ? "" : " wide"}`;
+    write(chair, state ? t("lamp.real", { state: t(`lamp.real.${state}`) }) : armed ? t("lamp.armed") : t("lamp.chair"));
   };
   app.addEventListener("me", showWho);
   app.addEventListener("visit", showWho);

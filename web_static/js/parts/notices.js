@@ -1,7 +1,9 @@
-/** The strip under the header: connection lost, control process lost, a stop or fault that waits for Continue. */
+/** The strip under the header: connection lost, control process lost, a stop or fault that waits for Continue, a full disk. */
 import { t } from "../texts.js";
 import { h, put } from "./dom.js";
 import { icon } from "./icons.js";
+
+const SEEN_AFTER = 400; // ms: a tap that comes sooner was meant for what stood there before
 
 /** @param {import("../main.js").App} app */
 export function notices(app) {
@@ -15,7 +17,7 @@ export function notices(app) {
   };
   app.live.addEventListener("tick", show);
   app.live.addEventListener("connection", show);
-  for (const event of ["route", "me", "trial-view"]) app.addEventListener(event, show);
+  for (const event of ["route", "me", "trial-view", "disk"]) app.addEventListener(event, show);
   return element;
 }
 
@@ -26,27 +28,42 @@ function wanted(app) {
   if (!now) return "";
   if (now.control !== "alive") return "control";
   // While driving, the drive page shows faults over the picture itself.
-  return now.fault && !app.showsTrial ? `fault ${now.fault.name}` : "";
+  if (now.fault && !app.showsTrial) return faultKey(now);
+  if (now.drive && !app.showsTrial) return "driving";
+  return app.diskWords && !app.showsTrial ? `disk ${app.diskWords}` : "";
+}
+
+/** What is said of a fault is said anew with each further stop. @param {any} now the live picture */
+export function faultKey(now) {
+  return `fault ${now.fault.name} ${now.stops}`;
 }
 
 function note(app, kind) {
   if (kind === "lost") return strip("bad", t("note.lost"), t("note.lost.why"));
   if (kind === "control") return strip("bad", t("note.control"), t("note.control.why"));
+  if (kind === "driving")
+    return strip("", t("note.driving"), "", h("a", { class: "btn go", href: "#/drive/chair" }, t("note.driving.go")));
+  if (kind.startsWith("disk")) return strip("", app.diskWords, "");
   const { happened, next_step: next } = app.live.latest.fault;
   return strip("", happened, next, continueButton(app));
 }
 
-/** @param {import("../main.js").App} app */
+/** It takes back the stops that are shown beside it, and none that came after. @param {import("../main.js").App} app */
 export function continueButton(app) {
-  const button = h("button", { type: "button", class: "btn go" }, t("note.fault.continue"));
+  const { stops } = app.live.latest;
+  const isOff = (off) => button.setAttribute("aria-disabled", String(off));
+  const button = h("button", { type: "button", class: "btn go continue" }, t("note.fault.continue"));
+  isOff(true);
+  setTimeout(() => isOff(false), SEEN_AFTER);
   button.addEventListener("click", async () => {
-    button.disabled = true;
+    if (button.getAttribute("aria-disabled") === "true") return;
+    isOff(true);
     try {
-      await app.api.post("/control/clear");
+      await app.api.post("/control/clear", { stops });
     } catch (error) {
       app.toasts.show(error.message);
     }
-    button.disabled = false;
+    isOff(false);
   });
   return button;
 }
@@ -56,7 +73,7 @@ function strip(tone, happened, why, button = null) {
     "div",
     { class: `note ${tone}` },
     icon("warning"),
-    h("div", { class: "grow" }, h("b", {}, happened), " ", why),
+    h("div", { class: "grow" }, h("b", {}, happened), why && ` ${why}`),
     button,
   );
 }

@@ -1,9 +1,10 @@
-/** The rail: the six steps of a visit, which of them are done, and where one is. */
+/** The rail: the six steps of a visit, which of them are done, where one is, and the settings. */
 import { t } from "../texts.js";
 import { h, set } from "./dom.js";
 import { icon } from "./icons.js";
 
-export const STEPS = ["patients", "shirt", "calibrate", "controls", "drive", "review"];
+const STEPS = ["patients", "shirt", "calibrate", "controls", "drive", "review"];
+export const PAGES = [...STEPS, "settings"];
 
 /** Which steps are done, by what the visit says. @param {import("../main.js").App} app @returns {Set<string>} */
 export function stepsDone(app) {
@@ -19,7 +20,7 @@ export function stepsDone(app) {
 
 /** @param {import("../main.js").App} app */
 export function rail(app) {
-  const links = STEPS.map((step) => {
+  const links = PAGES.map((step) => {
     const mark = h(
       "span",
       { class: "done", hidden: true },

@@ -1,17 +1,8 @@
-/** How the chair drives: control mode per axis in words, speeds with their units, tremor damping. */
+/** How the chair drives: control mode per axis in words, speeds with their units, tremor damping, latched time-out. */
 import { t } from "../texts.js";
 import { h } from "./dom.js";
 import { choices, setting, stepper } from "./fields.js";
-
-const DEGREES = 180 / Math.PI; // people read degrees, the chair radians
-const SPEEDS = [
-  { name: "forward", unit: "speed", step: 0.05, digits: 2, factor: 1 },
-  { name: "reverse", unit: "speed", step: 0.05, digits: 2, factor: 1 },
-  { name: "turn", unit: "turn", step: 5, digits: 0, factor: DEGREES },
-  { name: "acceleration", unit: "acceleration", step: 0.1, digits: 1, factor: 1 },
-  { name: "deceleration", unit: "acceleration", step: 0.1, digits: 1, factor: 1 },
-  { name: "turn_acceleration", unit: "turn_acceleration", step: 20, digits: 0, factor: DEGREES },
-];
+import { SPEEDS, speedRows, speedWords } from "./speed_rows.js";
 
 /** @param {import("./controls_draft.js").ControlsDraft} draft */
 export function modesCard(draft) {
@@ -39,45 +30,43 @@ export function modesCard(draft) {
   );
 }
 
-/** @param {import("./controls_draft.js").ControlsDraft} draft */
+/**
+ * `showHeld` tells where a smaller limit than the set's own holds.
+ * @param {import("./controls_draft.js").ControlsDraft} draft
+ */
 export function speedsCard(draft) {
-  const { speeds, cutoff } = draft.settings;
-  const rows = SPEEDS.map(({ name, unit, step, digits, factor }) => {
-    const [low, high] = draft.limits[name];
-    const label = t(`speed.${name}`);
-    // Whole steps of what people read, within what the chair may do.
-    const onChange = (value) => draft.setSpeed(name, Math.min(high, Math.max(low, value / factor)));
-    return setting(
-      label,
-      "",
-      stepper({
-        label,
-        value: speeds[name] * factor,
-        low: low * factor,
-        high: high * factor,
-        step,
-        digits,
-        unit: t(`unit.${unit}`),
-        onChange,
-      }),
-    );
-  });
-  const [low, high] = draft.limits.cutoff;
-  const damping = stepper({
-    label: t("speed.cutoff"),
-    value: cutoff,
-    low,
-    high,
-    step: 0.5,
-    digits: 1,
-    unit: t("unit.cutoff"),
-    onChange: (value) => draft.setValue("cutoff", value),
-  });
-  return h(
+  const rows = speedRows(draft.settings.speeds, draft.limits, (name, value) => draft.setSpeed(name, value));
+  const showHeld = () => {
+    for (const speed of SPEEDS) {
+      const [own, held] = [draft.settings.speeds[speed.name], draft.view.held?.[speed.name]];
+      rows.note(speed.name, held < own ? t("speed.held", { value: speedWords(speed, held) }) : "");
+    }
+  };
+  const isLatched = draft.settings.mode_u1 === "acceleration";
+  showHeld();
+  const element = h(
     "section",
     { class: "card" },
     h("h2", {}, t("speeds.title")),
-    rows,
-    setting(t("speed.cutoff"), t("speed.cutoff.hint"), damping),
+    rows.elements,
+    value(draft, "cutoff", { step: 0.5, digits: 1 }),
+    isLatched && value(draft, "cruise_time", { step: 1, digits: 0 }),
   );
+  return { element, showHeld };
+}
+
+function value(draft, name, { step, digits }) {
+  const [low, high] = draft.limits[name];
+  const label = t(`speed.${name}`);
+  const control = stepper({
+    label,
+    value: draft.settings[name],
+    low,
+    high,
+    step,
+    digits,
+    unit: t(`unit.${name}`),
+    onChange: (chosen) => draft.setValue(name, chosen),
+  });
+  return setting(label, t(`speed.${name}.hint`), control);
 }

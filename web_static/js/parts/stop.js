@@ -51,9 +51,13 @@ export function stopOnSpace(app, where, signal) {
   // The button under the focus would be pressed when the key comes up.
   where.addEventListener(
     "keyup",
-    (event) => event.code === "Space" && app.live.latest?.trial && !isWriting(event.target) && event.preventDefault(),
+    (event) => event.code === "Space" && isDriven(app) && !isWriting(event.target) && event.preventDefault(),
     { capture: true, signal },
   );
+}
+
+function isDriven({ live: { latest } }) {
+  return Boolean(latest?.trial || latest?.drive);
 }
 
 /** Tell whether a key belongs to a field that somebody writes into. @param {any} target */

@@ -2,7 +2,7 @@
 import { t } from "../texts.js";
 import { h, put } from "./dom.js";
 import { icon } from "./icons.js";
-import { continueButton } from "./notices.js";
+import { continueButton, faultKey } from "./notices.js";
 
 const LONG = 6; // letters; longer words are written smaller
 const GO_SHOWN = 1600; // ms
@@ -21,12 +21,12 @@ export function trialCue(app, onEnd) {
     );
   put(element, word(t("trial.moment"), t("trial.moment.why")));
   const show = (now) => {
-    const key = now.control !== "alive" ? "control" : now.fault ? `fault ${now.fault.name}` : now.state;
+    const key = now.control !== "alive" ? "control" : now.fault ? faultKey(now) : now.state;
     if (key === shown) return;
     clearTimeout(timer);
     const before = shown;
     shown = key;
-    if (now.fault && now.control === "alive") put(element, faultCard(app, now.fault, onEnd));
+    if (now.fault && now.control === "alive") put(element, overView(app, now.fault, onEnd));
     else if (key === "checking") put(element, word(t("trial.rest"), t("trial.rest.why")));
     else if (key === "armed" && before !== "start") {
       put(element, word(t("trial.go"), "", "go"));
@@ -36,18 +36,19 @@ export function trialCue(app, onEnd) {
   return { element, show };
 }
 
-function faultCard(app, { happened, next_step: next }, onEnd) {
+function overView(app, fault, onEnd) {
+  const end = h("button", { type: "button", class: "btn", onclick: onEnd }, t("trial.end"));
+  return faultCard(app, fault, t("trial.paused"), end);
+}
+
+/** What happened, what to do, Continue, and how to end. @param {import("../main.js").App} app @param {{happened: string, next_step: string}} fault @param {string} after @param {Node} end */
+export function faultCard(app, { happened, next_step: next }, after, end) {
   return h(
     "div",
     { class: "hud fault-card" },
     h("h2", {}, icon("warning", 28), happened),
     h("p", {}, next),
-    h("p", { class: "quiet small" }, t("trial.paused")),
-    h(
-      "div",
-      { class: "spread" },
-      continueButton(app),
-      h("button", { type: "button", class: "btn", onclick: onEnd }, t("trial.end")),
-    ),
+    h("p", { class: "quiet small" }, after),
+    h("div", { class: "spread" }, continueButton(app), end),
   );
 }

@@ -1,6 +1,7 @@
 /** A running trial: the 3D view fills the page; over it time, place, plan, speed, and what can be done. */
 import { t } from "../texts.js";
 import { cross } from "./cross.js";
+import { speedDial } from "./dial.js";
 import { h, put, write } from "./dom.js";
 import { segments } from "./fields.js";
 import { clock, number } from "./format.js";
@@ -53,6 +54,7 @@ export function showTrial(app, root, { plan, path, isVisitor }, signal) {
     h(
       "div",
       { class: "lower" },
+      h("div", { class: "hud dial-card" }, h("b", { class: "small" }, t("dial.title")), speedDial(app, signal)),
       isVisitor && h("div", { class: "pad-dock" }, pads(app, signal, { hasNote: false }).element),
       bar.element,
     ),

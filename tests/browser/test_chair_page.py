@@ -1,0 +1,293 @@
+"""A real chair in a real browser: paired, looked at, armed, driven, stopped, hidden, gone on with, ended.
+
+The chair is the receiver's own process with its simulated output; everything between is what drives a person.
+"""
+
+import os
+import re
+import signal
+import socket
+import subprocess
+import sys
+from contextlib import contextmanager, suppress
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Error, expect
+from processes.test_demo_process import bodydrive, printed_link
+
+pytestmark = [pytest.mark.browser, pytest.mark.timeout(420)]
+
+ROOT = Path(__file__).resolve().parents[2]
+SCREENSHOTS = ROOT / "var" / "screenshots"
+TABLETS = {"1024x768": (1024, 768), "768x1024": (768, 1024)}
+PATIENCE = 60_000  # ms: drawing in software on a busy machine is slow
+PRACTICE = re.compile(r"^0:(0[2-9]|[1-5]\d)$")  # as long as a trial is driven so that the set counts as practised
+HIDE = """() => {
+  Object.defineProperty(document, "visibilityState", { configurable: true, get: () => "hidden" });
+  document.dispatchEvent(new Event("visibilitychange"));
+}"""
+DRIVING = "The patient drives"
+SHOW = """() => {
+  delete document.visibilityState;
+  document.dispatchEvent(new Event("visibilitychange"));
+}"""
+
+
+@pytest.fixture
+def demo():
+    """Yield the link of a running demonstration."""
+    with bodydrive("demo", "--port", "0") as process:
+        try:
+            yield printed_link(process)
+        finally:
+            process.send_signal(signal.SIGINT)
+            assert process.wait(20) == 0
+
+
+@pytest.fixture(params=TABLETS)
+def tablet(request, browser, page_log, demo):
+    """Yield a page of one tablet, signed in, and a function that keeps a screenshot."""
+    width, height = TABLETS[request.param]
+    page = browser.new_page(viewport={"width": width, "height": height}, has_touch=True)
+    page.set_default_timeout(PATIENCE)
+    expect.set_options(timeout=PATIENCE)
+    log = page_log(demo)
+    log.watch(page)
+    SCREENSHOTS.mkdir(parents=True, exist_ok=True)
+    page.goto(demo)
+    expect(page.get_by_role("heading", name="Where to?")).to_be_visible()
+    yield page, lambda picture: page.screenshot(path=SCREENSHOTS / f"{request.param}-{picture}.png")
+    log.assert_clean()
+    page.close()
+    expect.set_options(timeout=5000)
+
+
+class StandInChair:
+    """The chair's own computer: its key file, its stop switch, its receiver's process."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as free:
+            free.bind(("127.0.0.1", 0))
+            self.port = free.getsockname()[1]
+        self.release()
+
+    def press(self) -> None:
+        (self.folder / "switch").write_text("1")
+
+    def release(self) -> None:
+        (self.folder / "switch").write_text("0")
+
+    @contextmanager
+    def receiving(self, key_line: str):
+        """Run the receiver with this key."""
+        key, battery = self.folder / "chair.key", self.folder / "battery"
+        key.touch(mode=0o600)
+        key.write_text(f"{key_line}\n")
+        battery.write_text("0.82")
+        words = ["--key-file", key, "--port", str(self.port), "--output", "sim", "--battery-input", battery]
+        command = [sys.executable, "-m", "app.hardware.chair.receive", *words, "--stop-input", self.folder / "switch"]
+        environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+        with subprocess.Popen(
+            command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=environment
+        ) as process:
+            try:
+                yield
+            finally:
+                process.terminate()
+
+
+def visit(page, step):
+    page.goto(page.url.split("#")[0] + f"#/{step}")
+
+
+def become_the_body(page):
+    visit(page, "shirt")
+    card = page.locator("section.card", has=page.get_by_role("heading", name="Body inside"))
+    card.locator("summary").click()
+    card.get_by_role("radio", name="You").check(force=True)
+    expect(page.get_by_text("You move this body").first).to_be_visible()
+
+
+def pair(page, keep, port) -> str:
+    """Pair a chair on the settings page, and return its key line."""
+    visit(page, "settings")
+    page.get_by_role("button", name="Pair a chair").click()
+    page.get_by_label("Name").fill("Ward 3")
+    page.get_by_label("Address").fill("127.0.0.1")
+    page.get_by_label("Port").fill(str(port))
+    page.get_by_role("button", name="Make the key").click()
+    expect(page.get_by_role("img", name="QR code of the key of Ward 3")).to_be_visible()
+    assert page.locator("img.qr").evaluate("(image) => image.naturalWidth") > 0
+    keep("chair-paired")
+    page.get_by_text("Key line, to type or copy").click()
+    line = page.locator(".paired details code").inner_text().strip()
+    assert re.fullmatch(r"\d+ [0-9a-f]{64}", line)
+    page.get_by_role("button", name="The key is on the chair").click()
+    assert line.split()[1] not in page.content()
+    keep("chair-settings")
+    return line
+
+
+def go_on_until(page, reached, what):
+    """Wait until `reached`; a machine that is too busy may stop the chair, and then Continue goes on."""
+    go_on = page.get_by_role("button", name="Continue")
+    for _ in range(PATIENCE // 250):
+        if reached():
+            return
+        if go_on.is_visible():
+            with suppress(Error):  # it went by itself
+                go_on.click(timeout=2000)
+        page.wait_for_timeout(250)
+    raise AssertionError(f"{what} did not come: {page.locator('main').inner_text()[:500]}")
+
+
+def bend_until(page, speed, least):
+    """Bend the right elbow again and again, until the speed on the page was at least that (m/s)."""
+
+    def is_fast():
+        page.keyboard.down("ArrowUp")
+        page.wait_for_timeout(700)
+        fast = float(re.match(r"[\d.]+", speed.inner_text())[0]) >= least
+        page.keyboard.up("ArrowUp")
+        page.wait_for_timeout(700)
+        return fast
+
+    go_on_until(page, is_fast, f"a speed of {least} m/s")
+
+
+def practise(page):
+    """Drive a moment on the virtual chair, so that the set is one that was practised."""
+    page.get_by_text("Straight ahead").click()
+    page.get_by_role("button", name="Start trial").click()
+    clock = page.locator(".place .big")
+    expect(clock).to_be_visible()
+    go_on_until(page, lambda: PRACTICE.match(clock.inner_text()), "two seconds of the trial")
+    bend_until(page, page.locator(".bar .speed .big"), 0.1)
+    page.get_by_role("button", name="End trial").first.click()
+    expect(page.get_by_role("heading", name="Ended by hand")).to_be_visible()
+
+
+def choose_chair(page):
+    visit(page, "drive")
+    page.get_by_role("button", name="Drive “Ward 3”").click()
+    expect(page.get_by_role("heading", name="Drive “Ward 3”")).to_be_visible()
+
+
+def told_by_chair(page):
+    return page.locator("section.card", has=page.get_by_role("heading", name="The chair"))
+
+
+def until_driving(page):
+    state = page.locator(".drive-state")
+    expect(state).to_be_visible()
+    go_on_until(page, lambda: DRIVING in state.inner_text(), "the permission to drive")
+
+
+def go_on(page):
+    page.get_by_role("button", name="Continue").click()
+    until_driving(page)
+
+
+def is_refused_while_silent_and_unpractised(page, keep):
+    missing = page.locator("#missing")
+    expect(told_by_chair(page)).to_contain_text("Does not answer")
+    expect(missing).to_contain_text("does not answer")
+    expect(missing).to_contain_text("never practised")
+    expect(page.get_by_role("button", name="Arm", exact=True)).to_be_disabled()
+    keep("chair-silent")
+
+
+def is_armed_when_nothing_is_missing(page, keep, chair):
+    told, missing = told_by_chair(page), page.locator("#missing")
+    arm = page.get_by_role("button", name="Arm", exact=True)
+    expect(told).to_contain_text("Stands, disarmed")
+    expect(told).to_contain_text("82 %")
+    expect(missing).to_contain_text("press and release its stop switch")
+    keep("chair-not-yet")
+    chair.press()
+    expect(missing).to_contain_text("The stop switch of Ward 3 is pressed")
+    expect(told).to_contain_text("Does not drive")
+    expect(arm).to_be_disabled()
+    chair.release()
+    expect(missing).to_contain_text("Nothing is missing")
+    expect(page.get_by_text("The body is at rest.")).to_be_visible()
+    expect(page.get_by_text("1 trial on the virtual chair")).to_be_visible()
+    keep("chair-ready")
+    arm.click()
+    until_driving(page)
+
+
+def stops_by_key_and_by_touch(page, keep):
+    state, speed = page.locator(".drive-state"), page.locator(".drive-speed .giant")
+    bend_until(page, speed, 0.1)
+    keep("chair-drives")
+    page.get_by_role("button", name="Speed dial, share of the speeds −").click()
+    expect(page.locator(".dial output")).to_have_text("90 %")
+    until_driving(page)
+    page.keyboard.press("Space")
+    expect(state).to_contain_text("Stop was pressed on the screen")
+    expect(speed).to_contain_text("0.00")
+    expect(told_by_chair(page)).to_contain_text("Stands, disarmed")
+    keep("chair-stopped")
+    go_on(page)
+    page.locator("#stop").dispatch_event("pointerdown")
+    expect(state).to_contain_text("Stop was pressed on the screen")
+    go_on(page)
+
+
+def stops_when_hidden_or_loaded_again(page, keep):
+    state = page.locator(".drive-state")
+    page.evaluate(HIDE)
+    expect(state).to_contain_text("hidden or out of reach")
+    expect(told_by_chair(page)).to_contain_text("Stands, disarmed")
+    page.evaluate(SHOW)
+    keep("chair-was-hidden")
+    go_on(page)
+    page.reload()
+    expect(state).to_contain_text("hidden or out of reach")
+    go_on(page)
+
+
+def ends_by_hand(page, keep, chair):
+    visit(page, "shirt")
+    expect(page.get_by_text("A real chair is being driven.")).to_be_visible()
+    page.get_by_role("link", name="Go there").click()
+    until_driving(page)
+    chair.press()
+    expect(page.locator(".drive-state")).to_contain_text("own stop switch")
+    chair.release()
+    page.get_by_role("button", name="End drive").last.click()
+    expect(page.get_by_role("heading", name="The drive is over")).to_be_visible()
+    expect(page.get_by_text("Ended by hand")).to_be_visible()
+    keep("chair-over")
+    page.get_by_role("link", name="Back to the chair").click()
+    expect(page.get_by_role("heading", name="Drive “Ward 3”")).to_be_visible()
+
+
+def test_a_real_chair_is_armed_driven_stopped_and_ended(tablet, tmp_path):
+    page, keep = tablet
+    chair = StandInChair(tmp_path)
+    become_the_body(page)
+    key_line = pair(page, keep, chair.port)
+
+    choose_chair(page)
+    is_refused_while_silent_and_unpractised(page, keep)
+    page.get_by_role("button", name="Practise it now").click()
+    expect(page.get_by_role("heading", name="Where to?")).to_be_visible()
+    keep("chair-choose")
+    practise(page)
+
+    with chair.receiving(key_line):
+        choose_chair(page)
+        is_armed_when_nothing_is_missing(page, keep, chair)
+        stops_by_key_and_by_touch(page, keep)
+        stops_when_hidden_or_loaded_again(page, keep)
+        ends_by_hand(page, keep, chair)
+
+    visit(page, "settings")
+    page.get_by_role("button", name="Unpair Ward 3").click()
+    keep("chair-unpair")
+    page.get_by_role("button", name="Unpair", exact=True).click()
+    expect(page.get_by_text("No chair is paired yet.", exact=False)).to_be_visible()

@@ -1,0 +1,23 @@
+/** Settings: what the owner allows here, and the chairs that are paired. Others see them, and change nothing. */
+import { chairsCard } from "../parts/chairs_card.js";
+import { h, put } from "../parts/dom.js";
+import { limitsCard } from "../parts/limits_card.js";
+import { t } from "../texts.js";
+
+/** @param {import("../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal}} page */
+export async function show(app, root, { signal }) {
+  const [clinic, chairs] = await Promise.all([app.api.get("/limits"), app.api.get("/chairs")]);
+  if (signal.aborted) return;
+  const isOwner = app.me.role === "owner";
+  const limits = limitsCard(app, clinic, isOwner, signal);
+  put(
+    root,
+    h(
+      "div",
+      { class: "body" },
+      h("h1", { tabindex: "-1" }, t("settings.title")),
+      h("p", { class: "lead" }, t("settings.lead"), !isOwner && ` ${t("settings.read-only")}`),
+      h("div", { class: "settings-columns" }, limits, chairsCard(app, chairs, isOwner, signal)),
+    ),
+  );
+}

@@ -1,0 +1,48 @@
+/** The speed dial: which share of its speeds the chair may use. Lower at once; whether higher is possible now, the gate decides. */
+import { t } from "../texts.js";
+import { stepper } from "./fields.js";
+
+const STEP = 10; // %
+const LEAST = 10; // %
+const ANSWERED_FOR = 400; // ms after an answer in which a live picture may still be older than it
+
+/** @param {import("../main.js").App} app @param {AbortSignal} signal */
+export function speedDial(app, signal) {
+  let wanted = null; // %, while the server has not answered
+  let answeredAt = -Infinity;
+  const element = stepper({
+    label: t("dial.label"),
+    value: share(app.live.latest),
+    low: LEAST,
+    high: 100,
+    step: STEP,
+    digits: 0,
+    unit: "%",
+    onChange: (value) => turn(value),
+  });
+  const follow = ({ detail: now }) => {
+    if (wanted === null && performance.now() - answeredAt > ANSWERED_FOR) element.setValue(share(now));
+  };
+  /** Send what was wanted last; while one call is under way, the next waits. */
+  const turn = async (value) => {
+    const isUnderWay = wanted !== null;
+    wanted = value;
+    if (isUnderWay) return;
+    try {
+      for (let sent = null; sent !== wanted; ) {
+        sent = wanted;
+        await app.api.post("/control/dial", { share: sent / 100 });
+      }
+      answeredAt = performance.now();
+    } catch (error) {
+      app.toasts.show(error.message);
+    }
+    wanted = null;
+  };
+  app.live.addEventListener("tick", follow, { signal });
+  return element;
+}
+
+function share(now) {
+  return Math.round(100 * (now?.dial ?? 1));
+}

@@ -1,0 +1,47 @@
+/** The key of a chair that was just paired: shown this once, with what to do on the chair. */
+import { t } from "../texts.js";
+import { h } from "./dom.js";
+
+/**
+ * @param {import("../main.js").App} app @param {{key_line: string, qr: string}} answer of POST /chairs
+ * @param {{name: string, host: string, port: number}} chair @param {() => void} onDone
+ */
+export function pairedCard(app, { key_line: line, qr }, { name, host, port }, onDone) {
+  const start = `bodydrive chair receive --key-file chair.key --output ros2 --bind ${host} --port ${port}`;
+  const copy = async () => {
+    try {
+      await navigator.clipboard.writeText(line);
+      app.toasts.show(t("paired.copied"));
+    } catch {
+      app.toasts.show(t("paired.copy-failed")); // browsers give the clipboard to encrypted pages only
+    }
+  };
+  const code = (words) => h("pre", { tabindex: "0" }, h("code", {}, words));
+  return h(
+    "section",
+    { class: "paired" },
+    h("h2", { tabindex: "-1" }, t("paired.title", { name })),
+    h("p", {}, t("paired.lead")),
+    h("img", { class: "qr", src: pictureOf(qr), alt: t("paired.qr", { name }), width: 240, height: 240 }),
+    h(
+      "ol",
+      {},
+      h("li", {}, t("paired.step.scan"), code("umask 077\ncat > chair.key")),
+      h("li", {}, t("paired.step.start"), code(start)),
+      h("li", {}, t("paired.step.look")),
+    ),
+    h(
+      "details",
+      {},
+      h("summary", {}, t("paired.line")),
+      code(line),
+      h("button", { type: "button", class: "btn small", onclick: copy }, t("paired.copy")),
+    ),
+    h("button", { type: "button", class: "btn go", onclick: onDone }, t("paired.done")),
+  );
+}
+
+/** An SVG as the address of a picture: nothing in it can run. @param {string} svg */
+function pictureOf(svg) {
+  return `data:image/svg+xml;utf8,${encodeURIComponent(svg)}`;
+}

@@ -1,0 +1,57 @@
+/** The limits of speed and of its change, as steppers and in words: those of a set, of the clinic, of a chair. */
+import { hasText, t } from "../texts.js";
+import { h, write } from "./dom.js";
+import { setting, stepper } from "./fields.js";
+import { number } from "./format.js";
+
+const DEGREES = 180 / Math.PI; // people read degrees, the chair radians
+
+/**
+ * In the order of wheelchair programming. `range` is what anybody may choose from, in SI units, where the server names
+ * no other: that of app/calibration/speeds.py.
+ */
+export const SPEEDS = [
+  { name: "forward", unit: "speed", step: 0.05, digits: 2, factor: 1, range: [0.05, 1.5] },
+  { name: "reverse", unit: "speed", step: 0.05, digits: 2, factor: 1, range: [0.05, 1.5] },
+  { name: "turn", unit: "turn", step: 5, digits: 0, factor: DEGREES, range: [0.05, 2.5] },
+  { name: "acceleration", unit: "acceleration", step: 0.1, digits: 1, factor: 1, range: [0.1, 3] },
+  { name: "deceleration", unit: "acceleration", step: 0.1, digits: 1, factor: 1, range: [0.1, 3] },
+  { name: "turn_acceleration", unit: "turn_acceleration", step: 20, digits: 0, factor: DEGREES, range: [0.1, 20] },
+  { name: "jerk", unit: "jerk", step: 0.5, digits: 1, factor: 1, range: [0.5, 20] },
+  { name: "turn_jerk", unit: "turn_jerk", step: 100, digits: 0, factor: DEGREES, range: [1, 400] },
+];
+
+/** A limit with its unit. @param {typeof SPEEDS[number]} speed @param {number} value in SI units */
+export function speedWords({ unit, digits, factor }, value) {
+  return `${number(value * factor, digits)} ${t(`unit.${unit}`)}`;
+}
+
+/**
+ * A stepper for each limit; `note` writes a remark below one.
+ * @param {Record<string, number>} speeds in SI units @param {Record<string, [number, number]>} limits
+ * @param {(name: string, value: number) => void} onChange
+ */
+export function speedRows(speeds, limits, onChange) {
+  const notes = new Map();
+  const elements = SPEEDS.map(({ name, unit, step, digits, factor, range }) => {
+    const [low, high] = limits[name] ?? range;
+    const label = t(`speed.${name}`);
+    const hint = `speed.${name}.hint`;
+    const note = h("span", { class: "held" });
+    notes.set(name, note);
+    // Whole steps of what people read, within what the chair may do.
+    const change = (value) => onChange(name, Math.min(high, Math.max(low, value / factor)));
+    const control = stepper({
+      label,
+      value: speeds[name] * factor,
+      low: low * factor,
+      high: high * factor,
+      step,
+      digits,
+      unit: t(`unit.${unit}`),
+      onChange: change,
+    });
+    return setting(label, [hasText(hint) && t(hint), note], control);
+  });
+  return { elements, note: (name, words) => write(notes.get(name), words) };
+}
