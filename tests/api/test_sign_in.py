@@ -23,7 +23,7 @@ def test_the_code_of_the_link_signs_in_as_often_as_it_is_opened(clinic: Any) -> 
     assert clinic("POST", "/auth/demo", json={"code": "another"}).status_code == 401
     for _ in range(2):
         me = clinic.good("POST", "/auth/demo", json={"code": "the-code-of-the-link"})
-        assert (me["signed_in"], me["role"]) == (True, "clinician")
+        assert (me["signed_in"], me["role"]) == (True, "owner")
         clinic.client.cookies.clear()
 
 

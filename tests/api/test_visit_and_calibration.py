@@ -154,7 +154,7 @@ def test_a_step_fails_in_words_when_the_control_process_dies_and_the_next_one_is
     assert "repeat" in wizard["steps"][0]["words"]
     signed_in.until("/equipment", lambda e: e["status"]["control"] == "alive")
     assert len(signed_in.links) == 2
-    assert [do for do, _ in signed_in.link.calls[:3]] == ["shirt", "body", "parameters"]
+    assert [do for do, _ in signed_in.link.calls[:5]] == ["limits", "chair", "shirt", "body", "parameters"]
     assert signed_in.link.parameters["profile"]["joints"]
 
 
