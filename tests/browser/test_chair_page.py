@@ -9,11 +9,12 @@ import signal
 import socket
 import subprocess
 import sys
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Error, expect
+from browser.driving import bend_until, go_on_until
+from playwright.sync_api import expect
 from processes.test_demo_process import bodydrive, printed_link
 
 pytestmark = [pytest.mark.browser, pytest.mark.timeout(420)]
@@ -128,33 +129,6 @@ def pair(page, keep, port) -> str:
     assert line.split()[1] not in page.content()
     keep("chair-settings")
     return line
-
-
-def go_on_until(page, reached, what):
-    """Wait until `reached`; a machine that is too busy may stop the chair, and then Continue goes on."""
-    go_on = page.get_by_role("button", name="Continue")
-    for _ in range(PATIENCE // 250):
-        if reached():
-            return
-        if go_on.is_visible():
-            with suppress(Error):  # it went by itself
-                go_on.click(timeout=2000)
-        page.wait_for_timeout(250)
-    raise AssertionError(f"{what} did not come: {page.locator('main').inner_text()[:500]}")
-
-
-def bend_until(page, speed, least):
-    """Bend the right elbow again and again, until the speed on the page was at least that (m/s)."""
-
-    def is_fast():
-        page.keyboard.down("ArrowUp")
-        page.wait_for_timeout(700)
-        fast = float(re.match(r"[\d.]+", speed.inner_text())[0]) >= least
-        page.keyboard.up("ArrowUp")
-        page.wait_for_timeout(700)
-        return fast
-
-    go_on_until(page, is_fast, f"a speed of {least} m/s")
 
 
 def practise(page):

@@ -1,0 +1,37 @@
+"""Driving as a person does: bend the elbow until it goes, and tap Continue when a busy machine held the chair up."""
+
+import re
+from contextlib import suppress
+
+from playwright.sync_api import Error
+
+LOOK_EVERY = 250  # ms
+BEND = 700  # ms there, and the same back: the movement is what drives
+
+
+def go_on_until(page, reached, what, *, seconds=60):
+    """Wait until `reached`; a machine that is too busy may stop the chair, and then Continue goes on."""
+    go_on = page.get_by_role("button", name="Continue")
+    for _ in range(seconds * 1000 // LOOK_EVERY):
+        if reached():
+            return
+        if go_on.is_visible():
+            with suppress(Error):  # it went by itself
+                go_on.click(timeout=2000)
+        page.wait_for_timeout(LOOK_EVERY)
+    raise AssertionError(f"{what} did not come: {page.locator('main').inner_text()[:500]}")
+
+
+def bend_until(page, speed, least):
+    """Bend the right elbow again and again, until the speed on the page was at least that (m/s)."""
+
+    def is_fast():
+        page.keyboard.down("ArrowUp")
+        page.wait_for_timeout(BEND)
+        fast = float(re.match(r"[\d.]+", speed.inner_text())[0]) >= least
+        page.keyboard.up("ArrowUp")
+        if not fast:
+            page.wait_for_timeout(BEND)
+        return fast
+
+    go_on_until(page, is_fast, f"a speed of {least} m/s")
