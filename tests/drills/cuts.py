@@ -13,8 +13,9 @@ from app.hardware.chair.key import read_key
 from app.hardware.chair.packet import DRIVE, Command, decode_telemetry, encode_command, encode_hello
 
 PERIOD = 0.02  # s between two commands
-SIDE_BY_SIDE = 4
+SIDE_BY_SIDE = 6
 LOOK_ON = 0.62  # s after a cut
+PATIENCE = 2.0  # s for an arming, and for a speed to be reached
 SPEED, ALMOST = 0.8, 0.799  # m/s: a command carries them as float32
 
 
@@ -49,9 +50,12 @@ class Sender(asyncio.DatagramProtocol):
         return t
 
     async def drive(self, v, until):
-        """Send one speed until a condition holds, and return when the last command went out."""
+        """Send one speed until a condition holds, and return when the last command went out; None: it never held."""
         due = last = monotonic()
+        patience = due + PATIENCE
         while not until():
+            if monotonic() > patience:
+                return None
             last = self.command(v)
             due = max(due + PERIOD, monotonic())
             await asyncio.sleep(due - monotonic())
@@ -87,14 +91,23 @@ async def _cut(result, watcher, runs, seed):
             await asyncio.to_thread(receiver.close)
 
 
+async def _driven(receiver, sender, dice):
+    """Arm and drive at full speed for a moment; return when the last command went out."""
+    while True:  # a busy machine may cost a watchdog's patience on the way
+        while sender.nonce is None or sender.state != 0:
+            sender.ask()
+            await asyncio.sleep(0.05)
+        sender.begin()
+        if await sender.drive(0.0, lambda: receiver.newest["state"] == "armed") is not None:
+            length = monotonic() + dice.uniform(0.3, 0.4)
+            cut = await sender.drive(SPEED, lambda: monotonic() > length and receiver.newest["v"] > ALMOST)
+            if cut is not None:
+                return cut
+        sender.nonce = None
+
+
 async def _one(result, watcher, receiver, sender, dice):
-    while sender.nonce is None or sender.state != 0:
-        sender.ask()
-        await asyncio.sleep(0.05)
-    sender.begin()
-    await sender.drive(0.0, lambda: receiver.newest["state"] == "armed")
-    length = monotonic() + dice.uniform(0.3, 0.4)
-    cut = await sender.drive(SPEED, lambda: monotonic() > length and receiver.newest["v"] > ALMOST)
+    cut = await _driven(receiver, sender, dice)
     await asyncio.sleep(LOOK_ON)
     lines = receiver.since(cut)
     begun = next((line["t"] - cut for line in lines if line["v"] < ALMOST), None)
