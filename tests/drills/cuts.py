@@ -100,7 +100,7 @@ async def _driven(receiver, sender, dice):
         sender.begin()
         if await sender.drive(0.0, lambda: receiver.newest["state"] == "armed") is not None:
             length = monotonic() + dice.uniform(0.3, 0.4)
-            cut = await sender.drive(SPEED, lambda: monotonic() > length and receiver.newest["v"] > ALMOST)
+            cut = await sender.drive(SPEED, lambda end=length: monotonic() > end and receiver.newest["v"] > ALMOST)
             if cut is not None:
                 return cut
         sender.nonce = None
