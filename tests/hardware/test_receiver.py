@@ -228,6 +228,16 @@ def test_a_clock_that_drifts_is_followed(chair):
     assert chair.receiver.driven.v == pytest.approx(0.5)
 
 
+def test_a_queue_that_fills_faster_than_clocks_drift_stops_the_chair(chair):
+    chair.arm()
+    began = chair.t
+    while chair.state is ARMED:
+        chair.sender_ahead -= 0.2 * PERIOD
+        chair.command(PERIOD, 0.5, 0.0, DRIVE)
+    assert 1.0 <= chair.t - began <= 1.6
+    assert chair.reason is Reason.SILENT
+
+
 @pytest.mark.parametrize("t_ns", [0, 5_000_000_000, 2**64 - 1])
 def test_a_sender_without_a_clock_is_not_judged_by_it(chair, t_ns):
     chair.command(0.56, t_ns=t_ns)

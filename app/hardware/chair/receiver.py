@@ -236,7 +236,6 @@ class Receiver:
         elif not silence < QUIET:
             self._v.stop()
             self._omega.stop()
-            self._neutral_since = t
         elif self.state is ReceiverState.CHECKING and t - self._checking_since > NEUTRAL_PATIENCE:
             self.stop(Reason.NOT_NEUTRAL)
 
