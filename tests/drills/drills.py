@@ -21,6 +21,9 @@ from app.faults import Fault, State
 
 A_TICK = 0.02  # s: the loop's longest wait, or a step of the receiver and its line
 COMMAND = 0.02  # s between two commands
+HELD_UP = (
+    0.05  # s by which a busy machine makes commands so late that the chair slows, and rightly goes on when they come
+)
 
 
 async def _injure(made, result, dice, injury, recover, after=AFTER):
@@ -34,7 +37,7 @@ async def _injure(made, result, dice, injury, recover, after=AFTER):
     late = made.watcher.late(injured, injured + after)
     if begun is None or disarmed is None:
         result.violations.append(f"run {result.runs + 1}: the chair went on")
-    elif made.went_on(injured, begun):
+    elif made.went_on(injured, begun) and late < HELD_UP:
         result.violations.append(f"run {result.runs + 1}: the chair went on after it had begun to stop")
     result.add(begun, disarmed, late)
     await recover()
@@ -108,8 +111,8 @@ async def kill_web(runs, dice):
             await asyncio.sleep(AFTER)
             await web.wait()
             begun, disarmed = made.chair_stopped(killed)
-            late = made.watcher.late(killed, killed + AFTER)
-            if begun is None or made.went_on(killed, begun):
+            late = made.watcher.late(killed - 0.4, killed + AFTER)
+            if begun is None or (made.went_on(killed, begun) and late < HELD_UP):
                 result.violations.append(f"run {result.runs + 1}: the chair went on")
             sent = [t for t, _ in made.relay.commands_since(killed - 0.3) if t <= killed + (begun or 0.0)]
             gaps = [after - before for before, after in pairwise(sent)]

@@ -46,7 +46,12 @@ class ReceiverLoop:
         """Turn until `ending`, then bring the chair to standstill and say so."""
         due = self._clock.now()
         while not self.ending:
-            due = max(due + STEP, self._clock.now() + LEAST)
+            now = self._clock.now()
+            due = max(due + STEP, now + LEAST)
+            while (look := self._receiver.next_look(now)) < due:  # silence is acted on when it is due, not a step later
+                self._listen(look)
+                self._step()
+                now = max(look, self._clock.now())
             self._listen(due)
             self._step()
         self._receiver.stop(Reason.ENDING)

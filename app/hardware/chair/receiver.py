@@ -28,6 +28,7 @@ NEUTRAL_TIME = 0.5  # s of zero commands before motion, as in the gate (S2)
 NEUTRAL_PATIENCE = 5.0  # s, then disarmed again
 QUIET = 0.1  # s without a newer command: slow to standstill (S3)
 SILENT = 0.3  # s: disarmed
+ROUNDING = 1e-6  # s: so much later a limit has passed, however its floats were rounded
 LATE = 0.1  # s that a command may come later than the quickest: an older one is not newer
 FORGIVEN = 0.1  # s per s: how fast the measure of the quickest gives way, for clocks that drift
 STALL = 0.1  # s between two steps, after which what was commanded is too old
@@ -109,6 +110,13 @@ class Receiver:
     def driven(self) -> Twist:
         """How fast the chair is driven now."""
         return Twist(self._v.driven, self._omega.driven)
+
+    def next_look(self, t: float) -> float:
+        """Return when, after `t` (s), silence has lasted long enough to act on; inf while none would be."""
+        if self.state not in (ReceiverState.CHECKING, ReceiverState.ARMED):
+            return math.inf
+        looks = (self._heard + limit + ROUNDING for limit in (QUIET, SILENT))
+        return next((look for look in looks if look > t), math.inf)
 
     def take(self, datagram: bytes, t: float) -> bool:
         """Act on a command that came at `t` (s); return False, with nothing changed, when it is not to be acted on."""
