@@ -29,6 +29,7 @@ HIDE = """() => {
   document.dispatchEvent(new Event("visibilitychange"));
 }"""
 DRIVING = "The patient drives"
+FREEZE = "() => { const since = performance.now(); while (performance.now() - since < 1800); }"  # longer than 1 s
 SHOW = """() => {
   delete document.visibilityState;
   document.dispatchEvent(new Event("visibilitychange"));
@@ -218,6 +219,9 @@ def stops_when_hidden_or_loaded_again(page, keep):
     expect(told_by_chair(page)).to_contain_text("Stands, disarmed")
     page.evaluate(SHOW)
     keep("chair-was-hidden")
+    go_on(page)
+    page.evaluate(FREEZE)
+    expect(state).to_contain_text("hidden or out of reach")
     go_on(page)
     page.reload()
     expect(state).to_contain_text("hidden or out of reach")

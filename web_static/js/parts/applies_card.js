@@ -45,8 +45,23 @@ function chosenSet({ controls, summary }, onLoad) {
 
 function main(read) {
   const { mode_u1, mode_u2, cruise_time: cruise } = read.summary.parameters;
+  return [figures(read), how(mode_u1, mode_u2, cruise)];
+}
+
+/** What a person feels first, large. */
+function figures(read) {
+  const shown = SPEEDS.filter(({ name }) => FIRST.has(name)).map((speed) => limit(speed, read));
+  return h(
+    "dl",
+    { class: "first-speeds" },
+    shown.map(([name, value, why]) =>
+      h("div", {}, h("dt", {}, name), h("dd", { class: "number" }, value, why && h("small", {}, why))),
+    ),
+  );
+}
+
+function how(mode_u1, mode_u2, cruise) {
   return rows(
-    SPEEDS.filter(({ name }) => FIRST.has(name)).map((speed) => limit(speed, read)),
     [t("apply.forward-back"), t(`how.u1.${mode_u1}`), t(`how.u1.${mode_u1}.hint`)],
     [t("apply.turning"), t(`how.u2.${mode_u2}`), t(`how.u2.${mode_u2}.hint`)],
     mode_u1 === "acceleration" && [t("apply.cruise"), t("apply.cruise.value", { time: number(cruise, 0) }), ""],

@@ -103,6 +103,7 @@ export function showArming(app, root, read, onDrive, signal) {
 
   const cards = [chair, applies, neutral];
   cards.forEach(({ title }, i) => title.prepend(h("span", { class: "step-number" }, String(i + 1))));
+  const nobodySits = isSimulated(app, read);
   const isVisitor = read.equipment.body?.kind === "visitor";
   put(
     root,
@@ -110,8 +111,8 @@ export function showArming(app, root, read, onDrive, signal) {
       "div",
       { class: "body" },
       h("h1", { tabindex: "-1" }, t("chair.title", { name: read.chair.name })),
-      h("p", { class: "lead" }, t("chair.lead")),
-      isSimulated(app, read) && h("p", { class: "card simulated" }, t("chair.simulated")),
+      h("p", { class: "lead" }, t(nobodySits ? "chair.lead.simulated" : "chair.lead")),
+      nobodySits && h("p", { class: "card simulated" }, t("chair.simulated")),
       missing.element,
       h(
         "div",

@@ -86,6 +86,7 @@ function stateCard(app, about, onEnd) {
     if (key === shown) return;
     shown = key;
     element.dataset.state = now.state;
+    app.root.scrollTop = 0; // what has just happened, and Continue, shall not lie outside of the view
     if (now.fault) {
       const end = h("button", { type: "button", class: "btn", onclick: onEnd }, t("driving.end"));
       put(place, faultCard(app, now.fault, t("driving.paused"), end));

@@ -16,7 +16,7 @@ export function pairedCard(app, { key_line: line, qr }, { name, host, port }, on
       app.toasts.show(t("paired.copy-failed")); // browsers give the clipboard to encrypted pages only
     }
   };
-  const code = (words) => h("pre", { tabindex: "0" }, h("code", {}, words));
+  const code = (words) => h("pre", {}, h("code", {}, words));
   return h(
     "section",
     { class: "paired" },

@@ -13,6 +13,7 @@ export default {
   "which.none.ask": "None is paired here yet; an owner pairs one in Settings.",
   "chair.title": "Drive “{name}”",
   "chair.lead": "Go through the three cards, then arm. The patient sits in the chair, and somebody stands at its stop switch.",
+  "chair.lead.simulated": "Go through the three cards, then arm. Somebody stands at the chair's stop switch.",
   "chair.virtual": "Use the virtual chair",
   "chair.card": "The chair",
   "chair.state.disarmed": "Stands, disarmed",

@@ -18,7 +18,7 @@ export default {
   "lamp.real.disarmed": "stands",
   "lamp.real.checking": "resting",
   "lamp.real.armed": "armed",
-  "lamp.real.fault": "does not drive",
+  "lamp.real.fault": "not ready",
   "lamp.real.silent": "silent",
   "theme.label": "Colours: {theme}. Change",
   "theme.system": "as the system",
