@@ -100,7 +100,7 @@ function rows(...lists) {
   );
 }
 
-function practised({ parameters, practised: { trials, last }, last_practised: before, differences }, onPractise) {
+function practised({ practised: { trials, last }, last_practised: before, differences }, onPractise) {
   if (trials > 0)
     return rows([
       t("apply.practised"),
@@ -125,7 +125,7 @@ function practised({ parameters, practised: { trials, last }, last_practised: be
       ),
     h(
       "button",
-      { type: "button", class: "btn small", onclick: onPractise, "data-hash": parameters.hash },
+      { type: "button", class: "btn small", onclick: onPractise },
       t("apply.practise"),
     ),
   );
