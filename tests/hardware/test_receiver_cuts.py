@@ -1,5 +1,6 @@
 """S3 at a thousand random moments, and lateness over an hour: what a link does that is cut, or whose clocks drift."""
 
+import math
 import random
 from itertools import pairwise
 
@@ -116,3 +117,25 @@ def test_commands_that_were_kept_back_for_less_do_not_drive_either_until_they_ar
         taken = chair.receiver.take(frame, chair.t)
         assert late <= 0.1 + 0.1 * pause + SLACK if taken else late > 0.1 - SLACK
     assert taken
+
+
+@pytest.mark.parametrize("begin", random.Random(5).sample(range(1, 1_000_000), 40))
+def test_a_loop_that_looks_when_it_is_due_acts_at_once(begin):
+    chair = Commanded()
+    chair.t = begin / 7
+    assert chair.receiver.next_look(chair.t) == math.inf, "nobody drives"
+    chair.step(0.0)
+    chair.drive(0.5, seconds=0.4)
+    heard = chair.t - PERIOD
+    seen = []
+    for limit in (0.1, 0.3):
+        look = chair.receiver.next_look(chair.t)
+        assert look == pytest.approx(heard + limit, abs=1e-5)
+        while chair.t + STEP < look:
+            chair.step()
+        seen += [(chair.receiver.driven.v, chair.reason)]
+        chair.step(look - chair.t)
+        seen += [(chair.receiver.driven.v, chair.reason)]
+    assert seen[0] == (pytest.approx(0.5), Reason.NONE)
+    assert seen[1][0] < 0.5
+    assert [reason for _, reason in seen[1:]] == [Reason.NONE, Reason.NONE, Reason.SILENT]
