@@ -1,7 +1,7 @@
 import math
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from app.geometry import Pose, Twist
@@ -97,6 +97,7 @@ TWISTS = st.lists(st.builds(Twist, st.floats(-1.5, 1.5), st.floats(-2.5, 2.5)), 
 DYNAMICS = pytest.mark.parametrize("dynamics", ["unicycle", "wheelchair"])
 
 
+@settings(max_examples=60, deadline=None)
 @given(TWISTS, st.floats(0.001, 0.1))
 def test_by_default_it_is_the_unicycle_exactly(twists, dt):
     chair, pose = VirtualChair(None, Pose(1, 2, 3)), Pose(1, 2, 3)
@@ -105,6 +106,7 @@ def test_by_default_it_is_the_unicycle_exactly(twists, dt):
         assert (state.x, state.y, state.theta, state.v, state.omega) == (*pose, *twist)
 
 
+@settings(max_examples=60, deadline=None)
 @given(TWISTS)
 def test_as_a_wheelchair_it_tells_what_it_does_and_not_what_it_was_told(twists):
     chair, motion = VirtualChair(None, Pose(1, 2, 3), dynamics="wheelchair"), Motion(Pose(1, 2, 3))
@@ -135,6 +137,7 @@ def test_a_wall_holds_the_wheels_of_a_wheelchair_too():
 
 
 @DYNAMICS
+@settings(max_examples=60, deadline=None)
 @given(st.lists(st.builds(Twist, st.floats(), st.floats()), max_size=30), st.floats())
 def test_nothing_that_it_is_told_breaks_it(dynamics, twists, dt):
     chair = VirtualChair(PLAN, Pose(-2, 0, 0), dynamics=dynamics)

@@ -2,7 +2,7 @@ import math
 from dataclasses import replace
 
 import pytest
-from hypothesis import assume, given
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from app.geometry import STANDSTILL, Pose, Twist
@@ -29,6 +29,7 @@ def driven(motion, twist, seconds, dt=0.01, chair=CHAIR):
     return motions
 
 
+@settings(max_examples=60, deadline=None)
 @given(MOTIONS, st.lists(TWISTS, min_size=1, max_size=20), st.floats(1e-4, 0.1))
 def test_without_any_effect_it_is_the_unicycle_bit_for_bit(motion, twists, dt):
     pose = motion.pose
@@ -38,6 +39,7 @@ def test_without_any_effect_it_is_the_unicycle_bit_for_bit(motion, twists, dt):
         assert (motion.pose, motion.v, motion.omega) == (pose, *twist)
 
 
+@settings(max_examples=60, deadline=None)
 @given(MOTIONS, CHAIRS)
 def test_told_nothing_it_comes_to_rest_and_stays(motion, chair):
     longest = max(chair.speed_lag, chair.turn_lag)
@@ -51,6 +53,7 @@ def test_at_rest_nothing_turns_its_castors():
     assert driven(motion, STANDSTILL, 10.0)[-1] == motion
 
 
+@settings(max_examples=60, deadline=None)
 @given(
     st.lists(st.builds(Twist, st.floats(-1e3, 1e3), st.floats(-1e3, 1e3)), max_size=60), CHAIRS, st.floats(1e-3, 0.1)
 )
@@ -64,6 +67,7 @@ def test_no_command_makes_it_much_faster_than_it_was_told(twists, chair, dt):
         assert max(map(abs, (motion.pose.theta, motion.left, motion.right))) <= math.pi
 
 
+@settings(max_examples=60, deadline=None)
 @given(MOTIONS, SPEEDS, CHAIRS)
 def test_driving_straight_with_castors_in_line_goes_straight(motion, v, chair):
     ahead = math.pi if v < 0 else 0.0
@@ -74,6 +78,7 @@ def test_driving_straight_with_castors_in_line_goes_straight(motion, v, chair):
     assert moved.v == pytest.approx(v * (1.0 - math.exp(-1.0 / chair.speed_lag)) if chair.speed_lag else v, abs=1e-9)
 
 
+@settings(max_examples=60, deadline=None)
 @given(st.lists(TWISTS, min_size=1, max_size=6), CHAIRS)
 def test_a_mirrored_command_drives_the_mirrored_way(twists, chair):
     # Not from a perfect reversal: there each castor must choose a side.
@@ -141,6 +146,7 @@ def test_from_turning_in_place_the_castors_push_on_to_the_side_that_it_turned_to
     assert ahead[-1].pose.theta * side > in_line.pose.theta
 
 
+@settings(max_examples=60, deadline=None)
 @given(TWISTS, CHAIRS)
 def test_castors_that_keep_their_angle_do_not_push(twist, chair):
     steady = driven(ORIGIN, twist, 10.0 + 10 * max(chair.speed_lag, chair.turn_lag), 0.05, chair)[-1]
@@ -150,6 +156,7 @@ def test_castors_that_keep_their_angle_do_not_push(twist, chair):
     assert after[1:3] == pytest.approx(free[1:3], abs=1e-6)
 
 
+@settings(max_examples=60, deadline=None)
 @given(st.floats(0.2, 1.5), st.floats(0.2, 2.5), st.booleans())
 def test_slip_widens_a_curve_and_the_more_so_the_faster_it_is(v, omega, left):
     twist = Twist(v, omega if left else -omega)
@@ -166,6 +173,7 @@ def test_slip_widens_a_curve_and_the_more_so_the_faster_it_is(v, omega, left):
     assert abs(radius(CHAIR)) > abs(radius(CHAIR, slower))
 
 
+@settings(max_examples=60, deadline=None)
 @given(st.floats(-1.5, 1.5), st.floats(-2.5, 2.5), ANGLES, ANGLES)
 def test_a_stop_takes_no_more_way_than_the_lag_explains(v, omega, left, right):
     motions = driven(Motion(ORIGIN.pose, v, omega, left, right), STANDSTILL, 5.0, 0.002)
