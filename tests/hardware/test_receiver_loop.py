@@ -98,6 +98,36 @@ def test_a_flood_neither_holds_up_the_watch_nor_a_command(turning):
     assert flooded.received <= turns * (DRAINING / EACH + 4), "half of the time is left to others"
 
 
+@pytest.mark.parametrize("phase", range(20))
+def test_silence_that_falls_due_during_a_step_is_acted_on_at_once(turning, monkeypatch, phase):
+    loop, quiet, output, _ = turning
+    clock, begun = quiet.clock, quiet.clock.now()
+    note = output.drive
+
+    def drive(t, *words):
+        clock.time += 0.003 if clock.now() < begun + 0.66 else 0.004  # so that a command can come during a step
+        note(t, *words)
+
+    def recvfrom(_size):
+        if clock.now() < quiet.due or clock.now() > begun + 0.66:
+            raise BlockingIOError
+        quiet.due += 0.02
+        quiet.chair.t = quiet.last = clock.now()
+        return quiet.chair.frame(*((0.4, 0.0, DRIVE) if clock.now() > begun + 0.56 else (0.0, 0.0, 0))), SENDER
+
+    def wait(_sockets, _writers, _errors, timeout):
+        clock.time = min(clock.time + timeout, max(quiet.due, clock.time + 1e-4))
+
+    output.drive, quiet.recvfrom = drive, recvfrom
+    monkeypatch.setattr("app.hardware.chair.loop.select.select", wait)
+    ending_after(loop, output, 1.0)
+    quiet.due += phase * 1e-3
+    loop.run()
+    driven = [(t, twist.v) for t, _, twist, _ in output.said]
+    slowed = next(t for (_, before), (t, after) in pairwise(driven) if after < before)
+    assert slowed - quiet.last <= 0.1 + 0.004 + 3e-4
+
+
 def test_who_ends_it_while_it_drives_gets_a_ramp_and_a_last_word(turning):
     loop, _, output, receiver = turning
     receiver._v.driven = 0.75

@@ -40,18 +40,18 @@ class ReceiverLoop:
         self._inputs = inputs
         self._clock = clock
         self._output_broken = False
+        self._stepped = -math.inf  # s
         self.ending = False
 
     def run(self) -> None:
         """Turn until `ending`, then bring the chair to standstill and say so."""
         due = self._clock.now()
         while not self.ending:
-            now = self._clock.now()
-            due = max(due + STEP, now + LEAST)
-            while (look := self._receiver.next_look(now)) < due:  # silence is acted on when it is due, not a step later
+            due = max(due + STEP, self._clock.now() + LEAST)
+            # Silence is acted on when it is due, not a step later; also when it fell due during a step.
+            while (look := self._receiver.next_look(self._stepped)) < due:
                 self._listen(look)
                 self._step()
-                now = max(look, self._clock.now())
             self._listen(due)
             self._step()
         self._receiver.stop(Reason.ENDING)
@@ -82,7 +82,7 @@ class ReceiverLoop:
                 enough = min(enough, t + DRAINING)
 
     def _step(self, last: bool = False) -> None:
-        t = self._clock.now()
+        t = self._stepped = self._clock.now()
         pressed = self._inputs.stop_pressed
         twist = self._receiver.step(t, stop_pressed=pressed, output_broken=self._output_broken)
         state, reason = self._receiver.state, self._receiver.reason
