@@ -5,7 +5,7 @@ import random
 import tempfile
 from pathlib import Path
 
-from drills.results import Result, Watcher
+from drills.results import Result, Watcher, waited
 from processes.chair_process import ReceiverProcess
 
 from app.clock import monotonic
@@ -13,7 +13,7 @@ from app.hardware.chair.key import read_key
 from app.hardware.chair.packet import DRIVE, Command, decode_telemetry, encode_command, encode_hello
 
 PERIOD = 0.02  # s between two commands
-SIDE_BY_SIDE = 6
+SIDE_BY_SIDE = 4
 LOOK_ON = 0.62  # s after a cut
 PATIENCE = 2.0  # s for an arming, and for a speed to be reached
 SPEED, ALMOST = 0.8, 0.799  # m/s: a command carries them as float32
@@ -108,10 +108,12 @@ async def _driven(receiver, sender, dice):
 
 async def _one(result, watcher, receiver, sender, dice):
     cut = await _driven(receiver, sender, dice)
+    before = waited(receiver.pid)
     await asyncio.sleep(LOOK_ON)
+    late = max(watcher.late(cut, cut + LOOK_ON), waited(receiver.pid) - before)
     lines = receiver.since(cut)
     begun = next((line["t"] - cut for line in lines if line["v"] < ALMOST), None)
     disarmed = next((line["t"] - cut for line in lines if line["state"] == "disarmed"), None)
     if begun is None or disarmed is None or receiver.newest["v"]:
         result.violations.append(f"run {result.runs + 1}: the chair went on")
-    result.add(begun, disarmed, watcher.late(cut, cut + LOOK_ON))
+    result.add(begun, disarmed, late)

@@ -2,6 +2,7 @@
 
 import threading
 from dataclasses import dataclass, field
+from pathlib import Path
 
 from app.clock import monotonic
 
@@ -55,6 +56,14 @@ HEAD = """| drill | runs | worst: stop begun, ms | limit | worst: disarmed, ms |
 
 def _worst(times: list[float]) -> str:
     return f"{1e3 * max(times):.0f}" if times else ""
+
+
+def waited(pid: int) -> float:
+    """Return for how long (s) a process was ready to run and not let, since it was started; 0 where nobody counts."""
+    try:
+        return int(Path(f"/proc/{pid}/schedstat").read_text().split()[1]) * 1e-9
+    except (OSError, IndexError, ValueError):
+        return 0.0
 
 
 class Watcher:

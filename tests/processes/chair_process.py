@@ -59,6 +59,10 @@ class ReceiverProcess:
         return {"kind": "udp", **where, "speeds": NO_FURTHER.model_dump(), **changes}
 
     @property
+    def pid(self):
+        return self._process.pid
+
+    @property
     def newest(self):
         return self.lines[-1]
 
