@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,6 +23,18 @@ class SensorFrame:
     t_device: float  # the device's own clock, s
     t: float  # our monotonic clock at arrival, s
     values: NDArray[np.float32]  # (n_channels,)
+
+
+class HeadPose(NamedTuple):
+    """Where a head looks, from straight ahead, and its place."""
+
+    t: float  # our monotonic clock at arrival, s
+    yaw: float  # rad, to the left positive
+    pitch: float  # rad, up positive
+    roll: float  # rad, towards the right shoulder positive
+    x: float = 0.0  # m ahead of where it was set up
+    y: float = 0.0  # m to the left
+    z: float = 0.0  # m up
 
 
 @dataclass(slots=True)
@@ -60,6 +73,13 @@ class Tick:
     battery: float = math.nan  # 0..1, NaN: unknown
     driven_v: float = 0.0  # m/s, as the chair says it drives
     driven_omega: float = 0.0  # rad/s
+    scene_t: float = (
+        0.0  # s for which motion was permitted since the chair was put on the start: moves what moves by itself
+    )
+    head_yaw: float = math.nan  # rad, left positive; NaN without a head tracker or before its first pose
+    head_pitch: float = math.nan  # rad, up positive
+    head_roll: float = math.nan  # rad, towards the right shoulder positive
+    head_age: float = math.nan  # s since the head pose came
 
 
 # The same, as one flat record: a slot of the ring between the processes, a row of a recording.
@@ -76,6 +96,7 @@ TICK = np.dtype(
         ("x", "f8"),
         ("y", "f8"),
         ("theta", "f8"),
+        ("scene_t", "f8"),
         ("frame_seq", "u4"),
         ("lost", "u4"),  # frames missing in the shirt's own count, since the shirt was opened
         ("late", "u4"),  # ticks later than a period, since the process started
@@ -88,6 +109,10 @@ TICK = np.dtype(
         ("battery", "f4"),
         ("driven_v", "f4"),
         ("driven_omega", "f4"),
+        ("head_yaw", "f4"),
+        ("head_pitch", "f4"),
+        ("head_roll", "f4"),
+        ("head_age", "f4"),
         ("n_channels", "u2"),
         ("n_gestures", "u2"),
         ("has_frame", "u1"),

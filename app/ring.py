@@ -28,7 +28,7 @@ def ring_file(name: str) -> Path:
 def _slot_layout(n_gestures: int) -> Struct:
     """Return the fields of `TICK` after `number` up to the activations, in native order, unused gestures zeroed."""
     unused = 8 * (MAX_GESTURES - n_gestures)
-    return Struct(f"@10d6Ii5fHH8B{n_gestures}d{unused}x{n_gestures}d{unused}x{n_gestures}d")
+    return Struct(f"@11d6Ii9fHH8B{n_gestures}d{unused}x{n_gestures}d{unused}x{n_gestures}d")
 
 
 class TickRing:
@@ -129,6 +129,7 @@ class TickRing:
             tick.x,
             tick.y,
             tick.theta,
+            tick.scene_t,
             tick.frame_seq,
             lost,
             late,
@@ -141,6 +142,10 @@ class TickRing:
             tick.battery,
             tick.driven_v,
             tick.driven_omega,
+            tick.head_yaw,
+            tick.head_pitch,
+            tick.head_roll,
+            tick.head_age,
             self._n_channels,
             n_gestures,
             has_frame,

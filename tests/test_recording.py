@@ -14,7 +14,7 @@ from app import recording_arrow, recording_format
 from app.faults import State
 from app.messages import Tick
 from app.recording import RunWriter
-from app.recording_format import DRIVEN, SCALARS
+from app.recording_format import LATER, SCALARS
 from app.recording_reader import read_run
 from app.ring import RING_SLOTS, TickRing
 from building import make_layout
@@ -90,7 +90,7 @@ def test_what_is_recorded_is_read(ring, tmp_path):
     assert run.rows == 400
     assert run.dropped == 0
     assert_rows_begin(run, 400)
-    assert set(run.columns) == {*SCALARS, *DRIVEN, "score", "rate", "activation", "values"}
+    assert set(run.columns) == {*SCALARS, *LATER, "score", "rate", "activation", "values"}
     assert run.columns["state"].tolist() == [State.ARMED] * 400
     assert run.columns["cue"].tolist() == [i // 10 for i in range(400)]
     assert run.columns["driven_v"].tolist() == [0.5] * 400
@@ -100,7 +100,7 @@ def test_what_is_recorded_is_read(ring, tmp_path):
 def test_a_recording_from_before_the_driven_columns_is_read(ring, tmp_path, monkeypatch):
     with monkeypatch.context() as before:
         for module in (recording_arrow, recording_format):
-            before.setattr(module, "DRIVEN", {})
+            before.setattr(module, "LATER", {})
         folder = record(ring, tmp_path / "run", 40)
     run = read_run(folder)
     assert run.words == ""

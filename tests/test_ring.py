@@ -80,6 +80,11 @@ def test_what_is_written_is_read(ring, name):
         battery=0.75,
         driven_v=0.25,
         driven_omega=-0.5,
+        scene_t=1.5,
+        head_yaw=0.25,
+        head_pitch=-0.125,
+        head_roll=0.5,
+        head_age=0.0625,
     )
     ring.write(tick, 2, 0.75, 4, 5, 6)
     reader = TickRing.attach(name)
@@ -95,7 +100,8 @@ def test_what_is_written_is_read(ring, name):
         "driven_omega",
     )
     scalars = ("t", "frame_seq", "t_device", "u1", "u2", "v", "omega", "x", "y", "theta", "state", "fault")
-    for field in (*scalars, "stops", "dial", *chair):
+    head = ("head_yaw", "head_pitch", "head_roll", "head_age")
+    for field in (*scalars, "scene_t", "stops", "dial", *chair, *head):
         assert read[field] == getattr(tick, field), field
     assert (read["number"], read["run"], read["run_t"], read["cue"], read["lost"], read["late"]) == (
         1,

@@ -10,13 +10,21 @@ from numpy.typing import NDArray
 from app.cues import Cue
 from app.geometry import Pose
 from app.layout import ShirtLayout
-from app.messages import SensorFrame
+from app.messages import HeadPose, SensorFrame
 
 ORIGIN = Pose(0.0, 0.0, 0.0)
 
 
 class HardwareError(Exception):
     """A device that cannot be had, as one sentence that says what, where and what to do."""
+
+
+@dataclass(slots=True)
+class LeaderView:
+    """Somebody ahead who is to be followed."""
+
+    pose: Pose
+    v: float  # m/s
 
 
 @dataclass(slots=True)
@@ -30,6 +38,7 @@ class BodyView:
     v: float = 0.0  # m/s
     omega: float = 0.0  # rad/s
     in_contact: bool = False  # whether the chair touches something
+    leader: LeaderView | None = None  # whom the task says to follow
 
 
 class Body(Protocol):
@@ -108,6 +117,36 @@ class Shirt(Protocol):
 
     def words(self) -> str:
         """Return the shirt's state in words."""
+        ...
+
+    def close(self) -> None:
+        """Give back what is held; closing twice does no harm."""
+        ...
+
+
+class HeadTracker(Protocol):
+    """A source of head poses. Only the newest matters: nothing is queued, nothing is waited for."""
+
+    def open(self) -> None:
+        """Begin.
+
+        Raises
+        ------
+        HardwareError
+            When it cannot be opened; nothing is held then.
+        """
+        ...
+
+    def newest(self) -> HeadPose | None:
+        """Take in what has come, without waiting, and return the newest pose; None before the first.
+
+        What is not finite, cut off or foreign is left out. The pose keeps its time of arrival, so that its age tells
+        when the tracker has gone silent.
+        """
+        ...
+
+    def words(self) -> str:
+        """Return the tracker's state in words."""
         ...
 
     def close(self) -> None:

@@ -80,6 +80,56 @@ class RealChairConfig(Document):
     speeds: Speeds  # what this chair may do
 
 
+class OpentrackConfig(Document):
+    """opentrack's "UDP over network": 48 bytes a pose."""
+
+    kind: Literal["opentrack"]
+    host: Host = "127.0.0.1"  # the address of this machine on which the tracker is listened for
+    port: Port = 4242  # 0: any free one
+
+
+class FreepieConfig(Document):
+    """FreePIE's UDP: 50 bytes a pose."""
+
+    kind: Literal["freepie"]
+    host: Host = "127.0.0.1"
+    port: Port = 5555
+
+
+class FlockOfBirdsConfig(Document):
+    """Ascension's Flock of Birds on a serial line."""
+
+    kind: Literal["flock_of_birds"]
+    device: FilePlace  # such as /dev/ttyUSB0
+    baud: Annotated[int, Field(strict=True, ge=2400, le=115_200)] = 115_200
+    address: Annotated[int, Field(strict=True, ge=1, le=14)] | None = None  # in a group of units; None: a single one
+
+
+class SimulatedHeadConfig(Document):
+    """A head that looks around by itself."""
+
+    kind: Literal["simulator"]
+    seed: Count = 1
+
+
+class RecordedHeadConfig(Document):
+    """A head that repeats a recorded movement: a CSV with t, yaw_deg, pitch_deg, roll_deg."""
+
+    kind: Literal["recorded"]
+    file: FilePlace
+    loop: bool = True
+
+
+class TabletHeadConfig(Document):
+    """The orientation of a tablet or phone, as its page tells it."""
+
+    kind: Literal["tablet"]
+
+
 ShirtConfig = Annotated[SimulatorConfig | ReplayConfig | UdpConfig, Field(discriminator="kind")]
 BodyConfig = Annotated[PersonConfig | VisitorConfig | RecordedConfig, Field(discriminator="kind")]
 ChairConfig = Annotated[VirtualChairConfig | RealChairConfig, Field(discriminator="kind")]
+HeadConfig = Annotated[
+    OpentrackConfig | FreepieConfig | FlockOfBirdsConfig | SimulatedHeadConfig | RecordedHeadConfig | TabletHeadConfig,
+    Field(discriminator="kind"),
+]

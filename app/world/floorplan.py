@@ -16,6 +16,8 @@ from app.world.clearance import Clearance
 from app.world.kinematics import CHAIR_RADIUS
 from app.world.obstacles import Box, Cylinder, Obstacle, Point
 from app.world.path import Path
+from app.world.scenery import Cone, Gap, Ground, Lights, Mover
+from app.world.tasks import FollowPath, Task
 
 MAX_WALLS = 5000
 MAX_BYTES = 8_000_000  # a document larger than this is not a floor plan
@@ -48,6 +50,7 @@ class PrescribedPath(Document):
     time_limit: Seconds = 180.0
     instruction: Annotated[str, Field(min_length=1, max_length=200)]
     start_heading: Radians | None = None  # along the path when not given
+    task: Task = FollowPath()
 
     @property
     def line(self) -> Path:
@@ -73,6 +76,11 @@ class FloorPlan(Document):
     paths: Annotated[tuple[PrescribedPath, ...], Field(min_length=1, max_length=20)]
     wall_height: Length = 2.6
     wall_thickness: Annotated[Length, Field(le=1.0)] = 0.1
+    ground: Ground = Ground()
+    cones: Annotated[tuple[Cone, ...], Field(max_length=200)] = ()
+    gaps: Annotated[tuple[Gap, ...], Field(max_length=50)] = ()
+    movers: Annotated[tuple[Mover, ...], Field(max_length=10)] = ()
+    lights: Lights = Lights()
 
     @model_validator(mode="after")
     def _path_names_are_unique(self) -> Self:

@@ -1,0 +1,61 @@
+"""What is asked along a path: to follow it, to follow somebody, to turn in place, to back, or several of these."""
+
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from app.quantities import Document, Length, Metres, Name, Radians, Seconds, Title
+
+Points = Annotated[tuple[tuple[Metres, Metres], ...], Field(min_length=2, max_length=5000)]
+
+
+class FollowPath(Document):
+    """Drive along the path to its end."""
+
+    kind: Literal["path"] = "path"
+
+
+class FollowLeader(Document):
+    """Stay behind somebody who goes along the path, until both have come to its end."""
+
+    kind: Literal["follow"]
+    leader: Name  # of one of the plan's movers
+    distance: Annotated[Length, Field(le=10)] = 1.5  # m, between the two middles
+
+
+class Turn(Document):
+    """Turn on the spot: stand on the path's first point and look at its last, held for a moment."""
+
+    kind: Literal["turn"]
+    direction: Literal["left", "right"]
+    tolerance: Annotated[Radians, Field(gt=0, le=0.8)] = 0.1745  # rad
+    hold: Annotated[Seconds, Field(le=10)] = 1.0  # s
+
+
+class Back(Document):
+    """Drive backwards along the path."""
+
+    kind: Literal["back"]
+
+
+SimpleTask = Annotated[FollowPath | Turn | Back, Field(discriminator="kind")]
+
+
+class Stage(Document):
+    """One part of a course."""
+
+    title: Title
+    instruction: Annotated[str, Field(min_length=1, max_length=200)]
+    points: Points
+    goal_radius: Length = 0.5  # m
+    task: SimpleTask = FollowPath()
+
+
+class Course(Document):
+    """Several stages, one after the other; the path's own points are for looking at."""
+
+    kind: Literal["course"]
+    stages: Annotated[tuple[Stage, ...], Field(min_length=2, max_length=20)]
+
+
+Task = Annotated[FollowPath | FollowLeader | Turn | Back | Course, Field(discriminator="kind")]
