@@ -1,5 +1,7 @@
 """The floor plan: a building storey with its walls, obstacles, rooms and prescribed paths, as a document."""
 
+import math
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from pathlib import Path as FilePath
 from typing import Annotated, Self
@@ -8,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field, ValidationError, model_validator
 
-from app.geometry import Pose
+from app.geometry import Pose, wrap_angle
 from app.quantities import Document, Length, Name, Radians, Seconds, Title
 from app.sentences import one_sentence
 from app.settings import data_folder
@@ -17,7 +19,7 @@ from app.world.kinematics import CHAIR_RADIUS
 from app.world.obstacles import Box, Cylinder, Obstacle, Point
 from app.world.path import Path
 from app.world.scenery import Cone, Gap, Ground, Lights, Mover
-from app.world.tasks import FollowPath, Task
+from app.world.tasks import Back, Course, FollowLeader, FollowPath, Task, Turn
 
 MAX_WALLS = 5000
 MAX_BYTES = 8_000_000  # a document larger than this is not a floor plan
@@ -59,8 +61,10 @@ class PrescribedPath(Document):
 
     @property
     def start(self) -> Pose:
-        """Return where the chair stands when a trial begins."""
+        """Return where the chair stands when a trial begins; who is to back looks the other way."""
         heading = self.line.heading_at(0.0) if self.start_heading is None else self.start_heading
+        if self.start_heading is None and isinstance(self.task, Back):
+            heading = wrap_angle(heading + math.pi)
         return Pose(self.points[0][0], self.points[0][1], heading)
 
 
@@ -91,21 +95,46 @@ class FloorPlan(Document):
         return self
 
     @model_validator(mode="after")
-    def _paths_are_free(self) -> Self:
-        clearance = Clearance(self.walls, self.wall_thickness, self.obstacles)
+    def _movers_are_known(self) -> Self:
+        names = [mover.name for mover in self.movers]
+        for name in names:
+            if names.count(name) > 1:
+                raise ValueError(f"mover '{name}' stands there twice: give each its own name")
         for path in self.paths:
+            if isinstance(path.task, FollowLeader) and path.task.leader not in names:
+                known = f"use one of {', '.join(names)}" if names else "add it to movers"
+                raise ValueError(f"path '{path.name}': there is no mover '{path.task.leader}' to follow: {known}")
+        return self
+
+    @model_validator(mode="after")
+    def _lines_are_free(self) -> Self:
+        clearance = Clearance(self.walls, self.wall_thickness, self.obstacles)
+        for what, points, radius in self._lines():
             try:
-                line = path.line
+                line = Path(points).points if len(points) > 1 else (points[0], points[0])
             except ValueError as error:
-                raise ValueError(f"path '{path.name}': {error}") from error
-            found = clearance.along(line.points)
-            if found.distance < CHAIR_RADIUS:
+                raise ValueError(f"{what}: {error}") from error
+            found = clearance.along(line)
+            if found.distance < radius:
                 raise ValueError(
-                    f"path '{path.name}' comes within {max(found.distance, 0):.2f} m of {found.what} near "
-                    f"({found.x:.2f}, {found.y:.2f}), and the chair needs {CHAIR_RADIUS} m on each side: "
-                    f"move the path or the {found.kind}"
+                    f"{what} comes within {max(found.distance, 0):.2f} m of {found.what} near "
+                    f"({found.x:.2f}, {found.y:.2f}), and {radius} m are needed on each side: "
+                    f"move it or the {found.kind}"
                 )
         return self
+
+    def _lines(self) -> Iterator[tuple[str, Sequence[Point], float]]:
+        """Yield what must be free: who drives there in words, its points, and the room that it needs (m)."""
+        for path in self.paths:
+            if isinstance(path.task, Course):
+                for stage in path.task.stages:
+                    turns = isinstance(stage.task, Turn)
+                    yield f"path '{path.name}', '{stage.title}',", stage.points[: 1 if turns else None], CHAIR_RADIUS
+            else:
+                turns = isinstance(path.task, Turn)
+                yield f"path '{path.name}'", path.points[: 1 if turns else None], CHAIR_RADIUS
+        for mover in self.movers:
+            yield f"mover '{mover.name}'", mover.points, mover.radius
 
     def segments(self) -> NDArray[np.float64]:
         """Return every edge of walls and boxes, (n, 4): x1, y1, x2, y2 in m; walls by their middle line."""
@@ -127,9 +156,17 @@ class FloorPlan(Document):
                 points += [(x - r, y - r), (x + r, y + r)]
             else:
                 points += obstacle.corners()
+        points += [cone.position for cone in self.cones] + [point for mover in self.movers for point in mover.points]
+        if self.ground.area is not None:
+            x_min, y_min, x_max, y_max = self.ground.area
+            points += [(x_min, y_min), (x_max, y_max)]
         corners = np.array(points)
         low, high = corners.min(axis=0), corners.max(axis=0)
         return float(low[0]), float(low[1]), float(high[0]), float(high[1])
+
+    def mover_named(self, name: str) -> Mover:
+        """Return one of the movers, which is known to be there."""
+        return next(mover for mover in self.movers if mover.name == name)
 
     def path_named(self, name: str) -> PrescribedPath:
         """Return one of the paths.
