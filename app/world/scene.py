@@ -1,0 +1,127 @@
+"""Scenes: places to practise in, each with its tasks, some at several levels. A scene at a level is a floor plan."""
+
+import json
+from pathlib import Path
+from typing import Annotated, Any, Literal, NamedTuple
+
+from pydantic import Field, ValidationError
+
+from app.quantities import Document, Name, Title
+from app.sentences import one_sentence
+from app.settings import data_folder
+from app.world.floorplan import MAX_BYTES, FloorPlan, bundled_floorplans, load_floorplan
+
+LevelName = Literal["easy", "medium", "hard"]
+TAKEN_OVER = ("walls", "obstacles", "rooms", "doors", "wall_height", "wall_thickness")  # from a scene's floor plan
+DEEPEST = 20  # a document nested more deeply is none
+
+
+class Level(Document):
+    """How difficult: a word for the plan's name, and one for people."""
+
+    name: LevelName
+    title: Title
+
+
+class SceneHead(Document):
+    """What a scene has beyond a floor plan."""
+
+    name: Name
+    title: Title
+    about: Annotated[str, Field(min_length=1, max_length=300)]
+    levels: Annotated[tuple[Level, ...], Field(min_length=1, max_length=3)] | None = None
+    floorplan: Name | None = None  # a bundled one, whose walls, obstacles, rooms and doors stand here too
+
+
+class Scene(NamedTuple):
+    """A scene, and the floor plan that it is at each of its levels; one plan without a level when it has none."""
+
+    head: SceneHead
+    plans: dict[LevelName | None, FloorPlan]
+
+
+def load_scene(file: Path) -> Scene:
+    """Read a scene from a JSON file.
+
+    A value that differs between levels is an object with one entry for each of them.
+
+    Raises
+    ------
+    ValueError
+        One sentence that names the file, the place in it, the level, and what to do.
+    """
+    document = _read(file)
+    try:
+        head = SceneHead.model_validate(
+            {name: document.pop(name) for name in SceneHead.model_fields if name in document}
+        )
+    except ValidationError as error:
+        raise ValueError(one_sentence(error, str(file))) from error
+    base = {} if head.floorplan is None else _base(file, head.floorplan)
+    names = [level.name for level in head.levels or ()]
+    if len(set(names)) < len(names):
+        raise ValueError(f"{file}, levels: a level stands there twice, leave one out")
+    plans: dict[LevelName | None, FloorPlan] = {}
+    for level in head.levels or (None,):
+        where = f"{file}, level {level.name}" if level else str(file)
+        graded = _at(document, level.name if level else None, frozenset(names))
+        if level:
+            own = {"name": f"{head.name}.{level.name}", "title": f"{head.title}, {level.title.lower()}"}
+        else:
+            own = {"name": head.name, "title": head.title}
+        try:
+            plans[level.name if level else None] = FloorPlan.model_validate_json(
+                json.dumps({"walls": [], **base, **graded, **_joined(base, graded), **own})
+            )
+        except ValidationError as error:
+            raise ValueError(one_sentence(error, where)) from error
+    return Scene(head, plans)
+
+
+def bundled_scenes() -> dict[str, Path]:
+    """Return the files of the scenes that come with the software, by name, in alphabetical order."""
+    return {file.stem: file for file in sorted((data_folder() / "scenes").glob("*.json"))}
+
+
+def _read(file: Path) -> dict[str, Any]:
+    try:
+        if file.stat().st_size > MAX_BYTES:
+            raise ValueError(f"{file}: this is larger than {MAX_BYTES // 1_000_000} MB and no scene, name another")
+        document = json.loads(file.read_bytes())
+    except FileNotFoundError as error:
+        raise ValueError(f"{file}: there is no such file, check its name") from error
+    except OSError as error:
+        raise ValueError(f"{file}: this file cannot be read ({error.strerror or error}), check it") from error
+    except (ValueError, RecursionError) as error:
+        if type(error) is ValueError:
+            raise
+        raise ValueError(f"{file}: this is not JSON, correct it ({error})") from error
+    if not isinstance(document, dict):
+        raise ValueError(f"{file}: this is not a scene, begin it with {{")  # noqa: TRY004  (a sentence for its author)
+    return document
+
+
+def _base(file: Path, name: str) -> dict[str, Any]:
+    bundled = bundled_floorplans()
+    if name not in bundled:
+        raise ValueError(f"{file}, floorplan: there is no floor plan '{name}', use one of {', '.join(bundled)}")
+    return load_floorplan(bundled[name]).model_dump(mode="json", include=set(TAKEN_OVER))
+
+
+def _joined(base: dict[str, Any], graded: dict[str, Any]) -> dict[str, Any]:
+    """Return the lists that stand in both: what the scene adds comes after what its floor plan has."""
+    both = [name for name in base if isinstance(base[name], list) and isinstance(graded.get(name), list)]
+    return {name: [*base[name], *graded[name]] for name in both}
+
+
+def _at(value: Any, level: LevelName | None, levels: frozenset[str], depth: int = 0) -> Any:
+    """Return a document with each graded value replaced by that of one level."""
+    if depth > DEEPEST:
+        raise ValueError("a scene is not nested so deeply: correct it")
+    if isinstance(value, dict):
+        if level is not None and value.keys() == levels:
+            return _at(value[level], level, levels, depth + 1)
+        return {name: _at(inner, level, levels, depth + 1) for name, inner in value.items()}
+    if isinstance(value, list):
+        return [_at(inner, level, levels, depth + 1) for inner in value]
+    return value
