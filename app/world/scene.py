@@ -97,7 +97,7 @@ def _read(file: Path) -> dict[str, Any]:
             raise
         raise ValueError(f"{file}: this is not JSON, correct it ({error})") from error
     if not isinstance(document, dict):
-        raise ValueError(f"{file}: this is not a scene, begin it with {{")  # noqa: TRY004  (a sentence for its author)
+        raise ValueError(f"{file}: this is not a scene, begin it with {{")
     return document
 
 
