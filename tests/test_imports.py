@@ -42,6 +42,7 @@ HOME = {
     "starlette": {"api"},
     "uvicorn": {"cli"},
     "viser": {"scene"},
+    "trimesh": {"scene"},
     "sqlalchemy": {"session"},
     "alembic": {"session"},
     "sklearn": {"calibration"},

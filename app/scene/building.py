@@ -2,13 +2,13 @@
 
 import math
 from itertools import pairwise
-from typing import Final, NamedTuple
+from typing import Final
 
 import numpy as np
 
 from app.scene import palette
 from app.scene.furniture import furniture
-from app.scene.meshes import Mesh, box, merged, quads, rectangle, ring, standing_box, strip, tube
+from app.scene.meshes import Mesh, Part, box, merged, quads, rectangle, ring, standing_box, strip, tube
 from app.scene.palette import Colour
 from app.world.floorplan import Door, FloorPlan, PrescribedPath
 
@@ -29,13 +29,6 @@ TILES_AT: Final = 0.006
 EDGE_AT: Final = 0.014
 PATH_AT: Final = 0.022
 GOAL_AT: Final = 0.03
-
-
-class Part(NamedTuple):
-    """One thing that is drawn with one call: its mesh and colour."""
-
-    mesh: Mesh
-    colour: Colour
 
 
 def building_parts(plan: FloorPlan) -> dict[str, Part]:

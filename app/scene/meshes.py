@@ -4,9 +4,12 @@ import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
+
+from app.scene.palette import Colour
 
 Vector = tuple[float, float, float]
 ROUND = 16  # sides of what should look round
@@ -30,6 +33,13 @@ class Mesh:
         cos, sin = math.cos(angle), math.sin(angle)
         turn = np.array([[cos, 0.0, -sin], [0.0, 1.0, 0.0], [sin, 0.0, cos]])
         return Mesh(self.vertices @ turn, self.faces)
+
+
+class Part(NamedTuple):
+    """One thing that is drawn with one call: its mesh and colour."""
+
+    mesh: Mesh
+    colour: Colour
 
 
 def merged(meshes: Iterable[Mesh]) -> Mesh:

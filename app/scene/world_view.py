@@ -6,8 +6,8 @@ from typing import Final
 import viser
 
 from app.geometry import Pose
-from app.scene.building import FURNITURE, WALLS, Part, building_parts, path_parts
-from app.scene.meshes import Mesh
+from app.scene.building import FURNITURE, WALLS, building_parts, path_parts
+from app.scene.meshes import Mesh, Part
 from app.scene.palette import Colour
 from app.scene.views import (
     FIELD_OF_VIEW,

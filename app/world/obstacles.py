@@ -5,7 +5,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from app.quantities import Document, Length, Metres, Radians, Title
+from app.quantities import Document, Length, Metres, Name, Radians, Title
 
 Point = tuple[Metres, Metres]
 
@@ -19,6 +19,7 @@ class Box(Document):
     size: tuple[Length, Length]  # m
     height: Length = 0.75
     angle: Radians = 0.0
+    model: Name | None = None  # a 3D object, drawn in the box's size instead of what its label says
 
     def corners(self) -> list[tuple[float, float]]:
         """Return the four corners, counter-clockwise."""
