@@ -25,6 +25,7 @@ from app.session.real_drive import RealDriveFlow
 from app.session.runs import Runs
 from app.session.visit_flow import VisitFlow
 from app.world.floorplan import FloorPlan, bundled_floorplans, load_floorplan
+from app.world.scene import Offer, bundled_places, find_place
 
 
 @dataclass(slots=True)
@@ -68,16 +69,23 @@ class Flows:
         if screen == self.driving_screen:
             self.control.beat()
 
-    def floorplan_files(self) -> dict[str, Path]:
-        """Return the files of all floor plans by name: the bundled ones, then the clinic's own."""
-        own = {file.stem: file for file in sorted(self.own_floorplans.glob("*.json"))}
-        return {**own, **bundled_floorplans()}
+    def places(self) -> dict[str, Offer]:
+        """Return all that can be driven in, by name: scenes, buildings, then the clinic's own that can be read."""
+        own: dict[str, Offer] = {}
+        for file in sorted(self.own_floorplans.glob("*.json")):
+            with suppress(ValueError):
+                own[file.stem] = Offer(load_floorplan(file))
+        bundled = bundled_places()
+        return bundled | {name: offer for name, offer in own.items() if name not in bundled}
 
 
 def load_plan(flows: Flows, name: str) -> FloorPlan | None:
     """Return a floor plan by its name, None when there is none."""
-    file = flows.floorplan_files().get(name)
-    return None if file is None else load_floorplan(file)
+    bundled = find_place(name)
+    if bundled is not None:
+        return bundled
+    file = flows.own_floorplans / f"{name}.json"
+    return load_floorplan(file) if file.is_file() else None
 
 
 def plan_to_begin_with(flows: Flows) -> tuple[FloorPlan, str] | None:

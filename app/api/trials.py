@@ -19,16 +19,33 @@ from app.session.store_runs import find_trial, keep_trial, trials_of
 from app.session.tables import Trial
 from app.session.watching import Starter
 from app.world.floorplan import FloorPlan
+from app.world.scene import Offer
 
 router = APIRouter(tags=["trials"])
 
 
 class PathView(Document):
-    """A path to choose."""
+    """A path to choose, and what is asked along it."""
 
     name: str
     title: str
     length: float  # m
+    task: str  # path, follow, turn, back or course
+
+
+class SceneView(Document):
+    """The scene that a floor plan is a level of."""
+
+    name: str
+    title: str
+    about: str
+
+
+class LevelView(Document):
+    """How difficult."""
+
+    name: str
+    title: str
 
 
 class FloorPlanView(Document):
@@ -39,6 +56,8 @@ class FloorPlanView(Document):
     width: float  # m
     height: float  # m
     paths: list[PathView]
+    scene: SceneView | None  # None: a building by itself
+    level: LevelView | None
 
 
 class NewTrial(Document):
@@ -125,32 +144,25 @@ def trial_view(trial: Trial) -> TrialView:
 
 @router.get("/floorplans")
 def list_floorplans(_who: Anyone, flows: FlowParts) -> list[FloorPlanView]:
-    """List the floor plans; one that cannot be read is left out."""
-    plans = []
-    for name in flows.floorplan_files():
-        plan = _readable(flows, name)
-        if plan is not None:
-            x_min, y_min, x_max, y_max = plan.bounds
-            plans.append(
-                FloorPlanView(
-                    name=name,
-                    title=plan.title,
-                    width=round(x_max - x_min, 3),
-                    height=round(y_max - y_min, 3),
-                    paths=[
-                        PathView(name=path.name, title=path.title, length=round(path.line.length, 3))
-                        for path in plan.paths
-                    ],
-                )
-            )
-    return plans
+    """List what can be driven in: scenes by level, then buildings; one that cannot be read is left out."""
+    return [_offered(offer) for offer in flows.places().values()]
 
 
-def _readable(flows: Flows, name: str) -> FloorPlan | None:
-    try:
-        return load_plan(flows, name)
-    except ValueError:
-        return None
+def _offered(offer: Offer) -> FloorPlanView:
+    plan, scene, level = offer
+    x_min, y_min, x_max, y_max = plan.bounds
+    return FloorPlanView(
+        name=plan.name,
+        title=plan.title,
+        width=round(x_max - x_min, 3),
+        height=round(y_max - y_min, 3),
+        paths=[
+            PathView(name=path.name, title=path.title, length=round(path.line.length, 3), task=path.task.kind)
+            for path in plan.paths
+        ],
+        scene=None if scene is None else SceneView(name=scene.name, title=scene.title, about=scene.about),
+        level=None if level is None else LevelView(name=level.name, title=level.title),
+    )
 
 
 def _needed_plan(flows: Flows, name: str) -> FloorPlan:

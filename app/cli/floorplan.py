@@ -1,4 +1,4 @@
-"""`bodydrive floorplan`: the storeys to drive in, and new ones from a robot's map."""
+"""`bodydrive floorplan`: the places to drive in, and new ones from a robot's map."""
 
 import json
 from pathlib import Path
@@ -8,11 +8,12 @@ import typer
 
 from app.cli.errors import InputError
 from app.cli.output import write_output
-from app.world.floorplan import bundled_floorplans, load_floorplan
+from app.world.floorplan import load_floorplan
 from app.world.map_import import import_ros_map
+from app.world.scene import bundled_places, is_scene, offers_in
 
 floorplan_app = typer.Typer(
-    help="List the floor plans that come with the software, or make one from a ROS map.",
+    help="List the places that come with the software, check one, or make one from a ROS map.",
     no_args_is_help=True,
     pretty_exceptions_enable=False,
 )
@@ -54,16 +55,19 @@ def import_map(
 
 @floorplan_app.command("list")
 def list_plans(as_json: AsJson = False) -> None:
-    """List the floor plans that come with the software, and their paths."""
+    """List what can be driven in and comes with the software: scenes by level, buildings, and their tasks."""
     try:
-        plans = [load_floorplan(file) for file in bundled_floorplans().values()]
+        plans = [offer.plan for offer in bundled_places().values()]
     except (ValueError, FileNotFoundError) as error:
         raise InputError(str(error)) from error
     listed = [
         {
             "name": plan.name,
             "title": plan.title,
-            "paths": [{"name": path.name, "title": path.title, "length": path.line.length} for path in plan.paths],
+            "paths": [
+                {"name": path.name, "title": path.title, "length": path.line.length, "task": path.task.kind}
+                for path in plan.paths
+            ],
         }
         for plan in plans
     ]
@@ -73,4 +77,16 @@ def list_plans(as_json: AsJson = False) -> None:
     for plan in plans:
         typer.echo(f"{plan.name}: {plan.title}")
         for path in plan.paths:
-            typer.echo(f"  {path.name:<14} {path.line.length:5.1f} m  {path.title}")
+            typer.echo(f"  {path.name:<14} {path.line.length:5.1f} m  {path.task.kind:<7} {path.title}")
+
+
+@floorplan_app.command("check")
+def check_plan(
+    file: Annotated[Path, typer.Argument(metavar="FILE.json", help="A floor plan or a scene.")], as_json: AsJson = False
+) -> None:
+    """Say whether a floor plan or a scene can be driven in, and if not, what is wrong where."""
+    try:
+        plans = list(offers_in(file)) if is_scene(file) else [load_floorplan(file).name]
+    except ValueError as error:
+        raise InputError(str(error)) from error
+    typer.echo(json.dumps({"floorplans": plans}) if as_json else f"{file}: fine ({', '.join(plans)})")

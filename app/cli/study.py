@@ -16,7 +16,8 @@ from app.session.figures import FigureFormat
 from app.session.study import run_study
 from app.session.study_files import check_folder, summary, write_study
 from app.session.study_trial import StudyTrial
-from app.world.floorplan import FloorPlan, bundled_floorplans, load_floorplan
+from app.world.floorplan import FloorPlan, load_floorplan
+from app.world.scene import bundled_places, find_place
 
 MOST_TRIALS = 1000
 LARGEST_SEED = 2**31 - 1
@@ -63,19 +64,19 @@ def study(
 
 
 def find_floorplan(name: str) -> FloorPlan:
-    """Return the bundled floor plan of this name, or the one in the file of this name.
+    """Return the bundled floor plan or scene at a level of this name, or the one in the file of this name.
 
     Raises
     ------
     InputError
         When there is neither.
     """
-    bundled = bundled_floorplans()
-    file = bundled.get(name, Path(name))
-    if name not in bundled and not (name and os.path.exists(name)):
-        raise InputError(f"--floorplan '{name}': there is no such floor plan: use {', '.join(bundled)} or a JSON file")
     try:
-        return load_floorplan(file)
+        place = find_place(name)
+        if place is None and not (name and os.path.exists(name)):
+            known = ", ".join(bundled_places())
+            raise InputError(f"--floorplan '{name}': there is no such floor plan: use {known} or a JSON file")
+        return place or load_floorplan(Path(name))
     except ValueError as error:
         raise InputError(f"--floorplan {error}") from error
 

@@ -78,6 +78,52 @@ def load_scene(file: Path) -> Scene:
     return Scene(head, plans)
 
 
+class Offer(NamedTuple):
+    """A floor plan to drive in: a building by itself, or a scene at a level."""
+
+    plan: FloorPlan
+    scene: SceneHead | None = None
+    level: Level | None = None
+
+
+def bundled_places() -> dict[str, Offer]:
+    """Read everything that comes with the software, by the floor plans' names: scenes, easiest first, then buildings.
+
+    Raises
+    ------
+    ValueError
+        When one of the files is damaged.
+    """
+    offers: dict[str, Offer] = {}
+    for file in bundled_scenes().values():
+        offers |= offers_in(file)
+    return offers | {name: Offer(load_floorplan(file)) for name, file in bundled_floorplans().items()}
+
+
+def offers_in(file: Path) -> dict[str, Offer]:
+    """Return the floor plans of a scene's file by name, easiest first; ValueError as `load_scene`."""
+    head, plans = load_scene(file)
+    levels = head.levels or (None,)
+    return {
+        plan.name: Offer(plan, head, level)
+        for level, plan in ((level, plans[level.name if level else None]) for level in levels)
+    }
+
+
+def find_place(name: str) -> FloorPlan | None:
+    """Return the bundled floor plan of this name, or None; of a scene it is SCENE.LEVEL; ValueError when damaged."""
+    if name in bundled_floorplans():
+        return load_floorplan(bundled_floorplans()[name])
+    file = bundled_scenes().get(name.partition(".")[0])
+    offer = None if file is None else offers_in(file).get(name)
+    return None if offer is None else offer.plan
+
+
+def is_scene(file: Path) -> bool:
+    """Tell whether a file is a scene and not a plain floor plan; ValueError when it cannot be read."""
+    return "about" in _read(file)
+
+
 def bundled_scenes() -> dict[str, Path]:
     """Return the files of the scenes that come with the software, by name, in alphabetical order."""
     return {file.stem: file for file in sorted((data_folder() / "scenes").glob("*.json"))}

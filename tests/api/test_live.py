@@ -82,7 +82,7 @@ def test_a_stop_counts_whatever_else_the_message_says(signed_in: Any) -> None:
 def test_a_trial_shows_where_it_stands(signed_in: Any) -> None:
     signed_in.visit()
     signed_in.calibrate()
-    plan = signed_in.good("GET", "/floorplans")[0]
+    plan = signed_in.good("GET", "/floorplans/apartment")
     with signed_in.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
         signed_in.good(
             "POST", "/trials", json={"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}

@@ -24,7 +24,7 @@ def next_ages(clinic: Any, since: int) -> list[float | None]:
 def driving(signed_in: Any) -> Any:
     signed_in.visit()
     signed_in.calibrate()
-    plan = signed_in.good("GET", "/floorplans")[0]
+    plan = signed_in.good("GET", "/floorplans/apartment")
     signed_in.start = lambda: signed_in.good(
         "POST", "/trials", json={"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}
     )
@@ -101,7 +101,7 @@ def test_what_is_no_text_closes_the_socket(signed_in: Any) -> None:
 
 
 def test_a_trial_needs_the_word_of_its_screen(driving: Any) -> None:
-    plan = driving.good("GET", "/floorplans")[0]
+    plan = driving.good("GET", "/floorplans/apartment")
     where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"]}
     assert driving("POST", "/trials", json=where).status_code == 422
     assert driving("POST", "/trials", json={**where, "screen": "a b"}).status_code == 422

@@ -11,7 +11,7 @@ from fake_clinic import WORD
 def ready(signed_in: Any) -> Any:
     signed_in.patient = signed_in.visit()
     signed_in.calibrate()
-    plan = signed_in.good("GET", "/floorplans")[0]
+    plan = signed_in.good("GET", "/floorplans/apartment")
     signed_in.where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}
     signed_in.document = signed_in.good("GET", f"/floorplans/{plan['name']}")
     return signed_in
@@ -23,8 +23,12 @@ def trial_of(clinic: Any, trial_id: int) -> Any:
 
 def test_floor_plans_are_listed_with_their_paths(ready: Any) -> None:
     plans = ready.good("GET", "/floorplans")
-    assert len(plans) == 3
-    assert all(plan["width"] > 5 and plan["height"] > 5 and plan["paths"][0]["length"] > 5 for plan in plans)
+    buildings = [plan for plan in plans if plan["scene"] is None]
+    assert [plan["name"] for plan in buildings] == ["apartment", "clinic", "corridors"]
+    assert all(plan["width"] > 5 and plan["height"] > 5 and plan["paths"][0]["length"] > 5 for plan in buildings)
+    desert = [plan for plan in plans if plan["scene"] and plan["scene"]["name"] == "desert"]
+    assert [plan["level"]["name"] for plan in desert] == ["easy", "medium", "hard"]
+    assert ready.good("GET", "/floorplans/desert.hard")["ground"]["kind"] == "sand"
     assert ready("GET", "/floorplans/nowhere").status_code == 404
 
 

@@ -107,5 +107,21 @@ def test_import_refuses_in_one_sentence_and_writes_nothing(bodydrive, tmp_path, 
 
 def test_list_names_the_bundled_plans(bodydrive):
     listed = json.loads(bodydrive("floorplan", "list", "--json")[1])["floorplans"]
-    assert [plan["name"] for plan in listed] == ["apartment", "clinic", "corridors"]
+    names = [plan["name"] for plan in listed]
+    assert names[-3:] == ["apartment", "clinic", "corridors"]
+    assert {"desert.easy", "obstacles.hard", "building"} <= set(names)
+    assert {path["task"] for plan in listed for path in plan["paths"]} == {"path", "follow", "turn", "back", "course"}
     assert "clinic: Clinic storey" in bodydrive("floorplan", "list")[1]
+
+
+def test_a_plan_or_scene_is_checked(bodydrive, tmp_path):
+    file = tmp_path / "mine.json"
+    scene = {"name": "mine", "title": "Mine", "about": "Mine.", "levels": [{"name": "easy", "title": "Easy"}]}
+    path = {"name": "main", "title": "Main", "points": [[0, 0], [{"easy": 4}, 0]], "instruction": "Go."}
+    file.write_text(json.dumps({**scene, "paths": [path]}))
+    assert bodydrive("floorplan", "check", str(file)) == (0, f"{file}: fine (mine.easy)\n", "")
+    path["points"] = [[0, 0], [{"easy": "far"}, 0]]
+    file.write_text(json.dumps({**scene, "paths": [path]}))
+    code, _, words = bodydrive("floorplan", "check", str(file))
+    assert code != 0
+    assert f"{file}, level easy, paths[0].points[1][0]: " in words
