@@ -84,7 +84,7 @@ def test_the_story_of_a_real_chair(demo: Demo, tmp_path: Path) -> None:
     try:
         with demo.socket("live") as live:
             until(live, lambda m: m["values"] is not None)
-            plan = good(demo, "GET", "/floorplans")[0]
+            plan = good(demo, "GET", "/floorplans/apartment")
             where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}
             good(demo, "POST", "/trials", where)
             armed(demo, live)
