@@ -97,8 +97,9 @@ def decode_block(
         activation = np.minimum(drive / reach, 1.0)
     u1, u2 = _controls(parameters, activation)
     dt = np.clip(np.diff(t, prepend=t[:1]), 0.0, LARGEST_STEP)
-    v, omega = _twists(parameters, u1, u2, dt, state)
-    x, y, theta = _drive(chair, v, omega, dt) if chair else _unicycle(v, omega, dt)
+    permitted = np.ones(len(dt), dtype=np.bool_) if state is None else state == State.ARMED
+    v, omega = _twists(parameters, u1, u2, dt, permitted)
+    x, y, theta = _drive(chair, v, omega, dt, permitted) if chair else _unicycle(v, omega, dt)
     return Decoded(score, rate, drive, activation, u1, u2, v, omega, x, y, theta)
 
 
@@ -183,9 +184,8 @@ def _controls(parameters: DriveParameters, activation: Array) -> tuple[Array, Ar
 
 
 def _twists(
-    parameters: DriveParameters, u1: Array, u2: Array, dt: Array, state: NDArray[np.uint8] | None
+    parameters: DriveParameters, u1: Array, u2: Array, dt: Array, permitted: NDArray[np.bool_]
 ) -> tuple[Array, Array]:
-    permitted = np.ones(len(u1), dtype=np.bool_) if state is None else state == State.ARMED
     shaper = Shaper(parameters)
     forward, turn = forward_ramp(parameters.speeds), turn_ramp(parameters.speeds)
     return (
@@ -239,10 +239,10 @@ def _ramped(axis: _Axis, control: Array, dt: Array, permitted: NDArray[np.bool_]
     return speeds
 
 
-def _drive(chair: Chair, v: Array, omega: Array, dt: Array) -> tuple[Array, Array, Array]:
+def _drive(chair: Chair, v: Array, omega: Array, dt: Array, permitted: NDArray[np.bool_]) -> tuple[Array, Array, Array]:
     poses = []
-    for forward, turn, step in zip(v.tolist(), omega.tolist(), dt.tolist(), strict=True):
-        state = chair.drive(Twist(forward, turn), step)
+    for forward, turn, step, may in zip(v.tolist(), omega.tolist(), dt.tolist(), permitted.tolist(), strict=True):
+        state = chair.drive(Twist(forward, turn), step, may)
         poses.append((state.x, state.y, state.theta))
     x, y, theta = np.array(poses).reshape(-1, 3).T
     return x, y, theta

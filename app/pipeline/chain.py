@@ -25,6 +25,7 @@ class ChairState(Protocol):
     theta: float
     in_contact: bool
     contacts: int
+    scene_t: float
 
 
 class Chair(Protocol):
@@ -40,8 +41,8 @@ class Chair(Protocol):
         """Whether a person may sit in it."""
         ...
 
-    def drive(self, twist: Twist, dt: float) -> ChairState:
-        """Do `twist` for `dt` (s) and tell where that led."""
+    def drive(self, twist: Twist, dt: float, permitted: bool, /) -> ChairState:
+        """Do `twist` for `dt` (s) and tell where that led; what moves by itself goes on while motion is permitted."""
         ...
 
 
@@ -135,10 +136,10 @@ class Chain:
             twist = self._decide(self._decoder, self._controls, self._shaper, frame, t, pause, dt, conditions)
         else:
             twist = STANDSTILL
-        state = self.chair.drive(twist, dt)
+        state = self.chair.drive(twist, dt, self.gate.state is State.ARMED)
         tick.v, tick.omega = twist
         tick.x, tick.y, tick.theta = state.x, state.y, state.theta
-        tick.in_contact, tick.contacts = state.in_contact, state.contacts
+        tick.in_contact, tick.contacts, tick.scene_t = state.in_contact, state.contacts, state.scene_t
         tick.state, tick.fault, tick.stops = self.gate.state, self.gate.fault, self.gate.stops
         return tick
 

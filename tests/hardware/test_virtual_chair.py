@@ -160,3 +160,21 @@ def test_placing_lets_it_stand(dynamics):
 def test_a_misspelt_kind_of_dynamics_is_refused():
     with pytest.raises(ValueError, match="unicycle"):
         VirtualChair(None, Pose(0, 0, 0), dynamics="wheelchairs")
+
+
+def test_what_moves_by_itself_moves_while_motion_is_permitted_and_holds_the_chair():
+    guide = {"name": "guide", "kind": "person", "points": [[2, 3], [6, 3]], "pace": [[0, 0.5]], "radius": 0.3}
+    plan = FloorPlan.model_validate({**PLAN.model_dump(), "walls": [], "obstacles": [], "movers": [guide]})
+    chair = VirtualChair(plan, Pose(0.5, 3, 0))
+    for _ in range(200):
+        state = chair.drive(FORWARD, 0.01)
+    assert state.scene_t == 0.0
+    assert state.in_contact
+    assert state.contacts == 1
+    assert state.x == pytest.approx(2 - 0.3 - 0.32, abs=0.02)
+    for _ in range(200):
+        state = chair.drive(Twist(0.0, 0.0), 0.01, True)
+    assert state.scene_t == pytest.approx(2.0)
+    assert not state.in_contact, "he has gone on"
+    chair.place(Pose(0.5, 3, 0))
+    assert chair.state.scene_t == 0.0

@@ -122,7 +122,7 @@ class ChairLink:
         self._pose = pose
         self.state = ChairState(*pose, 0.0, 0.0, in_contact=False, contacts=0)
 
-    def drive(self, _twist: Twist, dt: float) -> ChairState:
+    def drive(self, _twist: Twist, dt: float, _permitted: bool = False) -> ChairState:
         """Reckon on by `dt` (s) and return the new state; `tell` is what tells the chair to drive."""
         driven = self._driven()
         self._pose = pose = arc(self._pose, driven, dt)

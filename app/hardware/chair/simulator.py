@@ -9,6 +9,7 @@ from app.speeds import NO_FURTHER
 from app.world import dynamics, kinematics
 from app.world.collision import Collision
 from app.world.dynamics import Motion, Wheelchair
+from app.world.encounter import Encounters
 from app.world.floorplan import FloorPlan
 
 Dynamics = Literal["unicycle", "wheelchair"]
@@ -29,6 +30,7 @@ class ChairState:
     omega: float  # rad/s
     in_contact: bool
     contacts: int  # beginnings of contact since it was placed
+    scene_t: float = 0.0  # s of permitted motion since it was placed: the time of what moves by itself
 
 
 class VirtualChair:
@@ -41,13 +43,14 @@ class VirtualChair:
     is_real = False
     speeds = NO_FURTHER
 
-    __slots__ = ("_collision", "_contacts", "_free_for", "_motion", "_wheelchair", "state")
+    __slots__ = ("_collision", "_contacts", "_encounters", "_free_for", "_motion", "_wheelchair", "state")
 
     def __init__(self, floorplan: FloorPlan | None, start: Pose, dynamics: Dynamics = "unicycle") -> None:
         """Raise ValueError when there are no such `dynamics`, or the chair cannot stand on `start`."""
         if dynamics not in get_args(Dynamics):
             raise ValueError(f"there are no dynamics '{dynamics}': use unicycle or wheelchair")
         self._collision = Collision(floorplan)
+        self._encounters = Encounters(floorplan.movers if floorplan else ())
         self._wheelchair = Wheelchair() if dynamics == "wheelchair" else None
         self.place(start)
 
@@ -70,10 +73,11 @@ class VirtualChair:
         self._free_for = FREE_AGAIN
         self.state = ChairState(pose.x, pose.y, pose.theta, 0.0, 0.0, False, 0)
 
-    def drive(self, twist: Twist, dt: float) -> ChairState:
+    def drive(self, twist: Twist, dt: float, permitted: bool = False) -> ChairState:
         """Drive `twist` for `dt` seconds (at most 0.1) and return the new state.
 
         A step of no or negative duration moves nothing; a twist that is no command of a wheelchair is a standstill.
+        While motion is `permitted`, what moves by itself goes on, too.
         """
         if not (-FASTEST <= twist.v <= FASTEST and -FASTEST <= twist.omega <= FASTEST):
             twist = STANDSTILL
@@ -86,7 +90,13 @@ class VirtualChair:
         else:
             wanted = dynamics.step(self._motion, twist, dt, self._wheelchair)
         v, theta = wanted.v, wanted.pose.theta
+        scene_t = self.state.scene_t + dt if permitted else self.state.scene_t
         x, y, touching = self._collision.slide(pose.x, pose.y, wanted.pose.x, wanted.pose.y)
+        if self._encounters:
+            x, y, met = self._encounters.hold(pose.x, pose.y, x, y, scene_t)
+            if met:
+                x, y, _ = self._collision.slide(pose.x, pose.y, x, y)  # along somebody, but not into a wall
+                touching = True
         if touching:
             if self._free_for >= FREE_AGAIN:
                 self._contacts += 1
@@ -96,5 +106,5 @@ class VirtualChair:
         else:
             self._free_for += dt
         self._motion = wanted
-        self.state = ChairState(x, y, theta, v, wanted.omega, touching, self._contacts)
+        self.state = ChairState(x, y, theta, v, wanted.omega, touching, self._contacts, scene_t)
         return self.state

@@ -1,0 +1,43 @@
+"""What moving things do to a chair that meets them: they hold it like a column, and push nobody."""
+
+import math
+from collections.abc import Sequence
+
+from app.world.kinematics import CHAIR_RADIUS
+from app.world.scenery import Mover, Track
+
+TOUCH = 1e-3  # m; nearer than this counts as touching
+
+
+class Encounters:
+    """A circle of `radius` (m) among moving things."""
+
+    __slots__ = ("_reaches", "_tracks")
+
+    def __init__(self, movers: Sequence[Mover], radius: float = CHAIR_RADIUS) -> None:
+        self._tracks = [Track(mover) for mover in movers]
+        self._reaches = [mover.radius + radius for mover in movers]
+
+    def __bool__(self) -> bool:
+        """Tell whether there is anybody to meet."""
+        return bool(self._tracks)
+
+    def hold(self, x: float, y: float, new_x: float, new_y: float, scene_t: float) -> tuple[float, float, bool]:
+        """Return where a chair at (x, y) that wants to (new_x, new_y) comes to, and whether it touches anybody.
+
+        Of a way that leads nearer to somebody within reach only the part along him is kept; a way off is always free.
+        """
+        touching = False
+        for track, reach in zip(self._tracks, self._reaches, strict=True):
+            other = track.at(scene_t).pose
+            away_x, away_y = new_x - other.x, new_y - other.y
+            distance = math.hypot(away_x, away_y)
+            if distance > reach + TOUCH:
+                continue
+            touching = True
+            if distance >= reach or distance >= math.hypot(x - other.x, y - other.y) or distance == 0.0:
+                continue
+            away_x, away_y = away_x / distance, away_y / distance
+            inwards = min(0.0, (new_x - x) * away_x + (new_y - y) * away_y)
+            new_x, new_y = new_x - inwards * away_x, new_y - inwards * away_y
+        return new_x, new_y, touching
