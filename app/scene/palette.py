@@ -33,6 +33,21 @@ HAIR: Final[Colour] = (92, 70, 54)
 SHIRT: Final[Colour] = (94, 168, 180)
 TROUSERS: Final[Colour] = (70, 92, 130)
 
+SAND: Final[Colour] = (206, 176, 128)
+SAND_RIPPLE: Final[Colour] = (190, 159, 112)
+GRASS: Final[Colour] = (116, 150, 92)
+GRASS_TUFT: Final[Colour] = (102, 137, 80)
+ASPHALT: Final[Colour] = (112, 117, 122)
+ASPHALT_SEAM: Final[Colour] = (96, 101, 107)
+VERGE: Final[Colour] = (128, 150, 106)
+HORIZON: Final[Colour] = (196, 208, 212)
+ROCK: Final[Colour] = (146, 126, 106)
+PALE_ROCK: Final[Colour] = (168, 148, 124)
+CONE: Final[Colour] = (236, 104, 24)
+MARK: Final[Colour] = (240, 178, 32)
+LATER: Final[Colour] = (142, 156, 166)
+JACKET: Final[Colour] = (206, 88, 52)
+
 DRIVEN_STROKE: Final = "#c81e1e"
 PRESCRIBED_STROKE: Final = "#1d5fa8"
 """Plots show the prescribed path blue; on the floor it is white, where it is looked at from a chair."""

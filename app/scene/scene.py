@@ -1,34 +1,65 @@
 """The whole 3D scene of a visit: both roles' pictures follow one chair."""
 
+import logging
 import math
 import threading
+from pathlib import Path
 from typing import Final
 
 import numpy as np
 
 from app.geometry import Pose
+from app.scene.building import building_parts
+from app.scene.cones import Cones
+from app.scene.head_view import Angles
+from app.scene.models import Model, read_model
+from app.scene.movers import mover_parts
 from app.scene.plots import Plots
 from app.scene.servers import ROLES, Role, RoleServers
+from app.scene.task_marks import later_parts, task_parts
 from app.scene.trajectory import Trajectory
-from app.scene.views import View
-from app.scene.world_view import WorldView
-from app.world.floorplan import FloorPlan
+from app.scene.views import EyeSettings, Orbit, View
+from app.scene.world_view import Drawing, WorldView
+from app.world.floorplan import FloorPlan, PrescribedPath
+from app.world.scenery import Track
+from app.world.task_progress import TaskProgress, progress_of
 
 CLOCK_WRAPS = 100.0  # s; viser leaves out changes below a hundred-thousandth, so that a clock must stay small
 CLOCK_NODE: Final = "/clock"
+NO_HEAD: Final = Angles(math.nan, math.nan, math.nan)
+NOTHING: Final = Drawing({}, ())
+
+logger = logging.getLogger(__name__)
 
 
 class Scene:
-    """What both roles see. Every method may be called from any thread."""
+    """What both roles see. Every method may be called from any thread.
 
-    def __init__(self, servers: RoleServers) -> None:
+    Parameters
+    ----------
+    servers
+        One for each role.
+    models
+        Folder of the 3D objects that obstacles name.
+    """
+
+    def __init__(self, servers: RoleServers, models: Path | None = None) -> None:
         self._servers = servers
+        self._models = models
         self._lock = threading.Lock()
         self._views: dict[Role, WorldView] = {role: WorldView(servers[role]) for role in ROLES}
         self._trajectories = [Trajectory(servers[role]) for role in ROLES]
         self._plots = Plots(servers["clinician"])
         self._clocks = [servers[role].scene.add_frame(CLOCK_NODE, show_axes=False, visible=False) for role in ROLES]
         self._plan: FloorPlan | None = None
+        self._path: PrescribedPath | None = None
+        self._drawing = NOTHING
+        self._progress: TaskProgress | None = None
+        self._shown_part: PrescribedPath | None = None
+        self._cones = Cones(())
+        self._tracks: list[Track] = []
+        self._scene_t = 0.0
+        self._t = math.nan
 
     @property
     def plots_open(self) -> bool:
@@ -39,6 +70,14 @@ class Scene:
         """Return where a role looks from."""
         return self._views[role].view
 
+    def settings(self, role: Role) -> EyeSettings:
+        """Return how a role's eye looks."""
+        return self._views[role].settings
+
+    def orbit(self, role: Role) -> Orbit:
+        """Return where a role's free camera is."""
+        return self._views[role].orbit
+
     def set_floorplan(self, plan: FloorPlan | None, path_name: str | None) -> None:
         """Draw another floor plan and the path that is to be driven; forgets what was driven.
 
@@ -47,25 +86,34 @@ class Scene:
         ValueError
             When the plan has no path of this name; the scene stays as it was.
         """
-        if plan is not None and path_name is not None:
-            plan.path_named(path_name)
+        path = None if plan is None or path_name is None else plan.path_named(path_name)
+        drawing = self._drawing if plan == self._plan else self._drawing_of(plan, path)
         with self._lock:
-            self._plan = plan
-            for view in self._views.values():
-                view.show(plan, path_name)
-            for trajectory in self._trajectories:
-                trajectory.clear()
+            self._plan, self._path, self._drawing = plan, path, drawing
+            self._tracks = [] if plan is None else [Track(mover) for mover in plan.movers]
+            self._cones = Cones(() if plan is None else plan.cones)
+            for role in ROLES:
+                with self._servers[role].atomic():
+                    view = self._views[role]
+                    view.draw(drawing)
+                    view.draw_later({} if path is None else later_parts(path))
+                    view.draw_cones(self._cones.parts())
+            self._forget_driven()
             self._plots.show_path(plan, path_name)
-            if plan is not None and path_name is not None:
-                start = plan.path_named(path_name).start
-                for view in self._views.values():
-                    view.place(start)
+            if path is not None:
+                self._place(path.start, 0.0, 0.0, NO_HEAD, math.inf)
             self._flush()
 
-    def set_view(self, role: Role, view: View) -> None:
-        """Let a role look from somewhere else."""
+    def set_view(self, role: Role, view: View, settings: EyeSettings | None = None) -> None:
+        """Let a role look from somewhere else, or with other settings."""
         with self._lock:
-            self._views[role].look(view)
+            self._views[role].look(view, settings)
+            self._flush()
+
+    def set_orbit(self, role: Role, orbit: Orbit) -> None:
+        """Put a role's free camera somewhere else."""
+        with self._lock:
+            self._views[role].turn_free(orbit)
             self._flush()
 
     def open_plots(self, is_open: bool) -> None:
@@ -75,28 +123,65 @@ class Scene:
             self._flush()
 
     def new_trial(self) -> None:
-        """Take away the trajectory and the error of the trial before."""
+        """Take away the trajectory and the error of the trial before, and put up the cones."""
         with self._lock:
-            for trajectory in self._trajectories:
-                trajectory.clear()
-            self._plots.clear()
+            self._forget_driven()
             self._flush()
 
-    def update(self, pose: Pose, t: float) -> None:
-        """Put the chair where it is at `t` (monotonic s); a pose that is not finite is left out."""
-        if not all(map(math.isfinite, (*pose, t))):
+    def update(
+        self,
+        pose: Pose,
+        t: float,
+        *,
+        v: float = 0.0,
+        scene_t: float = 0.0,
+        head: Angles = NO_HEAD,
+        head_age: float = math.inf,
+    ) -> None:
+        """Put everything where it is at one moment; one whose pose or time is not finite is left out.
+
+        Parameters
+        ----------
+        pose
+            The chair's.
+        t
+            Monotonic time, s.
+        v
+            The chair's speed, m/s.
+        scene_t
+            The scene's time, s: it moves what moves by itself.
+        head, head_age
+            The head's angles (rad) and their age (s); what is not finite is a head that is not known.
+        """
+        if not all(map(math.isfinite, (*pose, t, v, scene_t))):
             return
         with self._lock:
-            for view in self._views.values():
-                view.place(pose)
+            if scene_t < self._scene_t:  # the chair was put on the start again
+                self._begin_again()
+            self._scene_t = scene_t
+            if self._progress is not None:
+                self._progress.update(pose, v, scene_t)
+                self._show_part()
+            if self._cones.touch(pose):
+                self._draw_cones()
+            dt = t - self._t if math.isfinite(self._t) else 0.0
+            self._t = t
+            self._place(pose, dt, scene_t, head, head_age)
             for trajectory in self._trajectories:
                 trajectory.add(pose, t)
             self._plots.add(pose, t)
             self._flush()
 
     def follow(self, tick: np.void) -> None:
-        """Put the chair where a tick of the control loop says."""
-        self.update(Pose(float(tick["x"]), float(tick["y"]), float(tick["theta"])), float(tick["t"]))
+        """Put everything where a tick of the control loop says."""
+        self.update(
+            Pose(float(tick["x"]), float(tick["y"]), float(tick["theta"])),
+            float(tick["t"]),
+            v=float(tick["v"]),
+            scene_t=float(tick["scene_t"]),
+            head=Angles(float(tick["head_yaw"]), float(tick["head_pitch"]), float(tick["head_roll"])),
+            head_age=float(tick["head_age"]),
+        )
 
     def tell_time(self, now: float, tick_age: float) -> None:
         """Stamp the picture, so that a page can tell a live one from one that stands still.
@@ -114,6 +199,61 @@ class Scene:
             for view in self._views.values():
                 view.fit_picture()
             self._flush()
+
+    def _place(self, pose: Pose, dt: float, scene_t: float, head: Angles, head_age: float) -> None:
+        movers = [track.at(scene_t).pose for track in self._tracks]
+        for view in self._views.values():
+            view.follow(pose, dt, head, head_age, movers)
+
+    def _forget_driven(self) -> None:
+        for trajectory in self._trajectories:
+            trajectory.clear()
+        self._plots.clear()
+        self._begin_again()
+
+    def _begin_again(self) -> None:
+        """Let the task begin from its start."""
+        self._scene_t = 0.0
+        self._progress = progress_of(self._plan, self._path) if self._plan and self._path else None
+        self._show_part()
+        if self._cones.stand_up():
+            self._draw_cones()
+
+    def _show_part(self) -> None:
+        """Draw the present stage of the task, when it is another than the one that is drawn."""
+        part = None if self._progress is None else self._progress.part
+        if part != self._shown_part:
+            self._shown_part = part
+            parts = {} if part is None else task_parts(part)
+            for view in self._views.values():
+                view.draw_task(parts)
+
+    def _draw_cones(self) -> None:
+        parts = self._cones.parts()
+        for view in self._views.values():
+            view.draw_cones(parts)
+
+    def _drawing_of(self, plan: FloorPlan | None, path: PrescribedPath | None) -> Drawing:
+        if plan is None:
+            return NOTHING
+        return Drawing(
+            building=building_parts(plan, self._model),
+            movers=[mover_parts(mover) for mover in plan.movers],
+            bounds=plan.bounds,
+            wall_height=plan.wall_height if plan.walls else 0.0,
+            lights=plan.lights,
+            start=None if path is None else path.start,
+        )
+
+    def _model(self, name: str) -> Model | None:
+        """Return a 3D object; one that cannot be read is drawn as a plain box."""
+        if self._models is None:
+            return None
+        try:
+            return read_model(self._models / f"{name}.glb")
+        except ValueError as error:
+            logger.warning("an object is drawn as a plain box: %s", error)
+            return None
 
     def _flush(self) -> None:
         for role in ROLES:

@@ -2,6 +2,7 @@
 
 import threading
 from collections.abc import Callable
+from pathlib import Path
 from typing import Final
 
 import numpy as np
@@ -53,8 +54,8 @@ class SceneThread:
             self._ended.wait(max(deadline - clock.now(), 0.0))
 
 
-def start_scene(servers: RoleServers, read_newest: ReadNewest) -> SceneThread:
+def start_scene(servers: RoleServers, read_newest: ReadNewest, models: Path | None = None) -> SceneThread:
     """Draw the scene on the servers and let it follow the newest tick; stop it before the servers."""
-    thread = SceneThread(Scene(servers), read_newest)
+    thread = SceneThread(Scene(servers, models), read_newest)
     thread.start()
     return thread

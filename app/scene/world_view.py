@@ -1,61 +1,88 @@
-"""The building and the chair on one 3D server: what is drawn, and where it stands at the moment."""
+"""The world and the chair on one 3D server: what is drawn, and where it stands at the moment."""
 
 import math
+from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Final
 
 import viser
 
 from app.geometry import Pose
-from app.scene.building import FURNITURE, WALLS, building_parts, path_parts
-from app.scene.meshes import Mesh, Part
-from app.scene.palette import Colour
+from app.scene.building import FURNITURE, WALLS
+from app.scene.group import Group, numbered, put
+from app.scene.head_view import AHEAD, Angles, HeadView
+from app.scene.lighting import Lighting
+from app.scene.meshes import Part
 from app.scene.views import (
     FIELD_OF_VIEW,
+    NEAREST,
     Bounds,
-    Placement,
+    Camera,
+    EyeSettings,
+    Orbit,
     View,
     chair_placement,
     chase_camera,
     eye_camera,
+    first_orbit,
+    free_camera,
     top_camera,
     world_placement,
 )
 from app.scene.wheelchair import chair_parts, person_parts
-from app.world.floorplan import FloorPlan
+from app.world.scenery import Lights
 
-WALLS_SHOWN: Final[dict[View, float]] = {"eye": math.inf, "chase": 1.1, "top": 0.5}  # m: cut low, so that one sees over
-FURNITURE_SHOWN: Final[dict[View, float]] = {"eye": 1.0, "chase": 1.0, "top": 0.25}  # of its height: nothing leans far
+WALLS_SHOWN: Final[dict[View, float]] = {"eye": math.inf, "chase": 1.1, "top": 0.5, "free": 1.1}
+"""Height (m) at which walls are cut, so that one sees over."""
+FURNITURE_SHOWN: Final[dict[View, float]] = {"eye": 1.0, "chase": 1.0, "top": 0.25, "free": 1.0}
+"""Share of its height: from the top nothing leans far."""
+OVERHEAD: Final = ("door_frames", "lintels")  # what hides the way when seen from above
+UPRIGHT: Final = ("flag", "mark")  # of a task: seen from the top they say nothing
 EMPTY: Final[Bounds] = (-5.0, -5.0, 5.0, 5.0)  # of a place without a floor plan
-SUN: Final = (-3000.0, -5000.0, 9000.0)  # so far away that its direction stays the same while the world moves
 LANDSCAPE = 4 / 3  # of a picture whose size is not known yet
+FARTHEST: Final = 700.0  # m
+DEFAULT_LIGHTS: Final = Lights()
 
-MeshNode = viser.MeshHandle
+
+@dataclass(frozen=True, slots=True)
+class Drawing:
+    """What is drawn of a plan; made once for all roles."""
+
+    building: dict[str, Part]
+    movers: Sequence[list[Part]]
+    bounds: Bounds = EMPTY
+    wall_height: float = 0.0
+    lights: Lights = DEFAULT_LIGHTS
+    start: Pose | None = None
 
 
 class WorldView:
-    """One role's picture of the world."""
+    """One role's picture of the world. What a method changes is sent at the server's next `flush`."""
 
     def __init__(self, server: viser.ViserServer) -> None:
         self._server = server
         self._view: View = "eye"
+        self._settings = EyeSettings()
+        self._head = HeadView()
+        self._angles = AHEAD
         self._pose = Pose(0.0, 0.0, 0.0)
         self._aspect = LANDSCAPE
-        self._bounds = EMPTY
-        self._wall_height = 0.0
-        self._plan: FloorPlan | None = None
-        self._path_name: str | None = None
-        self._building: dict[str, MeshNode] = {}
-        self._path: dict[str, MeshNode] = {}
+        self._drawing = Drawing({}, ())
+        self._orbit = first_orbit(EMPTY, None)
         scene = server.scene
         self._world = scene.add_frame("/world", show_axes=False)
         self._chair = scene.add_frame("/world/chair", show_axes=False)
-        _add_lights(server)
-        bodies = {"chair": chair_parts(), "person": person_parts()}
-        self._bodies = [
-            _add(server, f"/world/chair/{name}_{number}", Part(mesh, colour))
-            for name, parts in bodies.items()
-            for number, (colour, mesh) in enumerate(_in_order(parts))
+        self._lighting = Lighting(server)
+        self._building = Group(server, "/world")
+        self._task = Group(server, "/world")
+        self._later = Group(server, "/world")
+        self._cones = Group(server, "/world")
+        self._movers: list[viser.FrameHandle] = []
+        self._bodies = Group(server, "/world/chair")
+        in_it = [
+            Part(mesh, colour) for parts in (chair_parts(), person_parts()) for colour, mesh in sorted(parts.items())
         ]
+        self._bodies.show(numbered("body", in_it))
         self._camera_stands_still()
         server.on_client_connect(self._aim_client)
         self.look("eye")
@@ -65,59 +92,81 @@ class WorldView:
         """Return where this role looks from."""
         return self._view
 
-    def show(self, plan: FloorPlan | None, path_name: str | None) -> None:
-        """Draw a floor plan and one of its paths, or nothing.
+    @property
+    def settings(self) -> EyeSettings:
+        """Return how its eye looks."""
+        return self._settings
 
-        Raises
-        ------
-        ValueError
-            When the plan has no path of this name; the picture stays as it was.
-        """
-        path = None if plan is None or path_name is None else plan.path_named(path_name)
+    @property
+    def orbit(self) -> Orbit:
+        """Return where its free camera is."""
+        return self._orbit
+
+    def draw(self, drawing: Drawing) -> None:
+        """Draw what stands still, and what moves at its beginning."""
         with self._server.atomic():
-            if plan != self._plan:
-                self._remove(self._building)
-                if plan is not None:
-                    parts = building_parts(plan)
-                    self._building = {name: _add(self._server, f"/world/{name}", part) for name, part in parts.items()}
-            self._remove(self._path)
-            if path is not None:
-                self._path = {
-                    name: _add(self._server, f"/world/{name}", part) for name, part in path_parts(path).items()
-                }
-            self._plan, self._path_name = plan, path_name
-            self._bounds = EMPTY if plan is None else plan.bounds
-            self._wall_height = 0.0 if plan is None else plan.wall_height
+            self._building.show(drawing.building)
+            if drawing is not self._drawing:
+                self._orbit = first_orbit(drawing.bounds, drawing.start)
+                self._show_movers(drawing.movers)
+            self._drawing = drawing
+            self._lighting.shine(drawing.lights)
             self.look(self._view)
 
-    def look(self, view: View) -> None:
-        """Look from somewhere else."""
-        self._view = view
+    def draw_task(self, parts: dict[str, Part]) -> None:
+        """Draw what shows the task, or the present stage of it."""
         with self._server.atomic():
-            shown = min(WALLS_SHOWN[view] / self._wall_height, 1.0) if self._wall_height else 1.0
+            self._task.show(parts)
+            self._hide_upright()
+
+    def draw_later(self, parts: dict[str, Part]) -> None:
+        """Draw the stages that are not asked yet."""
+        self._later.show(parts)
+
+    def draw_cones(self, parts: dict[str, Part]) -> None:
+        """Draw the cones as they stand or lie."""
+        self._cones.show(parts)
+
+    def look(self, view: View, settings: EyeSettings | None = None) -> None:
+        """Look from somewhere else, or with other settings."""
+        self._view = view
+        self._settings = self._settings if settings is None else settings
+        self._head.roll_share = self._settings.roll_share
+        height = self._drawing.wall_height
+        with self._server.atomic():
+            shown = min(WALLS_SHOWN[view] / height, 1.0) if height else 1.0
             for name, node in self._building.items():
                 if name in WALLS:
                     node.scale = (1.0, 1.0, shown)
                 elif name.startswith(FURNITURE):
                     node.scale = (1.0, 1.0, FURNITURE_SHOWN[view])
-            for name in ("door_frames", "lintels"):
-                if name in self._building:
-                    self._building[name].visible = view == "eye"
-            if "flag" in self._path:
-                self._path["flag"].visible = view != "top"
-            for body in self._bodies:
+                elif name in OVERHEAD:
+                    node.visible = view == "eye"
+            for body in self._bodies.values():
                 body.visible = view != "eye"
-            self._server.initial_camera.fov = FIELD_OF_VIEW[view]
+            self._hide_upright()
+            self._server.initial_camera.fov = self._field_of_view()
+            self._server.initial_camera.near = NEAREST[view]
             for client in self._server.get_clients().values():
-                client.camera.fov = FIELD_OF_VIEW[view]
-            self.place(self._pose)
+                self._aim(client)
+            self._place()
 
-    def place(self, pose: Pose) -> None:
-        """Put the chair somewhere; call `flush` on the server when everything of this moment is done."""
+    def turn_free(self, orbit: Orbit) -> None:
+        """Put the free camera somewhere else."""
+        self._orbit = orbit
+        if self._view == "free":
+            self._place()
+
+    def follow(self, pose: Pose, dt: float, head: Angles, head_age: float, movers: Sequence[Pose]) -> None:
+        """Put everything where it is `dt` (s) after the last time: chair, head and movers of one moment together."""
+        age = head_age if self._settings.head else math.inf
+        self._angles = self._head.step(dt, *head, age)
         self._pose = pose
         with self._server.atomic():
-            _put(self._chair, chair_placement(pose))
-            _put(self._world, self._world_placement())
+            put(self._chair, chair_placement(pose))
+            for node, place in zip(self._movers, movers, strict=True):
+                put(node, chair_placement(place))
+            self._place()
 
     def fit_picture(self) -> None:
         """Take over the shape of the clients' pictures: the plan seen from the top must fit into the narrowest."""
@@ -130,13 +179,40 @@ class WorldView:
         if aspect != self._aspect:
             self._aspect = aspect
             if self._view == "top":
-                self.place(self._pose)
+                self._place()
 
-    def _world_placement(self) -> Placement:
-        if self._view == "top":
-            shown = min(WALLS_SHOWN["top"], self._wall_height)
-            return world_placement(top_camera(self._bounds, self._aspect, shown))
-        return world_placement(eye_camera(self._pose) if self._view == "eye" else chase_camera(self._pose))
+    def _place(self) -> None:
+        with self._server.atomic():
+            put(self._world, world_placement(self._camera()))
+
+    def _camera(self) -> Camera:
+        match self._view:
+            case "eye":
+                return eye_camera(self._pose, self._angles, self._settings.eye_height)
+            case "chase":
+                return chase_camera(self._pose)
+            case "top":
+                shown = min(WALLS_SHOWN["top"], self._drawing.wall_height)
+                return top_camera(self._drawing.bounds, self._aspect, shown)
+            case "free":
+                return free_camera(self._orbit)
+
+    def _field_of_view(self) -> float:
+        return math.radians(self._settings.fov_deg) if self._view == "eye" else FIELD_OF_VIEW[self._view]
+
+    def _show_movers(self, movers: Sequence[list[Part]]) -> None:
+        for frame in self._movers:
+            frame.remove()
+        self._movers = []
+        for number, parts in enumerate(movers):
+            name = f"/world/mover_{number}"
+            self._movers.append(self._server.scene.add_frame(name, show_axes=False))
+            Group(self._server, name).show(numbered("body", parts))
+
+    def _hide_upright(self) -> None:
+        for name in UPRIGHT:
+            if name in self._task:
+                self._task[name].visible = self._view != "top"
 
     def _camera_stands_still(self) -> None:
         """Keep the camera at the origin, looking along x: the world is moved in front of it."""
@@ -144,38 +220,13 @@ class WorldView:
         camera.position = (0.0, 0.0, 0.0)
         camera.look_at = (1.0, 0.0, 0.0)
         camera.up = (0.0, 0.0, 1.0)
-        camera.near = 0.05  # m
-        camera.far = 400.0
+        camera.far = FARTHEST
 
     def _aim_client(self, client: viser.ClientHandle) -> None:
         # The view may have changed between the page's first message and its being counted as connected.
-        client.camera.fov = FIELD_OF_VIEW[self._view]
+        self._aim(client)
         self.fit_picture()
 
-    def _remove(self, nodes: dict[str, MeshNode]) -> None:
-        for node in nodes.values():
-            node.remove()
-        nodes.clear()
-
-
-def _in_order(parts: dict[Colour, Mesh]) -> list[tuple[Colour, Mesh]]:
-    return sorted(parts.items())
-
-
-def _add(server: viser.ViserServer, name: str, part: Part) -> MeshNode:
-    return server.scene.add_mesh_simple(
-        name, part.mesh.vertices, part.mesh.faces, color=part.colour, cast_shadow=False, receive_shadow=False
-    )
-
-
-def _put(node: viser.SceneNodeHandle, placement: Placement) -> None:
-    node.wxyz = placement.wxyz
-    node.position = placement.position
-
-
-def _add_lights(server: viser.ViserServer) -> None:
-    # They hang under the world so that a wall keeps its shade while the chair turns.
-    server.scene.add_light_hemisphere(
-        "/world/sky", sky_color=(255, 255, 255), ground_color=(206, 208, 200), intensity=3.2
-    )
-    server.scene.add_light_directional("/world/sun", color=(255, 250, 240), intensity=2.2, position=SUN)
+    def _aim(self, client: viser.ClientHandle) -> None:
+        client.camera.fov = self._field_of_view()
+        client.camera.near = NEAREST[self._view]

@@ -3,9 +3,10 @@ import math
 import numpy as np
 import pytest
 
-from app.scene.building import PATH_WIDTH, building_parts, path_parts
+from app.scene.building import building_parts
 from app.scene.furniture import furniture
 from app.scene.meshes import ball, box, limb, merged, rectangle, ring, standing_box, strip, tube, wheel
+from app.scene.task_marks import PATH_WIDTH, task_parts
 from app.scene.wheelchair import chair_parts, person_parts
 from app.world.floorplan import bundled_floorplans, load_floorplan
 from app.world.kinematics import CHAIR_RADIUS
@@ -72,7 +73,7 @@ def test_merging_keeps_every_triangle():
 @pytest.mark.parametrize("name", bundled_floorplans())
 def test_a_building_is_few_meshes_of_few_triangles(name):
     plan = load_floorplan(bundled_floorplans()[name])
-    parts = building_parts(plan) | path_parts(plan.paths[0])
+    parts = building_parts(plan) | task_parts(plan.paths[0])
     bodies = [*chair_parts().values(), *person_parts().values()]
     meshes = [part.mesh for part in parts.values()] + bodies
     assert len(meshes) <= MOST_MESHES

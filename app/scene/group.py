@@ -1,0 +1,72 @@
+"""Meshes on one 3D server that come and go together."""
+
+from collections.abc import ItemsView, Mapping, ValuesView
+
+import numpy as np
+import viser
+
+from app.scene.meshes import Part
+from app.scene.views import Placement
+
+MeshNode = viser.MeshHandle
+
+
+class Group:
+    """The meshes under one node of the picture."""
+
+    def __init__(self, server: viser.ViserServer, under: str) -> None:
+        self._server = server
+        self._under = under
+        self._nodes: dict[str, MeshNode] = {}
+        self._shown: Mapping[str, Part] = {}
+
+    def __contains__(self, name: str) -> bool:
+        """Tell whether there is such a mesh."""
+        return name in self._nodes
+
+    def __getitem__(self, name: str) -> MeshNode:
+        """Return one of the meshes."""
+        return self._nodes[name]
+
+    def items(self) -> ItemsView[str, MeshNode]:
+        """Return names and meshes."""
+        return self._nodes.items()
+
+    def values(self) -> ValuesView[MeshNode]:
+        """Return the meshes."""
+        return self._nodes.values()
+
+    def show(self, parts: Mapping[str, Part]) -> None:
+        """Draw these parts in place of those before; what only changed its shape is kept, and does not blink."""
+        if parts is self._shown:
+            return
+        if self._are_alike(parts):
+            for name, part in parts.items():
+                self._nodes[name].vertices = part.mesh.vertices.astype(np.float32)
+        else:
+            for node in self._nodes.values():
+                node.remove()
+            self._nodes = {name: self._add(f"{self._under}/{name}", part) for name, part in parts.items()}
+        self._shown = parts
+
+    def _are_alike(self, parts: Mapping[str, Part]) -> bool:
+        return self._shown.keys() == parts.keys() and all(
+            part.colour == self._shown[name].colour and np.array_equal(part.mesh.faces, self._shown[name].mesh.faces)
+            for name, part in parts.items()
+        )
+
+    def _add(self, name: str, part: Part) -> MeshNode:
+        return self._server.scene.add_mesh_simple(
+            name, part.mesh.vertices, part.mesh.faces, color=part.colour, cast_shadow=False, receive_shadow=False
+        )
+
+
+def numbered(name: str, parts: list[Part]) -> dict[str, Part]:
+    """Return parts with names made of one name."""
+    return {f"{name}_{number}": part for number, part in enumerate(parts)}
+
+
+def put(node: viser.SceneNodeHandle, placement: Placement) -> None:
+    """Turn and move a node."""
+    node.wxyz = placement.wxyz
+    node.position = placement.position
