@@ -68,6 +68,11 @@ class Settings:
         return self.state / "runs"
 
     @property
+    def models(self) -> Path:
+        """Return the folder of the 3D objects that people bring."""
+        return self.state / "models"
+
+    @property
     def keys(self) -> Path:
         """Return the folder of the keys that are shared with real chairs, one file each."""
         return self.state / "keys"

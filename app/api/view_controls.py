@@ -4,21 +4,40 @@ from collections.abc import Callable
 from typing import Annotated, Any
 
 from fastapi import APIRouter, Depends, HTTPException
-from pydantic import StrictBool
+from pydantic import Field, StrictBool
 
-from app.quantities import Document
+from app.quantities import Document, Fraction, Metres, Radians
 from app.scene.scene import Scene
 from app.scene.servers import Role
-from app.scene.views import View
+from app.scene.views import Orbit, View
 
 SceneNow = Callable[[], Scene | None]
 """Returns the scene of the visit, None while nobody is visiting."""
 
+FieldOfView = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=30, le=110)]  # degrees, vertical
+EyeHeight = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0.8, le=1.6)]  # m
+Elevation = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0.05, le=1.5708)]  # rad above the floor
+Distance = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=1, le=100)]  # m
+
 
 class CameraChoice(Document):
-    """Where to look from."""
+    """Where to look from, and how the patient's eye looks; what is not named stays as it is."""
 
     view: View
+    fov_deg: FieldOfView | None = None
+    eye_height: EyeHeight | None = None
+    roll_share: Fraction | None = None
+    head: StrictBool | None = None
+
+
+class FreeCamera(Document):
+    """Where the free camera is: the direction and distance from which it looks at a point on the floor."""
+
+    azimuth: Radians
+    elevation: Elevation
+    distance: Distance
+    x: Metres
+    y: Metres
 
 
 class PlotsChoice(Document):
@@ -32,10 +51,15 @@ class ViewState(Document):
 
     view: View
     plots: bool
+    fov_deg: float
+    eye_height: float
+    roll_share: float
+    head: bool
+    free: FreeCamera
 
 
 def view_controls(scene_now: SceneNow, clinician: Callable[..., Any]) -> APIRouter:
-    """Return the routes `/view/ROLE/camera` and `/view/clinician/plots`, to be put under `/api/v1`.
+    """Return the routes `/view/ROLE/camera`, `/view/ROLE/free` and `/view/clinician/plots`, to be put under `/api/v1`.
 
     Parameters
     ----------
@@ -56,8 +80,15 @@ def view_controls(scene_now: SceneNow, clinician: Callable[..., Any]) -> APIRout
 
     @router.post("/{role}/camera")
     def look(role: Role, choice: CameraChoice, shown: SceneOfVisit) -> ViewState:
-        """Look from the patient's eye, from behind the chair, or from above."""
-        shown.set_view(role, choice.view)
+        """Look from the patient's eye, from behind the chair, from above, or from anywhere."""
+        changes = choice.model_dump(exclude={"view"}, exclude_none=True)
+        shown.set_view(role, choice.view, shown.settings(role)._replace(**changes))
+        return _state(shown, role)
+
+    @router.post("/{role}/free")
+    def turn(role: Role, place: FreeCamera, shown: SceneOfVisit) -> ViewState:
+        """Put the free camera somewhere else; it is seen while the view is `free`."""
+        shown.set_orbit(role, Orbit(**place.model_dump()))
         return _state(shown, role)
 
     @router.post("/clinician/plots")
@@ -70,4 +101,9 @@ def view_controls(scene_now: SceneNow, clinician: Callable[..., Any]) -> APIRout
 
 
 def _state(scene: Scene, role: Role) -> ViewState:
-    return ViewState(view=scene.view(role), plots=scene.plots_open if role == "clinician" else False)
+    return ViewState(
+        view=scene.view(role),
+        plots=scene.plots_open if role == "clinician" else False,
+        free=FreeCamera(**scene.orbit(role)._asdict()),
+        **scene.settings(role)._asdict(),
+    )

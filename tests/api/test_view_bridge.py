@@ -205,12 +205,38 @@ def test_without_a_3d_server_the_socket_is_refused(port):
 
 def test_the_controls_of_the_view(served):
     api = f"{served.address}/api/v1/view"
-    assert httpx.post(f"{api}/patient/camera", json={"view": "top"}).json() == {"view": "top", "plots": False}
-    assert httpx.post(f"{api}/clinician/plots", json={"open": True}).json() == {"view": "eye", "plots": True}
-    assert httpx.post(f"{api}/clinician/plots", json={"open": False}).json() == {"view": "eye", "plots": False}
+
+    def said(path, **body):
+        return httpx.post(f"{api}/{path}", json=body).json()
+
+    seen = said("patient/camera", view="top")
+    assert (seen["view"], seen["plots"]) == ("top", False)
+    for is_open in (True, False):
+        seen = said("clinician/plots", open=is_open)
+        assert (seen["view"], seen["plots"]) == ("eye", is_open)
     for bad in ({"view": "side"}, {}, {"view": "top", "more": 1}):
         assert httpx.post(f"{api}/clinician/camera", json=bad).status_code == 422
     assert httpx.post(f"{api}/clinician/plots", json={"open": "yes"}).status_code == 422
+
+
+def test_what_is_not_named_about_the_eye_stays_as_it_is(served):
+    api = f"{served.address}/api/v1/view"
+    eye = {"fov_deg": 90, "eye_height": 1.4, "roll_share": 0.5, "head": False}
+    assert httpx.post(f"{api}/patient/camera", json={"view": "eye"} | eye).json().items() >= eye.items()
+    after = httpx.post(f"{api}/patient/camera", json={"view": "chase", "fov_deg": 40}).json()
+    assert after.items() >= (eye | {"fov_deg": 40, "view": "chase"}).items()
+    assert httpx.post(f"{api}/clinician/camera", json={"view": "eye"}).json()["fov_deg"] == 68
+    for bad in ({"fov_deg": 29}, {"fov_deg": 111}, {"eye_height": 0.5}, {"roll_share": 1.1}, {"head": 1}):
+        assert httpx.post(f"{api}/patient/camera", json={"view": "eye"} | bad).status_code == 422
+
+
+def test_the_free_camera_goes_where_it_is_put(served):
+    api = f"{served.address}/api/v1/view"
+    place = {"azimuth": 1.0, "elevation": 0.6, "distance": 8.0, "x": 2.0, "y": 3.0}
+    assert httpx.post(f"{api}/patient/free", json=place).json()["free"] == place
+    assert httpx.post(f"{api}/clinician/camera", json={"view": "eye"}).json()["free"] != place
+    for bad in ({"elevation": 0}, {"elevation": 2}, {"distance": 0.2}, {"distance": 500}, {"azimuth": None}):
+        assert httpx.post(f"{api}/patient/free", json=place | bad).status_code == 422
 
 
 def test_without_a_visit_the_controls_say_what_to_do():
