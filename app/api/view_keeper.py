@@ -3,6 +3,7 @@
 import asyncio
 from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager, suppress
+from pathlib import Path
 from typing import Protocol
 
 import numpy as np
@@ -36,10 +37,10 @@ class VisitScene(Protocol):
 class ServedScene:
     """The real one."""
 
-    def __init__(self, read_newest: ReadNewest) -> None:
+    def __init__(self, read_newest: ReadNewest, models: Path | None = None) -> None:
         self._servers = RoleServers()
         try:
-            self._thread: SceneThread = start_scene(self._servers, read_newest)
+            self._thread: SceneThread = start_scene(self._servers, read_newest, models)
         except BaseException:
             self._servers.stop()
             raise

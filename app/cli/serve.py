@@ -5,6 +5,7 @@ import logging
 import os
 import sys
 import tempfile
+from functools import partial
 from pathlib import Path
 from typing import Annotated
 
@@ -108,7 +109,8 @@ def _nobody_yet(folder: Path) -> bool:
 
 
 def _app(settings: Settings) -> WebApp:
-    return create_app(settings, ControlProcess.start, recorded_readings(), ServedScene)
+    scene = partial(ServedScene, models=settings.models)
+    return create_app(settings, ControlProcess.start, recorded_readings(), scene)
 
 
 def _run(settings: Settings, server: WebServer) -> None:
