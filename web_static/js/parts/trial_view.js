@@ -3,15 +3,13 @@ import { t } from "../texts.js";
 import { cross } from "./cross.js";
 import { speedDial } from "./dial.js";
 import { h, put, write } from "./dom.js";
-import { segments } from "./fields.js";
 import { clock, number } from "./format.js";
 import { miniPlan } from "./mini_plan.js";
 import { pads } from "./pads.js";
 import { trialCue } from "./trial_cue.js";
+import { viewBar } from "./view_bar.js";
 import { viewFrame } from "./view_frame.js";
 
-const VIEWS = ["eye", "chase", "top"];
-const VIEW_PLACE = "bodydrive-view";
 const WIDE = matchMedia("(min-width: 1000px)"); // narrower, the plots would be drawn at the cost of the picture
 const OFF_PATH = 0.01; // m: less is drawn as on the path
 
@@ -32,7 +30,8 @@ export function showTrial(app, root, { plan, path, isVisitor }, signal) {
     mini.element.hidden = isOpen; // the plots stand in the same corner, and show the same line
     view.setPlots(isOpen);
   };
-  const bar = bottomBar(app, path, end.element, onPlots, signal);
+  const views = viewBar(app, view.surface);
+  const bar = bottomBar(app, path, [views.element, end.element], onPlots, signal);
   const title = h("h1", { class: "unseen", tabindex: "-1" }, plan.title);
   const show = ({ detail: now }) => {
     if (!trial) return;
@@ -55,6 +54,7 @@ export function showTrial(app, root, { plan, path, isVisitor }, signal) {
       "div",
       { class: "lower" },
       h("div", { class: "hud dial-card" }, h("b", { class: "small" }, t("dial.title")), speedDial(app, signal)),
+      views.pad,
       isVisitor && h("div", { class: "pad-dock" }, pads(app, signal, { hasNote: false }).element),
       bar.element,
     ),
@@ -99,22 +99,10 @@ function placeCard(plan, path) {
   return { element, show, name: (words) => write(name, words) };
 }
 
-function bottomBar(app, path, endElement, onPlots, signal) {
+function bottomBar(app, path, [views, endElement], onPlots, signal) {
   const speed = h("span", {});
   const square = cross({ hasWords: false });
   const ask = (call) => call.catch((error) => app.toasts.show(error.message));
-  const look = (view) => {
-    sessionStorage.setItem(VIEW_PLACE, view);
-    ask(app.api.post("/view/clinician/camera", { view }));
-  };
-  const first = sessionStorage.getItem(VIEW_PLACE) ?? "eye";
-  look(first);
-  const views = segments(
-    t("trial.views"),
-    VIEWS.map((view) => ({ value: view, label: t(`trial.view.${view}`) })),
-    first,
-    look,
-  );
   let isOpen = false;
   const plots = h("button", { type: "button", class: "btn wide-only", "aria-pressed": "false" }, t("trial.plots"));
   const setPlots = (open) => {

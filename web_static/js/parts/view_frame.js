@@ -1,6 +1,7 @@
 /** The 3D view in its frame: when there is a picture, how fine it is drawn, and the guard against one that has stopped. */
 import { t } from "../texts.js";
-import { h } from "./dom.js";
+import { h, write } from "./dom.js";
+import { number } from "./format.js";
 
 const OLD = 1.0; // s: an older picture must not pass for the present
 const DEAD = 3.0; // s: by then it will not come back by itself
@@ -15,8 +16,10 @@ const PLOTS_WIDTH = 800; // px that the 3D view's page needs to lay its plots be
 const COARSEST = 3; // screen pixels to one drawn pixel, each way
 
 /**
+ * `surface` lies over the picture, hidden until somebody wants to touch it.
  * `ready` comes true with the first live picture: nobody is to drive before there is something to see.
- * @param {AbortSignal} signal @returns {{element: HTMLElement, ready: Promise<void>, setPlots: (is: boolean) => void}}
+ * @param {AbortSignal} signal
+ * @returns {{element: HTMLElement, surface: HTMLElement, ready: Promise<void>, setPlots: (is: boolean) => void}}
  */
 export function viewFrame(signal) {
   const make = () => h("iframe", { src: "/view/clinician/", title: t("trial.frame"), tabindex: "-1" });
@@ -25,7 +28,10 @@ export function viewFrame(signal) {
   let lookedAt = loadedAt;
   let calm = 0;
   const words = h("p", { class: "stale", role: "alert", hidden: true }, t("trial.stale"));
-  const element = h("div", { class: "view" }, frame, words);
+  const about = t("trial.view.surface");
+  const surface = h("div", { class: "surface", tabindex: "0", role: "application", "aria-label": about, hidden: true });
+  const paceWords = h("p", { class: "pace", "aria-live": "off" });
+  const element = h("div", { class: "view" }, frame, surface, paceWords, words);
   const pace = frameCounter();
   let isReady = () => {};
   const ready = new Promise((resolve) => (isReady = () => resolve(undefined)));
@@ -40,7 +46,7 @@ export function viewFrame(signal) {
   };
   const suit = (rate) => {
     if (rate < SLOW) setCoarse(Math.min(COARSEST, coarse + 1));
-    else if (Number.isFinite(rate) && rate > QUICK && coarse > 1 && mayRefine) {
+    else if (rate > QUICK && coarse > 1 && mayRefine) {
       mayRefine = false;
       setCoarse(coarse - 1);
     }
@@ -55,7 +61,12 @@ export function viewFrame(signal) {
     lookedAt = now;
     // A view that never comes must not keep the plan and the figures from being used.
     if (calm >= CALM || !isNew) isReady();
-    if (isLive && !hasPlots) suit(pace.perSecond(frame));
+    const rate = isLive ? pace.perSecond(frame) : Infinity;
+    if (Number.isFinite(rate)) {
+      write(paceWords, paceSentence(rate, lag(frame), coarse));
+      if (!hasPlots) suit(rate);
+    }
+    if (!isLive) write(paceWords, "");
     if (age === null || document.visibilityState !== "visible") return;
     words.hidden = isLive || isNew;
     if (age < DEAD || isNew) return;
@@ -71,7 +82,7 @@ export function viewFrame(signal) {
     hasPlots = is;
     draw(element, is ? Math.max(1, Math.min(coarse, element.clientWidth / PLOTS_WIDTH)) : coarse);
   };
-  return { element, ready, setPlots };
+  return { element, surface, ready, setPlots };
 }
 
 /** Seconds since the picture was last known to be live; null when the frame does not tell. */
@@ -81,6 +92,21 @@ function pictureAge(frame) {
   } catch {
     return null; // a frame that shows an error page belongs to nobody
   }
+}
+
+/** How old what is drawn is, s; null when the frame does not tell. */
+function lag(frame) {
+  try {
+    return frame.contentWindow?.bodydriveView?.lag() ?? null;
+  } catch {
+    return null;
+  }
+}
+
+/** @param {number} rate pictures a second @param {number | null} age s @param {number} coarse */
+function paceSentence(rate, age, coarse) {
+  const figures = t("trial.view.pace", { rate: number(rate, 0), age: age === null ? "–" : number(1000 * age, 0) });
+  return rate < SLOW && coarse >= COARSEST ? `${figures}. ${t("trial.view.slow")}` : figures;
 }
 
 /** Counts the pictures of a frame over two seconds; Infinity while it does not know yet. */
