@@ -17,16 +17,19 @@ from app.api import (
     equipment,
     limits,
     live,
+    patient_live,
+    patient_screen,
     patients,
     review,
     screen,
     trials,
 )
-from app.api.deps import People, anyone_signed_in, clinician
+from app.api.deps import People, clinician, viewer
 from app.api.flows import Flows, flows_of, show_visit
 from app.api.live_hub import LiveHub
 from app.api.pages import install_pages
 from app.api.passwords import Passwords
+from app.api.patient_picture import PatientPicture
 from app.api.picture import LivePicture
 from app.api.refusals import install_refusals
 from app.api.screens import Screens
@@ -48,6 +51,7 @@ from app.session.drive_flow import DriveFlow
 from app.session.equipment import Equipment
 from app.session.fault_log import FaultLog
 from app.session.limits import ClinicLimits
+from app.session.patient_screens import PairingCodes
 from app.session.readings import Readings
 from app.session.real_drive import RealDriveFlow
 from app.session.runs import Runs
@@ -74,6 +78,8 @@ ROUTES = (
     control,
     live,
     screen,
+    patient_screen,
+    patient_live,
 )
 
 WebApp = FastAPI
@@ -130,7 +136,7 @@ def create_app(
         api.include_router(module.router)
     api.include_router(view_controls(scene_now, clinician))
     app.include_router(api)
-    app.include_router(view_router(port_of, may_view, anyone_signed_in))
+    app.include_router(view_router(port_of, may_view, viewer))
     install_pages(app, settings)
     return app
 
@@ -161,6 +167,7 @@ def _flows(
     visit = VisitFlow(database, link, worn, wizard, drive, real, tell)
     shown = LivePicture(link, worn, seats, runs, drive, real, visit)
     hub = LiveHub(shown.picture, shown.quality)
+    patient = PatientPicture(shown, worn, runs, drive)
 
     def driven_now() -> dict[str, int]:
         trial, drive_now = drive.trial, real.drive
@@ -186,6 +193,9 @@ def _flows(
         screens=Screens(),
         faults=FaultLog(database, link, driven_now),
         live=hub,
+        pairing=PairingCodes(),
+        patient=patient,
+        patient_live=LiveHub(patient.picture, dict),
         trajectories=Trajectories(readings.drive),
         view=ViewKeeper(open_scene, link.newest),
         own_floorplans=settings.state / "floorplans",
@@ -207,6 +217,7 @@ async def _start(database: Database, flows: Flows) -> None:
     await flows.equipment.open()
     await flows.visit.try_load_parameters()
     flows.live.start()
+    flows.patient_live.start()
     flows.faults.start()
     if await asyncio.to_thread(_somebody_is_here, database):
         await show_visit(flows)
@@ -229,5 +240,5 @@ def _tidy_up(database: Database) -> None:
 async def _end(flows: Flows) -> None:
     await flows.calibration.stop()
     await asyncio.gather(flows.drive.stop(), flows.real.stop())
-    await asyncio.gather(flows.live.close(), flows.faults.close())
+    await asyncio.gather(flows.live.close(), flows.patient_live.close(), flows.faults.close())
     await asyncio.gather(flows.view.close(), flows.control.close())

@@ -8,14 +8,16 @@ from starlette.requests import HTTPConnection
 
 from app.api.passwords import Passwords
 from app.api.set_up import SetUp
-from app.api.signed_in import SignedIn, find_signed_in
+from app.api.signed_in import PairedScreen, SignedIn, find_signed_in, find_viewer
 from app.api.sockets import OpenSockets
+from app.scene.servers import Role
 from app.session.database import Database
 from app.settings import Settings
 
 RowId = Annotated[int, Path(ge=1, le=2**31)]
 
 DRIVERS = frozenset({"owner", "clinician"})
+NOBODY = "You are not signed in, or no longer: sign in again."
 
 
 @dataclass(slots=True)
@@ -42,7 +44,15 @@ def anyone_signed_in(connection: HTTPConnection, parts: PeopleParts) -> SignedIn
     """Return who is signed in; 401 when nobody is."""
     who = find_signed_in(parts.database, connection.cookies)
     if who is None:
-        raise HTTPException(401, "You are not signed in, or no longer: sign in again.")
+        raise HTTPException(401, NOBODY)
+    return who
+
+
+def viewer(role: Role, connection: HTTPConnection, parts: PeopleParts) -> SignedIn | PairedScreen:
+    """Return who looks at the 3D view of a role: the patient's is for the patient's screens, too; 401 for others."""
+    who = (find_viewer if role == "patient" else find_signed_in)(parts.database, connection.cookies)
+    if who is None:
+        raise HTTPException(401, NOBODY)
     return who
 
 

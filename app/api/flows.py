@@ -10,6 +10,7 @@ from fastapi import Depends, FastAPI
 from starlette.requests import HTTPConnection
 
 from app.api.live_hub import LiveHub
+from app.api.patient_picture import PatientPicture
 from app.api.screens import Screen, Screens
 from app.api.trajectories import Trajectories
 from app.api.view_keeper import ViewKeeper
@@ -21,6 +22,7 @@ from app.session.drive_flow import DriveFlow
 from app.session.equipment import Equipment
 from app.session.fault_log import FaultLog
 from app.session.limits import ClinicLimits
+from app.session.patient_screens import PairingCodes
 from app.session.real_drive import RealDriveFlow
 from app.session.runs import Runs
 from app.session.visit_flow import VisitFlow
@@ -45,6 +47,9 @@ class Flows:
     screens: Screens
     faults: FaultLog
     live: LiveHub
+    pairing: PairingCodes
+    patient: PatientPicture
+    patient_live: LiveHub
     trajectories: Trajectories
     view: ViewKeeper
     own_floorplans: Path

@@ -152,6 +152,7 @@ async def open_visit(body: OpenVisit, who: Clinician, parts: PeopleParts, flows:
 
     async with flows.visit.undisturbed("open a visit"):
         answer = await run_in_threadpool(_open)
+        await parts.sockets.close_ended_screens()
         await flows.visit.visit_changed()
         await show_visit(flows)
     return answer
@@ -169,6 +170,7 @@ async def end_visit(who: Clinician, parts: PeopleParts, flows: FlowParts) -> Vis
 
     async with flows.visit.undisturbed("end the visit"):
         answer = await run_in_threadpool(_end)
+        await parts.sockets.close_ended_screens()
         await flows.view.close()
         await flows.visit.visit_changed()
     return answer

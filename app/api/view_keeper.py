@@ -9,6 +9,7 @@ from typing import Protocol
 import numpy as np
 from fastapi import WebSocket
 
+from app.api.sockets import OpenSockets
 from app.scene.scene import Scene
 from app.scene.scene_thread import SceneThread, start_scene
 from app.scene.servers import Role, RoleServers
@@ -119,10 +120,10 @@ class ViewKeeper:
 
 
 @asynccontextmanager
-async def may_view(websocket: WebSocket, _role: Role) -> AsyncIterator[bool]:
-    """Let a websocket of the 3D view in by sign-in and origin, and close it when the sign-in ends."""
-    sockets = websocket.app.state.people.sockets
-    who = await sockets.admit(websocket)
+async def may_view(websocket: WebSocket, role: Role) -> AsyncIterator[bool]:
+    """Let a websocket of the 3D view in by origin and sign-in (the patient's: or pairing), and close it with that."""
+    sockets: OpenSockets = websocket.app.state.people.sockets
+    who = await (sockets.admit_viewer if role == "patient" else sockets.admit)(websocket)
     if who is None:
         yield False
         return

@@ -3,7 +3,7 @@
 import asyncio
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 from app.session.control import Control
 from app.session.database import Database
@@ -31,12 +31,20 @@ class RunningTrial:
     screen: str  # the word of the screen that did, which must stay in view
     run: OpenRun
     watch: TrialWatch
+    plan: FloorPlan
     path: PrescribedPath
 
     @property
     def place(self) -> TrialPlace:
         """Return where the chair is along the path."""
         return self.watch.place
+
+
+class TrialOver(NamedTuple):
+    """The trial that was driven last, and how it ended."""
+
+    id: int
+    end: End
 
 
 class DriveFlow:
@@ -54,6 +62,7 @@ class DriveFlow:
         self._end_asked = asyncio.Event()
         self._starting = False
         self.trial: RunningTrial | None = None
+        self.over: TrialOver | None = None  # since the program was started
 
     @property
     def running(self) -> bool:
@@ -79,9 +88,9 @@ class DriveFlow:
         except BaseException:
             await self._runs.end()
             raise
-        watch = TrialWatch(path.line, path.goal_radius, path.time_limit)
+        watch = TrialWatch(plan, path)
         self._end_asked.clear()
-        self.trial = RunningTrial(trial_id, who.person_id, who.screen, run, watch, path)
+        self.trial = RunningTrial(trial_id, who.person_id, who.screen, run, watch, plan, path)
         try:
             await self._control.call("arm", hash=parameters_hash)
         except BaseException:
@@ -118,6 +127,7 @@ class DriveFlow:
         end: End = "fault"  # also when watching itself goes wrong: a trial is never left open
         try:
             end = await self._watch(trial)
+            self.over = TrialOver(trial.id, end)
         finally:
             await self._finish(trial, end)
 
@@ -131,7 +141,7 @@ class DriveFlow:
         measures = None
         try:
             await self._runs.end()
-            measures = await asyncio.to_thread(self._readings.measure, trial.run.folder, trial.path)
+            measures = await asyncio.to_thread(self._readings.measure, trial.run.folder, trial.plan, trial.path)
         except (ValueError, OSError):
             measures = None  # too short to measure, or cut: the trial stays in the list without figures
         finally:

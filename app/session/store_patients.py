@@ -86,6 +86,7 @@ def start_session(db: Session, clinic_id: int, patient_id: int) -> PatientSessio
         current_step=None,
         result=None,
         accepted=False,
+        screen=None,
     )
     db.add(session)
     db.flush()

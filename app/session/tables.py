@@ -1,4 +1,4 @@
-"""The tables of a clinic: people, patients, visits, calibrations, parameters, runs, trials, chairs, drives, log."""
+"""The tables of a clinic: people, patients, visits, screens, calibrations, parameters, trials, chairs, drives, log."""
 
 from datetime import UTC, datetime
 from typing import Any
@@ -110,6 +110,21 @@ class PatientSession(Table):
     current_step: Mapped[str | None] = mapped_column(String(64))
     result: Mapped[dict[str, Any] | None]  # the fitted profile before it is accepted
     accepted: Mapped[bool]
+    screen: Mapped[dict[str, Any] | None]  # what the patient's screens show; None: what they show at first
+
+
+class PatientScreen(Table):
+    """A screen that the patient looks at, paired for one visit; its token itself is never stored."""
+
+    __tablename__ = "patient_screen"
+    id: Mapped[int] = mapped_column(primary_key=True)
+    clinic_id: Mapped[int] = mapped_column(ForeignKey("clinic.id"))
+    session_id: Mapped[int] = mapped_column(ForeignKey("session.id"), index=True)
+    token_hash: Mapped[str] = mapped_column(String(64), unique=True)
+    number: Mapped[int]  # 1, 2, 3 ... per visit
+    paired: Mapped[datetime]
+    expires: Mapped[datetime]
+    unpaired: Mapped[datetime | None]
 
 
 class CalibrationStep(Table):

@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 from argon2 import PasswordHasher
 from fake_clinic import Clinic, running
+from pairing import code_of, only, pair
 
 from app.api.passwords import Passwords
 from app.session import calibration_flow, watching
@@ -47,3 +48,24 @@ def signed_in(clinic: Clinic) -> Clinic:
     """A demonstration with its clinician."""
     clinic.good("POST", "/auth/demo", json={"code": "the-code-of-the-link"})
     return clinic
+
+
+@pytest.fixture
+def visited(signed_in: Clinic) -> Clinic:
+    """A demonstration with its clinician, and a patient who is here."""
+    signed_in.visit()
+    return signed_in
+
+
+@pytest.fixture
+def paired(visited: Clinic) -> Clinic:
+    """A browser that is signed in and the patient's screen as well."""
+    assert pair(visited, code_of(visited)).status_code == 200
+    return visited
+
+
+@pytest.fixture
+def screen(paired: Clinic) -> Clinic:
+    """A browser that is the patient's screen and nothing else."""
+    only(paired, "bodydrive_screen")
+    return paired

@@ -14,6 +14,8 @@ OPEN = {
     ("POST", "/api/v1/auth/sign-out"),
     ("GET", "/api/v1/auth/me"),
     ("POST", "/api/v1/control/stop"),
+    ("POST", "/api/v1/patient-screen/pair"),
+    ("GET", "/api/v1/patient-screen/me"),
     ("GET", "/vendor/plotly.min.js"),
 }
 
@@ -26,7 +28,7 @@ def test_every_route_asks_who_is_signed_in_unless_it_is_meant_to_be_open(clinic:
             if (method.upper(), path) in OPEN:
                 continue
             url = path.removeprefix("/api/v1")
-            for name in ("patient_id", "trial_id", "step", "name", "role"):
+            for name in ("patient_id", "trial_id", "screen_id", "step", "name", "role"):
                 url = url.replace(f"{{{name}}}", "1")
             assert clinic(method.upper(), url).status_code == 401, (method, path)
             checked += 1

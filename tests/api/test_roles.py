@@ -10,10 +10,10 @@ from fastapi.dependencies.models import Dependant
 from fastapi.routing import APIRoute, APIWebSocketRoute, RouteContext, iter_route_contexts
 from starlette.websockets import WebSocketDisconnect
 
-from app.api.deps import anyone_signed_in, clinician, everyone, owner
+from app.api.deps import anyone_signed_in, clinician, everyone, owner, viewer
 from app.session.store_people import add_person, find_person, sign_in, the_clinic
 
-RIGHTS = {everyone: 0, anyone_signed_in: 1, clinician: 2, owner: 3}
+RIGHTS = {everyone: 0, anyone_signed_in: 1, viewer: 1, clinician: 2, owner: 3}
 ROLES = {"anonymous": 0, "reviewer": 1, "clinician": 2, "owner": 3}
 PAGES = {"/vendor/plotly.min.js"}  # as public as the other files of the pages
 
@@ -25,7 +25,10 @@ FOR_EVERYONE = {
     "POST /auth/sign-out",
     "GET /auth/me",
     "POST /control/stop",
+    "POST /patient-screen/pair",
+    "GET /patient-screen/me",
 }
+FOR_PATIENTS_SCREENS = {"GET /view/{role}/"}  # the patient's only
 FOR_OWNERS = {"POST /chairs", "DELETE /chairs/{chair_id}", "PUT /limits"}
 FOR_REVIEWERS = {
     "GET /patients",
@@ -90,7 +93,7 @@ def test_the_matrix_of_roles_and_routes(clinic: Clinic, role: str) -> None:
             with database.transaction() as db:  # anew: one of the routes signs out
                 clinic.client.cookies["bodydrive_session"] = sign_in(db, find_person(db, role), "test")
         method, path = name.split()
-        for placeholder in ("{chair_id}", "{patient_id}", "{trial_id}"):
+        for placeholder in ("{chair_id}", "{patient_id}", "{trial_id}", "{screen_id}"):
             path = path.replace(placeholder, "1")
         path = path.replace("{name}", "nowhere").replace("{step}", "rest").replace("{role}", "clinician")
         prefix = "" if path.startswith("/view/clinician/") and method == "GET" else "/api/v1"
@@ -109,7 +112,7 @@ def test_the_matrix_of_roles_and_routes(clinic: Clinic, role: str) -> None:
 
 def test_no_websocket_opens_for_nobody(clinic: Clinic) -> None:
     sockets = {context.path for context in contexts(clinic.client.app, APIWebSocketRoute)}  # type: ignore[arg-type]
-    assert sockets == {"/api/v1/live", "/api/v1/screen", "/view/{role}", "/view/{role}/"}
+    assert sockets == {"/api/v1/live", "/api/v1/screen", "/api/v1/patient/live", "/view/{role}", "/view/{role}/"}
     for path in sockets:
         url = f"{BASE.replace('http', 'ws')}{path.replace('{role}', 'clinician')}"
         with (

@@ -1,0 +1,70 @@
+"""What the patient's screen is told, 20 times a second: what to do, where the chair is, and nothing of who is here."""
+
+from typing import Any
+
+from app.api.picture import LivePicture
+from app.calibration.script import movement_words
+from app.faults import Fault
+from app.session.drive_flow import DriveFlow
+from app.session.equipment import Equipment
+from app.session.patient_words import patient_words
+from app.session.runs import Runs
+from app.session.store_patient_screens import Wishes
+
+SAID = ("tick", "t", "state", "control", "v", "pose", "contacts", "stops")
+
+
+class PatientPicture:
+    """Makes the patient's picture out of the clinician's, so that both show the same moment in the same way."""
+
+    def __init__(self, shown: LivePicture, equipment: Equipment, runs: Runs, drive: DriveFlow) -> None:
+        self._shown = shown
+        self._equipment = equipment
+        self._runs = runs
+        self._drive = drive
+        self.wishes = Wishes()  # of the visit that goes on
+
+    def picture(self) -> dict[str, Any]:
+        """Return the message of this moment."""
+        shown = self._shown.picture()
+        fault = shown["fault"]
+        over = self._drive.over
+        return {
+            **{name: shown[name] for name in SAID},
+            "fault": fault and {"name": fault["name"], "words": patient_words(Fault[fault["name"].upper()])},
+            "trial": self._trial(shown["trial"]),
+            "drives": shown["trial"] is not None or shown["drive"] is not None,
+            "cue": self._cue(shown["run"]),
+            "over": None if over is None else {"id": over.id, "end": over.end},
+            "asks": self.wishes.model_dump(),
+        }
+
+    def _trial(self, shown: dict[str, Any] | None) -> dict[str, Any] | None:
+        trial = self._drive.trial
+        if shown is None or trial is None:
+            return None
+        path = trial.path
+        seen = {"instruction": path.instruction, "target": path.points[-1], "stage": 0, "stages": 1, **shown}
+        said = ("id", "t", "done", "length", "stage", "stages", "instruction", "target")
+        return {name: seen[name] for name in said}
+
+    def _cue(self, shown: dict[str, Any] | None) -> dict[str, Any] | None:
+        run = self._runs.open
+        if run is None or shown is None or shown["cue"] is None or shown["t"] is None:
+            return None
+        cue = run.cues[shown["cue"]]
+        after = run.cues[shown["cue"] + 1 :][:1]
+        return {
+            "index": shown["cue"],
+            "kind": cue.kind,
+            "movement": self._movement(cue.joint),
+            "t": round(shown["t"] - cue.start, 3),
+            "length": round(cue.end - cue.start, 3),
+            "next": after[0].kind if after else None,
+        }
+
+    def _movement(self, joint: str | None) -> str | None:
+        layout = self._equipment.layout
+        if joint is None or layout is None:
+            return None
+        return next((movement_words(known) for known in layout.joints if known.name == joint), None)

@@ -1,0 +1,32 @@
+"""Pairing a patient's screen, and what its browser keeps."""
+
+from typing import Any
+
+from fake_clinic import Clinic
+from starlette.websockets import WebSocketDisconnect
+
+COOKIES = ("bodydrive_session", "bodydrive_screen")
+
+
+def only(clinic: Clinic, cookie: str | None) -> None:
+    """Let the browser forget all cookies but one."""
+    for name in COOKIES:
+        if name != cookie and name in clinic.client.cookies:
+            clinic.client.cookies.delete(name)
+
+
+def code_of(clinic: Clinic) -> str:
+    return str(clinic.good("POST", "/patient-screen/pairing")["code"])
+
+
+def pair(clinic: Clinic, code: str) -> Any:
+    return clinic("POST", "/patient-screen/pair", json={"code": code})
+
+
+def closing(socket: Any) -> int:
+    for _ in range(1000):
+        try:
+            socket.receive_json()
+        except WebSocketDisconnect as closed:
+            return closed.code
+    raise AssertionError("the socket was not closed")

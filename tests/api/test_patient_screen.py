@@ -1,0 +1,196 @@
+"""The patient's screen: paired once by a code, opened by its own cookie, closed with the visit."""
+
+from datetime import timedelta
+
+import pytest
+from fake_clinic import BASE, Clinic
+from pairing import closing, code_of, only, pair
+from starlette.websockets import WebSocketDisconnect
+from test_roles import FOR_EVERYONE, FOR_PATIENTS_SCREENS, table
+
+from app.scene.wire import SUBPROTOCOL
+from app.session import patient_screens, store_patient_screens
+from app.session.store_people import find_person, sign_in
+
+ORIGIN = {"Origin": BASE}
+WS = BASE.replace("http", "ws")
+LIVE = f"{WS}/api/v1/patient/live"
+
+
+def test_a_code_pairs_one_screen_with_a_cookie_of_its_own(visited: Clinic) -> None:
+    offered = visited.good("POST", "/patient-screen/pairing")
+    assert offered["url"] == f"{BASE}/patient.html#pair={offered['code']}"
+    assert offered["qr"].startswith("<svg")
+    assert "only this machine" in offered["words"].lower()
+    assert len(offered["code"]) >= 22  # 128 bits, six to a letter
+    answer = pair(visited, offered["code"])
+    assert answer.json() == {"state": "paired"}
+    cookie = answer.headers["set-cookie"]
+    assert cookie.startswith("bodydrive_screen=")
+    assert {"httponly", "samesite=lax", "max-age=43200"} <= {part.strip().lower() for part in cookie.split(";")}
+    again = pair(visited, offered["code"])
+    assert (again.status_code, "used" in again.json()["detail"]) == (409, True)
+    (shown,) = visited.good("GET", "/patient-screen")["screens"]
+    assert (shown["number"], shown["connected"]) == (1, False)
+    token = answer.cookies["bodydrive_screen"]
+    for file in visited.client.app.state.people.settings.state.glob("bodydrive.sqlite*"):  # type: ignore[attr-defined]
+        assert token.encode() not in file.read_bytes()
+    entry = visited.log()[-1]
+    assert (entry.person, entry.what) == ("Demo clinician", "patient's screen paired")
+
+
+def test_nobody_pairs_without_a_visit(signed_in: Clinic) -> None:
+    assert signed_in("POST", "/patient-screen/pairing").status_code == 409
+    assert signed_in("GET", "/patient-screen").status_code == 409
+    signed_in.visit()
+    code = code_of(signed_in)
+    signed_in.good("DELETE", "/visit")
+    assert pair(signed_in, code).status_code == 409
+    assert "bodydrive_screen" not in signed_in.client.cookies
+
+
+def test_only_the_newest_code_pairs_and_not_for_long(visited: Clinic, monkeypatch: pytest.MonkeyPatch) -> None:
+    first, second = code_of(visited), code_of(visited)
+    assert first != second
+    assert pair(visited, first).status_code == 409
+    now = patient_screens.monotonic()
+    monkeypatch.setattr(patient_screens, "monotonic", lambda: now + 601.0)
+    assert pair(visited, second).status_code == 409
+
+
+def test_guesses_are_slowed_down_and_a_right_code_has_to_wait_with_them(visited: Clinic) -> None:
+    code = code_of(visited)
+    answers = [pair(visited, f"guess-{i}").status_code for i in range(12)]
+    assert answers == [409] * 10 + [429] * 2
+    assert pair(visited, code).status_code == 429
+
+
+def test_one_address_that_guesses_holds_up_no_other(monkeypatch: pytest.MonkeyPatch) -> None:
+    codes = patient_screens.PairingCodes()
+    code = codes.offer(1, "Ada").code
+    for i in range(patient_screens.TRIES):
+        with pytest.raises(patient_screens.Conflict):
+            codes.redeem(f"guess-{i}", "10.0.0.1")
+    with pytest.raises(patient_screens.TooManyTries):
+        codes.redeem(code, "10.0.0.1")
+    now = patient_screens.monotonic()
+    monkeypatch.setattr(patient_screens, "monotonic", lambda: now + 61.0)
+    assert codes.redeem(code, "10.0.0.1").session_id == 1
+    code = codes.offer(2, "Ada").code
+    assert codes.redeem(code, "10.0.0.2").session_id == 2
+
+
+def test_its_cookie_opens_no_other_route(screen: Clinic) -> None:
+    """Every route of the application is asked; what is for everyone is for the patient's screen, too."""
+    wrong = []
+    for name in table(screen.client.app):  # type: ignore[arg-type]
+        if name in FOR_EVERYONE:
+            continue
+        method, path = name.split()
+        for placeholder in ("{chair_id}", "{patient_id}", "{trial_id}", "{screen_id}"):
+            path = path.replace(placeholder, "1")
+        path = path.replace("{name}", "nowhere").replace("{step}", "rest")
+        prefix = "" if name in FOR_PATIENTS_SCREENS else "/api/v1"
+        for role in ("clinician", "patient") if "{role}" in path else ("",):
+            url = f"{prefix}{path.replace('{role}', role)}"
+            opens = name in FOR_PATIENTS_SCREENS and role == "patient"
+            for body in ({}, {"json": {}}):
+                status = screen.client.request(method, url, headers=ORIGIN, **body).status_code
+                if status != (200 if opens else 401):
+                    wrong.append((method, url, status))
+    assert wrong == []
+
+
+def test_its_cookie_opens_its_own_sockets_and_no_other(screen: Clinic) -> None:
+    with screen.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+        assert socket.receive_json()["state"] == "disarmed"
+    for path in ("/api/v1/live", "/api/v1/screen", "/view/clinician", "/view/patient"):
+        with (
+            pytest.raises(WebSocketDisconnect) as closed,
+            screen.client.websocket_connect(f"{WS}{path}", [SUBPROTOCOL], headers=ORIGIN) as socket,
+        ):
+            socket.receive_text()
+        # 4409: let in, and told that there is no 3D view here
+        assert closed.value.code == (4409 if path == "/view/patient" else 4401), path
+
+
+@pytest.mark.parametrize("headers", [{}, {"Origin": "http://evil.example"}])
+def test_another_origin_opens_no_socket_and_pairs_nothing(screen: Clinic, headers: dict[str, str]) -> None:
+    with pytest.raises(WebSocketDisconnect), screen.client.websocket_connect(LIVE, headers=headers):
+        pass
+    assert screen.client.post("/api/v1/patient-screen/pair", json={"code": "x"}, headers=headers).status_code == 403
+
+
+def test_a_sign_in_alone_is_no_patients_screen(visited: Clinic) -> None:
+    with pytest.raises(WebSocketDisconnect), visited.client.websocket_connect(LIVE, headers=ORIGIN):
+        pass
+    assert visited.good("GET", "/patient-screen/me") == {"state": "none"}
+
+
+def test_unpairing_closes_its_sockets_and_leaves_the_sign_in_alone(paired: Clinic) -> None:
+    paired.calibrate()
+    with paired.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+        socket.receive_json()
+        (shown,) = paired.good("GET", "/patient-screen")["screens"]
+        assert shown["connected"] is True
+        left = paired.good("DELETE", f"/patient-screen/{shown['id']}")
+        assert left["screens"] == []
+        assert closing(socket) == 4401
+    assert paired.good("GET", "/patient-screen/me") == {"state": "unpaired"}
+    assert paired.log()[-1].what == "patient's screen unpaired"
+    assert paired("DELETE", f"/patient-screen/{shown['id']}").status_code == 404
+    assert paired("GET", "/patients").status_code == 200
+
+
+def test_the_end_of_the_visit_is_the_end_of_its_screens(paired: Clinic) -> None:
+    with paired.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+        socket.receive_json()
+        paired.good("DELETE", "/visit")
+        assert closing(socket) == 4401
+    assert paired.good("GET", "/patient-screen/me") == {"state": "over"}
+    other = paired.good("POST", "/patients", json={"code": "P-2", "pseudonym": "Plover"})
+    paired.good("POST", "/visit", json={"patient_id": other["id"]})
+    only(paired, "bodydrive_screen")
+    assert paired.client.get("/view/patient/", headers=ORIGIN).status_code == 401
+
+
+def test_a_forgotten_visit_keeps_no_screen_for_more_than_twelve_hours(
+    screen: Clinic, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    now = store_patient_screens.utc_now()
+    monkeypatch.setattr(store_patient_screens, "utc_now", lambda: now + timedelta(hours=12, minutes=1))
+    assert screen.good("GET", "/patient-screen/me") == {"state": "over"}
+    assert screen.client.get("/view/patient/", headers=ORIGIN).status_code == 401
+
+
+def test_signing_out_in_the_same_browser_leaves_the_screen(paired: Clinic) -> None:
+    with paired.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+        paired.good("POST", "/auth/sign-out")
+        for _ in range(3):
+            socket.receive_json()
+    assert paired.good("GET", "/patient-screen/me") == {"state": "paired"}
+
+
+def test_a_browser_that_pairs_again_is_the_same_screen(paired: Clinic) -> None:
+    before = paired.client.cookies["bodydrive_screen"]
+    assert pair(paired, code_of(paired)).status_code == 200
+    assert paired.client.cookies["bodydrive_screen"] != before
+    assert [screen["number"] for screen in paired.good("GET", "/patient-screen")["screens"]] == [2]
+
+
+def test_there_is_an_end_to_screens(paired: Clinic) -> None:
+    for _ in range(7):
+        only(paired, "bodydrive_session")
+        assert pair(paired, code_of(paired)).status_code == 200
+    only(paired, "bodydrive_session")
+    assert "unpair one" in pair(paired, code_of(paired)).json()["detail"]
+
+
+def test_a_reviewer_pairs_nothing(paired: Clinic) -> None:
+    database = paired.client.app.state.people.database  # type: ignore[attr-defined]
+    with database.transaction() as db:
+        person = find_person(db, "Demo clinician")
+        person.role = "reviewer"
+        paired.client.cookies["bodydrive_session"] = sign_in(db, person, "test")
+    for method, path in (("POST", "/pairing"), ("POST", "/settings"), ("GET", ""), ("DELETE", "/1")):
+        assert paired(method, f"/patient-screen{path}").status_code == 403

@@ -1,0 +1,121 @@
+"""The live socket of the patient's screen: what it shows, and that it listens to nothing."""
+
+from typing import Any
+
+import pytest
+from fake_clinic import BASE, WORD, Clinic
+from pairing import closing
+
+from app.api import patient_live
+from app.session.store_patient_screens import Wishes
+
+ORIGIN = {"Origin": BASE}
+LIVE = f"{BASE.replace('http', 'ws')}/api/v1/patient/live"
+
+
+def test_it_tells_of_nobody(paired: Clinic) -> None:
+    with paired.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+        text = socket.receive_text()
+    for word in ("P-1", "Heron", "patient_id", "values", "score", "Demo"):
+        assert word not in text
+
+
+def test_a_trial_is_shown_with_what_to_do_and_how_it_ended(paired: Clinic) -> None:
+    paired.calibrate()
+    plan = paired.good("GET", "/floorplans")[0]
+    path = paired.good("GET", f"/floorplans/{plan['name']}")["paths"][0]
+    with paired.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+        assert socket.receive_json()["trial"] is None
+        paired.good("POST", "/trials", json={"floorplan": plan["name"], "path": path["name"], "screen": WORD})
+        while (message := socket.receive_json())["trial"] is None:
+            pass
+        trial = message["trial"]
+        assert set(trial) == {"id", "t", "done", "length", "stage", "stages", "instruction", "target"}
+        assert trial["instruction"] == path["instruction"]
+        assert len(trial["target"]) == 2
+        assert message["drives"] is True
+        paired.good("POST", "/control/stop")
+        while (message := socket.receive_json())["fault"] is None:
+            pass
+        assert message["fault"] == {
+            "name": "stop_tablet",
+            "words": "Your clinician stopped the chair. Your clinician helps you on.",
+        }
+        paired.good("POST", "/trials/current/end", json={})
+        while (message := socket.receive_json())["trial"] is not None:
+            pass
+        assert message["over"] == {"id": trial["id"], "end": "by hand"}
+
+
+def test_a_prompt_of_the_calibration_is_a_cue(paired: Clinic) -> None:
+    link = paired.link
+    since = link.since
+    step = next(step for step in paired.good("GET", "/calibration")["steps"] if step["joint"] == "right_elbow")
+
+    def cued(number: int) -> Any:
+        ticks = since(number)
+        ticks["cue"] = 1 if link.run else -1
+        return ticks
+
+    link.since = cued  # type: ignore[method-assign]
+    with paired.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+        assert socket.receive_json()["cue"] is None
+        paired.good("POST", f"/calibration/steps/{step['id']}/start")
+        link.run_t = step["cues"][1]["start"] + 0.25
+        while (cue := socket.receive_json()["cue"]) is None or cue["t"] < 0:
+            pass
+        assert cue == {
+            "index": 1,
+            "kind": "move",
+            "movement": "Bend your right elbow",
+            "t": 0.25,
+            "length": 1.0,
+            "next": "return",
+        }
+        paired.good("POST", f"/calibration/steps/{step['id']}/cancel")
+
+
+def test_what_the_clinician_asks_for_is_shown_and_kept_for_the_visit(paired: Clinic) -> None:
+    wishes = {"arrow": True, "sounds": False, "large": True}
+    with paired.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+        assert socket.receive_json()["asks"] == {"arrow": False, "sounds": False, "large": False}
+        assert paired.good("POST", "/patient-screen/settings", json=wishes)["settings"] == wishes
+        while socket.receive_json()["asks"] != wishes:
+            pass
+    paired.flows.patient.wishes = Wishes()  # as after a restart
+    with paired.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+        assert socket.receive_json()["asks"] == wishes
+    assert paired("POST", "/patient-screen/settings", json={"arrow": "yes"}).status_code == 422
+    other = paired.good("POST", "/patients", json={"code": "P-2", "pseudonym": "Plover"})
+    paired.good("POST", "/visit", json={"patient_id": other["id"]})
+    assert paired.good("GET", "/patient-screen")["settings"]["arrow"] is False
+
+
+def test_nothing_it_says_is_acted_on_and_a_flood_is_cut_off(screen: Clinic, monkeypatch: pytest.MonkeyPatch) -> None:
+    before = len(screen.link.calls)
+    with screen.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+        socket.send_json({"stop": True})
+        socket.send_json({"move": {"right_elbow": 1}})
+        socket.send_json({"look": {"yaw": 1}})
+        socket.send_bytes(b"\x00" * 100)
+        for _ in range(5):
+            assert socket.receive_json()["state"] == "disarmed"
+        for _ in range(patient_live.FLOOD):
+            socket.send_text("x")
+        assert closing(socket) == 1008
+    done = [do for do, _ in screen.link.calls[before:]]
+    assert "stop" not in done
+    assert [do for do, _ in screen.link.told if do in {"move", "look"}] == []
+    monkeypatch.setattr(patient_live, "WITHIN", -1.0)
+    with screen.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+        for _ in range(2 * patient_live.FLOOD):
+            socket.send_text("x")  # slow enough to be no flood
+        for _ in range(3):
+            socket.receive_json()
+
+
+def test_it_is_not_the_screen_that_must_stay_in_view(screen: Clinic) -> None:
+    with screen.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+        socket.send_json({"screen": WORD, "visible": True})
+        socket.receive_json()
+        assert screen.flows.screens._said == {}
