@@ -16,7 +16,9 @@ from app.world.scenery import Dune
 Bounds = tuple[float, float, float, float]
 
 MARGIN: Final = 0.6  # m of floor outside the outer walls
+AROUND: Final = 3.0  # m of open ground around what stands on it, when it says no area
 TILE: Final = 1.0  # m; tiles let one see how fast one moves, and so do ripples, tufts and seams
+MOST_TILES: Final = 5000
 SEAM: Final = 2.5  # m between the seams of asphalt
 RIPPLE: Final = 0.6  # m between the crests of sand
 TUFTS: Final = 0.5  # to a square metre
@@ -33,8 +35,9 @@ EDGE_AT: Final = 0.01
 
 def ground_parts(plan: FloorPlan) -> dict[str, Part]:
     """Return the ground, larger things last: what hides much is drawn before it."""
-    bounds = plan.ground.area or plan.bounds
-    match plan.ground.kind:
+    kind = plan.ground.kind
+    bounds = plan.ground.area or _grown(plan.bounds, 0.0 if kind == "hall" else AROUND)
+    match kind:
         case "hall":
             floor = rectangle(*_grown(bounds, MARGIN), 0.0)
             return {"tiles": Part(_tiles(bounds), palette.FLOOR_TILE), "floor": Part(floor, palette.FLOOR)}
@@ -57,11 +60,12 @@ def ground_parts(plan: FloorPlan) -> dict[str, Part]:
 def _tiles(bounds: Bounds) -> Mesh:
     """Return every second square of a chequered floor."""
     x_min, y_min, x_max, y_max = bounds
-    columns, rows = math.ceil((x_max - x_min) / TILE), math.ceil((y_max - y_min) / TILE)
+    tile = max(TILE, math.sqrt((x_max - x_min) * (y_max - y_min) / (2 * MOST_TILES)))
+    columns, rows = math.ceil((x_max - x_min) / tile), math.ceil((y_max - y_min) / tile)
     column, row = np.meshgrid(np.arange(columns), np.arange(rows), indexing="ij")
     chosen = (column + row) % 2 == 0
-    x, y = x_min + TILE * column[chosen], y_min + TILE * row[chosen]
-    return _flat(x, y, np.minimum(x + TILE, x_max), np.minimum(y + TILE, y_max))
+    x, y = x_min + tile * column[chosen], y_min + tile * row[chosen]
+    return _flat(x, y, np.minimum(x + tile, x_max), np.minimum(y + tile, y_max))
 
 
 def _seams(bounds: Bounds) -> Mesh:

@@ -10,13 +10,15 @@ import zstandard
 from app.clock import MonotonicClock
 from app.geometry import Pose
 from app.messages import TICK
+from app.scene.head_view import Angles
 from app.scene.page import client_page
 from app.scene.scene import CLOCK_NODE, Scene
 from app.scene.scene_thread import start_scene
 from app.scene.servers import ROLES, RoleServers
-from app.scene.views import VIEWS, chase_camera, world_placement
+from app.scene.views import VIEWS, EyeSettings, Orbit, chase_camera, eye_camera, free_camera, world_placement
 from app.scene.wire import SUBPROTOCOL
-from app.world.floorplan import bundled_floorplans, load_floorplan
+from app.world.floorplan import FloorPlan, bundled_floorplans, load_floorplan
+from app.world.obstacles import Box
 
 PLAN = load_floorplan(bundled_floorplans()["corridors"])
 
@@ -147,6 +149,128 @@ def test_a_pose_that_is_not_finite_is_left_out(servers, bad):
     scene.update(Pose(9.0, 9.0, 0.0), bad)
     found = everything(servers.port("patient"))
     assert of_node(found, "SetPositionMessage", "/world/chair")[-1]["position"] == pytest.approx((1.0, 2.0, 0.0))
+
+
+OPEN = FloorPlan.model_validate(
+    {
+        "name": "open",
+        "title": "Open",
+        "walls": [],
+        "ground": {"kind": "grass", "area": [-3, -3, 12, 8]},
+        "cones": [{"position": [3.0, 0.0]}],
+        "movers": [{"name": "ann", "kind": "person", "points": [[0, 3], [10, 3]], "pace": [[0, 0.5]]}],
+        "lights": {"sun": 0.5, "azimuth": 0.0, "elevation": 0.0, "colour": [1, 2, 3]},
+        "paths": [
+            {
+                "name": "course",
+                "title": "Course",
+                "points": [[0, 0], [6, 0]],
+                "instruction": "Do all.",
+                "task": {
+                    "kind": "course",
+                    "stages": [
+                        {"title": "A", "instruction": "Ahead.", "points": [[0, 0], [2, 0]]},
+                        {"title": "B", "instruction": "Back.", "points": [[2, 0], [0, 0]], "task": {"kind": "back"}},
+                    ],
+                },
+            }
+        ],
+    }
+)
+
+
+def test_what_moves_is_where_the_scenes_time_puts_it(servers):
+    scene = Scene(servers)
+    scene.set_floorplan(OPEN, "course")
+    scene.update(Pose(0.0, 0.0, 0.0), 1.0, scene_t=4.0)
+    found = everything(servers.port("patient"))
+    assert of_node(found, "SetPositionMessage", "/world/mover_0")[-1]["position"] == pytest.approx((2.0, 3.0, 0.0))
+
+
+def middle_of_goal(scene):
+    return float(scene._views["patient"]._task["goal"].vertices[:, 0].mean())
+
+
+def test_the_present_stage_is_drawn_and_a_chair_put_on_the_start_begins_again(servers):
+    scene = Scene(servers)
+    scene.set_floorplan(OPEN, "course")
+    assert middle_of_goal(scene) == pytest.approx(2.0, abs=0.05)
+    for number in range(22):
+        scene.update(Pose(0.1 * number, 0.0, 0.0), 0.1 * number, v=1.0, scene_t=0.1 * number)
+    assert middle_of_goal(scene) == pytest.approx(0.0, abs=0.05)
+    scene.update(Pose(0.0, 0.0, 0.0), 3.0, scene_t=0.0)
+    assert middle_of_goal(scene) == pytest.approx(2.0, abs=0.05)
+
+
+def height_of_cones(scene):
+    return float(scene._views["clinician"]._cones["cones"].vertices[:, 2].max())
+
+
+def test_a_touched_cone_lies_until_the_next_trial(servers):
+    scene = Scene(servers)
+    scene.set_floorplan(OPEN, "course")
+    assert height_of_cones(scene) == pytest.approx(0.5)
+    scene.update(Pose(2.7, 0.0, 0.0), 1.0, scene_t=1.0)
+    assert height_of_cones(scene) < 0.3
+    scene.new_trial()
+    assert height_of_cones(scene) == pytest.approx(0.5)
+
+
+def test_the_sun_stands_where_the_plan_says(servers):
+    scene = Scene(servers)
+    scene.set_floorplan(OPEN, "course")
+    found = everything(servers.port("clinician"))
+    x, y, z = of_node(found, "SetPositionMessage", "/world/sun")[-1]["position"]
+    assert x > 1000
+    assert (y, z) == pytest.approx((0.0, 0.0), abs=1e-3)
+
+
+def test_head_and_chair_of_one_tick_come_together_and_each_role_has_its_own_eye(servers):
+    scene = Scene(servers)
+    scene.set_floorplan(PLAN, "main")
+    scene.set_view("clinician", "eye", EyeSettings(head=False))
+    scene.set_view("patient", "eye", EyeSettings(eye_height=1.4))
+    pose, head = Pose(3.0, 2.0, 0.5), Angles(0.6, 0.1, 0.3)
+    for number in range(150):
+        scene.update(pose, number / 60, head=head, head_age=0.01)
+    seen = {role: everything(servers.port(role)) for role in ROLES}
+    wanted = {
+        "clinician": world_placement(eye_camera(pose)),
+        "patient": world_placement(eye_camera(pose, Angles(0.6, 0.1, 0.0), 1.4)),
+    }
+    for role, placed in wanted.items():
+        assert of_node(seen[role], "SetPositionMessage", "/world")[-1]["position"] == pytest.approx(
+            placed.position, abs=1e-4
+        )
+        assert of_node(seen[role], "SetOrientationMessage", "/world")[-1]["wxyz"] == pytest.approx(
+            placed.wxyz, abs=1e-4
+        )
+
+
+def test_the_free_camera_is_moved_by_the_server(servers):
+    scene = Scene(servers)
+    scene.set_floorplan(PLAN, "main")
+    orbit = Orbit(1.0, 0.5, 7.0, 2.0, 3.0)
+    scene.set_view("clinician", "free")
+    scene.set_orbit("clinician", orbit)
+    assert scene.orbit("clinician") == orbit
+    assert scene.orbit("patient") != orbit
+    scene.update(Pose(9.0, 2.0, 0.0), 1.0)
+    placed = world_placement(free_camera(orbit))
+    found = everything(servers.port("clinician"))
+    assert of_node(found, "SetPositionMessage", "/world")[-1]["position"] == pytest.approx(placed.position, abs=1e-5)
+
+
+def test_an_object_that_cannot_be_read_is_a_plain_box_and_said_so(servers, tmp_path, caplog):
+    (tmp_path / "piano.glb").write_bytes(b"nothing")
+    plan = OPEN.model_copy(
+        update={"obstacles": (Box(kind="box", label="x", position=(8.0, 5.0), size=(1.0, 1.0), model="piano"),)}
+    )
+    scene = Scene(servers, tmp_path)
+    scene.set_floorplan(plan, "course")
+    assert "piano.glb" in caplog.text
+    names = {message["name"] for message in everything(servers.port("patient")) if message["type"] == "MeshMessage"}
+    assert any(name.startswith("/world/furniture_") for name in names)
 
 
 def test_the_thread_follows_the_newest_tick_and_stamps_the_picture(servers):

@@ -1,12 +1,14 @@
 import math
 
+import msgspec
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from app.geometry import Pose
-from app.scene.trajectory import JUMP, PIECE, STEP, Pieces, Thinned, line_segments
+from app.scene.servers import _quiet_server
+from app.scene.trajectory import JUMP, PIECE, STEP, Pieces, Thinned, Trajectory, line_segments
 
 
 def test_a_chair_that_stands_adds_one_point():
@@ -69,3 +71,34 @@ def test_segments_join_neighbouring_points():
     assert segments[0, 1] == pytest.approx(segments[1, 0])
     assert line_segments([(0, 0)]).shape == (0, 2, 3)
     assert line_segments([]).shape == (0, 2, 3)
+
+
+def bytes_sent(server, trajectory, steps):
+    """Bytes of the messages that a server would send for these steps, flushed after each."""
+    sent, count = 0, 0
+    queue = server._websock_server.queue_message
+
+    def counted(message):
+        nonlocal sent, count
+        sent, count = sent + len(msgspec.msgpack.encode(message.as_serializable_dict(), enc_hook=bytes)), count + 1
+        queue(message)
+
+    server._websock_server.queue_message = counted
+    for number in steps:
+        trajectory.add(Pose(0.06 * number, 0.0, 0.0), 0.25 * number)
+    server._websock_server.queue_message = queue
+    return sent, count
+
+
+def test_an_update_of_a_long_trajectory_sends_no_more_than_one_of_a_short():
+    server = _quiet_server()
+    try:
+        trajectory = Trajectory(server)
+        short = bytes_sent(server, trajectory, range(PIECE))
+        bytes_sent(server, trajectory, range(PIECE, 20_000 - PIECE))
+        long = bytes_sent(server, trajectory, range(20_000 - PIECE, 20_000))
+    finally:
+        server.stop()
+    assert short[0] > 100_000
+    assert long[0] <= 1.05 * short[0]
+    assert long[1] <= short[1] + 5
