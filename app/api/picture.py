@@ -67,6 +67,8 @@ class LivePicture:
             "control": "alive",
             **{name: _number(tick[name], 4) for name in ("u1", "u2", "v", "omega")},
             "pose": self._pose,
+            "scene_t": _number(tick["scene_t"], 3),
+            "head": _head(tick),
             "contacts": int(tick["contacts"]),
             "in_contact": bool(tick["in_contact"]),
             "gestures": gestures[:n],
@@ -140,7 +142,19 @@ class LivePicture:
         trial = self._drive.trial
         if trial is None:
             return None
-        return {"id": trial.id, **{name: _number(value, 3) for name, value in trial.place._asdict().items()}}
+        place, part, stages = trial.place, trial.watch.progress.part, trial.watch.progress.stages
+        names = ("t", "done", "length", "cross_track", "e_diff", "leader_distance")
+        return {
+            "id": trial.id,
+            **{name: None if (v := getattr(place, name)) is None else _number(v, 3) for name in names},
+            "leader": None if place.leader is None else [_number(value, 3) for value in place.leader],
+            "stage": place.stage,
+            "stages": stages,
+            "kind": part.task.kind,
+            "title": part.title,
+            "instruction": part.instruction,
+            "target": [_number(value, 3) for value in part.points[-1]],
+        }
 
     def _chair(self, tick: np.void) -> dict[str, Any] | None:
         if self._chairs.chosen is None:
@@ -162,6 +176,8 @@ class LivePicture:
             "control": control,
             **dict.fromkeys(("u1", "u2", "v", "omega"), 0.0),
             "pose": self._pose,
+            "scene_t": 0.0,
+            "head": None,
             "contacts": 0,
             "in_contact": False,
             "gestures": [],
@@ -175,6 +191,13 @@ class LivePicture:
             "trial": self._trial(),
             "drive": self._real_drive(),
         }
+
+
+def _head(tick: np.void) -> dict[str, float | None] | None:
+    """Return where the head looks (rad) and how old that is (s), None without a head tracker."""
+    if not math.isfinite(float(tick["head_age"])):
+        return None
+    return {name: _number(tick[f"head_{name}"], 4) for name in ("yaw", "pitch", "roll", "age")}
 
 
 def fault_view(fault: Fault) -> dict[str, str] | None:

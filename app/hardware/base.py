@@ -11,6 +11,7 @@ from app.cues import Cue
 from app.geometry import Pose
 from app.layout import ShirtLayout
 from app.messages import HeadPose, SensorFrame
+from app.world.floorplan import FloorPlan, PrescribedPath
 
 ORIGIN = Pose(0.0, 0.0, 0.0)
 
@@ -62,11 +63,11 @@ class Body(Protocol):
 
 
 @runtime_checkable
-class PathFollower(Protocol):
-    """A body that drives along a path by itself."""
+class Driving(Protocol):
+    """A body that does the tasks of a floor plan by itself."""
 
-    def set_path(self, points: Sequence[tuple[float, float]]) -> None:
-        """Show the path to follow, as points in m."""
+    def show_task(self, plan: FloorPlan, path: PrescribedPath) -> None:
+        """Show what is asked, and where."""
         ...
 
 

@@ -5,7 +5,7 @@ import math
 from app.clock import Clock
 from app.faults import State
 from app.geometry import Pose
-from app.hardware.base import BodyView
+from app.hardware.base import BodyView, LeaderView
 from app.hardware.chair.link import ChairLink
 from app.hardware.chair.report import ChairReport
 from app.messages import NO_CUE, SensorFrame, Tick
@@ -156,6 +156,8 @@ class ControlLoop:
         chair = self.setup.chair.state
         view.v, view.omega = chair.v, chair.omega
         view.in_contact = tick.in_contact
+        leader = self.setup.leader
+        view.leader = None if leader is None else LeaderView(*leader.at(tick.scene_t))
 
 
 def chair_condition(link: ChairLink) -> ChairCondition:

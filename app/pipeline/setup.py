@@ -6,7 +6,7 @@ from app.calibration.vocabulary import DriveParameters
 from app.clock import Clock
 from app.faults import State
 from app.geometry import STANDSTILL
-from app.hardware.base import ORIGIN, Body, BodyView, Shirt
+from app.hardware.base import ORIGIN, Body, BodyView, Driving, Shirt
 from app.hardware.chair.link import ChairLink
 from app.hardware.chair.packet import DIGEST_BYTES
 from app.hardware.chair.simulator import Dynamics, VirtualChair
@@ -15,6 +15,8 @@ from app.hardware.registry import make_body, make_real_chair, make_shirt
 from app.pipeline.chain import Chain
 from app.speeds import NO_FURTHER, Speeds
 from app.world.floorplan import FloorPlan, PrescribedPath
+from app.world.scenery import Track
+from app.world.task_progress import leader_of
 
 IDLE_RATE = 50.0  # Hz: how often the loop turns while there is no shirt
 
@@ -42,6 +44,7 @@ class Setup:
         self.hash: str | None = None
         self.floorplan: FloorPlan | None = None
         self.path: PrescribedPath | None = None
+        self.leader: Track | None = None  # whom the path's task says to follow
         self.chair: VirtualChair | ChairLink = VirtualChair(None, ORIGIN)
         self.link: ChairLink | None = None  # the same chair, when it is a real one
         self._dynamics: Dynamics = "unicycle"
@@ -124,7 +127,7 @@ class Setup:
             link.open()
             self.close_chair()
             self.chair = self.link = link
-            self.floorplan = self.path = None
+            self.floorplan = self.path = self.leader = None
         else:
             self.close_chair()
             self._dynamics = config.dynamics
@@ -175,6 +178,7 @@ class Setup:
         else:
             chair = VirtualChair(None, ORIGIN, self._dynamics)
         self.floorplan, self.path, self.chair = floorplan, chosen, chair
+        self.leader = leader_of(floorplan, chosen) if floorplan and chosen else None
         self.chain.chair = chair
         self._show_path()
 
@@ -200,7 +204,7 @@ class Setup:
             self.link.digest = bytes.fromhex(self.hash)[:DIGEST_BYTES] if self.hash else bytes(DIGEST_BYTES)
 
     def _show_path(self) -> None:
-        """Let a body that drives by himself see the path."""
-        show = getattr(self.dressed.body, "set_path", None) if self.dressed else None
-        if show is not None and self.path is not None:
-            show(self.path.points)
+        """Let a body that drives by himself see what is asked."""
+        body = self.dressed.body if self.dressed else None
+        if isinstance(body, Driving) and self.floorplan is not None and self.path is not None:
+            body.show_task(self.floorplan, self.path)

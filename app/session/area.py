@@ -9,6 +9,7 @@ Points = NDArray[np.float64]
 MANY = 2000  # points; a longer trajectory is thinned first
 THINNING = 1e-4  # m; no thinned line is further than this from the driven one: at most 0.0001 m2 per metre driven
 GRID = 1e-7  # m, to which crossings are rounded, so that nearly equal lines cut each other cleanly
+NOTHING = 1e-12  # m, far below the grid
 AT_ONCE = 64  # faces, of neighbouring y, looked at together
 
 
@@ -26,6 +27,7 @@ def area_between(trajectory: Points, path: Points) -> float:
             shapely.simplify(shapely.LineString(driven), THINNING, preserve_topology=False)
         )
     ring = np.vstack([driven, prescribed[::-1], driven[:1]])
+    ring[np.abs(ring) < NOTHING] = 0.0  # the noding divides by what is nearly nothing
     ring = ring[np.r_[True, np.any(ring[1:] != ring[:-1], axis=1)]]
     if len(ring) < 3:
         return 0.0

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from app.calibration.profile import CalibrationProfile
 from app.calibration.script import Step
 from app.layout import ShirtLayout
-from app.world.floorplan import PrescribedPath
+from app.world.floorplan import FloorPlan, PrescribedPath
 
 
 class Driven(NamedTuple):
@@ -26,8 +26,8 @@ Judge = Callable[[Path, float], str | None]
 """Recording and duration (s) of a step: in one sentence why it does not do, None when it does."""
 Fit = Callable[[ShirtLayout, list[tuple[Step, Path]], list[str]], CalibrationProfile]
 """Layout, each step with its recording, unused channels: the profile; ValueError with a sentence."""
-Measure = Callable[[Path, PrescribedPath], dict[str, Any]]
-"""Recording of a trial and its path: all measures; ValueError when nothing was driven."""
+Measure = Callable[[Path, FloorPlan, PrescribedPath], dict[str, Any]]
+"""Recording of a trial, where it was driven and what was asked: all measures; ValueError when nothing was driven."""
 Drive = Callable[[Path], Driven]
 """Recording of a trial: where the chair went; ValueError or OSError when it cannot be read."""
 

@@ -14,9 +14,9 @@ from app.faults import State
 from app.layout import ShirtLayout
 from app.recording_reader import Columns, read_run
 from app.session.calibration_judge import judge_frames
-from app.session.metrics import path_measures
 from app.session.readings import Driven, Readings
-from app.world.floorplan import PrescribedPath
+from app.session.task_measures import task_measures
+from app.world.floorplan import FloorPlan, PrescribedPath
 
 
 def recorded_readings() -> Readings:
@@ -67,20 +67,12 @@ def _during(frames: Columns, step: Step, kind: str) -> NDArray[Any]:
     return chosen
 
 
-def measure_recording(folder: Path, path: PrescribedPath) -> dict[str, Any]:
+def measure_recording(folder: Path, plan: FloorPlan, path: PrescribedPath) -> dict[str, Any]:
     """Return all measures of a trial, from when motion was first permitted; ValueError when it never was."""
     rows = _since_armed(read_run(folder).columns)
-    return path_measures(
-        rows["t"] - rows["t"][0],
-        rows["x"],
-        rows["y"],
-        path.points,
-        path.goal_radius,
-        in_contact=rows["in_contact"],
-        contacts=rows["contacts"],
-        u1=rows["u1"],
-        u2=rows["u2"],
-    )
+    # What the chair did, where it said so; older recordings know only what it was told.
+    v = np.where(np.isfinite(rows["driven_v"]), rows["driven_v"], rows["v"])
+    return task_measures(plan, path, {**rows, "t": rows["t"] - rows["t"][0], "v": v})
 
 
 def driven(folder: Path) -> Driven:

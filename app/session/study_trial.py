@@ -8,18 +8,19 @@ from numpy.typing import NDArray
 
 from app.calibration.vocabulary import DriveParameters
 from app.faults import State
+from app.geometry import Pose
 from app.hardware.chair.simulator import VirtualChair
 from app.messages import Tick
 from app.pipeline.chain import Chain
 from app.pipeline.safety import Conditions
-from app.session.metrics import path_measures
+from app.session.task_measures import task_measures
 from app.session.wearer import Wearer
 from app.world.floorplan import FloorPlan, PrescribedPath
-from app.world.progress import Progress
+from app.world.task_progress import leader_of, progress_of
 
 REST_BEFORE = 2.0  # s at rest before a trial, so that the last one's strokes are over
 CLEAR_AFTER = 2.0  # s from a latched fault until somebody has looked and lets the person go on
-COLUMNS = ("t", "x", "y", "theta", "v", "omega", "u1", "u2", "in_contact", "contacts")
+COLUMNS = ("t", "x", "y", "theta", "v", "omega", "u1", "u2", "in_contact", "contacts", "scene_t")
 
 Numbers = NDArray[np.float64]
 
@@ -45,23 +46,13 @@ def drive_trial(
     """Drive the path once, until the goal or the path's time limit, and score it."""
     chair = VirtualChair(floorplan, path.start)
     chain = Chain(wearer.sample_rate, parameters, chair)
-    wearer.person.set_path(path.points)
+    wearer.person.show_task(floorplan, path)
     conditions = Conditions()
     _settle(wearer, chain, conditions)
-    rows, faults = _drive(wearer, chain, chair, conditions, path)
+    rows, faults = _drive(wearer, chain, chair, conditions, floorplan, path)
     column = dict(zip(COLUMNS, np.array(rows, dtype=np.float64).T, strict=True))
     column["t"] = column["t"] - column["t"][0]
-    measures = path_measures(
-        column["t"],
-        column["x"],
-        column["y"],
-        path.points,
-        path.goal_radius,
-        in_contact=column["in_contact"],
-        contacts=column["contacts"],
-        u1=column["u1"],
-        u2=column["u2"],
-    )
+    measures = task_measures(floorplan, path, column)
     return StudyTrial(number, measures, faults, *(column[name] for name in ("t", "x", "y", "theta", "v", "omega")))
 
 
@@ -73,10 +64,15 @@ def _settle(wearer: Wearer, chain: Chain, conditions: Conditions) -> None:
 
 
 def _drive(
-    wearer: Wearer, chain: Chain, chair: VirtualChair, conditions: Conditions, path: PrescribedPath
+    wearer: Wearer,
+    chain: Chain,
+    chair: VirtualChair,
+    conditions: Conditions,
+    floorplan: FloorPlan,
+    path: PrescribedPath,
 ) -> tuple[list[tuple[float, ...]], int]:
     """Return one row per tick since motion was permitted, and how many faults were latched on the way."""
-    progress = Progress(path.line, path.goal_radius)
+    progress, leader = progress_of(floorplan, path), leader_of(floorplan, path)
     rows: list[tuple[float, ...]] = []
     faults = 0
     clear_at = 0.0
@@ -92,13 +88,14 @@ def _drive(
             chain.gate.clear(chain.gate.stops)
             chain.arm()
             clear_at = 0.0
-        frame = wearer.drive(tick.state is State.ARMED, chair.state)
+        ahead = None if leader is None else leader.at(chair.state.scene_t)
+        frame = wearer.drive(tick.state is State.ARMED, chair.state, ahead)
         tick = chain.step(frame, frame.t, conditions)
         if not rows and tick.state is State.ARMED:
             deadline = frame.t + path.time_limit
         if rows or tick.state is State.ARMED:
             rows.append(_row(tick))
-            progress.update(tick.x, tick.y)
+            progress.update(Pose(tick.x, tick.y, tick.theta), chair.state.v, tick.scene_t)
             if progress.reached:
                 break
     return rows or [_row(tick)], faults

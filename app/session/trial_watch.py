@@ -1,26 +1,31 @@
-"""Where a trial stands, from its ticks: covered path, deviation so far, and whether it is over."""
+"""Where a trial stands, from its ticks: how far, how well so far, and whether it is over."""
 
+import math
 from typing import Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from app.faults import State
+from app.geometry import Pose
 from app.session.watching import FaultPatience
-from app.world.path import Path
-from app.world.progress import Progress
+from app.world.floorplan import FloorPlan, PrescribedPath
+from app.world.task_progress import leader_of, progress_of
 
 End = Literal["goal", "time-out", "by hand", "fault"]
 
 
 class TrialPlace(NamedTuple):
-    """Where the chair is along the path."""
+    """Where the chair is in its task."""
 
     t: float  # s since motion was first permitted
-    done: float  # m along the path
-    length: float  # m
-    cross_track: float  # m, left positive
+    done: float  # m along the path of the present stage, or rad turned
+    length: float  # m, or rad
+    cross_track: float  # m, left positive; for a turn, distance to the spot
     e_diff: float  # m2, area between the driven line and the path so far
+    stage: int = 0  # from 0
+    leader: Pose | None = None  # who is to be followed
+    leader_distance: float | None = None  # m, between the two middles
 
 
 class TrialWatch:
@@ -30,33 +35,41 @@ class TrialWatch:
     look at. The trial's own E_diff is measured afterwards, from the recording.
     """
 
-    def __init__(self, path: Path, goal_radius: float, time_limit: float) -> None:
-        self._progress = Progress(path, goal_radius)
-        self._time_limit = time_limit
+    def __init__(self, plan: FloorPlan, path: PrescribedPath) -> None:
+        self.progress = progress_of(plan, path)
+        self._leader = leader_of(plan, path)
+        self._time_limit = path.time_limit
         self._began: float | None = None
         self._patience = FaultPatience()
-        self.place = TrialPlace(0.0, 0.0, path.length, 0.0, 0.0)
+        self.place = TrialPlace(0.0, 0.0, self.progress.length, 0.0, 0.0)
 
     def take(self, ticks: NDArray[np.void]) -> End | None:
         """Take the newest ticks (`app.messages.TICK`) of the run; return how the trial ended, None while it goes on."""
         for tick in ticks:
-            end = self._take_one(float(tick["t"]), float(tick["x"]), float(tick["y"]), State(int(tick["state"])))
+            end = self._take_one(tick, float(tick["t"]), State(int(tick["state"])))
             if end is not None:
                 return end
         return None
 
-    def _take_one(self, t: float, x: float, y: float, state: State) -> End | None:
+    def _take_one(self, tick: np.void, t: float, state: State) -> End | None:
         if self._patience.ends(t, state):
             return "fault"
         if self._began is None:
             if state is not State.ARMED:
                 return None
             self._began = t
-        before = self.place
-        self._progress.update(x, y)
-        done, cross_track = self._progress.s, self._progress.cross_track
-        area = 0.5 * (abs(cross_track) + abs(before.cross_track)) * abs(done - before.done)
-        self.place = TrialPlace(t - self._began, done, before.length, cross_track, before.e_diff + area)
-        if self._progress.reached:
+        before, progress = self.place, self.progress
+        pose, scene_t = Pose(float(tick["x"]), float(tick["y"]), float(tick["theta"])), float(tick["scene_t"])
+        progress.update(pose, float(tick["driven_v"]), scene_t)
+        done, cross_track = progress.s, progress.cross_track
+        covered = abs(done - before.done) if progress.stage == before.stage else 0.0
+        area = 0.5 * (abs(cross_track) + abs(before.cross_track)) * covered
+        leader = None if self._leader is None else self._leader.at(scene_t).pose
+        distance = None if leader is None else math.hypot(pose.x - leader.x, pose.y - leader.y)
+        e_diff = before.e_diff + area
+        self.place = TrialPlace(
+            t - self._began, done, progress.length, cross_track, e_diff, progress.stage, leader, distance
+        )
+        if progress.reached:
             return "goal"
         return "time-out" if self.place.t > self._time_limit else None

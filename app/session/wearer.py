@@ -4,12 +4,13 @@ import numpy as np
 
 from app.cues import Cue
 from app.geometry import Pose
-from app.hardware.base import BodyView
+from app.hardware.base import BodyView, LeaderView
 from app.hardware.body.person import Person
 from app.hardware.chair.simulator import ChairState
 from app.hardware.shirt.fabric import Fabric
 from app.layout import ShirtLayout
 from app.messages import SensorFrame
+from app.world.scenery import Place
 
 
 class Wearer:
@@ -36,14 +37,15 @@ class Wearer:
         self._view = BodyView()
         return self._frame()
 
-    def drive(self, permitted: bool, chair: ChairState) -> SensorFrame:
-        """Return the next frame of somebody who sees what the chair does and whether it is `permitted` to move."""
+    def drive(self, permitted: bool, chair: ChairState, leader: Place | None = None) -> SensorFrame:
+        """Return the next frame of somebody who sees what chair and leader do, and whether motion is `permitted`."""
         view = self._view
         view.cue = None
         view.driving = permitted
         view.pose = Pose(chair.x, chair.y, chair.theta)
         view.v, view.omega = chair.v, chair.omega
         view.in_contact = chair.in_contact
+        view.leader = None if leader is None else LeaderView(*leader)
         return self._frame()
 
     def _frame(self) -> SensorFrame:

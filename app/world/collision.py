@@ -70,6 +70,10 @@ class Collision:
             return False
         return _room(self._edges, x, y) >= -TOUCH
 
+    def room(self, x: float, y: float) -> float:
+        """Return the room (m) between a chair at (x, y) and the nearest wall or obstacle, negative inside of it."""
+        return -1.0 if any(box.covers(x, y) for box in self._boxes) else _room(self._edges, x, y)
+
     def _piece(self, x: float, y: float, new_x: float, new_y: float) -> tuple[float, float, bool]:
         """Go a way that is short against the radius."""
         if math.hypot(x - self._near_x, y - self._near_y) > NEAR / 2:

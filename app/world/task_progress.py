@@ -77,6 +77,11 @@ def progress_of(plan: FloorPlan, path: PrescribedPath) -> TaskProgress:
             return PathProgress(path)
 
 
+def leader_of(plan: FloorPlan, path: PrescribedPath) -> Track | None:
+    """Return whom the path's task says to follow, None when it does not."""
+    return Track(plan.mover_named(path.task.leader)) if isinstance(path.task, FollowLeader) else None
+
+
 class PathProgress:
     """A path that is driven forwards to its end."""
 
@@ -208,7 +213,8 @@ class CourseProgress:
     """Stages, one after the other."""
 
     def __init__(self, plan: FloorPlan, path: PrescribedPath, task: Course) -> None:
-        self._parts = [progress_of(plan, part) for part in parts_of(path, task)]
+        self.parts = parts_of(path, task)
+        self._parts = [progress_of(plan, part) for part in self.parts]
         self.stages = len(self._parts)
         self.stage = 0
 

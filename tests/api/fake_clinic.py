@@ -253,7 +253,7 @@ def running(settings: Settings) -> Iterator[Clinic]:
     readings = Readings(
         judge=lambda _folder, _duration: answers["judge"],
         fit=fit,
-        measure=lambda _folder, _path: answers["measures"],
+        measure=lambda _folder, _plan, _path: answers["measures"],
         drive=lambda _folder: Driven(line, line, 0 * line),
     )
     app = create_app(settings, open_link, readings)

@@ -21,6 +21,7 @@ from app.hardware.body.person import Person
 from app.hardware.body.person_parameters import NOVICE, PRACTISED, Practised
 from app.hardware.body.steering import Steering
 from app.hardware.body.stroke_estimate import StrokeEstimate
+from app.world.floorplan import FloorPlan
 
 CORNER = ((0.0, 0.0), (6.0, 0.0), (6.0, 6.0))
 
@@ -221,7 +222,10 @@ def test_practice_moves_beliefs_towards_the_truth_and_the_driver_along_the_path(
 
 def test_the_person_follows_cues_drives_when_permitted_and_rests_otherwise() -> None:
     person = Person("practised", 1)
-    person.set_path(CORNER)
+    plan = FloorPlan(
+        name="p", title="P", walls=(), paths=({"name": "c", "title": "C", "points": CORNER, "instruction": "Go."},)
+    )
+    person.show_task(plan, plan.paths[0])
     elbow = person.joints.index("right_elbow")
     move = Cue(start=0.0, end=1.0, kind="move", joint="right_elbow", repetition=1)
     asked = [person.step(0.01, BodyView(cue=move))[elbow] for _ in range(150)]

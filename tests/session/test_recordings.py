@@ -15,7 +15,7 @@ from app.messages import Tick
 from app.recording import RunWriter
 from app.ring import TickRing
 from app.session.recordings import recorded_readings
-from app.world.floorplan import PrescribedPath
+from app.world.floorplan import FloorPlan, PrescribedPath
 
 RATE = 100.0
 JOINTS = ("right_elbow", "left_elbow")
@@ -25,6 +25,8 @@ LAYOUT = ShirtLayout(
     joints=tuple(Joint(name=joint, label=joint) for joint in JOINTS),
 )
 READINGS = recorded_readings()
+PATH = PrescribedPath(name="main", title="Main", points=((0.0, 0.0), (10.0, 0.0)), instruction="Drive.")
+PLAN = FloorPlan(name="p", title="P", walls=(), paths=(PATH,))
 
 
 def record(folder, ticks, cues=()):
@@ -94,9 +96,8 @@ def trial_ticks(state_at):
 
 
 def test_a_trial_is_measured_from_when_motion_was_permitted(tmp_path):
-    path = PrescribedPath(name="main", title="Main", points=((0.0, 0.0), (10.0, 0.0)), instruction="Drive.")
     folder = record(tmp_path / "a", trial_ticks(lambda t: State.CHECKING if t < 1.0 else State.ARMED))
-    measures = READINGS.measure(folder, path)
+    measures = READINGS.measure(folder, PLAN, PLAN.paths[0])
     assert measures["reached"] is True
     assert 9.4 <= measures["time"] <= 10.1  # within the goal's radius
     assert 9.4 <= measures["dist"] <= 10.1
@@ -107,9 +108,8 @@ def test_a_trial_is_measured_from_when_motion_was_permitted(tmp_path):
 
 
 def test_a_trial_that_never_moved_has_no_measures(tmp_path):
-    path = PrescribedPath(name="main", title="Main", points=((0.0, 0.0), (10.0, 0.0)), instruction="Drive.")
     folder = record(tmp_path / "a", trial_ticks(lambda _t: State.CHECKING))
     with pytest.raises(ValueError, match="never permitted to move"):
-        READINGS.measure(folder, path)
+        READINGS.measure(folder, PLAN, PLAN.paths[0])
     with pytest.raises(ValueError, match="no recording"):
         READINGS.drive(tmp_path / "nowhere")

@@ -9,9 +9,16 @@ from app.faults import State
 from app.messages import TICK
 from app.session.calibration_judge import judge_frames
 from app.session.trial_watch import TrialWatch
-from app.world.path import Path
+from app.world.floorplan import FloorPlan, PrescribedPath
 
-LINE = Path([(0.0, 0.0), (10.0, 0.0)])
+LINE = ((0.0, 0.0), (10.0, 0.0))
+
+
+def watch_of(points=LINE, goal_radius=0.5, time_limit=600.0, task=None, movers=()):
+    words = {"name": "main", "title": "Main", "instruction": "Go.", "goal_radius": goal_radius}
+    asked = {} if task is None else {"task": task}
+    path = PrescribedPath(points=points, time_limit=time_limit, **words, **asked)
+    return TrialWatch(FloorPlan(name="p", title="P", walls=(), paths=(path,), movers=movers), path)
 
 
 def ticks(t, x, y, state=State.ARMED):
@@ -21,7 +28,7 @@ def ticks(t, x, y, state=State.ARMED):
 
 
 def test_the_goal_ends_a_trial_and_the_area_is_that_beside_the_path():
-    watch = TrialWatch(LINE, goal_radius=0.6, time_limit=60.0)
+    watch = watch_of(goal_radius=0.6, time_limit=60.0)
     x = np.linspace(0, 10, 201)
     assert watch.take(ticks(x, x, 0.5 + 0 * x)) == "goal"
     assert watch.place.done == pytest.approx(9.7, abs=0.1)
@@ -30,20 +37,19 @@ def test_the_goal_ends_a_trial_and_the_area_is_that_beside_the_path():
 
 
 def test_the_goal_counts_only_after_most_of_the_way():
-    loop = Path([(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (0.0, 0.2)])
-    watch = TrialWatch(loop, goal_radius=0.6, time_limit=60.0)
+    watch = watch_of(((0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (0.0, 0.2)), goal_radius=0.6, time_limit=60.0)
     assert watch.take(ticks([0.0, 1.0], [0.0, 0.1], [0.0, 0.2])) is None
 
 
 def test_time_runs_from_the_first_permitted_motion():
-    watch = TrialWatch(LINE, goal_radius=0.5, time_limit=10.0)
+    watch = watch_of(time_limit=10.0)
     assert watch.take(ticks([100.0], [0.0], [0.0], State.CHECKING)) is None
     assert watch.take(ticks([120.0, 130.0], [0.0, 0.0], [0.0, 0.0])) is None
     assert watch.take(ticks([130.1], [0.0], [0.0])) == "time-out"
 
 
 def test_a_stop_pauses_for_twenty_seconds_then_ends():
-    watch = TrialWatch(LINE, goal_radius=0.5, time_limit=600.0)
+    watch = watch_of()
     assert watch.take(ticks([0.0], [0.0], [0.0])) is None
     assert watch.take(ticks([1.0, 20.9], [0.0, 0.0], [0.0, 0.0], State.FAULT)) is None
     assert watch.take(ticks([21.0], [0.0], [0.0], State.CHECKING)) is None
@@ -53,14 +59,37 @@ def test_a_stop_pauses_for_twenty_seconds_then_ends():
 
 @given(st.lists(st.tuples(st.floats(-50, 50), st.floats(-50, 50)), min_size=1, max_size=60))
 def test_whatever_is_driven_the_place_stays_on_the_path_and_the_area_never_falls(points):
-    watch = TrialWatch(LINE, goal_radius=0.5, time_limit=600.0)
+    watch = watch_of()
     area = 0.0
     for number, (x, y) in enumerate(points):
         if watch.take(ticks([float(number)], [x], [y])) is not None:
             break
-        assert 0.0 <= watch.place.done <= LINE.length
+        assert 0.0 <= watch.place.done <= 10.0
         assert watch.place.e_diff >= area
         area = watch.place.e_diff
+
+
+def test_a_leader_is_seen_where_the_scene_s_time_puts_him():
+    guide = {"name": "guide", "kind": "person", "points": ((2.0, 0.0), (10.0, 0.0)), "pace": ((0.0, 0.5),)}
+    watch = watch_of(task={"kind": "follow", "leader": "guide"}, movers=(guide,))
+    rows = ticks([0.0, 4.0], [0.0, 1.0], [0.0, 0.0])
+    rows["scene_t"] = [0.0, 4.0]
+    assert watch.take(rows) is None
+    assert watch.place.leader == (4.0, 0.0, 0.0)
+    assert watch.place.leader_distance == pytest.approx(3.0)
+
+
+def test_the_stages_of_a_course_are_gone_through_one_after_the_other():
+    stages = [
+        {"title": "Ahead", "instruction": "Go.", "points": ((0.0, 0.0), (3.0, 0.0))},
+        {"title": "On", "instruction": "Go on.", "points": ((3.0, 0.0), (6.0, 0.0))},
+    ]
+    watch = watch_of(task={"kind": "course", "stages": stages})
+    x = np.linspace(0, 3, 31)
+    assert watch.take(ticks(x, x, 0 * x)) is None
+    assert (watch.place.stage, watch.progress.part.title) == (1, "On")
+    assert watch.take(ticks(x + 3, x + 3, 0 * x)) == "goal"
+    assert watch.place.e_diff == 0.0
 
 
 def test_a_whole_recording_does():

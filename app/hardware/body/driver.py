@@ -6,10 +6,17 @@ from collections import deque
 from collections.abc import Sequence
 
 from app.geometry import Pose, wrap_angle
+from app.hardware.base import LeaderView
 from app.hardware.body.limb import Limb
+from app.hardware.body.manoeuvres import BackAim, TurnAim
 from app.hardware.body.person_parameters import PersonParameters
 from app.hardware.body.steering import Steering, Wish
 from app.hardware.body.stroke_estimate import StrokeEstimate
+from app.world.floorplan import FloorPlan, PrescribedPath
+from app.world.task_progress import TaskProgress, progress_of
+from app.world.tasks import Back, FollowLeader, Turn
+
+Aim = Steering | TurnAim | BackAim
 
 LIMB_OF: dict[Wish, str] = {
     "faster": "right_elbow",
@@ -53,8 +60,9 @@ class Driver:
             limb: StrokeEstimate(USUAL_EFFECT[wish] * math.exp(spread * self._first_error()), USUAL_LOSS)
             for limb, wish in WISH_OF.items()
         }
-        self.steering: Steering | None = None
-        self._seen: deque[tuple[float, Pose, float, bool]] = deque()
+        self.steering: Aim | None = None
+        self._course: TaskProgress | None = None  # of a task with several stages
+        self._seen: deque[tuple[float, Pose, float, bool, LeaderView | None]] = deque()
         self._open: list[Stroke] = []  # strokes whose outcome has not been seen yet
         self._free_at = 0.0
         self._look_at = 0.0
@@ -69,14 +77,32 @@ class Driver:
         self.steering = Steering(points, self.parameters)
         self._began = False
 
+    def show_task(self, plan: FloorPlan, path: PrescribedPath) -> None:
+        """Show what is asked, and where."""
+        progress = progress_of(plan, path)
+        self._course = progress if progress.stages > 1 else None
+        self.steering = self._aim(progress.part)
+        self._began = False
+
+    def _aim(self, part: PrescribedPath) -> Aim:
+        match part.task:
+            case Turn():
+                return TurnAim(part, part.task)
+            case Back():
+                return BackAim(part, self.parameters)
+            case FollowLeader():
+                return Steering(part.points, self.parameters, part.task.distance)
+            case _:
+                return Steering(part.points, self.parameters)
+
     def rest(self) -> None:
         """Stop driving: limbs under way come back by themselves."""
         self._began = False
         self._seen.clear()
         self._open.clear()
 
-    def drive(self, t: float, pose: Pose, v: float, in_contact: bool) -> None:
-        """Look at `t` (s) at the chair's pose, speed (m/s) and contact, and begin a stroke when one is due."""
+    def drive(self, t: float, pose: Pose, v: float, in_contact: bool, leader: LeaderView | None = None) -> None:
+        """Look at `t` (s) at the chair's pose, speed (m/s), contact and leader; begin a stroke when one is due."""
         if self.steering is None:
             return
         if not self._began:
@@ -84,15 +110,16 @@ class Driver:
             self.steering.begin()
             self._free_at = self._look_at = t + self.parameters.reaction_time + self._pause()
         seen = self._seen
-        seen.append((t, pose, v, in_contact))
+        seen.append((t, pose, v, in_contact, leader))
         while len(seen) > 1 and seen[1][0] <= t - self.parameters.reaction_time:
             seen.popleft()
         if t >= self._look_at:
             self._look_at = t + LOOK_PERIOD
             self._look(t, *seen[0])
 
-    def _look(self, t: float, seen_t: float, pose: Pose, v: float, in_contact: bool) -> None:
+    def _look(self, t: float, seen_t: float, pose: Pose, v: float, in_contact: bool, leader: LeaderView | None) -> None:
         self._learn_from_outcomes(seen_t, pose, v, in_contact)
+        self._look_at_stage(seen_t, pose, v)
         if t < self._free_at or any(limb.is_rising(t) for limb in self.limbs.values()) or self.steering is None:
             return
         late = t - seen_t
@@ -101,7 +128,7 @@ class Driver:
             pose.y + v * late * math.sin(pose.theta),
             pose.theta,
         )
-        intention = self.steering.want(t, now, v, in_contact, self.practice)
+        intention = self.steering.want(t, now, v, in_contact, self.practice, leader)
         if intention is None:
             return
         limb = LIMB_OF[intention.wish]
@@ -109,6 +136,16 @@ class Driver:
             return
         size = self.estimates[limb].size_for(intention.effect)
         self._begin_stroke(t, limb, size, pose, v)
+
+    def _look_at_stage(self, seen_t: float, pose: Pose, v: float) -> None:
+        """Go on to the next stage of a course when the one before is done."""
+        if self._course is None:
+            return
+        before = self._course.stage
+        self._course.update(pose, v, seen_t)
+        if self._course.stage != before:
+            self.steering = self._aim(self._course.part)
+            self.steering.begin()
 
     def _can_move(self, limb: str, t: float) -> bool:
         """Return whether a limb is back at rest, and for an elbow, the other elbow too."""

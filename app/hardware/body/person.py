@@ -1,7 +1,5 @@
 """A simulated person: follows cues, and drives by himself along the path he is shown."""
 
-from collections.abc import Sequence
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -10,6 +8,7 @@ from app.hardware.body.cued import CuedBody
 from app.hardware.body.driver import Driver
 from app.hardware.body.joints import ARM_DEGREES_OF_FREEDOM, second_way
 from app.hardware.body.person_parameters import PARAMETERS, PersonParameters, Skill
+from app.world.floorplan import FloorPlan, PrescribedPath
 
 
 class Person:
@@ -23,7 +22,7 @@ class Person:
         self.parameters = skill if isinstance(skill, PersonParameters) else PARAMETERS[skill]
         self.joints = ARM_DEGREES_OF_FREEDOM
         self._seed = seed
-        self._path: tuple[tuple[float, float], ...] | None = None
+        self._task: tuple[FloorPlan, PrescribedPath] | None = None
         self._posture = np.zeros(len(self.joints))
         self.reset()
 
@@ -36,19 +35,19 @@ class Person:
         for name, limb in self.driver.limbs.items():
             aside = second_way(name)
             self._limbs.append((limb, self.joints.index(name), None if aside is None else self.joints.index(aside)))
-        if self._path is not None:
-            self.driver.set_path(self._path)
+        if self._task is not None:
+            self.driver.show_task(*self._task)
 
-    def set_path(self, points: Sequence[tuple[float, float]]) -> None:
-        """Show the path to follow, as points in m."""
-        self._path = tuple((float(x), float(y)) for x, y in points)
-        self.driver.set_path(self._path)
+    def show_task(self, plan: FloorPlan, path: PrescribedPath) -> None:
+        """Show what is asked, and where."""
+        self._task = plan, path
+        self.driver.show_task(plan, path)
 
     def step(self, dt: float, view: BodyView) -> NDArray[np.float64]:
         """Live on for `dt` (s) and return the posture (n_joints,): 0 at rest, 1 fully towards the gesture."""
         self._t += dt
         if view.driving:
-            self.driver.drive(self._t, view.pose, view.v, view.in_contact)
+            self.driver.drive(self._t, view.pose, view.v, view.in_contact, view.leader)
         else:
             self.driver.rest()
         posture = self._posture

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from typing import Literal, NamedTuple
 
 from app.geometry import Pose, wrap_angle
+from app.hardware.base import LeaderView
 from app.hardware.body.course import Course
 from app.hardware.body.person_parameters import PersonParameters
 
@@ -20,6 +21,7 @@ STUCK_SPEED = 0.1  # m/s from which on the chair should move
 BACK_SPEED = -0.15  # m/s away from a wall
 BACK_DISTANCE = 0.3  # m to back away
 BACK_TIME = 6.0  # s, then forward is tried again
+FOLLOWING = 0.35  # 1/s: how much faster one goes for each metre that a leader is too far ahead
 GRACE = 2.0  # s after backing, in which nothing counts as being stuck
 
 
@@ -33,8 +35,12 @@ class Intention(NamedTuple):
 class Steering:
     """Follows a path by sight: slows before corners, turns towards the path, backs away from what it is stuck at."""
 
-    def __init__(self, points: Sequence[tuple[float, float]], parameters: PersonParameters) -> None:
+    def __init__(
+        self, points: Sequence[tuple[float, float]], parameters: PersonParameters, distance: float | None = None
+    ) -> None:
+        """Look at the path; `distance` (m) is to be kept behind a leader, when there is one."""
         p = self._parameters = parameters
+        self._distance = distance
         self.course = Course(points, p.cruise_speed, p.corner_speed, p.goal_speed, p.braking)
         self._anchor: tuple[float, float, float] | None = None  # x, y, t: where and when it last got somewhere
         self._backing: tuple[float, float, float] | None = None  # x, y, t: where and when backing away began
@@ -43,7 +49,9 @@ class Steering:
         """Begin, or go on after a stop: the place on the path is still known, being stuck is forgotten."""
         self._anchor = self._backing = None
 
-    def want(self, t: float, pose: Pose, v: float, in_contact: bool, practice: float) -> Intention | None:
+    def want(
+        self, t: float, pose: Pose, v: float, in_contact: bool, practice: float, leader: LeaderView | None = None
+    ) -> Intention | None:
         """Return what is wanted at `t` (s) with the chair at `pose` and speed `v` (m/s), or None when all is well.
 
         `in_contact`: the chair touches something. `practice` is how many strokes the driver has behind him.
@@ -57,7 +65,7 @@ class Steering:
             speed = BACK_SPEED
         else:
             share = (TURN_ON_THE_SPOT - abs(error)) / (TURN_ON_THE_SPOT - TURN_SLOWLY)
-            speed = course.speed(max(0.0, v)) * min(1.0, max(0.0, share))  # where it will be in a second
+            speed = self._fitting(pose, v, leader) * min(1.0, max(0.0, share))
         excess = v - speed
         tolerance = max(p.speed_tolerance, 0.15 * abs(speed))
         if excess > (max(tolerance, TOO_FAST) if speed else tolerance):
@@ -71,6 +79,15 @@ class Steering:
         if -excess > tolerance:
             return Intention("faster", -excess)
         return None
+
+    def _fitting(self, pose: Pose, v: float, leader: LeaderView | None) -> float:
+        """Return the speed (m/s) that fits the path, where it will be in a second; behind a leader, his distance."""
+        speed = self.course.speed(max(0.0, v))
+        if leader is None or self._distance is None:
+            return speed
+        gap = math.hypot(leader.pose.x - pose.x, leader.pose.y - pose.y) - self._distance
+        behind = leader.v + FOLLOWING * gap
+        return min(max(speed, self._parameters.corner_speed), max(0.0, behind))
 
     def _is_backing(self, t: float, pose: Pose, v: float, in_contact: bool) -> bool:
         """Return whether to back away: from being stuck until a little way off, or for as long as one tries."""

@@ -1,0 +1,71 @@
+"""What a driver wants next who is to turn on the spot, or to drive backwards."""
+
+import math
+
+from app.geometry import Pose, wrap_angle
+from app.hardware.body.person_parameters import PersonParameters
+from app.hardware.body.steering import Intention
+from app.world.floorplan import PrescribedPath
+from app.world.path import Path
+from app.world.task_progress import TurnProgress
+from app.world.tasks import Turn
+
+CREEP = 0.03  # m/s: slower looks like standing
+SURE = 0.6  # of the tolerance: who wants to be sure of a mark looks nearer at it than he must
+BACK_SPEED = 0.2  # m/s
+BACK_BRAKING = 0.08  # m/s2 that somebody reckons with who looks over his shoulder
+BACK_AHEAD = 0.8  # m along the way to the place that is steered for
+BACK_TOLERANCE = 0.1  # rad of heading error that is let be
+
+
+class TurnAim:
+    """Stand still, then turn the asked way until one looks at the mark."""
+
+    def __init__(self, part: PrescribedPath, task: Turn) -> None:
+        self._progress = TurnProgress(part, task)
+        self._sign = 1.0 if task.direction == "left" else -1.0
+        self._tolerance = SURE * task.tolerance
+
+    def begin(self) -> None:
+        """Begin, or go on after a stop: how far one has turned is still known."""
+
+    def want(self, t: float, pose: Pose, v: float, *_others: object) -> Intention | None:
+        """Return what is wanted at `t` (s) with the chair at `pose` and speed `v` (m/s), or None when all is well."""
+        self._progress.update(pose, v, t)
+        if abs(v) > CREEP:
+            return Intention("slower" if v > 0 else "faster", abs(v))
+        left = self._sign * (self._progress.length - self._progress.s)
+        if abs(left) <= self._tolerance:
+            return None
+        return Intention("left" if left > 0 else "right", abs(left))
+
+
+class BackAim:
+    """Roll back along a line, looking away from where one goes, and stop at its end."""
+
+    def __init__(self, part: PrescribedPath, parameters: PersonParameters) -> None:
+        self._line: Path = part.line
+        self._near = part.goal_radius
+        self._tolerance = parameters.speed_tolerance
+        self._s = 0.0
+
+    def begin(self) -> None:
+        """Begin, or go on after a stop: the place on the line is still known."""
+
+    def want(self, _t: float, pose: Pose, v: float, *_others: object) -> Intention | None:
+        """Return what is wanted with the chair at `pose` and speed `v` (m/s), or None when all is well."""
+        self._s, _ = self._line.project_near(pose.x, pose.y, self._s, BACK_AHEAD)
+        left = self._line.length - self._s
+        speed = 0.0 if left <= self._near / 2 else -min(BACK_SPEED, math.sqrt(2 * BACK_BRAKING * left))
+        excess = v - speed
+        tolerance = self._tolerance if speed else CREEP
+        if abs(excess) > tolerance:
+            return Intention("slower" if excess > 0 else "faster", abs(excess))
+        x, y = self._line.point_at(self._s + BACK_AHEAD)
+        if left < BACK_AHEAD:  # beyond the end it goes straight on
+            heading = self._line.heading_at(self._line.length)
+            x, y = x + (BACK_AHEAD - left) * math.cos(heading), y + (BACK_AHEAD - left) * math.sin(heading)
+        error = wrap_angle(math.atan2(pose.y - y, pose.x - x) - pose.theta)
+        if speed and abs(error) > BACK_TOLERANCE:
+            return Intention("left" if error > 0 else "right", abs(error))
+        return None

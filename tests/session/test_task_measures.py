@@ -1,0 +1,136 @@
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from app.session.metrics import path_measures
+from app.session.task_measures import task_measures
+from app.world.floorplan import FloorPlan
+from app.world.kinematics import CHAIR_RADIUS
+from app.world.scene import find_place
+
+LINE = ((0.0, 0.0), (6.0, 0.0))
+
+
+def plan_of(points=LINE, task=None, **changes):
+    path = {"name": "main", "title": "Main", "points": points, "instruction": "Go."}
+    own = {name: changes.pop(name) for name in ("start_heading", "goal_radius") if name in changes}
+    asked = {} if task is None else {"task": task}
+    plan = FloorPlan(name="p", title="P", walls=changes.pop("walls", ()), paths=(path | own | asked,), **changes)
+    return plan, plan.paths[0]
+
+
+def rows(x, y, theta=0.0, dt=0.05, **changes):
+    n = len(np.atleast_1d(x))
+    t = np.arange(n) * dt
+    own = {"t": t, "scene_t": t, "x": x, "y": y, "theta": theta, "v": 0.0, "u1": 0.0, "u2": 0.0}
+    own |= {"in_contact": 0, "contacts": 0} | changes
+    return {name: np.broadcast_to(np.asarray(column, dtype=np.float64), n).copy() for name, column in own.items()}
+
+
+def ahead(y=0.0, end=6.0, **changes):
+    x = np.linspace(0.0, end, 121)
+    return rows(x, np.full(121, y), **changes)
+
+
+def test_along_a_plain_path_they_are_the_path_s():
+    driven = ahead(0.2, u1=0.5)
+    names = ("in_contact", "contacts", "u1", "u2")
+    plain = path_measures(driven["t"], driven["x"], driven["y"], LINE, 0.5, **{name: driven[name] for name in names})
+    assert task_measures(*plan_of(), driven) == plain
+
+
+@pytest.mark.parametrize(("aside", "touched"), [(0.46, 1), (0.48, 0), (0.0, 1), (-0.46, 1)])
+def test_a_cone_is_touched_within_both_radii(aside, touched):
+    cones = ({"position": (3.0, aside)}, {"position": (3.0, 3.0)})
+    measures = task_measures(*plan_of(cones=cones), ahead())
+    assert (measures["cones_touched"], measures["cones"]) == (touched, 2)
+
+
+def gap_at(width, y=0.0):
+    walls = (((3.0, -5.0), (3.0, y - width / 2)), ((3.0, y + width / 2), (3.0, 5.0)))
+    return {"walls": walls, "wall_thickness": 0.1, "gaps": ({"label": "gap", "position": (3.0, y), "width": width},)}
+
+
+@settings(max_examples=40, deadline=None)
+@given(st.floats(0.75, 2.0), st.floats(-0.3, 0.3))
+def test_the_clearance_of_a_gap_is_the_room_at_its_nearer_side(width, aside):
+    measures = task_measures(*plan_of(**gap_at(width)), ahead(aside))
+    room = max(0.0, width / 2 - CHAIR_RADIUS - abs(aside))
+    if abs(aside) < width / 2 - CHAIR_RADIUS:
+        assert measures["gap_clearance"] == pytest.approx(room, abs=0.01)
+    else:
+        assert measures["gap_clearance"] == 0.0
+
+
+def test_who_did_not_go_through_has_no_clearance_and_contacts_count_where_the_gap_is():
+    touching = np.zeros(121)
+    touching[[10, 55, 56, 57, 58, 70]] = 1  # at 0.5 m, 2.75 m and 3.5 m
+    measures = task_measures(*plan_of(**gap_at(1.0)), ahead(end=2.5))
+    assert measures["gap_clearance"] is None
+    measures = task_measures(*plan_of(**gap_at(1.0)), ahead(in_contact=touching, contacts=np.cumsum(touching)))
+    assert measures["door_contacts"] == 2
+    assert measures["contact_time"] > 0
+
+
+GUIDE = {"name": "guide", "kind": "person", "points": ((1.5, 0.0), (6.0, 0.0)), "pace": ((0.0, 0.5),)}
+FOLLOW = {"kind": "follow", "leader": "guide", "distance": 1.5}
+
+
+def test_a_leader_who_is_followed_exactly():
+    t = np.arange(240) * 0.05
+    driven = rows(np.minimum(0.5 * t, 4.5), np.zeros(240))
+    measures = task_measures(*plan_of(task=FOLLOW, movers=(GUIDE,), goal_radius=0.6), driven)
+    assert measures["reached"]
+    assert measures["follow_error_rms"] == pytest.approx(0.0, abs=1e-6)
+    assert measures["follow_near"] == 1.0
+    assert measures["time"] <= 9.1
+
+
+def test_a_leader_whom_nobody_follows():
+    measures = task_measures(*plan_of(task=FOLLOW, movers=(GUIDE,)), rows(np.zeros(200), np.zeros(200)))
+    assert not measures["reached"]
+    assert measures["follow_error_max"] == pytest.approx(4.5)
+    assert measures["follow_near"] == pytest.approx(0.1, abs=0.02)  # the first second of ten
+
+
+def test_turning_on_the_spot_has_its_own_measures():
+    plan, path = plan_of(((0.0, 0.0), (0.0, 2.0)), {"kind": "turn", "direction": "left"}, start_heading=0.0)
+    theta = np.concatenate([np.linspace(0, math.radians(95), 60), np.full(60, math.radians(95))])
+    measures = task_measures(plan, path, rows(np.full(120, 0.12), np.full(120, 0.16), theta))
+    assert measures["reached"]
+    assert measures["heading_error"] == pytest.approx(math.radians(5), abs=1e-6)
+    assert measures["turn_drift"] == pytest.approx(0.2)
+    assert "dist" not in measures
+    assert "e_diff" not in measures
+    assert measures["time"] == pytest.approx(59 * 0.05 * 80 / 95 + 1.0, abs=0.06)
+
+
+def test_backing_counts_backwards_only():
+    plan, path = plan_of(((0.0, 0.0), (-2.0, 0.0)), {"kind": "back"}, start_heading=0.0, goal_radius=0.25)
+    back = rows(np.linspace(0, -2, 80), np.zeros(80))
+    turned = rows(np.linspace(0, -2, 80), np.zeros(80), math.pi)
+    assert task_measures(plan, path, back)["reached"]
+    assert task_measures(plan, path, back)["e_diff"] == pytest.approx(0.0, abs=1e-9)
+    assert not task_measures(plan, path, turned)["reached"]
+
+
+def test_a_course_is_measured_stage_by_stage():
+    plan = find_place("skills.easy")
+    path = plan.paths[0]
+    x = np.concatenate([np.linspace(0, 6, 120), np.linspace(5.6, 4, 60)])
+    measures = task_measures(plan, path, rows(x, np.zeros(180)))
+    assert (measures["stages_done"], measures["stages"], measures["reached"]) == (2, 7, False)
+    assert [part["reached"] for part in measures["parts"]] == [True, True, *[False] * 5]
+    assert [part["kind"] for part in measures["parts"]][:4] == ["path", "back", "path", "turn"]
+    assert measures["parts"][0]["dist"] == pytest.approx(6, abs=0.6)
+    assert measures["parts"][1]["reached"]
+    assert "e_diff" not in measures
+
+
+def test_older_recordings_know_no_scene_time():
+    driven = ahead()
+    driven["scene_t"][:] = math.nan
+    assert task_measures(*plan_of(task=FOLLOW, movers=(GUIDE,)), driven)["follow_error_rms"] >= 0
