@@ -23,31 +23,34 @@ class Cones:
     def __init__(self, cones: tuple[Cone, ...]) -> None:
         self._cones = cones
         self._fell: dict[int, float] = {}  # the number of a cone that lies, and the direction (rad) in which it fell
+        self._parts: dict[str, Part] | None = None
 
     @property
     def lying(self) -> int:
         """Return how many were touched."""
         return len(self._fell)
 
-    def touch(self, pose: Pose) -> bool:
-        """Let the chair be there; return whether another cone fell."""
-        before = len(self._fell)
+    def touch(self, pose: Pose) -> None:
+        """Let the chair be there."""
         for number, cone in enumerate(self._cones):
             x, y = cone.position[0] - pose.x, cone.position[1] - pose.y
             if number not in self._fell and math.hypot(x, y) < CHAIR_RADIUS + cone.radius:
                 self._fell[number] = math.atan2(y, x)
-        return len(self._fell) > before
+                self._parts = None
 
-    def stand_up(self) -> bool:
-        """Put them all up again; return whether one lay."""
-        lay = bool(self._fell)
-        self._fell.clear()
-        return lay
+    def stand_up(self) -> None:
+        """Put them all up again."""
+        if self._fell:
+            self._fell.clear()
+            self._parts = None
 
     def parts(self) -> dict[str, Part]:
-        """Return all cones as they stand or lie."""
-        if not self._cones:
-            return {}
+        """Return all cones as they stand or lie: the same object until that changes."""
+        if self._parts is None:
+            self._parts = self._drawn() if self._cones else {}
+        return self._parts
+
+    def _drawn(self) -> dict[str, Part]:
         bodies, bands = [], []
         for number, cone in enumerate(self._cones):
             fell = self._fell.get(number)

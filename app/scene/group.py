@@ -36,10 +36,13 @@ class Group:
         """Return the meshes."""
         return self._nodes.values()
 
-    def show(self, parts: Mapping[str, Part]) -> None:
-        """Draw these parts in place of those before; what only changed its shape is kept, and does not blink."""
+    def show(self, parts: Mapping[str, Part]) -> bool:
+        """Draw these parts in place of those before, unless they are the very same; return whether they are others.
+
+        What only changed its shape is kept, and does not blink.
+        """
         if parts is self._shown:
-            return
+            return False
         if self._are_alike(parts):
             for name, part in parts.items():
                 self._nodes[name].vertices = part.mesh.vertices.astype(np.float32)
@@ -48,6 +51,7 @@ class Group:
                 node.remove()
             self._nodes = {name: self._add(f"{self._under}/{name}", part) for name, part in parts.items()}
         self._shown = parts
+        return True
 
     def _are_alike(self, parts: Mapping[str, Part]) -> bool:
         return self._shown.keys() == parts.keys() and all(

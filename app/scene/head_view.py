@@ -70,14 +70,17 @@ class HeadView:
         self._since = min(self._since + dt, EASE)
         left = 1.0 - _smooth(self._since / EASE)
         asked = _within(Angles(*(to + left * offset for to, offset in zip(goal, self._offset, strict=True))))
-        reach = FASTEST * dt
-        self.shown = Angles(*(a + min(max(b - a, -reach), reach) for a, b in zip(self.shown, asked, strict=True)))
+        self.shown = Angles(*(_toward(a, b, FASTEST * dt) for a, b in zip(self.shown, asked, strict=True)))
         return self.shown
 
 
 def _turn(angle: float) -> float:
     """Return the same direction from -pi to pi."""
     return math.remainder(angle, math.tau)
+
+
+def _toward(here: float, there: float, reach: float) -> float:
+    return there if abs(there - here) <= reach else here + math.copysign(reach, there - here)
 
 
 def _within(angles: Angles) -> Angles:

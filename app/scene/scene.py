@@ -10,19 +10,16 @@ import numpy as np
 
 from app.geometry import Pose
 from app.scene.building import building_parts
-from app.scene.cones import Cones
 from app.scene.head_view import Angles
 from app.scene.models import Model, read_model
 from app.scene.movers import mover_parts
+from app.scene.play import Play
 from app.scene.plots import Plots
 from app.scene.servers import ROLES, Role, RoleServers
-from app.scene.task_marks import later_parts, task_parts
 from app.scene.trajectory import Trajectory
 from app.scene.views import EyeSettings, Orbit, View
 from app.scene.world_view import Drawing, WorldView
 from app.world.floorplan import FloorPlan, PrescribedPath
-from app.world.scenery import Track
-from app.world.task_progress import TaskProgress, progress_of
 
 CLOCK_WRAPS = 100.0  # s; viser leaves out changes below a hundred-thousandth, so that a clock must stay small
 CLOCK_NODE: Final = "/clock"
@@ -52,13 +49,10 @@ class Scene:
         self._plots = Plots(servers["clinician"])
         self._clocks = [servers[role].scene.add_frame(CLOCK_NODE, show_axes=False, visible=False) for role in ROLES]
         self._plan: FloorPlan | None = None
-        self._path: PrescribedPath | None = None
         self._drawing = NOTHING
-        self._progress: TaskProgress | None = None
-        self._shown_part: PrescribedPath | None = None
-        self._cones = Cones(())
-        self._tracks: list[Track] = []
-        self._scene_t = 0.0
+        self._play = Play()
+        self._pose = Pose(0.0, 0.0, 0.0)
+        self._head, self._head_age = NO_HEAD, math.inf
         self._t = math.nan
 
     @property
@@ -89,19 +83,12 @@ class Scene:
         path = None if plan is None or path_name is None else plan.path_named(path_name)
         drawing = self._drawing if plan == self._plan else self._drawing_of(plan, path)
         with self._lock:
-            self._plan, self._path, self._drawing = plan, path, drawing
-            self._tracks = [] if plan is None else [Track(mover) for mover in plan.movers]
-            self._cones = Cones(() if plan is None else plan.cones)
-            for role in ROLES:
-                with self._servers[role].atomic():
-                    view = self._views[role]
-                    view.draw(drawing)
-                    view.draw_later({} if path is None else later_parts(path))
-                    view.draw_cones(self._cones.parts())
+            self._plan, self._drawing, self._play = plan, drawing, Play(plan, path)
+            for view in self._views.values():
+                view.draw(drawing)
             self._forget_driven()
             self._plots.show_path(plan, path_name)
-            if path is not None:
-                self._place(path.start, 0.0, 0.0, NO_HEAD, math.inf)
+            self._place(Pose(0.0, 0.0, 0.0) if path is None else path.start, 0.0)
             self._flush()
 
     def set_view(self, role: Role, view: View, settings: EyeSettings | None = None) -> None:
@@ -126,6 +113,8 @@ class Scene:
         """Take away the trajectory and the error of the trial before, and put up the cones."""
         with self._lock:
             self._forget_driven()
+            self._play.begin_again()
+            self._place(self._pose, 0.0)
             self._flush()
 
     def update(
@@ -156,17 +145,11 @@ class Scene:
         if not all(map(math.isfinite, (*pose, t, v, scene_t))):
             return
         with self._lock:
-            if scene_t < self._scene_t:  # the chair was put on the start again
-                self._begin_again()
-            self._scene_t = scene_t
-            if self._progress is not None:
-                self._progress.update(pose, v, scene_t)
-                self._show_part()
-            if self._cones.touch(pose):
-                self._draw_cones()
+            self._play.update(pose, v, scene_t)
             dt = t - self._t if math.isfinite(self._t) else 0.0
             self._t = t
-            self._place(pose, dt, scene_t, head, head_age)
+            self._head, self._head_age = head, head_age
+            self._place(pose, dt)
             for trajectory in self._trajectories:
                 trajectory.add(pose, t)
             self._plots.add(pose, t)
@@ -200,38 +183,15 @@ class Scene:
                 view.fit_picture()
             self._flush()
 
-    def _place(self, pose: Pose, dt: float, scene_t: float, head: Angles, head_age: float) -> None:
-        movers = [track.at(scene_t).pose for track in self._tracks]
+    def _place(self, pose: Pose, dt: float) -> None:
+        self._pose = pose
         for view in self._views.values():
-            view.follow(pose, dt, head, head_age, movers)
+            view.follow(pose, dt, self._head, self._head_age, self._play)
 
     def _forget_driven(self) -> None:
         for trajectory in self._trajectories:
             trajectory.clear()
         self._plots.clear()
-        self._begin_again()
-
-    def _begin_again(self) -> None:
-        """Let the task begin from its start."""
-        self._scene_t = 0.0
-        self._progress = progress_of(self._plan, self._path) if self._plan and self._path else None
-        self._show_part()
-        if self._cones.stand_up():
-            self._draw_cones()
-
-    def _show_part(self) -> None:
-        """Draw the present stage of the task, when it is another than the one that is drawn."""
-        part = None if self._progress is None else self._progress.part
-        if part != self._shown_part:
-            self._shown_part = part
-            parts = {} if part is None else task_parts(part)
-            for view in self._views.values():
-                view.draw_task(parts)
-
-    def _draw_cones(self) -> None:
-        parts = self._cones.parts()
-        for view in self._views.values():
-            view.draw_cones(parts)
 
     def _drawing_of(self, plan: FloorPlan | None, path: PrescribedPath | None) -> Drawing:
         if plan is None:

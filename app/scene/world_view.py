@@ -13,6 +13,7 @@ from app.scene.group import Group, numbered, put
 from app.scene.head_view import AHEAD, Angles, HeadView
 from app.scene.lighting import Lighting
 from app.scene.meshes import Part
+from app.scene.play import Play
 from app.scene.views import (
     FIELD_OF_VIEW,
     NEAREST,
@@ -75,7 +76,6 @@ class WorldView:
         self._lighting = Lighting(server)
         self._building = Group(server, "/world")
         self._task = Group(server, "/world")
-        self._later = Group(server, "/world")
         self._cones = Group(server, "/world")
         self._movers: list[viser.FrameHandle] = []
         self._bodies = Group(server, "/world/chair")
@@ -113,20 +113,6 @@ class WorldView:
             self._lighting.shine(drawing.lights)
             self.look(self._view)
 
-    def draw_task(self, parts: dict[str, Part]) -> None:
-        """Draw what shows the task, or the present stage of it."""
-        with self._server.atomic():
-            self._task.show(parts)
-            self._hide_upright()
-
-    def draw_later(self, parts: dict[str, Part]) -> None:
-        """Draw the stages that are not asked yet."""
-        self._later.show(parts)
-
-    def draw_cones(self, parts: dict[str, Part]) -> None:
-        """Draw the cones as they stand or lie."""
-        self._cones.show(parts)
-
     def look(self, view: View, settings: EyeSettings | None = None) -> None:
         """Look from somewhere else, or with other settings."""
         self._view = view
@@ -157,15 +143,18 @@ class WorldView:
         if self._view == "free":
             self._place()
 
-    def follow(self, pose: Pose, dt: float, head: Angles, head_age: float, movers: Sequence[Pose]) -> None:
+    def follow(self, pose: Pose, dt: float, head: Angles, head_age: float, play: Play) -> None:
         """Put everything where it is `dt` (s) after the last time: chair, head and movers of one moment together."""
         age = head_age if self._settings.head else math.inf
         self._angles = self._head.step(dt, *head, age)
         self._pose = pose
         with self._server.atomic():
             put(self._chair, chair_placement(pose))
-            for node, place in zip(self._movers, movers, strict=True):
+            for node, place in zip(self._movers, play.movers(), strict=True):
                 put(node, chair_placement(place))
+            if self._task.show(play.task):
+                self._hide_upright()
+            self._cones.show(play.cones.parts())
             self._place()
 
     def fit_picture(self) -> None:

@@ -69,9 +69,11 @@ def test_a_cone_stands_inside_its_circle_until_it_is_touched_and_falls_away_from
     standing = points_of(cones.parts().values())
     assert np.hypot(standing[:, 0] - 2, standing[:, 1]).max() <= 0.15
     assert standing[:, 2].max() == pytest.approx(0.5)
-    assert not cones.touch(Pose(2.0 - CHAIR_RADIUS - 0.16, 0.0, 0.0))
-    assert cones.touch(Pose(2.0 - CHAIR_RADIUS - 0.14, 0.0, 0.0))
-    assert not cones.touch(Pose(2.0, 0.0, 0.0))  # it lies already
+    cones.touch(Pose(2.0 - CHAIR_RADIUS - 0.16, 0.0, 0.0))
+    assert cones.lying == 0
+    cones.touch(Pose(2.0 - CHAIR_RADIUS - 0.14, 0.0, 0.0))
+    assert cones.lying == 1
+    cones.touch(Pose(2.1, 0.0, 0.0))  # it lies already, and does not fall again
     lying = points_of(cones.parts().values())
     assert lying[:, 2].max() < 0.25
     assert lying[:, 2].min() > -0.03
@@ -82,10 +84,9 @@ def test_a_cone_stands_inside_its_circle_until_it_is_touched_and_falls_away_from
 def test_cones_stand_up_again():
     cones = Cones(CONES)
     before = points_of(cones.parts().values())
-    assert not cones.stand_up()
     cones.touch(Pose(2.0, 0.1, 0.0))
     assert cones.lying == 1
-    assert cones.stand_up()
+    cones.stand_up()
     assert cones.lying == 0
     assert (points_of(cones.parts().values()) == before).all()
 
