@@ -29,8 +29,12 @@ export class Live extends EventTarget {
   #retryTimer = 0;
   #watchedAt = 0;
 
-  constructor() {
+  #path;
+
+  /** @param {string} [path] of the socket on this server */
+  constructor(path = "/api/v1/live") {
     super();
+    this.#path = path;
     setInterval(() => this.#watch(), LOOK_EVERY);
   }
 
@@ -63,7 +67,7 @@ export class Live extends EventTarget {
 
   #connect() {
     const scheme = location.protocol === "https:" ? "wss" : "ws";
-    const socket = new WebSocket(`${scheme}://${location.host}/api/v1/live`);
+    const socket = new WebSocket(`${scheme}://${location.host}${this.#path}`);
     this.#socket = socket;
     this.heardAt = performance.now();
     socket.onopen = () => (this.heardAt = performance.now());

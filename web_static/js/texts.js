@@ -7,6 +7,7 @@ import chair from "./texts/en/chair.js";
 import controls from "./texts/en/controls.js";
 import drive from "./texts/en/drive.js";
 import measures from "./texts/en/measures.js";
+import patient_screen from "./texts/en/patient_screen.js";
 import patients from "./texts/en/patients.js";
 import review from "./texts/en/review.js";
 import settings from "./texts/en/settings.js";
@@ -26,6 +27,7 @@ const CATALOGUE = Object.freeze({
   ...measures,
   ...review,
   ...settings,
+  ...patient_screen,
 });
 const PLURALS = new Intl.PluralRules(LANGUAGE);
 

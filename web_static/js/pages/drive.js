@@ -3,6 +3,7 @@ import { chairChoice } from "../parts/chair_choice.js";
 import { h, put } from "../parts/dom.js";
 import { emptyPage, nobodyIsHere } from "../parts/nobody.js";
 import { planChooser } from "../parts/plan_chooser.js";
+import { patientScreenCard } from "../parts/patient_screen_card.js";
 import { readTrial, showTrialOver } from "../parts/trial_over.js";
 import { showTrial } from "../parts/trial_view.js";
 import { t } from "../texts.js";
@@ -48,6 +49,7 @@ async function choose(app, root, signal) {
       h("p", { class: "lead" }, t("drive.lead")),
       chairChoice(app, chairs),
       chooser.element,
+      app.me.role !== "reviewer" && patientScreenCard(app, signal),
     ),
     h(
       "div",

@@ -2,6 +2,7 @@
 import { chairsCard } from "../parts/chairs_card.js";
 import { h, put } from "../parts/dom.js";
 import { limitsCard } from "../parts/limits_card.js";
+import { patientScreenCard } from "../parts/patient_screen_card.js";
 import { t } from "../texts.js";
 
 /** @param {import("../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal}} page */
@@ -18,6 +19,7 @@ export async function show(app, root, { signal }) {
       h("h1", { tabindex: "-1" }, t("settings.title")),
       h("p", { class: "lead" }, t("settings.lead"), !isOwner && ` ${t("settings.read-only")}`),
       h("div", { class: "settings-columns" }, limits, chairsCard(app, chairs, isOwner, signal)),
+      app.me.role !== "reviewer" && patientScreenCard(app, signal),
     ),
   );
 }

@@ -86,7 +86,7 @@ export function cueCircle(app, step, { isRunning, idleWords, signal, onCue }) {
 }
 
 /** The disc leads the movement: smoothly up, smoothly back. */
-function discRadius(kind, share) {
+export function discRadius(kind, share) {
   const ease = 0.5 - 0.5 * Math.cos(Math.PI * Math.min(1, Math.max(0, share)));
   if (kind === "move") return DISC_SMALL + (DISC_LARGE - DISC_SMALL) * ease;
   if (kind === "return") return DISC_LARGE - (DISC_LARGE - DISC_SMALL) * ease;

@@ -42,6 +42,6 @@ export function pairedCard(app, { key_line: line, qr }, { name, host, port }, on
 }
 
 /** An SVG as the address of a picture: nothing in it can run. @param {string} svg */
-function pictureOf(svg) {
+export function pictureOf(svg) {
   return `data:image/svg+xml;utf8,${encodeURIComponent(svg)}`;
 }

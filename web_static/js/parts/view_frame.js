@@ -18,11 +18,11 @@ const COARSEST = 3; // screen pixels to one drawn pixel, each way
 /**
  * `surface` lies over the picture, hidden until somebody wants to touch it.
  * `ready` comes true with the first live picture: nobody is to drive before there is something to see.
- * @param {AbortSignal} signal
+ * @param {AbortSignal} signal @param {"clinician" | "patient"} [role] whose picture it is
  * @returns {{element: HTMLElement, surface: HTMLElement, ready: Promise<void>, setPlots: (is: boolean) => void}}
  */
-export function viewFrame(signal) {
-  const make = () => h("iframe", { src: "/view/clinician/", title: t("trial.frame"), tabindex: "-1" });
+export function viewFrame(signal, role = "clinician") {
+  const make = () => h("iframe", { src: `/view/${role}/`, title: t("trial.frame"), tabindex: "-1" });
   let frame = make();
   let loadedAt = performance.now();
   let lookedAt = loadedAt;

@@ -1,0 +1,87 @@
+/** The patient's screen: paired by its link, shown while the visit goes on, and a word of thanks at its end. */
+import { Api } from "./api.js";
+import { Live } from "./live.js";
+import { h, put } from "./parts/dom.js";
+import { followSystem } from "./parts/theme.js";
+import { showScreen } from "./patient/screen.js";
+import { stayAwake } from "./patient/wake.js";
+import { t } from "./texts.js";
+
+const PAIR_LINK = /^#pair=(.+)$/;
+const FIRST_PAUSE = 500; // ms before asking again; doubled with each failure, up to ...
+const LONGEST_PAUSE = 5000; // ms
+
+class PatientPage {
+  #api = new Api(() => {});
+  #live = new Live("/api/v1/patient/live");
+  #shown = new AbortController();
+  #root = h("main", { class: "patient" });
+  #isShowing = false;
+  #pause = FIRST_PAUSE;
+  #timer = 0;
+
+  async start() {
+    document.title = t("patient.title");
+    document.body.replaceChildren(this.#root);
+    stayAwake();
+    // Both say that the pairing may have ended: then the page asks how it stands.
+    this.#live.addEventListener("changed", ({ detail }) => detail === "sign-in" && this.#ask());
+    this.#live.addEventListener("connection", () => !this.#live.connected && this.#ask());
+    window.addEventListener("hashchange", () => this.enter());
+    await this.enter();
+  }
+
+  /** Pair by the link if this page was opened by one, then show what there is to show. */
+  async enter() {
+    const link = PAIR_LINK.exec(location.hash);
+    let words = "";
+    if (link) {
+      // The code must not stay in the address, where the next person could read it.
+      history.replaceState(null, "", location.pathname);
+      try {
+        await this.#api.post("/patient-screen/pair", { code: decodeURIComponent(link[1]) });
+      } catch (error) {
+        words = error.message;
+      }
+    }
+    await this.#ask(words);
+  }
+
+  async #ask(words = "") {
+    clearTimeout(this.#timer);
+    try {
+      const { state } = await this.#api.get("/patient-screen/me");
+      this.#pause = FIRST_PAUSE;
+      if (state === "paired") this.#show();
+      else this.#leave(state, words);
+    } catch (error) {
+      // While the screen is shown, its socket comes back by itself.
+      if (this.#isShowing) return;
+      this.#say(t("patient.lost"), error.message, t("patient.lost.why"));
+      this.#timer = setTimeout(() => this.#ask(), this.#pause);
+      this.#pause = Math.min(2 * this.#pause, LONGEST_PAUSE);
+    }
+  }
+
+  #show() {
+    if (this.#isShowing) return;
+    this.#isShowing = true;
+    this.#shown = new AbortController();
+    this.#live.open();
+    showScreen(this.#root, this.#live, this.#shown.signal);
+  }
+
+  #leave(state, words) {
+    this.#isShowing = false;
+    this.#shown.abort();
+    this.#live.close();
+    this.#say(t(`patient.${state}.title`), words || t(`patient.${state}.lead`), t(`patient.${state}.next`));
+  }
+
+  #say(title, lead, next) {
+    put(this.#root, h("section", { class: "calm", role: "status" }, h("h1", {}, title), h("p", {}, lead), h("p", {}, next)));
+  }
+}
+
+followSystem();
+new PatientPage().start();

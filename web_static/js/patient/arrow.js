@@ -1,0 +1,45 @@
+/** An arrow that turns with the chair and points to where it shall go. */
+import { h, s, set, write } from "../parts/dom.js";
+import { number } from "../parts/format.js";
+import { t } from "../texts.js";
+
+const NEAR = 0.2; // m: nearer than this a direction means nothing
+const AHEAD = Math.PI / 6; // rad to either side
+const BEHIND = (5 * Math.PI) / 6; // rad
+
+/**
+ * Where a target lies, as seen from the chair.
+ * @param {[number, number, number]} pose x, y (m), theta (rad) @param {[number, number]} target m
+ * @returns {{bearing: number, distance: number}} rad, left positive, within a half turn; m
+ */
+export function bearingTo([x, y, theta], [targetX, targetY]) {
+  const [dx, dy] = [targetX - x, targetY - y];
+  const bearing = Math.atan2(dy, dx) - theta;
+  return { bearing: Math.atan2(Math.sin(bearing), Math.cos(bearing)), distance: Math.hypot(dx, dy) };
+}
+
+/** @param {number} bearing rad, left positive @returns {"ahead" | "left" | "right" | "behind"} */
+export function side(bearing) {
+  if (Math.abs(bearing) <= AHEAD) return "ahead";
+  if (Math.abs(bearing) >= BEHIND) return "behind";
+  return bearing > 0 ? "left" : "right";
+}
+
+export function arrow() {
+  const needle = s("path", { d: "M50 8 82 88 50 70 18 88Z" });
+  const distance = h("span", { class: "number" });
+  const picture = s("svg", { viewBox: "0 0 100 100", role: "img" }, needle);
+  const element = h("div", { class: "hud arrow", hidden: true }, picture, distance);
+  /** @param {any} now a message */
+  const show = ({ asks, trial, pose }) => {
+    const isWanted = Boolean(asks.arrow && trial?.target && pose.every(Number.isFinite));
+    element.hidden = !isWanted;
+    if (!isWanted) return;
+    const to = bearingTo(pose, trial.target);
+    const bearing = to.distance < NEAR ? 0 : to.bearing;
+    set(needle, { transform: `rotate(${number((-bearing * 180) / Math.PI, 0).replace("−", "-")} 50 50)` });
+    set(picture, { "aria-label": t("patient.arrow", { where: t(`patient.arrow.${side(bearing)}`) }) });
+    write(distance, t("patient.arrow.distance", { distance: number(to.distance, 1) }));
+  };
+  return { element, show };
+}

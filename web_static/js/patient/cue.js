@@ -1,0 +1,55 @@
+/** The large cue of a calibration prompt: what to do, in words that are read from 2 m, and a ring that shows for how long. */
+import { h, s, set, write } from "../parts/dom.js";
+import { discRadius } from "../parts/cue_circle.js";
+import { t } from "../texts.js";
+
+const RADIUS = 118;
+const ROUND = 2 * Math.PI * RADIUS;
+const FURTHEST = 0.3; // s to go on without news; then the ring stands, because the run may stand too
+const CALM = matchMedia("(prefers-reduced-motion: reduce)");
+const CALM_STEPS = 4; // of the ring, for those whom motion disturbs
+const COUNTED = new Set(["ready", "rest", "free"]); // whole seconds; the others are too short to be counted
+
+/** What a cue says. @param {{kind: string, movement: string | null}} cue */
+export function cueWords({ kind, movement }) {
+  return kind === "move" && movement ? movement : t(`patient.cue.${kind}`);
+}
+
+/** @param {import("../live.js").Live} live @param {AbortSignal} signal */
+export function cueLayer(live, signal) {
+  const disc = s("circle", { class: "disc", cx: 150, cy: 150, r: discRadius("rest", 0) });
+  const ring = s("circle", { class: "ring", cx: 150, cy: 150, r: RADIUS, transform: "rotate(-90 150 150)" });
+  const seconds = s("text", { class: "seconds", x: 150, y: 172, "text-anchor": "middle" });
+  const track = s("circle", { class: "track", cx: 150, cy: 150, r: RADIUS });
+  const picture = s("svg", { viewBox: "0 0 300 300", "aria-hidden": "true" }, track, disc, ring, seconds);
+  const words = h("p", { class: "cue-words", role: "status" });
+  const then = h("p", { class: "cue-then" });
+  const element = h("div", { class: "cue-layer", hidden: true }, picture, words, then);
+
+  const draw = (cue) => {
+    const time = Math.min(cue.length, cue.t + Math.min(live.age, FURTHEST));
+    const share = time / cue.length;
+    const shown = CALM.matches ? Math.floor(share * CALM_STEPS) / CALM_STEPS : share;
+    set(ring, { "stroke-dasharray": ROUND, "stroke-dashoffset": ROUND * (1 - shown) });
+    set(disc, { r: discRadius(cue.kind, CALM.matches ? Number(share > 0.5) : share) });
+    write(seconds, COUNTED.has(cue.kind) ? String(Math.ceil(cue.length - time)) : "");
+  };
+  const turn = () => {
+    if (signal.aborted) return;
+    const cue = live.latest?.cue;
+    if (cue && !element.hidden) draw(cue);
+    requestAnimationFrame(turn);
+  };
+  /** @param {any} now a message */
+  const show = ({ cue, state }) => {
+    element.hidden = !cue || state === "fault";
+    if (!cue) return;
+    element.dataset.kind = cue.kind;
+    write(words, cueWords(cue));
+    const isReady = cue.kind === "ready" && cue.movement;
+    const after = isReady ? cue.movement : cue.next && cueWords({ kind: cue.next, movement: cue.movement });
+    write(then, after ? t("patient.cue.next", { next: after.toLowerCase() }) : "");
+  };
+  turn();
+  return { element, show };
+}

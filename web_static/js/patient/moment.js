@@ -1,0 +1,45 @@
+/** The large word of a moment: rest, go, goal reached. */
+import { h, put } from "../parts/dom.js";
+import { t } from "../texts.js";
+
+const GO_SHOWN = 1600; // ms
+const OVER_SHOWN = 8000; // ms
+
+export function momentCard() {
+  const element = h("div", { class: "moment", "aria-live": "assertive" });
+  let shown = "";
+  let until = 0;
+  /** @type {any} */
+  let before = null;
+  const say = (name, hasWhy = true, tone = "") => {
+    if (shown === name) return;
+    shown = name;
+    put(
+      element,
+      name &&
+        h(
+          "div",
+          { class: `hud ${tone}` },
+          h("div", { class: "word" }, t(`patient.${name}`)),
+          hasWhy && h("p", {}, t(`patient.${name}.why`)),
+        ),
+    );
+  };
+  /** @param {any} now a message */
+  const show = (now) => {
+    const isNew = before && now.over && now.over.id !== before.over?.id;
+    const begins = before && now.state === "armed" && before.state !== "armed";
+    const last = before;
+    before = now;
+    if (now.state === "fault" || now.cue) say("");
+    else if (now.state === "checking") say("rest");
+    else if (isNew) {
+      say(now.over.end === "goal" ? "goal" : "ended", true, now.over.end === "goal" ? "good" : "");
+      until = performance.now() + OVER_SHOWN;
+    } else if (begins && last.state !== "armed") {
+      say("go", false, "go");
+      until = performance.now() + GO_SHOWN;
+    } else if (performance.now() > until || shown === "rest") say("");
+  };
+  return { element, show };
+}

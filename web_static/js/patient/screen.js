@@ -1,0 +1,110 @@
+/** What the patient sees: the view, and over it what to do, the speed, the arrow, and a stop that nobody overlooks. */
+import { h, put, s, write } from "../parts/dom.js";
+import { number } from "../parts/format.js";
+import { viewFrame } from "../parts/view_frame.js";
+import { t } from "../texts.js";
+import { arrow } from "./arrow.js";
+import { cueLayer } from "./cue.js";
+import { momentCard } from "./moment.js";
+import { heard, Sounds } from "./sounds.js";
+
+const BACKWARDS = -0.02; // m/s
+
+/** @param {HTMLElement} root @param {import("../live.js").Live} live @param {AbortSignal} signal */
+export function showScreen(root, live, signal) {
+  const sounds = new Sounds();
+  const view = renewedView(live, signal);
+  const parts = [taskCard(), speedCard(), arrow(), momentCard(), cueLayer(live, signal), stopBand()];
+  const lost = band("lost", h("div", {}, h("b", {}, t("patient.lost")), h("p", {}, t("patient.lost.why"))));
+  const sound = h("button", { type: "button", class: "btn sound", hidden: true }, t("patient.sound"));
+  sound.addEventListener("click", async () => {
+    await sounds.turnOn();
+    sound.hidden = sounds.isOn;
+  });
+  let before = null;
+  const show = ({ detail: now }) => {
+    for (const part of parts) part.show(now);
+    document.documentElement.classList.toggle("large", now.asks.large);
+    sound.hidden = !now.asks.sounds || sounds.isOn;
+    if (now.asks.sounds) for (const name of heard(before, now)) sounds.play(name);
+    before = now;
+  };
+  const showConnection = () => {
+    lost.hidden = live.connected;
+    root.classList.toggle("is-lost", !live.connected);
+  };
+  live.addEventListener("tick", show, { signal });
+  live.addEventListener("connection", showConnection, { signal });
+  put(root, view, h("div", { class: "lower" }, parts.slice(0, 3).map(({ element }) => element)), parts.slice(3).map(({ element }) => element), lost, sound);
+  showConnection();
+}
+
+/** The 3D view; made anew when the connection is back, because a frame that failed to load stays as it is. */
+function renewedView(live, signal) {
+  const element = h("div", { class: "view-place" });
+  let shown = new AbortController();
+  const make = () => {
+    shown.abort();
+    shown = new AbortController();
+    const frame = viewFrame(shown.signal, "patient").element;
+    frame.querySelector("iframe").title = t("patient.view");
+    put(element, frame);
+  };
+  live.addEventListener("connection", () => live.connected && make(), { signal });
+  signal.addEventListener("abort", () => shown.abort());
+  make();
+  return element;
+}
+
+function taskCard() {
+  const stage = h("div", { class: "stage" });
+  const words = h("p", { class: "instruction", role: "status" });
+  const done = h("span", {});
+  const progress = h("div", { class: "progress", "aria-hidden": "true" }, done);
+  const element = h("div", { class: "hud task" }, stage, words, progress);
+  const show = ({ trial, drives }) => {
+    write(stage, trial?.stages > 1 ? t("patient.stage", { stage: trial.stage + 1, stages: trial.stages }) : "");
+    write(words, trial?.instruction ?? (drives ? "" : t("patient.waiting")));
+    progress.hidden = !trial?.length;
+    if (trial?.length) done.style.width = `${100 * Math.min(1, Math.max(0, trial.done / trial.length))}%`;
+    element.hidden = !words.textContent;
+  };
+  return { element, show };
+}
+
+function speedCard() {
+  const speed = h("span", {});
+  const way = h("span", { class: "way" });
+  const element = h(
+    "div",
+    { class: "hud speed" },
+    h("div", { class: "label" }, t("patient.speed")),
+    h("div", { class: "big" }, speed, " ", h("small", {}, t("unit.speed"))),
+    way,
+  );
+  const show = ({ v }) => {
+    write(speed, number(Math.abs(v ?? 0), 1));
+    write(way, v < BACKWARDS ? t("patient.backwards") : "");
+  };
+  return { element, show };
+}
+
+function stopBand() {
+  const words = h("p", {});
+  const shape = s(
+    "svg",
+    { viewBox: "0 0 100 100", "aria-hidden": "true" },
+    s("path", { class: "octagon", d: "M31 4h38l27 27v38L69 96H31L4 69V31Z" }),
+    s("path", { class: "bars", d: "M36 30v40M64 30v40" }),
+  );
+  const element = band("stopped", shape, h("div", {}, h("b", {}, t("patient.stopped")), words));
+  const show = ({ state, fault }) => {
+    if (fault) write(words, fault.words);
+    element.hidden = state !== "fault";
+  };
+  return { element, show };
+}
+
+function band(name, ...children) {
+  return h("div", { class: `band ${name}`, role: "alert", hidden: true }, children);
+}
