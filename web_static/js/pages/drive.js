@@ -2,8 +2,8 @@
 import { chairChoice } from "../parts/chair_choice.js";
 import { h, put } from "../parts/dom.js";
 import { emptyPage, nobodyIsHere } from "../parts/nobody.js";
-import { planChooser } from "../parts/plan_chooser.js";
 import { patientScreenCard } from "../parts/patient_screen_card.js";
+import { planChooser } from "../parts/plan_chooser.js";
 import { readTrial, showTrialOver } from "../parts/trial_over.js";
 import { showTrial } from "../parts/trial_view.js";
 import { t } from "../texts.js";

@@ -53,6 +53,7 @@ export function patientScreenCard(app, signal) {
   };
   const read = () => {
     if (app.visit?.patient) return call(app.api.get("/patient-screen"));
+    shown = null;
     put(list);
     put(wishes);
     put(below, h("p", { class: "quiet" }, t("screens.nobody")));

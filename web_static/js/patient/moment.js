@@ -29,14 +29,13 @@ export function momentCard() {
   const show = (now) => {
     const isNew = before && now.over && now.over.id !== before.over?.id;
     const begins = before && now.state === "armed" && before.state !== "armed";
-    const last = before;
     before = now;
     if (now.state === "fault" || now.cue) say("");
     else if (now.state === "checking") say("rest");
     else if (isNew) {
       say(now.over.end === "goal" ? "goal" : "ended", true, now.over.end === "goal" ? "good" : "");
       until = performance.now() + OVER_SHOWN;
-    } else if (begins && last.state !== "armed") {
+    } else if (begins) {
       say("go", false, "go");
       until = performance.now() + GO_SHOWN;
     } else if (performance.now() > until || shown === "rest") say("");
