@@ -23,7 +23,7 @@ Distance = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=1, le=100
 class CameraChoice(Document):
     """Where to look from, and how the patient's eye looks; what is not named stays as it is."""
 
-    view: View
+    view: View | None = None
     fov_deg: FieldOfView | None = None
     eye_height: EyeHeight | None = None
     roll_share: Fraction | None = None
@@ -82,7 +82,7 @@ def view_controls(scene_now: SceneNow, clinician: Callable[..., Any]) -> APIRout
     def look(role: Role, choice: CameraChoice, shown: SceneOfVisit) -> ViewState:
         """Look from the patient's eye, from behind the chair, from above, or from anywhere."""
         changes = choice.model_dump(exclude={"view"}, exclude_none=True)
-        shown.set_view(role, choice.view, shown.settings(role)._replace(**changes))
+        shown.set_view(role, choice.view or shown.view(role), shown.settings(role)._replace(**changes))
         return _state(shown, role)
 
     @router.post("/{role}/free")

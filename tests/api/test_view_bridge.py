@@ -214,7 +214,7 @@ def test_the_controls_of_the_view(served):
     for is_open in (True, False):
         seen = said("clinician/plots", open=is_open)
         assert (seen["view"], seen["plots"]) == ("eye", is_open)
-    for bad in ({"view": "side"}, {}, {"view": "top", "more": 1}):
+    for bad in ({"view": "side"}, {"view": 1}, {"view": "top", "more": 1}):
         assert httpx.post(f"{api}/clinician/camera", json=bad).status_code == 422
     assert httpx.post(f"{api}/clinician/plots", json={"open": "yes"}).status_code == 422
 
@@ -225,6 +225,7 @@ def test_what_is_not_named_about_the_eye_stays_as_it_is(served):
     assert httpx.post(f"{api}/patient/camera", json={"view": "eye"} | eye).json().items() >= eye.items()
     after = httpx.post(f"{api}/patient/camera", json={"view": "chase", "fov_deg": 40}).json()
     assert after.items() >= (eye | {"fov_deg": 40, "view": "chase"}).items()
+    assert httpx.post(f"{api}/patient/camera", json={"eye_height": 1.0}).json()["view"] == "chase"
     assert httpx.post(f"{api}/clinician/camera", json={"view": "eye"}).json()["fov_deg"] == 68
     for bad in ({"fov_deg": 29}, {"fov_deg": 111}, {"eye_height": 0.5}, {"roll_share": 1.1}, {"head": 1}):
         assert httpx.post(f"{api}/patient/camera", json={"view": "eye"} | bad).status_code == 422

@@ -1,6 +1,7 @@
 """The 3D view in a real browser: each point that leans on the inside of viser 1.1.1 has its guard here."""
 
 import io
+import math
 
 import numpy as np
 import pytest
@@ -60,6 +61,7 @@ def small_page(open_view):
 def page(app, small_page):
     yield small_page
     app.ride.held_at = None
+    app.ride.head = (math.nan, math.nan, math.nan)
     app.scene_thread.scene.open_plots(False)
     app.scene_thread.scene.set_view("clinician", "eye")
 
@@ -129,6 +131,33 @@ def test_the_world_is_where_the_chair_is(app, page, until):
     until(page, f"Math.abs(window.__viserMutable.nodePoseData['/world/chair'].position[0] - {pose.x}) < 1e-3")
     # The camera must not have moved from the origin of viser's world, whatever the chair did.
     assert page.evaluate("() => window.__viserMutable.camera.position.length()") < 1e-3
+
+
+def test_the_head_turns_the_picture_and_a_lost_one_eases_back(app, page, until):
+    app.ride.held_at = 4.0
+    page.wait_for_timeout(500)
+    turned = "window.__viserMutable.nodePoseData['/world'].wxyz"
+    before = page.evaluate(f"() => {turned}")
+    app.ride.head = (0.8, 0.1, 0.0)
+    until(page, f"Math.abs({turned}[3] - {before[3]}) > 0.2")
+    app.ride.head = (math.nan, math.nan, math.nan)
+    until(page, f"Math.hypot(...{turned}.map((value, i) => value - {before}[i])) < 1e-3")
+
+
+def test_the_free_camera_is_put_by_the_server(app, page, until):
+    where = "JSON.stringify(window.__viserMutable.nodePoseData['/world'].position)"
+    api = f"{app.address}/api/v1/view/clinician"
+    page.request.post(f"{api}/camera", data={"view": "free"})
+    page.wait_for_timeout(600)
+    before = page.evaluate(f"() => {where}")
+    place = {"azimuth": 1.0, "elevation": 0.7, "distance": 6.0, "x": 2.0, "y": 3.0}
+    page.request.post(f"{api}/free", data=place)
+    until(page, f"{where} !== {before!r}")
+    assert page.evaluate("() => window.__viserMutable.camera.position.length()") < 1e-3
+
+
+def test_the_page_tells_how_old_the_drawn_pose_is(page, until):
+    until(page, "window.bodydriveView.lag() >= 0 && window.bodydriveView.lag() < 20")
 
 
 def test_the_plots_are_closed_until_asked_for_and_leave_most_of_the_picture(app, open_view, log, until):

@@ -23,6 +23,7 @@ from app.messages import TICK
 from app.scene.scene_thread import SceneThread, start_scene
 from app.scene.servers import Role, RoleServers
 from app.world.floorplan import FloorPlan, bundled_floorplans, load_floorplan
+from app.world.scene import bundled_scenes, load_scene
 
 SPEED = 0.8  # m/s
 
@@ -33,6 +34,7 @@ class Ride:
     def __init__(self, plan: FloorPlan, path_name: str) -> None:
         self.line = plan.path_named(path_name).line
         self.held_at: float | None = None  # m along the path; None: it drives
+        self.head = (math.nan, math.nan, math.nan)  # rad: yaw, pitch, roll
         self._began = monotonic()
 
     def tick(self) -> np.void:
@@ -43,6 +45,8 @@ class Ride:
         tick = np.zeros(1, dtype=TICK)[0]
         tick["number"] = int((now - self._began) * 100) + 1
         tick["t"], tick["x"], tick["y"], tick["theta"] = now, *pose
+        tick["scene_t"] = along / SPEED
+        tick["head_yaw"], tick["head_pitch"], tick["head_roll"], tick["head_age"] = *self.head, 0.0
         return tick
 
     def pose(self, along: float) -> Pose:
@@ -139,15 +143,23 @@ def running(plan: FloorPlan, path_name: str = "main") -> Iterator[Running]:
         served.stop()
 
 
+def plans() -> dict[str, FloorPlan]:
+    """Return every floor plan and every scene at each of its levels, by name."""
+    found = [load_floorplan(file) for file in bundled_floorplans().values()]
+    found += [plan for file in bundled_scenes().values() for plan in load_scene(file).plans.values()]
+    return {plan.name: plan for plan in found}
+
+
 def main() -> None:
     """Serve until interrupted."""
-    words = argparse.ArgumentParser(description="Serve the 3D view of a floor plan, with a chair that drives.")
-    words.add_argument("--floorplan", default="clinic", choices=list(bundled_floorplans()))
-    words.add_argument("--path", default="main")
+    known = plans()
+    words = argparse.ArgumentParser(description="Serve the 3D view of a floor plan or scene, with a chair that drives.")
+    words.add_argument("--floorplan", default="clinic", choices=list(known))
+    words.add_argument("--path")
     words.add_argument("--port", type=int, default=8090)
     chosen = words.parse_args()
-    plan = load_floorplan(bundled_floorplans()[chosen.floorplan])
-    app = view_app(plan, chosen.path, [])
+    plan = known[chosen.floorplan]
+    app = view_app(plan, chosen.path or plan.paths[0].name, [])
     sys.stdout.write(f"http://127.0.0.1:{chosen.port}/view/clinician/\n")
     uvicorn.run(app, host="127.0.0.1", port=chosen.port, log_level="warning", ws_per_message_deflate=False)
 

@@ -19,12 +19,17 @@ export function viewBar(app, surface) {
   let view = VIEWS.includes(stored) ? stored : "eye";
   const ask = (call) => call.catch((error) => app.toasts.show(error.message));
   const free = freeCamera((place) => ask(app.api.post("/view/clinician/free", place)), surface);
-  const settings = viewSettings(() => look());
+  const settings = viewSettings(() => {
+    look();
+    sendPatients({ ...settings.eye });
+  });
   const send = newestWins(async (choice) => {
     const shown = await ask(app.api.post("/view/clinician/camera", choice));
     if (shown && choice.view === view) free.open(view === "free", shown.free);
   }, SEND_EVERY);
-  const look = () => send({ view, ...settings.eye() });
+  const look = () => send({ view, ...settings.mine() });
+  // The eye is the patient's: the same settings hold on the patient's own screen, which can change nothing.
+  const sendPatients = newestWins((eye) => ask(app.api.post("/view/patient/camera", eye)), SEND_EVERY);
   const choose = (chosen) => {
     view = chosen;
     sessionStorage.setItem(VIEW_PLACE, view);
@@ -32,6 +37,7 @@ export function viewBar(app, surface) {
     look();
   };
   look();
+  sendPatients({ ...settings.eye });
   const views = segments(
     t("trial.views"),
     VIEWS.map((value) => ({ value, label: t(`trial.view.${value}`) })),

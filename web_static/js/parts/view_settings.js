@@ -6,13 +6,15 @@ import { icon } from "./icons.js";
 
 const PLACE = "bodydrive-eye";
 const USUAL = { fov_deg: 68, eye_height: 1.2, roll_share: 0, head: true };
+const RANGES = { fov_deg: [30, 110], eye_height: [0.8, 1.6], roll_share: [0, 1], head: [false, true] };
 const REDUCED = matchMedia("(prefers-reduced-motion: reduce)");
 
 let made = 0;
 
 /**
  * @param {() => void} onChange
- * @returns {{button: HTMLElement, panel: HTMLElement, eye: () => typeof USUAL}}
+ * @returns {{button: HTMLElement, panel: HTMLElement, eye: typeof USUAL, mine: () => typeof USUAL}}
+ *   what was chosen, and what of it this screen shows
  */
 export function viewSettings(onChange) {
   const eye = { ...USUAL, ...remembered() };
@@ -36,8 +38,8 @@ export function viewSettings(onChange) {
   const panel = h(
     "div",
     { class: "card view-settings", id, popover: "auto", role: "group", "aria-label": t("trial.view.settings") },
-    setting(t("trial.view.fov_deg"), "", step("fov_deg", 30, 110, 2, 0, "°")),
-    setting(t("trial.view.eye_height"), "", step("eye_height", 0.8, 1.6, 0.05, 2, "m")),
+    setting(t("trial.view.fov_deg"), "", step("fov_deg", ...RANGES.fov_deg, 2, 0, "°")),
+    setting(t("trial.view.eye_height"), "", step("eye_height", ...RANGES.eye_height, 0.05, 2, "m")),
     setting(
       t("trial.view.roll_share"),
       REDUCED.matches ? t("trial.view.reduced") : t("trial.view.roll_share.why"),
@@ -51,18 +53,19 @@ export function viewSettings(onChange) {
     { type: "button", class: "btn small", popovertarget: id, "aria-label": words, title: words },
     icon("settings"),
   );
-  return { button, panel, eye: () => (REDUCED.matches ? { ...eye, roll_share: 0 } : eye) };
+  return { button, panel, eye, mine: () => (REDUCED.matches ? { ...eye, roll_share: 0 } : eye) };
 }
 
 function remembered() {
   try {
     const found = JSON.parse(localStorage.getItem(PLACE) ?? "{}");
-    return Object.fromEntries(Object.entries(USUAL).flatMap(([name, usual]) => kept(name, usual, found?.[name])));
+    return Object.fromEntries(Object.keys(USUAL).flatMap((name) => kept(name, found?.[name])));
   } catch {
     return {};
   }
 }
 
-function kept(name, usual, value) {
-  return typeof value === typeof usual ? [[name, value]] : [];
+function kept(name, value) {
+  const [low, high] = RANGES[name];
+  return typeof value === typeof low && value >= low && value <= high ? [[name, value]] : [];
 }
