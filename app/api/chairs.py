@@ -1,15 +1,14 @@
 """Real chairs: paired and unpaired by an owner, chosen by a clinician."""
 
 import asyncio
-import io
 from typing import Annotated
 
-import segno
 from fastapi import APIRouter
 from pydantic import Field
 
 from app.api.deps import Anyone, Clinician, Owner, People, PeopleParts, RowId
 from app.api.flows import FlowParts, Flows
+from app.api.qr import qr_picture
 from app.api.signed_in import SignedIn
 from app.hardware.chair.key import Key
 from app.hardware.configs import Host
@@ -24,8 +23,6 @@ from app.session.tables import Chair, Clinic
 from app.speeds import Speeds
 
 router = APIRouter(prefix="/chairs", tags=["chairs"])
-
-DOTS = 6  # pixels of the picture to one of the code
 
 
 class NewChair(Document):
@@ -127,16 +124,7 @@ async def pair(body: NewChair, who: Owner, parts: PeopleParts, flows: FlowParts)
     key = await asyncio.to_thread(_pair)
     flows.live.tell("equipment")
     view = await _view(parts, flows)
-    return PairedView(**view.model_dump(), key_line=key.line, qr=picture_of(key))
-
-
-def picture_of(key: Key) -> str:
-    """Return a key as a QR code, an SVG."""
-    picture = io.BytesIO()
-    segno.make_qr(key.line, error="m").save(
-        picture, kind="svg", xmldecl=False, nl=False, scale=DOTS, dark="black", light="white"
-    )
-    return picture.getvalue().decode()
+    return PairedView(**view.model_dump(), key_line=key.line, qr=qr_picture(key.line))
 
 
 @router.delete("/{chair_id}")

@@ -12,6 +12,7 @@ from app.session.runs import Runs
 from app.session.store_patient_screens import Wishes
 
 SAID = ("tick", "t", "state", "control", "v", "pose", "contacts", "stops")
+SAID_OF_TRIAL = ("id", "t", "done", "length", "stage", "stages", "instruction", "target")
 
 
 class PatientPicture:
@@ -27,26 +28,17 @@ class PatientPicture:
     def picture(self) -> dict[str, Any]:
         """Return the message of this moment."""
         shown = self._shown.picture()
-        fault = shown["fault"]
+        fault, trial = shown["fault"], shown["trial"]
         over = self._drive.over
         return {
             **{name: shown[name] for name in SAID},
             "fault": fault and {"name": fault["name"], "words": patient_words(Fault[fault["name"].upper()])},
-            "trial": self._trial(shown["trial"]),
-            "drives": shown["trial"] is not None or shown["drive"] is not None,
+            "trial": trial and {name: trial[name] for name in SAID_OF_TRIAL},
+            "drives": trial is not None or shown["drive"] is not None,
             "cue": self._cue(shown["run"]),
             "over": None if over is None else {"id": over.id, "end": over.end},
             "asks": self.wishes.model_dump(),
         }
-
-    def _trial(self, shown: dict[str, Any] | None) -> dict[str, Any] | None:
-        trial = self._drive.trial
-        if shown is None or trial is None:
-            return None
-        path = trial.path
-        seen = {"instruction": path.instruction, "target": path.points[-1], "stage": 0, "stages": 1, **shown}
-        said = ("id", "t", "done", "length", "stage", "stages", "instruction", "target")
-        return {name: seen[name] for name in said}
 
     def _cue(self, shown: dict[str, Any] | None) -> dict[str, Any] | None:
         run = self._runs.open

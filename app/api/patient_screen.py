@@ -1,10 +1,8 @@
 """The patient's screen: paired by a code from the clinician's page, looked after and unpaired there."""
 
 import asyncio
-import io
 from typing import Annotated
 
-import segno
 from fastapi import APIRouter, HTTPException, Request, Response
 from fastapi.concurrency import run_in_threadpool
 from pydantic import Field
@@ -12,6 +10,7 @@ from pydantic import Field
 from app.api.deps import Clinician, ForEveryone, People, PeopleParts, RowId
 from app.api.flows import FlowParts, Flows
 from app.api.own_address import own_address
+from app.api.qr import qr_picture
 from app.api.signed_in import SCREEN_COOKIE, SignedIn
 from app.quantities import Document
 from app.session.patient_screens import TooManyTries
@@ -30,7 +29,6 @@ from app.session.tables import PatientSession
 
 router = APIRouter(prefix="/patient-screen", tags=["patient's screen"])
 
-DOTS = 6  # pixels of the picture to one of the code
 ONLY_HERE = (
     "Only this machine can open the link, because the program listens to nobody else. For a screen of its own, "
     "end the program and start it again with --host 0.0.0.0, in a network where everybody may see it."
@@ -112,19 +110,10 @@ async def offer(request: Request, who: Clinician, parts: PeopleParts, flows: Flo
     return OfferView(
         code=made.code,
         url=url,
-        qr=picture_of(url),
+        qr=qr_picture(url),
         expires=made.expires.isoformat(),
         words=ONLY_HERE if address.only_here else "",
     )
-
-
-def picture_of(text: str) -> str:
-    """Return a text as a QR code, an SVG."""
-    picture = io.BytesIO()
-    segno.make_qr(text, error="m").save(
-        picture, kind="svg", xmldecl=False, nl=False, scale=DOTS, dark="black", light="white"
-    )
-    return picture.getvalue().decode()
 
 
 @router.post("/pair", dependencies=[ForEveryone])

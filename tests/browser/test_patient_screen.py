@@ -1,0 +1,220 @@
+"""The patient's screen in a real browser: paired by its link, shown a drive, cut off, back again, and thanked."""
+
+import re
+import signal
+import socket
+from pathlib import Path
+from urllib.parse import urlsplit
+
+import httpx
+import pytest
+from browser.driving import go_on_until
+from playwright.sync_api import expect
+from processes.served_demo import bodydrive, printed_link
+
+pytestmark = [pytest.mark.browser, pytest.mark.timeout(420)]
+
+SCREENSHOTS = Path(__file__).resolve().parents[2] / "var" / "screenshots"
+SIZES = {"1280x800": (1280, 800), "768x1024": (768, 1024)}
+PATIENCE = 60_000  # ms: drawing in software on a busy machine is slow
+LOST = "Connection lost, trying again"
+OPEN_TO_ALL = {"/auth/demo", "/auth/setup", "/auth/sign-in", "/auth/sign-out", "/control/stop", "/patient-screen/pair"}
+# What sticks out of the window, or makes it scroll.
+OUTSIDE = """() => {
+  const page = document.documentElement;
+  const shown = [...document.querySelectorAll(".patient .hud, .band, .btn")].filter((one) => one.checkVisibility());
+  const out = shown.filter((one) => {
+    const box = one.getBoundingClientRect();
+    return box.left < 0 || box.top < 0 || box.right > innerWidth + 1 || box.bottom > innerHeight + 1;
+  });
+  const scrolls = page.scrollHeight > innerHeight || page.scrollWidth > innerWidth;
+  return [...out.map((one) => one.className), ...(scrolls ? ["scrolls"] : [])];
+}"""
+
+
+@pytest.fixture
+def demo():
+    """Yield the link of a running demonstration."""
+    with bodydrive("demo", "--port", "0") as process:
+        try:
+            yield printed_link(process)
+        finally:
+            process.send_signal(signal.SIGINT)
+            assert process.wait(20) == 0
+
+
+@pytest.fixture(params=SIZES)
+def screens(request, browser, page_log, demo):
+    """Yield the clinician's page, the patient's of one size, and a function that keeps a screenshot of a page."""
+    expect.set_options(timeout=PATIENCE)
+    SCREENSHOTS.mkdir(parents=True, exist_ok=True)
+    width, height = SIZES[request.param]
+    log = page_log(demo)
+    clinician = log.watch(browser.new_context(viewport={"width": 1024, "height": 768}).new_page())
+    patient = log.watch(browser.new_context(viewport={"width": width, "height": height}, has_touch=True).new_page())
+    for page in (clinician, patient):
+        page.set_default_timeout(PATIENCE)
+    clinician.goto(demo)
+    expect(clinician.get_by_role("heading", name="Where to?")).to_be_visible()
+    yield clinician, patient, lambda page, name: page.screenshot(path=SCREENSHOTS / f"{request.param}-{name}.png")
+    log.assert_clean()
+    for page in (clinician, patient):
+        page.context.close()
+    expect.set_options(timeout=5000)
+
+
+def card_of(clinician):
+    return clinician.locator("section.card", has=clinician.get_by_role("heading", name="Patient's screen"))
+
+
+def pair(clinician, patient, keep):
+    card = card_of(clinician)
+    card.get_by_role("button", name="Pair a screen").click()
+    expect(card.get_by_text("Only this machine can open the link")).to_be_visible()
+    assert card.locator("img.qr").evaluate("(image) => image.naturalWidth") > 0
+    card.scroll_into_view_if_needed()
+    keep(clinician, "patient-screen-code")
+    patient.goto(card.locator("code").inner_text())
+    expect(patient.get_by_text("All is ready")).to_be_visible()
+    assert urlsplit(patient.url).fragment == ""
+    expect(card.get_by_text("Screen 1")).to_be_visible()
+    expect(card.get_by_text("connected", exact=True)).to_be_visible()
+    expect(card.locator("img.qr")).to_have_count(0)
+
+
+def ask_for_arrow_and_sounds(clinician, patient):
+    for wish in ("Arrow to the goal", "Sounds"):
+        card_of(clinician).get_by_label(wish).check(force=True)
+    sound = patient.get_by_role("button", name="Turn sound on")
+    expect(sound).to_be_visible()
+    assert sound.bounding_box()["height"] >= 44
+    sound.tap()
+    expect(sound).to_be_hidden()
+
+
+def is_shown_the_drive(clinician, patient, keep):
+    clinician.get_by_role("button", name="Start trial").click()
+    speed = patient.locator(".patient .speed .big")
+    go_on_until(clinician, lambda: float(re.match(r"[\d.]+", speed.inner_text())[0]) >= 0.2, "a speed")
+    expect(patient.locator(".arrow svg")).to_be_visible()
+    expect(patient.locator(".instruction")).not_to_be_empty()
+    expect(patient.frame_locator("iframe").locator("canvas").first).to_be_visible()
+    assert patient.evaluate(OUTSIDE) == []
+    keep(patient, "patient-drive")
+
+
+def is_shown_the_stop(clinician, patient, keep):
+    clinician.locator("#stop").dispatch_event("pointerdown")
+    band = patient.locator(".band.stopped")
+    expect(band).to_contain_text("Stopped")
+    expect(band).to_contain_text("Your clinician stopped the chair.")
+    box = band.bounding_box()
+    assert (box["x"], box["width"]) == (0, patient.viewport_size["width"])
+    keep(patient, "patient-stopped")
+    width, height = patient.viewport_size["width"], patient.viewport_size["height"]
+    patient.set_viewport_size({"width": height, "height": width})
+    expect(band).to_be_visible()
+    patient.wait_for_timeout(300)
+    assert patient.evaluate(OUTSIDE) == []
+    patient.set_viewport_size({"width": width, "height": height})
+    go_on_until(clinician, band.is_hidden, "the end of the stop")
+    clinician.get_by_role("button", name="End trial").first.click()
+    expect(patient.locator(".moment")).to_contain_text("Finished")
+
+
+def changes_nothing(patient, base):
+    """Try every call that changes something with the cookie of this screen."""
+    calls = patient.context.request
+    paths = calls.get(f"{base}/api/v1/openapi.json").json()["paths"]
+    tried = 0
+    for path, methods in paths.items():
+        short = path.removeprefix("/api/v1")
+        for method in set(methods) - {"get"}:
+            if short in OPEN_TO_ALL:
+                continue
+            url = base + re.sub(r"\{\w+\}", "1", path.replace("{role}", "patient"))
+            answer = calls.fetch(url, method=method.upper(), headers={"Origin": base}, data={})
+            assert answer.status == 401, (method, path, answer.status)
+            tried += 1
+    assert tried >= 30
+
+
+def is_prompted(clinician, patient, keep, base):
+    calls, ours = clinician.context.request, {"Origin": base}
+    steps = calls.get(f"{base}/api/v1/calibration").json()["steps"]
+    step = next(step["id"] for step in steps if step["joint"] == "right_elbow")
+    assert calls.post(f"{base}/api/v1/calibration/steps/{step}/start", headers=ours).ok
+    words = patient.locator(".cue-words")
+    expect(words).to_have_text("Bend your right elbow")
+    # Letters of 12 mm can be read from 2 m; a tablet of 10 inches shows 5 pixels to a millimetre.
+    assert float(words.evaluate("(one) => parseFloat(getComputedStyle(one).fontSize)")) * 0.7 / 5 >= 11
+    keep(patient, "patient-cue")
+    assert patient.evaluate(OUTSIDE) == []
+    assert calls.post(f"{base}/api/v1/calibration/steps/{step}/cancel", headers=ours).ok
+
+
+def test_a_screen_is_paired_shown_the_drive_and_thanked(screens, demo):
+    clinician, patient, keep = screens
+    base = demo.split("/#")[0]
+    pair(clinician, patient, keep)
+    ask_for_arrow_and_sounds(clinician, patient)
+    is_shown_the_drive(clinician, patient, keep)
+    is_shown_the_stop(clinician, patient, keep)
+    changes_nothing(patient, base)
+    is_prompted(clinician, patient, keep, base)
+    assert clinician.context.request.delete(f"{base}/api/v1/visit", headers={"Origin": base}).ok
+    expect(patient.get_by_role("heading", name="Thank you")).to_be_visible()
+    keep(patient, "patient-thanks")
+
+
+def free_port():
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        return free.getsockname()[1]
+
+
+def served(port, state):
+    return bodydrive("serve", "--port", str(port), "--state", str(state))
+
+
+def test_it_comes_back_when_the_program_was_away(browser, tmp_path, page_log):
+    port, state = free_port(), tmp_path / "clinic"
+    process = served(port, state)
+    try:
+        base, code = printed_link(process).split("/#setup=")
+        with httpx.Client(base_url=f"{base}/api/v1", headers={"Origin": base}, timeout=60) as client:
+            client.post("/auth/setup", json={"code": code, "name": "Ada", "password": "correct horse battery"})
+            patient_id = client.post("/patients", json={"code": "P-1", "pseudonym": "Heron"}).json()["id"]
+            assert client.post("/visit", json={"patient_id": patient_id}).is_success
+            link = client.post("/patient-screen/pairing").json()["url"]
+        log = page_log(base)
+        page = log.watch(browser.new_page(viewport={"width": 640, "height": 480}))
+        page.goto(link)
+        expect(page.get_by_text("All is ready")).to_be_visible(timeout=PATIENCE)
+        canvas = page.frame_locator("iframe").locator("canvas").first
+        expect(canvas).to_be_visible(timeout=PATIENCE)
+        process.send_signal(signal.SIGTERM)
+        process.communicate(timeout=60)
+        lost = page.get_by_text(LOST)
+        expect(lost).to_be_visible(timeout=PATIENCE)
+        expect(page.get_by_text("All is ready")).to_be_hidden()
+        page.screenshot(path=SCREENSHOTS / "patient-lost.png")
+        process = served(port, state)
+        printed_link(process)
+        expect(lost).to_be_hidden(timeout=PATIENCE)
+        expect(page.get_by_text("All is ready")).to_be_visible(timeout=PATIENCE)
+        expect(canvas).to_be_visible(timeout=PATIENCE)
+        assert "Heron" not in page.content()
+        assert log.outside == []
+        page.close()
+    finally:
+        process.send_signal(signal.SIGTERM)
+        process.communicate(timeout=60)
+
+
+def test_a_wrong_link_says_what_to_do(browser, demo):
+    page = browser.new_page()
+    page.goto(f"{demo.split('#')[0]}patient.html#pair=wrong")
+    expect(page.get_by_role("heading", name="Pair this screen")).to_be_visible(timeout=PATIENCE)
+    expect(page.get_by_text("ask for a new one")).to_be_visible()
+    page.close()
