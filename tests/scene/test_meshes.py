@@ -4,13 +4,16 @@ import numpy as np
 import pytest
 
 from app.scene.building import building_parts
+from app.scene.cones import Cones
 from app.scene.furniture import furniture
 from app.scene.meshes import ball, box, limb, merged, rectangle, ring, standing_box, strip, tube, wheel
-from app.scene.task_marks import PATH_WIDTH, task_parts
+from app.scene.movers import mover_parts
+from app.scene.task_marks import PATH_WIDTH, later_parts, task_parts
 from app.scene.wheelchair import chair_parts, person_parts
 from app.world.floorplan import bundled_floorplans, load_floorplan
 from app.world.kinematics import CHAIR_RADIUS
 from app.world.obstacles import Box, Cylinder
+from app.world.scene import bundled_scenes, load_scene
 
 MOST_TRIANGLES = 40_000  # a tablet's share
 MOST_MESHES = 40
@@ -70,19 +73,30 @@ def test_merging_keeps_every_triangle():
     assert len(merged([]).faces) == 0
 
 
-@pytest.mark.parametrize("name", bundled_floorplans())
-def test_a_building_is_few_meshes_of_few_triangles(name):
-    plan = load_floorplan(bundled_floorplans()[name])
-    parts = building_parts(plan) | task_parts(plan.paths[0])
+PLANS = [load_floorplan(file) for file in bundled_floorplans().values()]
+PLANS += [plan for file in bundled_scenes().values() for plan in load_scene(file).plans.values()]
+
+
+@pytest.mark.parametrize("plan", PLANS, ids=lambda plan: plan.name)
+def test_a_place_is_few_meshes_of_few_triangles(plan):
+    parts = building_parts(plan) | Cones(plan.cones).parts()
     bodies = [*chair_parts().values(), *person_parts().values()]
-    meshes = [part.mesh for part in parts.values()] + bodies
-    assert len(meshes) <= MOST_MESHES
-    assert sum(len(mesh.faces) for mesh in meshes) <= MOST_TRIANGLES
-    for mesh in meshes:
-        assert np.isfinite(mesh.vertices).all()
-        assert mesh.faces.max() < len(mesh.vertices)
-    assert PATH_WIDTH * plan.paths[0].line.length == pytest.approx(
-        area_from_above(parts["path"].mesh).sum() / 2, rel=0.05
+    bodies += [part.mesh for mover in plan.movers for part in mover_parts(mover)]
+    for path in plan.paths:
+        shown = parts | task_parts(path) | later_parts(path)
+        meshes = [part.mesh for part in shown.values()] + bodies
+        assert len(meshes) <= MOST_MESHES
+        assert sum(len(mesh.faces) for mesh in meshes) <= MOST_TRIANGLES
+        for mesh in meshes:
+            assert np.isfinite(mesh.vertices).all()
+            assert mesh.faces.max() < len(mesh.vertices)
+
+
+@pytest.mark.parametrize("name", bundled_floorplans())
+def test_the_path_on_the_floor_is_as_wide_as_it_says(name):
+    path = load_floorplan(bundled_floorplans()[name]).paths[0]
+    assert PATH_WIDTH * path.line.length == pytest.approx(
+        area_from_above(task_parts(path)["path"].mesh).sum() / 2, rel=0.05
     )
 
 
