@@ -8,9 +8,11 @@ from pairing import closing, code_of, only, pair
 from starlette.websockets import WebSocketDisconnect
 from test_roles import FOR_EVERYONE, FOR_PATIENTS_SCREENS, table
 
+from app.api import sockets
 from app.scene.wire import SUBPROTOCOL
 from app.session import patient_screens, store_patient_screens
 from app.session.store_people import find_person, sign_in
+from app.session.tables import PatientScreen
 
 ORIGIN = {"Origin": BASE}
 WS = BASE.replace("http", "ws")
@@ -161,6 +163,15 @@ def test_a_forgotten_visit_keeps_no_screen_for_more_than_twelve_hours(
     monkeypatch.setattr(store_patient_screens, "utc_now", lambda: now + timedelta(hours=12, minutes=1))
     assert screen.good("GET", "/patient-screen/me") == {"state": "over"}
     assert screen.client.get("/view/patient/", headers=ORIGIN).status_code == 401
+
+
+def test_a_pairing_that_ends_behind_its_back_closes_its_socket(screen: Clinic, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sockets, "CHECK_EVERY", 0.05)
+    with screen.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+        socket.receive_json()
+        with screen.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
+            db.get_one(PatientScreen, 1).unpaired = store_patient_screens.utc_now()
+        assert closing(socket) == 4401
 
 
 def test_signing_out_in_the_same_browser_leaves_the_screen(paired: Clinic) -> None:

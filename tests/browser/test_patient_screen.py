@@ -1,5 +1,6 @@
 """The patient's screen in a real browser: paired by its link, shown a drive, cut off, back again, and thanked."""
 
+import math
 import re
 import signal
 import socket
@@ -217,4 +218,42 @@ def test_a_wrong_link_says_what_to_do(browser, demo):
     page.goto(f"{demo.split('#')[0]}patient.html#pair=wrong")
     expect(page.get_by_role("heading", name="Pair this screen")).to_be_visible(timeout=PATIENCE)
     expect(page.get_by_text("ask for a new one")).to_be_visible()
+    page.close()
+
+
+def test_the_arrow_and_the_sounds_mean_what_happens(browser, demo):
+    page = browser.new_page()
+    page.goto(f"{demo.split('#')[0]}patient.html")
+    expect(page.get_by_role("heading", name="Pair this screen")).to_be_visible(timeout=PATIENCE)
+    arrow = """([pose, target]) => import("/js/patient/arrow.js").then(({ bearingTo, side }) => {
+      const { bearing, distance } = bearingTo(pose, target);
+      return [bearing, distance, side(bearing)];
+    })"""
+    quarter = math.pi / 2
+    for pose, target, bearing, where in (
+        ([0, 0, 0], [2, 0], 0, "ahead"),
+        ([0, 0, 0], [0, 2], quarter, "left"),
+        ([0, 0, quarter], [2, 0], -quarter, "right"),
+        ([1, 1, quarter], [1, 3], 0, "ahead"),
+        ([0, 0, 3.0], [-2 * math.cos(3.0), -2 * math.sin(3.0)], math.pi, "behind"),
+        ([0, 0, 4 * math.pi + 0.1], [2, 0], -0.1, "ahead"),
+    ):
+        found = page.evaluate(arrow, [pose, target])
+        assert math.cos(found[0] - bearing) == pytest.approx(1), (pose, target)
+        assert found[1:] == [pytest.approx(2), where]
+    heard = """([before, now]) => import("/js/patient/sounds.js").then(({ heard }) => heard(before, now))"""
+    still = {"state": "armed", "contacts": 1, "trial": {"id": 1}, "over": None}
+    over = {**still, "trial": None, "over": {"id": 1, "end": "goal"}}
+    for before, now, sounds in (
+        (None, {**still, "state": "fault"}, []),
+        (still, still, []),
+        (still, {**still, "contacts": 2}, ["contact"]),
+        (still, {**still, "contacts": 5, "trial": {"id": 2}}, []),
+        (still, {**still, "state": "fault"}, ["stop"]),
+        ({**still, "state": "fault"}, {**still, "state": "fault"}, []),
+        (still, over, ["goal"]),
+        (over, over, []),
+        (still, {**over, "over": {"id": 1, "end": "by hand"}}, []),
+    ):
+        assert page.evaluate(heard, [before, now]) == sounds, (before, now)
     page.close()
