@@ -48,6 +48,10 @@ def study(
         chosen = plan.path_named(path) if path is not None else plan.paths[0]
     except ValueError as error:
         raise InputError(f"--path: {error}") from error
+    if chosen.task.kind in ("turn", "course"):
+        raise InputError(
+            f"--path {chosen.name}: it has no line to be scored beside, choose a path that is driven along"
+        )
     try:
         result = run_study(trials, seed, plan, chosen.name, progress=None if as_json else _Progress(trials))
         write_study(result, out, figure_format, overwrite)

@@ -1,5 +1,6 @@
 """All measures of a trial of any task: the path's, where it has one, and those of what it met on the way."""
 
+import math
 from collections.abc import Mapping
 from typing import Any
 
@@ -36,8 +37,8 @@ def task_measures(plan: FloorPlan, path: PrescribedPath, columns: Mapping[str, A
     dict
         The path measures (`app.session.metrics`), but for a turn; `reached` by the task's own judgement. With cones:
         cones_touched, cones. With gaps or doors: gap_clearance (m; None when none was passed), door_contacts.
-        Following: follow_error_rms, follow_error_max (m), follow_near (share of time). Turning: heading_error (rad,
-        left positive), turn_drift (m), time. A course: stages_done, stages and parts, a list of each stage's own
+        Following: follow_error_rms, follow_error_max (m), follow_near (share of time). Turning: heading_error_deg
+        (beside the mark, either way), turn_drift (m), time. A course: stages_done, stages and parts, a list of each stage's own
         measures with its title and kind.
 
     Raises
@@ -60,7 +61,7 @@ def _simple(plan: FloorPlan, path: PrescribedPath, rows: Columns) -> Measures:
     if isinstance(progress, TurnProgress):
         measures: Measures = {
             "time": _duration(rows),
-            "heading_error": progress.heading_error,
+            "heading_error_deg": math.degrees(abs(progress.heading_error)),
             "turn_drift": float(np.hypot(rows["x"] - path.points[0][0], rows["y"] - path.points[0][1]).max()),
             "collisions": contact_beginnings(rows["in_contact"] != 0, rows["t"]),
         }

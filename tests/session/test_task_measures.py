@@ -101,7 +101,7 @@ def test_turning_on_the_spot_has_its_own_measures():
     theta = np.concatenate([np.linspace(0, math.radians(95), 60), np.full(60, math.radians(95))])
     measures = task_measures(plan, path, rows(np.full(120, 0.12), np.full(120, 0.16), theta))
     assert measures["reached"]
-    assert measures["heading_error"] == pytest.approx(math.radians(5), abs=1e-6)
+    assert measures["heading_error_deg"] == pytest.approx(5, abs=1e-6)
     assert measures["turn_drift"] == pytest.approx(0.2)
     assert "dist" not in measures
     assert "e_diff" not in measures

@@ -29,11 +29,12 @@ async function choose(app, root, signal) {
   );
   if (signal.aborted) return;
   if (chairs.chosen !== null) return location.replace("#/drive/chair");
-  const documents = new Map(
-    await Promise.all(plans.map(async ({ name }) => [name, await app.api.get(`/floorplans/${name}`)])),
-  );
-  if (signal.aborted) return;
-  const chooser = planChooser(plans, documents);
+  const documents = new Map();
+  const read = (name) => {
+    if (!documents.has(name)) documents.set(name, app.api.get(`/floorplans/${name}`));
+    return documents.get(name);
+  };
+  const chooser = planChooser(plans, read);
   const button = h(
     "button",
     { type: "button", class: "btn go large", onclick: () => app.want(chooser.chosen()) },

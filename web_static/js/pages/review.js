@@ -3,13 +3,12 @@ import { h, put } from "../parts/dom.js";
 import { field, selection } from "../parts/fields.js";
 import { moment } from "../parts/format.js";
 import { curveChart, trajectoriesChart } from "../parts/learning_charts.js";
-import { MEASURES, withUnit } from "../parts/measures.js";
+import { MEASURES, mostTelling, withUnit } from "../parts/measures.js";
 import { emptyPage } from "../parts/nobody.js";
 import { readTrial, showTrialOver } from "../parts/trial_over.js";
 import { t } from "../texts.js";
 
 const MEASURE_PLACE = "bodydrive-measure";
-const LISTED = ["dist", "e_diff", "time"];
 
 /** @param {import("../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal, rest: string[]}} page */
 export async function show(app, root, { signal, rest }) {
@@ -38,11 +37,13 @@ export async function show(app, root, { signal, rest }) {
   let path = paths.find(({ key }) => key === decodeURIComponent(rest.slice(1, 3).join("/"))) ?? paths.at(-1);
   let measure = sessionStorage.getItem(MEASURE_PLACE) ?? "e_diff";
   const place = h("div", { class: "stack" });
+  const measurePlace = h("div", {});
   let drawn = new AbortController();
   const draw = async () => {
     drawn.abort();
     const until = (drawn = new AbortController()).signal;
     signal.addEventListener("abort", () => drawn.abort(), { signal: until });
+    chooseMeasure();
     const where = `floorplan=${encodeURIComponent(path.floorplan)}&path=${encodeURIComponent(path.name)}`;
     const known = plans.some(({ name }) => name === path.floorplan);
     const [learning, plan] = await Promise.all([
@@ -83,15 +84,23 @@ export async function show(app, root, { signal, rest }) {
       draw().catch((error) => app.toasts.show(error.message));
     },
   );
-  const chooseMeasure = selection(
-    Object.keys(MEASURES).map((name) => ({ value: name, label: t(`measure.${name}`) })),
-    measure,
-    (name) => {
-      measure = name;
-      sessionStorage.setItem(MEASURE_PLACE, name);
-      draw().catch((error) => app.toasts.show(error.message));
-    },
-  );
+  /** Only what the task has: a turn on the spot has no distance driven. */
+  const chooseMeasure = () => {
+    const measured = trials.filter((trial) => keyOf(trial) === path.key && trial.measures).map(({ measures }) => measures);
+    const names = Object.keys(MEASURES).filter((name) => measured.some((measures) => Number.isFinite(measures[name])));
+    if (!names.length) names.push(measure);
+    if (!names.includes(measure)) measure = mostTelling(measured.at(-1)).find((name) => names.includes(name)) ?? names[0];
+    const choice = selection(
+      names.map((name) => ({ value: name, label: t(`measure.${name}`) })),
+      measure,
+      (name) => {
+        measure = name;
+        sessionStorage.setItem(MEASURE_PLACE, name);
+        draw().catch((error) => app.toasts.show(error.message));
+      },
+    );
+    put(measurePlace, field(t("review.measure"), choice));
+  };
   put(
     root,
     h(
@@ -103,7 +112,7 @@ export async function show(app, root, { signal, rest }) {
         { class: "columns filters" },
         patients.length > 1 && who,
         field(t("review.path"), choosePath),
-        field(t("review.measure"), chooseMeasure),
+        measurePlace,
       ),
       place,
     ),
@@ -141,6 +150,7 @@ function noTrials(root, who) {
 }
 
 function trialList(patient, trials) {
+  const listed = mostTelling(trials.findLast(({ measures }) => measures)?.measures ?? {});
   const row = (trial) =>
     h(
       "tr",
@@ -160,14 +170,14 @@ function trialList(patient, trials) {
       ),
       h("td", {}, moment(trial.started)),
       h("td", {}, t(`review.end.${trial.end}`)),
-      LISTED.map((name) => h("td", {}, trial.measures ? withUnit(name, trial.measures[name]) : "–")),
+      listed.map((name) => h("td", {}, trial.measures ? withUnit(name, trial.measures[name]) : "–")),
       h("td", {}, trial.kept ? t("review.kept") : trial.discard_reason),
     );
   const head = [
     t("review.column.number"),
     t("review.column.when"),
     t("review.column.end"),
-    ...LISTED.map((name) => t(`measure.${name}`)),
+    ...listed.map((name) => t(`measure.${name}`)),
     t("review.column.kept"),
   ];
   return h(

@@ -4,6 +4,15 @@ import { number, signed } from "./format.js";
 
 /** @type {Record<string, {unit: string, digits: number, better: "low" | "high", needsGoal: boolean}>} */
 export const MEASURES = {
+  stages_done: { unit: "", digits: 0, better: "high", needsGoal: false },
+  follow_error_rms: { unit: "m", digits: 2, better: "low", needsGoal: false },
+  follow_error_max: { unit: "m", digits: 2, better: "low", needsGoal: false },
+  follow_near: { unit: "", digits: 2, better: "high", needsGoal: false },
+  heading_error_deg: { unit: "°", digits: 0, better: "low", needsGoal: true },
+  turn_drift: { unit: "m", digits: 2, better: "low", needsGoal: false },
+  cones_touched: { unit: "", digits: 0, better: "low", needsGoal: false },
+  gap_clearance: { unit: "m", digits: 2, better: "high", needsGoal: false },
+  door_contacts: { unit: "", digits: 0, better: "low", needsGoal: false },
   dist: { unit: "m", digits: 2, better: "low", needsGoal: true },
   e_diff: { unit: "m²", digits: 2, better: "low", needsGoal: true },
   time: { unit: "s", digits: 1, better: "low", needsGoal: true },
@@ -19,6 +28,20 @@ export const MEASURES = {
   sparc: { unit: "", digits: 2, better: "high", needsGoal: false },
   ldlj: { unit: "", digits: 2, better: "high", needsGoal: false },
 };
+
+const LARGE = [
+  ["stages_done", "time", "collisions"],
+  ["heading_error_deg", "turn_drift", "time"],
+  ["follow_error_rms", "follow_near", "e_diff"],
+  ["cones_touched", "e_diff", "time"],
+  ["gap_clearance", "e_diff", "time"],
+  ["dist", "e_diff", "time"],
+];
+
+/** The three measures that say most about a task, by what was measured. @param {any} measures @returns {string[]} */
+export function mostTelling(measures) {
+  return LARGE.find(([first]) => Number.isFinite(measures[first])) ?? LARGE.at(-1);
+}
 
 /** @param {string} name @param {number | null | undefined} value */
 export function withUnit(name, value) {

@@ -10,7 +10,8 @@ const PLACE = "bodydrive-mini-plan";
 export function miniPlan(plan, path) {
   const picture = planPicture(plan, path.points, {
     label: t("drive.plan.label", { plan: plan.title, path: path.title }),
-    isNear: true,
+    isNear: path.task.kind === "path" || path.task.kind === "follow",
+    task: path.task,
   });
   /** @type {[number, number][]} */
   const driven = [];
@@ -21,7 +22,9 @@ export function miniPlan(plan, path) {
     picture.element,
   );
   details.addEventListener("toggle", () => localStorage.setItem(PLACE, details.open ? "open" : "closed"));
-  const show = (pose) => {
+  /** @param {number[]} pose @param {number[] | null} [leader] */
+  const show = (pose, leader = null) => {
+    if (leader) picture.setLeader(leader);
     const [x, y] = pose;
     const last = driven.at(-1);
     if (!last || Math.hypot(x - last[0], y - last[1]) >= STEP) {

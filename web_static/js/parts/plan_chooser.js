@@ -1,6 +1,7 @@
-/** Cards to choose a building and a path from. */
+/** Cards to choose where to drive: scenes with their levels and tasks, then buildings with their paths. */
 import { t } from "../texts.js";
 import { h, put } from "./dom.js";
+import { segments } from "./fields.js";
 import { number } from "./format.js";
 import { planPicture } from "./plan_svg.js";
 
@@ -14,76 +15,103 @@ function remembered(plans) {
   return { floorplan: plan.name, path: (plan.paths.find((one) => one.name === path) ?? plan.paths[0]).name };
 }
 
+/** The plans that are levels of one scene together; a building by itself. @param {any[]} plans @returns {any[][]} */
+function places(plans) {
+  const groups = new Map();
+  for (const plan of plans) {
+    const key = plan.scene ? `scene ${plan.scene.name}` : plan.name;
+    groups.set(key, [...(groups.get(key) ?? []), plan]);
+  }
+  return [...groups.values()];
+}
+
 /**
- * @param {any[]} plans what GET /floorplans answered @param {Map<string, any>} documents floor plans by name
+ * @param {any[]} plans what GET /floorplans answered @param {(name: string) => Promise<any>} read a floor plan's document
  */
-export function planChooser(plans, documents) {
+export function planChooser(plans, read) {
   let chosen = remembered(plans);
-  const cards = plans.map((plan) => {
-    const picture = h("div", { class: "plan-place" });
-    const show = (path) => {
-      const document = documents.get(plan.name);
-      const { points, title } = document.paths.find(({ name }) => name === path);
-      put(
-        picture,
-        planPicture(document, points, { label: t("drive.plan.label", { plan: plan.title, path: title }) }).element,
-      );
-    };
-    const first = chosen.floorplan === plan.name ? chosen.path : plan.paths[0].name;
-    const choose = (path) => {
-      chosen = { floorplan: plan.name, path };
-      localStorage.setItem(PLACE, `${plan.name}/${path}`);
-      show(path);
-      mark();
-    };
-    const choices = plan.paths.map((path) =>
-      h(
-        "label",
-        { class: "choice" },
-        h("input", {
-          type: "radio",
-          name: "path",
-          value: `${plan.name}/${path.name}`,
-          onchange: () => choose(path.name),
-        }),
-        h("b", { class: "grow" }, path.title),
-        h("span", { class: "number" }, t("drive.length", { length: number(path.length, 0) })),
-      ),
-    );
-    show(first);
-    const element = h(
-      "section",
-      { class: "card plan-card" },
-      h(
-        "h2",
-        {},
-        plan.title,
-        h(
-          "span",
-          { class: "quiet small" },
-          t("drive.size", { width: number(plan.width, 0), height: number(plan.height, 0) }),
-        ),
-      ),
-      picture,
-      h("div", { class: "paths", role: "radiogroup", "aria-label": t("drive.paths", { plan: plan.title }) }, choices),
-    );
-    picture.addEventListener("click", () => choose(chosen.floorplan === plan.name ? chosen.path : first));
-    return { plan, element };
-  });
-  const mark = () => {
-    for (const { plan, element } of cards) {
-      element.classList.toggle("chosen", plan.name === chosen.floorplan);
-      for (const input of element.querySelectorAll("input"))
-        input.checked = input.value === `${chosen.floorplan}/${chosen.path}`;
-    }
+  const remember = (floorplan, path) => {
+    chosen = { floorplan, path };
+    localStorage.setItem(PLACE, `${floorplan}/${path}`);
+    for (const card of cards) card.mark(chosen);
   };
-  mark();
+  const cards = places(plans).map((levels) => placeCard(levels, chosen, read, remember));
+  for (const card of cards) card.mark(chosen);
+  const scenes = cards.filter(({ isScene }) => isScene);
+  const buildings = cards.filter(({ isScene }) => !isScene);
+  const group = (title, some) =>
+    some.length > 0 && [
+      h("h2", { class: "group-title" }, t(title)),
+      h("div", { class: "plan-cards" }, some.map(({ element }) => element)),
+    ];
   return {
-    element: h(
-      "div",
-      { class: "plan-cards" },
-      cards.map(({ element }) => element),
-    ),
+    element: h("div", { class: "stack" }, group("drive.scenes", scenes), group("drive.buildings", buildings)),
     chosen: () => chosen,
   };
+}
+
+function placeCard(levels, chosen, read, remember) {
+  let plan = levels.find(({ name }) => name === chosen.floorplan) ?? levels[0];
+  let path = plan.name === chosen.floorplan ? chosen.path : plan.paths[0].name;
+  const { scene } = plan;
+  const title = scene?.title ?? plan.title;
+  const picture = h("div", { class: "plan-place" });
+  const place = h("div", { class: "paths", role: "radiogroup", "aria-label": t("drive.paths", { plan: title }) });
+  const show = async () => {
+    const wanted = plan.name;
+    const document = await read(wanted).catch(() => null);
+    if (wanted !== plan.name || !document) return;
+    const task = document.paths.find(({ name }) => name === path) ?? document.paths[0];
+    const label = t("drive.plan.label", { plan: plan.title, path: task.title });
+    put(picture, planPicture(document, task.points, { label, task: task.task }).element);
+  };
+  const choose = (name) => {
+    path = name;
+    remember(plan.name, path);
+    show();
+  };
+  const list = () => put(place, plan.paths.map((one) => taskChoice(plan, one, () => choose(one.name))));
+  const setLevel = (name) => {
+    plan = levels.find((one) => one.name === name);
+    list();
+    choose(plan.paths.some((one) => one.name === path) ? path : plan.paths[0].name);
+  };
+  const element = h(
+    "section",
+    { class: "card plan-card" },
+    h(
+      "h3",
+      {},
+      title,
+      !scene && h("span", { class: "quiet small" }, t("drive.size", { width: number(plan.width, 0), height: number(plan.height, 0) })),
+    ),
+    scene && h("p", { class: "quiet small about" }, scene.about),
+    picture,
+    h(
+      "div",
+      { class: "stack" },
+      levels.length > 1 &&
+        segments(t("drive.level", { plan: title }), levels.map((one) => ({ value: one.name, label: one.level.title })), plan.name, setLevel),
+      place,
+    ),
+  );
+  picture.addEventListener("click", () => choose(path));
+  list();
+  show();
+  const mark = ({ floorplan, path: name }) => {
+    element.classList.toggle("chosen", levels.some((one) => one.name === floorplan));
+    for (const input of place.querySelectorAll("input")) input.checked = input.value === `${floorplan}/${name}`;
+  };
+  return { element, mark, isScene: Boolean(scene) };
+}
+
+function taskChoice(plan, path, onChoose) {
+  const length = path.task === "turn" || path.task === "course" ? "" : t("drive.length", { length: number(path.length, 0) });
+  return h(
+    "label",
+    { class: "choice" },
+    h("input", { type: "radio", name: "path", value: `${plan.name}/${path.name}`, onchange: onChoose }),
+    h("b", { class: "grow" }, path.title),
+    h("span", { class: "number" }, path.task === "path" ? length : [t(`task.${path.task}`), length && ` · ${length}`]),
+  );
 }

@@ -2,10 +2,8 @@
 import { t } from "../texts.js";
 import { h } from "./dom.js";
 import { number } from "./format.js";
-import { best, change, MEASURES, withUnit } from "./measures.js";
+import { best, change, MEASURES, mostTelling, withUnit } from "./measures.js";
 import { planPicture } from "./plan_svg.js";
-
-const LARGE = ["dist", "e_diff", "time"];
 
 /** The trials before this one on the same path that count and were measured. @param {any} trial @param {any[]} trials */
 export function earlierTrials(trial, trials) {
@@ -31,8 +29,9 @@ export function trialSummary(trial, trials, plan) {
       h(
         "div",
         { class: "large-figures" },
-        LARGE.map((name) => largeFigure(name, measures, previous)),
+        mostTelling(measures).map((name) => largeFigure(name, measures, previous)),
       ),
+    measures?.parts && stagesCard(measures.parts),
     h("div", { class: "summary-columns" }, drivenCard(trial, plan), measures && tableCard(trial, previous, earlier)),
   );
 }
@@ -56,6 +55,35 @@ function largeFigure(name, measures, previous) {
   );
 }
 
+function taskOf(trial, plan) {
+  return plan.paths.find(({ name }) => name === trial.path_name)?.task ?? null;
+}
+
+/** The stages of a course, each with what it came to. */
+function stagesCard(parts) {
+  const row = ({ title, reached, time, ...own }, number_) => {
+    const [first] = mostTelling(own).filter((name) => Number.isFinite(own[name]) && name !== "dist");
+    return h(
+      "tr",
+      {},
+      h("th", { scope: "row" }, `${number_ + 1}. ${title}`),
+      h("td", { class: reached ? "change good" : "change" }, t(reached ? "over.stage.done" : "over.stage.open")),
+      h("td", {}, reached ? withUnit("time", time) : "–"),
+      h("td", {}, first ? `${t(`measure.${first}`)}: ${withUnit(first, own[first])}` : ""),
+    );
+  };
+  return h(
+    "section",
+    { class: "card" },
+    h("h2", {}, t("over.stages")),
+    h(
+      "div",
+      { class: "scroll-x", tabindex: "0", role: "region", "aria-label": t("over.stages") },
+      h("table", { class: "measures" }, h("tbody", {}, parts.map(row))),
+    ),
+  );
+}
+
 function drivenCard(trial, plan) {
   const { trajectory } = trial;
   if (!plan || !trajectory)
@@ -65,14 +93,14 @@ function drivenCard(trial, plan) {
       h("h2", {}, t("over.driven")),
       h("p", { class: "quiet" }, t("over.no-trajectory")),
     );
-  const picture = planPicture(plan, trial.path, { label: t("over.driven"), hasRooms: true });
+  const picture = planPicture(plan, trial.path, { label: t("over.driven"), hasRooms: true, task: taskOf(trial, plan) });
   picture.setDriven(trajectory.x.map((x, i) => [x, trajectory.y[i]]));
   return h("section", { class: "card driven-card" }, h("h2", {}, t("over.driven")), picture.element);
 }
 
 function tableCard({ measures }, previous, earlier) {
   const rows = Object.keys(MEASURES)
-    .filter((name) => measures[name] !== undefined)
+    .filter((name) => measures[name] !== undefined && measures[name] !== null)
     .map((name) => {
       const difference = previous && change(name, measures, previous.measures);
       return h(

@@ -38,7 +38,7 @@ export function showTrial(app, root, { plan, path, isVisitor }, signal) {
     cue.show(now);
     if (now.trial?.id !== trial.id) return;
     place.show(now);
-    mini.show(now.pose);
+    mini.show(now.pose, now.trial.leader);
     bar.show(now);
   };
   app.live.addEventListener("tick", show, { signal });
@@ -70,6 +70,30 @@ export function showTrial(app, root, { plan, path, isVisitor }, signal) {
   return { ready: view.ready, begin };
 }
 
+const DEGREES = 180 / Math.PI;
+const NEAR = 0.5; // m beside the asked distance to a leader
+
+/** How far: metres along the line, or degrees that are left to turn. */
+function progressWords(now) {
+  if (now.kind !== "turn") return t("trial.done", { done: number(now.done, 1), length: number(now.length, 0) });
+  const left = (now.length - now.done) * DEGREES;
+  return t(left < -0.5 ? "trial.turned.over" : "trial.turned", { left: number(Math.abs(left), 0) });
+}
+
+/** How well: beside the line, off the spot, behind a leader. */
+function asideWords(now, asked) {
+  if (now.leader)
+    return `${t("trial.behind", { distance: number(now.leader_distance, 1) })}: ${t(`trial.behind.${nearness(now, asked)}`)}`;
+  const distance = Math.abs(now.cross_track) < OFF_PATH ? 0 : Math.abs(now.cross_track);
+  return t(now.kind === "turn" ? "trial.spot" : "trial.off", { distance: number(distance, 2) });
+}
+
+/** @returns {"near" | "right" | "far"} */
+function nearness(now, asked) {
+  const error = now.leader_distance - asked;
+  return Math.abs(error) <= NEAR ? "right" : error < 0 ? "near" : "far";
+}
+
 function placeCard(plan, path) {
   const [name, time, done, off, contacts] = [
     h("div", { class: "quiet small" }),
@@ -87,13 +111,13 @@ function placeCard(plan, path) {
   );
   const show = ({ trial: now, contacts: count }) => {
     write(time, clock(now.t));
-    write(done, t("trial.done", { done: number(now.done, 1), length: number(now.length, 0) }));
-    write(
-      off,
-      t("trial.off", { distance: number(Math.abs(now.cross_track) < OFF_PATH ? 0 : Math.abs(now.cross_track), 2) }),
-    );
+    write(done, progressWords(now));
+    write(off, asideWords(now, asked));
+    off.dataset.tone = now.leader ? nearness(now, asked) : "";
     write(contacts, count ? t("trial.contacts", { count }) : "");
+    if (now.stages > 1) write(name, t("trial.stage", { stage: now.stage + 1, stages: now.stages, title: now.title }));
   };
+  const asked = path.task.distance;
   write(name, `${plan.title} · ${path.title}`);
   write(time, clock(0));
   return { element, show, name: (words) => write(name, words) };
@@ -101,6 +125,7 @@ function placeCard(plan, path) {
 
 function bottomBar(app, path, [views, endElement], onPlots, signal) {
   const speed = h("span", {});
+  const instruction = h("p", { class: "grow instruction" }, path.instruction);
   const square = cross({ hasWords: false });
   const ask = (call) => call.catch((error) => app.toasts.show(error.message));
   let isOpen = false;
@@ -126,11 +151,12 @@ function bottomBar(app, path, [views, endElement], onPlots, signal) {
       h("div", { class: "big" }, speed, " ", h("small", {}, t("unit.speed"))),
     ),
     square.element,
-    h("p", { class: "grow instruction" }, path.instruction),
+    instruction,
     h("div", { class: "spread actions" }, views, plots, endElement),
   );
   const show = (now) => {
     write(speed, number(now.v, 2));
+    if (now.trial) write(instruction, now.trial.instruction);
     square.show(now.u1 ?? 0, now.u2 ?? 0);
   };
   show({ v: 0, u1: 0, u2: 0 });
