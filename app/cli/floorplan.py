@@ -1,19 +1,23 @@
-"""`bodydrive floorplan`: the places to drive in, and new ones from a robot's map."""
+"""`bodydrive floorplan`: the places to drive in, and new ones from maps, drawings and pictures."""
 
 import json
 from pathlib import Path
 from typing import Annotated
 
 import typer
+from pydantic import ValidationError
 
 from app.cli.errors import InputError
 from app.cli.output import write_output
+from app.sentences import one_sentence
+from app.world.draft import plan_of
 from app.world.floorplan import load_floorplan
-from app.world.map_import import import_ros_map
+from app.world.image_import import THRESHOLD
+from app.world.plan_import import Options, import_plan
 from app.world.scene import bundled_places, is_scene, offers_in
 
 floorplan_app = typer.Typer(
-    help="List the places that come with the software, check one, or make one from a ROS map.",
+    help="List the places that come with the software, check one, or make one from a file.",
     no_args_is_help=True,
     pretty_exceptions_enable=False,
 )
@@ -22,21 +26,51 @@ AsJson = Annotated[bool, typer.Option("--json", help="Print one JSON object and 
 
 
 @floorplan_app.command("import")
-def import_map(
-    map_file: Annotated[Path, typer.Argument(metavar="MAP.yaml", help="The YAML file of a ROS map_server map.")],
+def import_file(
+    file: Annotated[
+        Path, typer.Argument(metavar="FILE", help="MAP.yaml of a ROS map, a DXF drawing, or a PNG or JPEG picture.")
+    ],
     out: Annotated[Path, typer.Option(help="Where the floor plan goes: a .json file.")],
+    *,
     name: Annotated[str | None, typer.Option(help="The plan's name: letters, digits, dots, dashes.")] = None,
     title: Annotated[str | None, typer.Option(help="What people call it.")] = None,
+    unit: Annotated[
+        str | None, typer.Option(help="Of a drawing that does not say it: mm, cm, m, inch or foot.")
+    ] = None,
+    layer: Annotated[
+        list[str] | None, typer.Option(help="A drawing's layer with walls; several times for more.")
+    ] = None,
+    metres_per_pixel: Annotated[float | None, typer.Option(help="A picture's scale.")] = None,
+    width: Annotated[float | None, typer.Option(help="Or how wide the whole picture is, m.")] = None,
+    threshold: Annotated[float, typer.Option(help="A pixel lighter than this share of white is free.")] = THRESHOLD,
     as_json: AsJson = False,
 ) -> None:
-    """Make a floor plan from a ROS map: walls around the free space, and a path to drive in it."""
+    """Make a floor plan from a ROS map, a DXF drawing or a picture: walls, and a path to drive."""
     if out.suffix != ".json":
         raise InputError(f"--out {out}: its name must end in .json")
+    given = {
+        "unit": unit,
+        "layers": layer,
+        "metres_per_pixel": metres_per_pixel,
+        "width": width,
+        "threshold": threshold,
+        "title": title,
+        "name": name,
+    }
     try:
-        plan = import_ros_map(map_file, title, name)
+        options = Options.model_validate_json(
+            json.dumps({key: value for key, value in given.items() if value is not None})
+        )
+    except ValidationError as error:
+        raise InputError(one_sentence(error, "the options")) from error
+    try:
+        draft = import_plan(file, options)
+        if not draft.document["paths"]:
+            raise ValueError(f"{file}: a chair fits nowhere in it, draw a path on a layer PATH, or check the unit")
+        plan = plan_of(draft, str(file))
     except ValueError as error:
         raise InputError(str(error)) from error
-    write_output(out, plan.model_dump_json(exclude_none=True).encode() + b"\n", map_file)
+    write_output(out, plan.model_dump_json(exclude_none=True).encode() + b"\n", file)
     path = plan.paths[0]
     summary = {
         "name": plan.name,
@@ -44,6 +78,7 @@ def import_map(
         "walls": len(plan.segments()),
         "path_length": path.line.length,
         "out": str(out),
+        "words": draft.words,
     }
     if as_json:
         typer.echo(json.dumps(summary))
@@ -51,6 +86,8 @@ def import_map(
         typer.echo(
             f"{plan.title}: {summary['walls']} wall pieces, a path of {path.line.length:.1f} m, written to {out}"
         )
+        for words in draft.words[1:]:
+            typer.echo(words)
 
 
 @floorplan_app.command("list")

@@ -1,21 +1,16 @@
 """Makes a floor plan of an occupancy map: walls around the free space, and a path to drive in it."""
 
-import re
 from pathlib import Path
 
 import numpy as np
-from pydantic import ValidationError
 
-from app.sentences import one_sentence
 from app.world.boundary import outlines
+from app.world.draft import Draft, path_document, plain_name, plan_of
 from app.world.floorplan import MAX_WALLS, FloorPlan
-from app.world.occupancy import read_occupancy_map
-from app.world.path import Path as Line
+from app.world.occupancy import OccupancyMap, read_occupancy_map
 from app.world.route import propose_route
 
 WALL_THICKNESS = 0.02  # m; the outline is the surface of what stands there, so hardly any is added to it
-SLOWEST = 0.25  # m/s, the mean speed that the time limit allows
-SHORTEST_TIME = 60.0  # s
 DECIMALS = 4  # of a metre in the plan
 
 
@@ -30,36 +25,31 @@ def import_ros_map(yaml_file: Path, title: str | None = None, name: str | None =
     ValueError
         One sentence that names the file and what to do.
     """
-    occupancy = read_occupancy_map(yaml_file)
+    draft = draft_of_map(read_occupancy_map(yaml_file), yaml_file, title, name)
+    return plan_of(draft, str(yaml_file))
+
+
+def draft_of_map(
+    occupancy: OccupancyMap, file: Path, title: str | None = None, name: str | None = None, what: str = "map"
+) -> Draft:
+    """Return what an occupancy map proposes; ValueError with one sentence that names `file`."""
     route = propose_route(occupancy.free, occupancy.resolution)
     if route is None:
-        raise ValueError(f"{yaml_file}: a chair fits nowhere in this map, check its resolution and thresholds")
+        hint = "resolution" if what == "map" else "scale"
+        raise ValueError(f"{file}: a chair fits nowhere in this {what}, check its {hint} and thresholds")
     walls = []
     for loop in outlines(route.region):
         places = occupancy.place(np.array([*loop, loop[0]], dtype=np.float64)).round(DECIMALS).tolist()
         walls.append(places)
     edges = sum(len(wall) - 1 for wall in walls)
     if edges > MAX_WALLS:
-        raise ValueError(f"{yaml_file}: this map has {edges} wall pieces, clean it until it has at most {MAX_WALLS}")
+        raise ValueError(f"{file}: this {what} has {edges:,} wall pieces, clean it until it has at most {MAX_WALLS:,}")
     points = occupancy.place(route.cells).round(DECIMALS).tolist()
-    length = Line(points).length
-    plain = re.sub(r"[^A-Za-z0-9_.-]+", "-", yaml_file.stem).strip("-_.")[:64] or "map"
     document = {
-        "name": name or plain,
-        "title": title or yaml_file.stem,
+        "name": name or plain_name(file.stem),
+        "title": title or file.stem[:80],
         "walls": walls,
         "wall_thickness": WALL_THICKNESS,
-        "paths": [
-            {
-                "name": "main",
-                "title": "Across the building",
-                "points": points,
-                "time_limit": round(max(SHORTEST_TIME, length / SLOWEST)),
-                "instruction": "Follow the white line to its end.",
-            }
-        ],
+        "paths": [path_document(points)],
     }
-    try:
-        return FloorPlan.model_validate(document)
-    except ValidationError as error:
-        raise ValueError(one_sentence(error, str(yaml_file))) from error
+    return Draft(document, (f"{edges} wall pieces.", "The path is a proposal: change it as you like."))

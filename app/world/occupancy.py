@@ -47,8 +47,8 @@ class OccupancyMap:
         return np.asarray(cells * self.resolution @ turn.T + (x, y))
 
 
-def read_occupancy_map(file: Path) -> OccupancyMap:
-    """Read a map's YAML file and the image beside it.
+def read_occupancy_map(file: Path, image_file: Path | None = None) -> OccupancyMap:
+    """Read a map's YAML file and the image that it names, or `image_file` instead of that.
 
     A pixel is free when its occupancy, (255 - value) / 255 or with `negate` value / 255, is below `free_thresh`.
 
@@ -58,7 +58,7 @@ def read_occupancy_map(file: Path) -> OccupancyMap:
         One sentence that names the file and what to do.
     """
     document = _read_document(file)
-    image_file = file.parent / document.image
+    image_file = image_file or file.parent / document.image
     pixels = _read_image(image_file, file)
     occupancy = (pixels if document.negate else 255.0 - pixels) / 255.0
     free = np.flipud(occupancy < document.free_thresh)
@@ -92,7 +92,7 @@ def _read_image(image_file: Path, named_in: Path) -> NDArray[np.float64]:
             grey = None if too_large else np.asarray(image.convert("L"), dtype=np.float64)
     except FileNotFoundError as error:
         raise ValueError(f"{image_file}: there is no such image, put it where {named_in.name} names it") from error
-    except (UnidentifiedImageError, Image.DecompressionBombError) as error:
+    except (UnidentifiedImageError, Image.DecompressionBombError, Image.DecompressionBombWarning) as error:
         raise ValueError(f"{image_file}: this is not an image (PGM or PNG) that can be read, save it anew") from error
     except (OSError, SyntaxError, ValueError) as error:
         what = getattr(error, "strerror", None) or error

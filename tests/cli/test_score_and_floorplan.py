@@ -1,8 +1,11 @@
 import json
 
+import ezdxf
 import numpy as np
 import pytest
 from PIL import Image
+
+from app.world.floorplan import load_floorplan
 
 
 @pytest.fixture
@@ -84,6 +87,40 @@ def test_a_map_becomes_a_plan(bodydrive, tmp_path, map_file):
     plan = json.loads((tmp_path / "plans" / "hall.json").read_text())
     assert plan["title"] == "Hall"
     assert [file.name for file in (tmp_path / "plans").iterdir()] == ["hall.json"]
+
+
+def test_a_drawing_and_a_picture_become_plans(bodydrive, tmp_path):
+    document = ezdxf.new()
+    document.modelspace().add_lwpolyline([(0, 0), (8, 0), (8, 6), (0, 6)], close=True)
+    document.header["$INSUNITS"] = 0
+    document.saveas(tmp_path / "room.dxf")
+    pixels = np.full((100, 200), 255, np.uint8)
+    pixels[5:95, 5:195] = 0
+    pixels[10:90, 10:190] = 255
+    Image.fromarray(pixels).save(tmp_path / "room.png")
+    for words, length in (
+        ("room.dxf --unit m", 8),
+        ("room.png --metres-per-pixel 0.05", 9),
+        ("room.png --width 10", 9),
+    ):
+        code, out, err = bodydrive("floorplan", "import", *words.split(), "--out", "room.json", "--json")
+        assert (code, err) == (0, "")
+        summary = json.loads(out)
+        assert summary["walls"] == 4
+        plan = load_floorplan(tmp_path / "room.json")
+        assert plan.bounds[2] - plan.bounds[0] == pytest.approx(length, abs=0.11)
+    for words, sentence in (
+        ("room.dxf", "room.dxf: this drawing does not say in which unit"),
+        ("room.dxf --unit yard", "the options, unit"),
+        ("room.dxf --unit m --layer DOORS", "room.dxf: there is no layer 'DOORS'"),
+        ("room.png", "room.png: a picture has no scale"),
+        ("room.png --width nan", "the options, width"),
+        ("room.txt", "room.txt: this is no .yaml"),
+    ):
+        code, out, err = bodydrive("floorplan", "import", *words.split(), "--out", "other.json")
+        assert (code, out) == (2, "")
+        assert sentence in err
+    assert not (tmp_path / "other.json").exists()
 
 
 @pytest.mark.parametrize(
