@@ -13,6 +13,7 @@ import review from "./texts/en/review.js";
 import settings from "./texts/en/settings.js";
 import shell from "./texts/en/shell.js";
 import shirt from "./texts/en/shirt.js";
+import stereo from "./texts/en/stereo.js";
 
 export const LANGUAGE = "en";
 
@@ -28,6 +29,7 @@ const CATALOGUE = Object.freeze({
   ...review,
   ...settings,
   ...patient_screen,
+  ...stereo,
 });
 const PLURALS = new Intl.PluralRules(LANGUAGE);
 
