@@ -41,10 +41,15 @@ HEADERS = {
 NOT_OURS = "This address does not belong to this program: open the link that it printed."
 NOT_OUR_PAGE = "This request does not come from our own page: open the page and try again."
 
-TOO_LARGE = "This is too large: send at most 64 MB as a file, and 2 MB of anything else."
-FILES = "/api/v1/equipment/files"
-FILE_LIMIT = 65_000_000  # bytes: the largest file and what a form puts round it
+TOO_LARGE = "This is too large: send at most {limit} MB here."
 BODY_LIMIT = 2_000_000  # bytes
+# Bytes, by how a path begins: the largest file and what a form puts round it.
+LIMITS = {
+    "/api/v1/equipment/files": 65_000_000,
+    "/api/v1/floorplans/import": 41_000_000,  # a map and its picture
+    "/api/v1/floorplans": 8_100_000,
+    "/api/v1/models": 21_000_000,
+}
 
 router = APIRouter()
 
@@ -102,7 +107,7 @@ class Guard:
         elif not may_pass(scope["method"], path, headers):
             answer = JSONResponse({"detail": NOT_OUR_PAGE}, 403)
         elif _announced(headers) > _limit(path):
-            answer = JSONResponse({"detail": TOO_LARGE}, 413)
+            answer = JSONResponse({"detail": _too_large(_limit(path))}, 413)
         else:
             await self._app(scope, _limited(receive, _limit(path)), with_headers)
             return
@@ -115,7 +120,11 @@ def _announced(headers: Headers) -> int:
 
 
 def _limit(path: str) -> int:
-    return FILE_LIMIT if path == FILES else BODY_LIMIT
+    return next((limit for start, limit in LIMITS.items() if path.startswith(start)), BODY_LIMIT)
+
+
+def _too_large(limit: int) -> str:
+    return TOO_LARGE.format(limit=limit // 1_000_000)
 
 
 def _limited(receive: Receive, limit: int) -> Receive:
@@ -127,7 +136,7 @@ def _limited(receive: Receive, limit: int) -> Receive:
         message = await receive()
         taken += len(message.get("body", b""))
         if taken > limit:
-            raise HTTPException(413, TOO_LARGE)
+            raise HTTPException(413, _too_large(limit))
         return message
 
     return counted

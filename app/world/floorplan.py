@@ -23,8 +23,17 @@ from app.world.tasks import Back, Course, FollowLeader, FollowPath, Task, Turn
 
 MAX_WALLS = 5000
 MAX_BYTES = 8_000_000  # a document larger than this is not a floor plan
+MOST_LOOKS = 20_000_000  # pieces of paths times pieces of walls: each is held against each
 
 Polyline = Annotated[tuple[Point, ...], Field(min_length=2, max_length=MAX_WALLS)]
+
+
+class TooNear(ValueError):  # noqa: N818
+    """A path or a mover comes too near to something, at (x, y) in m."""
+
+    def __init__(self, sentence: str, x: float, y: float) -> None:
+        super().__init__(sentence)
+        self.x, self.y = x, y
 
 
 class Room(Document):
@@ -109,17 +118,22 @@ class FloorPlan(Document):
     @model_validator(mode="after")
     def _lines_are_free(self) -> Self:
         clearance = Clearance(self.walls, self.wall_thickness, self.obstacles)
-        for what, points, radius in self._lines():
+        lines = list(self._lines())
+        if sum(len(points) for _, points, _ in lines) * (sum(map(len, self.walls)) + len(self.obstacles)) > MOST_LOOKS:
+            raise ValueError("its paths have too many points for so many walls: draw them with fewer")
+        for what, points, radius in lines:
             try:
                 line = Path(points).points if len(points) > 1 else (points[0], points[0])
             except ValueError as error:
                 raise ValueError(f"{what}: {error}") from error
             found = clearance.along(line)
             if found.distance < radius:
-                raise ValueError(
+                raise TooNear(
                     f"{what} comes within {max(found.distance, 0):.2f} m of {found.what} near "
                     f"({found.x:.2f}, {found.y:.2f}), and {radius} m are needed on each side: "
-                    f"move it or the {found.kind}"
+                    f"move it or the {found.kind}",
+                    found.x,
+                    found.y,
                 )
         return self
 

@@ -1,0 +1,270 @@
+"""The clinic's own floor plans: saved, versioned, deleted, restored, checked, and made from files."""
+
+import io
+import json
+from concurrent.futures import ThreadPoolExecutor
+from typing import Any
+
+import ezdxf
+import numpy as np
+import pytest
+import trimesh
+from PIL import Image
+
+from app.api import plan_files
+from app.world.floorplan import load_floorplan
+
+ROOM = [[[0.0, 0.0], [6.0, 0.0], [6.0, 4.0], [0.0, 4.0], [0.0, 0.0]]]
+PATH = {"name": "main", "title": "Across", "points": [[1.0, 2.0], [5.0, 2.0]], "instruction": "Go."}
+
+
+def plan(name: str = "my-room", **more: Any) -> dict[str, Any]:
+    return {"name": name, "title": "My room", "walls": ROOM, "paths": [PATH], **more}
+
+
+def sentence(answer: Any, status: int) -> str:
+    assert answer.status_code == status, answer.text
+    detail: str = answer.json()["detail"]
+    assert detail.endswith(".")
+    assert not detail.endswith("..")
+    assert "/tmp/" not in detail
+    return detail
+
+
+def names(clinic: Any) -> list[str]:
+    return [one["name"] for one in clinic.good("GET", "/floorplans")]
+
+
+def test_a_plan_is_saved_and_can_be_driven_in_at_once(signed_in: Any) -> None:
+    saved = signed_in.good("POST", "/floorplans", json=plan())
+    assert saved == {"name": "my-room", "title": "My room", "version": 1}
+    assert "my-room" in names(signed_in)
+    assert signed_in.good("GET", "/floorplans/my-room")["walls"] == ROOM
+    assert signed_in.good("GET", "/own-floorplans") == [saved]
+    row = signed_in.log()[-1]
+    assert (row.what, row.details) == ("floor plan saved", {"floorplan": "my-room", "version": 1})
+
+
+def test_every_version_stays(signed_in: Any, settings: Any) -> None:
+    folder = settings.state / "floorplans"
+    signed_in.good("POST", "/floorplans", json=plan())
+    first = (folder / "my-room.json").read_bytes()
+    second = signed_in.good("PUT", "/floorplans/my-room?version=1", json=plan(title="Larger"))
+    assert second["version"] == 2
+    kept = sorted((folder / "versions" / "my-room").iterdir())
+    assert [file.name for file in kept] == ["000001.json", "000002.json"]
+    assert kept[0].read_bytes() == first
+    assert load_floorplan(folder / "my-room.json").title == "Larger"
+
+
+def test_who_saves_an_old_version_is_told(signed_in: Any) -> None:
+    signed_in.good("POST", "/floorplans", json=plan())
+    signed_in.good("PUT", "/floorplans/my-room?version=1", json=plan(title="Theirs"))
+    words = sentence(signed_in("PUT", "/floorplans/my-room?version=1", json=plan(title="Mine")), 409)
+    assert "meanwhile" in words
+    assert signed_in.good("GET", "/floorplans/my-room")["title"] == "Theirs"
+    sentence(signed_in("PUT", "/floorplans/my-room", json=plan()), 422)
+    assert "name" in sentence(signed_in("PUT", "/floorplans/other?version=1", json=plan()), 422)
+    sentence(signed_in("PUT", "/floorplans/other?version=1", json=plan("other")), 404)
+
+
+def test_of_two_who_save_at_the_same_moment_one_is_told(signed_in: Any) -> None:
+    signed_in.good("POST", "/floorplans", json=plan())
+
+    def save(number: int) -> int:
+        status: int = signed_in("PUT", "/floorplans/my-room?version=1", json=plan(title=f"Of {number}")).status_code
+        return status
+
+    with ThreadPoolExecutor(4) as pool:
+        assert sorted(pool.map(save, range(4))) == [200, 409, 409, 409]
+    assert signed_in.good("GET", "/own-floorplans")[0]["version"] == 2
+
+
+def test_a_file_that_somebody_put_there_is_a_version_too(signed_in: Any, settings: Any) -> None:
+    folder = settings.state / "floorplans"
+    folder.mkdir(parents=True)
+    (folder / "by-hand.json").write_text(json.dumps(plan("by-hand")))
+    assert signed_in.good("GET", "/own-floorplans")[0]["version"] == 1
+    assert signed_in.good("PUT", "/floorplans/by-hand?version=1", json=plan("by-hand", title="New"))["version"] == 2
+    assert load_floorplan(folder / "versions" / "by-hand" / "000001.json").title == "My room"
+
+
+@pytest.mark.parametrize("name", ["clinic", "Clinic", "desert.easy", "desert", "desert.impossible"])
+def test_what_comes_with_the_software_stays_as_it_is(signed_in: Any, name: str) -> None:
+    assert "comes with the software" in sentence(signed_in("POST", "/floorplans", json=plan(name)), 409)
+    sentence(signed_in("PUT", f"/floorplans/{name}?version=1", json=plan(name)), 409)
+    sentence(signed_in("DELETE", f"/floorplans/{name}"), 409)
+
+
+def test_a_name_is_given_once_and_case_does_not_make_another(signed_in: Any) -> None:
+    signed_in.good("POST", "/floorplans", json=plan())
+    for name in ("my-room", "My-Room"):
+        assert "already" in sentence(signed_in("POST", "/floorplans", json=plan(name)), 409)
+
+
+def test_a_deleted_plan_can_be_restored(signed_in: Any) -> None:
+    signed_in.good("POST", "/floorplans", json=plan())
+    signed_in.good("PUT", "/floorplans/my-room?version=1", json=plan(title="Larger"))
+    assert signed_in.good("DELETE", "/floorplans/my-room") == []
+    assert "my-room" not in names(signed_in)
+    sentence(signed_in("DELETE", "/floorplans/my-room"), 404)
+    (back,) = signed_in.good("POST", "/floorplans/my-room/restore")
+    assert back == {"name": "my-room", "title": "Larger", "version": 2}
+    sentence(signed_in("POST", "/floorplans/my-room/restore"), 404)
+    assert [row.what for row in signed_in.log()[-2:]] == ["floor plan deleted", "floor plan restored"]
+    signed_in.good("DELETE", "/floorplans/my-room")
+    assert signed_in.good("POST", "/floorplans", json=plan(title="Third"))["version"] == 3
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"name": "../x"}, "name"),
+        ({"walls": [[[0, 0]]]}, "walls[0]"),
+        ({"walls": [[[0, 0], ["1", 0]]]}, "walls[0][1][0]"),
+        ({"paths": []}, "paths"),
+        ({"surprise": 1}, "surprise"),
+        ({"paths": [PATH, PATH]}, "twice"),
+        ({"paths": [{**PATH, "points": [[1, 2], [5.9, 2]]}]}, "a wall near (5.90, 2.00)"),
+    ],
+)
+def test_a_bad_plan_is_refused_with_the_place(signed_in: Any, change: dict[str, Any], words: str) -> None:
+    assert words in sentence(signed_in("POST", "/floorplans", json={**plan(), **change}), 422)
+    answer = signed_in.good("POST", "/floorplans/check", json={**plan(), **change})
+    assert not answer["good"]
+    assert words in answer["sentence"]
+    assert signed_in.good("GET", "/own-floorplans") == []
+
+
+def test_the_check_says_where_on_the_floor(signed_in: Any) -> None:
+    assert signed_in.good("POST", "/floorplans/check", json=plan()) == {
+        "good": True,
+        "sentence": "",
+        "place": [],
+        "at": None,
+    }
+    answer = signed_in.good("POST", "/floorplans/check", json=plan(paths=[{**PATH, "points": [[1, 2], [5, 3.8]]}]))
+    assert answer["at"] == [5.0, 3.8]
+    assert signed_in.good("POST", "/floorplans/check", json=plan(walls=[[[0, 0], [0, 2000]]]))["place"][:2] == [
+        "walls",
+        0,
+    ]
+    for content in (b"", b"[" * 100_000, b"\xff\xfe", b"[]", b'{"name": NaN}'):
+        assert not signed_in.good("POST", "/floorplans/check", content=content)["good"]
+        sentence(signed_in("POST", "/floorplans", content=content), 422)
+
+
+def test_more_than_a_plan_can_hold_is_not_taken(signed_in: Any) -> None:
+    assert "8 MB" in sentence(signed_in("POST", "/floorplans", content=b" " * 8_200_000), 413)
+    many = [[x / 10, 1.0] for x in range(5000)]
+    walls = [[[0.0, 3.0 + y / 10], [1.0, 3.0 + y / 10]] for y in range(4000)]
+    answer = signed_in.good("POST", "/floorplans/check", json=plan(walls=walls, paths=[{**PATH, "points": many}]))
+    assert "too many points" in answer["sentence"]
+
+
+def dxf(unit: int = 6) -> bytes:
+    document = ezdxf.new()
+    document.header["$INSUNITS"] = unit
+    document.modelspace().add_lwpolyline([(0, 0), (8, 0), (8, 6), (0, 6)], close=True, dxfattribs={"layer": "A-WALL"})
+    text = io.StringIO()
+    document.write(text)
+    return text.getvalue().encode()
+
+
+def picture(kind: str) -> bytes:
+    pixels = np.full((90, 160), 254, np.uint8)
+    pixels[5:85, 5:155] = 0
+    pixels[10:80, 10:150] = 254
+    stream = io.BytesIO()
+    Image.fromarray(pixels).save(stream, kind)
+    return stream.getvalue()
+
+
+MAP = b"image: /etc/passwd\nresolution: 0.05\norigin: [0, 0, 0]\n"
+
+
+def bring(clinic: Any, *files: tuple[str, bytes], **options: Any) -> Any:
+    sent = [("files", (name, content)) for name, content in files]
+    return clinic("POST", "/floorplans/import", files=sent, data={"options": json.dumps(options)})
+
+
+def test_files_become_drafts_that_can_be_saved(signed_in: Any) -> None:
+    for files, options, width in (
+        ([("Hall 1.dxf", dxf())], {}, 8.0),
+        ([("hall.PNG", picture("PNG"))], {"width": 8.0}, 7.0),
+        ([("hall.yaml", MAP), ("hall.pgm", picture("PPM"))], {"title": "The hall"}, 7.0),
+    ):
+        answer = bring(signed_in, *files, **options)
+        assert answer.status_code == 200, answer.text
+        draft = answer.json()
+        xs = [x for wall in draft["document"]["walls"] for x, _ in wall]
+        assert max(xs) - min(xs) == pytest.approx(width, abs=0.11)
+        assert draft["words"][0] == "4 wall pieces."
+        assert signed_in.good("POST", "/floorplans/check", json=draft["document"])["good"]
+    assert signed_in.good("GET", "/own-floorplans") == []
+    assert bring(signed_in, ("h.dxf", dxf())).json()["layers"] == ["A-WALL"]
+
+
+def test_bad_files_are_refused_in_one_sentence(signed_in: Any) -> None:
+    for files, options, status, words in (
+        ([("hall.dxf", dxf(0))], {}, 422, "hall.dxf: this drawing does not say in which unit"),
+        ([("hall.yaml", MAP), ("hall.pgm", b"x")], {}, 422, "hall.pgm: this is not an image"),
+        ([("hall.yaml", MAP)], {}, 422, "two files"),
+        ([("hall.pgm", picture("PPM"))], {}, 422, ".yaml"),
+        ([("a.dxf", dxf()), ("b.dxf", dxf())], {}, 422, "one file"),
+        ([("a.exe", b"MZ")], {}, 415, "none of these"),
+        ([("hall.dxf", dxf())], {"unit": "yard"}, 422, "unit"),
+        ([("hall.yaml", b"#" * 200_000), ("hall.pgm", b"x")], {}, 413, "100 kB"),
+    ):
+        assert words in sentence(bring(signed_in, *files, **options), status)
+    answer = signed_in("POST", "/floorplans/import", files=[("files", ("a.dxf", b"x"))], data={"options": "{"})
+    assert "not JSON" in sentence(answer, 422)
+    sentence(signed_in("POST", "/floorplans/import"), 422)
+
+
+def test_a_reader_that_dies_or_hangs_is_said(signed_in: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(plan_files, "READER", ("false",))
+    assert "could not be read" in sentence(bring(signed_in, ("hall.dxf", dxf())), 422)
+    monkeypatch.setattr(plan_files, "READER", ("sleep", "60"))
+    monkeypatch.setattr(plan_files, "WAITED_FOR", 0.05)
+    assert "too long" in sentence(bring(signed_in, ("hall.dxf", dxf())), 503)
+
+
+def glb() -> bytes:
+    found: bytes = trimesh.creation.box((1.0, 2.0, 0.5)).export(file_type="glb")
+    return found
+
+
+def test_an_object_is_kept_and_given_to_a_box(signed_in: Any, settings: Any) -> None:
+    listed = signed_in.good("POST", "/models", files={"file": ("My bed.glb", glb())})
+    assert [one["name"] for one in listed] == ["My-bed"]
+    assert sorted(listed[0]["size"]) == [0.5, 1.0, 2.0]
+    assert listed[0]["bytes"] == len(glb())
+    assert (settings.models / "My-bed.glb").read_bytes() == glb()
+    assert signed_in.good("GET", "/models") == listed
+    assert (signed_in.log()[-1].what, signed_in.log()[-1].details) == ("object added", {"model": "My-bed"})
+    box = {"kind": "box", "label": "Bed", "position": [3, 3.4], "size": [0.5, 0.5], "model": "My-bed"}
+    signed_in.good("POST", "/floorplans", json=plan(obstacles=[box]))
+    assert signed_in.good("GET", "/floorplans/my-room")["obstacles"][0]["model"] == "My-bed"
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "status", "words"),
+    [
+        ("bed.obj", b"v 0 0 0", 415, "no GLB"),
+        ("bed.glb", b"glTF", 422, "bed.glb: this object cannot be used"),
+        ("bed.glb", b"", 422, "bed.glb"),
+        ("../../bed.glb", b"x", 422, "bed.glb"),
+        ("bed.glb", b"\0" * 20_000_001, 413, "20 MB"),
+    ],
+)
+def test_what_is_no_object_is_refused(
+    signed_in: Any, settings: Any, name: str, content: bytes, status: int, words: str
+) -> None:
+    assert words in sentence(signed_in("POST", "/models", files={"file": (name, content)}), status)
+    assert not settings.models.exists() or list(settings.models.iterdir()) == []
+
+
+def test_an_objects_name_is_given_once(signed_in: Any) -> None:
+    signed_in.good("POST", "/models", files={"file": ("bed.glb", glb())})
+    assert "already" in sentence(signed_in("POST", "/models", files={"file": ("Bed.glb", glb())}), 409)
