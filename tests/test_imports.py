@@ -52,6 +52,7 @@ HOME = {
     "plotly": {"api"},
     "cyclonedds": {"hardware"},
     "segno": {"api", "cli"},
+    "serial": {"hardware"},
     "ezdxf": {"world"},
 }
 

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any, cast
 from pydantic import TypeAdapter, ValidationError
 
 from app.clock import Clock
-from app.hardware.base import Body, HardwareError, Shirt
-from app.hardware.configs import BodyConfig, ChairConfig, RealChairConfig, ShirtConfig
+from app.hardware.base import Body, HardwareError, HeadTracker, Shirt
+from app.hardware.configs import BodyConfig, ChairConfig, HeadConfig, RealChairConfig, ShirtConfig
 from app.sentences import one_sentence
 
 if TYPE_CHECKING:
@@ -30,10 +30,18 @@ CHAIRS: Table = {
     "virtual": ("app.hardware.chair.simulator", "VirtualChair"),
     "udp": ("app.hardware.chair.link", "ChairLink"),
 }
+HEADS: Table = {
+    "opentrack": ("app.hardware.head.opentrack", "Opentrack"),
+    "freepie": ("app.hardware.head.freepie", "Freepie"),
+    "flock_of_birds": ("app.hardware.head.flock_of_birds", "FlockOfBirds"),
+    "simulator": ("app.hardware.head.simulator", "SimulatedHead"),
+    "recorded": ("app.hardware.head.recorded", "RecordedHead"),
+    "tablet": ("app.hardware.head.tablet", "TabletHead"),
+}
 
 
 def driver_class(what: str, word: str, table: Table) -> Any:
-    """Return the class behind a word of `table`; `what` ("shirt", "body", "chair") names it in sentences.
+    """Return the class behind a word of `table`; `what` ("shirt", "chair" ...) names it in sentences.
 
     Raises
     ------
@@ -74,6 +82,16 @@ def parse_body(document: object) -> BodyConfig:
 def parse_chair(document: object) -> ChairConfig:
     """Return the chair configuration in `document` (JSON values), or raise HardwareError with one sentence."""
     return cast(ChairConfig, _parse("chair", document, CHAIRS, TypeAdapter(ChairConfig)))
+
+
+def parse_head(document: object) -> HeadConfig:
+    """Return the head tracker's configuration in `document` (JSON values), or raise HardwareError with one sentence."""
+    return cast(HeadConfig, _parse("head tracker", document, HEADS, TypeAdapter(HeadConfig)))
+
+
+def make_head(config: HeadConfig, clock: Clock) -> HeadTracker:
+    """Return the head tracker that `config` describes, not yet open; raise HardwareError without its driver."""
+    return cast(HeadTracker, driver_class("head tracker", config.kind, HEADS)(config, clock))
 
 
 def make_shirt(config: ShirtConfig, clock: Clock) -> Shirt:

@@ -9,7 +9,7 @@ from pydantic import ValidationError
 from app.clock import Clock
 from app.faults import Fault, State
 from app.hardware.base import HardwareError
-from app.hardware.registry import parse_body, parse_chair, parse_shirt
+from app.hardware.registry import parse_body, parse_chair, parse_head, parse_shirt
 from app.link import CommandServer
 from app.pipeline import documents
 from app.pipeline.arming import real_chair_refusal, refusal
@@ -48,6 +48,9 @@ class Commands:
             "shirt": Command(documents.Device, self._shirt),
             "body": Command(documents.Device, self._body),
             "move": Command(documents.Move, self._move),
+            "head": Command(documents.Head, self._head),
+            "look": Command(documents.Look, self._look),
+            "head_ahead": Command(documents.Nothing, self._head_ahead),
             "parameters": Command(documents.Parameters, self._parameters),
             "world": Command(documents.World, self._world),
             "chair": Command(documents.Device, self._chair),
@@ -126,6 +129,25 @@ class Commands:
             move(fields.joints)
         except ValueError as error:
             raise Refused(f"{error}.") from error
+        return {}
+
+    def _head(self, fields: documents.Head, _id: int) -> Answer:
+        self._require_no_drive()
+        config = None if fields.config is None else parse_head(fields.config)
+        try:
+            self._setup.looking.use(config)
+        finally:
+            self._settle()
+        return {"words": self._setup.looking.words}
+
+    def _look(self, fields: documents.Look, _id: int) -> Answer:
+        if not self._setup.looking.look(fields.yaw, fields.pitch, fields.roll):
+            raise Refused("No tablet is used as the head tracker: choose it on the Shirt page first.")
+        return {}
+
+    def _head_ahead(self, _fields: documents.Nothing, _id: int) -> Answer:
+        if not self._setup.looking.set_ahead():
+            raise Refused("The head tracker has not said where the head looks: wait for its first pose.")
         return {}
 
     def _parameters(self, fields: documents.Parameters, _id: int) -> Answer:
@@ -215,6 +237,7 @@ class Commands:
                 "words": setup.chair_words,
                 "switch_seen": setup.link is not None and setup.link.heard.switch_seen,
             },
+            "head": {"kind": setup.looking.kind, "words": setup.looking.words},
             "dial": setup.chain.dial,
             "realtime": self._real_time,
             "late": loop.late,

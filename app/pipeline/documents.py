@@ -7,7 +7,7 @@ from pydantic import Field
 from app.calibration.vocabulary import DriveParameters
 from app.cues import Cue
 from app.pipeline.open_run import RunKind
-from app.quantities import Count, Document, Fraction, Name, Seconds
+from app.quantities import Count, Document, Fraction, Name, Radians, Seconds
 from app.speeds import Speeds
 from app.world.floorplan import FloorPlan
 
@@ -30,6 +30,20 @@ class Device(Document):
     """A shirt, a body or a chair; the registry looks into the configuration."""
 
     config: dict[str, Any]
+
+
+class Head(Document):
+    """A head tracker, None for none; the registry looks into the configuration."""
+
+    config: dict[str, Any] | None
+
+
+class Look(Document):
+    """Where a tablet looks, as it tells."""
+
+    yaw: Radians
+    pitch: Radians
+    roll: Radians
 
 
 class Move(Document):

@@ -126,6 +126,7 @@ class ControlLoop:
         tick = setup.chain.step(frame, t, conditions)
         state = setup.chair.state
         tick.driven_v, tick.driven_omega, tick.dial = state.v, state.omega, setup.chain.dial
+        setup.looking.note(tick, t)
         if link is not None:
             self.tell_chair()
             note_chair(tick, link, t)

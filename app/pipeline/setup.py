@@ -13,6 +13,7 @@ from app.hardware.chair.simulator import Dynamics, VirtualChair
 from app.hardware.configs import BodyConfig, ChairConfig, RealChairConfig, ShirtConfig
 from app.hardware.registry import make_body, make_real_chair, make_shirt
 from app.pipeline.chain import Chain
+from app.pipeline.looking import Looking
 from app.speeds import NO_FURTHER, Speeds
 from app.world.floorplan import FloorPlan, PrescribedPath
 from app.world.scenery import Track
@@ -37,6 +38,7 @@ class Setup:
 
     def __init__(self, clock: Clock) -> None:
         self._clock = clock
+        self.looking = Looking(clock)
         self.shirt: Shirt | None = None
         self.shirt_kind = ""
         self.dressed: DressedShirt | None = None  # the same shirt, when it is the simulated one
@@ -108,6 +110,7 @@ class Setup:
 
     def close(self) -> None:
         """Give the devices back."""
+        self.looking.close()
         self.close_chair()
         if self.shirt is not None:
             self.shirt.close()

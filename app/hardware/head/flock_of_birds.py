@@ -1,0 +1,110 @@
+"""Ascension's Flock of Birds on a serial line, the tracker of the paper."""
+
+from contextlib import suppress
+
+import serial
+
+from app.clock import Clock
+from app.hardware.base import HardwareError
+from app.hardware.configs import FlockOfBirdsConfig
+from app.hardware.head.flock_record import RECORD, Records, decode
+from app.messages import HeadPose
+
+AUTO_CONFIGURE, GROUP_MODE = b"P\x32", b"P\x23\x01"
+TO_UNIT = 0xF0  # and an address: the next command is for that unit
+ANGLES, STREAM, STOP_STREAM = b"Y", b"@", b"?"
+PAUSE = 0.35  # s; 0.3 before and after auto-configuring
+ALIVE = 0.5  # s without a record after which the words say so
+WRITE_LIMIT = 0.5  # s
+
+
+class FlockOfBirds:
+    """One unit, by itself or in a group."""
+
+    def __init__(self, config: FlockOfBirdsConfig, clock: Clock) -> None:
+        self._config = config
+        self._clock = clock
+        self._port: serial.Serial | None = None
+        self._pose: HeadPose | None = None
+        self._gone = ""
+        self._new_records()
+
+    def open(self) -> None:
+        """Configure the unit and let it stream; in a group this takes a second.
+
+        Raises
+        ------
+        HardwareError
+            When the line cannot be opened or does not take the commands.
+        """
+        self.close()
+        self._gone = ""
+        self._new_records()
+        device, address = self._config.device, self._config.address
+        try:
+            self._port = serial.Serial(device, self._config.baud, timeout=0, write_timeout=WRITE_LIMIT)
+            self._port.write(STOP_STREAM)
+            if address is not None:
+                self._configure_group(self._port, address)
+            self._port.reset_input_buffer()
+            to_unit = b"" if address is None else bytes([TO_UNIT + address])
+            self._port.write(to_unit + ANGLES)
+            self._port.write(STREAM)
+        except (OSError, ValueError) as error:  # a SerialException is an OSError
+            self.close()
+            raise HardwareError(
+                f"the Flock of Birds on {device} cannot be opened ({error}): check cable, power and the device's name"
+            ) from error
+
+    def newest(self) -> HeadPose | None:
+        """Take in what has come and return the newest pose, None before the first."""
+        if self._port is None:
+            return self._pose
+        try:
+            content = self._port.read(self._port.in_waiting)
+        except OSError as error:
+            self._gone = str(error) or "it went away"
+            self._let_go()
+            return self._pose
+        now = self._clock.now()
+        for record in self._records.feed(content):
+            if self._config.address is None or record[RECORD] == self._config.address:
+                self._pose = decode(record, now)
+        return self._pose
+
+    def words(self) -> str:
+        """Return the tracker's state in words."""
+        device = self._config.device
+        if self._gone:
+            return f"The Flock of Birds on {device} was lost ({self._gone}): check its cable, then choose it again."
+        if self._port is None:
+            return f"The Flock of Birds on {device} is not open."
+        if self._pose is None or self._clock.now() - self._pose.t > ALIVE:
+            return f"The Flock of Birds on {device} sends nothing: switch it to FLY, and check its baud rate."
+        return f"Flock of Birds on {device}."
+
+    def close(self) -> None:
+        """Stop the stream and give the line back."""
+        if self._port is not None:
+            with suppress(OSError):
+                self._port.write(STOP_STREAM)
+        self._let_go()
+        self._pose = None
+
+    def _configure_group(self, port: serial.Serial, address: int) -> None:
+        for command in (AUTO_CONFIGURE + bytes([address]), GROUP_MODE):
+            self._pause()
+            port.write(command)
+        self._pause()
+
+    def _pause(self) -> None:
+        self._clock.sleep_until(self._clock.now() + PAUSE)
+
+    def _new_records(self) -> None:
+        self._records = Records(RECORD if self._config.address is None else RECORD + 1)
+
+    def _let_go(self) -> None:
+        if self._port is not None:
+            with suppress(OSError):
+                self._port.close()
+        self._port = None

@@ -1,0 +1,76 @@
+"""A head that repeats a recorded movement."""
+
+import math
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.clock import Clock
+from app.columns import read_columns, require_column
+from app.hardware.base import HardwareError
+from app.hardware.configs import RecordedHeadConfig
+from app.messages import HeadPose
+
+COLUMNS = ("yaw_deg", "pitch_deg", "roll_deg")  # left, up and right positive
+BLEND = 1.0  # s in which the end passes into the beginning
+SHORTEST = 2.0  # s of recording
+
+
+class RecordedHead:
+    """Plays `t, yaw_deg, pitch_deg, roll_deg` (s, degrees), once or round and round."""
+
+    def __init__(self, config: RecordedHeadConfig, clock: Clock) -> None:
+        self._config = config
+        self._clock = clock
+        self._began: float | None = None
+        self._t: NDArray[np.float64] = np.empty(0)
+        self._angles: NDArray[np.float64] = np.empty((0, 3))
+
+    def open(self) -> None:
+        """Read the file; HardwareError when it cannot be read or holds no head."""
+        self._t, self._angles = _read(Path(self._config.file))
+        if self._config.loop:
+            self._t, self._angles = _round(self._t, self._angles)
+        self._began = self._clock.now()
+
+    def newest(self) -> HeadPose | None:
+        """Return where it looks now; at the end of a recording that is not repeated, the last pose with its time."""
+        if self._began is None:
+            return None
+        now = self._clock.now()
+        played, duration = now - self._began, float(self._t[-1])
+        if played > duration:
+            if not self._config.loop:
+                return HeadPose(self._began + duration, *map(float, self._angles[-1]))
+            played %= duration
+        return HeadPose(now, *(float(np.interp(played, self._t, self._angles[:, axis])) for axis in range(3)))
+
+    def words(self) -> str:
+        """Return its state in words."""
+        name = Path(self._config.file).name
+        return f"The recorded head {name} is not played." if self._began is None else f"Recorded head {name} is played."
+
+    def close(self) -> None:
+        """Stop playing."""
+        self._began = None
+
+
+def _read(file: Path) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return times from 0 (n,) s and angles (n, 3) rad."""
+    try:
+        table = read_columns(file, only=("t", *COLUMNS))
+        t = require_column(table, file, "t")
+        angles = np.radians(np.column_stack([require_column(table, file, name) for name in COLUMNS]))
+    except ValueError as error:
+        raise HardwareError(str(error)) from error
+    if len(t) < 2 or np.any(np.diff(t) <= 0) or t[-1] - t[0] < SHORTEST:
+        raise HardwareError(f"{file}: a recorded head needs {SHORTEST:g} s and times that grow, record it again")
+    angles = np.unwrap(angles, axis=0)
+    return t - t[0], angles
+
+
+def _round(t: NDArray[np.float64], angles: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return the recording with a way from its end to its beginning."""
+    turns = np.round((angles[-1] - angles[0]) / math.tau) * math.tau
+    return np.append(t, t[-1] + BLEND), np.vstack([angles, angles[0] + turns])

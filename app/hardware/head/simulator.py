@@ -1,0 +1,47 @@
+"""A head that looks around by itself, slowly and smoothly."""
+
+import math
+import random
+
+from app.clock import Clock
+from app.hardware.configs import SimulatedHeadConfig
+from app.messages import HeadPose
+
+WAVES = {"yaw": (0.5, 0.3), "pitch": (0.12, 0.25), "roll": (0.06, 0.2)}  # rad at most, Hz about
+
+
+class SimulatedHead:
+    """Looks left and right, a little up and down: sums of two slow waves. The same seed looks the same way."""
+
+    def __init__(self, config: SimulatedHeadConfig, clock: Clock) -> None:
+        rng = random.Random(config.seed)
+        self._clock = clock
+        self._began: float | None = None
+        self._waves = {
+            name: [(most / 2, about * rng.uniform(0.5, 1.0), rng.uniform(0, math.tau)) for _ in range(2)]
+            for name, (most, about) in WAVES.items()
+        }
+
+    def open(self) -> None:
+        """Begin to look around."""
+        self._began = self._clock.now()
+
+    def newest(self) -> HeadPose | None:
+        """Return where it looks now, None while it is not open."""
+        if self._began is None:
+            return None
+        now = self._clock.now()
+        return HeadPose(now, *(self._angle(name, now - self._began) for name in WAVES))
+
+    def words(self) -> str:
+        """Return its state in words."""
+        return "The simulated head rests." if self._began is None else "The simulated head looks around."
+
+    def close(self) -> None:
+        """Stop looking around."""
+        self._began = None
+
+    def _angle(self, name: str, t: float) -> float:
+        # From straight ahead on: nobody begins with a jerk.
+        grown = 1.0 - math.exp(-t)
+        return grown * sum(size * math.sin(math.tau * rate * t + phase) for size, rate, phase in self._waves[name])

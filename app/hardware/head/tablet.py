@@ -1,0 +1,43 @@
+"""The orientation of a tablet or phone, as its page tells it."""
+
+import math
+
+from app.clock import Clock
+from app.hardware.configs import TabletHeadConfig
+from app.messages import HeadPose
+
+ALIVE = 0.5  # s without a word from the page after which the words say so
+
+
+class TabletHead:
+    """Keeps what it was told last."""
+
+    def __init__(self, _config: TabletHeadConfig, clock: Clock) -> None:
+        self._clock = clock
+        self._is_open = False
+        self._pose: HeadPose | None = None
+
+    def open(self) -> None:
+        """Begin to listen."""
+        self._is_open, self._pose = True, None
+
+    def look(self, yaw: float, pitch: float, roll: float) -> None:
+        """Say where it looks (rad); what is not finite is left out."""
+        if self._is_open and all(map(math.isfinite, (yaw, pitch, roll))):
+            self._pose = HeadPose(self._clock.now(), yaw, pitch, roll)
+
+    def newest(self) -> HeadPose | None:
+        """Return what was told last, None before anything was."""
+        return self._pose
+
+    def words(self) -> str:
+        """Return its state in words."""
+        if not self._is_open:
+            return "The tablet's orientation is not used."
+        if self._pose is None or self._clock.now() - self._pose.t > ALIVE:
+            return "No orientation comes from a tablet: open its page and let it use the sensor."
+        return "The tablet tells where it looks."
+
+    def close(self) -> None:
+        """Stop listening."""
+        self._is_open, self._pose = False, None

@@ -1,0 +1,81 @@
+"""The head tracker in use: its newest pose in every tick, and never a reason for the loop to wait or to end."""
+
+import math
+
+from app.clock import Clock
+from app.geometry import wrap_angle
+from app.hardware.base import HeadTracker
+from app.hardware.configs import HeadConfig
+from app.hardware.registry import make_head
+from app.messages import HeadPose, Tick
+
+NOBODY = "No head tracker is connected: the view looks straight ahead."
+
+
+class Looking:
+    """Opens, asks and closes one head tracker at a time."""
+
+    def __init__(self, clock: Clock) -> None:
+        self._clock = clock
+        self._tracker: HeadTracker | None = None
+        self._ahead = (0.0, 0.0, 0.0)  # yaw, pitch, roll (rad) that are straight ahead
+        self._failed = ""
+        self.kind = ""
+
+    @property
+    def words(self) -> str:
+        """The tracker's state in words."""
+        return self._failed or (self._tracker.words() if self._tracker else NOBODY)
+
+    def use(self, config: HeadConfig | None) -> None:
+        """Close the tracker in use and open this one; raise HardwareError, with none open, when it cannot be had."""
+        self.close()
+        if config is None:
+            return
+        tracker = make_head(config, self._clock)
+        tracker.open()
+        self._tracker, self.kind = tracker, config.kind
+
+    def close(self) -> None:
+        """Do without a head tracker."""
+        if self._tracker is not None:
+            self._tracker.close()
+        self._tracker, self.kind, self._failed = None, "", ""
+        self._ahead = (0.0, 0.0, 0.0)
+
+    def look(self, yaw: float, pitch: float, roll: float) -> bool:
+        """Hand on what a tablet tells of itself (rad); False when none is listened to."""
+        look = getattr(self._tracker, "look", None)
+        if look is not None:
+            look(yaw, pitch, roll)
+        return look is not None
+
+    def set_ahead(self) -> bool:
+        """Count where the head looks now as straight ahead; False when that is not known."""
+        pose = self._newest()
+        if pose is None:
+            return False
+        self._ahead = pose.yaw, pose.pitch, pose.roll
+        return True
+
+    def note(self, tick: Tick, t: float) -> None:
+        """Write into a tick where the head looks at `t` (s)."""
+        pose = self._newest()
+        if pose is None:
+            tick.head_yaw = tick.head_pitch = tick.head_roll = tick.head_age = math.nan
+            return
+        yaw, pitch, roll = self._ahead
+        tick.head_yaw = wrap_angle(pose.yaw - yaw)
+        tick.head_pitch, tick.head_roll = wrap_angle(pose.pitch - pitch), wrap_angle(pose.roll - roll)
+        tick.head_age = max(0.0, t - pose.t)
+
+    def _newest(self) -> HeadPose | None:
+        if self._tracker is None:
+            return None
+        try:
+            return self._tracker.newest()
+        except Exception as error:  # whatever a device does, the loop turns on
+            tracker, self._tracker = self._tracker, None
+            self._failed = f"The head tracker failed ({error or type(error).__name__}): choose it again."
+            tracker.close()
+            return None
