@@ -21,11 +21,11 @@ TILE: Final = 1.0  # m; tiles let one see how fast one moves, and so do ripples,
 MOST_TILES: Final = 5000
 SEAM: Final = 2.5  # m between the seams of asphalt
 RIPPLE: Final = 0.6  # m between the crests of sand
-TUFTS: Final = 0.5  # to a square metre
-MOST_TUFTS: Final = 900
+TUFTS: Final = 1.0  # to a square metre
+MOST_TUFTS: Final = 1500
 MOST_CRESTS: Final = 120
 EDGE: Final = 0.1  # m, of the line around what is driven on
-FAR: Final = (0.0, 25.0, 70.0, 160.0, 380.0)  # m from there, where the land becomes paler by a step
+FAR: Final = (0.0, 20.0, 32.0, 48.0, 70.0, 100.0, 145.0, 210.0, 400.0)  # m from there: the land becomes paler by a step
 DUNE_RINGS, DUNE_SIDES = 8, 24
 
 # Heights above the floor, apart enough not to flicker when seen from the top.
@@ -85,7 +85,7 @@ def _tufts(bounds: Bounds) -> Mesh:
     count = min(round(TUFTS * (x_max - x_min) * (y_max - y_min)), MOST_TUFTS)
     sides = 7
     turns = np.linspace(0.0, math.tau, sides, endpoint=False)
-    reach = chance.uniform(0.12, 0.45, (count, 1)) * chance.uniform(0.6, 1.0, (count, sides))
+    reach = chance.uniform(0.08, 0.28, (count, 1)) * chance.uniform(0.6, 1.0, (count, sides))
     x = np.clip(chance.uniform(x_min, x_max, (count, 1)) + reach * np.cos(turns), x_min, x_max)
     y = np.clip(chance.uniform(y_min, y_max, (count, 1)) + 0.7 * reach * np.sin(turns), y_min, y_max)
     points = np.stack([x, y, np.full_like(x, TILES_AT)], axis=-1).reshape(-1, 3)

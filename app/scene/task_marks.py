@@ -16,7 +16,7 @@ PATH_EDGE = 0.035  # m of a darker rim on each side, so that white shows on a li
 LATER_WIDTH: Final = 0.07  # m, of what is not asked yet
 
 SPOT: Final = 0.75  # m, radius of the circle to turn on
-TURN_ARROW: Final = (1.4, 1.54)  # m, radii: far enough out to be seen from the chair
+TURN_ARROW: Final = (1.75, 1.91)  # m, radii: far enough out to be seen from the chair
 TURN_STEP: Final = 0.06  # rad
 HEAD: Final = (0.3, 0.34)  # m, length and width of an arrow's head
 POLE: Final = 1.5  # m
@@ -25,7 +25,7 @@ BOX: Final = (1.3, 0.9)  # m, length and width of the box to back into
 HATCH: Final = 0.22  # m between its lines
 LINE: Final = 0.05  # m
 
-GAP_MARK: Final = (0.6, 0.09)  # m
+GAP_MARK: Final = (1.2, 0.06)  # m, length and width
 
 # Heights above the floor, apart enough not to flicker when seen from the top.
 LATER_AT: Final = 0.011
@@ -56,14 +56,14 @@ def later_parts(path: PrescribedPath) -> dict[str, Part]:
 
 
 def gap_parts(gaps: tuple[Gap, ...]) -> dict[str, Part]:
-    """Return two marks on the floor for each gap: their inner edges are as far apart as it is wide."""
+    """Return two lines on the floor of each gap, along the sides of what it leaves free."""
     if not gaps:
         return {}
     length, width = GAP_MARK
     marks = []
     for gap in gaps:
         for side in (-1, 1):
-            y = side * (gap.width + width) / 2
+            y = side * (gap.width - width) / 2
             mark = strip([(-length / 2, y), (length / 2, y)], width, EDGE_AT)
             marks.append(mark.moved(*gap.position, heading=gap.heading))
     return {"gap_marks": Part(merged(marks), palette.MARK)}
@@ -103,7 +103,9 @@ def _turn_parts(path: PrescribedPath, task: Turn) -> dict[str, Part]:
     middle = (inner + outer) / 2
     reach = max(sweep - HEAD[0] / middle, TURN_STEP)  # where the head begins
     turns = start + sign * np.linspace(0.0, reach, max(2, math.ceil(reach / TURN_STEP)))
-    arc = strip([(middle * math.cos(turn), middle * math.sin(turn)) for turn in turns], outer - inner, PATH_AT)
+    round_it = [(middle * math.cos(turn), middle * math.sin(turn)) for turn in turns]
+    arc = strip(round_it, outer - inner, PATH_AT)
+    rim = strip(round_it, outer - inner + 2 * PATH_EDGE, EDGE_AT)
     end = float(turns[-1])
     head = _arrow_head().moved(middle * math.cos(end), middle * math.sin(end), heading=end + sign * math.pi / 2)
     far = math.dist(path.points[0], path.points[-1])
@@ -111,6 +113,7 @@ def _turn_parts(path: PrescribedPath, task: Turn) -> dict[str, Part]:
     return {
         "goal": Part(ring((x, y, GOAL_AT), 0.9 * SPOT, SPOT), palette.GOAL),
         "path": Part(merged([arc, head]).moved(x, y), palette.PATH),
+        "path_edge": Part(rim.moved(x, y), palette.PATH_EDGE),
         "mark": Part(pole.moved(far, 0.0).moved(x, y, heading=target), palette.GOAL),
     }
 

@@ -139,7 +139,7 @@ def free_camera(orbit: Orbit) -> Camera:
 def first_orbit(bounds: Bounds, start: Pose | None) -> Orbit:
     """Return a free camera that sees most of the plan, from behind the start."""
     x_min, y_min, x_max, y_max = bounds
-    distance = 0.9 * math.hypot(x_max - x_min, y_max - y_min) + 2.0
+    distance = 0.7 * math.hypot(x_max - x_min, y_max - y_min) + 2.0
     azimuth = math.remainder((0.0 if start is None else start.theta) + math.pi, math.tau)
     return Orbit(azimuth, FREE_UP, min(distance, 100.0), (x_min + x_max) / 2, (y_min + y_max) / 2)
 
