@@ -4,7 +4,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt
 
-.PHONY: demo test check safety drills bench clean
+.PHONY: demo test check safety drills soak bench clean
 
 $(VENV)/.installed: pyproject.toml constraints.txt
 	@echo "Installing into $(VENV), once; this takes a minute or two ..."
@@ -38,6 +38,9 @@ safety: $(VENV)/.installed-test
 
 drills: $(VENV)/.installed-test
 	PYTHONPATH=tests $(BIN)/python -m drills --out docs/drills.md
+
+soak: $(VENV)/.installed-test
+	PYTHONPATH=tests $(BIN)/python -m soak
 
 bench: $(VENV)/.installed-test
 	$(BIN)/bodydrive bench

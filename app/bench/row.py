@@ -11,11 +11,13 @@ class Row:
     what: str
     figure: float
     unit: str
-    reach: float
+    reach: float | None  # None: nothing was asked for
     better: Literal["lower", "higher"]
     details: str
 
     @property
     def is_reached(self) -> bool:
         """Whether the figure is where it should be."""
+        if self.reach is None:
+            return True
         return self.figure <= self.reach if self.better == "lower" else self.figure >= self.reach

@@ -1,98 +1,105 @@
-"""What four viewers of the 3D view cost the web process, at sixty poses a second through the real bridge."""
+"""What viewers of the 3D view get, and what they cost the web process, at sixty poses a second through the bridge."""
 
 import asyncio
-import statistics
 import subprocess
-import sys
-from typing import IO, NamedTuple
+from collections.abc import Sequence
+from dataclasses import dataclass, field
 
-from websockets.asyncio.client import ClientConnection, connect
-from websockets.typing import Subprotocol
+import numpy as np
 
+from app.bench.circle import age_at
+from app.bench.looking import chair_positions, open_view, packets
+from app.bench.parts import ask, next_line, started
 from app.bench.row import Row
-from app.clock import stopwatch
+from app.clock import monotonic, stopwatch
 from app.scene.servers import ROLES
-from app.scene.wire import SUBPROTOCOL
 
-VIEWERS = 4
+VIEWERS = (1, 4, 8)
 RUNS = 3
 SECONDS = 5.0
-REACH = 60.0  # % of one core
+REACH = {4: 60.0}  # viewers: % of one core
+SETTLED = 1.0  # s after which the building has been sent
+
+Packets = list[tuple[float, bytes]]  # when each came (monotonic s), and what it was
 
 
-class Measured(NamedTuple):
-    """One run: share of one core that the web process used, and messages that each viewer got in a second."""
+@dataclass(slots=True)
+class Measured:
+    """What was measured with a number of viewers."""
 
-    core: float  # %
-    messages: float  # of the viewer that got fewest
+    alone: float = 0.0  # % of one core without a viewer
+    core: list[float] = field(default_factory=list)  # % of one core, each run
+    rates: list[float] = field(default_factory=list)  # poses/s, each viewer in each run
+    ages: list[float] = field(default_factory=list)  # ms, each pose
 
 
-def measure_viewers(viewers: int = VIEWERS, runs: int = RUNS, seconds: float = SECONDS) -> list[Row]:
-    """Return the share of one core that the web process needs for its viewers: the median of several runs.
+def measure_viewers(numbers: Sequence[int] = VIEWERS, runs: int = RUNS, seconds: float = SECONDS) -> list[Row]:
+    """Return poses a second, their age and the web process's share of a core, for several numbers of viewers.
 
     Raises
     ------
     RuntimeError
         When the web process does not start.
     """
-    with subprocess.Popen(
-        [sys.executable, "-m", "app.bench.viewers_served"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
-    ) as web:
+    return [row for viewers in numbers for row in _rows(viewers, runs, seconds)]
+
+
+def _rows(viewers: int, runs: int, seconds: float) -> list[Row]:
+    with started("app.bench.viewers_served") as web:
         try:
-            if web.stdin is None or web.stdout is None:
-                raise RuntimeError("the web process of the benchmark has no pipes")
-            port = web.stdout.readline().strip()
-            if not port:
-                raise RuntimeError("the web process of the benchmark did not start: its message stands above")
-            found = asyncio.run(_watch(int(port), viewers, runs, seconds, web.stdin, web.stdout))
-            web.stdin.close()
-            web.wait(timeout=10)
+            port = int(next_line(web))
+            found = asyncio.run(_watch(web, port, viewers, runs, seconds))
+            web.communicate(timeout=10)
         finally:
             web.kill()
-    core = statistics.median(run.core for run in found)
-    fewest = min(run.messages for run in found)
-    details = (
-        f"half of them clinicians with open plots; each got at least {fewest:.0f} messages/s; "
-        f"median of {runs} runs of {seconds:g} s"
-    )
-    return [Row(f"web process with {viewers} viewers at 60 poses/s", core, "% of one core", REACH, "lower", details)]
+    core = float(np.median(found.core))
+    p50, p99 = np.percentile(found.ages, (50, 99))
+    times = f"median of {runs} runs of {seconds:g} s"
+    cost = f"{(core - found.alone) / viewers:.1f} % for each viewer, {found.alone:.1f} % without any; {times}"
+    who = f"{viewers} viewer{'s' * (viewers > 1)}, every second one a clinician with open plots"
+    aged = f"from the tick to the arrival of its pose, {len(found.ages)} poses; {who}"
+    reach = REACH.get(viewers)
+    return [
+        Row(f"web process with {viewers} viewers at 60 poses/s", core, "% of one core", reach, "lower", cost),
+        Row(f"poses that reach each of {viewers} viewers", min(found.rates), "poses/s", None, "higher", "the fewest"),
+        Row(f"age of a pose that arrives, {viewers} viewers: p50", float(p50), "ms", None, "lower", aged),
+        Row(f"age of a pose that arrives, {viewers} viewers: p99", float(p99), "ms", None, "lower", "the same"),
+    ]
 
 
-async def _watch(port: int, viewers: int, runs: int, seconds: float, ask: IO[str], answer: IO[str]) -> list[Measured]:
-    counts = [0] * viewers
-    connections: list[ClientConnection] = []
+async def _watch(web: "subprocess.Popen[str]", port: int, viewers: int, runs: int, seconds: float) -> Measured:
+    found = Measured()
+    await asyncio.sleep(SETTLED)
+    found.alone = await _core(web, seconds)
+    connections = [await open_view(port, ROLES[number % len(ROLES)]) for number in range(viewers)]
+    seen: list[Packets] = [[] for _ in connections]
 
-    def used() -> float:
-        ask.write("used\n")
-        ask.flush()
-        return float(answer.readline())
+    async def look(number: int) -> None:
+        async for packet in packets(connections[number]):
+            seen[number].append((monotonic(), packet))
 
-    async def look(number: int, connection: ClientConnection) -> None:
-        async for _ in connection:
-            counts[number] += 1
-
-    for number in range(viewers):
-        role = ROLES[number % len(ROLES)]
-        connections.append(
-            await connect(
-                f"ws://127.0.0.1:{port}/view/{role}",
-                subprotocols=[Subprotocol(SUBPROTOCOL)],
-                compression=None,
-                max_size=None,
-                proxy=None,
-            )
-        )
-    looking = [asyncio.create_task(look(number, connection)) for number, connection in enumerate(connections)]
-    await asyncio.sleep(1.0)  # the building has been sent by then
-    found = []
+    looking = [asyncio.create_task(look(number)) for number in range(viewers)]
+    await asyncio.sleep(SETTLED)
     for _ in range(runs):
-        before, began, seen = await asyncio.to_thread(used), stopwatch(), list(counts)
-        await asyncio.sleep(seconds)
-        after, ended = await asyncio.to_thread(used), stopwatch()
-        lasted = ended - began
-        got = min(now - then for now, then in zip(counts, seen, strict=True))
-        found.append(Measured(100 * (after - before) / lasted, got / lasted))
+        for one in seen:
+            one.clear()
+        began = stopwatch()
+        found.core.append(await _core(web, seconds))
+        lasted = stopwatch() - began
+        # Decoded only now: it would make the packets wait that come meanwhile.
+        for came_to_one in [list(one) for one in seen]:
+            ages = [1000 * age_at(*at, came) for came, packet in came_to_one for at in chair_positions(packet)]
+            found.rates.append(len(ages) / lasted)
+            found.ages += ages
     for connection in connections:
         await connection.close()
     await asyncio.gather(*looking)
     return found
+
+
+async def _core(web: "subprocess.Popen[str]", seconds: float) -> float:
+    """Return the share of one core (%) that the web process uses for `seconds` from now."""
+    before, began = float(await asyncio.to_thread(ask, web, "used")), stopwatch()
+    await asyncio.sleep(seconds)
+    after, ended = float(await asyncio.to_thread(ask, web, "used")), stopwatch()
+    return 100 * (after - before) / (ended - began)

@@ -4,37 +4,23 @@ Prints the port it listens on; then, for each line on stdin, the seconds of proc
 """
 
 import asyncio
-import math
 import os
 import socket
 import sys
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 
-import numpy as np
 import uvicorn
 from fastapi import FastAPI, WebSocket
 
 from app.api.view_bridge import view_router
+from app.bench.circle import driving
 from app.bench.subject import bench_floorplan
 from app.clock import monotonic
-from app.messages import TICK
 from app.scene.scene_thread import start_scene
 from app.scene.servers import Role, RoleServers
 
-TICK_RATE = 200.0  # Hz: every turn of the scene finds a new one
-RADIUS = 2.0  # m, of the circle that is driven
-TURN_RATE = 0.4  # rad/s
-
-
-def driving(now: float) -> np.void:
-    """Return the tick of a chair that drives a circle, at `now` (monotonic s)."""
-    angle = TURN_RATE * now
-    tick: np.void = np.zeros(1, dtype=TICK)[0]
-    tick["number"], tick["t"] = int(now * TICK_RATE), now
-    tick["x"], tick["y"] = RADIUS * math.cos(angle), RADIUS * math.sin(angle)
-    tick["theta"] = math.remainder(angle + math.pi / 2, math.tau)
-    return tick
+PING_EVERY, PING_LIMIT = 2.0, 20.0  # s, as the program's own web server has them
 
 
 def viewed_app(servers: RoleServers) -> FastAPI:
@@ -52,13 +38,21 @@ def viewed_app(servers: RoleServers) -> FastAPI:
 async def serve() -> None:
     """Serve until stdin ends."""
     with RoleServers() as servers, socket.create_server(("127.0.0.1", 0)) as listening:
+        if hasattr(socket, "TCP_USER_TIMEOUT"):
+            listening.setsockopt(socket.IPPROTO_TCP, socket.TCP_USER_TIMEOUT, int(1000 * PING_LIMIT))
         thread = start_scene(servers, lambda: driving(monotonic()))
         plan = bench_floorplan()
         thread.scene.set_floorplan(plan, plan.paths[0].name)
         thread.scene.set_view("patient", "eye")
         thread.scene.set_view("clinician", "chase")
         thread.scene.open_plots(True)
-        config = uvicorn.Config(viewed_app(servers), log_level="error", ws_per_message_deflate=False)
+        config = uvicorn.Config(
+            viewed_app(servers),
+            log_level="error",
+            ws_per_message_deflate=False,
+            ws_ping_interval=PING_EVERY,
+            ws_ping_timeout=PING_LIMIT,
+        )
         server = uvicorn.Server(config)
         serving = asyncio.create_task(server.serve([listening]))
         _say(str(listening.getsockname()[1]))

@@ -32,7 +32,8 @@ PARTS = {
     "decode": Part("app.bench.chain", "measure_decode", "decoding a recording"),
     "fit": Part("app.bench.fit", "measure_fit", "fitting a calibration"),
     "study": Part("app.bench.study", "measure_study", "the paper's experiment without a screen"),
-    "viewers": Part("app.bench.viewers", "measure_viewers", "the 3D view for four"),
+    "viewers": Part("app.bench.viewers", "measure_viewers", "the 3D view for one, four and eight"),
+    "trajectory": Part("app.bench.long_trajectory", "measure_trajectory", "a long trajectory against a short one"),
 }
 HELP = (
     f"What to measure, all of it when left out: {'; '.join(f'{name}: {part.words}' for name, part in PARTS.items())}."
@@ -65,7 +66,8 @@ def line(row: Row) -> str:
     """Return the row as a line of a Markdown table."""
     sign = "<=" if row.better == "lower" else ">="
     reached = "" if row.is_reached else " **not reached**"
-    return f"| {row.what} | {row.figure:.3g} {row.unit} | {sign} {row.reach:g} | {row.details}{reached} |"
+    asked = "" if row.reach is None else f"{sign} {row.reach:g}"
+    return f"| {row.what} | {row.figure:.3g} {row.unit} | {asked} | {row.details}{reached} |"
 
 
 def machine() -> str:

@@ -8,7 +8,7 @@ import { Settings } from "./stereo/settings.js";
 import { t } from "./texts.js";
 
 const VIEW = "/view/patient/";
-const LOOK_EVERY = 1000; // ms
+const LOOK_EVERY = 1500; // ms
 const OLD = 3; // s: an older picture may have lost its connection
 const PATIENCE = 15; // s for the first picture; after that somebody should know why there is none
 
@@ -17,6 +17,7 @@ class StereoPage {
   #words = h("div", { class: "said", role: "status", hidden: true });
   /** @type {Eyes | null} */
   #eyes = null;
+  #isRefused = false;
   #shown = new AbortController();
   #liveAt = 0;
   #isLost = false;
@@ -32,27 +33,33 @@ class StereoPage {
   async #look() {
     if (document.visibilityState === "visible") {
       if (this.#eyes?.age() < OLD) this.#liveAt = performance.now();
-      const waited = (performance.now() - this.#liveAt) / 1000;
-      if (!this.#eyes || waited > OLD) await this.#ask(waited);
+      if (!this.#eyes || this.#waited > OLD) await this.#ask();
       else this.#say("");
     }
     setTimeout(() => this.#look(), LOOK_EVERY);
   }
 
-  async #ask(waited) {
+  /** For how long there has been no picture, s. */
+  get #waited() {
+    return (performance.now() - this.#liveAt) / 1000;
+  }
+
+  async #ask() {
     const may = await mayLook();
     if (may === null) {
       this.#isLost = true;
+      this.#isRefused = false;
       this.#say("lost");
     } else if (may) {
       if (!this.#eyes) this.#show();
       else if (this.#isLost) this.#eyes.renew();
       this.#isLost = false;
-      this.#say(this.#eyes && waited > PATIENCE && this.#liveAt > 0 ? "waiting" : "");
-    } else this.#leave();
+      this.#say(this.#waited > PATIENCE ? "waiting" : "");
+    } else if (!this.#isRefused) this.#leave();
   }
 
   #show() {
+    this.#isRefused = false;
     const settings = new Settings();
     this.#shown = new AbortController();
     this.#liveAt = performance.now();
@@ -63,6 +70,7 @@ class StereoPage {
   #leave() {
     this.#shown.abort();
     this.#eyes = null;
+    this.#isRefused = true;
     put(
       this.#root,
       h(

@@ -1,0 +1,95 @@
+"""What an update of a trajectory of 20,000 points costs against one of 200: a viewer's bytes, and processor."""
+
+import os
+import statistics
+import subprocess
+from typing import NamedTuple
+
+import viser
+
+from app.bench.parts import ask, next_line, started
+from app.bench.row import Row
+from app.clock import MonotonicClock
+from app.geometry import Pose
+from app.scene.servers import RoleServers
+from app.scene.trajectory import SEND_EVERY, STEP, Trajectory
+
+SHORT, LONG = 200, 20_000  # points
+UPDATES = 200  # at the end of each
+EVERY = 0.005  # s between two; so that each is sent
+ROUNDS = 5
+REACH = {"bytes": 1.05, "processor": 1.2}
+
+
+class Cost(NamedTuple):
+    """What one update costs."""
+
+    bytes: float
+    processor: float  # us of the process with the 3D server
+
+
+def measure_trajectory(rounds: int = ROUNDS, long: int = LONG) -> list[Row]:
+    """Return how many times more an update of the long trajectory costs: the median over several rounds.
+
+    Raises
+    ------
+    RuntimeError
+        When the viewer does not start.
+    """
+    with RoleServers() as servers, started("app.bench.reading", str(servers.port("patient"))) as viewer:
+        try:
+            next_line(viewer)
+            drawn = _Drawn(servers["patient"], viewer)
+            found = [drawn.round(long) for _ in range(rounds)]
+            viewer.communicate(timeout=10)
+        finally:
+            viewer.kill()
+    rows = []
+    for kind, unit in (("bytes", "bytes"), ("processor", "us")):
+        short, after = (statistics.median(getattr(cost, kind) for cost in costs) for costs in zip(*found, strict=True))
+        what = f"update of a trajectory of {long} points against one of {SHORT}: {kind}"
+        details = f"{after:.0f} {unit} against {short:.0f}, with one viewer; median of {rounds} rounds"
+        rows.append(Row(what, after / short, "x", REACH[kind], "lower", details))
+    return rows
+
+
+class _Drawn:
+    def __init__(self, server: viser.ViserServer, viewer: "subprocess.Popen[str]") -> None:
+        self._server, self._viewer = server, viewer
+        self._trajectory = Trajectory(server)
+        self._clock = MonotonicClock()
+        self._points = 0
+        self._t = 0.0
+
+    def round(self, long: int) -> tuple[Cost, Cost]:
+        """Return the cost of an update of the short trajectory, then of the long one."""
+        self._trajectory.clear()
+        self._points = 0
+        short = self._updates(UPDATES)
+        while self._points < long - UPDATES:
+            self._add(0.0)  # too soon after the last one to be drawn
+        return short, self._updates(UPDATES)
+
+    def _updates(self, count: int) -> Cost:
+        self._add(SEND_EVERY)  # whatever was not drawn yet is drawn before
+        self._server.flush()
+        start = self._clock.now() + 0.5
+        self._clock.sleep_until(start)
+        bytes_before, used_before = int(ask(self._viewer, "bytes")), _used()
+        for number in range(count):
+            self._clock.sleep_until(start + number * EVERY)
+            self._add(SEND_EVERY)
+            self._server.flush()
+        used = _used() - used_before
+        self._clock.sleep_until(self._clock.now() + 0.5)
+        return Cost((int(ask(self._viewer, "bytes")) - bytes_before) / count, 1e6 * used / count)
+
+    def _add(self, dt: float) -> None:
+        self._t += 1.01 * dt
+        self._trajectory.add(Pose(1.2 * STEP * self._points, 0.0, 0.0), self._t)
+        self._points += 1
+
+
+def _used() -> float:
+    used = os.times()
+    return used.user + used.system

@@ -1,0 +1,48 @@
+"""A viewer of the 3D view that is no browser: it takes everything, and tells which poses of the chair came when."""
+
+from collections.abc import AsyncIterator, Iterator
+from typing import Any, Final
+
+import msgspec
+import zstandard
+from websockets.asyncio.client import ClientConnection, connect
+from websockets.asyncio.connection import Connection
+from websockets.typing import Subprotocol
+
+from app.scene.servers import Role
+from app.scene.wire import SUBPROTOCOL
+
+CHAIR: Final = "/world/chair"
+HEADER: Final = 16  # bytes: two lengths before the packed messages
+
+
+async def open_view(port: int, role: Role) -> ClientConnection:
+    """Connect to the 3D view that is served on a port of this machine."""
+    return await connect(
+        f"ws://127.0.0.1:{port}/view/{role}",
+        subprotocols=[Subprotocol(SUBPROTOCOL)],
+        compression=None,
+        max_size=None,
+        proxy=None,
+    )
+
+
+async def packets(connection: Connection) -> AsyncIterator[bytes]:
+    """Yield what comes, until the other side closes."""
+    async for packet in connection:
+        yield packet if isinstance(packet, bytes) else packet.encode()
+
+
+def chair_positions(packet: bytes) -> Iterator[tuple[float, float]]:
+    """Yield the places (x, y in m) of the chair in what viser sends at once.
+
+    A packet is two lengths (little-endian uint64: of the messages, and of them packed by zstd), the packed messages
+    (msgpack), and then the arrays of meshes, which are not looked at.
+    """
+    unpacked, packed = (int.from_bytes(packet[at : at + 8], "little") for at in (0, 8))
+    content = zstandard.ZstdDecompressor().decompress(packet[HEADER : HEADER + packed], max_output_size=unpacked)
+    found: dict[str, Any] = msgspec.msgpack.decode(content)
+    for message in found["messages"]:
+        if message["type"] == "SetPositionMessage" and message["name"] == CHAIR:
+            x, y, _ = message["position"]
+            yield x, y

@@ -1,0 +1,41 @@
+"""A viewer of one 3D server in a process of its own: for each line on stdin it prints how many bytes have come so far.
+
+Argument: the server's port. Prints a line when it is connected, ends with stdin.
+"""
+
+import asyncio
+import sys
+
+from websockets.asyncio.client import connect
+from websockets.typing import Subprotocol
+
+from app.scene.wire import SUBPROTOCOL
+
+
+async def read(port: int) -> None:
+    """Read until stdin ends."""
+    count = 0
+
+    async with connect(
+        f"ws://127.0.0.1:{port}", subprotocols=[Subprotocol(SUBPROTOCOL)], compression=None, max_size=None, proxy=None
+    ) as connection:
+
+        async def take() -> None:
+            nonlocal count
+            async for packet in connection:
+                count += len(packet)
+
+        taking = asyncio.create_task(take())
+        _say("connected")
+        while await asyncio.to_thread(sys.stdin.readline):
+            _say(str(count))
+        taking.cancel()
+
+
+def _say(line: str) -> None:
+    sys.stdout.write(f"{line}\n")
+    sys.stdout.flush()
+
+
+if __name__ == "__main__":
+    asyncio.run(read(int(sys.argv[1])))

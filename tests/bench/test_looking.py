@@ -1,0 +1,18 @@
+import msgspec
+import zstandard
+
+from app.bench.looking import chair_positions
+
+
+def packet(*messages):
+    content = msgspec.msgpack.encode({"messages": messages, "timestampSec": 1.0})
+    packed = zstandard.ZstdCompressor().compress(content)
+    return len(content).to_bytes(8, "little") + len(packed).to_bytes(8, "little") + packed + b"arrays of meshes"
+
+
+def test_only_the_chair_counts():
+    moved = {"type": "SetPositionMessage", "name": "/world/chair", "position": (1.0, 2.0, 0.0)}
+    turned = {"type": "SetOrientationMessage", "name": "/world/chair", "wxyz": (1.0, 0.0, 0.0, 0.0)}
+    other = {"type": "SetPositionMessage", "name": "/world", "position": (3.0, 4.0, 0.0)}
+    assert list(chair_positions(packet(turned, moved, other))) == [(1.0, 2.0)]
+    assert list(chair_positions(packet())) == []

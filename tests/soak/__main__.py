@@ -1,0 +1,57 @@
+"""`python -m soak`: ten minutes with three viewers, one of them stopped, and their table; `make soak`."""
+
+import argparse
+import sys
+
+from soak.soak import COMES_BACK, LEAST_SHARE, MOST_GROWTH, STOPPED, VIEWERS, soak
+
+WARM = 30.0  # s
+EVERY = 10.0  # s
+
+
+def main():
+    """Run it; return 0 when every limit was kept."""
+    parser = argparse.ArgumentParser(prog="python -m soak", description="The 3D view for a long time.")
+    parser.add_argument("--minutes", type=float, default=10.0)
+    minutes = parser.parse_args().minutes
+    found = soak(60 * minutes, WARM, EVERY)
+    rows = [
+        ("growth of the web process", found.growth, "MB", MOST_GROWTH, found.growth <= MOST_GROWTH),
+        ("others' poses/s, as a share of before", found.share, "", LEAST_SHARE, found.share >= LEAST_SHARE),
+        ("the stopped one was cut off", float(found.was_cut_off), "", 1.0, found.was_cut_off),
+        ("longest time an other got nothing", found.longest_without, "s", 0.0, found.longest_without == 0),
+        (
+            "the stopped one has a picture again after",
+            float("nan") if found.returned is None else found.returned,
+            "s",
+            COMES_BACK,
+            found.returned is not None,
+        ),
+    ]
+    lines = ["| Viewer | poses/s before | with one stopped | the worst interval |", "|---|---|---|---|"]
+    for viewer in range(VIEWERS):
+        if viewer == STOPPED:
+            lines.append(f"| {viewer + 1} | {found.rate(found.before, viewer):.1f} | stopped | |")
+            continue
+        worst = min(interval.rates[viewer] for interval in found.during)
+        rates = (found.rate(found.before, viewer), found.rate(found.during, viewer), worst)
+        lines.append(f"| {viewer + 1} | " + " | ".join(f"{rate:.1f}" for rate in rates) + " |")
+    memory = [interval.memory for interval in found.during]
+    lines += [
+        "",
+        f"Web process: {found.before[-1].memory:.1f} MB when the viewer was stopped, {memory[-1]:.1f} MB after "
+        f"{minutes:g} min, {max(memory):.1f} MB at most.",
+        "",
+        "| Measured | Figure | Limit | |",
+        "|---|---|---|---|",
+    ]
+    lines += [
+        f"| {what} | {figure:.2f} {unit} | {limit:g} {unit} | {'kept' if kept else '**not kept**'} |"
+        for what, figure, unit, limit, kept in rows
+    ]
+    sys.stdout.write("\n".join([*lines, ""]))
+    return 0 if all(kept for *_, kept in rows) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
