@@ -2,7 +2,7 @@
 
 from app.faults import Fault
 
-WAIT = "Your clinician helps you on."
+WAIT = "Please wait a moment."
 
 _HAPPENED: dict[Fault, str] = {
     Fault.STOP_TABLET: "Your clinician stopped the chair.",

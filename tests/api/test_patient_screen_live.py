@@ -39,7 +39,7 @@ def test_a_trial_is_shown_with_what_to_do_and_how_it_ended(paired: Clinic) -> No
             pass
         assert message["fault"] == {
             "name": "stop_tablet",
-            "words": "Your clinician stopped the chair. Your clinician helps you on.",
+            "words": "Your clinician stopped the chair. Please wait a moment.",
         }
         paired.good("POST", "/trials/current/end", json={})
         while (message := socket.receive_json())["trial"] is not None:

@@ -119,8 +119,21 @@ def is_shown_the_stop(clinician, patient, keep):
     assert patient.evaluate(OUTSIDE) == []
     patient.set_viewport_size({"width": width, "height": height})
     go_on_until(clinician, band.is_hidden, "the end of the stop")
+    is_readable_in_the_dark_and_large(clinician, patient, keep)
     clinician.get_by_role("button", name="End trial").first.click()
     expect(patient.locator(".moment")).to_contain_text("Finished")
+
+
+def is_readable_in_the_dark_and_large(clinician, patient, keep):
+    calls, base = clinician.context.request, clinician.url.split("/#")[0].rstrip("/")
+    wishes = {"arrow": True, "sounds": True, "large": True}
+    assert calls.post(f"{base}/api/v1/patient-screen/settings", data=wishes, headers={"Origin": base}).ok
+    patient.emulate_media(color_scheme="dark", reduced_motion="reduce")
+    expect(patient.locator("html.large")).to_have_count(1)
+    expect(patient.locator(".instruction")).to_be_visible()
+    patient.wait_for_timeout(500)
+    assert patient.evaluate(OUTSIDE) == []
+    keep(patient, "patient-large-dark")
 
 
 def changes_nothing(patient, base):

@@ -29,7 +29,7 @@ export function arrow() {
   const needle = s("path", { d: "M50 8 82 88 50 70 18 88Z" });
   const distance = h("span", { class: "number" });
   const picture = s("svg", { viewBox: "0 0 100 100", role: "img" }, needle);
-  const element = h("div", { class: "hud arrow", hidden: true }, picture, distance);
+  const element = h("div", { class: "hud arrow", hidden: true }, h("span", { class: "label" }, t("patient.goal.name")), picture, distance);
   /** @param {any} now a message */
   const show = ({ asks, trial, pose }) => {
     const isWanted = Boolean(asks.arrow && trial?.target && pose.every(Number.isFinite));

@@ -35,7 +35,7 @@ export function showScreen(root, live, signal) {
   };
   live.addEventListener("tick", show, { signal });
   live.addEventListener("connection", showConnection, { signal });
-  put(root, view, h("div", { class: "lower" }, parts.slice(0, 3).map(({ element }) => element)), parts.slice(3).map(({ element }) => element), lost, sound);
+  put(root, view, parts.map(({ element }) => element), sound, lost);
   showConnection();
 }
 

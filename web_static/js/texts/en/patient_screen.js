@@ -12,6 +12,7 @@ export default {
   "patient.rest": "Rest",
   "patient.rest.why": "Let your arms hang. The chair waits for you.",
   "patient.go": "Go",
+  "patient.goal.name": "Goal",
   "patient.goal": "Goal reached",
   "patient.goal.why": "Well done. Rest a little.",
   "patient.ended": "Finished",
