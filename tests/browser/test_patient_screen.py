@@ -226,12 +226,27 @@ def test_it_comes_back_when_the_program_was_away(browser, tmp_path, page_log):
         process.communicate(timeout=60)
 
 
-def test_a_wrong_link_says_what_to_do(browser, demo):
-    page = browser.new_page()
+def test_a_wrong_link_says_what_to_do_and_an_unpaired_screen_shows_nothing(browser, demo):
+    clinician, page = browser.new_context().new_page(), browser.new_context().new_page()
     page.goto(f"{demo.split('#')[0]}patient.html#pair=wrong")
     expect(page.get_by_role("heading", name="Pair this screen")).to_be_visible(timeout=PATIENCE)
     expect(page.get_by_text("ask for a new one")).to_be_visible()
-    page.close()
+    clinician.goto(demo)
+    expect(clinician.get_by_role("heading", name="Where to?")).to_be_visible(timeout=PATIENCE)
+    clinician.goto(f"{demo.split('#')[0]}#/settings")
+    card = card_of(clinician)
+    card.get_by_role("button", name="Pair a screen").click(timeout=PATIENCE)
+    link = card.locator("code").inner_text(timeout=PATIENCE)
+    page.evaluate("(hash) => { location.hash = hash; }", urlsplit(link).fragment)  # scanned into the page that is open
+    expect(page.get_by_text("All is ready")).to_be_visible(timeout=PATIENCE)
+    expect(card.get_by_text("connected", exact=True)).to_be_visible(timeout=PATIENCE)
+    clinician.screenshot(path=SCREENSHOTS / "patient-screen-settings.png")
+    card.get_by_role("button", name="Unpair screen 1").click()
+    expect(page.get_by_role("heading", name="This screen is not in use")).to_be_visible(timeout=PATIENCE)
+    expect(page.locator("iframe")).to_have_count(0)
+    expect(card.get_by_text("Screen 1")).to_have_count(0)
+    for one in (clinician, page):
+        one.context.close()
 
 
 def test_the_arrow_and_the_sounds_mean_what_happens(browser, demo):

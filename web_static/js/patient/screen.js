@@ -35,6 +35,7 @@ export function showScreen(root, live, signal) {
   };
   live.addEventListener("tick", show, { signal });
   live.addEventListener("connection", showConnection, { signal });
+  signal.addEventListener("abort", () => root.classList.remove("is-lost")); // what is said then is not of the past
   put(root, view, parts.map(({ element }) => element), sound, lost);
   showConnection();
 }
