@@ -117,9 +117,15 @@ class FloorPlan(Document):
 
     @model_validator(mode="after")
     def _lines_are_free(self) -> Self:
-        clearance = Clearance(self.walls, self.wall_thickness, self.obstacles)
+        # A cone holds nobody, but a way over one asks to touch it.
+        cones = [
+            Cylinder(kind="cylinder", label=f"cone {number}", position=cone.position, radius=cone.radius)
+            for number, cone in enumerate(self.cones, start=1)
+        ]
+        things = [*self.obstacles, *cones]
+        clearance = Clearance(self.walls, self.wall_thickness, things)
         lines = list(self._lines())
-        if sum(len(points) for _, points, _ in lines) * (sum(map(len, self.walls)) + len(self.obstacles)) > MOST_LOOKS:
+        if sum(len(points) for _, points, _ in lines) * (sum(map(len, self.walls)) + len(things)) > MOST_LOOKS:
             raise ValueError("its paths have too many points for so many walls: draw them with fewer")
         for what, points, radius in lines:
             try:

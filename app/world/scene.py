@@ -1,8 +1,9 @@
 """Scenes: places to practise in, each with its tasks, some at several levels. A scene at a level is a floor plan."""
 
 import json
+from collections.abc import Sequence
 from pathlib import Path
-from typing import Annotated, Any, Literal, NamedTuple
+from typing import Annotated, Any, Literal, NamedTuple, get_args
 
 from pydantic import Field, ValidationError
 
@@ -12,6 +13,7 @@ from app.settings import data_folder
 from app.world.floorplan import MAX_BYTES, FloorPlan, bundled_floorplans, load_floorplan
 
 LevelName = Literal["easy", "medium", "hard"]
+LEVEL_NAMES = frozenset(get_args(LevelName))
 TAKEN_OVER = ("walls", "obstacles", "rooms", "doors", "wall_height", "wall_thickness")  # from a scene's floor plan
 DEEPEST = 20  # a document nested more deeply is none
 
@@ -64,7 +66,12 @@ def load_scene(file: Path) -> Scene:
     plans: dict[LevelName | None, FloorPlan] = {}
     for level in head.levels or (None,):
         where = f"{file}, level {level.name}" if level else str(file)
-        graded = _at(document, level.name if level else None, frozenset(names))
+        try:
+            graded = {
+                name: at_level(value, level.name if level else None, names, name) for name, value in document.items()
+            }
+        except ValueError as error:
+            raise ValueError(f"{where}, {error}") from error
         if level:
             own = {"name": f"{head.name}.{level.name}", "title": f"{head.title}, {level.title.lower()}"}
         else:
@@ -160,14 +167,19 @@ def _joined(base: dict[str, Any], graded: dict[str, Any]) -> dict[str, Any]:
     return {name: [*base[name], *graded[name]] for name in both}
 
 
-def _at(value: Any, level: LevelName | None, levels: frozenset[str], depth: int = 0) -> Any:
-    """Return a document with each graded value replaced by that of one level."""
+def at_level(value: Any, level: LevelName | None, levels: Sequence[LevelName], place: str, depth: int = 0) -> Any:
+    """Return a value with each graded one in it replaced by that of one level; ValueError with the place if not."""
     if depth > DEEPEST:
-        raise ValueError("a scene is not nested so deeply: correct it")
+        raise ValueError(f"{place[:40]}...: a scene is not nested so deeply, correct it")
     if isinstance(value, dict):
-        if level is not None and value.keys() == levels:
-            return _at(value[level], level, levels, depth + 1)
-        return {name: _at(inner, level, levels, depth + 1) for name, inner in value.items()}
+        if value and value.keys() <= LEVEL_NAMES:
+            if level not in value:
+                words = f"there is no value for level {level}, add it" if level else "without levels give one value"
+                raise ValueError(f"{place}: {words}")
+            if extra := sorted(value.keys() - set(levels)):
+                raise ValueError(f"{place}: the scene has no level {extra[0]}, add it to levels or leave it out")
+            return at_level(value[level], level, levels, place, depth + 1)
+        return {name: at_level(inner, level, levels, f"{place}.{name}", depth + 1) for name, inner in value.items()}
     if isinstance(value, list):
-        return [_at(inner, level, levels, depth + 1) for inner in value]
+        return [at_level(inner, level, levels, f"{place}[{i}]", depth + 1) for i, inner in enumerate(value)]
     return value

@@ -201,7 +201,7 @@ class TurnProgress:
         self.cross_track = math.hypot(pose.x - self._spot[0], pose.y - self._spot[1])
         task = self._task
         # Who turned the other way round looks at the mark too, but a whole turn short of it.
-        right = abs(self.s - self.length) <= task.tolerance and abs(self.heading_error) <= task.tolerance
+        right = self.s >= self.length - task.tolerance and abs(self.heading_error) <= task.tolerance
         if not (right and abs(v) < STANDS and self.cross_track <= self.part.goal_radius):
             self._since = None
         elif self._since is None:

@@ -146,7 +146,7 @@ def test_list_names_the_bundled_plans(bodydrive):
     listed = json.loads(bodydrive("floorplan", "list", "--json")[1])["floorplans"]
     names = [plan["name"] for plan in listed]
     assert names[-3:] == ["apartment", "clinic", "corridors"]
-    assert {"desert.easy", "obstacles.hard", "building"} <= set(names)
+    assert {"desert.easy", "obstacles.hard", "building.easy"} <= set(names)
     assert {path["task"] for plan in listed for path in plan["paths"]} == {"path", "follow", "turn", "back", "course"}
     assert "clinic: Clinic storey" in bodydrive("floorplan", "list")[1]
 

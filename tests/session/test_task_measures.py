@@ -44,8 +44,8 @@ def test_along_a_plain_path_they_are_the_path_s():
 
 @pytest.mark.parametrize(("aside", "touched"), [(0.46, 1), (0.48, 0), (0.0, 1), (-0.46, 1)])
 def test_a_cone_is_touched_within_both_radii(aside, touched):
-    cones = ({"position": (3.0, aside)}, {"position": (3.0, 3.0)})
-    measures = task_measures(*plan_of(cones=cones), ahead())
+    cones = ({"position": (3.0, 0.6)}, {"position": (3.0, 3.0)})
+    measures = task_measures(*plan_of(cones=cones), ahead(0.6 + aside))
     assert (measures["cones_touched"], measures["cones"]) == (touched, 2)
 
 

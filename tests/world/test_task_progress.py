@@ -92,6 +92,7 @@ def test_a_turn_goes_the_asked_way_round():
     assert turned(-270, task=right).length == pytest.approx(math.pi * 1.5)
     assert not turned(90, task=right).reached
     assert not turned(-270).reached
+    assert turned(450).reached, "once more round, the asked way"
 
 
 GUIDE = {"name": "guide", "kind": "person", "points": ((1.5, 0.0), (4.0, 0.0)), "pace": ((0.0, 0.5),)}

@@ -1,14 +1,19 @@
 import json
+import math
 
+import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from app.world.collision import Collision
+from app.world.encounter import Encounters
 from app.world.floorplan import bundled_floorplans
-from app.world.scene import bundled_places, bundled_scenes, find_place, is_scene, load_scene
-from app.world.tasks import Turn
+from app.world.scene import at_level, bundled_places, bundled_scenes, find_place, is_scene, load_scene
+from app.world.task_progress import leader_of, parts_of
+from app.world.tasks import Course
 
+PLACES = bundled_places()
 LEVELS = [{"name": "easy", "title": "Easy"}, {"name": "hard", "title": "Hard"}]
 PATH = {"name": "main", "title": "Main", "points": [[0, 0], [4, 0]], "instruction": "Go."}
 
@@ -28,6 +33,21 @@ def test_a_value_may_differ_between_levels_wherever_it_stands(tmp_path):
     assert [plan.gaps[0].width for plan in read.plans.values()] == [1.2, 0.8]
     assert [plan.paths[0].points[1][0] for plan in read.plans.values()] == [4, 9]
     assert read.plans["hard"].title == "Mine, hard"
+
+
+VALUES = st.recursive(
+    st.none() | st.integers() | st.text(max_size=3),
+    lambda x: st.lists(x, max_size=3) | st.dictionaries(st.sampled_from("abc"), x, max_size=3),
+    max_leaves=6,
+)
+
+
+@settings(max_examples=60, deadline=None)
+@given(VALUES, VALUES, VALUES)
+def test_only_what_is_graded_differs_between_levels(same, easy, hard):
+    document = {"same": same, "list": [same, {"easy": easy, "hard": hard}]}
+    for level, value in (("easy", easy), ("hard", hard)):
+        assert at_level(document, level, ["easy", "hard"], "any") == {"same": same, "list": [same, value]}
 
 
 def test_a_scene_without_levels_is_one_plan(tmp_path):
@@ -59,6 +79,18 @@ def test_what_stands_in_its_building_stands_in_the_scene(tmp_path):
             {"levels": LEVELS, "cones": [{"position": [0, {"easy": 1, "hard": "x"}]}]},
             "level hard, cones[0].position[1]",
         ),
+        (
+            {"levels": LEVELS, "gaps": [{"label": "gap", "position": [2, 0], "width": {"easy": 1.2}}]},
+            "level hard, gaps[0].width: there is no value for level hard, add it",
+        ),
+        (
+            {"levels": LEVELS, "wall_height": {"easy": 2, "medium": 2, "hard": 2}},
+            "wall_height: the scene has no level medium",
+        ),
+        ({"wall_height": {"easy": 2}}, "wall_height: without levels give one value"),
+        ({"levels": LEVELS[:1], "easy": 5}, "easy: this is not known here"),
+        ({"rooms": json.loads("[" * 40 + "]" * 40)}, "not nested so deeply"),
+        ({"cones": [{"position": [2, 0.4]}]}, "the obstacle 'cone 1' near (2.00, 0.00)"),
         ({"ground": {"dunes": [{"position": [0, 0], "radius": 3}]}}, "give the ground its area"),
         ({"ground": {"area": [0, 0, 4, 4], "dunes": [{"position": [6, 2], "radius": 3}]}}, "dune 1 reaches into"),
         ({"unknown": 1}, "unknown: this is not known here"),
@@ -101,8 +133,7 @@ def test_what_is_no_json_is_said(tmp_path, content):
 
 
 def test_the_bundled_places_hold_every_kind_of_task():
-    places = bundled_places()
-    assert {path.task.kind for offer in places.values() for path in offer.plan.paths} == {
+    assert {path.task.kind for offer in PLACES.values() for path in offer.plan.paths} == {
         "path",
         "follow",
         "turn",
@@ -110,30 +141,77 @@ def test_the_bundled_places_hold_every_kind_of_task():
         "course",
     }
     assert not set(bundled_floorplans()) & set(bundled_scenes()), "a name means one place"
-    assert all(name == offer.plan.name for name, offer in places.items())
+    assert all(name == offer.plan.name for name, offer in PLACES.items())
+    assert all(find_place(name) == PLACES[name].plan for name in ("desert.hard", "clinic"))
+    assert [find_place(name) for name in ("desert", "desert.", "nowhere.easy", "")] == [None] * 4
     assert [is_scene(file) for file in (*bundled_scenes().values(), *bundled_floorplans().values())] == [
         *[True] * len(bundled_scenes()),
         *[False] * len(bundled_floorplans()),
     ]
 
 
-@pytest.mark.parametrize("name", bundled_places())
-def test_each_task_can_be_begun_and_each_cone_can_be_missed(name):
-    plan = find_place(name)
-    collision = Collision(plan)
+@pytest.mark.parametrize("name", PLACES)
+def test_each_task_can_be_begun_with_nobody_in_the_way(name):
+    plan = PLACES[name].plan
+    collision, movers = Collision(plan), Encounters(plan.movers)
     for path in plan.paths:
-        assert collision.is_free(path.start.x, path.start.y)
-        if isinstance(path.task, Turn):
-            continue
-        line = path.line
-        for step in range(int(line.length / 0.05) + 1):
-            x, y = line.point_at(0.05 * step)
-            assert all((x - c.position[0]) ** 2 + (y - c.position[1]) ** 2 > (c.radius + 0.4) ** 2 for c in plan.cones)
+        x, y, _ = path.start
+        assert collision.is_free(x, y)
+        assert movers.hold(x, y, x, y, 0.0) == (x, y, False)
 
 
-@pytest.mark.parametrize("name", sorted({name.partition(".")[0] for name in bundled_places() if "." in name}))
+@pytest.mark.parametrize("name", PLACES)
+def test_each_line_stays_on_the_ground_and_clear_of_cones(name):
+    plan = PLACES[name].plan
+    x_min, y_min, x_max, y_max = plan.ground.area or plan.bounds
+    lines = [mover.line for mover in plan.movers]
+    for path in plan.paths:
+        lines += [part.line for part in (parts_of(path, path.task) if isinstance(path.task, Course) else [path])]
+    for line in lines:
+        for s in np.arange(0.0, line.length, 0.1):
+            x, y = line.point_at(s)
+            assert x_min < x < x_max
+            assert y_min < y < y_max
+            assert all(math.dist((x, y), cone.position) > cone.radius + 0.4 for cone in plan.cones)
+
+
+@pytest.mark.parametrize("name", [name for name, offer in PLACES.items() if offer.scene])
+def test_a_scene_leaves_a_novice_time_enough(name):
+    for path in PLACES[name].plan.paths:
+        assert path.time_limit >= 60
+        assert path.line.length / path.time_limit < 0.15, "m/s, on the whole way"
+
+
+@pytest.mark.parametrize("name", [name for name, offer in PLACES.items() if offer.plan.movers])
+def test_a_leader_waits_where_the_asked_distance_is_kept_and_arrives_in_time(name):
+    plan = PLACES[name].plan
+    for path in plan.paths:
+        track = leader_of(plan, path)
+        assert track is not None
+        ahead = track.at(0.0).pose
+        assert math.dist(ahead[:2], path.start[:2]) == pytest.approx(path.task.distance, abs=0.01)
+        assert track.mover.way(path.time_limit / 2)[0] > track.length
+        speeds = {v for _, v in track.mover.pace if v > 0}
+        assert len(speeds) >= 4
+        assert max(speeds) <= 0.7, "m/s, what a patient's chair can follow"
+        assert track._line.points[-1] == path.points[-1]
+
+
+@pytest.mark.parametrize("name", [name for name, offer in PLACES.items() if offer.plan.gaps])
+def test_a_gap_is_as_wide_as_it_says(name):
+    plan = PLACES[name].plan
+    for gap in plan.gaps:
+        across = gap.heading + math.pi / 2
+        for side in (-1, 1):
+            edge = [
+                p + side * (gap.width / 2 - 0.002) * f(across)
+                for p, f in zip(gap.position, (math.cos, math.sin), strict=True)
+            ]
+            assert 0.0 < Collision(plan, 0.0).room(*edge) < 0.003, gap.label
+
+
+@pytest.mark.parametrize("name", sorted({name.partition(".")[0] for name in PLACES if "." in name}))
 def test_a_harder_level_is_harder(name):
-    easy, hard = find_place(f"{name}.easy"), find_place(f"{name}.hard")
-    assert easy is not None
+    easy, hard = PLACES[f"{name}.easy"].plan, PLACES[f"{name}.hard"].plan
     assert easy.model_dump(exclude={"name", "title"}) != hard.model_dump(exclude={"name", "title"})
     assert [path.name for path in easy.paths] == [path.name for path in hard.paths]
