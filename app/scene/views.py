@@ -37,6 +37,7 @@ CHASE_HEIGHT = 2.9  # m
 CHASE_DOWN = math.radians(31)
 TOP_MARGIN = 1.22  # of the plan's size: the page lays its cards over the rim of the picture
 FREE_UP = math.radians(35)
+WIDE = 4 / 3  # a narrower picture is looked at from farther away
 LOWEST = 0.3  # m: a free camera stays above the floor
 
 
@@ -136,10 +137,10 @@ def free_camera(orbit: Orbit) -> Camera:
     return Camera(x, y, height, orbit.azimuth + math.pi, -math.atan2(height, out))
 
 
-def first_orbit(bounds: Bounds, start: Pose | None) -> Orbit:
-    """Return a free camera that sees most of the plan, from behind the start."""
+def first_orbit(bounds: Bounds, start: Pose | None, aspect: float) -> Orbit:
+    """Return a free camera that sees most of the plan, from behind the start; `aspect` is the picture's."""
     x_min, y_min, x_max, y_max = bounds
-    distance = 0.7 * math.hypot(x_max - x_min, y_max - y_min) + 2.0
+    distance = 0.7 * max(1.0, WIDE / aspect) * math.hypot(x_max - x_min, y_max - y_min) + 2.0
     azimuth = math.remainder((0.0 if start is None else start.theta) + math.pi, math.tau)
     return Orbit(azimuth, FREE_UP, min(distance, 100.0), (x_min + x_max) / 2, (y_min + y_max) / 2)
 

@@ -69,7 +69,7 @@ class WorldView:
         self._pose = Pose(0.0, 0.0, 0.0)
         self._aspect = LANDSCAPE
         self._drawing = Drawing({}, ())
-        self._orbit = first_orbit(EMPTY, None)
+        self._orbit: Orbit | None = None  # until somebody moves it
         scene = server.scene
         self._world = scene.add_frame("/world", show_axes=False)
         self._chair = scene.add_frame("/world/chair", show_axes=False)
@@ -100,14 +100,14 @@ class WorldView:
     @property
     def orbit(self) -> Orbit:
         """Return where its free camera is."""
-        return self._orbit
+        return self._orbit or first_orbit(self._drawing.bounds, self._drawing.start, self._aspect)
 
     def draw(self, drawing: Drawing) -> None:
         """Draw what stands still, and what moves at its beginning."""
         with self._server.atomic():
             self._building.show(drawing.building)
             if drawing is not self._drawing:
-                self._orbit = first_orbit(drawing.bounds, drawing.start)
+                self._orbit = None
                 self._show_movers(drawing.movers)
             self._drawing = drawing
             self._lighting.shine(drawing.lights)
@@ -167,8 +167,7 @@ class WorldView:
         aspect = min(shapes, default=LANDSCAPE)
         if aspect != self._aspect:
             self._aspect = aspect
-            if self._view == "top":
-                self._place()
+            self._place()
 
     def _place(self) -> None:
         with self._server.atomic():
@@ -184,7 +183,7 @@ class WorldView:
                 shown = min(WALLS_SHOWN["top"], self._drawing.wall_height)
                 return top_camera(self._drawing.bounds, self._aspect, shown)
             case "free":
-                return free_camera(self._orbit)
+                return free_camera(self.orbit)
 
     def _field_of_view(self) -> float:
         return math.radians(self._settings.fov_deg) if self._view == "eye" else FIELD_OF_VIEW[self._view]

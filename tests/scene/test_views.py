@@ -100,7 +100,8 @@ def test_a_free_camera_looks_at_its_point_from_above_the_floor(orbit):
 def test_the_first_free_picture_has_the_plan_in_it(size, start):
     x, y, width, depth = size
     bounds = (x, y, x + width, y + depth)
-    orbit = first_orbit(bounds, start)
+    orbit = first_orbit(bounds, start, 1.5)
+    assert first_orbit(bounds, start, 0.75).distance >= orbit.distance
     seen = seen_from(free_camera(orbit), (x + width / 2, y + depth / 2, 0))
     assert seen[0] > 0.5 * math.hypot(width, depth)
     assert math.cos(orbit.azimuth) == pytest.approx(-math.cos(start.theta))
