@@ -52,6 +52,7 @@ from app.session.database import Database
 from app.session.drive_flow import DriveFlow
 from app.session.equipment import Equipment
 from app.session.fault_log import FaultLog
+from app.session.head import HeadChoice
 from app.session.limits import ClinicLimits
 from app.session.patient_screens import PairingCodes
 from app.session.readings import Readings
@@ -191,6 +192,7 @@ def _flows(
         drive=drive,
         real=real,
         chairs=seats,
+        head=HeadChoice(database, link, worn.located, tell),
         limits=allowed,
         arming=RealArming(database, link, worn, visit, seats, allowed, demonstration=settings.demo),
         visit=visit,
@@ -219,6 +221,7 @@ async def _start(database: Database, flows: Flows) -> None:
     await flows.limits.open()
     await flows.chairs.open()
     await flows.equipment.open()
+    await flows.head.open()
     await flows.visit.try_load_parameters()
     flows.live.start()
     flows.patient_live.start()

@@ -11,7 +11,7 @@ from pydantic import Field
 from app.api.deps import Anyone, Clinician, PeopleParts
 from app.api.flows import FlowParts, Flows
 from app.api.uploads import FileView, keep_upload, list_files
-from app.hardware.configs import BodyConfig, ShirtConfig
+from app.hardware.configs import BodyConfig, HeadConfig, ShirtConfig
 from app.layout import MAX_CHANNELS, ShirtLayout
 from app.quantities import Document, Name
 from app.session.control import Control
@@ -30,6 +30,12 @@ class Unused(Document):
     channels: Annotated[list[Name], Field(max_length=MAX_CHANNELS)]
 
 
+class ChosenHead(Document):
+    """A head tracker, None for none."""
+
+    config: HeadConfig | None
+
+
 class StatusView(Document):
     """How the shirt and the control process are, in words."""
 
@@ -44,6 +50,13 @@ class StatusView(Document):
 class ChairView(Document):
     """Which chair is driven."""
 
+    words: str
+
+
+class HeadView(Document):
+    """Which head tracker looks."""
+
+    config: dict[str, Any] | None
     words: str
 
 
@@ -64,19 +77,20 @@ class EquipmentView(Document):
     status: StatusView
     files: list[FileView]
     chair: ChairView
+    head: HeadView
     disk: DiskView
 
 
-async def _status(control: Control, flows: Flows) -> StatusView:
-    worn = flows.equipment
+async def _status(control: Control, flows: Flows) -> tuple[StatusView, HeadView]:
+    worn, head = flows.equipment, flows.head.config
     try:
         status = await control.call("status")
     except Refusal as refusal:
         return StatusView(
             words=str(refusal), alive=False, sample_rate=worn.sample_rate, lost=0, realtime=[], control=control.state
-        )
+        ), HeadView(config=head, words=str(refusal))
     shirt = status.get("shirt") or {}
-    return StatusView(
+    shown = StatusView(
         words=worn.words or str(shirt.get("words", "")),
         alive=bool(shirt.get("alive", False)),
         sample_rate=float(shirt.get("sample_rate") or worn.sample_rate),
@@ -84,18 +98,21 @@ async def _status(control: Control, flows: Flows) -> StatusView:
         realtime=[str(sentence) for sentence in status.get("realtime", [])],
         control=control.state,
     )
+    return shown, HeadView(config=head, words=str((status.get("head") or {}).get("words", "")))
 
 
 async def _view(parts: PeopleParts, flows: Flows) -> EquipmentView:
     worn = flows.equipment
+    status, head = await _status(flows.control, flows)
     return EquipmentView(
         shirt=worn.shirt,
         body=worn.body,
         layout=worn.layout,
         unused=worn.unused,
-        status=await _status(flows.control, flows),
+        status=status,
         files=await asyncio.to_thread(list_files, parts.settings.files),
         chair=ChairView(words=await flows.chairs.state()),
+        head=head,
         disk=await asyncio.to_thread(_disk, parts.settings.state),
     )
 
@@ -145,6 +162,22 @@ async def choose_body(body: BodyConfig, who: Clinician, parts: PeopleParts, flow
     async with flows.visit.undisturbed("change the body"):
         await flows.equipment.use_body(config)
     return await _noted(parts, flows, who.name, "body chosen", kind=config["kind"])
+
+
+@router.put("/head")
+async def choose_head(body: ChosenHead, who: Clinician, parts: PeopleParts, flows: FlowParts) -> EquipmentView:
+    """Look with another head tracker, or with none."""
+    config = None if body.config is None else body.config.model_dump(mode="json")
+    async with flows.visit.undisturbed("change the head tracker"):
+        await flows.head.use(config)
+    return await _noted(parts, flows, who.name, "head tracker chosen", kind=config["kind"] if config else None)
+
+
+@router.post("/head/ahead")
+async def look_ahead(_who: Clinician, parts: PeopleParts, flows: FlowParts) -> EquipmentView:
+    """Count where the head looks now as straight ahead."""
+    await flows.head.set_ahead()
+    return await _view(parts, flows)
 
 
 @router.put("/unused")

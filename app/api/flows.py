@@ -21,6 +21,7 @@ from app.session.control import Control
 from app.session.drive_flow import DriveFlow
 from app.session.equipment import Equipment
 from app.session.fault_log import FaultLog
+from app.session.head import HeadChoice
 from app.session.limits import ClinicLimits
 from app.session.patient_screens import PairingCodes
 from app.session.real_drive import RealDriveFlow
@@ -41,6 +42,7 @@ class Flows:
     drive: DriveFlow
     real: RealDriveFlow
     chairs: Chairs
+    head: HeadChoice
     limits: ClinicLimits
     arming: RealArming
     visit: VisitFlow

@@ -11,7 +11,7 @@ from starlette.websockets import WebSocketDisconnect
 from app.api.flows import Flows
 from app.api.live_hub import Viewer
 from app.layout import MAX_JOINTS
-from app.quantities import Document, Fraction, Name
+from app.quantities import Document, Fraction, Name, Radians
 
 router = APIRouter()
 
@@ -19,10 +19,19 @@ MESSAGE_LIMIT = 4096  # characters
 NOT_TEXT = 1003  # close code: our pages send text only
 
 
+class Looks(Document):
+    """Where a tablet looks."""
+
+    yaw: Radians
+    pitch: Radians
+    roll: Radians
+
+
 class Upward(Document):
-    """What a page says: where the visitor moves, or Stop."""
+    """What a page says: where the visitor moves, where a tablet looks, or Stop."""
 
     move: Annotated[dict[Name, Fraction], Field(max_length=MAX_JOINTS)] | None = None
+    look: Looks | None = None
     stop: bool = False
 
 
@@ -64,3 +73,5 @@ async def _take(text: str, flows: Flows) -> None:
         return
     if message.move is not None:
         flows.control.move(message.move)
+    if message.look is not None:
+        flows.control.look(message.look.yaw, message.look.pitch, message.look.roll)

@@ -38,11 +38,12 @@ class CheckView(Document):
 
 
 class DraftView(Document):
-    """What a file proposes, not saved: the document, what to know about it, and a drawing's layers to choose from."""
+    """What a file proposes, not saved: the document, what to know about it, a drawing's layers, and which are walls."""
 
     document: dict[str, Any]
     words: list[str]
     layers: list[str]
+    taken: list[str]
 
 
 def _parsed(content: bytes) -> FloorPlan:

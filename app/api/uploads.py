@@ -16,7 +16,8 @@ LARGEST = 64_000_000  # bytes
 HEADER = 65_536  # bytes of a CSV in which its first row must end
 KINDS = (".csv", ".parquet")
 
-FileKind = Literal["signals", "body", "recording"]
+FileKind = Literal["signals", "body", "head", "recording"]
+HEAD_COLUMNS = {"yaw_deg", "pitch_deg", "roll_deg"}
 
 
 class FileView(Document):
@@ -100,8 +101,10 @@ def _columns(suffix: str, opened: BinaryIO) -> list[str] | None:
 
 
 def _kind(columns: list[str]) -> FileKind:
-    """Tell signals from a body's movement, whose columns are JOINT_x, JOINT_y, JOINT_z."""
+    """Tell signals from a body's movement, whose columns are JOINT_x, JOINT_y, JOINT_z, and from a head's."""
     others = [column for column in columns if column != "t"]
+    if set(others) >= HEAD_COLUMNS:
+        return "head"
     turns = {column[:-2] for column in others if column.endswith("_x")}
     body = bool(turns) and all(f"{joint}_{axis}" in others for joint in turns for axis in "xyz")
     return "body" if body and len(others) == 3 * len(turns) else "signals"

@@ -27,7 +27,7 @@ START_AGAIN_AFTER = 0.5  # s; doubled with each start that fails, up to ...
 LONGEST_PAUSE = 8.0  # s
 
 ControlState = Literal["alive", "starting", "lost"]
-Loaded = Literal["limits", "dial", "chair", "shirt", "body", "parameters"]
+Loaded = Literal["limits", "dial", "chair", "shirt", "body", "head", "parameters"]
 
 
 class Link(Protocol):
@@ -157,6 +157,11 @@ class Control:
         """Say where the visitor wants the joints of the simulated body."""
         if self._thread is not None:
             self._thread.soon(lambda: self._tell("move", joints=joints))
+
+    def look(self, yaw: float, pitch: float, roll: float) -> None:
+        """Say where a tablet looks (rad) that is used as the head tracker."""
+        if self._thread is not None:
+            self._thread.soon(lambda: self._tell("look", yaw=yaw, pitch=pitch, roll=roll))
 
     def beat(self) -> None:
         """Send a heartbeat now: the screen that drives was hidden, and the chair must not wait for the next one."""

@@ -106,11 +106,11 @@ class Equipment:
 
     async def _load(self, do: Literal["shirt", "body"], config: dict[str, Any]) -> dict[str, Any]:
         try:
-            return await self._control.load(do, config=self._located(config))
+            return await self._control.load(do, config=self.located(config))
         except Conflict as refusal:  # a page knows files by their names, not by their places on this machine
             raise Conflict(str(refusal).replace(f"{self._files}/", "")) from refusal
 
-    def _located(self, config: dict[str, Any]) -> dict[str, Any]:
+    def located(self, config: dict[str, Any]) -> dict[str, Any]:
         """Return the configuration with the file's place instead of its name."""
         if "file" not in config:
             return config

@@ -48,6 +48,7 @@ class Clinic(Table):
     shirt: Mapped[dict[str, Any] | None]  # configuration of the shirt in use
     body: Mapped[dict[str, Any] | None]  # configuration of what moves inside a simulated shirt
     unused: Mapped[list[Any]]  # names of channels that are marked as unused
+    head: Mapped[dict[str, Any] | None]  # configuration of the head tracker in use; None: straight ahead
     chair: Mapped[dict[str, Any] | None]  # which chair is driven: its id (none: the virtual one) and the dynamics
     limits: Mapped[dict[str, Any] | None]  # Speeds that nobody here may exceed; None: the owner has set none
 

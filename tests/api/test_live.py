@@ -62,11 +62,15 @@ def test_stop_and_the_visitors_movement_go_down_and_nonsense_does_not(signed_in:
         for text in ("{", "[]", '{"move": {"right_elbow": NaN}}', '{"move": {"right_elbow": 2}}', '{"unknown": 1}'):
             socket.send_text(text)
         socket.send_json({"move": {"right_elbow": 0.7}})
+        socket.send_json({"look": {"yaw": 0.5, "pitch": -0.25, "roll": 99.0}})
+        socket.send_json({"look": {"yaw": 0.5, "pitch": -0.25, "roll": 0.0}})
         socket.send_json({"stop": True})
         while socket.receive_json()["state"] != "fault":
             pass
     moves = [fields for do, fields in signed_in.link.told if do == "move"]
     assert moves == [{"joints": {"right_elbow": 0.7}}]
+    looks = [fields for do, fields in signed_in.link.told if do == "look"]
+    assert looks == [{"yaw": 0.5, "pitch": -0.25, "roll": 0.0}]
 
 
 def test_a_stop_counts_whatever_else_the_message_says(signed_in: Any) -> None:

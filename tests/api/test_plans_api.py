@@ -202,7 +202,8 @@ def test_files_become_drafts_that_can_be_saved(signed_in: Any) -> None:
         assert draft["words"][0] == "4 wall pieces."
         assert signed_in.good("POST", "/floorplans/check", json=draft["document"])["good"]
     assert signed_in.good("GET", "/own-floorplans") == []
-    assert bring(signed_in, ("h.dxf", dxf())).json()["layers"] == ["A-WALL"]
+    drawn = bring(signed_in, ("h.dxf", dxf())).json()
+    assert drawn["layers"] == drawn["taken"] == ["A-WALL"]
 
 
 def test_bad_files_are_refused_in_one_sentence(signed_in: Any) -> None:

@@ -1,6 +1,7 @@
 /** The shirt: where its signals come from, who is inside, and how every sensor is. */
 import { bodyForm, bodyWords } from "../parts/body_form.js";
 import { h, put, s, write } from "../parts/dom.js";
+import { headActions, headForm, headWords } from "../parts/head_card.js";
 import { jointStrips } from "../parts/joint_strips.js";
 import { bodyLamps, lampSign, QUALITIES } from "../parts/lamps.js";
 import { pads } from "../parts/pads.js";
@@ -68,7 +69,7 @@ export async function show(app, root, { signal }) {
     sensorShown.abort();
     sensorShown = new AbortController();
     drawn.signal.addEventListener("abort", () => sensorShown.abort(), { signal: sensorShown.signal });
-    put(right, pickedSensor(sensorShown.signal), sourceCard(), equipment.shirt.kind === "simulator" && bodyCard());
+    put(right, pickedSensor(sensorShown.signal), sourceCard(), equipment.shirt.kind === "simulator" && bodyCard(), headCard());
   };
   const pickedSensor = (until) => {
     const index = equipment.layout?.channels.findIndex(({ name }) => name === picked) ?? -1;
@@ -111,6 +112,15 @@ export async function show(app, root, { signal }) {
     card("body", equipment.body ? bodyWords(equipment.body) : "", "", (shown) =>
       bodyForm(app, equipment, (config) => use(app.api.put("/equipment/body", config), "body"), shown),
     );
+  const headCard = () => {
+    const words = [headWords(equipment.head.config), equipment.head.config && equipment.head.words].filter(Boolean).join(" ");
+    const element = card("head", words, equipment.head.config?.kind ?? "none", (shown) =>
+      headForm(app, equipment, (config) => use(app.api.put("/equipment/head", { config }), "head"), shown),
+    );
+    const actions = headActions(app, equipment.head);
+    if (actions) element.append(actions);
+    return element;
+  };
   const showWords = () => {
     const all = app.live.quality.length;
     const good = app.live.quality.filter((quality) => quality === "good").length;

@@ -1,0 +1,46 @@
+"""The head tracker as a page chooses it."""
+
+from typing import Any
+
+OPENTRACK = {"kind": "opentrack", "host": "127.0.0.1", "port": 4242}
+
+
+def test_a_head_tracker_is_chosen_kept_and_taken_away(signed_in: Any) -> None:
+    assert signed_in.good("GET", "/equipment")["head"]["config"] is None
+    shown = signed_in.good("PUT", "/equipment/head", json={"config": OPENTRACK})
+    assert shown["head"]["config"] == OPENTRACK
+    assert signed_in.link.calls[-2] == ("head", {"config": OPENTRACK})
+    assert [entry.details for entry in signed_in.log() if entry.what == "head tracker chosen"] == [
+        {"kind": "opentrack"}
+    ]
+    assert signed_in.good("PUT", "/equipment/head", json={"config": None})["head"]["config"] is None
+
+
+def test_a_tracker_that_cannot_be_had_is_a_sentence_and_leaves_none(signed_in: Any) -> None:
+    signed_in.good("PUT", "/equipment/head", json={"config": OPENTRACK})
+    signed_in.link.refuse["head"] = "the port is taken"
+    answer = signed_in("PUT", "/equipment/head", json={"config": {**OPENTRACK, "port": 4243}})
+    assert (answer.status_code, answer.json()["detail"]) == (409, "The port is taken.")
+    assert signed_in.good("GET", "/equipment")["head"]["config"] is None
+
+
+def test_nonsense_is_refused(signed_in: Any) -> None:
+    for config in ({"kind": "nose"}, {**OPENTRACK, "port": 70_000}, {"kind": "flock_of_birds"}, 3):
+        assert signed_in("PUT", "/equipment/head", json={"config": config}).status_code == 422
+
+
+def test_straight_ahead_is_asked_of_the_control_process(signed_in: Any) -> None:
+    signed_in.good("POST", "/equipment/head/ahead", json={})
+    assert ("head_ahead", {}) in signed_in.link.calls
+    signed_in.link.refuse["head_ahead"] = "wait for its first pose"
+    assert signed_in("POST", "/equipment/head/ahead", json={}).status_code == 409
+
+
+def test_a_recorded_head_is_played_from_a_brought_file(signed_in: Any) -> None:
+    content = b"t,yaw_deg,pitch_deg,roll_deg\n0,1,2,3\n1,1,2,3\n"
+    shown = signed_in.good("POST", "/equipment/files", files={"file": ("head.csv", content)})
+    assert [(file["name"], file["kind"]) for file in shown["files"]] == [("head.csv", "head")]
+    signed_in.good("PUT", "/equipment/head", json={"config": {"kind": "recorded", "file": "head.csv"}})
+    assert signed_in.link.calls[-2][1]["config"]["file"].endswith("/head.csv")
+    answer = signed_in("PUT", "/equipment/head", json={"config": {"kind": "recorded", "file": "other.csv"}})
+    assert answer.status_code == 404

@@ -1,0 +1,62 @@
+/** The orientation of this tablet or phone as the head tracker: told at most thirty times a second. */
+import { t } from "../texts.js";
+import { h, write } from "./dom.js";
+
+const EVERY = 1000 / 30; // ms
+const RADIANS = Math.PI / 180;
+
+let following = null; // since it was asked for, whatever page is shown: what it is doing, in words
+
+/** @param {import("../main.js").App} app */
+export function tabletHead(app) {
+  const words = h("p", { class: "quiet small", role: "status" });
+  const button = h("button", { type: "button", class: "btn" }, t("head.tablet.start"));
+  const start = async () => {
+    if (!window.isSecureContext) return write(words, t("head.tablet.insecure"));
+    const asks = window.DeviceOrientationEvent?.requestPermission;
+    const answer = asks ? await asks.call(window.DeviceOrientationEvent).catch(() => "denied") : "granted";
+    if (answer !== "granted") return write(words, t("head.tablet.denied"));
+    button.disabled = true;
+    follow(app, (sentence) => write(words, sentence));
+  };
+  button.disabled = following !== null;
+  if (following) following.say = (sentence) => write(words, sentence);
+  button.addEventListener("click", start);
+  return h("div", { class: "spread" }, button, words);
+}
+
+function follow(app, say) {
+  let last = -Infinity;
+  following = { say };
+  say(t("head.tablet.waiting"));
+  const tell = ({ alpha, beta, gamma }) => {
+    if (alpha === null || beta === null || gamma === null) return following.say(t("head.tablet.none"));
+    const now = performance.now();
+    if (now - last < EVERY) return;
+    last = now;
+    app.live.send({ look: orientation(alpha, beta, gamma, screen.orientation?.angle ?? 0) });
+    following.say(t("head.tablet.tells"));
+  };
+  window.addEventListener("deviceorientation", tell);
+}
+
+/**
+ * Where the back of the screen looks: yaw left, pitch up, roll to the right positive (rad).
+ * The angles are those of the W3C's Device Orientation: turns by alpha about z, beta about x, gamma about y.
+ * @param {number} alpha @param {number} beta @param {number} gamma @param {number} turned how the picture is turned, degrees
+ */
+export function orientation(alpha, beta, gamma, turned) {
+  const [ca, sa] = [Math.cos(alpha * RADIANS), Math.sin(alpha * RADIANS)];
+  const [cb, sb] = [Math.cos(beta * RADIANS), Math.sin(beta * RADIANS)];
+  const [cg, sg] = [Math.cos(gamma * RADIANS), Math.sin(gamma * RADIANS)];
+  // Columns of the device's axes in the world (x east, y north, z up): its right, its top, its front.
+  const right = [ca * cg - sa * sb * sg, sa * cg + ca * sb * sg, -cb * sg];
+  const top = [-sa * cb, ca * cb, sb];
+  const back = [-(ca * sg + sa * sb * cg), -(sa * sg - ca * sb * cg), -cb * cg];
+  const [c, s] = [Math.cos(turned * RADIANS), Math.sin(turned * RADIANS)];
+  const across = right.map((value, i) => c * value - s * top[i]); // the picture's right
+  const up = right.map((value, i) => s * value + c * top[i]);
+  const pitch = Math.asin(Math.min(1, Math.max(-1, back[2])));
+  const yaw = Math.atan2(-back[0], back[1]);
+  return { yaw, pitch, roll: Math.atan2(-across[2], up[2]) };
+}
