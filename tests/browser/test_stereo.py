@@ -1,0 +1,260 @@
+"""The stereo page in a real browser: the parallax of two eyes by geometry, and who may open it."""
+
+import io
+import math
+import signal
+import socket
+from pathlib import Path
+
+import httpx
+import numpy as np
+import pytest
+from PIL import Image
+from playwright.sync_api import expect
+from processes.served_demo import bodydrive, printed_link
+from view_app import Running
+
+from app.api.pages import Pages
+from app.geometry import Pose
+from app.scene.views import EYE_BACK, EYE_DOWN, EyeSettings
+from app.settings import static_folder
+from app.world.floorplan import FloorPlan
+
+pytestmark = [pytest.mark.browser, pytest.mark.timeout(300)]
+
+SCREENSHOTS = Path(__file__).resolve().parents[2] / "var" / "screenshots"
+PATIENCE = 60_000  # ms: drawing in software on a busy machine is slow
+WIDTH, HEIGHT = 1000, 600
+APART = 0.08  # m
+PILLAR_AT = 1.5  # m, its front
+DEPTH = (PILLAR_AT + EYE_BACK) / math.cos(EYE_DOWN)  # m along the camera's axis, in the middle row
+FOCAL = HEIGHT / 2 / math.tan(math.radians(EyeSettings().fov_deg) / 2)  # pixels
+TOLERANCE = 2.0  # pixels: a slow machine draws with larger ones
+LIVE = """[...document.querySelectorAll("iframe")].filter((one) => one.contentWindow.bodydriveView?.age() < 20).length
+    === 2"""
+CAMERAS = """() => [...document.querySelectorAll("iframe")].map((one) => {
+    const { camera } = one.contentWindow.__viserMutable;
+    return [camera.matrixWorld.elements[12], camera.filmOffset / camera.getFilmWidth()];
+})"""
+AWAY = "document.querySelector('.stereo').classList.add('is-quiet')"
+
+
+def plan():
+    """A pillar ahead of the chair, and a path that lies behind its back."""
+    pillar = {"kind": "box", "label": "Pillar", "position": (PILLAR_AT + 0.15, 0.0), "size": (0.3, 0.3), "height": 2.0}
+    path = {"name": "main", "title": "Main", "points": [(-3.0, 0.0), (-6.0, 0.0)], "instruction": "Drive ahead."}
+    document = {"name": "pillar", "title": "Pillar", "walls": [], "obstacles": [pillar], "paths": [path]}
+    return FloorPlan.model_validate(document)
+
+
+@pytest.fixture(scope="module")
+def app():
+    served = Running(plan(), "main")
+    served._server.config.app.mount("/", Pages(directory=static_folder(), html=True))
+    served.start()
+    served.ride.pose = lambda _: Pose(0.0, 0.0, 0.0)
+    served.ride.held_at = 0.0
+    yield served
+    served.stop()
+
+
+@pytest.fixture
+def page(app, browser, page_log, until):
+    log = page_log(app.address)
+    page = log.watch(browser.new_page(viewport={"width": WIDTH, "height": HEIGHT}))
+    page.set_default_timeout(PATIENCE)
+    page.goto(f"{app.address}/stereo.html")
+    chosen = '{"apart": 80, "convergence": "Infinity"}'
+    page.evaluate(f"localStorage.setItem('bodydrive-stereo', '{chosen}')")
+    page.reload()
+    until(page, LIVE)
+    yield page
+    log.assert_clean()
+    page.close()
+
+
+def show_bar(page):
+    page.mouse.move(300, 30)
+    page.mouse.move(320, 30)
+
+
+def picture(page, name=None):
+    """Return the whole page without its bar, when the cameras have been put and the picture drawn."""
+    page.mouse.move(300, 30)
+    page.wait_for_timeout(1000)
+    page.evaluate(AWAY)
+    page.wait_for_timeout(1000)
+    shot = page.screenshot()
+    if name:
+        SCREENSHOTS.mkdir(parents=True, exist_ok=True)
+        (SCREENSHOTS / f"{name}.png").write_bytes(shot)
+    return np.asarray(Image.open(io.BytesIO(shot)).convert("RGB"), dtype=np.float64)
+
+
+def pillar_in(half):
+    """Return the column of the pillar's middle, around the middle row: only wood is browner than its surroundings."""
+    rows = half[HEIGHT // 2 - 10 : HEIGHT // 2 + 10]
+    brown = np.clip(rows[..., 0] - rows[..., 2] - 25, 0, 25).sum(axis=0)
+    assert brown.max() > 0, "the pillar is not in the picture"
+    return float(brown @ np.arange(len(brown)) / brown.sum())
+
+
+def parallax(shot):
+    """Return how much farther right the pillar is in the left half than in the right one, in pixels."""
+    return pillar_in(shot[:, : WIDTH // 2]) - pillar_in(shot[:, WIDTH // 2 :])
+
+
+def test_both_eyes_see_the_parallax_of_their_distance(page):
+    expected = FOCAL * APART / DEPTH
+    assert parallax(picture(page, "stereo-side")) == pytest.approx(expected, abs=TOLERANCE)
+    show_bar(page)
+    page.get_by_label("Screen distance", exact=True).select_option("1")
+    assert parallax(picture(page)) == pytest.approx(expected - FOCAL * APART / 1.0, abs=TOLERANCE)
+    page.get_by_label("Screen distance", exact=True).select_option("Infinity")
+    show_bar(page)
+    page.get_by_label("Swap left and right").check(force=True)
+    assert parallax(picture(page)) == pytest.approx(-expected, abs=TOLERANCE)
+
+
+def test_without_a_distance_both_pictures_are_equal(page, until):
+    page.evaluate("localStorage.setItem('bodydrive-stereo', '{\"apart\": 0}')")
+    page.reload()
+    until(page, LIVE)
+    shot = picture(page)
+    assert shot.std() > 10
+    assert abs(parallax(shot)) < 0.5
+    assert np.abs(shot[:, : WIDTH // 2] - shot[:, WIDTH // 2 :]).mean() < 1.0
+    assert page.evaluate(CAMERAS) == [pytest.approx([0, 0]), pytest.approx([0, 0])]
+
+
+def test_half_the_width_is_squeezed(page):
+    show_bar(page)
+    page.get_by_text("Half width").click()
+    show_bar(page)
+    page.get_by_label("Screen distance", exact=True).select_option("Infinity")
+    assert parallax(picture(page, "stereo-squeezed")) == pytest.approx(FOCAL * APART / DEPTH / 2, abs=TOLERANCE)
+
+
+def test_red_shows_the_left_eye_and_cyan_the_right(page):
+    show_bar(page)
+    page.get_by_text("Red-cyan").click()
+    show_bar(page)
+    page.get_by_label("Screen distance", exact=True).select_option("Infinity")
+    shot = picture(page, "stereo-red-cyan")
+    rows = shot[HEIGHT // 2 - 10 : HEIGHT // 2 + 10].mean(axis=0)
+
+    def middle(channel):
+        """Return the middle of the pillar, which is darker than the floor behind it."""
+        around = rows[300:700, channel]
+        dark = np.flatnonzero(around < (around.max() + around.min()) / 2)
+        return 300 + (dark[0] + dark[-1]) / 2
+
+    expected = FOCAL * APART / DEPTH
+    assert middle(0) - middle(2) == pytest.approx(expected, abs=2 * TOLERANCE)
+    assert middle(0) + middle(2) == pytest.approx(WIDTH, abs=2 * TOLERANCE)
+
+
+def test_the_server_goes_on_to_set_the_field_of_view(app, page, until):
+    fov = """[...document.querySelectorAll("iframe")].every((one) =>
+        Math.abs(one.contentWindow.__viserMutable.camera.fov - {}) < 0.5)"""
+    until(page, fov.format(68))
+    scene = app.scene_thread.scene
+    scene.set_view("patient", "eye", EyeSettings(fov_deg=50.0))
+    until(page, fov.format(50))
+    left, right = page.evaluate(CAMERAS)
+    assert (left[0], right[0]) == (pytest.approx(-APART / 2), pytest.approx(APART / 2))
+    scene.set_view("patient", "eye", EyeSettings())
+
+
+def test_both_eyes_show_the_same_moment(app, page):
+    app.ride.pose = lambda along: Pose(-0.3 * along, 0.0, 0.0)
+    app.ride.held_at = None
+    same, all_ = page.evaluate("""() => new Promise((done) => {
+        const frames = [...document.querySelectorAll("iframe")];
+        let same = 0, all = 0;
+        const look = () => {
+            const [a, b] = frames.map((one) => one.contentWindow.__viserMutable.nodePoseData["/world"].position);
+            all += 1;
+            same += Math.hypot(...a.map((value, i) => value - b[i])) < 0.03;
+            if (all < 60) requestAnimationFrame(look); else done([same, all]);
+        };
+        look();
+    })""")
+    app.ride.held_at = 0.0
+    app.ride.pose = lambda _: Pose(0.0, 0.0, 0.0)
+    assert same / all_ > 0.8
+
+
+def test_what_was_chosen_is_remembered_and_the_bar_is_reached_by_key(page, until):
+    show_bar(page)
+    page.get_by_label("Swap left and right").focus()
+    page.keyboard.press("Space")
+    page.get_by_role("button", name="Eye distance −").focus()
+    page.keyboard.press("Enter")
+    page.evaluate(AWAY)
+    page.keyboard.press("Tab")
+    assert page.evaluate("!document.querySelector('.stereo').classList.contains('is-quiet')")
+    small = page.evaluate("""() => [...document.querySelectorAll(".stereo-bar :is(button, select, label)")]
+        .filter((one) => one.checkVisibility() && one.getBoundingClientRect().height < 44).length""")
+    assert small == 0
+    page.reload()
+    until(page, LIVE)
+    show_bar(page)
+    expect(page.get_by_label("Swap left and right")).to_be_checked()
+    expect(page.get_by_text("79 mm")).to_be_visible()
+
+
+@pytest.mark.parametrize("size", [(1280, 800), (768, 1024), (640, 360)])
+def test_the_bar_stays_inside(page, size):
+    page.set_viewport_size({"width": size[0], "height": size[1]})
+    page.wait_for_timeout(300)
+    show_bar(page)
+    page.wait_for_timeout(600)
+    page.screenshot(path=SCREENSHOTS / f"stereo-bar-{size[0]}x{size[1]}.png")
+    box = page.locator(".stereo-bar").bounding_box()
+    assert box["x"] >= 0
+    assert box["y"] >= 0
+    assert box["x"] + box["width"] <= size[0]
+    assert box["y"] + box["height"] <= size[1]
+    assert page.evaluate("document.querySelector('.stereo-bar').scrollWidth <= innerWidth")
+
+
+def free_port():
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        return free.getsockname()[1]
+
+
+def served(port, state):
+    return bodydrive("serve", "--port", str(port), "--state", str(state))
+
+
+def test_a_paired_screen_sees_it_and_it_comes_back_by_itself(browser, tmp_path, page_log, until):
+    port, state = free_port(), tmp_path / "clinic"
+    process = served(port, state)
+    try:
+        base, code = printed_link(process).split("/#setup=")
+        page = page_log(base).watch(browser.new_page(viewport={"width": 640, "height": 360}))
+        page.goto(f"{base}/stereo.html")
+        expect(page.get_by_role("heading", name="may not see")).to_be_visible(timeout=PATIENCE)
+        with httpx.Client(base_url=f"{base}/api/v1", headers={"Origin": base}, timeout=60) as client:
+            client.post("/auth/setup", json={"code": code, "name": "Ada", "password": "correct horse battery"})
+            patient_id = client.post("/patients", json={"code": "P-1", "pseudonym": "Heron"}).json()["id"]
+            assert client.post("/visit", json={"patient_id": patient_id}).is_success
+            link = client.post("/patient-screen/pairing").json()["url"]
+        page.goto(link)
+        expect(page.get_by_text("All is ready")).to_be_visible(timeout=PATIENCE)
+        page.goto(f"{base}/stereo.html")
+        until(page, LIVE, seconds=60)
+        process.send_signal(signal.SIGTERM)
+        process.communicate(timeout=60)
+        lost = page.get_by_text("Connection lost")
+        expect(lost).to_be_visible(timeout=PATIENCE)
+        process = served(port, state)
+        printed_link(process)
+        expect(lost).to_be_hidden(timeout=PATIENCE)
+        until(page, LIVE, seconds=60)
+        page.close()
+    finally:
+        process.send_signal(signal.SIGTERM)
+        process.communicate(timeout=60)
