@@ -34,7 +34,8 @@ async function choose(app, root, signal) {
     if (!documents.has(name)) documents.set(name, app.api.get(`/floorplans/${name}`));
     return documents.get(name);
   };
-  const chooser = planChooser(plans, read);
+  const chosenWords = h("button", { type: "button", class: "btn bare", title: t("drive.chosen"), onclick: () => chooser.show() });
+  const chooser = planChooser(plans, read, (words) => put(chosenWords, words));
   const button = h(
     "button",
     { type: "button", class: "btn go large", onclick: () => app.want(chooser.chosen()) },
@@ -63,6 +64,7 @@ async function choose(app, root, signal) {
         equipment.shirt.kind === "simulator" &&
           h("a", { class: "btn bare small", href: "#/shirt" }, t("drive.body.change")),
       ),
+      chosenWords,
       button,
     ),
   );

@@ -27,16 +27,22 @@ function places(plans) {
 
 /**
  * @param {any[]} plans what GET /floorplans answered @param {(name: string) => Promise<any>} read a floor plan's document
+ * @param {(words: string) => void} onChosen is told what is chosen
  */
-export function planChooser(plans, read) {
+export function planChooser(plans, read, onChosen) {
   let chosen = remembered(plans);
   const remember = (floorplan, path) => {
     chosen = { floorplan, path };
     localStorage.setItem(PLACE, `${floorplan}/${path}`);
+    mark();
+  };
+  const mark = () => {
     for (const card of cards) card.mark(chosen);
+    const plan = plans.find(({ name }) => name === chosen.floorplan);
+    onChosen(`${plan.title}: ${plan.paths.find(({ name }) => name === chosen.path).title}`);
   };
   const cards = places(plans).map((levels) => placeCard(levels, chosen, read, remember));
-  for (const card of cards) card.mark(chosen);
+  mark();
   const scenes = cards.filter(({ isScene }) => isScene);
   const buildings = cards.filter(({ isScene }) => !isScene);
   const group = (title, some) =>
@@ -47,6 +53,7 @@ export function planChooser(plans, read) {
   return {
     element: h("div", { class: "stack" }, group("drive.scenes", scenes), group("drive.buildings", buildings)),
     chosen: () => chosen,
+    show: () => cards.find(({ has }) => has(chosen.floorplan))?.element.scrollIntoView({ block: "center" }),
   };
 }
 
@@ -102,7 +109,8 @@ function placeCard(levels, chosen, read, remember) {
     element.classList.toggle("chosen", levels.some((one) => one.name === floorplan));
     for (const input of place.querySelectorAll("input")) input.checked = input.value === `${floorplan}/${name}`;
   };
-  return { element, mark, isScene: Boolean(scene) };
+  const has = (name) => levels.some((one) => one.name === name);
+  return { element, mark, has, isScene: Boolean(scene) };
 }
 
 function taskChoice(plan, path, onChoose) {

@@ -7,6 +7,7 @@ export default {
   "drive.lead": "Choose a place, how difficult it is to be, and a task. The chair is put on the start.",
   "drive.scenes": "Scenes to practise in",
   "drive.buildings": "Buildings",
+  "drive.chosen": "What is chosen: show it above",
   "drive.level": "How difficult “{plan}” is",
   "drive.start": "Start trial",
   "drive.length": "{length} m",
