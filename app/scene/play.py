@@ -53,7 +53,7 @@ class Play:
         return [track.at(self._scene_t).pose for track in self._tracks]
 
     def _show_part(self) -> None:
-        if self._progress is None or self._path is None or self._progress.part == self._part:
+        if self._progress is None or self._path is None or self._progress.part is self._part:
             return
         self._part = self._progress.part
         self.task = task_parts(self._part) | later_parts(self._path)
