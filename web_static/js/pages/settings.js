@@ -1,4 +1,4 @@
-/** Settings: what the owner allows here, and the chairs that are paired. Others see them, and change nothing. */
+/** Settings: what the owner allows here, and the chairs and screens that are paired. Others see them, and change nothing. */
 import { chairsCard } from "../parts/chairs_card.js";
 import { h, put } from "../parts/dom.js";
 import { limitsCard } from "../parts/limits_card.js";
@@ -11,6 +11,10 @@ export async function show(app, root, { signal }) {
   if (signal.aborted) return;
   const isOwner = app.me.role === "owner";
   const limits = limitsCard(app, clinic, isOwner, signal);
+  const right = [
+    chairsCard(app, chairs, isOwner, signal),
+    app.me.role !== "reviewer" && patientScreenCard(app, signal),
+  ];
   put(
     root,
     h(
@@ -18,8 +22,7 @@ export async function show(app, root, { signal }) {
       { class: "body" },
       h("h1", { tabindex: "-1" }, t("settings.title")),
       h("p", { class: "lead" }, t("settings.lead"), !isOwner && ` ${t("settings.read-only")}`),
-      h("div", { class: "settings-columns" }, limits, chairsCard(app, chairs, isOwner, signal)),
-      app.me.role !== "reviewer" && patientScreenCard(app, signal),
+      h("div", { class: "settings-columns" }, limits, h("div", { class: "stack" }, right)),
     ),
   );
 }

@@ -93,7 +93,14 @@ export function patientScreenCard(app, signal) {
     ({ detail }) => ["screens", "visit", "everything"].includes(detail) && read(),
     { signal },
   );
-  app.addEventListener("visit", () => !app.visit?.patient === Boolean(shown) && (offer(), read()), { signal });
+  let visit = app.visit?.session?.id;
+  const showVisit = () => {
+    if (app.visit?.session?.id === visit) return;
+    visit = app.visit?.session?.id;
+    offer(); // a code is for one visit
+    read();
+  };
+  app.addEventListener("visit", showVisit, { signal });
   offer();
   read();
   return element;
