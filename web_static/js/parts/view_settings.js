@@ -46,6 +46,11 @@ export function viewSettings(onChange) {
       REDUCED.matches ? h("span", {}) : step("roll_share", 0, 100, 25, 0, "%", 100),
     ),
     setting(t("trial.view.head"), t("trial.view.head.why"), toggle(t("trial.view.head.on"), eye.head, set("head"))),
+    setting(
+      t("stereo.open"),
+      t("stereo.open.why"),
+      h("a", { class: "btn small", href: "stereo.html", target: "_blank" }, t("stereo.open.link")),
+    ),
   );
   const words = t("trial.view.settings");
   const button = h(

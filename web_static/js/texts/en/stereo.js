@@ -1,5 +1,8 @@
 /** Texts of the stereo page. */
 export default {
+  "stereo.open": "Two eyes",
+  "stereo.open.why": "The patient’s view in depth. On a paired screen, add /stereo.html to this page’s address.",
+  "stereo.open.link": "Open",
   "stereo.title": "bodydrive · stereo view",
   "stereo.settings": "How the two eyes see",
   "stereo.lost": "Connection lost, trying again. Nothing to do: the picture comes back by itself.",
