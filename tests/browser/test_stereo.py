@@ -36,6 +36,8 @@ CAMERAS = """() => [...document.querySelectorAll("iframe")].map((one) => {
     const { camera } = one.contentWindow.__viserMutable;
     return [camera.matrixWorld.elements[12], camera.filmOffset / camera.getFilmWidth()];
 })"""
+SMALL = """() => [...document.querySelectorAll(".stereo-bar :is(button, select, label)")]
+    .filter((one) => one.checkVisibility() && one.getBoundingClientRect().height < 44).length"""
 AWAY = "document.querySelector('.stereo').classList.add('is-quiet')"
 
 
@@ -58,24 +60,43 @@ def app():
     served.stop()
 
 
-@pytest.fixture
-def page(app, browser, page_log, until):
-    log = page_log(app.address)
+@pytest.fixture(scope="module")
+def log(app, page_log):
+    return page_log(app.address)
+
+
+@pytest.fixture(scope="module")
+def open_page(app, browser, log, until):
+    """One page for all: loading takes most of the time."""
     page = log.watch(browser.new_page(viewport={"width": WIDTH, "height": HEIGHT}))
     page.set_default_timeout(PATIENCE)
     page.goto(f"{app.address}/stereo.html")
-    chosen = '{"apart": 80, "convergence": "Infinity"}'
-    page.evaluate(f"localStorage.setItem('bodydrive-stereo', '{chosen}')")
+    page.evaluate("localStorage.setItem('bodydrive-stereo', '{\"apart\": 80}')")
     page.reload()
     until(page, LIVE)
     yield page
-    log.assert_clean()
     page.close()
+
+
+@pytest.fixture
+def page(open_page, log):
+    yield open_page
+    choose(open_page, "Side by side")
+    show_bar(open_page)
+    open_page.get_by_label("Swap left and right").uncheck(force=True)
+    log.assert_clean()
 
 
 def show_bar(page):
     page.mouse.move(300, 30)
     page.mouse.move(320, 30)
+
+
+def choose(page, mode, screen="Infinity"):
+    show_bar(page)
+    page.get_by_text(mode, exact=True).click()
+    show_bar(page)
+    page.get_by_label("Screen distance", exact=True).select_option(screen)
 
 
 def picture(page, name=None):
@@ -107,39 +128,20 @@ def parallax(shot):
 def test_both_eyes_see_the_parallax_of_their_distance(page):
     expected = FOCAL * APART / DEPTH
     assert parallax(picture(page, "stereo-side")) == pytest.approx(expected, abs=TOLERANCE)
-    show_bar(page)
-    page.get_by_label("Screen distance", exact=True).select_option("1")
+    choose(page, "Side by side", "1")
     assert parallax(picture(page)) == pytest.approx(expected - FOCAL * APART / 1.0, abs=TOLERANCE)
-    page.get_by_label("Screen distance", exact=True).select_option("Infinity")
-    show_bar(page)
+    choose(page, "Side by side")
     page.get_by_label("Swap left and right").check(force=True)
     assert parallax(picture(page)) == pytest.approx(-expected, abs=TOLERANCE)
 
 
-def test_without_a_distance_both_pictures_are_equal(page, until):
-    page.evaluate("localStorage.setItem('bodydrive-stereo', '{\"apart\": 0}')")
-    page.reload()
-    until(page, LIVE)
-    shot = picture(page)
-    assert shot.std() > 10
-    assert abs(parallax(shot)) < 0.5
-    assert np.abs(shot[:, : WIDTH // 2] - shot[:, WIDTH // 2 :]).mean() < 1.0
-    assert page.evaluate(CAMERAS) == [pytest.approx([0, 0]), pytest.approx([0, 0])]
-
-
 def test_half_the_width_is_squeezed(page):
-    show_bar(page)
-    page.get_by_text("Half width").click()
-    show_bar(page)
-    page.get_by_label("Screen distance", exact=True).select_option("Infinity")
+    choose(page, "Half width")
     assert parallax(picture(page, "stereo-squeezed")) == pytest.approx(FOCAL * APART / DEPTH / 2, abs=TOLERANCE)
 
 
 def test_red_shows_the_left_eye_and_cyan_the_right(page):
-    show_bar(page)
-    page.get_by_text("Red-cyan").click()
-    show_bar(page)
-    page.get_by_label("Screen distance", exact=True).select_option("Infinity")
+    choose(page, "Red-cyan")
     shot = picture(page, "stereo-red-cyan")
     rows = shot[HEIGHT // 2 - 10 : HEIGHT // 2 + 10].mean(axis=0)
 
@@ -185,25 +187,6 @@ def test_both_eyes_show_the_same_moment(app, page):
     assert same / all_ > 0.8
 
 
-def test_what_was_chosen_is_remembered_and_the_bar_is_reached_by_key(page, until):
-    show_bar(page)
-    page.get_by_label("Swap left and right").focus()
-    page.keyboard.press("Space")
-    page.get_by_role("button", name="Eye distance −").focus()
-    page.keyboard.press("Enter")
-    page.evaluate(AWAY)
-    page.keyboard.press("Tab")
-    assert page.evaluate("!document.querySelector('.stereo').classList.contains('is-quiet')")
-    small = page.evaluate("""() => [...document.querySelectorAll(".stereo-bar :is(button, select, label)")]
-        .filter((one) => one.checkVisibility() && one.getBoundingClientRect().height < 44).length""")
-    assert small == 0
-    page.reload()
-    until(page, LIVE)
-    show_bar(page)
-    expect(page.get_by_label("Swap left and right")).to_be_checked()
-    expect(page.get_by_text("79 mm")).to_be_visible()
-
-
 @pytest.mark.parametrize("size", [(1280, 800), (768, 1024), (640, 360)])
 def test_the_bar_stays_inside(page, size):
     page.set_viewport_size({"width": size[0], "height": size[1]})
@@ -217,6 +200,30 @@ def test_the_bar_stays_inside(page, size):
     assert box["x"] + box["width"] <= size[0]
     assert box["y"] + box["height"] <= size[1]
     assert page.evaluate("document.querySelector('.stereo-bar').scrollWidth <= innerWidth")
+    assert page.evaluate(SMALL) == 0
+    page.set_viewport_size({"width": WIDTH, "height": HEIGHT})
+
+
+def test_without_a_distance_both_pictures_are_equal_and_it_is_remembered(page, until):
+    show_bar(page)
+    page.get_by_label("Swap left and right").focus()
+    page.keyboard.press("Space")
+    page.get_by_role("button", name="Eye distance −").focus()
+    for _ in range(80):
+        page.keyboard.press("Enter")
+    page.evaluate(AWAY)
+    page.keyboard.press("Tab")
+    assert page.evaluate("!document.querySelector('.stereo').classList.contains('is-quiet')")
+    page.reload()
+    until(page, LIVE)
+    show_bar(page)
+    expect(page.get_by_label("Swap left and right")).to_be_checked()
+    expect(page.get_by_text("0 mm", exact=True)).to_be_visible()
+    shot = picture(page)
+    assert shot.std() > 10
+    assert abs(parallax(shot)) < 0.5
+    assert np.abs(shot[:, : WIDTH // 2] - shot[:, WIDTH // 2 :]).mean() < 1.0
+    assert page.evaluate(CAMERAS) == [pytest.approx([0, 0]), pytest.approx([0, 0])]
 
 
 def free_port():
