@@ -1,7 +1,7 @@
 /** Texts of the stereo page. */
 export default {
   "stereo.open": "Two eyes",
-  "stereo.open.why": "The patient’s view in depth. On a paired screen, add /stereo.html to this page’s address.",
+  "stereo.open.why": "The patient’s view in depth. On a paired screen, write stereo.html for patient.html in the address.",
   "stereo.open.link": "Open",
   "stereo.title": "bodydrive · stereo view",
   "stereo.settings": "How the two eyes see",
