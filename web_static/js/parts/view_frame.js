@@ -6,7 +6,8 @@ import { number } from "./format.js";
 const OLD = 1.0; // s: an older picture must not pass for the present
 const DEAD = 3.0; // s: by then it will not come back by itself
 const LOOK_EVERY = 250; // ms
-const PATIENCE = 12000; // ms for a fresh frame to show its first picture, on a slow tablet
+const PATIENCE = 12000; // ms for a fresh frame to show its first picture, on a slow tablet; doubled in vain, up to ...
+const LONGEST_PATIENCE = 96000; // ms: a machine that needs longer than it gets would load again for ever
 const CALM = 4; // looks in a row without a stutter: loading is over, and Stop answers at once
 const STUTTER = 450; // ms between two looks
 const SLOW = 10; // pictures a second; a slower machine draws with fewer pixels, so that the view stays live
@@ -27,6 +28,7 @@ export function viewFrame(signal, role = "clinician") {
   let loadedAt = performance.now();
   let lookedAt = loadedAt;
   let calm = 0;
+  let patience = PATIENCE;
   const words = h("p", { class: "stale", role: "alert", hidden: true }, t("trial.stale"));
   const about = t("trial.view.surface");
   const surface = h("div", { class: "surface", tabindex: "0", role: "application", "aria-label": about, hidden: true });
@@ -56,7 +58,7 @@ export function viewFrame(signal, role = "clinician") {
     const now = performance.now();
     const age = pictureAge(frame);
     const isLive = age !== null && age < OLD;
-    const isNew = now - loadedAt < PATIENCE;
+    const isNew = now - loadedAt < patience;
     calm = isLive && now - lookedAt < STUTTER ? calm + 1 : 0;
     lookedAt = now;
     // A view that never comes must not keep the plan and the figures from being used.
@@ -70,6 +72,7 @@ export function viewFrame(signal, role = "clinician") {
     if (age === null || document.visibilityState !== "visible") return;
     words.hidden = isLive || isNew;
     if (age < DEAD || isNew) return;
+    patience = age === Infinity ? Math.min(2 * patience, LONGEST_PATIENCE) : PATIENCE;
     loadedAt = now;
     const next = make();
     frame.replaceWith(next);
