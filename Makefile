@@ -4,7 +4,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt
 
-.PHONY: demo test check safety drills soak bench clean
+.PHONY: demo test check safety drills soak worlds bench clean
 
 $(VENV)/.installed: pyproject.toml constraints.txt
 	@echo "Installing into $(VENV), once; this takes a minute or two ..."
@@ -41,6 +41,9 @@ drills: $(VENV)/.installed-test
 
 soak: $(VENV)/.installed-test
 	PYTHONPATH=tests $(BIN)/python -m soak
+
+worlds: $(VENV)/.installed-test
+	$(BIN)/python -m pytest tests/worlds/each_task.py
 
 bench: $(VENV)/.installed-test
 	$(BIN)/bodydrive bench

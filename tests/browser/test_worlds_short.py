@@ -1,0 +1,25 @@
+"""Two short tasks in a real browser; `make worlds` drives each task of each scene."""
+
+import pytest
+from browser.worlds import drive, open_drive_page, tasks
+from processes.test_demo_process import bodydrive, printed_link
+
+pytestmark = [pytest.mark.browser, pytest.mark.timeout(300)]
+
+SHORT = {("turning.easy", "left"): "Beside the mark", ("backing.easy", "back"): "Dist, distance driven"}
+
+
+def test_a_turn_and_a_way_back_are_driven_and_measured_as_such(browser, page_log):
+    with bodydrive("demo", "--port", "0") as process:
+        try:
+            link = printed_link(process)
+            log = page_log(link)
+            page = open_drive_page(browser, log, link)
+            for scene, level, plan, path in tasks():
+                measure = SHORT.get((plan, path.name))
+                if measure:
+                    assert measure in drive(page, scene, level, path)
+            log.assert_clean()
+        finally:
+            process.terminate()
+            process.wait(20)

@@ -1,0 +1,41 @@
+"""A task chosen on the Drive page and driven by the simulated person, seen in a real browser."""
+
+from browser.driving import go_on_until
+from playwright.sync_api import expect
+
+from app.world.scene import bundled_places
+
+PATIENCE = 60_000  # ms: drawing in software on a busy machine is slow
+
+
+def tasks(level="easy"):
+    """Return every task of every scene at one level, as (scene, level's title or None, floor plan, path)."""
+    found = []
+    for name, (plan, scene, at) in bundled_places().items():
+        if scene is not None and (at is None or at.name == level):
+            found += [(scene.title, at and at.title, name, path) for path in plan.paths]
+    return found
+
+
+def open_drive_page(browser, log, link, size=(1024, 768)):
+    """Return a signed-in page that shows where one can drive."""
+    page = browser.new_page(viewport={"width": size[0], "height": size[1]}, has_touch=True)
+    page.set_default_timeout(PATIENCE)
+    log.watch(page)
+    page.goto(link)
+    expect(page.get_by_role("heading", name="Where to?")).to_be_visible(timeout=PATIENCE)
+    return page
+
+
+def drive(page, scene, level, path):
+    """Choose the task, start it, and wait until its page says that the goal was reached; return the measures' text."""
+    page.goto(page.url.split("#")[0] + "#/drive")
+    card = page.locator(".plan-card").filter(has=page.get_by_role("heading", name=scene, exact=True))
+    if level:
+        card.get_by_text(level, exact=True).click()
+    card.get_by_text(path.title, exact=True).click()
+    expect(page.locator(".foot")).to_contain_text(path.title)
+    page.get_by_role("button", name="Start trial").click()
+    goal = page.get_by_role("heading", name="Goal reached")
+    go_on_until(page, goal.is_visible, f"the goal of '{path.title}'", seconds=int(path.time_limit) + 60)
+    return page.locator("table.measures").last.inner_text()

@@ -1,0 +1,31 @@
+"""Each task of each scene, driven to its end by the simulated person in a real browser; `make worlds`."""
+
+from collections.abc import Iterator
+
+import pytest
+from browser.conftest import browser, page_log  # noqa: F401  (fixtures)
+from browser.worlds import drive, open_drive_page, tasks
+from processes.test_demo_process import bodydrive, printed_link
+
+pytestmark = [pytest.mark.browser, pytest.mark.timeout(900)]
+
+
+@pytest.fixture(scope="module")
+def page(browser, page_log) -> Iterator:  # noqa: F811
+    """Yield one page of one demonstration, on which all tasks are driven."""
+    with bodydrive("demo", "--port", "0") as process:
+        try:
+            link = printed_link(process)
+            log = page_log(link)
+            yield open_drive_page(browser, log, link)
+            log.assert_clean()
+        finally:
+            process.terminate()
+            process.wait(20)
+
+
+@pytest.mark.parametrize("task", tasks(), ids=lambda task: f"{task[2]}-{task[3].name}")
+def test_the_simulated_person_drives_it_to_its_end(page, task):
+    scene, level, _, path = task
+    words = drive(page, scene, level, path)
+    assert "Time" in words
