@@ -21,6 +21,7 @@ class Draft(NamedTuple):
     document: dict[str, Any]
     words: tuple[str, ...] = ()
     layers: tuple[str, ...] = ()  # of a drawing, to choose from
+    taken: tuple[str, ...] = ()  # those of them whose lines are walls now
 
 
 def path_document(points: list[list[float]], name: str = "main", title: str = "Across the building") -> dict[str, Any]:

@@ -70,7 +70,7 @@ def import_dxf(
         "wall_thickness": WALL_THICKNESS,
         "paths": paths,
     }
-    return Draft(document, tuple(_words(drawing, edges, drawn, paths)), offered)
+    return Draft(document, tuple(_words(drawing, edges, drawn, paths)), offered, chosen)
 
 
 def _chosen(file: Path, offered: tuple[str, ...], layers: tuple[str, ...] | None) -> tuple[str, ...]:

@@ -77,7 +77,7 @@ def answer(question: dict[str, Any]) -> dict[str, Any]:
         return {"problem": str(error).replace(f"{file.parent}/", "")}
     except MemoryError:
         return {"problem": f"{file.name}: this needs too much memory, make it smaller"}
-    return {"draft": {"document": draft.document, "words": draft.words, "layers": draft.layers}}
+    return {"draft": draft._asdict()}
 
 
 def main() -> None:

@@ -133,6 +133,7 @@ def test_layers_for_words_and_hidden_ones_are_left_out(save):
     draft = import_dxf(save(document))
     assert plan_of(draft, "x").bounds == pytest.approx((0, 0, 8, 6))
     assert draft.layers == ("DIM-1", "Text", "WALLS")
+    assert draft.taken == ("WALLS",)
     assert "1 SPLINE" in draft.words[-1]
     with pytest.raises(ValueError, match="no layer 'HIDDEN'"):
         import_dxf(save(document), layers=("HIDDEN",))

@@ -6,6 +6,7 @@ import calibrate from "./texts/en/calibrate.js";
 import chair from "./texts/en/chair.js";
 import controls from "./texts/en/controls.js";
 import drive from "./texts/en/drive.js";
+import editor from "./texts/en/editor.js";
 import measures from "./texts/en/measures.js";
 import patient_screen from "./texts/en/patient_screen.js";
 import patients from "./texts/en/patients.js";
@@ -24,6 +25,7 @@ const CATALOGUE = Object.freeze({
   ...calibrate,
   ...controls,
   ...drive,
+  ...editor,
   ...chair,
   ...measures,
   ...review,

@@ -4,7 +4,8 @@ import { h, set } from "./dom.js";
 import { icon } from "./icons.js";
 
 const STEPS = ["patients", "shirt", "calibrate", "controls", "drive", "review"];
-export const PAGES = [...STEPS, "settings"];
+const RAIL = [...STEPS, "settings"];
+export const PAGES = [...RAIL, "plans"]; // those that have an address of their own
 
 /** Which steps are done, by what the visit says. @param {import("../main.js").App} app @returns {Set<string>} */
 export function stepsDone(app) {
@@ -20,7 +21,7 @@ export function stepsDone(app) {
 
 /** @param {import("../main.js").App} app */
 export function rail(app) {
-  const links = PAGES.map((step) => {
+  const links = RAIL.map((step) => {
     const mark = h(
       "span",
       { class: "done", hidden: true },

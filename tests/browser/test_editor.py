@@ -1,0 +1,241 @@
+"""A plan is drawn by touch, taken back, saved, and driven in; and everything of it by keyboard and numbers."""
+
+import io
+import json
+import re
+import signal
+from pathlib import Path
+
+import ezdxf
+import pytest
+from browser.driving import go_on_until
+from playwright.sync_api import expect
+from processes.test_demo_process import bodydrive, printed_link
+
+pytestmark = [pytest.mark.browser, pytest.mark.timeout(420)]
+
+SCREENSHOTS = Path(__file__).resolve().parents[2] / "var" / "screenshots"
+TABLETS = {"768x1024": (768, 1024), "1280x800": (1280, 800)}
+PATIENCE = 60_000  # ms: drawing in software on a busy machine is slow
+DRIVE_LIMIT = 150  # s
+DRAFT = "JSON.parse(localStorage.getItem('bodydrive-plan-draft'))"
+
+
+@pytest.fixture(scope="module")
+def demo():
+    """Yield the link of a running demonstration."""
+    with bodydrive("demo", "--port", "0") as process:
+        try:
+            yield printed_link(process)
+        finally:
+            process.send_signal(signal.SIGINT)
+            assert process.wait(20) == 0
+
+
+@pytest.fixture(params=TABLETS)
+def tablet(request, browser, page_log, demo):
+    """Yield a page of one tablet on the list of floor plans, and a function that keeps a screenshot."""
+    width, height = TABLETS[request.param]
+    context = browser.new_context(viewport={"width": width, "height": height}, has_touch=True)
+    page = context.new_page()
+    page.set_default_timeout(PATIENCE)
+    expect.set_options(timeout=PATIENCE)
+    log = page_log(demo)
+    log.watch(page)
+    SCREENSHOTS.mkdir(parents=True, exist_ok=True)
+    page.goto(demo)
+    expect(page.get_by_role("heading", name="Where to?")).to_be_visible()
+    page.get_by_role("link", name="Draw or import floor plans").click()
+    expect(page.get_by_role("heading", name="Floor plans", exact=True)).to_be_visible()
+    yield page, lambda picture: page.screenshot(path=SCREENSHOTS / f"{request.param}-plan-{picture}.png")
+    log.assert_clean()
+    context.close()
+    expect.set_options(timeout=5000)
+
+
+def document(page):
+    return page.evaluate(f"() => {DRAFT}?.document")
+
+
+class Sheet:
+    """The drawing, touched at places in metres; an empty plan shows (4, 3) in its middle, 60 px to a metre."""
+
+    def __init__(self, page):
+        self.page = page
+        self.box = page.locator(".sheet").bounding_box()
+
+    def tap(self, *places):
+        for x, y in places:
+            middle_x, middle_y = self.box["x"] + self.box["width"] / 2, self.box["y"] + self.box["height"] / 2
+            self.page.touchscreen.tap(middle_x + (x - 4) * 60, middle_y - (y - 3) * 60)
+
+
+def tool(page, name):
+    page.get_by_role("toolbar", name="Tools").get_by_role("button", name=name, exact=True).tap()
+
+
+def buttons_are_large_enough(page):
+    small = page.evaluate(
+        """() => [...document.querySelectorAll(".page button, .page a.btn, .page input, .page select")]
+            .filter((e) => e.offsetParent && !e.closest(".unseen") && !["checkbox", "radio", "file"].includes(e.type))
+            .map((e) => [e.textContent || e.name, e.getBoundingClientRect()])
+            .filter(([, box]) => box.height < 44 || box.width < 44)
+            .map(([words, box]) => [words, box.width, box.height])"""
+    )
+    assert small == []
+
+
+def draw_a_room(page, keep):
+    page.get_by_role("button", name="New plan").tap()
+    expect(page.locator(".sheet")).to_be_visible()
+    expect(page.get_by_text("There is no path yet")).to_be_visible()
+    sheet = Sheet(page)
+
+    tool(page, "Wall")
+    sheet.tap((0, 1), (7, 1), (7, 5), (0, 5), (0, 1.02))
+    assert document(page)["walls"] == [[[0, 1], [7, 1], [7, 5], [0, 5], [0, 1]]]
+    tool(page, "Door")
+    sheet.tap((7, 3))
+    assert document(page)["doors"][0]["position"] == [7, 3]
+    tool(page, "Box")
+    sheet.tap((5, 4), (6, 4.6))
+    tool(page, "Cone")
+    sheet.tap((3, 4.4))
+    tool(page, "Path")
+    sheet.tap((1, 3), (3, 2.2), (6, 2.2))
+    keep("drawing")
+    page.get_by_role("button", name="Done").tap()
+    expect(page.get_by_text("This plan can be driven in.")).to_be_visible()
+    whole = document(page)
+    assert whole["paths"][0]["points"] == [[1, 3], [3, 2.2], [6, 2.2]]
+    assert whole["obstacles"][0]["size"] == [1, 0.6]
+    return whole
+
+
+def test_a_room_is_drawn_by_touch_saved_and_driven_in(tablet):
+    page, keep = tablet
+    keep("list")
+    whole = draw_a_room(page, keep)
+
+    for _ in range(4):
+        page.get_by_role("button", name="Undo").tap()
+    assert (document(page)["paths"], document(page)["cones"], document(page)["doors"]) == ([], [], [])
+    for _ in range(4):
+        page.get_by_role("button", name="Redo").tap()
+    assert document(page) == whole
+
+    page.reload()  # what is not saved is still there
+    expect(page.get_by_text("not saved")).to_be_visible()
+    assert document(page) == whole
+    page.get_by_label("Title", exact=True).fill("My room")
+    page.get_by_label("Title", exact=True).press("Tab")
+    expect(page.get_by_role("heading", name="My room")).to_be_visible()
+    buttons_are_large_enough(page)
+
+    page.get_by_role("link", name="All plans").tap()
+    expect(page.get_by_role("heading", name="This plan is not saved")).to_be_visible()
+    keep("leave")
+    page.get_by_role("button", name="Stay").tap()
+    name = "my-room" if page.viewport_size["width"] == 768 else "my-room-2"  # one demonstration for both
+    page.get_by_role("button", name="Save as new plan").tap()
+    expect(page.get_by_text("saved, version 1")).to_be_visible()
+    keep("saved")
+    assert page.evaluate(f"() => {DRAFT}.name") == name
+
+    page.get_by_role("link", name="Drive here").tap()
+    expect(page.get_by_role("heading", name="Where to?")).to_be_visible()
+    chosen = page.locator(".plan-card.chosen")
+    expect(chosen.get_by_role("heading")).to_contain_text("My room")
+    keep("chosen")
+    page.get_by_role("button", name="Start trial").tap()
+    expect(page.frame_locator("iframe").locator("canvas").first).to_be_visible()
+    page.wait_for_timeout(3000)
+    keep("driven")
+    goal = page.get_by_role("heading", name="Goal reached")
+    go_on_until(page, goal.is_visible, "the goal", seconds=DRIVE_LIMIT)
+
+
+def test_what_is_wrong_is_shown_where_it_is(tablet):
+    page, keep = tablet
+    page.get_by_role("button", name="New plan").tap()
+    expect(page.locator(".sheet")).to_be_visible()
+    sheet = Sheet(page)
+    tool(page, "Wall")
+    sheet.tap((2, 1), (2, 5), (2, 5.01))
+    tool(page, "Path")
+    sheet.tap((0.5, 3), (5, 3), (5, 3))
+    expect(page.locator(".verdict.bad")).to_contain_text(
+        re.compile(r"comes within 0\.00 m of a wall near \(2\.00, 3\.00\)")
+    )
+    expect(page.locator(".sheet .at")).to_have_count(1)
+    keep("wrong")
+    tool(page, "Door")
+    sheet.tap((2, 3))
+    expect(page.locator(".verdict.good")).to_be_visible()
+
+    # Everything also without touching the picture: the list, numbers and arrow keys.
+    page.get_by_label("Chosen", exact=True).select_option("Path: Main path")
+    page.get_by_label("Start heading (°)").fill("90")
+    page.get_by_label("Start heading (°)").press("Tab")
+    assert document(page)["paths"][0]["start_heading"] == pytest.approx(1.5708)
+    page.get_by_role("button", name="Next point").tap()
+    page.locator(".sheet").focus()
+    page.keyboard.press("ArrowUp")
+    page.keyboard.press("Shift+ArrowLeft")
+    assert document(page)["paths"][0]["points"][0] == [-0.5, 3.1]
+    page.keyboard.press("Control+z")
+    page.keyboard.press("Control+z")
+    assert document(page)["paths"][0]["points"][0] == [0.5, 3]
+    tool(page, "Cone")
+    page.locator(".sheet").focus()
+    page.keyboard.press("ArrowRight")
+    page.keyboard.press("Enter")
+    assert len(document(page)["cones"]) == 1
+    page.keyboard.press("Escape")
+    page.evaluate("() => document.documentElement.dataset.theme = 'dark'")
+    keep("dark")
+    page.get_by_role("link", name="All plans").tap()
+    page.get_by_role("button", name="Throw it away").tap()
+    expect(page.get_by_role("heading", name="Floor plans", exact=True)).to_be_visible()
+    assert page.evaluate(f"() => {DRAFT}") is None
+
+
+def drawing_file():
+    drawn = ezdxf.new()
+    drawn.header["$INSUNITS"] = 0
+    space = drawn.modelspace()
+    space.add_lwpolyline([(0, 0), (900, 0), (900, 600), (0, 600)], close=True, dxfattribs={"layer": "WALLS"})
+    space.add_line((450, 0), (450, 400), dxfattribs={"layer": "WALLS"})
+    space.add_line((0, -100), (900, -100), dxfattribs={"layer": "DIMENSIONS"})
+    text = io.StringIO()
+    drawn.write(text)
+    return {"name": "Ground floor.dxf", "mimeType": "image/vnd.dxf", "buffer": text.getvalue().encode()}
+
+
+def test_a_drawing_and_a_bundled_plan_are_opened_as_copies(tablet):
+    page, keep = tablet
+    page.locator("#plan-files, .import-form input[type=file]").first.set_input_files(drawing_file())
+    page.get_by_role("button", name="Read the file").tap()
+    expect(page.get_by_text("does not say in which unit")).to_be_visible()
+    page.get_by_label("Drawn in").select_option("centimetres")
+    page.get_by_role("button", name="Read the file").tap()
+    expect(page.get_by_text("Which layers are walls?")).to_be_visible()
+    keep("import")
+    assert not page.get_by_label("DIMENSIONS").is_checked()
+    page.get_by_role("button", name="Read the file").tap()
+    expect(page.get_by_text("This plan can be driven in.")).to_be_visible()
+    keep("imported")
+    assert document(page)["title"] == "Ground-floor"
+
+    page.get_by_role("link", name="All plans").tap()
+    page.get_by_role("button", name="Leave it here").tap()
+    expect(page.get_by_role("link", name="Go on with")).to_be_visible()
+    page.get_by_text("Plans that come with the software").tap()
+    page.get_by_role("button", name=re.compile("Open a copy of “.*clinic", re.IGNORECASE)).first.tap()
+    page.get_by_role("button", name="Throw it away").tap()
+    expect(page.get_by_text("This plan can be driven in.")).to_be_visible()
+    keep("copy")
+    assert json.dumps(document(page)).count("Copy of") == 1
+    page.get_by_role("button", name="Nearer").tap()
+    page.get_by_role("button", name="Look left").tap()
+    page.get_by_role("button", name="Show everything").tap()

@@ -1,0 +1,123 @@
+/** A plan from a file: a drawing, a picture, or a robot's map, with what the file does not say itself. */
+import { h, put } from "../parts/dom.js";
+import { field, segments, selection } from "../parts/fields.js";
+import { t } from "../texts.js";
+
+const ACCEPTED = ".dxf,.png,.jpg,.jpeg,.yaml,.yml,.pgm";
+const UNITS = ["mm", "cm", "m", "inch", "foot"];
+const IS_PICTURE = /\.(png|jpe?g)$/i;
+const IS_DRAWING = /\.dxf$/i;
+const IS_MAP = /\.ya?ml$/i;
+
+/** @param {import("../main.js").App} app @param {(draft: {document: any, words: string[]}) => void} onDraft */
+export function importForm(app, onDraft) {
+  const input = h("input", { type: "file", multiple: true, accept: ACCEPTED, id: "plan-files" });
+  const more = h("div", { class: "stack" });
+  const problem = h("p", { class: "problem", role: "alert" });
+  const go = h("button", { class: "btn go", disabled: true }, t("import.go"));
+  let options = () => ({});
+  let layers = null;
+  const choose = () => {
+    const names = [...input.files].map(({ name }) => name);
+    const isMap = names.some((name) => IS_MAP.test(name));
+    layers = null;
+    problem.textContent = "";
+    go.disabled = !names.length;
+    options = () => ({});
+    put(more);
+    if (!isMap && names.some((name) => IS_PICTURE.test(name))) options = pictureFields(more);
+    if (names.some((name) => IS_DRAWING.test(name))) options = drawingFields(more);
+  };
+  input.addEventListener("change", choose);
+  const submit = async (event) => {
+    event.preventDefault();
+    problem.textContent = "";
+    go.disabled = true;
+    const sent = new FormData();
+    for (const file of input.files) sent.append("files", file);
+    sent.append("options", JSON.stringify({ ...options(), ...(layers && { layers }) }));
+    try {
+      const draft = await app.api.call("POST", "/floorplans/import", sent);
+      if (IS_DRAWING.test(input.files[0].name) && !layers && draft.layers.length > 1) offerLayers(draft);
+      else onDraft(draft);
+    } catch (error) {
+      problem.textContent = error.message;
+    }
+    go.disabled = false;
+  };
+  /** A drawing has more on it than walls: ask which layers are. */
+  const offerLayers = (draft) => {
+    layers = [...draft.taken];
+    const boxes = draft.layers.map((layer) => {
+      const box = h("input", { type: "checkbox", checked: draft.taken.includes(layer) });
+      box.addEventListener(
+        "change",
+        () => (layers = box.checked ? [...layers, layer] : layers.filter((one) => one !== layer)),
+      );
+      return h("label", { class: "choice" }, box, h("b", { class: "grow" }, layer));
+    });
+    more.append(
+      h(
+        "fieldset",
+        { class: "layers stack" },
+        h("legend", {}, t("import.layers")),
+        h("p", { class: "quiet small" }, draft.words.join(" ")),
+        boxes,
+      ),
+      h("button", { type: "button", class: "btn", onclick: () => onDraft(draft) }, t("import.as-it-is")),
+    );
+  };
+  return h(
+    "form",
+    { class: "card stack import-form", onsubmit: submit },
+    h("h2", {}, t("import.title")),
+    h("p", { class: "quiet small" }, t("import.lead")),
+    field(t("import.files"), input, t("import.files.hint")),
+    more,
+    problem,
+    h("div", {}, go),
+  );
+}
+
+function pictureFields(place) {
+  const value = h("input", { type: "number", step: "any", min: 0, required: true, inputmode: "decimal" });
+  const threshold = h("input", {
+    type: "number",
+    step: "0.05",
+    min: 0.05,
+    max: 0.95,
+    value: 0.6,
+    inputmode: "decimal",
+  });
+  let by = "width";
+  const label = h("div", {});
+  const show = () => put(label, field(t(`import.${by}`), value, t(`import.${by}.hint`)));
+  show();
+  put(
+    place,
+    segments(
+      t("import.scale"),
+      ["width", "metres_per_pixel"].map((one) => ({ value: one, label: t(`import.by.${one}`) })),
+      by,
+      (chosen) => {
+        by = chosen;
+        show();
+      },
+    ),
+    label,
+    field(t("import.threshold"), threshold, t("import.threshold.hint")),
+  );
+  return () => ({ [by]: value.valueAsNumber, threshold: threshold.valueAsNumber });
+}
+
+function drawingFields(place) {
+  const unit = selection(
+    [
+      { value: "", label: t("import.unit.own") },
+      ...UNITS.map((one) => ({ value: one, label: t(`import.unit.${one}`) })),
+    ],
+    "",
+  );
+  put(place, field(t("import.unit"), unit, t("import.unit.hint")));
+  return () => (unit.value ? { unit: unit.value } : {});
+}

@@ -1,0 +1,331 @@
+/** The editor: tools, drawing and form round one state; every step can be taken back. */
+import { h, put, set, write } from "../parts/dom.js";
+import { toggle } from "../parts/fields.js";
+import { icon } from "../parts/icons.js";
+import { isWriting } from "../parts/stop.js";
+import { t } from "../texts.js";
+import { checker, refOf } from "./check.js";
+import {
+  boundsOfPlan,
+  change,
+  movedBy,
+  pointsOf,
+  setPoints,
+  thing,
+  thingAt,
+  withoutPoint,
+  withPointAfter,
+} from "./document.js";
+import { changedDoor } from "./doors.js";
+import { drawing, drawnWords } from "./drawing.js";
+import { form } from "./form.js";
+import { STEP, tidy } from "./geometry.js";
+import { begun, redone, stepped, undone } from "./history.js";
+import { listenToPointers } from "./pointers.js";
+import { erased, finished, placed, snapPlace, tapped, TOOLS, withTool } from "./tools.js";
+import { fitting, panned, toPlace, zoomed } from "./viewport.js";
+
+const REACH = 22; // px round a finger
+const ZOOM = 1.4; // of one tap on + or −
+const PAN = 90; // px of one tap on an arrow
+const DOOR = 1; // m
+const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+
+/**
+ * @param {import("../main.js").App} app
+ * @param {{plan: any, models: any[], signal: AbortSignal, onChange: (plan: any) => void}} given
+ */
+export function workbench(app, { plan, models, signal, onChange }) {
+  let history = begun(plan);
+  let state = { plan, tool: "move", pending: [], chosen: null, doorWidth: DOOR };
+  let [view, size] = [
+    { x: 4, y: 3, scale: 60 },
+    { width: 1, height: 1 },
+  ];
+  let [ghost, cursor, dragged, verdict] = [null, null, null, null];
+  let step = STEP;
+  let known = models;
+
+  const sheet = drawing(t("editor.sheet"));
+  const panel = h("section", { class: "panel stack", "aria-label": t("editor.panel") });
+  const verdictLine = h("p", { class: "verdict", role: "status" });
+  const hint = h("p", { class: "quiet small hint" });
+  const done = h(
+    "button",
+    { type: "button", class: "btn go small", onclick: () => take(finished(state)) },
+    t("editor.done"),
+  );
+  const back = h("button", { type: "button", class: "btn small", onclick: () => undo() }, icon("undo"), t("undo"));
+  const again = h("button", { type: "button", class: "btn small", onclick: () => redo() }, icon("redo"), t("redo"));
+  const tools = TOOLS.map((tool) =>
+    h(
+      "button",
+      { type: "button", class: "btn small", "data-tool": tool, onclick: () => take(withTool(state, tool)) },
+      t(`editor.tool.${tool}`),
+    ),
+  );
+  const checks = checker(app, (answer) => {
+    verdict = answer;
+    write(verdictLine, answer.good ? t("editor.good") : answer.sentence);
+    verdictLine.className = answer.good ? "verdict good" : answer.begun ? "verdict" : "verdict bad";
+    draw();
+  });
+
+  /** Go on to another state; a changed plan is a step that can be undone. */
+  function take(next) {
+    if (next.words) app.toasts.show(t(next.words));
+    history = stepped(history, next.plan);
+    const { words: _, ...rest } = next;
+    become(rest);
+  }
+
+  function become(next) {
+    const hasOtherPlan = next.plan !== state.plan;
+    state = next;
+    if (state.chosen && !thing(state.plan, state.chosen)) state = { ...state, chosen: null };
+    if (hasOtherPlan) {
+      onChange(state.plan);
+      checks.later(state.plan);
+    }
+    show();
+  }
+
+  /** A line that is being drawn loses its last point first. */
+  function undo() {
+    if (state.pending.length) return become({ ...state, pending: state.pending.slice(0, -1) });
+    history = undone(history);
+    become({ ...state, plan: history.now, chosen: null });
+  }
+
+  function redo() {
+    history = redone(history);
+    become({ ...state, plan: history.now, chosen: null, pending: [] });
+  }
+
+  const how = () => ({ step, reach: REACH / view.scale });
+  const isDrawing = () => !["move", "erase"].includes(state.tool);
+
+  function draw() {
+    const wrong = verdict && !verdict.good ? refOf(verdict.place) : null;
+    const at = verdict && !verdict.good ? verdict.at : null;
+    sheet.show(
+      {
+        plan: dragged ?? state.plan,
+        pending: state.pending,
+        chosen: state.chosen,
+        ghost: isDrawing() ? ghost : null,
+        cursor,
+        wrong,
+        at,
+      },
+      view,
+      size,
+    );
+  }
+
+  function show() {
+    for (const button of tools) set(button, { "aria-pressed": String(button.dataset.tool === state.tool) });
+    back.disabled = !history.past.length && !state.pending.length;
+    again.disabled = !history.future.length;
+    done.hidden = state.pending.length < 2 || !["wall", "path"].includes(state.tool);
+    put(hint, t(`editor.hint.${state.tool}`), " ", state.pending.length > 1 && drawnWords(state.pending));
+    const key = panel.contains(document.activeElement) ? document.activeElement.dataset.key : null;
+    put(
+      panel,
+      state.tool === "door" && doorWidth(),
+      form({ plan: state.plan, chosen: state.chosen, models: known }, acts),
+    );
+    if (key) panel.querySelector(`[data-key="${key}"]`)?.focus();
+    draw();
+  }
+
+  function doorWidth() {
+    const input = h("input", {
+      type: "number",
+      step: "0.05",
+      min: 0.5,
+      max: 5,
+      value: state.doorWidth,
+      id: "door-width",
+      "data-key": "door-width",
+    });
+    input.addEventListener(
+      "change",
+      () => input.valueAsNumber > 0 && become({ ...state, doorWidth: input.valueAsNumber }),
+    );
+    return h("div", { class: "field" }, h("label", { for: "door-width" }, t("editor.door-width")), input);
+  }
+
+  const acts = {
+    change: (fields) => take({ ...state, plan: change(state.plan, state.chosen, fields) }),
+    points: (points) =>
+      state.chosen.list === "doors"
+        ? take(placed(state, points[0], 1))
+        : take({ ...state, plan: setPoints(state.plan, state.chosen, points) }),
+    plan: (fields) => take({ ...state, plan: { ...state.plan, ...clean(fields) } }),
+    choose: (chosen) => become({ ...state, chosen, tool: "move", pending: [] }),
+    erase: () => take(erased(state, state.chosen)),
+    place: () => become({ ...state, tool: "placing" }),
+    door: (width) => {
+      if (!width) return;
+      const { position } = thing(state.plan, state.chosen);
+      const made = changedDoor(state.plan, state.chosen, position, width, 1);
+      take({ ...state, plan: made.plan, chosen: made.ref, words: made.problem && `editor.door.${made.problem}` });
+    },
+    insert: () => {
+      const made = withPointAfter(state.plan, state.chosen);
+      take({ ...state, plan: made.plan, chosen: made.ref });
+    },
+    drop: () => {
+      const made = withoutPoint(state.plan, state.chosen);
+      take({ ...state, plan: made.plan, chosen: made.ref });
+    },
+    model: async (file) => {
+      try {
+        known = await app.api.upload("/models", file);
+        app.toasts.show(t("editor.model.added", { file: file.name }));
+        show();
+      } catch (error) {
+        app.toasts.show(error.message);
+      }
+    },
+  };
+
+  listenToPointers(
+    sheet.element,
+    {
+      tap: (pixel) => {
+        cursor = null;
+        take(tapped(state, toPlace(view, size, pixel), how()));
+      },
+      hover: (pixel) => {
+        ghost = pixel && isDrawing() ? snapPlace(state.plan, toPlace(view, size, pixel), step, how().reach) : null;
+        if (isDrawing()) draw();
+      },
+      grab: (pixel) => {
+        if (state.tool !== "move" || !state.chosen || state.chosen.list === "doors") return false;
+        const found = thingAt(state.plan, toPlace(view, size, pixel), how().reach, state.chosen);
+        if (!found || found.list !== state.chosen.list || found.index !== state.chosen.index) return false;
+        state = { ...state, chosen: found };
+        return true;
+      },
+      drag: (from, to) => {
+        const [a, b] = [toPlace(view, size, from), toPlace(view, size, to)];
+        const even = (value) => (step ? tidy(Math.round(value / step) * step) : tidy(value));
+        dragged = movedBy(state.plan, state.chosen, even(b[0] - a[0]), even(b[1] - a[1]));
+        draw();
+      },
+      drop: () => {
+        const next = dragged;
+        dragged = null;
+        if (next) take({ ...state, plan: next });
+      },
+      pan: (dx, dy) => look(panned(view, dx, dy)),
+      zoom: (factor, pixel) => look(zoomed(view, size, factor, pixel)),
+    },
+    signal,
+  );
+
+  function look(next) {
+    view = next;
+    draw();
+  }
+
+  /** Arrow keys move the chosen thing, or a cross where Enter taps. */
+  function keyed(event) {
+    const arrow = ARROWS[event.key];
+    if (arrow) {
+      event.preventDefault();
+      const [dx, dy] = arrow.map((one) => one * (event.shiftKey ? 10 : 1) * (step || 0.01));
+      if (state.chosen && state.tool === "move") return nudge(dx, dy);
+      const [x, y] = cursor ?? snapPlace(state.plan, [view.x, view.y], step || STEP, 0);
+      cursor = [tidy(x + dx), tidy(y + dy)];
+      ghost = cursor;
+      return draw();
+    }
+    if (event.key === "Enter") {
+      if (cursor) take(tapped(state, cursor, { step, reach: STEP }));
+      else take(finished(state));
+    } else if (event.key === "Escape") become({ ...state, pending: [], chosen: null, tool: "move" });
+    else if (event.key === "+" || event.key === "-") look(zoomed(view, size, event.key === "+" ? ZOOM : 1 / ZOOM));
+    else if ((event.key === "Delete" || event.key === "Backspace") && state.chosen) acts.erase();
+  }
+
+  function nudge(dx, dy) {
+    const [x, y] = pointsOf(state.plan, state.chosen)[state.chosen.point ?? 0];
+    if (state.chosen.list === "doors") return take(placed(state, [x + dx, y + dy], 1));
+    return take({ ...state, plan: movedBy(state.plan, state.chosen, dx, dy) });
+  }
+
+  sheet.element.addEventListener("keydown", keyed, { signal });
+  window.addEventListener(
+    "keydown",
+    (event) => {
+      if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "z" || isWriting(event.target)) return;
+      event.preventDefault();
+      (event.shiftKey ? redo : undo)();
+    },
+    { signal },
+  );
+
+  const small = (label, words, act) =>
+    h("button", { type: "button", class: "btn small", "aria-label": t(label), onclick: act }, words);
+  const views = h(
+    "div",
+    { class: "views", role: "group", "aria-label": t("editor.views") },
+    small("editor.nearer", "+", () => look(zoomed(view, size, ZOOM))),
+    small("editor.farther", "−", () => look(zoomed(view, size, 1 / ZOOM))),
+    small("editor.left", "←", () => look(panned(view, PAN, 0))),
+    small("editor.right", "→", () => look(panned(view, -PAN, 0))),
+    small("editor.up", "↑", () => look(panned(view, 0, PAN))),
+    small("editor.down", "↓", () => look(panned(view, 0, -PAN))),
+    small("editor.all", t("editor.all.short"), () => look(fitting(boundsOfPlan(state.plan), size))),
+  );
+  const element = h(
+    "div",
+    { class: "bench" },
+    h("div", { class: "tools", role: "toolbar", "aria-label": t("editor.tools") }, tools, back, again),
+    h(
+      "div",
+      { class: "sheet-place" },
+      sheet.element,
+      views,
+      h(
+        "div",
+        { class: "sheet-foot" },
+        hint,
+        done,
+        toggle(t("editor.snap"), true, (on) => (step = on ? STEP : 0)),
+      ),
+    ),
+    panel,
+    verdictLine,
+  );
+  let isFitted = false;
+  const resized = new ResizeObserver(([entry]) => {
+    size = { width: Math.max(1, entry.contentRect.width), height: Math.max(1, entry.contentRect.height) };
+    if (!isFitted) view = fitting(boundsOfPlan(state.plan), size);
+    isFitted = true;
+    draw();
+  });
+  resized.observe(sheet.element);
+  signal.addEventListener("abort", () => {
+    resized.disconnect();
+    checks.end();
+  });
+  checks.later(plan);
+  show();
+  return {
+    element,
+    /** The plan with the line that is still being drawn. */
+    plan: () => {
+      take(finished(state));
+      return state.plan;
+    },
+    isGood: () => verdict?.good ?? false,
+  };
+}
+
+function clean(fields) {
+  return Object.fromEntries(Object.entries(fields).filter(([, value]) => value !== null));
+}
