@@ -21,9 +21,17 @@ from app.hardware.body.person import Person
 from app.hardware.body.person_parameters import NOVICE, PRACTISED, Practised
 from app.hardware.body.steering import Steering
 from app.hardware.body.stroke_estimate import StrokeEstimate
-from app.world.floorplan import FloorPlan
+from app.world.floorplan import FloorPlan, PrescribedPath
 
 CORNER = ((0.0, 0.0), (6.0, 0.0), (6.0, 6.0))
+
+
+def along(points) -> tuple[FloorPlan, PrescribedPath]:
+    """Return an open floor with one path, and the path."""
+    plan = FloorPlan(
+        name="p", title="P", walls=(), paths=({"name": "c", "title": "C", "points": points, "instruction": "Go."},)
+    )
+    return plan, plan.paths[0]
 
 
 def course(points=CORNER):
@@ -148,7 +156,7 @@ def drive(driver: Driver, seconds: float, t: float = 0.0) -> list[dict[str, floa
 
 def test_nothing_moves_before_the_reaction_time() -> None:
     driver = Driver(NOVICE, 1)
-    driver.set_path(CORNER)
+    driver.show_task(*along(CORNER))
     levels = drive(driver, 10.0)
     moving = [i for i, level in enumerate(levels) if any(level.values())]
     assert moving[0] / 100 >= NOVICE.reaction_time
@@ -157,7 +165,7 @@ def test_nothing_moves_before_the_reaction_time() -> None:
 def test_both_elbows_are_never_away_from_rest_together() -> None:
     for seed in range(5):
         driver = Driver(NOVICE, seed)
-        driver.set_path(CORNER)
+        driver.show_task(*along(CORNER))
         for level in drive(driver, 120.0):
             assert not (level["right_elbow"] > 0 and level["left_elbow"] > 0)
 
@@ -165,20 +173,20 @@ def test_both_elbows_are_never_away_from_rest_together() -> None:
 def test_one_seed_moves_one_way() -> None:
     first, second, other = (Driver(NOVICE, seed) for seed in (3, 3, 4))
     for driver in (first, second, other):
-        driver.set_path(CORNER)
+        driver.show_task(*along(CORNER))
     assert drive(first, 20.0) == drive(second, 20.0)
     assert drive(Driver(NOVICE, 3), 1.0) != drive(other, 20.0)
 
 
 def test_who_does_not_learn_gains_no_practice() -> None:
     driver = Driver(dataclasses.replace(NOVICE, learns=False), 1)
-    driver.set_path(CORNER)
+    driver.show_task(*along(CORNER))
     before = [(estimate.gain, estimate.lost) for estimate in driver.estimates.values()]
     drive(driver, 60.0)
     assert driver.practice == 0
     assert [(estimate.gain, estimate.lost) for estimate in driver.estimates.values()] == before
     keen = Driver(NOVICE, 1)
-    keen.set_path(CORNER)
+    keen.show_task(*along(CORNER))
     drive(keen, 60.0)
     assert keen.practice > 10
 
@@ -210,7 +218,7 @@ def test_practice_moves_beliefs_towards_the_truth_and_the_driver_along_the_path(
     before = after = 0.0
     for seed in range(4):
         driver = Driver(NOVICE, seed)
-        driver.set_path(((0.0, 0.0), (40.0, 0.0), (40.0, 40.0), (0.0, 40.0)))
+        driver.show_task(*along(((0.0, 0.0), (40.0, 0.0), (40.0, 40.0), (0.0, 40.0))))
         before += error(driver)
         x, y = practise(driver, 300.0)
         after += error(driver)
@@ -222,10 +230,7 @@ def test_practice_moves_beliefs_towards_the_truth_and_the_driver_along_the_path(
 
 def test_the_person_follows_cues_drives_when_permitted_and_rests_otherwise() -> None:
     person = Person("practised", 1)
-    plan = FloorPlan(
-        name="p", title="P", walls=(), paths=({"name": "c", "title": "C", "points": CORNER, "instruction": "Go."},)
-    )
-    person.show_task(plan, plan.paths[0])
+    person.show_task(*along(CORNER))
     elbow = person.joints.index("right_elbow")
     move = Cue(start=0.0, end=1.0, kind="move", joint="right_elbow", repetition=1)
     asked = [person.step(0.01, BodyView(cue=move))[elbow] for _ in range(150)]

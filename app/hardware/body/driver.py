@@ -3,7 +3,6 @@
 import math
 import random
 from collections import deque
-from collections.abc import Sequence
 
 from app.geometry import Pose, wrap_angle
 from app.hardware.base import LeaderView
@@ -67,20 +66,18 @@ class Driver:
         self._free_at = 0.0
         self._look_at = 0.0
         self._began = False
+        self._rested = 0.0  # s of a task in which the chair was not permitted to move
+        self._driven = 0.0  # s in which it was: a stage's time, as the scene's, stands still with the chair
 
     def _first_error(self) -> float:
         """Return by how many standard deviations a first belief is off: whoever is further off asks again."""
         return min(WORST_BELIEF, max(-WORST_BELIEF, self._random.gauss(0, 1)))
 
-    def set_path(self, points: Sequence[tuple[float, float]]) -> None:
-        """Show the path to follow, as points in m."""
-        self.steering = Steering(points, self.parameters)
-        self._began = False
-
     def show_task(self, plan: FloorPlan, path: PrescribedPath) -> None:
         """Show what is asked, and where."""
         progress = progress_of(plan, path)
         self._course = progress if progress.stages > 1 else None
+        self._driven = 0.0
         self.steering = self._aim(progress.part)
         self._began = False
 
@@ -107,19 +104,21 @@ class Driver:
             return
         if not self._began:
             self._began = True
+            self._rested = t - self._driven
             self.steering.begin()
             self._free_at = self._look_at = t + self.parameters.reaction_time + self._pause()
         seen = self._seen
         seen.append((t, pose, v, in_contact, leader))
         while len(seen) > 1 and seen[1][0] <= t - self.parameters.reaction_time:
             seen.popleft()
+        self._driven = t - self._rested
+        self._look_at_stage(*seen[0][:3])
         if t >= self._look_at:
             self._look_at = t + LOOK_PERIOD
             self._look(t, *seen[0])
 
     def _look(self, t: float, seen_t: float, pose: Pose, v: float, in_contact: bool, leader: LeaderView | None) -> None:
         self._learn_from_outcomes(seen_t, pose, v, in_contact)
-        self._look_at_stage(seen_t, pose, v)
         if t < self._free_at or any(limb.is_rising(t) for limb in self.limbs.values()) or self.steering is None:
             return
         late = t - seen_t
@@ -138,11 +137,11 @@ class Driver:
         self._begin_stroke(t, limb, size, pose, v)
 
     def _look_at_stage(self, seen_t: float, pose: Pose, v: float) -> None:
-        """Go on to the next stage of a course when the one before is done."""
+        """Go on to the next stage of a course when the one before is seen to be done."""
         if self._course is None:
             return
         before = self._course.stage
-        self._course.update(pose, v, seen_t)
+        self._course.update(pose, v, seen_t - self._rested)
         if self._course.stage != before:
             self.steering = self._aim(self._course.part)
             self.steering.begin()

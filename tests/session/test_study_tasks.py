@@ -1,0 +1,61 @@
+"""Each kind of task, driven to its end by the simulated person through shirt, map and gate."""
+
+import pytest
+
+from app.calibration.vocabulary import DriveParameters, standard_parameters
+from app.hardware.body.person import Person
+from app.hardware.body.person_parameters import PRACTISED
+from app.session.study import SAMPLE_RATE, shirt_layout
+from app.session.study_calibration import calibrate
+from app.session.study_trial import drive_trial
+from app.session.wearer import Wearer
+from app.world.scene import bundled_scenes, load_scene
+
+
+@pytest.fixture(scope="module")
+def dressed() -> tuple[Wearer, DriveParameters]:
+    """Somebody in the shirt, with the controls that his calibration gave."""
+    wearer = Wearer(Person(PRACTISED, 1), shirt_layout(), SAMPLE_RATE, 2)
+    return wearer, standard_parameters(calibrate(wearer))
+
+
+@pytest.fixture
+def drive(dressed):
+    """Return what drives a task of a bundled scene and gives the trial."""
+    wearer, parameters = dressed
+
+    def measured(scene: str, level: str, task: str):
+        plan = load_scene(bundled_scenes()[scene]).plans[level]
+        return drive_trial(1, wearer, parameters, plan, plan.path_named(task))
+
+    return measured
+
+
+def test_backing(drive) -> None:
+    trial = drive("backing", "medium", "back")
+    assert trial.measures["reached"] is True
+    assert trial.v.min() < -0.1
+    assert trial.measures["collisions"] == 0
+
+
+def test_turning_in_place(drive) -> None:
+    trial = drive("turning", "hard", "about")
+    assert trial.measures["reached"] is True
+    assert trial.measures["turn_drift"] < 0.3
+
+
+def test_passing_a_door(drive) -> None:
+    assert drive("door", "medium", "aside").measures["reached"] is True
+
+
+def test_following_somebody(drive) -> None:
+    measures = drive("follow_me", "easy", "person").measures
+    assert measures["reached"] is True
+    assert measures["follow_error_rms"] < 0.5
+    assert measures["follow_near"] > 0.8
+
+
+def test_a_course_stage_after_stage(drive) -> None:
+    measures = drive("skills", "easy", "course").measures
+    assert measures["reached"] is True
+    assert measures["stages_done"] == measures["stages"] == 7
