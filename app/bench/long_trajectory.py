@@ -16,7 +16,7 @@ from app.scene.trajectory import SEND_EVERY, STEP, Trajectory
 
 SHORT, LONG = 200, 20_000  # points
 UPDATES = 200  # at the end of each
-EVERY = 0.005  # s between two; so that each is sent
+EVERY = 0.01  # s between two; so that each is sent
 ROUNDS = 5
 REACH = {"bytes": 1.05, "processor": 1.2}
 

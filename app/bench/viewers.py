@@ -56,14 +56,14 @@ def _rows(viewers: int, runs: int, seconds: float) -> list[Row]:
     p50, p99 = np.percentile(found.ages, (50, 99))
     times = f"median of {runs} runs of {seconds:g} s"
     cost = f"{(core - found.alone) / viewers:.1f} % for each viewer, {found.alone:.1f} % without any; {times}"
-    who = f"{viewers} viewer{'s' * (viewers > 1)}, every second one a clinician with open plots"
-    aged = f"from the tick to the arrival of its pose, {len(found.ages)} poses; {who}"
+    who = "1 viewer" if viewers == 1 else f"{viewers} viewers"
+    aged = f"from the tick to its arrival, {len(found.ages)} poses; every second viewer a clinician with open plots"
     reach = REACH.get(viewers)
     return [
-        Row(f"web process with {viewers} viewers at 60 poses/s", core, "% of one core", reach, "lower", cost),
-        Row(f"poses that reach each of {viewers} viewers", min(found.rates), "poses/s", None, "higher", "the fewest"),
-        Row(f"age of a pose that arrives, {viewers} viewers: p50", float(p50), "ms", None, "lower", aged),
-        Row(f"age of a pose that arrives, {viewers} viewers: p99", float(p99), "ms", None, "lower", "the same"),
+        Row(f"web process with {who} at 60 poses/s", core, "% of one core", reach, "lower", cost),
+        Row(f"poses that reach a browser, {who}", min(found.rates), "poses/s", None, "higher", "whoever got fewest"),
+        Row(f"age of a pose that arrives, {who}: p50", float(p50), "ms", None, "lower", aged),
+        Row(f"age of a pose that arrives, {who}: p99", float(p99), "ms", None, "lower", "the same poses"),
     ]
 
 
