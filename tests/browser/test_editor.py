@@ -34,7 +34,7 @@ def demo():
 
 @pytest.fixture(params=TABLETS)
 def tablet(request, browser, page_log, demo):
-    """Yield a page of one tablet on the list of floor plans, and a function that keeps a screenshot."""
+    """Yield a page of one tablet on the list of floor plans, a function that keeps a screenshot, and its log."""
     width, height = TABLETS[request.param]
     context = browser.new_context(viewport={"width": width, "height": height}, has_touch=True)
     page = context.new_page()
@@ -47,7 +47,7 @@ def tablet(request, browser, page_log, demo):
     expect(page.get_by_role("heading", name="Where to?")).to_be_visible()
     page.get_by_role("link", name="Draw or import floor plans").click()
     expect(page.get_by_role("heading", name="Floor plans", exact=True)).to_be_visible()
-    yield page, lambda picture: page.screenshot(path=SCREENSHOTS / f"{request.param}-plan-{picture}.png")
+    yield page, lambda picture: page.screenshot(path=SCREENSHOTS / f"{request.param}-plan-{picture}.png"), log
     log.assert_clean()
     context.close()
     expect.set_options(timeout=5000)
@@ -113,7 +113,7 @@ def draw_a_room(page, keep):
 
 
 def test_a_room_is_drawn_by_touch_saved_and_driven_in(tablet):
-    page, keep = tablet
+    page, keep, _ = tablet
     keep("list")
     whole = draw_a_room(page, keep)
 
@@ -156,7 +156,7 @@ def test_a_room_is_drawn_by_touch_saved_and_driven_in(tablet):
 
 
 def test_what_is_wrong_is_shown_where_it_is(tablet):
-    page, keep = tablet
+    page, keep, _ = tablet
     page.get_by_role("button", name="New plan").tap()
     expect(page.locator(".sheet")).to_be_visible()
     sheet = Sheet(page)
@@ -213,10 +213,12 @@ def drawing_file():
 
 
 def test_a_drawing_and_a_bundled_plan_are_opened_as_copies(tablet):
-    page, keep = tablet
+    page, keep, log = tablet
     page.locator("#plan-files, .import-form input[type=file]").first.set_input_files(drawing_file())
     page.get_by_role("button", name="Read the file").tap()
     expect(page.get_by_text("does not say in which unit")).to_be_visible()
+    assert len(log.errors) == 1  # the browser's own words about the refusal
+    log.errors.clear()
     page.get_by_label("Drawn in").select_option("centimetres")
     page.get_by_role("button", name="Read the file").tap()
     expect(page.get_by_text("Which layers are walls?")).to_be_visible()
@@ -225,7 +227,7 @@ def test_a_drawing_and_a_bundled_plan_are_opened_as_copies(tablet):
     page.get_by_role("button", name="Read the file").tap()
     expect(page.get_by_text("This plan can be driven in.")).to_be_visible()
     keep("imported")
-    assert document(page)["title"] == "Ground-floor"
+    assert document(page)["title"] == "Ground floor"
 
     page.get_by_role("link", name="All plans").tap()
     page.get_by_role("button", name="Leave it here").tap()

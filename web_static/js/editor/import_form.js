@@ -35,7 +35,7 @@ export function importForm(app, onDraft) {
     go.disabled = true;
     const sent = new FormData();
     for (const file of input.files) sent.append("files", file);
-    sent.append("options", JSON.stringify({ ...options(), ...(layers && { layers }) }));
+    sent.append("options", JSON.stringify({ title: titleOf(input.files), ...options(), ...(layers && { layers }) }));
     try {
       const draft = await app.api.call("POST", "/floorplans/import", sent);
       if (IS_DRAWING.test(input.files[0].name) && !layers && draft.layers.length > 1) offerLayers(draft);
@@ -77,6 +77,12 @@ export function importForm(app, onDraft) {
     problem,
     h("div", {}, go),
   );
+}
+
+/** What the file is called, without its ending. @param {FileList} files */
+function titleOf(files) {
+  const plain = files[0].name.replace(/\.[^.]*$/, "").slice(0, 80);
+  return plain || t("plans.new.title");
 }
 
 function pictureFields(place) {

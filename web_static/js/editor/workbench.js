@@ -2,34 +2,23 @@
 import { h, put, set, write } from "../parts/dom.js";
 import { toggle } from "../parts/fields.js";
 import { icon } from "../parts/icons.js";
-import { isWriting } from "../parts/stop.js";
 import { t } from "../texts.js";
+import { actsOn } from "./acts.js";
 import { checker, refOf } from "./check.js";
-import {
-  boundsOfPlan,
-  change,
-  movedBy,
-  pointsOf,
-  setPoints,
-  thing,
-  thingAt,
-  withoutPoint,
-  withPointAfter,
-} from "./document.js";
-import { changedDoor } from "./doors.js";
+import { boundsOfPlan, movedBy, pointsOf, thing, thingAt } from "./document.js";
 import { drawing, drawnWords } from "./drawing.js";
 import { form } from "./form.js";
-import { STEP, tidy } from "./geometry.js";
+import { snapped, STEP, tidy } from "./geometry.js";
 import { begun, redone, stepped, undone } from "./history.js";
+import { listenToKeys } from "./keys.js";
 import { listenToPointers } from "./pointers.js";
-import { erased, finished, placed, snapPlace, tapped, TOOLS, withTool } from "./tools.js";
+import { finished, placed, snapPlace, tapped, TOOLS, withTool } from "./tools.js";
+import { viewButtons, ZOOM } from "./view_buttons.js";
 import { fitting, panned, toPlace, zoomed } from "./viewport.js";
 
 const REACH = 22; // px round a finger
-const ZOOM = 1.4; // of one tap on + or −
-const PAN = 90; // px of one tap on an arrow
 const DOOR = 1; // m
-const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+const FINE = 0.01; // m of an arrow key without the grid
 
 /**
  * @param {import("../main.js").App} app
@@ -157,29 +146,7 @@ export function workbench(app, { plan, models, signal, onChange }) {
   }
 
   const acts = {
-    change: (fields) => take({ ...state, plan: change(state.plan, state.chosen, fields) }),
-    points: (points) =>
-      state.chosen.list === "doors"
-        ? take(placed(state, points[0], 1))
-        : take({ ...state, plan: setPoints(state.plan, state.chosen, points) }),
-    plan: (fields) => take({ ...state, plan: { ...state.plan, ...clean(fields) } }),
-    choose: (chosen) => become({ ...state, chosen, tool: "move", pending: [] }),
-    erase: () => take(erased(state, state.chosen)),
-    place: () => become({ ...state, tool: "placing" }),
-    door: (width) => {
-      if (!width) return;
-      const { position } = thing(state.plan, state.chosen);
-      const made = changedDoor(state.plan, state.chosen, position, width, 1);
-      take({ ...state, plan: made.plan, chosen: made.ref, words: made.problem && `editor.door.${made.problem}` });
-    },
-    insert: () => {
-      const made = withPointAfter(state.plan, state.chosen);
-      take({ ...state, plan: made.plan, chosen: made.ref });
-    },
-    drop: () => {
-      const made = withoutPoint(state.plan, state.chosen);
-      take({ ...state, plan: made.plan, chosen: made.ref });
-    },
+    ...actsOn(() => state, take, become),
     model: async (file) => {
       try {
         known = await app.api.upload("/models", file);
@@ -220,36 +187,40 @@ export function workbench(app, { plan, models, signal, onChange }) {
         dragged = null;
         if (next) take({ ...state, plan: next });
       },
-      pan: (dx, dy) => look(panned(view, dx, dy)),
-      zoom: (factor, pixel) => look(zoomed(view, size, factor, pixel)),
+      pan: (dx, dy) => look(() => panned(view, dx, dy)),
+      zoom: (factor, pixel) => look(() => zoomed(view, size, factor, pixel)),
     },
     signal,
   );
 
-  function look(next) {
-    view = next;
+  function look(changed) {
+    view = changed(view, size);
     draw();
   }
 
-  /** Arrow keys move the chosen thing, or a cross where Enter taps. */
-  function keyed(event) {
-    const arrow = ARROWS[event.key];
-    if (arrow) {
-      event.preventDefault();
-      const [dx, dy] = arrow.map((one) => one * (event.shiftKey ? 10 : 1) * (step || 0.01));
-      if (state.chosen && state.tool === "move") return nudge(dx, dy);
-      const [x, y] = cursor ?? snapPlace(state.plan, [view.x, view.y], step || STEP, 0);
-      cursor = [tidy(x + dx), tidy(y + dy)];
-      ghost = cursor;
-      return draw();
-    }
-    if (event.key === "Enter") {
-      if (cursor) take(tapped(state, cursor, { step, reach: STEP }));
-      else take(finished(state));
-    } else if (event.key === "Escape") become({ ...state, pending: [], chosen: null, tool: "move" });
-    else if (event.key === "+" || event.key === "-") look(zoomed(view, size, event.key === "+" ? ZOOM : 1 / ZOOM));
-    else if ((event.key === "Delete" || event.key === "Backspace") && state.chosen) acts.erase();
-  }
+  listenToKeys(
+    sheet.element,
+    {
+      /** Arrow keys move the chosen thing, or a cross where Enter taps. */
+      arrow: (x, y) => {
+        const [dx, dy] = [x, y].map((one) => one * (step || FINE));
+        if (state.chosen && state.tool === "move") return nudge(dx, dy);
+        const from = cursor ?? snapped([view.x, view.y], step || STEP);
+        ghost = cursor = [tidy(from[0] + dx), tidy(from[1] + dy)];
+        draw();
+      },
+      enter: () => take(cursor ? tapped(state, cursor, { step, reach: STEP }) : finished(state)),
+      escape: () => {
+        ghost = cursor = null;
+        take({ ...withTool(state, "move"), chosen: null });
+      },
+      zoom: (isNearer) => look(() => zoomed(view, size, isNearer ? ZOOM : 1 / ZOOM)),
+      erase: () => state.chosen && acts.erase(),
+      undo,
+      redo,
+    },
+    signal,
+  );
 
   function nudge(dx, dy) {
     const [x, y] = pointsOf(state.plan, state.chosen)[state.chosen.point ?? 0];
@@ -257,30 +228,7 @@ export function workbench(app, { plan, models, signal, onChange }) {
     return take({ ...state, plan: movedBy(state.plan, state.chosen, dx, dy) });
   }
 
-  sheet.element.addEventListener("keydown", keyed, { signal });
-  window.addEventListener(
-    "keydown",
-    (event) => {
-      if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "z" || isWriting(event.target)) return;
-      event.preventDefault();
-      (event.shiftKey ? redo : undo)();
-    },
-    { signal },
-  );
-
-  const small = (label, words, act) =>
-    h("button", { type: "button", class: "btn small", "aria-label": t(label), onclick: act }, words);
-  const views = h(
-    "div",
-    { class: "views", role: "group", "aria-label": t("editor.views") },
-    small("editor.nearer", "+", () => look(zoomed(view, size, ZOOM))),
-    small("editor.farther", "−", () => look(zoomed(view, size, 1 / ZOOM))),
-    small("editor.left", "←", () => look(panned(view, PAN, 0))),
-    small("editor.right", "→", () => look(panned(view, -PAN, 0))),
-    small("editor.up", "↑", () => look(panned(view, 0, PAN))),
-    small("editor.down", "↓", () => look(panned(view, 0, -PAN))),
-    small("editor.all", t("editor.all.short"), () => look(fitting(boundsOfPlan(state.plan), size))),
-  );
+  const views = viewButtons(look, () => look(() => fitting(boundsOfPlan(state.plan), size)));
   const element = h(
     "div",
     { class: "bench" },
@@ -322,10 +270,5 @@ export function workbench(app, { plan, models, signal, onChange }) {
       take(finished(state));
       return state.plan;
     },
-    isGood: () => verdict?.good ?? false,
   };
-}
-
-function clean(fields) {
-  return Object.fromEntries(Object.entries(fields).filter(([, value]) => value !== null));
 }

@@ -14,6 +14,7 @@ export async function show(app, root, { signal }) {
   const right = [
     chairsCard(app, chairs, isOwner, signal),
     app.me.role !== "reviewer" && patientScreenCard(app, signal),
+    app.me.role !== "reviewer" && plansCard(),
   ];
   put(
     root,
@@ -24,5 +25,15 @@ export async function show(app, root, { signal }) {
       h("p", { class: "lead" }, t("settings.lead"), !isOwner && ` ${t("settings.read-only")}`),
       h("div", { class: "settings-columns" }, limits, h("div", { class: "stack" }, right)),
     ),
+  );
+}
+
+function plansCard() {
+  return h(
+    "section",
+    { class: "card" },
+    h("h2", {}, t("plans.settings")),
+    h("p", { class: "quiet small" }, t("plans.settings.lead")),
+    h("a", { class: "btn small", href: "#/plans" }, t("plans.link")),
   );
 }
