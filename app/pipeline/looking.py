@@ -1,6 +1,7 @@
 """The head tracker in use: its newest pose in every tick, and never a reason for the loop to wait or to end."""
 
 import math
+from contextlib import suppress
 
 from app.clock import Clock
 from app.geometry import wrap_angle
@@ -77,5 +78,6 @@ class Looking:
         except Exception as error:  # whatever a device does, the loop turns on
             tracker, self._tracker = self._tracker, None
             self._failed = f"The head tracker failed ({error or type(error).__name__}): choose it again."
-            tracker.close()
+            with suppress(Exception):
+                tracker.close()
             return None

@@ -46,7 +46,7 @@ class OpentrackSends(Datagrams):
         return Opentrack(OpentrackConfig(kind="opentrack", port=0), self.clock)
 
     def let_come(self, yaw, pitch, roll):
-        degrees = (math.degrees(-yaw), math.degrees(pitch), math.degrees(roll))
+        degrees = (math.degrees(-yaw), math.degrees(pitch), math.degrees(-roll))
         self.send(struct.pack("<6d", 0.0, 0.0, 0.0, *degrees))
 
 
@@ -57,7 +57,7 @@ class FreepieSends(Datagrams):
         return Freepie(FreepieConfig(kind="freepie", port=0), self.clock)
 
     def let_come(self, yaw, pitch, roll):
-        self.send(struct.pack("<BB12f", 0, 2, -yaw, pitch, roll, *[0.0] * 9))
+        self.send(struct.pack("<BB12f", 0, 2, -yaw, pitch, -roll, *[0.0] * 9))
 
 
 class FlockSends:

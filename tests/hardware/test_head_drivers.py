@@ -28,8 +28,8 @@ WORD = st.integers(-32768, 32767)
 def test_opentrack_in_numbers():
     pose = opentrack.decode(struct.pack("<6d", 10.0, 20.0, 30.0, 90.0, 45.0, -30.0), 5.0)
     assert pose.t == 5.0
-    assert pose[1:4] == pytest.approx((-math.pi / 2, math.pi / 4, -math.pi / 6))
-    assert pose[4:] == pytest.approx((0.3, -0.1, 0.2))
+    assert pose[1:4] == pytest.approx((-math.pi / 2, math.pi / 4, math.pi / 6))
+    assert pose[4:] == pytest.approx((-0.3, 0.1, 0.2))
 
 
 @pytest.mark.parametrize("place", range(6))
@@ -42,8 +42,8 @@ def test_opentrack_without_a_number_is_no_pose(place, bad):
 
 def test_freepie_keeps_its_angles_where_its_flags_say():
     numbers = [float(i) / 10 for i in range(12)]
-    assert freepie.decode(struct.pack("<BB12f", 0, 2, *numbers), 1.0)[1:4] == pytest.approx((-0.0, 0.1, 0.2))
-    assert freepie.decode(struct.pack("<BB12f", 0, 3, *numbers), 1.0)[1:4] == pytest.approx((-0.9, 1.0, 1.1))
+    assert freepie.decode(struct.pack("<BB12f", 0, 2, *numbers), 1.0)[1:4] == pytest.approx((-0.0, 0.1, -0.2))
+    assert freepie.decode(struct.pack("<BB12f", 0, 3, *numbers), 1.0)[1:4] == pytest.approx((-0.9, 1.0, -1.1))
     assert freepie.decode(struct.pack("<BB12f", 0, 1, *numbers), 1.0) is None, "raw only: no angles"
     assert freepie.decode(struct.pack("<BB12f", 0, 2, math.nan, *numbers[1:]), 1.0) is None
 

@@ -88,3 +88,14 @@ def test_a_tracker_that_cannot_be_had_leaves_none(looking, monkeypatch):
     with pytest.raises(HardwareError):
         looking.use(TabletHeadConfig(kind="tablet"))
     assert looking.words == NOBODY
+
+
+def test_a_tracker_that_fails_even_to_close_is_let_go(looking, monkeypatch):
+    class Stuck(Broken):
+        def close(self):
+            raise RuntimeError("not even that")
+
+    monkeypatch.setattr("app.pipeline.looking.make_head", lambda _config, _clock: Stuck())
+    looking.use(TabletHeadConfig(kind="tablet"))
+    assert all(map(math.isnan, noted(looking)))
+    assert "no more" in looking.words

@@ -46,7 +46,7 @@ class FlockOfBirds:
             self._port.write(STOP_STREAM)
             if address is not None:
                 self._configure_group(self._port, address)
-            self._port.reset_input_buffer()
+            self._port.read(self._port.in_waiting)  # from before
             to_unit = b"" if address is None else bytes([TO_UNIT + address])
             self._port.write(to_unit + ANGLES)
             self._port.write(STREAM)

@@ -1,4 +1,7 @@
-"""FreePIE's UDP: flags and twelve numbers a datagram, of which three are angles."""
+"""FreePIE's UDP: flags and twelve numbers a datagram, of which three are angles.
+
+Source: opentrack's input "FreePIE UDP receiver", which takes the angles as its own: what looks right there does here.
+"""
 
 import math
 import struct
@@ -10,7 +13,7 @@ from app.messages import HeadPose
 
 RECORD = struct.Struct("<BB12f")  # device, flags, twelve numbers
 RAW, ORIENTATION = 1, 2  # flags: which groups of numbers are there, raw ones first
-ANGLES_AT = {ORIENTATION: 0, RAW | ORIENTATION: 9}  # where yaw, pitch and roll (rad) stand
+ANGLES_AT = {ORIENTATION: 0, RAW | ORIENTATION: 9}  # where yaw (right positive), pitch (up) and roll (left) stand, rad
 FURTHEST = math.tau  # rad; nothing beyond is a head
 
 
@@ -23,7 +26,7 @@ def decode(datagram: bytes, t: float) -> HeadPose | None:
     yaw, pitch, roll = numbers[place : place + 3]
     if not all(abs(angle) <= FURTHEST for angle in (yaw, pitch, roll)):
         return None
-    return HeadPose(t, -yaw, pitch, roll)
+    return HeadPose(t, -yaw, pitch, -roll)
 
 
 class Freepie(UdpHead):

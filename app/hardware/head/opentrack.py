@@ -1,4 +1,9 @@
-"""opentrack's output "UDP over network": six numbers a datagram."""
+"""opentrack's output "UDP over network": six numbers a datagram.
+
+Source of the signs: opentrack's own trackers and outputs. Its SteamVR tracker takes OpenVR's axes (right, up, back) as
+-x, y, z, and its outputs for SimConnect and FlightGear turn them back. Whoever turns an axis round
+in opentrack's options turns it round here.
+"""
 
 import math
 import struct
@@ -8,7 +13,7 @@ from app.hardware.configs import OpentrackConfig
 from app.hardware.head.udp_head import UdpHead
 from app.messages import HeadPose
 
-RECORD = struct.Struct("<6d")  # x, y, z in cm (right, up, forward); yaw (right positive), pitch (up), roll (right), deg
+RECORD = struct.Struct("<6d")  # x, y, z in cm (left, up, back); yaw (right positive), pitch (up), roll (left), degrees
 FURTHEST = 360.0  # degrees; nothing beyond is a head
 CM = 0.01  # m
 
@@ -18,8 +23,8 @@ def decode(datagram: bytes, t: float) -> HeadPose | None:
     x, y, z, yaw, pitch, roll = RECORD.unpack(datagram)
     if not all(map(math.isfinite, (x, y, z))) or not all(abs(angle) <= FURTHEST for angle in (yaw, pitch, roll)):
         return None
-    angles = (math.radians(-yaw), math.radians(pitch), math.radians(roll))
-    return HeadPose(t, *angles, z * CM, -x * CM, y * CM)
+    angles = (math.radians(-yaw), math.radians(pitch), math.radians(-roll))
+    return HeadPose(t, *angles, -z * CM, x * CM, y * CM)
 
 
 class Opentrack(UdpHead):
