@@ -98,7 +98,7 @@ async def _status(control: Control, flows: Flows) -> tuple[StatusView, HeadView]
         realtime=[str(sentence) for sentence in status.get("realtime", [])],
         control=control.state,
     )
-    return shown, HeadView(config=head, words=str((status.get("head") or {}).get("words", "")))
+    return shown, HeadView(config=head, words=flows.head.words or str((status.get("head") or {}).get("words", "")))
 
 
 async def _view(parts: PeopleParts, flows: Flows) -> EquipmentView:

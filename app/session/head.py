@@ -22,15 +22,16 @@ class HeadChoice:
         self._located = located
         self._tell = tell
         self.config: dict[str, Any] | None = None
+        self.words = ""  # why the chosen one does not look, empty when nothing is known against it
 
     async def open(self) -> None:
-        """Open what was in use last; what does not open is said by the control process."""
+        """Open what was in use last; what does not open is said in words, and nothing takes its place."""
         self.config = await asyncio.to_thread(self._read)
         if self.config is not None:
             try:
                 await self._control.load("head", config=self._located(self.config))
-            except Refusal:
-                self.config = None
+            except Refusal as refusal:
+                self.words = str(refusal)
 
     async def use(self, config: dict[str, Any] | None) -> None:
         """Look with another tracker, or with none; when it does not open, there is none, and the reason is raised."""
@@ -60,6 +61,6 @@ class HeadChoice:
                 if clinic is not None:
                     clinic.head = config
 
-        self.config = config
+        self.config, self.words = config, ""
         await asyncio.to_thread(_write)
         self._tell("equipment")

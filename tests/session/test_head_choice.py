@@ -1,0 +1,70 @@
+"""The head tracker as it is kept between two days."""
+
+import asyncio
+from typing import Any
+
+import pytest
+
+from app.session.database import Database
+from app.session.head import HeadChoice
+from app.session.refusals import Conflict
+from app.session.store_people import add_clinic
+
+SIMULATED = {"kind": "simulator", "seed": 1}
+
+
+class Heads:
+    """A control process that opens head trackers, or has a reason not to."""
+
+    def __init__(self) -> None:
+        self.opened: list[Any] = []
+        self.reason = ""
+
+    async def load(self, _do: str, config: Any) -> None:
+        if self.reason:
+            raise Conflict(self.reason)
+        self.opened.append(config)
+
+    def forget(self, _do: str) -> None:
+        self.opened.clear()
+
+
+def choice(database: Database, heads: Heads) -> HeadChoice:
+    return HeadChoice(database, heads, lambda config: config, lambda _what: None)  # type: ignore[arg-type]
+
+
+@pytest.fixture
+def kept(database: Database) -> Database:
+    with database.transaction() as db:
+        add_clinic(db, "Clinic")
+    asyncio.run(choice(database, Heads()).use(SIMULATED))
+    return database
+
+
+def test_what_was_chosen_is_opened_on_the_next_day(kept: Database) -> None:
+    heads = Heads()
+    asyncio.run(choice(kept, heads).open())
+    assert heads.opened == [SIMULATED]
+
+
+def test_one_that_is_not_there_in_the_morning_stays_chosen_and_says_why(kept: Database) -> None:
+    heads = Heads()
+    heads.reason = "Check its cable."
+    chosen = choice(kept, heads)
+    asyncio.run(chosen.open())
+    assert (chosen.config, chosen.words) == (SIMULATED, "Check its cable.")
+    heads.reason = ""
+    asyncio.run(chosen.use(SIMULATED))
+    assert chosen.words == ""
+
+
+def test_one_that_is_refused_leaves_none(kept: Database) -> None:
+    heads = Heads()
+    heads.reason = "Check its cable."
+    chosen = choice(kept, heads)
+    with pytest.raises(Conflict, match="cable"):
+        asyncio.run(chosen.use({"kind": "tablet"}))
+    assert chosen.config is None
+    heads.reason = ""
+    asyncio.run(choice(kept, heads).open())
+    assert heads.opened == []
