@@ -3,7 +3,7 @@ import { t } from "../texts.js";
 import { h, put } from "./dom.js";
 import { choices, field } from "./fields.js";
 import { addFile, fileField } from "./source_form.js";
-import { tabletHead } from "./tablet_head.js";
+import { endTabletHead, tabletHead } from "./tablet_head.js";
 
 const KINDS = ["none", "opentrack", "freepie", "flock_of_birds", "tablet", "recorded", "simulator"];
 const PORTS = { opentrack: 4242, freepie: 5555 };
@@ -56,6 +56,7 @@ export function headForm(app, equipment, onUse, { kind: first, onKind }) {
 
 /** What is asked live of the tracker in use. @param {import("../main.js").App} app @param {any} head */
 export function headActions(app, head) {
+  if (head.config?.kind !== "tablet") endTabletHead();
   if (!head.config) return null;
   const ahead = async () => {
     try {

@@ -5,38 +5,59 @@ import { h, write } from "./dom.js";
 const EVERY = 1000 / 30; // ms
 const RADIANS = Math.PI / 180;
 
-let following = null; // since it was asked for, whatever page is shown: what it is doing, in words
+const PATIENCE = 3000; // ms without an event after which there is no sensor
+
+let following = null; // since it was asked for, whatever page is shown: how it says what it does, and how it ends
 
 /** @param {import("../main.js").App} app */
 export function tabletHead(app) {
   const words = h("p", { class: "quiet small", role: "status" });
+  const say = (sentence) => write(words, sentence);
   const button = h("button", { type: "button", class: "btn" }, t("head.tablet.start"));
   const start = async () => {
-    if (!window.isSecureContext) return write(words, t("head.tablet.insecure"));
-    const asks = window.DeviceOrientationEvent?.requestPermission;
+    if (!window.isSecureContext) return say(t("head.tablet.insecure"));
+    if (!("DeviceOrientationEvent" in window)) return say(t("head.tablet.none"));
+    const asks = window.DeviceOrientationEvent.requestPermission;
     const answer = asks ? await asks.call(window.DeviceOrientationEvent).catch(() => "denied") : "granted";
-    if (answer !== "granted") return write(words, t("head.tablet.denied"));
+    if (answer !== "granted") return say(t("head.tablet.denied"));
     button.disabled = true;
-    follow(app, (sentence) => write(words, sentence));
+    follow(app, say, () => (button.disabled = false));
   };
   button.disabled = following !== null;
-  if (following) following.say = (sentence) => write(words, sentence);
+  if (following) Object.assign(following, { say, ended: () => (button.disabled = false) });
   button.addEventListener("click", start);
   return h("div", { class: "spread" }, button, words);
 }
 
-function follow(app, say) {
+/** Tell nothing any more: another tracker is used. */
+export function endTabletHead() {
+  following?.end();
+}
+
+function follow(app, say, ended) {
+  endTabletHead();
   let last = -Infinity;
-  following = { say };
-  say(t("head.tablet.waiting"));
   const tell = ({ alpha, beta, gamma }) => {
-    if (alpha === null || beta === null || gamma === null) return following.say(t("head.tablet.none"));
+    if (alpha === null || beta === null || gamma === null) return;
+    clearTimeout(patience);
     const now = performance.now();
     if (now - last < EVERY) return;
     last = now;
     app.live.send({ look: orientation(alpha, beta, gamma, screen.orientation?.angle ?? 0) });
     following.say(t("head.tablet.tells"));
   };
+  const patience = setTimeout(() => {
+    following.say(t("head.tablet.none"));
+    endTabletHead();
+  }, PATIENCE);
+  const end = () => {
+    clearTimeout(patience);
+    window.removeEventListener("deviceorientation", tell);
+    following.ended();
+    following = null;
+  };
+  following = { say, ended, end };
+  say(t("head.tablet.waiting"));
   window.addEventListener("deviceorientation", tell);
 }
 
