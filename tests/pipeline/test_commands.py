@@ -1,6 +1,7 @@
 """What is asked of the control process, done or refused, with a clock of its own and no process."""
 
 import json
+import math
 import shutil
 import socket
 import uuid
@@ -13,7 +14,7 @@ from scripted_shirt import ScriptedShirt
 from app.clock import FakeClock
 from app.faults import Fault, State
 from app.geometry import Twist
-from app.link import CommandServer
+from app.link import NO_ANSWER, CommandServer
 from app.pipeline.commands import Commands
 from app.pipeline.loop import ControlLoop
 from app.pipeline.runs import LEAST_FREE, require_room
@@ -47,6 +48,11 @@ class Office:
         self._ours.sendall(json.dumps({"id": self._count, "do": do, **fields}).encode() + b"\n")
         self.commands.poll()
         return json.loads(self._ours.recv(1 << 16))
+
+    def tell(self, do, **fields):
+        """Send what wants no answer."""
+        self._ours.sendall(json.dumps({"id": NO_ANSWER, "do": do, **fields}).encode() + b"\n")
+        self.commands.poll()
 
     def refused(self, do, **fields):
         answer = self.ask(do, **fields)
@@ -209,3 +215,29 @@ def test_room_is_looked_for_where_the_folder_will_be(tmp_path, monkeypatch):
     with pytest.raises(Refused, match=r"Only 0 MB are free"):
         require_room(tmp_path / "not" / "yet" / "there")
     assert asked == [tmp_path]
+
+
+def test_a_head_tracker_is_chosen_asked_and_given_back(office, tmp_path):
+    nobody = office.done("status")["head"]
+    assert nobody["kind"] == ""
+    office.done("head", config={"kind": "tablet"})
+    assert office.done("status")["head"]["kind"] == "tablet"
+    assert "first pose" in office.refused("head_ahead")
+    office.tell("look", yaw=0.5, pitch=0.1, roll=0.0)
+    office.live(0.05)
+    assert float(office.ring.newest()["head_yaw"]) == 0.5
+    office.done("head_ahead")
+    office.live(0.05)
+    assert float(office.ring.newest()["head_yaw"]) == 0.0
+    assert "yaw" in office.refused("look", yaw="left", pitch=0.0, roll=0.0)
+    assert "kind" in office.refused("head", config={"kind": "owl"})
+    assert office.done("status")["head"]["kind"] == "tablet", "what cannot be read changes nothing"
+    office.done("head", config=None)
+    assert office.done("status")["head"] == nobody
+    office.tell("look", yaw=0.5, pitch=0.1, roll=0.0)
+    office.live(0.05)
+    assert math.isnan(office.ring.newest()["head_yaw"])
+    office.done("run", run_id="r", folder=str(tmp_path / "r"), kind="drive")
+    assert "recorded already" in office.refused("head", config={"kind": "tablet"})
+    office.done("arm", hash=office.parameters.hash)
+    assert "is armed" in office.refused("head", config=None)
