@@ -158,6 +158,16 @@ def test_who_turns_lets_the_chair_stand_first_and_turns_the_asked_way() -> None:
     assert aim.want(0.4, here._replace(theta=-math.pi / 2 + 0.02), 0.0) is None
 
 
+def test_who_rolls_off_the_spot_goes_back_to_it_when_it_lies_ahead_or_behind() -> None:
+    _, path = asked(points=[[0, 0], [0, -2]], task={"kind": "turn", "direction": "left"}, goal_radius=0.4)
+    aim = TurnAim(path, path.task)
+    assert aim.want(0.0, Pose(0.5, 0.0, 0.0), 0.0).wish == "slower"
+    assert aim.want(0.1, Pose(0.5, 0.0, 0.0), -0.12) is None
+    assert aim.want(0.2, Pose(-0.5, 0.0, 0.0), 0.0).wish == "faster"
+    assert aim.want(0.3, Pose(0.0, 0.5, 0.0), 0.0).wish in {"left", "right"}, "it lies to the side"
+    assert aim.want(0.4, Pose(0.2, 0.0, 0.0), 0.0).wish in {"left", "right"}, "near enough"
+
+
 def test_who_backs_begins_stands_at_the_end_and_keeps_to_the_line() -> None:
     _, path = asked(**BACK)
     aim = BackAim(path, PRACTISED)

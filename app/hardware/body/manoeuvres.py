@@ -12,6 +12,9 @@ from app.world.tasks import Turn
 
 CREEP = 0.03  # m/s: slower looks like standing
 SURE = 0.6  # of the tolerance: who wants to be sure of a mark looks nearer at it than he must
+NEAR = 0.7  # of the spot's radius: who has rolled further than this goes back to it
+ALONG = 0.5  # of the way to the spot that must lie ahead or behind, for going there
+RETURN_SPEED = 0.12  # m/s
 BACK_SPEED = 0.2  # m/s
 BACK_BRAKING = 0.08  # m/s2 that somebody reckons with who looks over his shoulder
 BACK_AHEAD = 0.8  # m along the way to the place that is steered for
@@ -19,12 +22,14 @@ BACK_TOLERANCE = 0.1  # rad of heading error that is let be
 
 
 class TurnAim:
-    """Stand still, then turn the asked way until one looks at the mark."""
+    """Stand still, then turn the asked way until one looks at the mark; who rolls off the spot goes back to it."""
 
     def __init__(self, part: PrescribedPath, task: Turn) -> None:
         self._progress = TurnProgress(part, task)
         self._sign = 1.0 if task.direction == "left" else -1.0
         self._tolerance = SURE * task.tolerance
+        self._spot = part.points[0]
+        self._near = NEAR * part.goal_radius
 
     def begin(self) -> None:
         """Begin, or go on after a stop: how far one has turned is still known."""
@@ -32,12 +37,25 @@ class TurnAim:
     def want(self, t: float, pose: Pose, v: float, *_others: object) -> Intention | None:
         """Return what is wanted at `t` (s) with the chair at `pose` and speed `v` (m/s), or None when all is well."""
         self._progress.update(pose, v, t)
-        if abs(v) > CREEP:
-            return Intention("slower" if v > 0 else "faster", abs(v))
+        speed = self._speed(pose)
+        excess = v - speed
+        if abs(excess) > CREEP:
+            return Intention("slower" if excess > 0 else "faster", abs(excess))
+        if speed != 0.0:
+            return None
         left = self._sign * (self._progress.length - self._progress.s)
         if abs(left) <= self._tolerance:
             return None
         return Intention("left" if left > 0 else "right", abs(left))
+
+    def _speed(self, pose: Pose) -> float:
+        """Return the speed (m/s) that fits: none near the spot, nor as long as it lies to the side."""
+        away_x, away_y = self._spot[0] - pose.x, self._spot[1] - pose.y
+        away = math.hypot(away_x, away_y)
+        ahead = away_x * math.cos(pose.theta) + away_y * math.sin(pose.theta)
+        if away <= self._near or abs(ahead) < ALONG * away:
+            return 0.0
+        return math.copysign(RETURN_SPEED, ahead)
 
 
 class BackAim:
