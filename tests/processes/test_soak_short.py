@@ -1,11 +1,11 @@
 """Some seconds of the soak, on real processes; `make soak` does ten minutes, and measures the pace."""
 
-from soak.soak import MOST_GROWTH, STOPPED, soak
+from soak.soak import MOST_GROWTH, OTHERS, STOPPED, soak
 
 
 def test_a_stopped_viewer_harms_nobody_and_comes_back():
     found = soak(seconds=6.0, warm=2.0, every=1.0)
     assert found.growth <= MOST_GROWTH / 10
-    assert all(interval.rates[one] > 0 for interval in found.during for one in found.others)
+    assert all(interval.rates[one] > 0 for interval in found.during for one in OTHERS)
     assert found.before[-1].rates[STOPPED] > 0
     assert found.returned is not None
