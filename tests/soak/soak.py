@@ -76,8 +76,11 @@ class Soaked:
         return max(sum(look.lasted for look in self.during if not look.rates[one]) for one in OTHERS)
 
 
-def soak(seconds: float, warm: float, every: float) -> Soaked:
-    """Look for `warm` s, stop one viewer for `seconds`, and let it go on; measure every `every` s."""
+def soak(seconds: float, warm: float, every: float, *, compared: bool = True) -> Soaked:
+    """Look for `warm` s, stop one viewer for `seconds`, and let it go on; measure every `every` s.
+
+    Unless `compared`, there is no second web process, and no share.
+    """
     clock = MonotonicClock()
     with ExitStack() as stack:
 
@@ -93,7 +96,7 @@ def soak(seconds: float, warm: float, every: float) -> Soaked:
             return psutil.Process(web.pid), viewers
 
         web, viewers = serve(range(VIEWERS))
-        _, undisturbed = serve(OTHERS)
+        undisturbed = serve(OTHERS)[1] if compared else []
         while not all(_seen(one).poses for one in [*viewers, *undisturbed]):
             clock.sleep_until(clock.now() + 0.2)
 
