@@ -136,11 +136,10 @@ def test_a_room_is_drawn_by_touch_saved_and_driven_in(tablet):
     expect(page.get_by_role("heading", name="This plan is not saved")).to_be_visible()
     keep("leave")
     page.get_by_role("button", name="Stay").tap()
-    name = "my-room" if page.viewport_size["width"] == 768 else "my-room-2"  # one demonstration for both
     page.get_by_role("button", name="Save as new plan").tap()
     expect(page.get_by_text("saved, version 1")).to_be_visible()
     keep("saved")
-    assert page.evaluate(f"() => {DRAFT}.name") == name
+    assert re.fullmatch("my-room(-2)?", page.evaluate(f"() => {DRAFT}.name"))  # one demonstration for both tablets
 
     page.get_by_role("link", name="Drive here").tap()
     expect(page.get_by_role("heading", name="Where to?")).to_be_visible()
