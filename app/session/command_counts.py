@@ -43,8 +43,13 @@ def reversals(control: Numbers) -> int:
 
 def contact_beginnings(touching: NDArray[np.bool_], t: Numbers) -> int:
     """Return how many contacts there were; a touch within 0.25 s of the last belongs to the same contact."""
-    at = t[touching]
-    return int(len(at) > 0) + int(np.count_nonzero(np.diff(at) >= FREE_AGAIN))
+    return len(contact_rows(touching, t))
+
+
+def contact_rows(touching: NDArray[np.bool_], t: Numbers) -> NDArray[np.intp]:
+    """Return the rows in which a contact begins."""
+    rows = np.flatnonzero(touching)
+    return rows[np.diff(t[rows], prepend=-np.inf) >= FREE_AGAIN]
 
 
 def _rises(on: NDArray[np.bool_]) -> int:

@@ -79,11 +79,15 @@ def finish_trial(db: Session, trial_id: int, end: str, measures: dict[str, Any] 
     """Note how a trial ended and what was measured; a measure that is not a number is kept as none."""
     trial = db.get_one(Trial, trial_id)
     trial.status, trial.end = "done", end
-    trial.measures = None if measures is None else {name: _storable(value) for name, value in measures.items()}
+    trial.measures = _storable(measures)
     return trial
 
 
 def _storable(value: Any) -> Any:
+    if isinstance(value, dict):
+        return {name: _storable(inner) for name, inner in value.items()}
+    if isinstance(value, list):
+        return [_storable(inner) for inner in value]
     return None if isinstance(value, float) and not math.isfinite(value) else value
 
 

@@ -12,8 +12,9 @@ from app.session.command_counts import contact_beginnings
 from app.session.metrics import path_measures
 from app.session.scene_measures import cones_touched, contacts_at_gaps, following, gap_clearance
 from app.world.floorplan import FloorPlan, PrescribedPath
-from app.world.task_progress import CourseProgress, TurnProgress, leader_of, progress_of
-from app.world.tasks import Course, FollowPath, Turn
+from app.world.scenery import Track
+from app.world.task_progress import CourseProgress, TaskProgress, TurnProgress, progress_of
+from app.world.tasks import Course, FollowLeader, FollowPath
 
 Columns = Mapping[str, NDArray[Any]]
 Measures = dict[str, Any]
@@ -54,9 +55,10 @@ def task_measures(plan: FloorPlan, path: PrescribedPath, columns: Mapping[str, A
 
 
 def _simple(plan: FloorPlan, path: PrescribedPath, rows: Columns) -> Measures:
-    if isinstance(path.task, FollowPath):
-        return _along(path, rows) | _met(plan, rows)
     progress = progress_of(plan, path)
+    if isinstance(path.task, FollowPath):
+        # Its measures find their own end: where the chair comes nearest to the goal, not where it comes within reach.
+        return _along(path, rows) | _met(plan, _until(rows, progress))
     rows = _until(rows, progress)
     if isinstance(progress, TurnProgress):
         measures: Measures = {
@@ -67,9 +69,8 @@ def _simple(plan: FloorPlan, path: PrescribedPath, rows: Columns) -> Measures:
         }
     else:
         measures = _along(path, rows)
-    leader = leader_of(plan, path)
-    if leader is not None and not isinstance(path.task, Turn):
-        measures |= following(leader, getattr(path.task, "distance"), rows)  # noqa: B009
+    if isinstance(path.task, FollowLeader):
+        measures |= following(Track(plan.mover_named(path.task.leader)), path.task.distance, rows)
     return measures | _met(plan, rows) | {"reached": progress.reached}
 
 
@@ -125,7 +126,7 @@ def _met(plan: FloorPlan, rows: Columns) -> Measures:
     return measures
 
 
-def _until(rows: Columns, progress: Any) -> Columns:
+def _until(rows: Columns, progress: TaskProgress) -> Columns:
     """Return the rows up to the one with which the task was done."""
     for row, (pose, v, scene_t) in enumerate(_states(rows)):
         progress.update(pose, v, scene_t)

@@ -1,4 +1,5 @@
 import math
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -75,6 +76,17 @@ def test_who_did_not_go_through_has_no_clearance_and_contacts_count_where_the_ga
     assert measures["contact_time"] > 0
 
 
+def test_a_contact_that_began_elsewhere_is_none_of_the_gap_s():
+    sliding = np.zeros(121)
+    sliding[10:70] = 1  # from 0.5 m on, along something, and through
+    assert task_measures(*plan_of(**gap_at(1.0)), ahead(in_contact=sliding))["door_contacts"] == 0
+
+
+def test_what_comes_after_the_goal_does_not_count():
+    plan, path = plan_of(cones=({"position": (8.0, 0.0)},))
+    assert task_measures(plan, path, ahead(end=9.0))["cones_touched"] == 0
+
+
 GUIDE = {"name": "guide", "kind": "person", "points": ((1.5, 0.0), (6.0, 0.0)), "pace": ((0.0, 0.5),)}
 FOLLOW = {"kind": "follow", "leader": "guide", "distance": 1.5}
 
@@ -89,11 +101,45 @@ def test_a_leader_who_is_followed_exactly():
     assert measures["time"] <= 9.1
 
 
+@settings(max_examples=30, deadline=None)
+@given(
+    st.lists(st.tuples(st.floats(-3, 8), st.floats(-3, 3)), min_size=2, max_size=12, unique=True),
+    st.floats(0.5, 3.0),
+)
+def test_distances_are_those_of_brute_force(places, asked):
+    x, y = np.array(places).T
+    cones = tuple({"position": (c, 0.5)} for c in (1.0, 3.0, 5.0))
+    task = FOLLOW | {"distance": asked}
+    line = {"task": task, "movers": (GUIDE,), "goal_radius": 0.05}  # never reached: nothing is cut off
+    plan, path = plan_of(((0.0, 2.0), (6.0, 2.0)), **line, cones=cones)
+    measures = task_measures(plan, path, rows(x, y, math.pi))
+    errors = [math.dist((a, b), (1.5 + 0.5 * 0.05 * k, 0.0)) - asked for k, (a, b) in enumerate(places)]
+    assert measures["follow_error_max"] == pytest.approx(max(map(abs, errors)), abs=1e-6)
+    assert measures["follow_error_rms"] == pytest.approx(math.sqrt(np.mean(np.square(errors[:-1]))), abs=1e-6)
+    share = np.linspace(0, 1, 400)
+    finely = np.concatenate([a + np.outer(share, b - a) for a, b in pairwise(np.array(places))])
+    near = [float(np.hypot(*(finely - (c, 0.5)).T).min()) for c in (1.0, 3.0, 5.0)]
+    reach = 0.15 + CHAIR_RADIUS
+    assert sum(d <= reach for d in near) <= measures["cones_touched"] <= sum(d <= reach + 0.02 for d in near)
+
+
 def test_a_leader_whom_nobody_follows():
     measures = task_measures(*plan_of(task=FOLLOW, movers=(GUIDE,)), rows(np.zeros(200), np.zeros(200)))
     assert not measures["reached"]
     assert measures["follow_error_max"] == pytest.approx(4.5)
     assert measures["follow_near"] == pytest.approx(0.1, abs=0.02)  # the first second of ten
+
+
+@settings(max_examples=30, deadline=None)
+@given(st.floats(0.0, 0.45), st.floats(-math.pi, math.pi), st.floats(-9.0, 9.0))
+def test_how_far_a_turn_ended_beside_the_mark_and_rolled_off_the_spot(drift, way, beside):
+    plan, path = plan_of(((0.0, 0.0), (0.0, 2.0)), {"kind": "turn", "direction": "left"}, start_heading=0.0)
+    share = np.concatenate([np.linspace(0, 1, 60), np.ones(60)])
+    x, y = drift * math.cos(way) * share, drift * math.sin(way) * share
+    measures = task_measures(plan, path, rows(x, y, np.radians(90 + beside) * share))
+    assert measures["reached"]
+    assert measures["heading_error_deg"] == pytest.approx(abs(beside), abs=1e-6)
+    assert measures["turn_drift"] == pytest.approx(drift, abs=1e-9)
 
 
 def test_turning_on_the_spot_has_its_own_measures():
