@@ -34,7 +34,7 @@ async function choose(app, root, signal) {
     if (!documents.has(name)) documents.set(name, app.api.get(`/floorplans/${name}`));
     return documents.get(name);
   };
-  const chosenWords = h("button", { type: "button", class: "btn bare", title: t("drive.chosen"), onclick: () => chooser.show() });
+  const chosenWords = h("button", { type: "button", class: "btn bare chosen-words", title: t("drive.chosen"), onclick: () => chooser.show() });
   const chooser = planChooser(plans, read, (words) => put(chosenWords, words));
   const button = h(
     "button",

@@ -77,7 +77,7 @@ export async function show(app, root, { signal, rest }) {
     );
   };
   const choosePath = selection(
-    paths.map((one) => ({ value: one.key, label: pathWords(one, plans) })),
+    inOrder(paths, plans).map((one) => ({ value: one.key, ...pathWords(one, plans) })),
     path.key,
     (key) => {
       path = paths.find((one) => one.key === key);
@@ -139,9 +139,20 @@ function driven(trials) {
   return [...found.values()];
 }
 
+/** By place and level as on the Drive page, then by task; what is not there any more last. */
+function inOrder(paths, plans) {
+  const rank = ({ floorplan, name }) => {
+    const at = plans.findIndex((plan) => plan.name === floorplan);
+    return at < 0 ? Infinity : at + plans[at].paths.findIndex((one) => one.name === name) / 100;
+  };
+  return paths.toSorted((a, b) => (rank(a) === rank(b) ? 0 : rank(a) - rank(b)));
+}
+
+/** Where it is, how difficult, and the task; the levels of one scene stand together. */
 function pathWords({ floorplan, name, title }, plans) {
-  const path = plans.find((plan) => plan.name === floorplan)?.paths.find((one) => one.name === name);
-  return `${title}: ${path?.title ?? name}`;
+  const plan = plans.find((one) => one.name === floorplan);
+  const task = plan?.paths.find((one) => one.name === name)?.title ?? name;
+  return { label: `${title}: ${task}`, group: plan?.scene?.title ?? title };
 }
 
 function noTrials(root, who) {

@@ -22,12 +22,18 @@ export function field(label, input, hint) {
   );
 }
 
-/** @param {{value: string, label: string}[]} options @param {string} chosen @param {(value: string) => void} [onChange] */
+/**
+ * Options of one group stand together, under its words.
+ * @param {{value: string, label: string, group?: string}[]} options @param {string} chosen @param {(value: string) => void} [onChange]
+ */
 export function selection(options, chosen, onChange) {
+  const option = ({ value, label }) => h("option", { value, selected: value === chosen }, label);
+  const groups = [...new Set(options.map(({ group }) => group))];
+  const members = (group) => options.filter((one) => one.group === group).map(option);
   const select = h(
     "select",
     {},
-    options.map(({ value, label }) => h("option", { value, selected: value === chosen }, label)),
+    groups.map((group) => (group ? h("optgroup", { label: group }, members(group)) : members(group))),
   );
   if (onChange) select.addEventListener("change", () => onChange(select.value));
   return select;

@@ -1,16 +1,16 @@
-/** The path measures: unit, digits, which way is better, and how two trials compare. */
+/** The measures of all tasks: unit, digits, which way is better, and how two trials compare. */
 import { t } from "../texts.js";
 import { number, signed } from "./format.js";
 
-/** @type {Record<string, {unit: string, digits: number, better: "low" | "high", needsGoal: boolean}>} */
+/** of: the measure that says how many there are. @type {Record<string, {unit: string, digits: number, better: "low" | "high", needsGoal: boolean, of?: string}>} */
 export const MEASURES = {
-  stages_done: { unit: "", digits: 0, better: "high", needsGoal: false },
+  stages_done: { unit: "", digits: 0, better: "high", needsGoal: false, of: "stages" },
   follow_error_rms: { unit: "m", digits: 2, better: "low", needsGoal: false },
   follow_error_max: { unit: "m", digits: 2, better: "low", needsGoal: false },
   follow_near: { unit: "", digits: 2, better: "high", needsGoal: false },
   heading_error_deg: { unit: "°", digits: 0, better: "low", needsGoal: true },
   turn_drift: { unit: "m", digits: 2, better: "low", needsGoal: false },
-  cones_touched: { unit: "", digits: 0, better: "low", needsGoal: false },
+  cones_touched: { unit: "", digits: 0, better: "low", needsGoal: false, of: "cones" },
   gap_clearance: { unit: "m", digits: 2, better: "high", needsGoal: false },
   door_contacts: { unit: "", digits: 0, better: "low", needsGoal: false },
   dist: { unit: "m", digits: 2, better: "low", needsGoal: true },
@@ -33,8 +33,8 @@ const LARGE = [
   ["stages_done", "time", "collisions"],
   ["heading_error_deg", "turn_drift", "time"],
   ["follow_error_rms", "follow_near", "e_diff"],
-  ["cones_touched", "e_diff", "time"],
   ["gap_clearance", "e_diff", "time"],
+  ["cones_touched", "e_diff", "time"],
   ["dist", "e_diff", "time"],
 ];
 
@@ -45,7 +45,18 @@ export function mostTelling(measures) {
 
 /** @param {string} name @param {number | null | undefined} value */
 export function withUnit(name, value) {
-  return `${number(value, MEASURES[name].digits)} ${MEASURES[name].unit}`.trim();
+  return joined(number(value, MEASURES[name].digits), MEASURES[name].unit);
+}
+
+/** A degree sign stands close to its figure. */
+function joined(figure, unit) {
+  return unit === "°" ? `${figure}${unit}` : `${figure} ${unit}`.trim();
+}
+
+/** What stands small behind a measure: its unit, or of how many. @param {string} name @param {any} measures */
+export function unitOf(name, measures) {
+  const { unit, of } = MEASURES[name];
+  return of && Number.isFinite(measures[of]) ? t("measure.of", { count: measures[of] }) : unit;
 }
 
 /** Tell whether a trial's measure can stand beside others. @param {string} name @param {any} measures */
@@ -66,7 +77,7 @@ export function change(name, measures, before) {
   const isBetter = difference < 0 === (better === "low");
   return {
     words: t(isBetter ? "over.better" : "over.worse"),
-    amount: `${signed(difference, digits)} ${unit}`.trim(),
+    amount: joined(signed(difference, digits), unit),
     arrow: difference < 0 ? "↓" : "↑",
     tone: isBetter ? "good" : "bad",
   };

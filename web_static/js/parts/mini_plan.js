@@ -11,7 +11,7 @@ export function miniPlan(plan, path) {
   const picture = planPicture(plan, path.points, {
     label: t("drive.plan.label", { plan: plan.title, path: path.title }),
     isNear: path.task.kind === "path" || path.task.kind === "follow",
-    task: path.task,
+    asked: path,
   });
   /** @type {[number, number][]} */
   const driven = [];
@@ -22,9 +22,10 @@ export function miniPlan(plan, path) {
     picture.element,
   );
   details.addEventListener("toggle", () => localStorage.setItem(PLACE, details.open ? "open" : "closed"));
-  /** @param {number[]} pose @param {number[] | null} [leader] */
-  const show = (pose, leader = null) => {
+  /** @param {number[]} pose @param {{leader: number[] | null, target: number[]}} trial */
+  const show = (pose, { leader, target }) => {
     if (leader) picture.setLeader(leader);
+    picture.setGoal(target);
     const [x, y] = pose;
     const last = driven.at(-1);
     if (!last || Math.hypot(x - last[0], y - last[1]) >= STEP) {

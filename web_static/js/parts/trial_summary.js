@@ -2,7 +2,7 @@
 import { t } from "../texts.js";
 import { h } from "./dom.js";
 import { number } from "./format.js";
-import { best, change, MEASURES, mostTelling, withUnit } from "./measures.js";
+import { best, change, MEASURES, mostTelling, unitOf, withUnit } from "./measures.js";
 import { planPicture } from "./plan_svg.js";
 
 /** The trials before this one on the same path that count and were measured. @param {any} trial @param {any[]} trials */
@@ -24,7 +24,7 @@ export function trialSummary(trial, trials, plan) {
     { class: "stack" },
     !trial.kept && h("p", { class: "problem" }, t("over.discarded", { reason: trial.discard_reason })),
     !measures && h("p", { class: "problem" }, t("over.no-measures")),
-    measures && !measures.reached && h("p", { class: "card quiet" }, t("over.not-reached")),
+    measures && !measures.reached && h("p", { class: "card quiet" }, t("e_diff" in measures ? "over.not-reached" : "over.not-done")),
     measures &&
       h(
         "div",
@@ -42,7 +42,7 @@ function largeFigure(name, measures, previous) {
     "section",
     { class: "card" },
     h("h2", {}, t(`measure.${name}`)),
-    h("div", { class: "big" }, number(measures[name], MEASURES[name].digits), " ", h("small", {}, MEASURES[name].unit)),
+    h("div", { class: "big" }, figureOf(name, measures)),
     h(
       "p",
       { class: `change ${difference?.tone ?? ""}` },
@@ -55,8 +55,14 @@ function largeFigure(name, measures, previous) {
   );
 }
 
-function taskOf(trial, plan) {
-  return plan.paths.find(({ name }) => name === trial.path_name)?.task ?? null;
+/** A figure with its unit small behind it; a degree sign is as large as the figure. */
+function figureOf(name, measures) {
+  if (MEASURES[name].unit === "°") return withUnit(name, measures[name]);
+  return [number(measures[name], MEASURES[name].digits), " ", h("small", {}, unitOf(name, measures))];
+}
+
+function askedOf(trial, plan) {
+  return plan.paths.find(({ name }) => name === trial.path_name) ?? null;
 }
 
 /** The stages of a course, each with what it came to. */
@@ -93,7 +99,7 @@ function drivenCard(trial, plan) {
       h("h2", {}, t("over.driven")),
       h("p", { class: "quiet" }, t("over.no-trajectory")),
     );
-  const picture = planPicture(plan, trial.path, { label: t("over.driven"), hasRooms: true, task: taskOf(trial, plan) });
+  const picture = planPicture(plan, trial.path, { label: t("over.driven"), hasRooms: true, asked: askedOf(trial, plan) });
   picture.setDriven(trajectory.x.map((x, i) => [x, trajectory.y[i]]));
   return h("section", { class: "card driven-card" }, h("h2", {}, t("over.driven")), picture.element);
 }

@@ -3,15 +3,15 @@ import { t } from "../texts.js";
 import { cross } from "./cross.js";
 import { speedDial } from "./dial.js";
 import { h, put, write } from "./dom.js";
-import { clock, number } from "./format.js";
+import { number } from "./format.js";
 import { miniPlan } from "./mini_plan.js";
 import { pads } from "./pads.js";
+import { placeCard } from "./place_card.js";
 import { trialCue } from "./trial_cue.js";
 import { viewBar } from "./view_bar.js";
 import { viewFrame } from "./view_frame.js";
 
 const WIDE = matchMedia("(min-width: 1000px)"); // narrower, the plots would be drawn at the cost of the picture
-const OFF_PATH = 0.01; // m: less is drawn as on the path
 
 /**
  * Show the picture and what lies over it; `begin` is told of the trial once it runs.
@@ -38,7 +38,7 @@ export function showTrial(app, root, { plan, path, isVisitor }, signal) {
     cue.show(now);
     if (now.trial?.id !== trial.id) return;
     place.show(now);
-    mini.show(now.pose, now.trial.leader);
+    mini.show(now.pose, now.trial);
     bar.show(now);
   };
   app.live.addEventListener("tick", show, { signal });
@@ -68,59 +68,6 @@ export function showTrial(app, root, { plan, path, isVisitor }, signal) {
     place.name(words);
   };
   return { ready: view.ready, begin };
-}
-
-const DEGREES = 180 / Math.PI;
-const NEAR = 0.5; // m beside the asked distance to a leader
-
-/** How far: metres along the line, or degrees that are left to turn. */
-function progressWords(now) {
-  if (now.kind !== "turn") return t("trial.done", { done: number(now.done, 1), length: number(now.length, 0) });
-  const left = (now.length - now.done) * DEGREES;
-  return t(left < -0.5 ? "trial.turned.over" : "trial.turned", { left: number(Math.abs(left), 0) });
-}
-
-/** How well: beside the line, off the spot, behind a leader. */
-function asideWords(now, asked) {
-  if (now.leader)
-    return `${t("trial.behind", { distance: number(now.leader_distance, 1) })}: ${t(`trial.behind.${nearness(now, asked)}`)}`;
-  const distance = Math.abs(now.cross_track) < OFF_PATH ? 0 : Math.abs(now.cross_track);
-  return t(now.kind === "turn" ? "trial.spot" : "trial.off", { distance: number(distance, 2) });
-}
-
-/** @returns {"near" | "right" | "far"} */
-function nearness(now, asked) {
-  const error = now.leader_distance - asked;
-  return Math.abs(error) <= NEAR ? "right" : error < 0 ? "near" : "far";
-}
-
-function placeCard(plan, path) {
-  const [name, time, done, off, contacts] = [
-    h("div", { class: "quiet small" }),
-    h("div", { class: "big" }),
-    h("span", {}),
-    h("span", {}),
-    h("span", {}),
-  ];
-  const element = h(
-    "div",
-    { class: "hud place" },
-    name,
-    time,
-    h("div", { class: "small number facts" }, done, off, contacts),
-  );
-  const show = ({ trial: now, contacts: count }) => {
-    write(time, clock(now.t));
-    write(done, progressWords(now));
-    write(off, asideWords(now, asked));
-    off.dataset.tone = now.leader ? nearness(now, asked) : "";
-    write(contacts, count ? t("trial.contacts", { count }) : "");
-    if (now.stages > 1) write(name, t("trial.stage", { stage: now.stage + 1, stages: now.stages, title: now.title }));
-  };
-  const asked = path.task.distance;
-  write(name, `${plan.title} · ${path.title}`);
-  write(time, clock(0));
-  return { element, show, name: (words) => write(name, words) };
 }
 
 function bottomBar(app, path, [views, endElement], onPlots, signal) {

@@ -84,7 +84,8 @@ export default {
   "over.no-trajectory": "The recording of this trial is not there any more.",
   "over.no-measures": "This trial was too short to be measured. Drive a little further next time.",
   "over.not-reached": "The goal was not reached: distance, area and time cannot be compared with other trials.",
-  "over.first": "This is the first trial on this path: the next one has something to compare with.",
+  "over.not-done": "The task was not done to its end: its time cannot be compared with other trials.",
+  "over.first": "This is the first trial of this task: the next one has something to compare with.",
   "over.stages": "Stage by stage",
   "over.stage.done": "done",
   "over.stage.open": "not done",
@@ -109,5 +110,5 @@ export default {
   "over.discarded.toast": "Trial {number} does not count any more.",
   "over.keep": "Let it count again",
   "over.next": "Next trial",
-  "over.other": "Another path",
+  "over.other": "Another task",
 };

@@ -1,4 +1,4 @@
-/** Names of the path measures. */
+/** Names of the measures. */
 export default {
   "measure.dist": "Dist, distance driven",
   "measure.e_diff": "E_diff, area beside the path",
@@ -15,12 +15,13 @@ export default {
   "measure.sparc": "Smoothness (SPARC)",
   "measure.follow_error_rms": "Distance to the leader, error (rms)",
   "measure.follow_error_max": "Distance to the leader, largest error",
-  "measure.follow_near": "Time near the asked distance",
+  "measure.follow_near": "Share of time near the asked distance",
   "measure.cones_touched": "Cones touched",
   "measure.gap_clearance": "Narrowest clearance in a gap",
   "measure.door_contacts": "Contacts with door or gap",
   "measure.heading_error_deg": "Beside the mark",
   "measure.turn_drift": "Moved off the spot",
   "measure.stages_done": "Stages done",
+  "measure.of": "of {count}",
   "measure.ldlj": "Smoothness (log jerk)",
 };

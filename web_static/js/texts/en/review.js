@@ -2,7 +2,7 @@
 export default {
   "review.title": "What was learnt",
   "review.patient": "Patient",
-  "review.path": "Path",
+  "review.path": "Task",
   "review.measure": "Measure",
   "review.none.title": "No trials yet",
   "review.none.lead": "When trials have been driven, their learning curve and trajectories stand here.",
