@@ -115,7 +115,7 @@ def test_from_the_shirt_to_a_scored_drive(tablet):
     assert float(page.get_by_role("slider").first.get_attribute("aria-valuenow")) == pytest.approx(before)
 
     visit(page, "drive")
-    page.get_by_text("Straight ahead").click()
+    page.get_by_text("Straight ahead", exact=True).click()
     keep("drive-chosen")
     drives_to_the_goal(page, keep)
     expect(page.get_by_text("Dist, distance driven").first).to_be_visible()
