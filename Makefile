@@ -4,7 +4,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt
 
-.PHONY: demo test check safety drills soak worlds bench clean
+.PHONY: demo test browser check safety drills soak worlds bench clean
 
 $(VENV)/.installed: pyproject.toml constraints.txt
 	@echo "Installing into $(VENV), once; this takes a minute or two ..."
@@ -21,6 +21,9 @@ demo: $(VENV)/.installed
 
 test: $(VENV)/.installed-test check
 	$(BIN)/python -m pytest
+
+browser: $(VENV)/.installed-test
+	$(BIN)/python -m pytest -m long
 
 check: $(VENV)/.installed-test
 	$(BIN)/ruff check .

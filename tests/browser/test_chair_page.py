@@ -134,7 +134,7 @@ def pair(page, keep, port) -> str:
 
 def practise(page):
     """Drive a moment on the virtual chair, so that the set is one that was practised."""
-    page.get_by_text("Straight ahead").click()
+    page.get_by_text("Straight ahead", exact=True).click()
     page.get_by_role("button", name="Start trial").click()
     clock = page.locator(".place .big")
     expect(clock).to_be_visible()

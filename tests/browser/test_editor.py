@@ -12,7 +12,7 @@ from browser.driving import go_on_until
 from playwright.sync_api import expect
 from processes.test_demo_process import bodydrive, printed_link
 
-pytestmark = [pytest.mark.browser, pytest.mark.timeout(420)]
+pytestmark = [pytest.mark.browser, pytest.mark.long, pytest.mark.timeout(420)]
 
 SCREENSHOTS = Path(__file__).resolve().parents[2] / "var" / "screenshots"
 TABLETS = {"768x1024": (768, 1024), "1280x800": (1280, 800)}

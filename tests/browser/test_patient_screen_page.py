@@ -13,7 +13,7 @@ from browser.driving import go_on_until
 from playwright.sync_api import expect
 from processes.served_demo import bodydrive, printed_link
 
-pytestmark = [pytest.mark.browser, pytest.mark.timeout(420)]
+pytestmark = [pytest.mark.browser, pytest.mark.long, pytest.mark.timeout(420)]
 
 SCREENSHOTS = Path(__file__).resolve().parents[2] / "var" / "screenshots"
 SIZES = {"1280x800": (1280, 800), "768x1024": (768, 1024)}

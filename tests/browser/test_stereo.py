@@ -20,7 +20,7 @@ from app.scene.views import EYE_BACK, EYE_DOWN, EyeSettings
 from app.settings import static_folder
 from app.world.floorplan import FloorPlan
 
-pytestmark = [pytest.mark.browser, pytest.mark.timeout(300)]
+pytestmark = [pytest.mark.browser, pytest.mark.long, pytest.mark.timeout(300)]
 
 SCREENSHOTS = Path(__file__).resolve().parents[2] / "var" / "screenshots"
 PATIENCE = 60_000  # ms: drawing in software on a busy machine is slow
