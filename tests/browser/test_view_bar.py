@@ -7,7 +7,7 @@ import pytest
 
 from app.settings import static_folder
 
-pytestmark = pytest.mark.browser
+pytestmark = [pytest.mark.browser, pytest.mark.long]
 
 ORIGIN = "http://127.0.0.1:9"  # nothing listens there: every answer comes from the test
 PAGE = """<!doctype html><html lang="en"><head><title>view bar</title>
