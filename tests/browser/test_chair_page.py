@@ -47,7 +47,7 @@ def demo():
             assert process.wait(20) == 0
 
 
-@pytest.fixture(params=TABLETS)
+@pytest.fixture(params=["1024x768", pytest.param("768x1024", marks=pytest.mark.long)])
 def tablet(request, browser, page_log, demo):
     """Yield a page of one tablet, signed in, and a function that keeps a screenshot."""
     width, height = TABLETS[request.param]

@@ -49,7 +49,7 @@ def signed_in(name, browser, page_log, link):
     page.close()
 
 
-@pytest.fixture(params=TABLETS)
+@pytest.fixture(params=["1024x768", pytest.param("820x1180", marks=pytest.mark.long)])
 def tablet(request, browser, page_log, demo):
     """Yield one tablet after the other, each in a demonstration of its own."""
     with signed_in(request.param, browser, page_log, demo[1]) as page_and_keep:
