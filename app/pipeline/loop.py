@@ -126,12 +126,12 @@ class ControlLoop:
         tick = setup.chain.step(frame, t, conditions)
         state = setup.chair.state
         tick.driven_v, tick.driven_omega, tick.dial = state.v, state.omega, setup.chain.dial
-        setup.looking.note(tick, t)
         if link is not None:
-            self.tell_chair()
+            self.tell_chair()  # before anything else: nothing that only shows may delay a stop
             note_chair(tick, link, t)
         elif self._report is not None:
             self._report.send(tick)
+        setup.looking.note(tick, t)
         if frame is not None:
             self._frame_t = t
         if run is None:

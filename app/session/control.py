@@ -22,7 +22,7 @@ STOP_LIMIT = 0.4  # s: whoever stops gets an answer, also when there is nobody l
 LOOK_EVERY = 0.25  # s
 HANG_LIMIT = 2.0  # s without a tick: a loop that stood for so long has lost its chair, and is replaced
 OPENING_LIMIT = 12.0  # s, while it does one of these for us: longer than its answer is waited for
-OPENING = frozenset({"chair", "shirt", "body", "parameters", "world", "run"})  # all are refused while it may move
+OPENING = frozenset({"chair", "shirt", "body", "head", "parameters", "world", "run"})  # refused while it may move
 START_AGAIN_AFTER = 0.5  # s; doubled with each start that fails, up to ...
 LONGEST_PAUSE = 8.0  # s
 
