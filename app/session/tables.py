@@ -88,6 +88,7 @@ class Patient(Table):
     code: Mapped[str] = mapped_column(String(64))
     pseudonym: Mapped[str] = mapped_column(String(80))
     note: Mapped[str] = mapped_column(String(2000))
+    adaptation: Mapped[str] = mapped_column(String(8), server_default="off")  # of the map: off, suggest, auto
     created: Mapped[datetime]
     deleted: Mapped[datetime | None]  # kept, so that it can be undone
 
@@ -154,7 +155,7 @@ class Run(Table):
 
 
 class Profile(Table):
-    """An accepted calibration: saved once, never changed, only succeeded by a newer version."""
+    """A map that was accepted: saved once, never changed, only succeeded by a newer version."""
 
     __tablename__ = "profile"
     __table_args__ = (UniqueConstraint("patient_id", "version"),)
@@ -162,6 +163,9 @@ class Profile(Table):
     patient_id: Mapped[int] = mapped_column(ForeignKey("patient.id"))
     session_id: Mapped[int] = mapped_column(ForeignKey("session.id"))
     version: Mapped[int]
+    origin: Mapped[str] = mapped_column(String(16), server_default="calibration")  # calibration, adaptation, back
+    parent: Mapped[int | None]  # version of the same patient that it was made from; None: from a calibration
+    difference: Mapped[dict[str, Any] | None]  # what was changed against the parent
     document: Mapped[dict[str, Any]]
     created: Mapped[datetime]
 
@@ -202,6 +206,7 @@ class Trial(Table):
     kept: Mapped[bool]
     discard_reason: Mapped[str | None] = mapped_column(String(200))
     measures: Mapped[dict[str, Any] | None]
+    quality: Mapped[dict[str, Any] | None]  # how well the map fitted the movements of this trial
 
 
 class Chair(Table):
