@@ -109,9 +109,7 @@ async def save_new(request: Request, who: Clinician, parts: PeopleParts, flows: 
         _log(parts, who.name, "floor plan saved", floorplan=plan.name, version=version)
         return OwnPlanView(name=plan.name, title=plan.title, version=version)
 
-    saved = await asyncio.to_thread(save)
-    flows.live.tell("floorplans")
-    return saved
+    return await asyncio.to_thread(save)
 
 
 @router.put("/floorplans/{name}")
@@ -134,9 +132,7 @@ async def save_version(
         _log(parts, who.name, "floor plan saved", floorplan=name, version=now)
         return OwnPlanView(name=name, title=plan.title, version=now)
 
-    saved = await asyncio.to_thread(save)
-    flows.live.tell("floorplans")
-    return saved
+    return await asyncio.to_thread(save)
 
 
 @router.delete("/floorplans/{name}")

@@ -37,9 +37,9 @@ def task_measures(plan: FloorPlan, path: PrescribedPath, columns: Mapping[str, A
     -------
     dict
         The path measures (`app.session.metrics`), but for a turn; `reached` by the task's own judgement. With cones:
-        cones_touched, cones. With gaps or doors: gap_clearance (m; None when none was passed), door_contacts.
+        cones_touched, cones. With gaps: gaps (how many there are). With gaps or doors: gap_clearance (m; None when none was passed), door_contacts.
         Following: follow_error_rms, follow_error_max (m), follow_near (share of time). Turning: heading_error_deg
-        (beside the mark, either way), turn_drift (m), time. A course: stages_done, stages and parts, a list of each
+        (beside the mark, either way), turn_drift (m), time, collisions, contact_time (s). A course: stages_done, stages and parts, a list of each
         stage's own measures with its title and kind.
 
     Raises
@@ -66,6 +66,7 @@ def _simple(plan: FloorPlan, path: PrescribedPath, rows: Columns) -> Measures:
             "heading_error_deg": math.degrees(abs(progress.heading_error)),
             "turn_drift": float(np.hypot(rows["x"] - path.points[0][0], rows["y"] - path.points[0][1]).max()),
             "collisions": contact_beginnings(rows["in_contact"] != 0, rows["t"]),
+            "contact_time": _time_in_contact(rows),
         }
     else:
         measures = _along(path, rows)
@@ -99,7 +100,7 @@ def _course(plan: FloorPlan, path: PrescribedPath, rows: Columns) -> Measures:
         "time": _duration(rows),
         "dist": float(np.hypot(np.diff(rows["x"]), np.diff(rows["y"])).sum()),
         "collisions": contact_beginnings(rows["in_contact"] != 0, rows["t"]),
-        "contact_time": float(np.diff(rows["t"])[rows["in_contact"][1:] != 0].sum()),
+        "contact_time": _time_in_contact(rows),
         **_met(plan, rows),
         "stages_done": sum(part["reached"] for part in parts),
         "stages": len(parts),
@@ -120,6 +121,8 @@ def _met(plan: FloorPlan, rows: Columns) -> Measures:
     measures: Measures = {}
     if plan.cones:
         measures |= {"cones_touched": cones_touched(plan, points), "cones": len(plan.cones)}
+    if plan.gaps:
+        measures["gaps"] = len(plan.gaps)
     if plan.gaps or plan.doors:
         measures["gap_clearance"] = gap_clearance(plan, points)
         measures["door_contacts"] = contacts_at_gaps(plan, points, rows["t"], rows["in_contact"] != 0)
@@ -142,3 +145,7 @@ def _states(rows: Columns) -> list[tuple[Pose, float, float]]:
 
 def _duration(rows: Columns) -> float:
     return float(rows["t"][-1] - rows["t"][0])
+
+
+def _time_in_contact(rows: Columns) -> float:
+    return float(np.diff(rows["t"])[rows["in_contact"][1:] != 0].sum())

@@ -73,7 +73,8 @@ def test_who_did_not_go_through_has_no_clearance_and_contacts_count_where_the_ga
     assert measures["gap_clearance"] is None
     measures = task_measures(*plan_of(**gap_at(1.0)), ahead(in_contact=touching, contacts=np.cumsum(touching)))
     assert measures["door_contacts"] == 2
-    assert measures["contact_time"] > 0
+    assert measures["contact_time"] == pytest.approx(6 * 0.05)
+    assert measures["gaps"] == 1
 
 
 def test_a_contact_that_began_elsewhere_is_none_of_the_gap_s():

@@ -29,18 +29,19 @@ export const MEASURES = {
   ldlj: { unit: "", digits: 2, better: "high", needsGoal: false },
 };
 
+/** What leads, by what a trial has: the first whose named measures are all there. */
 const LARGE = [
-  ["stages_done", "time", "collisions"],
-  ["heading_error_deg", "turn_drift", "time"],
-  ["follow_error_rms", "follow_near", "e_diff"],
-  ["gap_clearance", "e_diff", "time"],
-  ["cones_touched", "e_diff", "time"],
-  ["dist", "e_diff", "time"],
+  { has: ["stages_done"], large: ["stages_done", "time", "collisions"] },
+  { has: ["heading_error_deg"], large: ["heading_error_deg", "turn_drift", "time"] },
+  { has: ["follow_error_rms"], large: ["follow_error_rms", "follow_near", "e_diff"] },
+  { has: ["gaps", "gap_clearance"], large: ["gap_clearance", "e_diff", "time"] }, // where gaps are the task: not any door
+  { has: ["cones_touched"], large: ["cones_touched", "e_diff", "time"] },
+  { has: [], large: ["dist", "e_diff", "time"] },
 ];
 
 /** The three measures that say most about a task, by what was measured. @param {any} measures @returns {string[]} */
 export function mostTelling(measures) {
-  return LARGE.find(([first]) => Number.isFinite(measures[first])) ?? LARGE.at(-1);
+  return LARGE.find(({ has }) => has.every((name) => Number.isFinite(measures[name]))).large;
 }
 
 /** @param {string} name @param {number | null | undefined} value */

@@ -40,7 +40,6 @@ export default {
   "patient.none.lead": "This screen does not know yet which visit it belongs to.",
   "patient.none.next":
     "On the clinician's page, choose Drive, then “Pair a screen”, and scan the code there with the camera of this screen.",
-  "patient.retry": "Try again",
   "screens.title": "Patient's screen",
   "screens.lead":
     "A second screen for the patient: the view, large cues and the speed. Nothing on it can be changed.",
