@@ -54,6 +54,9 @@ HOME = {
     "segno": {"api", "cli"},
     "serial": {"hardware"},
     "ezdxf": {"world"},
+    "statsmodels": {"session"},
+    "msgspec": {"scene"},
+    "zstandard": {"bench"},
 }
 
 
