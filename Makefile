@@ -43,7 +43,7 @@ drills: $(VENV)/.installed-test
 	PYTHONPATH=tests $(BIN)/python -m drills --out docs/drills.md
 
 soak: $(VENV)/.installed-test
-	PYTHONPATH=tests $(BIN)/python -m soak
+	PYTHONPATH=tests $(BIN)/python -m soak --out docs/viewers.md
 
 worlds: $(VENV)/.installed-test
 	$(BIN)/python -m pytest tests/worlds/each_task.py

@@ -61,7 +61,7 @@ def _rows(viewers: int, runs: int, seconds: float) -> list[Row]:
     reach = REACH.get(viewers)
     return [
         Row(f"web process with {who} at 60 poses/s", core, "% of one core", reach, "lower", cost),
-        Row(f"poses that reach a browser, {who}", min(found.rates), "poses/s", None, "higher", "whoever got fewest"),
+        Row(f"poses that reach a viewer, {who}", min(found.rates), "poses/s", None, "higher", "whoever got fewest"),
         Row(f"age of a pose that arrives, {who}: p50", float(p50), "ms", None, "lower", aged),
         Row(f"age of a pose that arrives, {who}: p99", float(p99), "ms", None, "lower", "the same poses"),
     ]

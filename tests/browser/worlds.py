@@ -27,8 +27,11 @@ def open_drive_page(browser, log, link, size=(1024, 768)):
     return page
 
 
-def drive(page, scene, level, path):
-    """Choose the task, start it, and wait until its page says that the goal was reached; return the measures' text."""
+def drive(page, scene, level, path, meanwhile=None):
+    """Choose the task, start it, and wait until its page says that the goal was reached; return the measures' text.
+
+    `meanwhile` is done once, while it is driven.
+    """
     page.goto(page.url.split("#")[0] + "#/drive")
     card = page.locator(".plan-card").filter(has=page.get_by_role("heading", name=scene, exact=True))
     if level:
@@ -36,6 +39,9 @@ def drive(page, scene, level, path):
     card.get_by_text(path.title, exact=True).click()
     expect(page.locator(".foot")).to_contain_text(path.title)
     page.get_by_role("button", name="Start trial").click()
+    if meanwhile is not None:
+        page.locator(".view-bar").wait_for()
+        meanwhile()
     goal = page.get_by_role("heading", name="Goal reached")
     go_on_until(page, goal.is_visible, f"the goal of '{path.title}'", seconds=int(path.time_limit) + 60)
     return page.locator("table.measures").last.inner_text()

@@ -1,6 +1,11 @@
-"""Each task of each scene, driven to its end by the simulated person in a real browser; `make worlds`."""
+"""Each task of each scene, driven to its end by the simulated person in a real browser; `make worlds`.
 
+Pictures of every task in every view, to be looked at, are put into var/worlds.
+"""
+
+import re
 from collections.abc import Iterator
+from pathlib import Path
 
 import pytest
 from browser.conftest import browser, page_log  # noqa: F401  (fixtures)
@@ -8,6 +13,10 @@ from browser.worlds import drive, open_drive_page, tasks
 from processes.test_demo_process import bodydrive, printed_link
 
 pytestmark = [pytest.mark.browser, pytest.mark.timeout(900)]
+
+PICTURES = Path(__file__).resolve().parents[2] / "var" / "worlds"
+VIEWS = ("Chase", "Top", "Free", "Eye")
+DRAWN = 2500  # ms until another view is drawn, in software
 
 
 @pytest.fixture(scope="module")
@@ -26,6 +35,13 @@ def page(browser, page_log) -> Iterator:  # noqa: F811
 
 @pytest.mark.parametrize("task", tasks(), ids=lambda task: f"{task[2]}-{task[3].name}")
 def test_the_simulated_person_drives_it_to_its_end(page, task):
-    scene, level, _, path = task
-    words = drive(page, scene, level, path)
-    assert "Time" in words
+    scene, level, name, path = task
+
+    def take_pictures():
+        for view in VIEWS:
+            page.get_by_role("radio", name=view, exact=True).check(force=True)
+            page.wait_for_timeout(DRAWN)
+            page.screenshot(path=PICTURES / f"{name}-{path.name}-{view.lower()}.png")
+
+    words = drive(page, scene, level, path, take_pictures)
+    assert re.search(r"^Time\s+[\d.]+ s", words, re.MULTILINE), words
