@@ -10,6 +10,7 @@ import editor from "./texts/en/editor.js";
 import measures from "./texts/en/measures.js";
 import patient_screen from "./texts/en/patient_screen.js";
 import patients from "./texts/en/patients.js";
+import replay from "./texts/en/replay.js";
 import review from "./texts/en/review.js";
 import settings from "./texts/en/settings.js";
 import shell from "./texts/en/shell.js";
@@ -29,6 +30,7 @@ const CATALOGUE = Object.freeze({
   ...chair,
   ...measures,
   ...review,
+  ...replay,
   ...settings,
   ...patient_screen,
   ...stereo,

@@ -1,18 +1,19 @@
 /** Review: how a measure went over trials, all trajectories over the path, and every trial. */
+import { compareChoice } from "../parts/compare_choice.js";
 import { h, put } from "../parts/dom.js";
 import { field, selection } from "../parts/fields.js";
 import { moment } from "../parts/format.js";
 import { curveChart, trajectoriesChart } from "../parts/learning_charts.js";
 import { MEASURES, mostTelling, withUnit } from "../parts/measures.js";
 import { emptyPage } from "../parts/nobody.js";
-import { readTrial, showTrialOver } from "../parts/trial_over.js";
 import { t } from "../texts.js";
 
 const MEASURE_PLACE = "bodydrive-measure";
+const OWN_PAGES = ["trial", "compare"]; // #/review/PATIENT/trial/ID, #/review/PATIENT/compare/ID/ID
 
 /** @param {import("../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal, rest: string[]}} page */
 export async function show(app, root, { signal, rest }) {
-  if (rest[1] === "trial") return oneTrial(app, root, rest, signal);
+  if (OWN_PAGES.includes(rest[1])) return (await import(`./${rest[1]}.js`)).show(app, root, { signal, rest });
   const patients = await app.api.get("/patients");
   const patient =
     patients.find(({ id }) => String(id) === rest[0]) ??
@@ -162,6 +163,7 @@ function noTrials(root, who) {
 
 function trialList(patient, trials) {
   const listed = mostTelling(trials.findLast(({ measures }) => measures)?.measures ?? {});
+  const compare = compareChoice(patient.id);
   const row = (trial) =>
     h(
       "tr",
@@ -183,6 +185,7 @@ function trialList(patient, trials) {
       h("td", {}, t(`review.end.${trial.end}`)),
       listed.map((name) => h("td", {}, trial.measures ? withUnit(name, trial.measures[name]) : "–")),
       h("td", {}, trial.kept ? t("review.kept") : trial.discard_reason),
+      h("td", {}, compare.box(trial)),
     );
   const head = [
     t("review.column.number"),
@@ -190,6 +193,7 @@ function trialList(patient, trials) {
     t("review.column.end"),
     ...listed.map((name) => t(`measure.${name}`)),
     t("review.column.kept"),
+    t("compare.column"),
   ];
   return h(
     "section",
@@ -213,11 +217,6 @@ function trialList(patient, trials) {
         h("tbody", {}, trials.toReversed().map(row)),
       ),
     ),
+    trials.length > 1 && compare.element,
   );
-}
-
-async function oneTrial(app, root, [patient, , id], signal) {
-  const read = await readTrial(app.api, id);
-  if (signal.aborted) return;
-  showTrialOver(app, root, read, () => [h("a", { class: "btn", href: `#/review/${patient}` }, t("review.back"))]);
 }
