@@ -13,13 +13,25 @@ from app.session.refusals import Conflict, NotFound
 from app.session.tables import Parameters, Profile
 
 
-def save_profile(db: Session, patient_id: int, session_id: int, profile: CalibrationProfile) -> Profile:
-    """Keep an accepted calibration as the patient's next version."""
+def save_profile(
+    db: Session,
+    patient_id: int,
+    session_id: int,
+    profile: CalibrationProfile,
+    *,
+    origin: str = "calibration",
+    parent: int | None = None,
+    difference: dict[str, Any] | None = None,
+) -> Profile:
+    """Keep an accepted map as the patient's next version; `parent` is the version that it was made from."""
     last = db.scalar(select(func.max(Profile.version)).where(Profile.patient_id == patient_id)) or 0
     row = Profile(
         patient_id=patient_id,
         session_id=session_id,
         version=last + 1,
+        origin=origin,
+        parent=parent,
+        difference=difference,
         document=profile.model_dump(mode="json"),
         created=utc_now(),
     )

@@ -1,0 +1,162 @@
+"""Versions of a map: adapted, and back again; what was driven keeps what it was driven with."""
+
+from typing import Any
+
+import pytest
+from sqlalchemy.orm import Session
+
+from app.calibration.profile import CalibrationProfile
+from app.calibration.vocabulary import DriveParameters, standard_parameters
+from app.session.map_versions import family, go_back, save_adapted, version_before, versions_of
+from app.session.refusals import Conflict
+from app.session.store_controls import as_document, current_parameters, save_parameters, save_profile
+from app.session.store_patients import add_patient, start_session
+from app.session.store_people import add_clinic
+from app.session.store_runs import add_run, add_trial
+from app.session.tables import Parameters, Patient, PatientSession, Profile, Trial
+
+
+class Here:
+    """A patient with an accepted calibration."""
+
+    def __init__(self, db: Session, profile: CalibrationProfile) -> None:
+        self.db = db
+        self.patient: Patient = add_patient(db, add_clinic(db, "Clinic").id, "P-1", "Heron", "")
+        self.session: PatientSession = start_session(db, self.patient.clinic_id, self.patient.id)
+        self.calibrate(profile)
+
+    def calibrate(self, profile: CalibrationProfile) -> None:
+        row = save_profile(self.db, self.patient.id, self.session.id, profile)
+        save_parameters(self.db, row, standard_parameters(profile))
+
+    @property
+    def now(self) -> DriveParameters:
+        return as_document(*current_parameters(self.db, self.patient.id))
+
+    @property
+    def version(self) -> int:
+        return current_parameters(self.db, self.patient.id)[1].version
+
+    def set(self, **changes: Any) -> None:
+        save_parameters(self.db, current_parameters(self.db, self.patient.id)[1], self.now.model_copy(update=changes))
+
+    def adapt(self, by: float) -> Profile:
+        """Move the mean of each joint and the dead-zone of each gesture."""
+        now = self.now
+        joints = tuple(joint.model_copy(update={"mean": (joint.mean[0] + by,)}) for joint in now.profile.joints)
+        gestures = tuple(
+            gesture.model_copy(update={"dead_zone": gesture.dead_zone + by, "full": gesture.full + by})
+            for gesture in now.gestures
+        )
+        adapted = now.model_copy(
+            update={"profile": now.profile.model_copy(update={"joints": joints}), "gestures": gestures}
+        )
+        return save_adapted(self.db, self.patient.id, self.session.id, adapted, {"by": by})
+
+    def back(self) -> Profile:
+        return go_back(self.db, self.patient.id, self.session.id)
+
+    def drive(self, name: str) -> Trial:
+        run = add_run(self.db, name, self.session.id, "drive", name)
+        return add_trial(
+            self.db,
+            run=run,
+            clinic_id=self.patient.clinic_id,
+            patient_id=self.patient.id,
+            parameters_id=current_parameters(self.db, self.patient.id)[0].id,
+            floorplan="hall",
+            floorplan_title="Hall",
+            path="loop",
+            path_points=[[0.0, 0.0], [1.0, 0.0]],
+        )
+
+
+@pytest.fixture
+def here(db: Session, profile: CalibrationProfile) -> Here:
+    return Here(db, profile)
+
+
+def test_an_adapted_map_is_a_version_of_its_own(here: Here) -> None:
+    before = here.now
+    here.set(title="Indoors", cutoff=2.0)
+    row = here.adapt(0.02)
+    assert (row.version, row.origin, row.parent, row.difference) == (2, "adaptation", 1, {"by": 0.02})
+    now = here.now
+    assert (now.title, now.cutoff, now.bindings) == ("Indoors", 2.0, before.bindings)
+    assert now.profile.joints[0].mean == (0.02,)
+    assert now.gestures[0].dead_zone == pytest.approx(0.22)
+    assert now.hash != before.hash
+    kept = here.db.query(Profile).filter_by(version=1).one()
+    assert CalibrationProfile.model_validate(kept.document) == before.profile
+
+
+def test_going_back_restores_what_was_driven_to_the_last_digit(here: Here) -> None:
+    before = here.now.hash
+    here.adapt(0.02)
+    row = here.back()
+    assert (row.version, row.origin, row.parent, row.difference) == (3, "back", 2, {"back_to": 1})
+    assert here.now.hash == before
+
+
+def test_each_tap_goes_one_version_further_back_and_ends_at_the_calibration(here: Here) -> None:
+    hashes = [here.now.hash]
+    for _ in range(2):
+        here.adapt(0.02)
+        hashes.append(here.now.hash)
+    assert version_before(here.db, here.patient.id) == 2
+    here.back()
+    assert here.now.hash == hashes[1]
+    assert version_before(here.db, here.patient.id) == 1
+    here.back()
+    assert here.now.hash == hashes[0]
+    assert here.version == 5
+    assert version_before(here.db, here.patient.id) is None
+    with pytest.raises(Conflict, match="straight from a calibration"):
+        here.back()
+
+
+def test_a_map_that_went_back_adapts_again_and_back_again(here: Here) -> None:
+    before = here.now.hash
+    here.adapt(0.02)
+    here.back()
+    here.adapt(0.05)
+    assert version_before(here.db, here.patient.id) == 3
+    here.back()
+    assert here.now.hash == before
+
+
+def test_what_a_person_set_since_stays_when_going_back(here: Here) -> None:
+    here.adapt(0.02)
+    right, left = here.now.gestures
+    by_hand = right.model_copy(update={"full": 2.5})
+    here.set(gestures=(by_hand, left), mode_u2="acceleration")
+    here.back()
+    now = here.now
+    assert now.gestures[0] == by_hand
+    assert now.gestures[1].dead_zone == 0.2
+    assert now.mode_u2 == "acceleration"
+
+
+def test_trials_keep_the_version_that_they_were_driven_with(here: Here) -> None:
+    first = here.drive("a")
+    here.adapt(0.02)
+    second, third = here.drive("b"), here.drive("c")
+    here.back()
+    listed = versions_of(here.db, here.patient.id)
+    assert [(one.version, one.origin, one.parent, one.trials) for one in listed] == [
+        (3, "back", 2, []),
+        (2, "adaptation", 1, [second.id, third.id]),
+        (1, "calibration", None, [first.id]),
+    ]
+    rows = [here.db.get_one(Parameters, trial.parameters_id) for trial in (first, second)]
+    assert [row.profile_id for row in rows] == [1, 2]
+
+
+def test_a_new_calibration_is_no_child_of_what_was_adapted_before(here: Here, profile: CalibrationProfile) -> None:
+    here.adapt(0.02)
+    here.calibrate(profile)
+    here.adapt(0.02)
+    here.back()
+    assert family(here.db, here.patient.id, here.version) == {3, 4, 5}
+    assert family(here.db, here.patient.id, 2) == {1, 2}
+    assert version_before(here.db, here.patient.id) is None
