@@ -5,7 +5,7 @@ from collections.abc import AsyncIterator, Callable, Mapping
 from contextlib import asynccontextmanager, suppress
 from typing import TypeVar
 
-from fastapi import WebSocket
+from fastapi import WebSocket, WebSocketDisconnect
 
 from app.api.origin import host_is_ours, origin_is_ours
 from app.api.signed_in import PairedScreen, SignedIn, find_paired_screen, find_signed_in, find_viewer
@@ -95,6 +95,6 @@ class OpenSockets:
             await self._close(websocket, 1001)
 
     async def _close(self, websocket: WebSocket, code: int = SIGNED_OUT) -> None:
-        # It may have closed by itself in the meantime, or not answer at all.
-        with suppress(RuntimeError, TimeoutError):
+        # It may have closed by itself in the meantime, be gone, or not answer at all.
+        with suppress(RuntimeError, TimeoutError, WebSocketDisconnect):
             await asyncio.wait_for(websocket.close(code), 1.0)

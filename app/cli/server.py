@@ -77,9 +77,11 @@ class WebServer(uvicorn.Server):
         return nullcontext()
 
     async def _leave(self) -> None:
-        with suppress(TimeoutError):
-            await asyncio.wait_for(say_goodbye(self._app), GOODBYE)
-        self.should_exit = True
+        try:
+            with suppress(TimeoutError):
+                await asyncio.wait_for(say_goodbye(self._app), GOODBYE)
+        finally:  # whatever came of the courtesy, the program ends
+            self.should_exit = True
 
 
 def bind(host: str, port: int) -> socket.socket:
