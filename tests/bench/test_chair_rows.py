@@ -43,7 +43,7 @@ def test_a_stop_is_measured_from_its_command_to_its_frame():
 
 
 def test_the_command_period_is_measured_while_the_chair_drives_under_junk():
-    p99, longest = measure_period(seconds=3.0, rate=2000.0)
+    p99, longest = measure_period(seconds=3.0, rate=2000.0, runs=1)
     assert 5.0 < p99.figure <= longest.figure
     assert "/s to the chair's port" in p99.details
     assert 10 < int(p99.details.split()[0]) < 200  # two seconds of them
