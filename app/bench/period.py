@@ -35,10 +35,10 @@ def measure_period(seconds: float = SECONDS, rate: float = JUNK_RATE, runs: int 
     p99 = statistics.median(1e3 * float(np.percentile(run.gaps, 99)) for run in found)
     longest = 1e3 * max(max(run.gaps) for run in found)
     chairs, senders = (min(run.rates[port] for run in found) for port in (0, 1))
+    commands, driving = sum(len(run.gaps) for run in found), min(run.driving for run in found)
     details = (
-        f"median of {runs} runs, {sum(len(run.gaps) for run in found)} commands, {min(run.driving for run in found):.0%} "
-        f"of them driving, shirt at 1 kHz, beside two browsers' worth of work; "
-        f"junk sent: {chairs:,.0f}/s to the chair's port, {senders:,.0f}/s to the sender's"
+        f"{commands} commands in {runs} runs, {driving:.0%} of them driving, shirt at 1 kHz, beside two browsers' worth "
+        f"of work; junk sent: {chairs:,.0f}/s to the chair's port, {senders:,.0f}/s to the sender's"
     )
     return [
         Row(f"{WHAT}: p99", p99, "ms", 25.0, "lower", details),
