@@ -37,8 +37,8 @@ def measure_period(seconds: float = SECONDS, rate: float = JUNK_RATE, runs: int 
     chairs, senders = (min(run.rates[port] for run in found) for port in (0, 1))
     commands, driving = sum(len(run.gaps) for run in found), min(run.driving for run in found)
     details = (
-        f"{commands} commands in {runs} runs, {driving:.0%} of them driving, shirt at 1 kHz, beside two browsers' worth "
-        f"of work; junk sent: {chairs:,.0f}/s to the chair's port, {senders:,.0f}/s to the sender's"
+        f"{commands} commands in {runs} runs, {driving:.0%} of them driving, shirt at 1 kHz, beside two browsers' "
+        f"worth of work; junk sent: {chairs:,.0f}/s to the chair's port, {senders:,.0f}/s to the sender's"
     )
     return [
         Row(f"{WHAT}: p99", p99, "ms", 25.0, "lower", details),
