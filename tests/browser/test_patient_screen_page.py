@@ -97,8 +97,8 @@ def is_shown_the_drive(clinician, patient, keep):
     clinician.get_by_role("button", name="Start trial").click()
     speed = patient.locator(".patient .speed .big")
     go_on_until(clinician, lambda: float(re.match(r"[\d.]+", speed.inner_text())[0]) >= 0.2, "a speed")
-    expect(patient.locator(".arrow svg")).to_be_visible()
-    expect(patient.locator(".instruction")).not_to_be_empty()
+    go_on_until(clinician, patient.locator(".arrow svg").is_visible, "the arrow")
+    go_on_until(clinician, patient.locator(".instruction").inner_text, "what is asked")
     expect(patient.frame_locator("iframe").locator("canvas").first).to_be_visible()
     assert patient.evaluate(OUTSIDE) == []
     keep(patient, "patient-drive")
@@ -130,7 +130,7 @@ def is_readable_in_the_dark_and_large(clinician, patient, keep):
     assert calls.post(f"{base}/api/v1/patient-screen/settings", data=wishes, headers={"Origin": base}).ok
     patient.emulate_media(color_scheme="dark", reduced_motion="reduce")
     expect(patient.locator("html.large")).to_have_count(1)
-    expect(patient.locator(".instruction")).to_be_visible()
+    go_on_until(clinician, patient.locator(".instruction").is_visible, "what is asked")
     patient.wait_for_timeout(500)
     assert patient.evaluate(OUTSIDE) == []
     keep(patient, "patient-large-dark")
