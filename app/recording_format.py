@@ -48,6 +48,7 @@ LATER = {  # older recordings are without them
     "head_yaw": np.float32,
     "head_pitch": np.float32,
     "head_roll": np.float32,
+    "dial": np.float32,  # the speed dial: without it the commands cannot be made again
 }
 PER_GESTURE = ("score", "rate", "activation")
 PER_CHANNEL = "values"

@@ -24,6 +24,7 @@ from app.api import (
     plans,
     review,
     screen,
+    trial_replay,
     trials,
 )
 from app.api.deps import People, clinician, viewer
@@ -37,6 +38,7 @@ from app.api.refusals import install_refusals
 from app.api.screens import Screens
 from app.api.set_up import SetUp
 from app.api.sockets import OpenSockets
+from app.api.timelines import Timelines
 from app.api.trajectories import Trajectories
 from app.api.view_bridge import view_router
 from app.api.view_controls import view_controls
@@ -76,6 +78,7 @@ ROUTES = (
     calibration,
     controls,
     trials,
+    trial_replay,
     plans,
     models,
     drives,
@@ -203,6 +206,7 @@ def _flows(
         patient=patient,
         patient_live=LiveHub(patient.picture, dict),
         trajectories=Trajectories(readings.drive),
+        timelines=Timelines(),
         view=ViewKeeper(open_scene, link.newest),
         own_floorplans=settings.state / "floorplans",
     )

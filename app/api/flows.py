@@ -12,6 +12,7 @@ from starlette.requests import HTTPConnection
 from app.api.live_hub import LiveHub
 from app.api.patient_picture import PatientPicture
 from app.api.screens import Screen, Screens
+from app.api.timelines import Timelines
 from app.api.trajectories import Trajectories
 from app.api.view_keeper import ViewKeeper
 from app.session.arming import RealArming
@@ -53,6 +54,7 @@ class Flows:
     patient: PatientPicture
     patient_live: LiveHub
     trajectories: Trajectories
+    timelines: Timelines
     view: ViewKeeper
     own_floorplans: Path
 

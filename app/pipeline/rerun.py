@@ -38,16 +38,17 @@ def decode_run(run: Run, parameters: DriveParameters) -> Decoded:
     driven = run.meta.get("kind") == DRIVE
     return decode_block(
         parameters,
-        _sample_rate(run.meta, parameters.profile.sample_rate),
+        sample_rate_of(run.meta, parameters.profile.sample_rate),
         frames["t"],
         values.astype(np.float32, copy=False),
         t_device=frames["t_device"],
         state=frames["state"] if driven else None,
-        chair=_chair(run.meta) if driven else None,
+        chair=chair_of(run.meta) if driven else None,
     )
 
 
-def _sample_rate(meta: dict[str, Any], otherwise: float) -> float:
+def sample_rate_of(meta: dict[str, Any], otherwise: float) -> float:
+    """Return the sample rate (Hz) that a run's meta states; ValueError when it is none."""
     stated = meta.get("sample_rate", otherwise)
     if isinstance(stated, bool) or not isinstance(stated, int | float) or not SLOWEST <= stated <= FASTEST:
         raise ValueError(
@@ -56,7 +57,8 @@ def _sample_rate(meta: dict[str, Any], otherwise: float) -> float:
     return float(stated)
 
 
-def _chair(meta: dict[str, Any]) -> VirtualChair | None:
+def chair_of(meta: dict[str, Any]) -> VirtualChair | None:
+    """Return the virtual chair on the start of a run's floor plan, None without one; ValueError for a broken one."""
     document = meta.get("floorplan")
     if not document:
         return None

@@ -115,6 +115,7 @@ class Runs:
             "floorplan": floorplan.model_dump(mode="json") if floorplan else None,
             "path": setup.path.name if setup.path else None,
             "dynamics": setup.dynamics,
+            "clinic": setup.chain.clinic.model_dump(mode="json"),
             "meta": fields.meta,
         }
         folder = Path(fields.folder)

@@ -10,7 +10,7 @@ from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import DriveParameters, standard_parameters
 from app.clock import utc_now
 from app.session.refusals import Conflict, NotFound
-from app.session.tables import Parameters, Profile
+from app.session.tables import Parameters, Profile, Trial
 
 
 def save_profile(
@@ -95,6 +95,12 @@ def current_parameters(db: Session, patient_id: int) -> tuple[Parameters, Profil
 def as_document(row: Parameters, profile: Profile) -> DriveParameters:
     """Return the whole parameter set, profile included."""
     return DriveParameters.model_validate({**row.settings, "profile": profile.document})
+
+
+def parameters_of_trial(db: Session, trial_id: int) -> DriveParameters:
+    """Return what a trial was driven with: its own set on its own version of the map."""
+    row = db.get_one(Parameters, db.get_one(Trial, trial_id).parameters_id)
+    return as_document(row, db.get_one(Profile, row.profile_id))
 
 
 def undo_and_redo(db: Session, patient_id: int) -> tuple[Parameters | None, Parameters | None]:

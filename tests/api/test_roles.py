@@ -40,6 +40,7 @@ FOR_REVIEWERS = {
     "GET /floorplans/{name}",
     "GET /trials",
     "GET /trials/{trial_id}",
+    "GET /trials/{trial_id}/timeline",
     "GET /drives",
     "GET /drives/summary",
     "GET /patients/{patient_id}/learning",

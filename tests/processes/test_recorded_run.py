@@ -8,6 +8,7 @@ from processes.running_control import ROOM, SIMULATED, armed, refusal, running, 
 from processes.wearer import Wearer, free_port, shirt_config
 
 from app.faults import Fault, State
+from app.pipeline.exact_rerun import Replayed, replay_run
 from app.pipeline.rerun import decode_run
 from app.recording_reader import read_run
 from building import make_parameters
@@ -97,6 +98,9 @@ def test_a_drive_is_recorded_and_decoding_the_recording_gives_the_same_drive(tmp
     asyncio.run(story())
     run = read_run(tmp_path / "run")
     assert (run.words, run.meta["dynamics"]) == ("", dynamics)
+    exact = replay_run(run, parameters)
+    for name in Replayed.__slots__:
+        np.testing.assert_array_equal(run.columns[name], getattr(exact, name), err_msg=name)
     again = decode_run(run, parameters)
     frames = run.frames()
     for name in ("score", "rate", "activation", "u1", "u2"):

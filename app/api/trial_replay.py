@@ -1,0 +1,32 @@
+"""Looking at one trial again: its time line."""
+
+import gzip
+
+from fastapi import APIRouter, Request, Response
+
+from app.api.deps import Anyone, PeopleParts, RowId
+from app.api.flows import FlowParts
+from app.session.refusals import Conflict, NotFound
+from app.session.store_log import write_log
+from app.session.store_runs import find_trial
+from app.session.timeline import Timeline
+
+router = APIRouter(tags=["review"])
+
+
+@router.get("/trials/{trial_id}/timeline", response_model=Timeline)
+def trial_timeline(trial_id: RowId, who: Anyone, parts: PeopleParts, flows: FlowParts, request: Request) -> Response:
+    """Return a trial on one time line: pose, commands, gestures, signals and events."""
+    with parts.database.transaction() as db:
+        trial = find_trial(db, who.clinic_id, trial_id)
+        write_log(db, who.name, "trial viewed", trial=trial_id)
+    if trial.status != "done":
+        raise Conflict("This trial is still running: look at it when it has ended.")
+    try:
+        packed = flows.timelines.of(flows.runs.folder_of(trial.run_id), trial.path_points, trial.end)
+    except (ValueError, OSError) as error:
+        raise NotFound("The recording of this trial cannot be read: restore it from a backup.") from error
+    headers = {"Cache-Control": "private, no-cache", "Vary": "Accept-Encoding"}
+    if "gzip" in request.headers.get("accept-encoding", ""):
+        return Response(packed, media_type="application/json", headers=headers | {"Content-Encoding": "gzip"})
+    return Response(gzip.decompress(packed), media_type="application/json", headers=headers)

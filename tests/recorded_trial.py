@@ -1,0 +1,101 @@
+"""A trial as the control process would leave it on the disk: the real chain, a simulated body's strokes."""
+
+import uuid
+
+import numpy as np
+
+from app.calibration.vocabulary import DriveParameters
+from app.faults import Fault
+from app.hardware.chair.simulator import VirtualChair
+from app.messages import NO_CUE, SensorFrame
+from app.pipeline.chain import Chain
+from app.pipeline.safety import Conditions
+from app.recording import RunWriter
+from app.ring import RING_SLOTS, TickRing
+from app.world.floorplan import FloorPlan
+from building import make_signals
+
+STARTED = 5000.0  # s on the monotonic clock
+
+
+def plan_of(walls=(), **more):
+    """Return a floor plan with one straight path, 6 m along x."""
+    room = ((-2.0, -3.0), (9.0, -3.0), (9.0, 3.0), (-2.0, 3.0), (-2.0, -3.0))
+    return FloorPlan.model_validate(
+        {
+            "name": "room",
+            "title": "Room",
+            "walls": [room, *walls],
+            "paths": [{"name": "ahead", "title": "Ahead", "points": [(0.0, 0.0), (6.0, 0.0)], "instruction": "Go."}],
+            **more,
+        }
+    )
+
+
+def record_trial(
+    folder,
+    parameters: DriveParameters,
+    *,
+    seconds=12.0,
+    seed=0,
+    plan=None,
+    dynamics="unicycle",
+    dials=(),
+    missing=(),
+    without_frame=(),
+    stop_at=None,
+    values=None,
+):
+    """Record a trial into `folder` and return its meta.
+
+    dials: (s, share) from when the speed dial stands there; missing: frames that got lost; without_frame: ticks in
+    which none came; stop_at: s at which Stop is pressed and, a second later, taken back.
+    """
+    rate = parameters.profile.sample_rate
+    plan = plan or plan_of()
+    path = plan.paths[0]
+    values = make_signals(parameters, int(seconds * rate), seed) if values is None else values
+    chair = VirtualChair(plan, path.start, dynamics)
+    chain = Chain(rate, parameters, chair)
+    layout = parameters.profile.layout
+    meta = {
+        "run_id": "trial",
+        "kind": "drive",
+        "software": "test",
+        "layout": layout.model_dump(mode="json"),
+        "sample_rate": rate,
+        "gestures": [gesture.name for gesture in parameters.gestures],
+        "cues": [],
+        "parameters": parameters.model_dump(mode="json"),
+        "floorplan": plan.model_dump(mode="json"),
+        "path": path.name,
+        "dynamics": dynamics,
+        "clinic": chain.clinic.model_dump(mode="json"),
+    }
+    ring = TickRing.create(f"bodydrive-test-{uuid.uuid4().hex}")
+    ring.unlink()
+    writer = RunWriter(folder, meta, len(layout.channels), len(parameters.gestures))
+    writer.start(ring, 0, 1)
+    assert len(values) < RING_SLOTS  # then nothing is lost, however slow the recorder is
+    dials, conditions = list(dials), Conditions()
+    chain.arm()
+    for i, frame in enumerate(values):
+        run_t = i / rate
+        t = STARTED + run_t + 1e-4 * np.sin(i)  # no loop turns to the microsecond
+        if i in missing:
+            continue
+        if dials and run_t >= dials[0][0]:
+            assert chain.set_dial(dials.pop(0)[1])
+        if stop_at is not None and i == int(stop_at * rate):
+            chain.gate.stop(Fault.STOP_TABLET)
+        if stop_at is not None and i == int((stop_at + 1) * rate):
+            chain.gate.clear(chain.gate.stops)
+            chain.arm()
+        came = None if i in without_frame else SensorFrame(i, run_t, t, frame)
+        tick = chain.step(came, t, conditions)
+        tick.driven_v, tick.driven_omega, tick.dial = chair.state.v, chair.state.omega, chain.dial
+        ring.write(tick, 1, run_t, NO_CUE, 0, 0)
+    writer.close(ring.number)
+    ring.close()
+    assert (writer.dropped, writer.words) == (0, "")
+    return meta

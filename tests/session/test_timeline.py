@@ -1,0 +1,92 @@
+"""A trial on one time line, as its recording has it."""
+
+import numpy as np
+import pytest
+from recorded_trial import plan_of, record_trial
+
+from app.recording_reader import read_run
+from app.session.timeline import CHANNELS_SHOWN, MOST_POINTS, poses_of, timeline_of
+from app.session.trial_events import events_of
+from building import make_parameters
+
+PATH = [[0.0, 0.0], [6.0, 0.0]]
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    made = tmp_path_factory.mktemp("trial") / "run"
+    wall = plan_of([((1.0, 0.8), (8.0, 0.8))])
+    record_trial(made, make_parameters(), seconds=40.0, plan=wall, stop_at=20.0)
+    return made
+
+
+def test_all_columns_share_one_time_base_and_say_what_was_recorded(folder):
+    run, line = read_run(folder), timeline_of(folder, PATH, "goal")
+    rows = run.columns
+    lengths = {len(column) for column in (line.t, line.x, line.theta, line.u1, line.state, line.contact, line.along)}
+    lengths |= {len(values) for one in line.gestures for values in (one.score, one.rate, one.activation)}
+    lengths |= {len(channel.values) for joint in line.joints for channel in joint.channels}
+    assert len(lengths) == 1
+    assert MOST_POINTS / 2 < lengths.pop() <= MOST_POINTS
+    armed = int(np.flatnonzero(rows["state"] == 2)[0])
+    own_t = rows["t"] - rows["t"][armed]
+    for i in (0, 700, len(line.t) - 1):
+        row = int(np.argmin(np.abs(own_t - line.t[i])))
+        assert line.x[i] == pytest.approx(rows["x"][row], abs=1e-4)
+        assert line.theta[i] == pytest.approx(rows["theta"][row], abs=1e-4)
+    assert max(line.u1) == pytest.approx(rows["u1"].max(), abs=1e-4)
+    assert [one.name for one in line.gestures] == run.meta["gestures"]
+    assert line.gestures[0].controls == ["u1+", "stop"]
+    for i, gesture in enumerate(line.gestures):
+        assert max(gesture.rate) == pytest.approx(rows["rate"][:, i].max(), abs=1e-4)
+        assert min(gesture.score) == pytest.approx(rows["score"][:, i].min(), abs=1e-4)
+    assert line.across[-1] == pytest.approx(line.y[-1], abs=0.001)
+
+
+def test_a_joint_shows_the_channels_that_weigh_most(folder):
+    line, profile = timeline_of(folder, PATH, None), make_parameters().profile
+    joint, shown = profile.joints[0], line.joints[0]
+    assert (shown.name, shown.of, len(shown.channels)) == (joint.name, len(joint.channels), CHANNELS_SHOWN)
+    least = min(abs(joint.weights[[f"c{i}" for i in joint.channels].index(one.name)]) for one in shown.channels)
+    assert sum(abs(weight) > least for weight in joint.weights) == CHANNELS_SHOWN - 1
+
+
+def test_what_happened_stands_on_it(folder):
+    events = timeline_of(folder, PATH, "goal").events
+    kinds = [event.kind for event in events]
+    assert kinds[:2] == ["checking", "armed"]
+    assert events[1].t == 0.0
+    stop = next(event for event in events if event.kind == "stop")
+    assert stop.words == "Stop was pressed on the screen."
+    assert kinds.count("armed") == 2
+    assert "goal" in kinds
+    assert "goal" not in {event.kind for event in timeline_of(folder, PATH, "by hand").events}
+
+
+def test_what_touches_again_at_once_is_one_contact():
+    t = np.arange(100) / 10
+    contacts = np.zeros(100, dtype=np.uint32)
+    contacts[20:] += 1
+    contacts[23:] += 1
+    contacts[60:] += 1
+    columns = {"state": np.zeros(100, dtype=np.uint8), "fault": np.zeros(100, dtype=np.uint8), "contacts": contacts}
+    assert [(event.t, event.kind) for event in events_of(columns, t, "goal")] == [(2.0, "contact"), (6.0, "contact")]
+
+
+def test_a_turn_on_the_spot_has_no_place_along_a_path(folder):
+    line = timeline_of(folder, [[1.0, 1.0], [1.0, 1.0]], None)
+    assert (line.along, line.across) == ([], [])
+
+
+def test_poses_come_at_an_even_rate(folder):
+    run = read_run(folder)
+    poses = poses_of(run, 20.0)
+    assert len(poses.t) == pytest.approx(40 * 20, abs=3)
+    assert np.diff(poses.t).max() < 0.07
+    assert poses.x[-1] == pytest.approx(run.columns["x"][-1], abs=0.05)
+    assert poses.head.shape == (len(poses.t), 3)
+
+
+def test_a_folder_without_a_recording_is_refused(tmp_path):
+    with pytest.raises(ValueError, match="no recording"):
+        timeline_of(tmp_path, PATH, None)
