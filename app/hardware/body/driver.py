@@ -52,6 +52,7 @@ class Driver:
     def __init__(self, parameters: PersonParameters, seed: int) -> None:
         self.parameters = parameters
         self.practice = parameters.practice  # strokes
+        self.session_strokes = 0  # since the last pause between sessions: they tire
         self.limbs = {limb: Limb() for limb in WISH_OF}
         self._random = random.Random(seed)
         spread = parameters.estimate_error.after(parameters.practice)
@@ -157,7 +158,8 @@ class Driver:
             wrong = rng.choice([name for name in self.limbs if name != limb])
             limb = wrong if self._can_move(wrong, t) else limb
         size = min(p.largest, max(p.smallest, size))
-        size *= 1 + rng.gauss(0, p.stroke_noise.after(self.practice))
+        worn = p.worn(p.fatigue_noise, self.session_strokes)
+        size *= 1 + rng.gauss(0, p.stroke_noise.after(self.practice) * worn)
         size = min(1.0, max(p.smallest / 2, size + rng.gauss(0, p.constant_noise)))
         rise = (p.rise_base + p.rise_slope * size) * max(0.6, 1 + rng.gauss(0, p.timing_noise))
         self.limbs[limb].aside = rng.uniform(-p.shrug, p.shrug)
@@ -165,12 +167,15 @@ class Driver:
         before = v if limb in OTHER_ELBOW else pose.theta
         self._open.append(Stroke(limb, done, t + rise, before))
         self._free_at = t + rise + self._pause()
+        self.session_strokes += 1
         if p.learns:
             self.practice += 1
 
     def _pause(self) -> float:
         """Return how long to think before the next stroke, s."""
-        return self.parameters.hesitation.after(self.practice) * self._random.uniform(0.5, 1.5)
+        p = self.parameters
+        worn = p.worn(p.fatigue_hesitation, self.session_strokes)
+        return p.hesitation.after(self.practice) * worn * self._random.uniform(0.5, 1.5)
 
     def _awaits_outcome(self, limb: str) -> bool:
         """Return whether a stroke on the same control has not shown its outcome yet."""

@@ -8,6 +8,7 @@ from app.hardware.body.cued import CuedBody
 from app.hardware.body.driver import Driver
 from app.hardware.body.joints import ARM_DEGREES_OF_FREEDOM, second_way
 from app.hardware.body.person_parameters import PARAMETERS, PersonParameters, Skill
+from app.hardware.body.tremor import Tremor
 from app.world.floorplan import FloorPlan, PrescribedPath
 
 
@@ -31,12 +32,29 @@ class Person:
         self._t = 0.0
         self._cued = CuedBody(self.joints, self._seed)
         self.driver = Driver(self.parameters, self._seed)
+        self._tremor = Tremor(len(self.joints), self._seed)
+        self.begin_session(1)
         self._limbs = []
         for name, limb in self.driver.limbs.items():
             aside = second_way(name)
             self._limbs.append((limb, self.joints.index(name), None if aside is None else self.joints.index(aside)))
         if self._task is not None:
             self.driver.show_task(*self._task)
+
+    def begin_session(self, number: int) -> None:
+        """Come to a session (from 1) rested: range and tremor are this session's, what was practised is still known.
+
+        Raises
+        ------
+        ValueError
+            When `number` is below 1.
+        """
+        if number < 1:
+            raise ValueError(f"there is no session {number}: sessions are counted from 1")
+        self.session = number
+        self.driver.session_strokes = 0
+        self._range = self.parameters.range_in(number)
+        self._tremor.size = self.parameters.tremor_in(number)
 
     def show_task(self, plan: FloorPlan, path: PrescribedPath) -> None:
         """Show what is asked, and where."""
@@ -58,4 +76,7 @@ class Person:
                 posture[along] += level
                 if aside is not None:
                     posture[aside] += level * limb.aside
+        posture *= self._range
+        if self._tremor.size > 0.0:
+            posture += self._tremor.at(self._t)
         return posture

@@ -4,7 +4,10 @@ import math
 from dataclasses import dataclass, field, replace
 from typing import Literal, NamedTuple
 
-Skill = Literal["novice", "practised"]
+Skill = Literal["novice", "practised", "improving", "deteriorating"]
+
+SMALLEST_RANGE, LARGEST_RANGE = 0.4, 1.25  # of the first session's: beyond it another vocabulary is due
+LARGEST_TREMOR = 0.04  # of the range, about 5 degrees of an elbow: beyond it nobody drives like this
 
 
 class Practised(NamedTuple):
@@ -51,6 +54,12 @@ class PersonParameters:
     look_ahead : m along the path to the point that is steered for; with speed_look_ahead, s, added as speed x time.
     heading_tolerance : rad of heading error that is let be: a learner corrects what is plain to see.
     speed_tolerance : m/s of speed error that is let be.
+    fatigue_noise, fatigue_hesitation : by how much of themselves noise and hesitation grow in somebody worn out.
+    fatigue_strokes : strokes in one session after which that growth has come to 63 %; a pause between sessions takes
+        all of it away.
+    range_per_session : share by which the range of every joint grows (above 0) or shrinks from session to session.
+    tremor : standard deviation of a 4 to 8 Hz tremor in the first session, of a joint's range; at rest and in movement.
+    tremor_per_session : what every further session adds to it.
     learns : whether practice changes anything at all.
     practice : strokes practised before the first one here.
 
@@ -81,10 +90,44 @@ class PersonParameters:
     speed_look_ahead: float = 0.7
     heading_tolerance: Practised = field(default=Practised(0.3, 0.11, 350.0))
     speed_tolerance: float = 0.07
+    fatigue_noise: float = 0.0
+    fatigue_hesitation: float = 0.0
+    fatigue_strokes: float = 400.0
+    range_per_session: float = 0.0
+    tremor: float = 0.0
+    tremor_per_session: float = 0.0
     learns: bool = True
     practice: float = 0.0
+
+    def range_in(self, session: int) -> float:
+        """Return the range of every joint in a session (from 1), as a share of that in the first."""
+        return min(LARGEST_RANGE, max(SMALLEST_RANGE, (1.0 + self.range_per_session) ** (session - 1)))
+
+    def tremor_in(self, session: int) -> float:
+        """Return the tremor's standard deviation in a session (from 1), of a joint's range."""
+        return min(LARGEST_TREMOR, max(0.0, self.tremor + self.tremor_per_session * (session - 1)))
+
+    def worn(self, most: float, strokes: float) -> float:
+        """Return the factor on a quantity that grows by `most` of itself, after so many strokes in this session."""
+        return 1.0 + most * (1.0 - math.exp(-strokes / self.fatigue_strokes))
 
 
 NOVICE = PersonParameters()
 PRACTISED = replace(NOVICE, practice=1500.0)  # about twenty-five trials
-PARAMETERS: dict[Skill, PersonParameters] = {"novice": NOVICE, "practised": PRACTISED}
+IMPROVING = replace(NOVICE, fatigue_noise=0.2, fatigue_hesitation=0.3, range_per_session=0.01)
+"""A beginner in training: learns, tires within a session, and wins a little range from session to session."""
+DETERIORATING = replace(
+    NOVICE,
+    practice=PRACTISED.practice,
+    fatigue_noise=0.3,
+    fatigue_hesitation=0.4,
+    range_per_session=-0.02,
+    tremor_per_session=0.003,
+)
+"""Somebody practised whose joints lose 2 % of their range with every session, and whose tremor grows."""
+PARAMETERS: dict[Skill, PersonParameters] = {
+    "novice": NOVICE,
+    "practised": PRACTISED,
+    "improving": IMPROVING,
+    "deteriorating": DETERIORATING,
+}

@@ -1,0 +1,156 @@
+"""The person from session to session: tires and rests, loses or wins range, and shakes more."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from app.cues import Cue
+from app.geometry import Pose
+from app.hardware.base import BodyView
+from app.hardware.body.driver import Driver
+from app.hardware.body.person import Person
+from app.hardware.body.person_parameters import (
+    DETERIORATING,
+    IMPROVING,
+    LARGEST_RANGE,
+    LARGEST_TREMOR,
+    NOVICE,
+    PARAMETERS,
+    SMALLEST_RANGE,
+    PersonParameters,
+)
+from app.hardware.body.tremor import BAND, Tremor
+from app.world.floorplan import FloorPlan
+
+PLAN = FloorPlan(
+    name="p",
+    title="P",
+    walls=(),
+    paths=({"name": "c", "title": "C", "points": ((0.0, 0.0), (6.0, 0.0)), "instruction": "Go."},),
+)
+CUE = Cue(start=0.0, end=1.0, kind="move", joint="right_elbow", repetition=1)
+
+
+def largest_flexion(person: Person) -> float:
+    """Return how far the right elbow goes when it is asked to."""
+    elbow = person.joints.index("right_elbow")
+    return max(person.step(0.01, BodyView(cue=CUE))[elbow] for _ in range(150))
+
+
+def shake(person: Person, seconds: float = 20.0) -> np.ndarray:
+    """Return the posture of somebody at rest (n, n_joints) at 100 Hz."""
+    return np.array([person.step(0.01, BodyView()).copy() for _ in range(round(seconds * 100))])
+
+
+def test_who_deteriorates_loses_two_percent_of_range_a_session_and_shakes_more() -> None:
+    still = dataclasses.replace(DETERIORATING, tremor_per_session=0.0)
+    first, tenth = Person(still, 3), Person(still, 3)
+    tenth.begin_session(10)
+    assert largest_flexion(tenth) == pytest.approx(0.98**9 * largest_flexion(first))
+    shaking = []
+    for session in (1, 5, 10):
+        person = Person("deteriorating", 3)
+        person.begin_session(session)
+        shaking.append(float(np.std(shake(person))))
+    assert shaking[0] < 0.004  # what every hand does
+    assert shaking[1] == pytest.approx(0.012, rel=0.15)
+    assert shaking[2] == pytest.approx(0.027, rel=0.15)
+
+
+def test_the_tremor_is_there_in_movement_too() -> None:
+    steady = dataclasses.replace(DETERIORATING, tremor_per_session=0.0)
+    moved, shaken = Person(steady, 3), Person(DETERIORATING, 3)
+    for person in (moved, shaken):
+        person.begin_session(8)
+    elbow = moved.joints.index("right_elbow")
+    view = BodyView(cue=CUE)
+    apart = [shaken.step(0.01, view)[elbow] - moved.step(0.01, view)[elbow] for _ in range(100)]
+    assert np.std(apart) > 0.01
+
+
+def test_who_improves_wins_range() -> None:
+    person = Person("improving", 3)
+    before = largest_flexion(person)
+    person = Person("improving", 3)
+    person.begin_session(6)
+    assert largest_flexion(person) == pytest.approx(1.01**5 * before)
+
+
+@given(st.integers(1, 1000), st.floats(-0.03, 0.03), st.floats(-0.01, 0.01))
+@settings(max_examples=60)
+def test_range_and_tremor_stay_human_in_any_session(session: int, change: float, growth: float) -> None:
+    person = PersonParameters(range_per_session=change, tremor=0.01, tremor_per_session=growth)
+    assert SMALLEST_RANGE <= person.range_in(session) <= LARGEST_RANGE
+    assert 0.0 <= person.tremor_in(session) <= LARGEST_TREMOR
+    assert person.range_in(1) == 1.0
+
+
+def test_the_tremor_lies_between_four_and_eight_hertz_and_no_limb_shakes_like_another() -> None:
+    tremor = Tremor(4, 7)
+    tremor.size = 0.02
+    moved = np.array([tremor.at(i / 100) for i in range(6000)])
+    assert np.std(moved) == pytest.approx(0.02, rel=0.1)
+    power = np.abs(np.fft.rfft(moved, axis=0)) ** 2
+    frequency = np.fft.rfftfreq(len(moved), 0.01)
+    within = (frequency >= BAND[0] - 0.1) & (frequency <= BAND[1] + 0.1)
+    assert power[within].sum() > 0.97 * power.sum()
+    assert np.max(np.abs(np.corrcoef(moved.T) - np.eye(4))) < 0.3
+    other = Tremor(4, 8)
+    other.size = 0.02
+    assert not np.allclose(other.at(1.0), tremor.at(1.0))
+
+
+def test_without_a_tremor_nothing_is_added() -> None:
+    assert not Tremor(4, 7).at(1.0).any()
+    assert Person("novice", 1).parameters.tremor_in(10) == 0.0
+
+
+def tire(driver: Driver, seconds: float) -> None:
+    """Let a driver try to start before a chair that never moves."""
+    for i in range(round(seconds * 100)):
+        driver.drive(i / 100, Pose(0.0, 0.0, 1.0), 0.0, False)
+    driver.rest()
+
+
+def test_strokes_tire_and_a_pause_between_sessions_rests() -> None:
+    person = Person("deteriorating", 1)
+    person.show_task(PLAN, PLAN.paths[0])
+    tire(person.driver, 60.0)
+    strokes, practice = person.driver.session_strokes, person.driver.practice
+    assert strokes > 10
+    assert DETERIORATING.worn(DETERIORATING.fatigue_noise, strokes) > 1.0
+    person.begin_session(2)
+    assert person.driver.session_strokes == 0
+    assert person.driver.practice == practice  # what was learnt is not slept away
+    person.reset()
+    assert person.session == 1
+
+
+def test_who_is_worn_out_hesitates_longer_and_errs_more() -> None:
+    """Everything else being equal, a worn driver makes fewer strokes in a minute, and they miss their size by more."""
+    slow = dataclasses.replace(NOVICE, fatigue_hesitation=0.5, learns=False)
+    counts = []
+    for already in (0, 10_000):
+        driver = Driver(slow, 5)
+        driver.show_task(PLAN, PLAN.paths[0])
+        driver.session_strokes = already
+        tire(driver, 120.0)
+        counts.append(driver.session_strokes - already)
+    assert counts[1] < 0.95 * counts[0]
+    assert NOVICE.worn(0.2, 0) == 1.0
+    assert NOVICE.worn(0.2, 400) == pytest.approx(1.0 + 0.2 * (1 - np.exp(-1)))
+    assert NOVICE.worn(0.2, 1e9) == pytest.approx(1.2)
+    assert IMPROVING.worn(0.0, 1e9) == 1.0
+
+
+def test_a_session_below_the_first_is_refused() -> None:
+    with pytest.raises(ValueError, match="counted from 1"):
+        Person("novice", 1).begin_session(0)
+
+
+def test_every_named_person_can_be_asked_for_by_name() -> None:
+    for name, parameters in PARAMETERS.items():
+        assert Person(name, 1).parameters is parameters
