@@ -15,7 +15,7 @@ from processes.test_demo_process import bodydrive, printed_link
 pytestmark = [pytest.mark.browser, pytest.mark.timeout(900)]
 
 PICTURES = Path(__file__).resolve().parents[2] / "var" / "worlds"
-VIEWS = ("Chase", "Top", "Free", "Eye")
+VIEWS = ("Eye", "Chase", "Top", "Free")
 DRAWN = 2500  # ms until another view is drawn, in software
 
 
@@ -39,7 +39,10 @@ def test_the_simulated_person_drives_it_to_its_end(page, task):
 
     def take_pictures():
         for view in VIEWS:
-            page.get_by_role("radio", name=view, exact=True).check(force=True)
+            choice = page.get_by_role("radio", name=view, exact=True)
+            if not choice.count():  # a short task may be done before all pictures are taken
+                return
+            choice.check(force=True)
             page.wait_for_timeout(DRAWN)
             page.screenshot(path=PICTURES / f"{name}-{path.name}-{view.lower()}.png")
 
