@@ -22,6 +22,7 @@ from app.api import (
     patient_screen,
     patients,
     plans,
+    quality,
     review,
     screen,
     trial_replay,
@@ -64,6 +65,7 @@ from app.session.store_calibration import fail_interrupted_steps
 from app.session.store_drives import close_interrupted_drives
 from app.session.store_patients import open_session
 from app.session.store_people import the_clinic
+from app.session.store_quality import TrialQualities
 from app.session.store_runs import close_interrupted_trials
 from app.session.visit_flow import VisitFlow
 from app.settings import Settings
@@ -83,6 +85,7 @@ ROUTES = (
     models,
     drives,
     review,
+    quality,
     control,
     live,
     screen,
@@ -207,6 +210,7 @@ def _flows(
         patient_live=LiveHub(patient.picture, dict),
         trajectories=Trajectories(readings.drive),
         timelines=Timelines(),
+        qualities=TrialQualities(database, runs.folder_of, readings.quality),
         view=ViewKeeper(open_scene, link.newest),
         own_floorplans=settings.state / "floorplans",
     )

@@ -27,6 +27,7 @@ from app.session.limits import ClinicLimits
 from app.session.patient_screens import PairingCodes
 from app.session.real_drive import RealDriveFlow
 from app.session.runs import Runs
+from app.session.store_quality import TrialQualities
 from app.session.visit_flow import VisitFlow
 from app.world.floorplan import FloorPlan, bundled_floorplans, load_floorplan
 from app.world.scene import Offer, bundled_places, find_place
@@ -55,6 +56,7 @@ class Flows:
     patient_live: LiveHub
     trajectories: Trajectories
     timelines: Timelines
+    qualities: TrialQualities
     view: ViewKeeper
     own_floorplans: Path
 

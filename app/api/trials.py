@@ -12,6 +12,7 @@ from app.api.flows import FlowParts, Flows, load_plan
 from app.api.screen import ScreenWord
 from app.api.signed_in import SignedIn
 from app.quantities import Document, Name
+from app.session.control_quality import ControlQuality
 from app.session.refusals import Conflict, NotFound
 from app.session.store_log import write_log
 from app.session.store_patients import find_patient
@@ -122,6 +123,7 @@ class TrialDetail(Document):
     discard_reason: str | None
     measures: dict[str, Any] | None
     trajectory: TrajectoryView | None
+    quality: ControlQuality | None  # None where the recording does not tell
 
 
 def trial_view(trial: Trial) -> TrialView:
@@ -235,6 +237,7 @@ def one_trial(trial_id: RowId, who: Anyone, parts: PeopleParts, flows: FlowParts
         path=[(x, y) for x, y in trial.path_points],
         path_name=trial.path,
         trajectory=None if found is None else TrajectoryView(t=found.t, x=found.x, y=found.y),
+        quality=flows.qualities.of(trial),
     )
 
 

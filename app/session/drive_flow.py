@@ -6,12 +6,14 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from app.session.control import Control
+from app.session.control_quality import ControlQuality
 from app.session.database import Database
 from app.session.readings import Readings
 from app.session.refusals import Conflict
 from app.session.runs import OpenRun, Runs
 from app.session.store_controls import as_document, current_parameters
 from app.session.store_log import write_log
+from app.session.store_quality import save_quality
 from app.session.store_runs import add_trial, finish_trial
 from app.session.tables import PatientSession, Run, Trial
 from app.session.trial_watch import End, TrialPlace, TrialWatch
@@ -138,15 +140,16 @@ class DriveFlow:
             return "fault"
 
     async def _finish(self, trial: RunningTrial, end: End) -> None:
-        measures = None
+        measures = quality = None
         try:
             await self._runs.end()
             measures = await asyncio.to_thread(self._readings.measure, trial.run.folder, trial.plan, trial.path)
+            quality = await asyncio.to_thread(self._readings.quality, trial.run.folder)
         except (ValueError, OSError):
-            measures = None  # too short to measure, or cut: the trial stays in the list without figures
+            pass  # too short to measure, or cut: the trial stays in the list without figures
         finally:
             try:
-                await asyncio.to_thread(self._save, trial.id, end, measures)
+                await asyncio.to_thread(self._save, trial.id, end, measures, quality)
             finally:  # also when the database is gone: the trial is over
                 self.trial = None
                 self._tell("trial")
@@ -185,7 +188,9 @@ class DriveFlow:
         with self._database.transaction() as db:
             db.delete(db.get_one(Trial, trial_id))
 
-    def _save(self, trial_id: int, end: End, measures: dict[str, Any] | None) -> None:
+    def _save(self, trial_id: int, end: End, measures: dict[str, Any] | None, quality: ControlQuality | None) -> None:
         with self._database.transaction() as db:
             finish_trial(db, trial_id, end, measures)
+            if quality is not None:
+                save_quality(db, trial_id, quality)
             write_log(db, None, "trial ended", trial=trial_id, end=end)

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from app.calibration.profile import CalibrationProfile
 from app.calibration.script import Step
 from app.layout import ShirtLayout
+from app.session.control_quality import ControlQuality
 from app.world.floorplan import FloorPlan, PrescribedPath
 
 
@@ -28,15 +29,18 @@ Fit = Callable[[ShirtLayout, list[tuple[Step, Path]], list[str]], CalibrationPro
 """Layout, each step with its recording, unused channels: the profile; ValueError with a sentence."""
 Measure = Callable[[Path, FloorPlan, PrescribedPath], dict[str, Any]]
 """Recording of a trial, where it was driven and what was asked: all measures; ValueError when nothing was driven."""
+Quality = Callable[[Path], ControlQuality]
+"""Recording of a trial: how well the map fitted it; ValueError or OSError when that cannot be told."""
 Drive = Callable[[Path], Driven]
 """Recording of a trial: where the chair went; ValueError or OSError when it cannot be read."""
 
 
 @dataclass(frozen=True, slots=True)
 class Readings:
-    """The four questions."""
+    """The five questions."""
 
     judge: Judge
     fit: Fit
     measure: Measure
     drive: Drive
+    quality: Quality

@@ -10,10 +10,12 @@ from app.calibration.fit import fit_profile
 from app.calibration.profile import CalibrationProfile
 from app.calibration.repetitions import Repetition, repetitions_of_run
 from app.calibration.script import Step
+from app.calibration.vocabulary import DriveParameters
 from app.faults import State
 from app.layout import ShirtLayout
 from app.recording_reader import Columns, read_run
 from app.session.calibration_judge import judge_frames
+from app.session.control_quality import ControlQuality, control_quality
 from app.session.readings import Driven, Readings
 from app.session.task_measures import task_measures
 from app.world.floorplan import FloorPlan, PrescribedPath
@@ -21,7 +23,9 @@ from app.world.floorplan import FloorPlan, PrescribedPath
 
 def recorded_readings() -> Readings:
     """Return the answers that are read from disk."""
-    return Readings(judge=judge_recording, fit=fit_recordings, measure=measure_recording, drive=driven)
+    return Readings(
+        judge=judge_recording, fit=fit_recordings, measure=measure_recording, drive=driven, quality=quality_of_recording
+    )
 
 
 def judge_recording(folder: Path, duration: float) -> str | None:
@@ -73,6 +77,23 @@ def measure_recording(folder: Path, plan: FloorPlan, path: PrescribedPath) -> di
     # What the chair did, where it said so; older recordings know only what it was told.
     v = np.where(np.isfinite(rows["driven_v"]), rows["driven_v"], rows["v"])
     return task_measures(plan, path, {**rows, "t": rows["t"] - rows["t"][0], "v": v})
+
+
+def quality_of_recording(folder: Path) -> ControlQuality:
+    """Return how well the map of a trial fitted it; the recording tells with what parameters it was driven."""
+    run = read_run(folder)
+    if not run.meta.get("parameters"):
+        raise ValueError("The recording does not say with what parameters it was driven: it cannot be judged.")
+    rows = run.frames()
+    way = _since_armed(run.columns)
+    return control_quality(
+        DriveParameters.model_validate(run.meta["parameters"]),
+        float(run.meta["sample_rate"]),
+        rows["values"],
+        rows["state"] == State.ARMED,
+        rows["activation"],
+        float(np.hypot(np.diff(way["x"]), np.diff(way["y"])).sum()),
+    )
 
 
 def driven(folder: Path) -> Driven:

@@ -20,6 +20,7 @@ from app.faults import Fault, State
 from app.layout import Channel, Joint, ShirtLayout
 from app.link import LinkLost, LinkRefused
 from app.messages import NO_CUE, TICK
+from app.session.control_quality import ControlQuality
 from app.session.readings import Driven, Readings
 from app.session.tables import LogEntry
 from app.settings import Settings
@@ -249,12 +250,18 @@ def running(settings: Settings) -> Iterator[Clinic]:
             raise ValueError(answers["fit"])
         return profile_for(layout)
 
+    def quality() -> ControlQuality:
+        if "quality" not in answers:
+            raise ValueError("The recording does not say with what parameters it was driven.")
+        return ControlQuality.model_validate(answers["quality"])
+
     line = np.linspace(0.0, 1.0, 101)
     readings = Readings(
         judge=lambda _folder, _duration: answers["judge"],
         fit=fit,
         measure=lambda _folder, _plan, _path: answers["measures"],
         drive=lambda _folder: Driven(line, line, 0 * line),
+        quality=lambda _folder: quality(),
     )
     app = create_app(settings, open_link, readings)
     with TestClient(app, base_url=BASE, raise_server_exceptions=False, client=("127.0.0.1", 50_000)) as client:

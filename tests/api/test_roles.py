@@ -44,6 +44,7 @@ FOR_REVIEWERS = {
     "GET /drives",
     "GET /drives/summary",
     "GET /patients/{patient_id}/learning",
+    "GET /patients/{patient_id}/quality",
     "GET /view/{role}/",
 }
 

@@ -11,6 +11,7 @@ import measures from "./texts/en/measures.js";
 import patient_screen from "./texts/en/patient_screen.js";
 import patients from "./texts/en/patients.js";
 import replay from "./texts/en/replay.js";
+import quality from "./texts/en/quality.js";
 import review from "./texts/en/review.js";
 import settings from "./texts/en/settings.js";
 import shell from "./texts/en/shell.js";
@@ -29,6 +30,7 @@ const CATALOGUE = Object.freeze({
   ...editor,
   ...chair,
   ...measures,
+  ...quality,
   ...review,
   ...replay,
   ...settings,

@@ -3,6 +3,7 @@ import { t } from "../texts.js";
 import { discardForm } from "./discard.js";
 import { h, put } from "./dom.js";
 import { moment } from "./format.js";
+import { qualityCard } from "./quality_card.js";
 import { trialSummary } from "./trial_summary.js";
 
 /**
@@ -65,6 +66,7 @@ export function showTrialOver(app, root, read, actions) {
         t("over.lead", { number: trial.number, plan: trial.floorplan_title, path, when: moment(trial.started) }),
       ),
       trialSummary(trial, trials, plan),
+      qualityCard(trial),
       place,
     ),
     h("div", { class: "foot" }, keeping, h("span", { class: "grow" }), actions(trial)),

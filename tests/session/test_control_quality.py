@@ -1,0 +1,284 @@
+"""The quality of control against signals whose truth is known."""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from app.calibration.profile import CalibrationProfile, JointMap
+from app.calibration.vocabulary import Binding, DriveParameters, Gesture
+from app.layout import Channel, Joint, ShirtLayout
+from app.session.control_quality import control_quality, cross_talk
+from app.session.joint_quality import fit_of_movement, stillest, stretches
+
+RATE = 100.0
+JOINTS = ("right_elbow", "left_elbow")
+COUNT = 4  # channels of a joint
+NOISE = 1e-4  # keeps a channel from being flat
+SECONDS = 40.0
+
+
+def parameters(bound: tuple[str, ...] = JOINTS, *, stop: bool = False) -> DriveParameters:
+    layout = ShirtLayout(
+        name="Known",
+        channels=tuple(Channel(name=f"{joint}_{i}", joint=joint) for joint in JOINTS for i in range(COUNT)),
+        joints=tuple(Joint(name=joint, label=joint.replace("_", " ")) for joint in JOINTS),
+    )
+    maps = tuple(
+        JointMap(
+            name=joint,
+            channels=tuple(range(COUNT * place, COUNT * place + COUNT)),
+            weights=(1.0, 0.0, 0.0, 0.0),
+            mean=(0.0,) * COUNT,
+            sign=1,
+            span=2.0,
+            evr=0.9,
+            prompted=True,
+            rest_rate=0.01,
+            dead_zone=0.15,
+            full=1.0,
+            grade="good",
+            reason="Clear.",
+        )
+        for place, joint in enumerate(JOINTS)
+    )
+    profile = CalibrationProfile(
+        created="2025-01-01T00:00:00+00:00",
+        software="0",
+        layout=layout,
+        sample_rate=RATE,
+        left_out={},
+        low=(-1.0,) * COUNT * 2,
+        high=(3.0,) * COUNT * 2,
+        joints=maps,
+    )
+    gestures = tuple(Gesture(name=joint, joint=joint, dead_zone=0.15, full=1.0) for joint in JOINTS)
+    controls = ("u1+", "u1-")
+    bindings = [Binding(control=control, gestures=(joint,)) for control, joint in zip(controls, bound, strict=False)]
+    if stop:
+        bindings.append(Binding(control="stop", gestures=JOINTS))
+    return DriveParameters(profile=profile, gestures=gestures, bindings=tuple(bindings))
+
+
+def strokes(share: float = 1.0, seconds: float = SECONDS) -> np.ndarray:
+    """Strokes of 1 s to `share` of full scale and back, each followed by 1 s of rest: (n,) in FS."""
+    t = np.arange(round(seconds * RATE)) / RATE
+    phase = np.minimum(t % 2.0, 1.0)
+    return share * (0.5 - 0.5 * np.cos(2 * math.pi * phase))
+
+
+def frames(right: np.ndarray, left: np.ndarray | None = None) -> np.ndarray:
+    """What the shirt gives (n, 8) for movements (n, 4) of the right elbow, and of the left one."""
+    other = np.zeros_like(right) if left is None else left
+    noise = NOISE * np.random.default_rng(1).standard_normal((len(right), 2 * COUNT))
+    return np.concatenate((right, other), axis=1) + noise
+
+
+def along(direction: np.ndarray, movement: np.ndarray) -> np.ndarray:
+    return 2.0 * movement[:, np.newaxis] * direction  # span 2.0
+
+
+def turned(degrees: float) -> np.ndarray:
+    return np.array([math.cos(math.radians(degrees)), 0.0, math.sin(math.radians(degrees)), 0.0])
+
+
+def judged(values: np.ndarray, activation: np.ndarray | None = None, **more: object):
+    n = len(values)
+    pulses = np.zeros((n, 2)) if activation is None else activation
+    armed = more.pop("armed", np.ones(n, dtype=bool))
+    return control_quality(parameters(**more), RATE, values, armed, pulses, 10.0)
+
+
+@pytest.mark.parametrize("degrees", [0.0, 5.0, 17.0, 45.0, 80.0])
+def test_a_map_turned_by_a_known_angle_is_told_by_that_angle(degrees):
+    joint = judged(frames(along(turned(degrees), strokes()))).joints[0]
+    assert joint.map_angle_deg == pytest.approx(degrees, abs=0.05)
+    assert joint.evr == pytest.approx(1.0, abs=1e-4)
+    assert joint.null_space_share == pytest.approx(math.sin(math.radians(degrees)) ** 2, abs=1e-4)
+    assert joint.direction == pytest.approx(
+        dict(zip([f"right_elbow_{i}" for i in range(COUNT)], turned(degrees), strict=True)), abs=1e-3
+    )
+    assert joint.label == "right elbow"
+
+
+def test_what_reaches_the_control_is_told_exactly():
+    """Two ways of moving, each in strokes of its own: 1 FS along the map, 0.5 FS across it."""
+    one, pause = strokes(1.0, 20.0), np.zeros(2000)
+    movement = along(turned(0), np.concatenate((one, pause))) + along(turned(90), np.concatenate((pause, 0.5 * one)))
+    quality = judged(frames(movement))
+    # Of the smaller one, a little more is too slow to count as movement.
+    assert quality.joints[0].evr == pytest.approx(0.8, abs=0.03)
+    assert quality.joints[0].null_space_share == pytest.approx(1.0 - quality.joints[0].evr, abs=1e-3)
+    assert quality.joints[0].map_angle_deg == pytest.approx(0.0, abs=0.5)
+    assert quality.joints[1].map_angle_deg is None
+    assert quality.joints[1].moved == 0.0
+    assert (quality.map_angle_deg, quality.evr) == (quality.joints[0].map_angle_deg, quality.joints[0].evr)
+
+
+@settings(max_examples=60, deadline=None)
+@given(
+    seed=st.integers(0, 2**32 - 1),
+    count=st.integers(2, 7),
+    degrees=st.floats(0.0, 90.0),
+    across=st.floats(0.0, 0.9),
+    scale=st.floats(1e-3, 1e3),
+)
+def test_angle_evr_and_null_space_are_those_of_the_covariance(seed, count, degrees, across, scale):
+    """Movement with the variances 1 along a direction and `across` along another one that stands upright on it."""
+    random = np.random.default_rng(seed)
+    basis = np.linalg.qr(random.standard_normal((count, count)))[0]
+    direction, aside = basis[:, 0], basis[:, 1]
+    t = np.arange(1000) / RATE
+    movement = scale * (
+        np.sin(2 * math.pi * t)[:, np.newaxis] * direction
+        + math.sqrt(across) * np.cos(2 * math.pi * t)[:, np.newaxis] * aside
+    )
+    angle = math.radians(degrees)
+    weights = math.cos(angle) * direction + math.sin(angle) * aside
+    fit = fit_of_movement(movement, np.ones(1000, dtype=bool), weights, RATE)
+    assert fit is not None
+    assert fit.angle_deg == pytest.approx(degrees, abs=1e-4)
+    assert fit.evr == pytest.approx(1.0 / (1.0 + across), abs=1e-9)
+    seen = (math.cos(angle) ** 2 + across * math.sin(angle) ** 2) / (1.0 + across)
+    assert fit.null_space_share == pytest.approx(1.0 - seen, abs=1e-9)
+    assert fit.null_space_share >= 1.0 - fit.evr - 1e-9
+    assert fit.direction @ weights >= 0
+
+
+def test_slow_drift_between_strokes_is_no_movement():
+    drift = np.linspace(0.0, 1.5, round(SECONDS * RATE))
+    joint = judged(frames(along(turned(0), strokes()) + drift[:, np.newaxis] * turned(90))).joints[0]
+    assert joint.map_angle_deg < 1.0
+    assert joint.null_space_share < 0.005
+
+
+def test_the_span_is_what_was_used_of_the_calibrated_one():
+    joint = judged(frames(along(turned(0), strokes(0.6)))).joints[0]
+    assert joint.span_share == pytest.approx(0.6, abs=0.01)
+    assert joint.span == pytest.approx(1.2, abs=0.02)
+
+
+def test_only_what_was_permitted_counts():
+    permitted = np.arange(round(SECONDS * RATE)) < 2000
+    movement = along(turned(10), strokes())
+    movement[~permitted] = along(turned(70), 2.0 * strokes())[~permitted]
+    joint = judged(frames(movement), armed=permitted).joints[0]
+    assert joint.map_angle_deg == pytest.approx(10.0, abs=0.1)
+    assert joint.span_share == pytest.approx(math.cos(math.radians(10)), abs=0.02)
+
+
+def test_too_little_movement_is_not_told():
+    quality = judged(frames(along(turned(40), strokes()))[:300])
+    assert quality.joints[0].map_angle_deg is None
+    assert quality.map_angle_deg is quality.evr is quality.null_space_share is None
+
+
+@pytest.mark.parametrize("noise", [0.02, 0.1])
+def test_noise_at_rest_is_told_among_the_strokes(noise):
+    """A rate that is noise of a known size, but for strokes in half of the time."""
+    random = np.random.default_rng(3)
+    rate = noise * random.standard_normal(6000) + np.where(
+        np.arange(6000) % 400 < 200, 3.0 * np.sin(np.arange(6000)), 0
+    )
+    found = stillest(rate, np.ones(6000, dtype=bool), RATE)
+    assert found == pytest.approx(noise, rel=0.15)
+
+
+def test_a_rest_too_short_is_not_told():
+    assert stillest(np.zeros(200), np.ones(200, dtype=bool), RATE) is None
+
+
+def test_stretches_are_found_to_the_sample():
+    flags = np.array([1, 1, 0, 0, 1, 1, 1, 0, 1], dtype=bool)
+    assert stretches(flags, 2) == [slice(0, 2), slice(4, 7)]
+    assert stretches(np.zeros(3, dtype=bool), 1) == []
+
+
+def pulses(n: int, beginnings: list[int], length: int = 50) -> np.ndarray:
+    column = np.zeros(n)
+    for start in beginnings:
+        column[start : start + length] = 0.8
+    return column
+
+
+def test_activations_are_counted_exactly():
+    values = frames(along(turned(0), strokes()))
+    activation = np.column_stack((pulses(4000, [100, 500, 900]), pulses(4000, [1500])))
+    quality = judged(values, activation)
+    assert [joint.activations for joint in quality.joints] == [3, 1]
+    assert quality.activations == 4
+    assert quality.activations_per_metre == pytest.approx(0.4)
+    assert quality.cross_talk == 0.0
+    assert judged(values, activation, bound=JOINTS[:1]).activations == 3
+    assert (
+        control_quality(parameters(), RATE, values, np.ones(4000, bool), activation, 0.1).activations_per_metre is None
+    )
+
+
+def test_cross_talk_is_the_share_beside_the_strongest():
+    assert cross_talk(np.array([[0.8, 0.0], [0.0, 0.4]])) == pytest.approx(0.0)
+    assert cross_talk(np.array([[0.5, 0.5], [0.5, 0.5]])) == pytest.approx(0.5)
+    assert cross_talk(np.array([[0.9, 0.1], [0.0, 0.0]])) == pytest.approx(0.1)
+    assert cross_talk(np.zeros((5, 2))) is None
+
+
+def test_a_stop_on_purpose_is_no_cross_talk():
+    together = np.array([[0.9, 0.9], [0.6, 0.0]])
+    assert cross_talk(together) == pytest.approx(0.9 / 2.4)
+    assert cross_talk(together, [[0, 1]]) == 0.0
+    n = 4000
+    activation = np.column_stack((pulses(n, [100]), pulses(n, [100])))
+    values = frames(along(turned(0), strokes()))
+    assert judged(values, activation).cross_talk == pytest.approx(0.5)
+    assert judged(values, activation, stop=True).cross_talk is None
+
+
+@settings(max_examples=40, deadline=None)
+@given(st.integers(0, 2**32 - 1), st.integers(1, 8))
+def test_cross_talk_lies_between_none_and_all_alike(seed, count):
+    activation = np.random.default_rng(seed).random((20, count)) * (
+        np.random.default_rng(seed + 1).random((20, 1)) > 0.3
+    )
+    share = cross_talk(activation)
+    assert share is None or 0.0 <= share <= (count - 1) / count + 1e-12
+
+
+@pytest.mark.parametrize("dead", [np.nan, 1.0, 40.0])
+def test_a_channel_that_dies_is_named_and_left_out(dead):
+    values = frames(along(turned(20), strokes()))
+    values[1000:, 2] = dead  # the channel across the map dies after a quarter of the time
+    quality = judged(values)
+    assert list(quality.bad_channels) == ["right_elbow_2"]
+    assert quality.bad_channels["right_elbow_2"] == pytest.approx(0.75, abs=0.01)
+    assert quality.joints[0].map_angle_deg == pytest.approx(0.0, abs=0.1)
+    assert "right_elbow_2" not in quality.joints[0].direction
+
+
+def test_a_short_drop_out_costs_only_its_own_moment():
+    values = frames(along(turned(20), strokes()))
+    values[1000:1100, 0] = np.nan
+    quality = judged(values)
+    assert quality.bad_channels == {"right_elbow_0": pytest.approx(100 / 4000)}
+    assert quality.joints[0].map_angle_deg == pytest.approx(20.0, abs=0.2)
+
+
+def test_a_joint_without_a_channel_left_has_no_figures():
+    values = frames(along(turned(0), strokes()))
+    values[:, :COUNT] = 1.0
+    joint = judged(values).joints[0]
+    assert (joint.map_angle_deg, joint.span, joint.rest_rate, joint.direction) == (None, None, None, None)
+
+
+@pytest.mark.parametrize(
+    ("values", "armed", "activation", "words"),
+    [
+        (np.zeros((9, 7)), np.ones(9, bool), np.zeros((9, 2)), "frames of this shirt"),
+        (np.zeros((9, 8)), np.zeros(9, bool), np.zeros((9, 2)), "permitted"),
+        (np.zeros((9, 8)), np.ones(9, bool), np.zeros((9, 3)), "other gestures"),
+    ],
+)
+def test_what_does_not_fit_is_refused_in_a_sentence(values, armed, activation, words):
+    with pytest.raises(ValueError, match=words):
+        control_quality(parameters(), RATE, values, armed, activation, 5.0)
