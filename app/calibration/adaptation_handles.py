@@ -1,0 +1,67 @@
+"""Dead-zone and full of a gesture, from rest noise and strokes of the last trials (signal-chain.md, section 6)."""
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from app.calibration.adaptation_movement import Heard, Numbers, rest_noise, strokes
+from app.calibration.joint_fit import LEAST_RANGE, REST_NOISE_FACTOR, SMALLEST_DEAD_ZONE
+from app.calibration.profile import JointMap
+from app.calibration.vocabulary import Gesture
+
+FEWEST_STROKES = 9
+STRONGEST = 1 / 3  # of the strokes: prompted movements go all the way, and so do the strongest of a drive
+DEAD_ZONE_STEP = 0.10  # of itself, at most, for each new trial
+DEAD_ZONE_UPDATE = 0.20  # of itself, at most, however many trials there were
+FULL_STEP = 0.04
+FULL_UPDATE = 0.08
+FURTHEST = 2.5  # times what the calibration suggested, or its part: beyond it, calibrate again
+WORTH_IT = 0.01  # of itself: a smaller change is chance, and no new version
+
+
+class Handles(NamedTuple):
+    """The two handles of a gesture, FS/s."""
+
+    dead_zone: float
+    full: float
+
+
+def wanted_dead_zone(joint: JointMap, heard: Sequence[Heard], rates: Sequence[Numbers]) -> float | None:
+    """Return the dead-zone that the rest of the last trials asks for, None when there was too little of it."""
+    noise = rest_noise(rates, [trial.sample_rate for trial in heard])
+    if noise is None:
+        return None
+    return _near(max(REST_NOISE_FACTOR * noise, SMALLEST_DEAD_ZONE), max(joint.dead_zone, SMALLEST_DEAD_ZONE))
+
+
+def wanted_full(joint: JointMap, heard: Sequence[Heard], rates: Sequence[Numbers], dead_zone: float) -> float | None:
+    """Return the full that the strongest strokes of the last trials ask for, None when there were too few.
+
+    As in the calibration, the 90th percentile of the rates above the dead-zone; of the strongest third of the strokes,
+    because a drive is full of small corrections and a prompt is not.
+    """
+    found = strokes(heard, joint.name, rates, dead_zone)
+    if len(found) < FEWEST_STROKES:
+        return None
+    found.sort(key=lambda stroke: float(stroke.max()))
+    strongest = found[-max(3, round(STRONGEST * len(found))) :]
+    return _near(float(np.percentile(np.concatenate(strongest), 90)), joint.full)
+
+
+def stepped(gesture: Gesture, wanted: Handles, fresh: int) -> Handles:
+    """Return the handles after one careful step from `gesture` towards `wanted`, `fresh` trials since the last."""
+    dead_zone = _step(gesture.dead_zone, wanted.dead_zone, min(DEAD_ZONE_UPDATE, DEAD_ZONE_STEP * fresh))
+    full = _step(gesture.full, wanted.full, min(FULL_UPDATE, FULL_STEP * fresh))
+    if full < dead_zone + LEAST_RANGE:
+        return Handles(gesture.dead_zone, gesture.full)  # a slope must stay: nothing is better than a switch
+    return Handles(dead_zone, full)
+
+
+def _near(value: float, calibrated: float) -> float:
+    return min(max(value, calibrated / FURTHEST), calibrated * FURTHEST)
+
+
+def _step(before: float, wanted: float, most: float) -> float:
+    change = min(max(wanted - before, -most * before), most * before)
+    return before if abs(change) <= WORTH_IT * before else round(before + change, 4)
