@@ -19,3 +19,24 @@ def smooth(samples: NDArray[np.float64], cutoff: float, sample_rate: float) -> N
         settled = settled[:, np.newaxis]
     smoothed, _ = lfilter(numerator, denominator, samples, axis=0, zi=settled * samples[0])
     return np.asarray(smoothed, dtype=np.float64)
+
+
+def slow_average(
+    samples: NDArray[np.float64], time_constant: float, sample_rate: float, periods: NDArray[np.float64] | None = None
+) -> NDArray[np.float64]:
+    """Return `samples` (n,) or (n, k) followed slowly, started as if the first row had lasted for ever.
+
+    `time_constant` in s, `sample_rate` in Hz; `periods` (n,): how many sample periods each row comes after the one
+    before, where some are missing.
+    """
+    stays = float(np.exp(-1.0 / (sample_rate * time_constant)))
+    if periods is None or (periods == 1.0).all():
+        first = stays * samples[:1]
+        followed, _ = lfilter([1.0 - stays], [1.0, -stays], samples, axis=0, zi=first)
+        return np.asarray(followed, dtype=np.float64)
+    averages = np.empty_like(samples)
+    average = samples[0]
+    for row, share in enumerate(1.0 - np.exp(-periods / (sample_rate * time_constant))):
+        average = average + share * (samples[row] - average)
+        averages[row] = average
+    return averages

@@ -181,7 +181,7 @@ async def suggest(who: Clinician, parts: PeopleParts, flows: FlowParts) -> Contr
         row, profile_row = current_parameters(db, session.patient_id)
         profile = CalibrationProfile.model_validate(profile_row.document)
         gestures = [
-            Gesture(name=joint.name, joint=joint.name, dead_zone=joint.dead_zone, full=joint.full).model_dump(
+            Gesture(name=joint.name, joint=joint.name, dead_zone=joint.handles[0], full=joint.handles[1]).model_dump(
                 mode="json"
             )
             for joint in profile.joints

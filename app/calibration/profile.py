@@ -1,8 +1,8 @@
 """The calibration profile: what was learnt of this body in this shirt, as a versioned document."""
 
-from typing import Annotated, Literal, Self
+from typing import Annotated, Any, Literal, Self
 
-from pydantic import Field, model_validator
+from pydantic import Field, SerializerFunctionWrapHandler, model_serializer, model_validator
 
 from app.layout import MAX_CHANNELS, MAX_JOINTS, ShirtLayout
 from app.quantities import Document, Finite, Fraction, Hertz, Name, Threshold
@@ -11,6 +11,49 @@ Grade = Literal["good", "usable", "repeat"]
 
 Numbers = Annotated[tuple[Finite, ...], Field(max_length=MAX_CHANNELS)]
 Span = Annotated[float, Field(strict=True, allow_inf_nan=False, gt=0, le=1e12)]
+
+MapKind = Literal["pca", "guided"]
+
+# s: time constants of the two slow averages above which a guided map sees a channel's level; the fabric's relaxation
+MEMORIES = (1.5, 10.0)
+LEAST_GAIN = 0.01  # of in-phase share: what less is no reason to leave the map of the paper
+MOST_LESS_HIT = 0.03  # of the hit rate that may be lost for it
+
+
+class MapCheck(Document):
+    """How one map did on repetitions that it had not seen (docs/learning.md, "The guided map")."""
+
+    in_phase: Fraction  # of all activation, the share that falls into the prompted movements
+    hit_rate: Fraction  # of the time of the prompted movements, the share with activation
+    false_per_minute: Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0, le=1e6)]  # activations at rest
+    false_count: Annotated[int, Field(strict=True, ge=0)]  # the same, as they were counted
+
+
+class GuidedMap(Document):
+    """A linear map fitted to the prompts: low-pass(rate . dx/dt + short . (x - slow x) + long . (x - slower x)).
+
+    Scaled so that the prompted movements are as fast, in FS/s, as on the joint's PCA map.
+    """
+
+    rate: Numbers  # FS per signal unit; one per entry of the joint's `channels`, like the next two
+    short: Numbers  # FS/s per signal unit, of the level above its average over MEMORIES[0]
+    long: Numbers  # the same over MEMORIES[1]
+    dead_zone: Threshold  # FS/s, suggested
+    full: Threshold  # FS/s, suggested
+    lag: Annotated[float, Field(strict=True, allow_inf_nan=False, ge=-10, le=10)]  # s, of the person behind the cues
+    repetitions: Annotated[int, Field(strict=True, ge=1)]
+    pca_check: MapCheck
+    guided_check: MapCheck
+
+    @property
+    def is_better(self) -> bool:
+        """Whether it beats the PCA map on the held-out repetitions, so that it may be offered."""
+        pca, guided = self.pca_check, self.guided_check
+        return (
+            guided.in_phase >= pca.in_phase + LEAST_GAIN
+            and guided.hit_rate >= pca.hit_rate - MOST_LESS_HIT
+            and guided.false_count <= pca.false_count + 1
+        )
 
 
 class JointMap(Document):
@@ -32,12 +75,35 @@ class JointMap(Document):
     full: Threshold  # FS/s, suggested
     grade: Grade
     reason: str
+    map: MapKind = "pca"  # which one gives the rate; the score is always that of PC1
+    guided: GuidedMap | None = None  # the candidate, with how it did
 
     @model_validator(mode="after")
     def _lengths_agree(self) -> Self:
         if not len(self.channels) == len(self.weights) == len(self.mean):
             raise ValueError(f"joint '{self.name}': channels, weights and mean must be of one length")
+        if self.guided is None:
+            if self.map == "guided":
+                raise ValueError(f"joint '{self.name}': its map is 'guided', but it has no guided map")
+        elif any(len(part) != len(self.channels) for part in (self.guided.rate, self.guided.short, self.guided.long)):
+            raise ValueError(f"joint '{self.name}': the guided map must have one number per channel in each part")
         return self
+
+    @model_serializer(mode="wrap")
+    def _as_before(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
+        """Leave out what says nothing: a joint without a guided map is written and hashed as before there were any."""
+        document: dict[str, Any] = handler(self)
+        if document.get("map") == "pca":
+            del document["map"]
+        if document.get("guided", ...) is None:
+            del document["guided"]
+        return document
+
+    @property
+    def handles(self) -> tuple[float, float]:
+        """Dead-zone and full (FS/s) that the calibration suggests for the map that is chosen."""
+        chosen = self.guided if self.map == "guided" and self.guided else self
+        return chosen.dead_zone, chosen.full
 
 
 class CalibrationProfile(Document):

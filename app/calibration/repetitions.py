@@ -10,6 +10,8 @@ from app.cues import Cue
 
 BEFORE = 0.5  # s: what is kept before the movement, so that the low-pass has settled
 AFTER = 1.0  # s: what is kept after it, because people lag behind the cue
+AROUND = 3.0  # s: what a stretch keeps before its first and after its last prompt: the way back and some rest
+LONGEST_PAUSE = 10.0  # s: prompts further apart are two stretches, for nobody said what the joint did meanwhile
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,6 +21,15 @@ class Repetition:
     joint: str
     values: NDArray[np.float64]  # (n, n_channels)
     moving: slice
+
+
+@dataclass(frozen=True, slots=True)
+class Stretch:
+    """An unbroken recording around some prompted movements of one joint, ways back and pauses included."""
+
+    joint: str
+    values: NDArray[np.float64]  # (n, n_channels)
+    moving: tuple[slice, ...]  # in order of time
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,6 +65,41 @@ def repetitions_of_run(
     return found
 
 
+def stretch_of_run(values: NDArray[np.floating], cue: NDArray[np.integer], cues: Sequence[Cue]) -> Stretch | None:
+    """Return the whole of one recorded `prompt` step, parameters as of `repetitions_of_run`; None without a prompt."""
+    moving = []
+    for index, prompt in enumerate(cues):
+        rows = np.flatnonzero(cue == index)
+        if prompt.kind == "move" and prompt.joint is not None and len(rows) > 1:
+            joint = prompt.joint
+            moving.append(slice(int(rows[0]), int(rows[-1]) + 1))
+    return Stretch(joint, np.asarray(values, np.float64), tuple(moving)) if moving else None
+
+
+def stretches_of_prompts(
+    t: NDArray[np.float64],
+    values: NDArray[np.floating],
+    prompts: Sequence[Prompt],
+    sample_rate: float,
+    until: float | None = None,
+) -> list[Stretch]:
+    """Return the stretches around the prompts of a table, a joint's in order of time.
+
+    Nothing after `until` (s) is taken that lies behind the last prompt.
+    """
+    merged = _merged(prompts)
+    stretches = []
+    for joint in dict.fromkeys(prompt.joint for prompt in merged):
+        groups: list[list[Prompt]] = []
+        for prompt in (one for one in merged if one.joint == joint):
+            if groups and prompt.start - groups[-1][-1].end <= LONGEST_PAUSE:
+                groups[-1].append(prompt)
+            else:
+                groups.append([prompt])
+        stretches += [_stretch(t, values, group, sample_rate, until) for group in groups]
+    return [stretch for stretch in stretches if stretch.moving]
+
+
 def repetitions_of_prompts(
     t: NDArray[np.float64], values: NDArray[np.floating], prompts: Sequence[Prompt], sample_rate: float
 ) -> list[Repetition]:
@@ -70,6 +116,22 @@ def _cut(values: NDArray[np.floating], joint: str, first: int, last: int, sample
     start = max(0, first - round(BEFORE * sample_rate))
     end = min(len(values), last + round(AFTER * sample_rate))
     return Repetition(joint, np.asarray(values[start:end], np.float64), slice(first - start, last - start))
+
+
+def _stretch(
+    t: NDArray[np.float64],
+    values: NDArray[np.floating],
+    prompts: Sequence[Prompt],
+    sample_rate: float,
+    until: float | None,
+) -> Stretch:
+    rows = [np.searchsorted(t, (prompt.start, prompt.end)) for prompt in prompts]
+    around = round(AROUND * sample_rate)
+    first, last = max(0, int(rows[0][0]) - around), min(len(values), int(rows[-1][1]) + around)
+    if until is not None:
+        last = min(last, max(int(np.searchsorted(t, until)), int(rows[-1][1])))
+    moving = tuple(slice(int(start) - first, int(end) - first) for start, end in rows if end - start > 1)
+    return Stretch(prompts[0].joint, np.asarray(values[first:last], np.float64), moving)
 
 
 def _merged(prompts: Sequence[Prompt]) -> list[Prompt]:

@@ -8,10 +8,12 @@ from typing import Annotated
 import typer
 
 from app.calibration.fit import fit_profile, joints_without_map
+from app.calibration.guided import with_guided_maps
 from app.calibration.profile import CalibrationProfile
 from app.calibration.prompts_file import read_prompts
-from app.calibration.repetitions import repetitions_of_prompts
+from app.calibration.repetitions import repetitions_of_prompts, stretches_of_prompts
 from app.cli.errors import InputError
+from app.cli.map_choice import MapChoice, checks, choose, comparison
 from app.cli.output import warn, write_output
 from app.signals import Signals, read_layout, read_signals
 
@@ -32,6 +34,12 @@ def calibrate(
     rest_start: Annotated[float | None, typer.Option("--rest-from", help="Where the rest begins, s.")] = None,
     rest_end: Annotated[float | None, typer.Option("--rest-to", help="Where the rest ends, s.")] = None,
     unused: Annotated[list[str] | None, typer.Option(help="A channel not to be used; may be given again.")] = None,
+    chosen: Annotated[
+        MapChoice,
+        typer.Option(
+            "--map", help="Which map decodes: the paper's, the guided one, or the better on held-out prompts."
+        ),
+    ] = "pca",
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")] = False,
 ) -> None:
     """Fit a calibration profile to a file of signals: per joint EVR, span, sign, grade, dead-zone and full."""
@@ -53,12 +61,24 @@ def calibrate(
             repetitions=repetitions_of_prompts(recorded.t, recorded.values, rows, recorded.sample_rate),
             unused=unused or (),
         )
+        fitted = with_guided_maps(
+            profile,
+            stretches_of_prompts(recorded.t, recorded.values, rows, recorded.sample_rate, until=end),
+            None if rest is None else recorded.values[rest],
+        )
     except ValueError as error:
         raise InputError(f"{signals}: {error}") from error
+    profile, words = choose(fitted.profile, chosen, fitted.reasons)
     sources = (signals, layout) if prompts is None else (signals, layout, prompts)
     warn(recorded.words)
+    for sentence in words:
+        warn(sentence)
     write_output(out, (profile.model_dump_json(indent=1) + "\n").encode(), *sources)
-    typer.echo(json.dumps(summary(profile, out), allow_nan=False) if as_json else report(profile, out))
+    typer.echo(
+        json.dumps(summary(profile, fitted.reasons, out), allow_nan=False)
+        if as_json
+        else report(profile, fitted.reasons, out)
+    )
 
 
 def window(
@@ -79,30 +99,35 @@ def window(
     return rows
 
 
-def summary(profile: CalibrationProfile, out: Path) -> dict[str, object]:
+def summary(profile: CalibrationProfile, reasons: dict[str, str], out: Path) -> dict[str, object]:
     """Return the object of `--json`; a joint without a map has no numbers, but a grade and its reason."""
     without = {
         name: {**dict.fromkeys(PRINTED), "grade": "repeat", "reason": reason}
         for name, reason in joints_without_map(profile).items()
     }
-    mapped = {joint.name: {word: getattr(joint, word) for word in PRINTED} for joint in profile.joints}
-    return {"joints": mapped | without, "profile": str(out)}
+    mapped = {
+        joint.name: {word: getattr(joint, word) for word in PRINTED}
+        | dict(zip(("dead_zone", "full"), joint.handles, strict=True))
+        for joint in profile.joints
+    }
+    maps = {joint.name: checks(joint, reasons) for joint in profile.joints}
+    return {"joints": mapped | without, "maps": maps, "profile": str(out)}
 
 
-def report(profile: CalibrationProfile, out: Path) -> str:
+def report(profile: CalibrationProfile, reasons: dict[str, str], out: Path) -> str:
     """Return a table for people: one line per joint, then the reasons, then where the profile is."""
     without = joints_without_map(profile)
     width = max(len(name) for name in ("joint", *profile.layout.joint_names))
-    lines = [f"{'joint':{width}}  {'EVR':>6}  {'span':>10}  sign  {'grade':6}  {'dead-zone':>9}  {'full':>6}"]
+    lines = [f"{'joint':{width}}  {'EVR':>6}  {'span':>10}  sign  {'grade':6}  {'dead-zone':>9}  {'full':>6}  map"]
     lines += [
         f"{joint.name:{width}}  {joint.evr:6.1%}  {joint.span:10.4g}  {'+' if joint.sign > 0 else '-':>4}  "
-        f"{joint.grade:6}  {joint.dead_zone:9.2f}  {joint.full:6.2f}"
+        f"{joint.grade:6}  {joint.handles[0]:9.2f}  {joint.handles[1]:6.2f}  {joint.map}"
         for joint in profile.joints
     ]
-    lines += [f"{name:{width}}  {'-':>6}  {'-':>10}  {'-':>4}  {'repeat':6}  {'-':>9}  {'-':>6}" for name in without]
+    lines += [f"{name:{width}}  {'-':>6}  {'-':>10}  {'-':>4}  {'repeat':6}  {'-':>9}  {'-':>6}  -" for name in without]
     lines += ["", "Dead-zone and full are in FS/s; span, which is 1 FS, in the signals' own unit.", ""]
     lines += [f"{joint.name}: {joint.reason}" for joint in profile.joints]
     lines += [f"{name}: {reason}" for name, reason in without.items()]
     lines += [f"Channel {name} is left out: {why}." for name, why in profile.left_out.items()]
-    lines += ["", f"The profile is in {out}"]
+    lines += ["", *comparison(profile, reasons, width), "", f"The profile is in {out}"]
     return "\n".join(lines)

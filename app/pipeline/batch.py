@@ -17,7 +17,9 @@ from app.faults import State
 from app.geometry import Twist
 from app.pipeline.chain import Chair
 from app.pipeline.controls import Controls
-from app.pipeline.decoder import LONGEST_GAP, Decoder, projection
+from app.pipeline.decoder import LONGEST_GAP, Decoder, channels_used, projection
+from app.pipeline.guided_batch import guided_rate
+from app.pipeline.guided_rate import PARTS, guided_projection, is_guided
 from app.pipeline.health import ChannelHealth, LossWindow
 from app.pipeline.ramp import Ramp
 from app.pipeline.safety import (
@@ -81,8 +83,9 @@ def decode_block(
         Where the twists go; without one, a unicycle that starts at the origin of a floor without walls.
     """
     device = t if t_device is None else t_device
-    score, silent = _scores(parameters, sample_rate, values)
-    unseen = _unseen(score, silent)
+    projected, silent = _projected(parameters, sample_rate, values)
+    seen = projected - _unseen(projected, silent)
+    score, silent = projected[:, : len(parameters.gestures)], silent[:, : len(parameters.gestures)]
     periods = _periods(device, sample_rate)
     silent |= _too_lossy(t, periods)[:, np.newaxis]
     if any(gesture.feature == "displacement" for gesture in parameters.gestures):
@@ -90,8 +93,7 @@ def decode_block(
     else:
         dead_zone = np.array([gesture.dead_zone for gesture in parameters.gestures])
         reach = np.array([gesture.full for gesture in parameters.gestures]) - dead_zone
-        smoothed = smooth(score - unseen, parameters.cutoff, sample_rate)
-        rate = np.diff(smoothed, axis=0, prepend=smoothed[:1]) * (sample_rate / periods)[:, np.newaxis]
+        rate = _rates(parameters, sample_rate, periods, seen)
         drive = np.maximum(rate - dead_zone, 0.0)
         drive[silent] = 0.0
         activation = np.minimum(drive / reach, 1.0)
@@ -103,13 +105,21 @@ def decode_block(
     return Decoded(score, rate, drive, activation, u1, u2, v, omega, x, y, theta)
 
 
-def _scores(
+def _projected(
     parameters: DriveParameters, sample_rate: float, values: NDArray[np.float32]
 ) -> tuple[Array, NDArray[np.bool_]]:
-    """Return scores, held where a channel is bad, and where that silences the gesture: both (n, n_gestures)."""
+    """Return the scores, then the projections of guided maps, held where a channel is bad, and where that is.
+
+    Both (n, n_gestures + 3 * n_guided).
+    """
     weights, offsets = projection(parameters)
-    uses = weights != 0.0
-    health = ChannelHealth(parameters.profile, uses.any(axis=0), sample_rate)
+    uses = channels_used(parameters)
+    owners = _guided(parameters)
+    if owners:
+        weights = np.concatenate((weights, guided_projection(parameters)))
+        offsets = np.concatenate((offsets, np.zeros(PARTS * len(owners))))
+        uses = np.concatenate((uses, np.repeat(uses[owners], PARTS, axis=0)))
+    health = ChannelHealth(parameters.profile, np.asarray(uses.any(axis=0)), sample_rate)
     score = np.empty((len(values), len(weights)))
     bad = np.zeros(score.shape, dtype=np.bool_)
     before = None
@@ -127,6 +137,25 @@ def _scores(
         last_good = np.maximum.accumulate(good)
         score[:, gesture] = np.where(last_good >= 0, score[np.maximum(last_good, 0), gesture], 0.0)
     return score, bad
+
+
+def _guided(parameters: DriveParameters) -> list[int]:
+    """Return which gestures read a guided map."""
+    return [i for i, gesture in enumerate(parameters.gestures) if is_guided(parameters, gesture)]
+
+
+def _rates(parameters: DriveParameters, sample_rate: float, periods: Array, seen: Array) -> Array:
+    """Return the rates (n, n_gestures) in FS/s of all gestures, none of which is held."""
+    count, guided = len(parameters.gestures), _guided(parameters)
+    plain = [i for i in range(count) if i not in guided]
+    rate = np.empty((len(seen), count))
+    if plain:
+        smoothed = smooth(seen[:, plain], parameters.cutoff, sample_rate)
+        rate[:, plain] = np.diff(smoothed, axis=0, prepend=smoothed[:1]) * (sample_rate / periods)[:, np.newaxis]
+    for k, i in enumerate(guided):
+        parts = seen[:, count + PARTS * k : count + PARTS * (k + 1)]
+        rate[:, i] = guided_rate(parts, periods, parameters.cutoff, sample_rate)
+    return rate
 
 
 def _unseen(score: Array, bad: NDArray[np.bool_]) -> Array:

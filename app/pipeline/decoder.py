@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from app.butterworth import low_pass
 from app.calibration.vocabulary import DriveParameters
 from app.pipeline.filters import LowPass
+from app.pipeline.guided_rate import PARTS, GuidedRate, guided_projection, is_guided
 from app.pipeline.health import ChannelHealth
 
 BASELINE_TIME = 30.0  # s: time constant of a held posture's resting place
@@ -28,6 +29,16 @@ def projection(parameters: DriveParameters) -> tuple[NDArray[np.float64], NDArra
     return weights, offsets
 
 
+def channels_used(parameters: DriveParameters) -> NDArray[np.bool_]:
+    """Return which channels (n_gestures, n_channels) each gesture reads, by its score or by its guided map."""
+    uses = projection(parameters)[0] != 0.0
+    guided = [row for row, gesture in enumerate(parameters.gestures) if is_guided(parameters, gesture)]
+    if guided:
+        reads = guided_projection(parameters) != 0.0
+        uses[guided] |= reads.reshape(len(guided), PARTS, -1).any(axis=1)
+    return np.asarray(uses)
+
+
 def periods_between(time_step: float, sample_rate: float) -> float:
     """Return how many whole sample periods lie in `time_step` (s): one, or more where frames are missing."""
     return min(max(1.0, float(round(time_step * sample_rate))), max(1.0, LONGEST_GAP * sample_rate))
@@ -41,9 +52,11 @@ class Decoder:
     """
 
     def __init__(self, parameters: DriveParameters, sample_rate: float) -> None:
-        self._weights, offsets = projection(parameters)
+        weights, offsets = projection(parameters)
+        self._weights = np.concatenate((weights, guided_projection(parameters)))
         self._offsets: list[float] = offsets.tolist()
-        self._uses = self._weights != 0.0
+        self._uses = channels_used(parameters)
+        watched = np.asarray(self._uses.any(axis=0))
         self._sample_rate = sample_rate
         coefficients = low_pass(parameters.cutoff, sample_rate)
         count = len(parameters.gestures)
@@ -52,7 +65,13 @@ class Decoder:
         self._dead_zone = [gesture.dead_zone for gesture in parameters.gestures]
         self._per_range = [1.0 / (gesture.full - gesture.dead_zone) for gesture in parameters.gestures]
         self._any_held = any(self._held)
-        self._health = ChannelHealth(parameters.profile, self._uses.any(axis=0), sample_rate)
+        guided = [i for i, gesture in enumerate(parameters.gestures) if is_guided(parameters, gesture)]
+        self._guided = {
+            i: (GuidedRate(coefficients, sample_rate), slice(count + PARTS * k, count + PARTS * (k + 1)))
+            for k, i in enumerate(guided)
+        }
+        self._is_plain = [not held and i not in self._guided for i, held in enumerate(self._held)]
+        self._health = ChannelHealth(parameters.profile, watched, sample_rate)
         self._indices = range(count)
         self._none_bad = [False] * count
         self.reset()
@@ -62,6 +81,8 @@ class Decoder:
         count = len(self._filters)
         for low_pass_filter in self._filters:
             low_pass_filter.reset()
+        for guided, _ in self._guided.values():
+            guided.reset()
         self._health.reset()
         self._fresh = True
         self._smooth = [0.0] * count
@@ -89,10 +110,11 @@ class Decoder:
             if not math.isfinite(sum(products)):  # a channel that nobody reads is NaN or infinite
                 products = self._weights.dot(np.nan_to_num(frame, posinf=0.0, neginf=0.0)).tolist()
         else:
-            self.bad = (self._uses & bad_channels).any(axis=1).tolist()
+            self.bad = np.asarray((self._uses & bad_channels).any(axis=1)).tolist()
             trusted = np.where(bad_channels | ~np.isfinite(frame), 0.0, frame)
             products = self._weights.dot(trusted).tolist()
-        per_second = self._sample_rate / periods_between(time_step, self._sample_rate)
+        periods = periods_between(time_step, self._sample_rate)
+        per_second = self._sample_rate / periods
         was_quiet = self._any_held and not any(self.activation)
         for i in self._indices:
             if not self.bad[i]:  # otherwise the last score stays
@@ -100,16 +122,17 @@ class Decoder:
                 if was_bad[i] and not self._held[i]:
                     self._unseen[i] += score - self.score[i]
                 self.score[i] = score
-            smooth = self._filters[i].step(self.score[i] - self._unseen[i])
-            if self._fresh:
-                self._smooth[i] = self._baseline[i] = smooth
-            if self._held[i]:
-                if was_quiet:
-                    self._baseline[i] += (smooth - self._baseline[i]) / (per_second * BASELINE_TIME)
-                strength = smooth - self._baseline[i]
-            else:
+            if self._is_plain[i]:
+                smooth = self._filters[i].step(self.score[i] - self._unseen[i])
+                if self._fresh:
+                    self._smooth[i] = smooth
                 strength = (smooth - self._smooth[i]) * per_second
-            self._smooth[i] = smooth
+                self._smooth[i] = smooth
+            elif self._held[i]:
+                strength = self._displacement(i, per_second, was_quiet)
+            else:
+                guided, place = self._guided[i]
+                strength = guided.step(products[place], self.bad[i], was_bad[i], periods, self._sample_rate)
             self.rate[i] = strength
             above = strength - self._dead_zone[i]
             if above <= 0.0 or self.bad[i]:
@@ -118,3 +141,12 @@ class Decoder:
                 self.drive[i] = above
                 self.activation[i] = min(1.0, above * self._per_range[i])
         self._fresh = False
+
+    def _displacement(self, i: int, per_second: float, was_quiet: bool) -> float:
+        """Return how far a held posture is from its resting place, FS."""
+        smooth = self._filters[i].step(self.score[i] - self._unseen[i])
+        if self._fresh:
+            self._baseline[i] = smooth
+        if was_quiet:
+            self._baseline[i] += (smooth - self._baseline[i]) / (per_second * BASELINE_TIME)
+        return smooth - self._baseline[i]

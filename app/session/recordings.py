@@ -7,8 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.calibration.fit import fit_profile
+from app.calibration.guided import with_guided_maps
 from app.calibration.profile import CalibrationProfile
-from app.calibration.repetitions import Repetition, repetitions_of_run
+from app.calibration.repetitions import Repetition, Stretch, repetitions_of_run, stretch_of_run
 from app.calibration.script import Step
 from app.calibration.vocabulary import DriveParameters
 from app.faults import State
@@ -39,10 +40,14 @@ def judge_recording(folder: Path, duration: float) -> str | None:
 
 
 def fit_recordings(layout: ShirtLayout, recorded: list[tuple[Step, Path]], unused: list[str]) -> CalibrationProfile:
-    """Fit the profile from the recordings of all steps; raise ValueError with a sentence when it cannot be fitted."""
+    """Fit the profile from the recordings of all steps; raise ValueError with a sentence when it cannot be fitted.
+
+    A joint whose prompts allow it carries a guided map beside that of the paper, for the clinician to choose.
+    """
     free: list[NDArray[Any]] = []
     rest: list[NDArray[Any]] = []
     repetitions: list[Repetition] = []
+    stretches: list[Stretch] = []
     sample_rate = 0.0
     for step, folder in recorded:
         run = read_run(folder)
@@ -50,18 +55,15 @@ def fit_recordings(layout: ShirtLayout, recorded: list[tuple[Step, Path]], unuse
         sample_rate = float(run.meta["sample_rate"])
         if step.kind == "prompt":
             repetitions += repetitions_of_run(frames["values"], frames["cue"], step.cues, sample_rate)
+            stretch = stretch_of_run(frames["values"], frames["cue"], step.cues)
+            stretches += [stretch] if stretch else []
         elif step.kind == "rest":
             rest.append(_during(frames, step, "rest"))
         else:
             free.append(_during(frames, step, "free"))
-    return fit_profile(
-        layout,
-        sample_rate,
-        np.concatenate(free),
-        np.concatenate(rest) if rest else None,
-        repetitions,
-        unused,
-    )
+    resting = np.concatenate(rest) if rest else None
+    profile = fit_profile(layout, sample_rate, np.concatenate(free), resting, repetitions, unused)
+    return with_guided_maps(profile, stretches, resting).profile
 
 
 def _during(frames: Columns, step: Step, kind: str) -> NDArray[Any]:

@@ -47,7 +47,7 @@ def test_json_is_one_object_with_the_names_that_others_rely_on(files):
     result = run(files, "--prompts", str(files / "prompts.csv"), "--rest-from", "0", "--rest-to", "3", "--json")
     assert result.exit_code == 0, result.output
     answer = json.loads(result.stdout)
-    assert set(answer) == {"joints", "profile"}
+    assert set(answer) == {"joints", "maps", "profile"}
     profile = CalibrationProfile.model_validate_json((files / "profile.json").read_bytes())
     assert answer["profile"] == str(files / "profile.json")
     for joint in profile.joints:

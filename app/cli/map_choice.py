@@ -1,0 +1,73 @@
+"""Which map decodes after `bodydrive calibrate`, and how both did on repetitions that they had not seen."""
+
+from typing import Literal
+
+from app.calibration.profile import CalibrationProfile, JointMap, MapCheck
+from app.cli.errors import InputError
+
+MapChoice = Literal["pca", "guided", "best"]
+
+
+def choose(
+    profile: CalibrationProfile, chosen: MapChoice, reasons: dict[str, str]
+) -> tuple[CalibrationProfile, list[str]]:
+    """Return the profile with the map of each joint that was asked for, and in words where it cannot be had."""
+    if chosen == "guided" and not any(joint.guided for joint in profile.joints):
+        name, reason = next(iter(reasons.items()))
+        raise InputError(f"--map guided, {name}: {reason}")
+    joints, words = [], []
+    for joint in profile.joints:
+        guided = joint.guided
+        if chosen == "guided" and guided is None:
+            words.append(f"{joint.name}: {reasons[joint.name]} It keeps the map of the paper.")
+        elif chosen == "guided" and guided is not None and not guided.is_better:
+            words.append(
+                f"{joint.name}: its guided map is not better on the held-out repetitions. Use --map best to keep the "
+                f"map of the paper there."
+            )
+        takes = guided is not None and (chosen == "guided" or (chosen == "best" and guided.is_better))
+        joints.append(joint.model_copy(update={"map": "guided" if takes else "pca"}))
+    return profile.model_copy(update={"joints": tuple(joints)}), words
+
+
+def checks(joint: JointMap, reasons: dict[str, str]) -> dict[str, object]:
+    """Return which map decodes and how both did on the held-out repetitions, or why there is no guided one."""
+    if joint.guided is None:
+        return {"map": joint.map, "offered": False, "reason": reasons[joint.name]}
+    guided = joint.guided
+    return {
+        "map": joint.map,
+        "offered": guided.is_better,
+        "lag": guided.lag,
+        "repetitions": guided.repetitions,
+        "dead_zone": guided.dead_zone,
+        "full": guided.full,
+        "pca_check": guided.pca_check.model_dump(mode="json"),
+        "guided_check": guided.guided_check.model_dump(mode="json"),
+    }
+
+
+def comparison(profile: CalibrationProfile, reasons: dict[str, str], width: int) -> list[str]:
+    """Return the table of both maps on the held-out repetitions, then why some joints have no guided one."""
+    both = [(joint.name, joint.guided) for joint in profile.joints if joint.guided]
+    lines = []
+    if both:
+        lines += [
+            "On prompted repetitions that they had not seen, the map of the paper (PCA) and the guided map:",
+            f"{'':{width}}  {'in phase':>14}  {'hit rate':>14}  {'false per min':>14}",
+            f"{'joint':{width}}" + f"  {'PCA':>6}  {'guided':>6}" * 3 + "  offered",
+        ]
+        lines += [
+            f"{name:{width}}  "
+            + "  ".join(
+                f"{one:>6}  {other:>6}"
+                for one, other in zip(_figures(guided.pca_check), _figures(guided.guided_check), strict=True)
+            )
+            + f"  {'yes' if guided.is_better else 'no'}"
+            for name, guided in both
+        ]
+    return lines + [f"{name}: {reason}" for name, reason in reasons.items()]
+
+
+def _figures(check: MapCheck) -> tuple[str, str, str]:
+    return f"{check.in_phase:.1%}", f"{check.hit_rate:.1%}", f"{check.false_per_minute:.1f}"

@@ -1,0 +1,96 @@
+"""The profile as a document: what was saved before guided maps reads, writes and hashes as it did."""
+
+import json
+
+import pytest
+from pydantic import ValidationError
+
+from app.calibration.profile import CalibrationProfile, GuidedMap, JointMap, MapCheck
+from app.calibration.vocabulary import DriveParameters, standard_parameters
+from building import make_parameters, make_profile
+
+PCA = MapCheck(in_phase=0.9, hit_rate=0.8, false_per_minute=1.0, false_count=1)
+
+
+def guided(count, **changes):
+    fields = {
+        "rate": (0.1,) * count,
+        "short": (0.0,) * count,
+        "long": (0.0,) * count,
+        "dead_zone": 0.3,
+        "full": 1.5,
+        "lag": 0.3,
+        "repetitions": 3,
+        "pca_check": PCA,
+        "guided_check": MapCheck(in_phase=0.99, hit_rate=0.8, false_per_minute=1.0, false_count=1),
+    }
+    return GuidedMap(**{**fields, **changes})
+
+
+def with_guided(kind="guided", **changes):
+    profile = make_profile(n_channels=8)
+    first = profile.joints[0].model_copy(update={"guided": guided(2, **changes), "map": kind})
+    return profile.model_copy(update={"joints": (first, *profile.joints[1:])})
+
+
+def test_a_parameter_set_without_guided_maps_keeps_its_hash():
+    digest = "a9aa5cb4ec91edafd0892ac5b7c2348a6367e9e6e7ec42b5c847011b669fef50"  # reckoned before there were any
+    assert make_parameters().hash == digest
+    again = DriveParameters.model_validate_json(make_parameters().model_dump_json())
+    assert again.hash == digest
+
+
+def test_a_joint_without_a_guided_map_is_written_as_before():
+    document = make_profile(n_channels=8).joints[0].model_dump(mode="json")
+    assert "map" not in document
+    assert "guided" not in document
+
+
+def test_which_map_decodes_changes_the_hash():
+    hashes = {
+        standard_parameters(profile).hash
+        for profile in (make_profile(n_channels=8), with_guided("pca"), with_guided("guided"))
+    }
+    assert len(hashes) == 3
+
+
+def test_a_guided_profile_survives_being_saved():
+    profile = with_guided()
+    document = json.loads(profile.model_dump_json())
+    assert document["joints"][0]["map"] == "guided"
+    assert CalibrationProfile.model_validate(document) == profile
+
+
+def test_the_handles_are_those_of_the_map_that_is_chosen():
+    assert with_guided("pca").joints[0].handles == (0.2, 1.0)
+    assert with_guided("guided").joints[0].handles == (0.3, 1.5)
+    gesture = standard_parameters(with_guided("guided")).gestures[0]
+    assert (gesture.dead_zone, gesture.full) == (0.3, 1.5)
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"guided": None}, "has no guided map"),
+        ({"guided": guided(3).model_dump()}, "one number per channel"),
+        ({"map": "best"}, "'pca' or 'guided'"),
+    ],
+)
+def test_a_joint_that_contradicts_itself_is_refused(changes, words):
+    document = with_guided().joints[0].model_dump() | changes
+    with pytest.raises(ValidationError, match=words):
+        JointMap.model_validate(document)
+
+
+@pytest.mark.parametrize(
+    ("check", "better"),
+    [
+        ({}, True),
+        ({"in_phase": 0.905}, False),
+        ({"hit_rate": 0.76}, False),
+        ({"false_count": 3}, False),
+    ],
+)
+def test_it_is_better_only_where_nothing_is_lost_for_it(check, better):
+    fields = {"in_phase": 0.95, "hit_rate": 0.78, "false_per_minute": 2.0, "false_count": 2} | check
+    assert guided(2, guided_check=MapCheck(**fields)).is_better is better

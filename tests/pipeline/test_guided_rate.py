@@ -1,0 +1,192 @@
+"""A guided map decodes alike frame by frame and at once, and as its definition says."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.signal import butter, lfilter
+
+from app.calibration.profile import MEMORIES, GuidedMap, MapCheck
+from app.calibration.vocabulary import DriveParameters
+from app.pipeline.batch import decode_block
+from app.pipeline.decoder import Decoder
+from building import make_parameters, make_signals
+
+CHECK = MapCheck(in_phase=0.9, hit_rate=0.8, false_per_minute=0.0, false_count=0)
+
+
+def guided_parameters(guided=(0, 2), levels=True, **changes):
+    """Return parameters whose joints numbered `guided` have random guided maps that decode."""
+    document = make_parameters(**changes).model_dump(mode="json")
+    rng = np.random.default_rng(7)
+    for i in guided:
+        joint = document["profile"]["joints"][i]
+        k = len(joint["channels"])
+        joint["map"] = "guided"
+        joint["guided"] = GuidedMap(
+            rate=tuple((rng.normal(size=k) / 6).tolist()),
+            short=tuple((levels * rng.normal(size=k) / 3).tolist()),
+            long=tuple((levels * rng.normal(size=k) / 3).tolist()),
+            dead_zone=0.2,
+            full=1.0,
+            lag=0.3,
+            repetitions=3,
+            pca_check=CHECK,
+            guided_check=CHECK,
+        ).model_dump(mode="json")
+    return DriveParameters.model_validate(document)
+
+
+def changed(parameters, gesture, **fields):
+    document = parameters.model_dump(mode="json")
+    document["gestures"][gesture] |= fields
+    return DriveParameters.model_validate(document)
+
+
+def stream(parameters, device, values):
+    """Return score, rate and activation (n, n_gestures) frame by frame."""
+    decoder = Decoder(parameters, parameters.profile.sample_rate)
+    rows = []
+    steps = np.diff(device, prepend=device[0] - 1 / parameters.profile.sample_rate)
+    for frame, step in zip(values, steps, strict=True):
+        decoder.step(frame, step)
+        rows.append([list(decoder.score), list(decoder.rate), list(decoder.activation)])
+    return np.array(rows).transpose(1, 0, 2)
+
+
+def assert_alike(parameters, device, values):
+    block = decode_block(parameters, parameters.profile.sample_rate, device, values)
+    score, rate, activation = stream(parameters, device, values)
+    np.testing.assert_allclose(block.score, score, atol=1e-9)
+    np.testing.assert_allclose(block.rate, rate, atol=1e-9)
+    np.testing.assert_allclose(block.activation, activation, atol=1e-9)
+    return rate, activation
+
+
+@given(
+    seed=st.integers(0, 10_000),
+    rate=st.sampled_from([20.0, 50.0, 100.0, 250.0]),
+    guided=st.sets(st.integers(0, 3), min_size=1),
+    levels=st.booleans(),
+    cutoff=st.floats(1.0, 8.0),
+    lost=st.floats(0.0, 0.05),
+    broken=st.lists(st.tuples(st.integers(0, 51), st.integers(0, 350), st.integers(1, 60)), max_size=3),
+)
+@settings(max_examples=25, deadline=None)
+def test_frame_by_frame_is_the_whole_at_once(seed, rate, guided, levels, cutoff, lost, broken):
+    parameters = guided_parameters(sorted(guided), levels, sample_rate=rate)
+    parameters = parameters.model_copy(update={"cutoff": cutoff})
+    values = make_signals(parameters, 400, seed)
+    for channel, start, length in broken:
+        values[start : start + length, channel] = np.nan
+    kept = np.random.default_rng(seed).random(400) >= lost
+    kept[0] = True
+    device = (np.arange(400) / rate)[kept]
+    block = decode_block(parameters, rate, device, values[kept])
+    score, rates, _ = stream(parameters, device, values[kept])
+    np.testing.assert_allclose(block.score, score, atol=1e-9)
+    np.testing.assert_allclose(block.rate, rates, atol=1e-9)
+
+
+def test_the_rate_is_what_the_definition_says():
+    parameters = guided_parameters((1,))
+    values = make_signals(parameters, 3000)
+    rate, activation = assert_alike(parameters, np.arange(3000) / 100, values)
+    joint = parameters.profile.joints[1]
+    own = values[:, joint.channels].astype(float)
+    total = np.diff(own @ joint.guided.rate, prepend=own[0] @ joint.guided.rate) * 100
+    for part, memory in zip((joint.guided.short, joint.guided.long), MEMORIES, strict=True):
+        level, slow = own @ part, own[0] @ part
+        for k, now in enumerate(level):
+            slow += (1 - np.exp(-1 / (100 * memory))) * (now - slow)
+            total[k] += now - slow
+    expected = lfilter(*butter(2, 3.0, fs=100.0), total)
+    np.testing.assert_allclose(rate[:, 1], expected, atol=1e-9)
+    assert activation[:, 1].max() > 0.1
+
+
+def test_joints_without_a_guided_map_decode_as_ever():
+    plain, mixed = make_parameters(), guided_parameters((0,))
+    values = make_signals(plain, 2000)
+    t = np.arange(2000) / 100
+    np.testing.assert_array_equal(
+        decode_block(plain, 100.0, t, values).rate[:, 1:], decode_block(mixed, 100.0, t, values).rate[:, 1:]
+    )
+    np.testing.assert_array_equal(stream(plain, t, values)[1][:, 1:], stream(mixed, t, values)[1][:, 1:])
+    np.testing.assert_array_equal(stream(plain, t, values)[0], stream(mixed, t, values)[0])
+
+
+def test_a_guided_map_that_is_only_offered_does_not_decode():
+    offered = guided_parameters((0,)).model_dump(mode="json")
+    offered["profile"]["joints"][0]["map"] = "pca"
+    values = make_signals(make_parameters(), 1000)
+    t = np.arange(1000) / 100
+    np.testing.assert_array_equal(
+        decode_block(DriveParameters.model_validate(offered), 100.0, t, values).rate,
+        decode_block(make_parameters(), 100.0, t, values).rate,
+    )
+
+
+def test_against_the_prompted_direction_the_way_back_counts():
+    forwards = guided_parameters((0,))
+    backwards = changed(forwards, 0, direction=-1)
+    values = make_signals(forwards, 2000)
+    t = np.arange(2000) / 100
+    one, _ = assert_alike(forwards, t, values)
+    other, activation = assert_alike(backwards, t, values)
+    np.testing.assert_allclose(other[:, 0], -one[:, 0], atol=1e-12)
+    assert activation[:, 0].max() > 0
+
+
+def test_a_held_posture_keeps_the_map_of_the_paper():
+    held = {"feature": "displacement", "dead_zone": 0.1, "full": 0.5}
+    plain, guided = changed(make_parameters(), 0, **held), changed(guided_parameters((0,)), 0, **held)
+    values = make_signals(plain, 1500)
+    t = np.arange(1500) / 100
+    rate, _ = assert_alike(guided, t, values)
+    np.testing.assert_array_equal(rate[:, 0], stream(plain, t, values)[1][:, 0])
+
+
+def test_a_channel_that_breaks_silences_its_gesture_and_its_return_is_no_movement():
+    parameters = guided_parameters((0,))
+    values = make_signals(parameters, 1000, strokes=False)
+    values[300:500, 0] = np.nan
+    values[500:, 0] += 40.0  # it comes back somewhere else
+    rate, activation = assert_alike(parameters, np.arange(1000) / 100, values)
+    assert not activation[300:500, 0].any()
+    quiet = np.abs(rate[100:300, 0]).max()
+    assert np.abs(rate[500:, 0]).max() < 3 * quiet + 0.05
+
+
+def test_missing_frames_do_not_make_a_movement_faster():
+    parameters = guided_parameters((0,), levels=False)
+    t = np.arange(600) / 100
+    values = np.outer(t, np.ones(52)).astype(np.float32)
+    steady = stream(parameters, t, values)[1][-1, 0]
+    kept = np.ones(600, dtype=bool)
+    kept[400:406] = False
+    gapped, _ = assert_alike(parameters, t[kept], values[kept])
+    assert gapped[300:, 0] == pytest.approx(steady, rel=1e-3)
+
+
+def test_after_a_reset_the_past_is_forgotten():
+    parameters = guided_parameters((0, 1, 2, 3))
+    values = make_signals(parameters, 300)
+    decoder = Decoder(parameters, 100.0)
+    runs = []
+    for _ in range(2):
+        decoder.reset()
+        for frame in values:
+            decoder.step(frame, 0.01)
+        runs.append(list(decoder.rate))
+    assert runs[0] == runs[1]
+
+
+def test_rest_is_rest():
+    """Without movement the rate is exactly 0, whatever the posture and however long it is held."""
+    parameters = guided_parameters((0,))
+    decoder = Decoder(parameters, 100.0)
+    still = np.tile(np.full(52, 7.0, dtype=np.float32), (15, 1))  # shorter than a flat line is
+    for frame in still:
+        decoder.step(frame, 0.01)
+        assert decoder.rate[0] == pytest.approx(0.0, abs=1e-9)
