@@ -8,9 +8,9 @@ from app.api.deps import Anyone, PeopleParts, RowId
 from app.api.flows import FlowParts
 from app.quantities import Document
 from app.session.learning import learning_curves
+from app.session.store_learning import counted_trials
 from app.session.store_log import write_log
 from app.session.store_patients import find_patient
-from app.session.store_runs import trials_of
 
 router = APIRouter(tags=["review"])
 
@@ -26,7 +26,7 @@ class DrivenLine(Document):
 
 
 class LearningView(Document):
-    """Kept trials on one path, what can be said of them, and all trajectories over the path."""
+    """Kept trials on one path over all visits, what can be said of them, and all trajectories over the path."""
 
     trials: list[dict[str, Any]]
     curves: dict[str, Any]
@@ -46,21 +46,17 @@ def learning(
     """Return the learning curve of a patient on one path."""
     with parts.database.transaction() as db:
         find_patient(db, who.clinic_id, patient_id)
-        trials = [
-            trial
-            for trial in trials_of(db, who.clinic_id, patient_id, floorplan, path)
-            if trial.kept and trial.status == "done" and trial.measures is not None
-        ]
+        counted = counted_trials(db, who.clinic_id, patient_id, floorplan, path)
         write_log(db, who.name, "patient viewed", patient=patient_id)
-    rows = [{**(trial.measures or {}), "number": trial.number, "id": trial.id} for trial in trials]
+    rows = [one.row() for one in counted]
     lines = []
-    for trial in trials[-MOST_TRAJECTORIES:]:
+    for trial, *_ in counted[-MOST_TRAJECTORIES:]:
         found = flows.trajectories.of(flows.runs.folder_of(trial.run_id))
         if found is not None:
             lines.append(DrivenLine(number=trial.number, x=found.x, y=found.y))
     return LearningView(
         trials=rows,
-        curves=learning_curves(rows),
+        curves=learning_curves(rows, every_model=True),
         trajectories=lines,
-        path=[(x, y) for x, y in trials[-1].path_points] if trials else [],
+        path=[(x, y) for x, y in counted[-1].trial.path_points] if counted else [],
     )

@@ -7,11 +7,13 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from app.session.learning_fit import Curve, Numbers, fit_exponential, fit_level, fit_power
-from app.session.trend import Trend, mann_kendall
+from app.session.retention import describe_retention, retention
+from app.session.trend import Trend, mann_kendall, theil_sen
 
 MIN_TRIALS = 8  # below: not enough for a curve of three parameters
-MIN_TRIALS_FOR_CONSTANT = 20  # below: the learning constant is too uncertain to be told
-EDGE = 3  # trials at either end whose mean stands for "at first" and "at last"
+MIN_TRIALS_FOR_CONSTANT = 20  # below: the learning constant is too uncertain to be told, and trials are called few
+EDGE = 3  # trials at either end whose median stands for "at first" and "at last"
+LARGEST = 1e100  # no measure is meant beyond it, and sums of squares would overflow
 
 
 class Measure(NamedTuple):
@@ -54,14 +56,22 @@ class LearningCurve(NamedTuple):
     n: Numbers  # (n,) trial numbers, from 1
     values: Numbers  # (n,)
     trend: Trend
-    curve: Curve  # the one that costs the least information; its form is "level" where nothing was learnt
+    curves: tuple[Curve, ...]  # level line, exponential and power law, the one that costs the least information first
+
+    @property
+    def curve(self) -> Curve:
+        """The best one; its form is "level" where nothing was learnt."""
+        return self.curves[0]
+
+    @property
+    def levels_off(self) -> bool:
+        """Whether the exponential's constant is surely smaller than the number of trials (false also where NaN)."""
+        return self.curve.form == "exponential" and self.curve.c_high <= self.n[-1]
 
     @property
     def constant(self) -> tuple[float, float, float] | None:
         """The learning constant tau in trials with its confidence interval, where there are trials enough for it."""
-        if self.curve.form != "exponential" or len(self.n) < MIN_TRIALS_FOR_CONSTANT:
-            return None
-        if math.isnan(self.curve.c_low) or math.isnan(self.curve.c_high):
+        if not self.levels_off or len(self.n) < MIN_TRIALS_FOR_CONSTANT or math.isnan(self.curve.c_low):
             return None
         return self.curve.c, self.curve.c_low, self.curve.c_high
 
@@ -69,93 +79,117 @@ class LearningCurve(NamedTuple):
 def fit_learning_curve(n: Sequence[float], values: Sequence[float]) -> LearningCurve | None:
     """Fit one measure over trials; None with fewer than 8 trials.
 
-    `n` are trial numbers from 1, rising; `values` (n,) are finite. A curve with a bend is preferred to a level line
-    only where AICc says that it is worth its parameters.
+    `n` are trial numbers from 1, rising; `values` (n,) are finite and below 1e100. A curve with a bend is preferred to
+    a level line only where AICc says that it is worth its parameters.
     """
     if len(values) < MIN_TRIALS:
         return None
     number = np.asarray(n, dtype=np.float64)
     series = np.asarray(values, dtype=np.float64)
     curves = [fit_level(series), fit_exponential(number, series), fit_power(number, series)]
-    best = min(curves, key=lambda curve: curve.aicc)
-    return LearningCurve(number, series, mann_kendall(values), best)
+    curves.sort(key=lambda curve: curve.aicc)
+    return LearningCurve(number, series, mann_kendall(values), tuple(curves))
 
 
-def learning_curves(trials: Sequence[Mapping[str, Any]]) -> dict[str, dict[str, Any]]:
-    """Return, per measure that the trials have, a sentence or two and the fitted curve, ready for JSON.
+def learning_curves(trials: Sequence[Mapping[str, Any]], *, every_model: bool = False) -> dict[str, dict[str, Any]]:
+    """Return, per measure that the trials have, what can be said of it and the fitted curve, ready for JSON.
 
     Parameters
     ----------
-    trials : in the order driven; each has measures by name, and may have `number` (or `trial`), from 1, and `reached`.
-        A trial that did not reach the goal has no comparable distance, area or time, so that it is left out.
+    trials
+        In the order driven; each has measures by name, and may have `number` (or `trial`), from 1, `session` (the
+        number of the visit) and `reached`. A trial that did not reach the goal has no comparable distance, area or
+        time, so that it is left out.
+    every_model
+        Return the curves that were not chosen, too.
 
     Returns
     -------
-    {measure: {"text": str, "fit": None or {"n": [...], "value": [...], "low": [...], "high": [...]}}}; the band is
-    the 95 % band of the curve.
+    {measure: {"text": str, "visits": str or None, "fit": None or {"n": [...], "value": [...], "low": [...],
+    "high": [...]}}}; the band is the 95 % band of the curve, and there is no fit where a level line is best. `visits`
+    tells gains within visits from those between them. With `every_model` also "form" ("exponential", "power", "level"
+    or None) and "others": [{"form", "aicc_more", "n", "value", "low", "high"}], the better first.
     """
     curves: dict[str, dict[str, Any]] = {}
     for name, measure in MEASURES.items():
         if not any(name in trial for trial in trials):
             continue
         rows = [
-            (float(trial.get("number", trial.get("trial", index))), float(trial[name]))
+            (float(trial.get("number", trial.get("trial", index))), float(trial[name]), trial.get("session"))
             for index, trial in enumerate(trials, start=1)
-            if trial.get("reached", True) and trial.get(name) is not None and math.isfinite(trial[name])
+            if trial.get("reached", True) and trial.get(name) is not None and abs(trial[name]) < LARGEST
         ]
         rows.sort(key=lambda row: row[0])
-        learning = fit_learning_curve([row[0] for row in rows], [row[1] for row in rows])
-        if learning is None:
-            count = f"{len(rows)} of at least {MIN_TRIALS} that reached the goal"
-            curves[name] = {"text": f"Not enough trials for a learning curve: {count}.", "fit": None}
-        else:
-            curves[name] = {"text": describe(measure, learning), "fit": _fit_of(learning)}
+        numbers, values = [row[0] for row in rows], [row[1] for row in rows]
+        visits = [row[2] for row in rows if row[2] is not None]
+        learning = fit_learning_curve(numbers, values)
+        curve = curves[name] = {"text": _too_few(len(rows)), "visits": None, "fit": None}
+        if learning is not None:
+            kept = retention(visits, values) if len(visits) == len(values) else None
+            curve["text"] = describe(measure, learning)
+            curve["visits"] = kept and describe_retention(kept, measure.unit)
+            curve["fit"] = None if learning.curve.form == "level" else _drawn(learning.n, learning.curve)
+        if every_model:
+            curve["form"] = learning and learning.curve.form
+            curve["others"] = [] if learning is None else _others(learning)
     return curves
 
 
 def describe(measure: Measure, learning: LearningCurve) -> str:
     """Say in plain sentences what the curve shows."""
-    first, last = float(np.mean(learning.values[:EDGE])), float(np.mean(learning.values[-EDGE:]))
-    count = len(learning.n)
-    p = "p < 0.001" if learning.trend.p < 0.001 else f"p = {learning.trend.p:.2g}"
-    went = {"falls": "fell", "rises": "rose", "none": "went"}[learning.trend.direction]
+    count, trend = len(learning.n), learning.trend
+    first, last = float(np.median(learning.values[:EDGE])), float(np.median(learning.values[-EDGE:]))
+    p = "p < 0.001" if trend.p < 0.001 else f"p = {trend.p:.2g}"
+    # An odd trial or two at an end must not make a sentence that contradicts the trend.
+    went = {("falls", True): "fell", ("rises", False): "rose"}.get((trend.direction, last < first), "went")
     change = (
         f"{measure.words} {went} from {_number(first, measure.unit)} to {_number(last, measure.unit)} "
-        f"(means of the first and the last {EDGE} of {count} trials; Mann-Kendall trend test: {p})."
+        f"(medians of the first and the last {EDGE} of {count} trials; Mann-Kendall trend test: {p})."
     )
-    if learning.trend.direction == "none":
+    if trend.direction == "none":
         change += " This is not a trend: it may be chance."
-    return f"{change} {_shape_in_words(measure, learning)}"
+    else:
+        slope = theil_sen(learning.n.tolist(), learning.values.tolist())
+        steps = sorted(map(abs, (slope.low, slope.high)))
+        change += (
+            f" From trial to trial it {trend.direction} by {_number(abs(slope.median), measure.unit)} in the median "
+            f"(95 %: {steps[0]:.2g} to {steps[1]:.2g})."
+        )
+    few = f" {count} trials are few: the curve may yet change." if count < MIN_TRIALS_FOR_CONSTANT else ""
+    return f"{change} {_shape_in_words(measure, learning)}{few}"
+
+
+def _too_few(count: int) -> str:
+    return f"Not enough trials for a learning curve: {count} of at least {MIN_TRIALS} that reached the goal."
 
 
 def _shape_in_words(measure: Measure, learning: LearningCurve) -> str:
     curve = learning.curve
-    count = len(learning.n)
     if curve.form == "level":
         return "No curve describes it better than a level line."
     if curve.form == "power":
         return "A power law describes it better than an exponential: large steps at first, then ever smaller ones."
-    if math.isnan(curve.c_high):
+    if not learning.levels_off:
         return "An exponential describes it best, and it has not levelled off within these trials."
     levels = f"An exponential describes it best, levelling off at {_number(curve.a, measure.unit)}"
     if learning.constant is not None:
         tau, low, high = learning.constant
         return f"{levels}, with a learning constant of {tau:.1f} trials (95 %: {low:.1f} to {high:.1f})."
-    if count < MIN_TRIALS_FOR_CONSTANT:
+    if len(learning.n) < MIN_TRIALS_FOR_CONSTANT:
         return f"{levels}; how fast is told from {MIN_TRIALS_FOR_CONSTANT} trials on."
     return f"{levels} within the first trials."
 
 
-def _fit_of(learning: LearningCurve) -> dict[str, list[float]] | None:
-    curve = learning.curve
-    if curve.form == "level":
-        return None
-    return {
-        "n": [float(n) for n in learning.n],
-        "value": [float(value) for value in curve.value],
-        "low": [float(value) for value in curve.low],
-        "high": [float(value) for value in curve.high],
-    }
+def _drawn(n: Numbers, curve: Curve) -> dict[str, list[float]]:
+    return {"n": n.tolist(), "value": curve.value.tolist(), "low": curve.low.tolist(), "high": curve.high.tolist()}
+
+
+def _others(learning: LearningCurve) -> list[dict[str, Any]]:
+    best = learning.curve.aicc
+    return [
+        {"form": curve.form, "aicc_more": curve.aicc - best, **_drawn(learning.n, curve)}
+        for curve in learning.curves[1:]
+    ]
 
 
 def _number(value: float, unit: str) -> str:

@@ -1,21 +1,18 @@
 """Curves over trials: an exponential, a power law and a level line, compared by the information they cost."""
 
 import math
-from collections.abc import Callable
 from typing import Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import minimize_scalar
-from scipy.stats import f as f_distribution
-from scipy.stats import t as t_distribution
+from scipy.optimize import least_squares
 
 Numbers = NDArray[np.float64]
 Form = Literal["exponential", "power", "level"]
 
 CONFIDENCE = 0.95
-GRID = 200  # points over the logarithm of the shape, before the search is refined
-RELATIVE_ZERO = 1e-12  # of the series' own scale: below it a residual is rounding
+STARTS = 25  # over the logarithm of the shape: the residual may have more than one valley
+ROUNDING = 1e-12  # of the series' own scale: below it a difference is rounding
 
 
 class Curve(NamedTuple):
@@ -25,108 +22,128 @@ class Curve(NamedTuple):
     a: float
     b: float
     c: float
-    residual: float  # sum of squares
-    aicc: float
-    c_low: float  # confidence interval of c by profile likelihood; an end of the search range is NaN
+    aicc: float  # comparable between curves through the same values only
+    c_low: float  # confidence interval of c; NaN where it leaves the range that is searched
     c_high: float
     value: Numbers  # (n,) the curve at each trial
     low: Numbers  # (n,) confidence band of the curve's mean
     high: Numbers
 
 
-def exponential(n: Numbers, tau: float) -> Numbers:
-    """Return exp(-n / tau)."""
-    return np.exp(-n / tau)
+def exponential(n: Numbers, log_tau: float) -> tuple[Numbers, Numbers]:
+    """Return exp(-n / tau) and its derivative by ln tau."""
+    along = n / math.exp(log_tau)
+    shape = np.exp(-along)
+    return shape, along * shape
 
 
-def power(n: Numbers, exponent: float) -> Numbers:
-    """Return n ** -exponent, for n from 1."""
-    return n**-exponent
+def power(n: Numbers, log_exponent: float) -> tuple[Numbers, Numbers]:
+    """Return n ** -exponent, for n from 1, and its derivative by ln exponent."""
+    along = np.log(n) * math.exp(log_exponent)
+    shape = np.exp(-along)
+    return shape, -along * shape
 
 
-def corrected_akaike(residual: float, count: int, parameters: int) -> float:
-    """Return AICc of a least-squares fit; `parameters` includes the variance.
-
-    Source: Burnham and Anderson, Model Selection and Multimodel Inference (2002), section 2.4.
-    """
-    penalty = 2.0 * parameters + 2.0 * parameters * (parameters + 1) / (count - parameters - 1)
-    return count * math.log(residual / count) + penalty
+SHAPES = {"exponential": exponential, "power": power}
 
 
 def fit_level(values: Numbers) -> Curve:
     """Fit a constant: nothing was learnt."""
-    count = len(values)
-    mean = float(np.mean(values))
-    residual = _at_least_rounding(float(np.sum((values - mean) ** 2)), values)
-    half = float(t_distribution.ppf((1 + CONFIDENCE) / 2, count - 1)) * math.sqrt(residual / (count - 1) / count)
-    level = np.full(count, mean)
-    aicc = corrected_akaike(residual, count, 2)
-    return Curve("level", mean, 0.0, math.nan, residual, aicc, math.nan, math.nan, level, level - half, level + half)
+    scaled, centre, scale = _scaled(values)
+    mean = float(np.mean(scaled))
+    half, _interval = _uncertainty(scaled - mean, np.ones((len(scaled), 1)))
+    level, half = np.full(len(scaled), centre + scale * mean), scale * half
+    aicc = _aicc(scaled - mean, 2)
+    return Curve("level", float(level[0]), 0.0, math.nan, aicc, math.nan, math.nan, level, level - half, level + half)
 
 
 def fit_exponential(n: Numbers, values: Numbers) -> Curve:
     """Fit a + b exp(-n / tau); tau is searched from 0.3 trials to five times the number of trials."""
-    return _fit("exponential", exponential, n, values, (0.3, 5.0 * float(n[-1])))
+    return _fit("exponential", n, values, (0.3, 5.0 * float(n[-1])))
 
 
 def fit_power(n: Numbers, values: Numbers) -> Curve:
     """Fit a + b n ** -c; c is searched from 0.05 to 5."""
-    return _fit("power", power, n, values, (0.05, 5.0))
+    return _fit("power", n, values, (0.05, 5.0))
 
 
-def _fit(
-    form: Form, shape: Callable[[Numbers, float], Numbers], n: Numbers, values: Numbers, bounds: tuple[float, float]
-) -> Curve:
-    """Fit a + b shape(n, c) by least squares: a and b are linear, so that only c has to be searched.
+def _fit(form: Form, n: Numbers, values: Numbers, bounds: tuple[float, float]) -> Curve:
+    """Fit a + b shape(n, c) by least squares.
 
-    Band: delta method, Student's t with n - 3 degrees of freedom. Interval of c: all c whose residual is within
-    F(1, n - 3) of the best. Source: Seber and Wild, Nonlinear Regression (1989), sections 5.1 and 5.4.
+    a and b are linear, so that only ln c is searched (variable projection: Golub and Pereyra, SIAM Journal on
+    Numerical Analysis 10 (1973)). Band and interval: delta method, which is a linear regression on the tangent plane
+    at the optimum, with Student's t. Source: Seber and Wild, Nonlinear Regression (1989), section 5.1.
     """
-    count = len(values)
+    shape = SHAPES[form]
+    scaled, centre, scale = _scaled(values)
 
-    def residual_at(log_c: float) -> float:
-        return _linear(shape(n, math.exp(log_c)), values)[2]
+    def linear(log_c: float) -> tuple[Numbers, Numbers]:
+        """Return (a, b) that fit best at this shape, and what they leave."""
+        columns = np.column_stack([np.ones(len(n)), shape(n, log_c)[0]])
+        solution = np.linalg.lstsq(columns, scaled, rcond=None)[0].astype(np.float64)
+        return solution, scaled - columns @ solution
 
-    grid = np.linspace(math.log(bounds[0]), math.log(bounds[1]), GRID)
-    residuals = np.array([residual_at(log_c) for log_c in grid])
-    best = int(np.argmin(residuals))
-    around = (float(grid[max(best - 1, 0)]), float(grid[min(best + 1, GRID - 1)]))
-    refined = minimize_scalar(residual_at, bounds=around, method="bounded", options={"xatol": 1e-7})
-    log_c = float(refined.x) if refined.fun < residuals[best] else float(grid[best])
-    c = math.exp(log_c)
-    a, b, residual = _linear(shape(n, c), values)
-    residual = _at_least_rounding(residual, values)
-    freedom = count - 3
+    def left(x: Numbers) -> Numbers:
+        return linear(float(x[0]))[1]
 
-    step = 1e-5
-    slope = b * (shape(n, c * (1 + step)) - shape(n, c * (1 - step))) / (2 * step)  # d value / d ln c
-    jacobian = np.column_stack([np.ones(count), shape(n, c), slope])
-    covariance = np.linalg.pinv(jacobian.T @ jacobian) * residual / freedom
-    spread = np.sqrt(np.maximum(np.einsum("ij,jk,ik->i", jacobian, covariance, jacobian), 0.0))
-    half = float(t_distribution.ppf((1 + CONFIDENCE) / 2, freedom)) * spread
+    lowest, highest = math.log(bounds[0]), math.log(bounds[1])
+    starts: list[float] = np.linspace(lowest, highest, STARTS)[1:-1].tolist()
+    start = min(starts, key=lambda log_c: float(np.sum(linear(log_c)[1] ** 2)))
+    found = least_squares(left, [start], bounds=(lowest, highest), x_scale=0.1)
+    log_c = float(found.x[0])
+    (a, b), residual = linear(log_c)
 
-    threshold = residual * (1 + float(f_distribution.ppf(CONFIDENCE, 1, freedom)) / freedom)
-    inside = np.flatnonzero(residuals <= threshold)
-    c_low = c_high = c
-    if len(inside):
-        c_low = math.exp(grid[inside[0]]) if inside[0] > 0 else math.nan
-        c_high = math.exp(grid[inside[-1]]) if inside[-1] < GRID - 1 else math.nan
-    value = a + b * shape(n, c)
-    aicc = corrected_akaike(residual, count, 4)
-    return Curve(form, a, b, c, residual, aicc, c_low, c_high, value, value - half, value + half)
-
-
-def _linear(column: Numbers, values: Numbers) -> tuple[float, float, float]:
-    """Return a, b and the residual of values ~ a + b column."""
-    centred = column - np.mean(column)
-    size = float(centred @ centred)
-    b = float(centred @ values) / size if size > 0 else 0.0
-    a = float(np.mean(values)) - b * float(np.mean(column))
-    residual = values - a - b * column
-    return a, b, float(residual @ residual)
+    at, slope = shape(n, log_c)
+    half, interval = _uncertainty(residual, np.column_stack([np.ones(len(n)), at, b * slope]))
+    low, high = (log_c + end if lowest < log_c + end < highest else math.nan for end in interval)
+    value, half = centre + scale * (scaled - residual), scale * half
+    return Curve(
+        form,
+        centre + scale * float(a),
+        scale * float(b),
+        math.exp(log_c),
+        _aicc(residual, 4),
+        math.exp(low),
+        math.exp(high),
+        value,
+        value - half,
+        value + half,
+    )
 
 
-def _at_least_rounding(residual: float, values: Numbers) -> float:
-    """Keep the logarithm finite where a curve goes exactly through the points."""
-    scale = float(np.max(np.abs(values))) or 1.0
-    return max(residual, len(values) * (RELATIVE_ZERO * scale) ** 2)
+def _uncertainty(residual: Numbers, jacobian: Numbers) -> tuple[Numbers, tuple[float, float]]:
+    """Return half the confidence band (n,), and the interval of the last parameter around its estimate."""
+    from statsmodels.regression.linear_model import OLS  # noqa: PLC0415  (slow to import, and most pages fit nothing)
+
+    columns = jacobian.shape[1]
+    while np.linalg.matrix_rank(jacobian[:, :columns]) < columns:  # as where b is 0, so that c means nothing
+        columns -= 1
+    # Columns at right angles span the same plane and round better; the last one belongs to the last parameter alone.
+    orthogonal, triangle = np.linalg.qr(jacobian[:, :columns])
+    tangent = OLS(residual, orthogonal).fit()
+    band = tangent.get_prediction().conf_int(alpha=1 - CONFIDENCE)
+    half = (band[:, 1] - band[:, 0]) / 2
+    if columns < jacobian.shape[1]:
+        return half, (math.nan, math.nan)
+    low, high = sorted((tangent.conf_int(alpha=1 - CONFIDENCE)[-1] / triangle[-1, -1]).tolist())
+    return half, (low, high)
+
+
+def _aicc(residual: Numbers, parameters: int) -> float:
+    """Return AICc of a least-squares fit; `parameters` includes the variance.
+
+    Source: Burnham and Anderson, Model Selection and Multimodel Inference (2002), section 2.4.
+    """
+    from statsmodels.tools.eval_measures import aicc_sigma  # noqa: PLC0415
+
+    variance = max(float(np.mean(residual**2)), ROUNDING**2)  # the curve may go exactly through the points
+    return len(residual) * float(aicc_sigma(variance, len(residual), parameters))
+
+
+def _scaled(values: Numbers) -> tuple[Numbers, float, float]:
+    """Return the series between -1 and 1 around its median, the median and the scale, so that no unit matters."""
+    centre = float(np.median(values))
+    scale = float(np.max(np.abs(values - centre)))
+    if scale <= ROUNDING * abs(centre) or scale == 0.0:
+        return np.zeros(len(values)), centre, 1.0
+    return (values - centre) / scale, centre, scale

@@ -1,10 +1,10 @@
-"""The Mann-Kendall test: does a measure rise or fall from trial to trial?"""
+"""The Mann-Kendall test: does a measure rise or fall from trial to trial? And by how much."""
 
 from collections.abc import Sequence
 from typing import Literal, NamedTuple
 
 import numpy as np
-from scipy.stats import kendalltau
+from scipy.stats import kendalltau, theilslopes
 
 SIGNIFICANCE = 0.05
 
@@ -24,6 +24,14 @@ class Trend(NamedTuple):
         return "falls" if self.s < 0 else "rises"
 
 
+class Slope(NamedTuple):
+    """A robust slope with its 95 % interval, in units of the measure per trial."""
+
+    median: float
+    low: float
+    high: float
+
+
 def mann_kendall(values: Sequence[float]) -> Trend:
     """Test `values` (n,), in the order of the trials, for a monotonic trend.
 
@@ -34,12 +42,17 @@ def mann_kendall(values: Sequence[float]) -> Trend:
     Sources: Mann, Econometrica 13 (1945); Kendall, Rank Correlation Methods (1975).
     """
     series = np.asarray(values, dtype=np.float64)
-    if len(series) < 2:
+    if len(series) < 2 or np.all(series == series[0]):
         return Trend(0, 0.0, 1.0)
     s = int(np.sum(np.triu(np.sign(series[np.newaxis, :] - series[:, np.newaxis]), 1)))
-    if np.all(series == series[0]):
-        return Trend(0, 0.0, 1.0)
-    tied = len(np.unique(series)) < len(series)
-    method: Literal["asymptotic", "exact"] = "asymptotic" if tied or len(series) > 33 else "exact"
-    outcome = kendalltau(np.arange(len(series)), series, method=method)
+    outcome = kendalltau(np.arange(len(series)), series, method="auto")
     return Trend(s, float(outcome.statistic), float(outcome.pvalue))
+
+
+def theil_sen(n: Sequence[float], values: Sequence[float]) -> Slope:
+    """Return the median of the slopes between all pairs of `values` (n,) over trial numbers `n`, which are rising.
+
+    Source: Sen, Journal of the American Statistical Association 63 (1968).
+    """
+    outcome = theilslopes(values, n, alpha=0.95)
+    return Slope(float(outcome.slope), float(outcome.low_slope), float(outcome.high_slope))

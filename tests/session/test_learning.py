@@ -5,12 +5,12 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from app.session.learning import fit_learning_curve, learning_curves
 from app.session.learning_fit import fit_exponential, fit_level, fit_power
-from app.session.trend import mann_kendall
+from app.session.trend import mann_kendall, theil_sen
 
 
 def trials_of(values: np.ndarray, measure: str = "e_diff") -> list[dict[str, object]]:
@@ -131,3 +131,80 @@ def test_equal_values_are_level() -> None:
     curve = learning_curves(trials_of(np.zeros(22), "collisions"))["collisions"]
     assert curve["fit"] is None
     assert "may be chance" in curve["text"]
+
+
+def test_few_trials_are_called_few() -> None:
+    rng = np.random.default_rng(4)
+    values = 1.5 + 6.0 * np.exp(-np.arange(1.0, 23.0) / 3.0) + rng.normal(0, 0.15, 22)
+    assert "12 trials are few" in learning_curves(trials_of(values[:12]))["e_diff"]["text"]
+    assert "are few" not in learning_curves(trials_of(values))["e_diff"]["text"]
+
+
+def test_the_curves_that_were_not_chosen_cost_more_and_come_on_demand() -> None:
+    values = 1.0 + 5.0 * np.arange(1.0, 31.0) ** -0.8 + np.random.default_rng(6).normal(0, 0.05, 30)
+    curve = learning_curves(trials_of(values), every_model=True)["e_diff"]
+    assert curve["form"] == "power"
+    assert [other["form"] for other in curve["others"]] == ["exponential", "level"]
+    assert 0 < curve["others"][0]["aicc_more"] < curve["others"][1]["aicc_more"]
+    assert "others" not in learning_curves(trials_of(values))["e_diff"]
+    few = learning_curves(trials_of(values[:7]), every_model=True)["e_diff"]
+    assert (few["form"], few["others"]) == (None, [])
+
+
+def test_one_odd_trial_at_the_end_does_not_contradict_the_trend() -> None:
+    values = np.linspace(6, 2, 22)
+    values[-1] = 40.0
+    text = learning_curves(trials_of(values))["e_diff"]["text"]
+    assert "fell from 5.81 m² to 2.38 m²" in text
+    assert "falls by 0.19 m² in the median" in text
+
+
+def test_a_curve_that_is_still_falling_is_not_said_to_level_off() -> None:
+    n = np.arange(1.0, 23.0)
+    values = 8.0 * np.exp(-n / 40.0) + np.random.default_rng(7).normal(0, 0.05, len(n))
+    learning = fit_learning_curve(list(n), list(values))
+    assert learning is not None
+    assert (learning.curve.form, learning.constant) == ("exponential", None)
+    assert "not levelled off" in learning_curves(trials_of(values))["e_diff"]["text"]
+
+
+NUMBERS = st.floats(-1e90, 1e90) | st.sampled_from([0.0, 1.0, -1.0, 5e-324, 1e-200, 1e90, 3.0000000000000004])
+
+
+@settings(max_examples=60, deadline=None)
+@given(st.lists(NUMBERS, min_size=8, max_size=30), st.sampled_from([1, 7, 900]))
+def test_no_series_raises_warns_or_answers_with_what_is_no_number(values: list[float], first: int) -> None:
+    trials = [{"number": first + i, "time": value} for i, value in enumerate(values)]
+    curve = learning_curves(trials, every_model=True)["time"]
+    json.dumps(curve, allow_nan=False)
+    for drawn in [curve["fit"], *curve["others"]]:
+        assert drawn is None or all(
+            low <= value <= high for low, value, high in zip(drawn["low"], drawn["value"], drawn["high"], strict=True)
+        )
+
+
+@settings(max_examples=25, deadline=None)
+@given(st.integers(0, 1000), st.sampled_from([1e-12, 1e-3, 1e9]), st.floats(-100, 100))
+def test_the_unit_of_a_measure_makes_no_difference(seed: int, unit: float, offset: float) -> None:
+    n = np.arange(1.0, 16.0)
+    values = 1.0 + 4.0 * np.exp(-n / 3.0) + np.random.default_rng(seed).normal(0, 0.3, len(n))
+    plain, other = fit_exponential(n, values), fit_exponential(n, unit * (values + offset))
+    assert other.c == pytest.approx(plain.c, rel=1e-2)
+    assert other.value == pytest.approx(unit * (plain.value + offset), abs=1e-3 * unit)
+    assert other.aicc == pytest.approx(plain.aicc, abs=1e-3)
+
+
+def test_values_that_nobody_measures_are_left_out() -> None:
+    trials = trials_of(np.linspace(5, 2, 12))
+    trials[3]["e_diff"] = 1e300
+    fit = learning_curves(trials)["e_diff"]["fit"]
+    assert fit is not None
+    assert 4.0 not in fit["n"]
+
+
+def test_the_robust_slope_forgives_a_third_of_the_trials() -> None:
+    values = np.arange(1.0, 22.0) * -0.5
+    values[::4] += 30.0
+    slope = theil_sen(list(range(1, 22)), list(values))
+    assert slope.median == pytest.approx(-0.5)
+    assert slope.low <= -0.5 <= slope.high

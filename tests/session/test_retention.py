@@ -1,0 +1,64 @@
+"""Gains within visits against gains between them: told apart, and only where there are visits enough."""
+
+import numpy as np
+import pytest
+
+from app.session.learning import learning_curves
+from app.session.retention import describe_retention, retention
+
+
+def sawtooth(visits: int, trials: int, within: float, back: float, noise: float = 0.0) -> tuple[list[int], list[float]]:
+    """Return visits in which a value changes by `within` from the first two trials to the last two, then by `back`."""
+    rng = np.random.default_rng(1)
+    numbers, values, start = [], [], 10.0
+    for visit in range(1, visits + 1):
+        series = start + within * np.linspace(0, 1, trials)
+        numbers += [visit] * trials
+        values += (series + rng.normal(0, noise, trials)).tolist()
+        start = float(series[-1]) + back
+    return numbers, values
+
+
+def test_a_sawtooth_is_told_apart() -> None:
+    numbers, values = sawtooth(6, 4, -3.0, 1.0)
+    kept = retention(numbers, values)
+    assert kept is not None
+    # Means of two trials at either end: two thirds of the way of four.
+    assert (kept.within.mean, kept.within.visits) == (pytest.approx(-2.0), 6)
+    assert (kept.between.mean, kept.between.visits) == (pytest.approx(0.0), 5)
+    assert kept.within.low <= kept.within.mean <= kept.within.high
+
+
+def test_what_is_lost_between_visits_rises_and_noise_is_called_chance() -> None:
+    kept = retention(*sawtooth(6, 8, -3.0, 3.0, noise=0.2))
+    assert kept is not None
+    sentence = describe_retention(kept, "m²")
+    assert "Within a visit it fell by" in sentence
+    assert "to the first of the next it rose by" in sentence
+    assert sentence.count(" m²") == 2
+    kept = retention(*sawtooth(6, 8, 0.0, 0.0, noise=1.0))
+    assert kept is not None
+    assert describe_retention(kept, "m²").count("may be chance") == 2
+
+
+@pytest.mark.parametrize(("visits", "trials"), [(3, 8), (8, 3), (1, 30)])
+def test_too_few_visits_or_trials_say_nothing(visits: int, trials: int) -> None:
+    assert retention(*sawtooth(visits, trials, -3.0, 1.0)) is None
+    numbers, values = sawtooth(visits, trials, -3.0, 1.0)
+    rows = [{"session": visit, "time": value} for visit, value in zip(numbers, values, strict=True)]
+    assert learning_curves(rows)["time"]["visits"] is None
+
+
+def test_a_short_visit_is_left_out_with_the_changes_around_it() -> None:
+    numbers, values = sawtooth(7, 6, -3.0, 1.0)
+    without = [i for i, visit in enumerate(numbers) if visit != 4 or i % 6 < 2]
+    kept = retention([numbers[i] for i in without], [values[i] for i in without])
+    assert kept is not None
+    assert (kept.within.visits, kept.between.visits) == (6, 4)
+
+
+def test_equal_values_are_no_change_and_the_sentence_stands_with_the_curve() -> None:
+    numbers, _ = sawtooth(5, 4, 0.0, 0.0)
+    rows = [{"session": visit, "stops": 2.0} for visit in numbers]
+    assert "changed by 0, which may be chance" in learning_curves(rows)["stops"]["visits"]
+    assert learning_curves([{"stops": 2.0} for _ in numbers])["stops"]["visits"] is None

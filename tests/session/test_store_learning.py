@@ -1,0 +1,87 @@
+"""Which trials count for a learning curve, and what each was driven with."""
+
+from typing import Any
+
+import pytest
+from sqlalchemy.orm import Session
+
+from app.calibration.profile import CalibrationProfile
+from app.clock import utc_now
+from app.session.store_controls import current_parameters, save_profile
+from app.session.store_learning import counted_trials
+from app.session.store_patients import add_patient
+from app.session.store_runs import add_run, add_trial, finish_trial, keep_trial
+from app.session.tables import Clinic, Patient, PatientSession
+
+
+@pytest.fixture
+def patient(db: Session) -> Patient:
+    clinic = Clinic(name="Clinic", created=utc_now(), unused=[])
+    db.add(clinic)
+    db.flush()
+    return add_patient(db, clinic.id, "P-1", "Heron", "")
+
+
+def visit(db: Session, patient: Patient, number: int) -> PatientSession:
+    row = PatientSession(
+        clinic_id=patient.clinic_id,
+        patient_id=patient.id,
+        number=number,
+        started=utc_now(),
+        ended=utc_now(),
+        accepted=False,
+    )
+    db.add(row)
+    db.flush()
+    return row
+
+
+def drive(db: Session, patient: Patient, session: PatientSession, run: str, measures: dict[str, Any] | None) -> int:
+    """Make a trial with the newest map."""
+    trial = add_trial(
+        db,
+        run=add_run(db, run, session.id, "drive", run),
+        clinic_id=patient.clinic_id,
+        patient_id=patient.id,
+        parameters_id=current_parameters(db, patient.id)[0].id,
+        floorplan="clinic",
+        floorplan_title="Clinic",
+        path="corridor",
+        path_points=[[0.0, 0.0], [1.0, 0.0]],
+    )
+    finish_trial(db, trial.id, "goal", measures)
+    return trial.id
+
+
+def test_each_trial_names_its_visit_and_the_version_of_its_map(
+    db: Session, patient: Patient, profile: CalibrationProfile
+) -> None:
+    first, second = visit(db, patient, 1), visit(db, patient, 2)
+    save_profile(db, patient.id, first.id, profile)
+    one = drive(db, patient, first, "a", {"dist": 12.0, "session": "a measure may not hide what the trial is"})
+    save_profile(db, patient.id, second.id, profile, origin="adaptation", parent=1, difference={})
+    two = drive(db, patient, second, "b", {"dist": 11.0})
+    save_profile(db, patient.id, second.id, profile, origin="back", parent=2, difference={})
+    three = drive(db, patient, second, "c", {"dist": 10.0})
+    rows = [trial.row() for trial in counted_trials(db, patient.clinic_id, patient.id, "clinic", "corridor")]
+    assert [(row["id"], row["number"], row["session"], row["profile_version"], row["origin"]) for row in rows] == [
+        (one, 1, 1, 1, "calibration"),
+        (two, 2, 2, 2, "adaptation"),
+        (three, 3, 2, 3, "back"),
+    ]
+    assert [row["dist"] for row in rows] == [12.0, 11.0, 10.0]
+
+
+def test_only_measured_and_kept_trials_of_this_path_count(
+    db: Session, patient: Patient, profile: CalibrationProfile
+) -> None:
+    session = visit(db, patient, 1)
+    save_profile(db, patient.id, session.id, profile)
+    drive(db, patient, session, "a", None)
+    discarded = drive(db, patient, session, "b", {"dist": 11.0})
+    keep_trial(db, patient.clinic_id, discarded, "tired")
+    kept = drive(db, patient, session, "c", {"dist": 10.0})
+    found = counted_trials(db, patient.clinic_id, patient.id, "clinic", "corridor")
+    assert [one.trial.id for one in found] == [kept]
+    assert counted_trials(db, patient.clinic_id, patient.id, "clinic", "other") == []
+    assert counted_trials(db, patient.clinic_id + 1, patient.id, "clinic", "corridor") == []
