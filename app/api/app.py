@@ -8,6 +8,7 @@ from fastapi import APIRouter, FastAPI
 
 from app import __version__
 from app.api import (
+    adaptation,
     auth,
     calibration,
     chairs,
@@ -47,6 +48,7 @@ from app.api.view_keeper import OpenScene, ViewKeeper, may_view
 from app.clock import monotonic
 from app.scene.scene import Scene
 from app.scene.servers import Role
+from app.session.adaptation_flow import AdaptationFlow
 from app.session.arming import RealArming
 from app.session.calibration_flow import CalibrationFlow
 from app.session.chairs import Chairs
@@ -79,6 +81,7 @@ ROUTES = (
     limits,
     calibration,
     controls,
+    adaptation,
     trials,
     trial_replay,
     plans,
@@ -202,6 +205,7 @@ def _flows(
         limits=allowed,
         arming=RealArming(database, link, worn, visit, seats, allowed, demonstration=settings.demo),
         visit=visit,
+        adaptation=AdaptationFlow(database, link, runs, drive, visit, seats, tell, readings),
         screens=Screens(),
         faults=FaultLog(database, link, driven_now),
         live=hub,
@@ -255,5 +259,6 @@ def _tidy_up(database: Database) -> None:
 async def _end(flows: Flows) -> None:
     await flows.calibration.stop()
     await asyncio.gather(flows.drive.stop(), flows.real.stop())
+    await flows.adaptation.stop()
     await asyncio.gather(flows.live.close(), flows.patient_live.close(), flows.faults.close())
     await asyncio.gather(flows.view.close(), flows.control.close())

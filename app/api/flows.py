@@ -15,6 +15,7 @@ from app.api.screens import Screen, Screens
 from app.api.timelines import Timelines
 from app.api.trajectories import Trajectories
 from app.api.view_keeper import ViewKeeper
+from app.session.adaptation_flow import AdaptationFlow
 from app.session.arming import RealArming
 from app.session.calibration_flow import CalibrationFlow
 from app.session.chairs import Chairs
@@ -48,6 +49,7 @@ class Flows:
     limits: ClinicLimits
     arming: RealArming
     visit: VisitFlow
+    adaptation: AdaptationFlow
     screens: Screens
     faults: FaultLog
     live: LiveHub

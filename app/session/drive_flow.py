@@ -65,6 +65,7 @@ class DriveFlow:
         self._starting = False
         self.trial: RunningTrial | None = None
         self.over: TrialOver | None = None  # since the program was started
+        self.on_over: Callable[[int], None] = lambda _trial: None  # told the id of each trial that was measured
 
     @property
     def running(self) -> bool:
@@ -153,6 +154,7 @@ class DriveFlow:
             finally:  # also when the database is gone: the trial is over
                 self.trial = None
                 self._tell("trial")
+        self.on_over(trial.id)
 
     def _parameters(self, patient_id: int) -> tuple[int, str]:
         with self._database.transaction() as db:

@@ -92,6 +92,11 @@ def versions_of(db: Session, patient_id: int) -> list[MapVersion]:
     ]
 
 
+def version_row(db: Session, patient_id: int, version: int) -> Profile:
+    """Return one version of a patient's map."""
+    return db.execute(select(Profile).where(Profile.patient_id == patient_id, Profile.version == version)).scalar_one()
+
+
 def family(db: Session, patient_id: int, version: int) -> set[int]:
     """Return all versions that come from the same calibration as `version`, that calibration included."""
     parents = {
@@ -112,12 +117,8 @@ def _before(db: Session, now: Profile) -> Profile | None:
     """Return the map before `now`; a version that went back stands where the one stands that it went back to."""
     shown = now
     while shown.origin == "back" and shown.difference is not None:
-        shown = _version(db, now.patient_id, shown.difference[BACK_TO])
-    return None if shown.parent is None else _version(db, now.patient_id, shown.parent)
-
-
-def _version(db: Session, patient_id: int, version: int) -> Profile:
-    return db.execute(select(Profile).where(Profile.patient_id == patient_id, Profile.version == version)).scalar_one()
+        shown = version_row(db, now.patient_id, shown.difference[BACK_TO])
+    return None if shown.parent is None else version_row(db, now.patient_id, shown.parent)
 
 
 def _settings_of(db: Session, profile: Profile, *, newest: bool) -> dict[str, Any]:

@@ -8,8 +8,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from app.calibration.adaptation import Proposal
 from app.calibration.profile import CalibrationProfile
 from app.calibration.script import Step
+from app.calibration.vocabulary import DriveParameters
 from app.layout import ShirtLayout
 from app.session.control_quality import ControlQuality
 from app.world.floorplan import FloorPlan, PrescribedPath
@@ -23,6 +25,13 @@ class Driven(NamedTuple):
     y: NDArray[np.float64]
 
 
+class Adapted(NamedTuple):
+    """What the last trials would change of a set, and what the last of them would have been like with it."""
+
+    proposal: Proposal
+    effect: dict[str, Any] | None  # None where nothing would change, or it cannot be replayed
+
+
 Judge = Callable[[Path, float], str | None]
 """Recording and duration (s) of a step: in one sentence why it does not do, None when it does."""
 Fit = Callable[[ShirtLayout, list[tuple[Step, Path]], list[str]], CalibrationProfile]
@@ -33,14 +42,18 @@ Quality = Callable[[Path], ControlQuality]
 """Recording of a trial: how well the map fitted it; ValueError or OSError when that cannot be told."""
 Drive = Callable[[Path], Driven]
 """Recording of a trial: where the chair went; ValueError or OSError when it cannot be read."""
+Adapt = Callable[[DriveParameters, CalibrationProfile, list[Path], int, Callable[[], bool]], Adapted | None]
+"""The set that drives, the calibration that it goes back to, recordings of trials (the newest last), how many of them
+were driven with its map, and whether to leave off: what they would change; None when it was left off."""
 
 
 @dataclass(frozen=True, slots=True)
 class Readings:
-    """The five questions."""
+    """The six questions."""
 
     judge: Judge
     fit: Fit
     measure: Measure
     drive: Drive
     quality: Quality
+    adapt: Adapt

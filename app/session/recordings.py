@@ -15,6 +15,7 @@ from app.calibration.vocabulary import DriveParameters
 from app.faults import State
 from app.layout import ShirtLayout
 from app.recording_reader import Columns, read_run
+from app.session.adaptation_reading import adapt_from_recordings
 from app.session.calibration_judge import judge_frames
 from app.session.control_quality import ControlQuality, control_quality
 from app.session.readings import Driven, Readings
@@ -25,7 +26,12 @@ from app.world.floorplan import FloorPlan, PrescribedPath
 def recorded_readings() -> Readings:
     """Return the answers that are read from disk."""
     return Readings(
-        judge=judge_recording, fit=fit_recordings, measure=measure_recording, drive=driven, quality=quality_of_recording
+        judge=judge_recording,
+        fit=fit_recordings,
+        measure=measure_recording,
+        drive=driven,
+        quality=quality_of_recording,
+        adapt=adapt_from_recordings,
     )
 
 

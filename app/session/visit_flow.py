@@ -48,10 +48,16 @@ class VisitFlow:
         Two screens may ask at the same moment: a visit must not change under a trial that is just being started.
         """
         async with self._one_at_a_time:
-            self._refuse_while_busy(what)
+            self.refuse_while_busy(what)
             yield
 
-    def _refuse_while_busy(self, what: str) -> None:
+    @property
+    def driving(self) -> bool:
+        """Whether a trial or a drive is going on; from any thread."""
+        return self._drive.running or self._real.running
+
+    def refuse_while_busy(self, what: str) -> None:
+        """Refuse what must not happen during a step, a trial or a drive."""
         if self._drive.running:
             raise Conflict(f"A trial is running: end it first, then {what}.")
         if self._real.running:

@@ -262,6 +262,7 @@ def running(settings: Settings) -> Iterator[Clinic]:
         measure=lambda _folder, _plan, _path: answers["measures"],
         drive=lambda _folder: Driven(line, line, 0 * line),
         quality=lambda _folder: quality(),
+        adapt=lambda *given: answers["adapt"](*given) if "adapt" in answers else None,
     )
     app = create_app(settings, open_link, readings)
     with TestClient(app, base_url=BASE, raise_server_exceptions=False, client=("127.0.0.1", 50_000)) as client:

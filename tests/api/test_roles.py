@@ -45,6 +45,8 @@ FOR_REVIEWERS = {
     "GET /drives/summary",
     "GET /patients/{patient_id}/learning",
     "GET /patients/{patient_id}/quality",
+    "GET /patients/{patient_id}/maps",
+    "GET /adaptation",
     "GET /view/{role}/",
 }
 

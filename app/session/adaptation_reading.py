@@ -1,0 +1,51 @@
+"""What the last trials would change of a map, read from their recordings."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+
+from app.calibration.adaptation import Movement, propose
+from app.calibration.profile import CalibrationProfile
+from app.calibration.vocabulary import DriveParameters
+from app.faults import State
+from app.recording_reader import read_run
+from app.session.readings import Adapted
+
+
+def adapt_from_recordings(
+    parameters: DriveParameters,
+    calibrated: CalibrationProfile,
+    folders: list[Path],
+    fresh: int,
+    leave_off: Callable[[], bool],
+) -> Adapted | None:
+    """Return what the recordings (the newest last) would change of `parameters`; None when it was left off.
+
+    The newest `fresh` of them were driven with the map of `parameters`: each allows its own small turn, and those
+    before have had theirs already. A recording that is gone, or of another shirt, says nothing.
+    """
+    movements, fresh_read = [], 0
+    for left, folder in zip(range(len(folders), 0, -1), folders, strict=True):
+        if leave_off():
+            return None
+        movement = movement_of(folder, parameters)
+        if movement is not None:
+            movements.append(movement)
+            fresh_read += left <= fresh
+    proposal = propose(parameters, movements, calibrated=calibrated, fresh=fresh_read)
+    return Adapted(proposal, None)
+
+
+def movement_of(folder: Path, parameters: DriveParameters) -> Movement | None:
+    """Return the movement of one recorded trial, None when it cannot be read or is of another shirt or rate."""
+    try:
+        run = read_run(folder)
+    except (ValueError, OSError):
+        return None
+    rate, profile = float(run.meta.get("sample_rate", 0.0)), parameters.profile
+    names = [channel["name"] for channel in run.meta.get("layout", {}).get("channels", ())]
+    if names != list(profile.layout.channel_names) or abs(rate - profile.sample_rate) > 0.01 * profile.sample_rate:
+        return None
+    frames = run.frames()
+    return Movement(frames["values"], rate, np.asarray(frames["state"] == State.ARMED))
