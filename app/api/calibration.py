@@ -10,10 +10,11 @@ from app.api.deps import Clinician, People, PeopleParts
 from app.api.flows import FlowParts, Flows
 from app.api.signed_in import SignedIn
 from app.calibration.fit import joints_without_map
-from app.calibration.profile import CalibrationProfile
+from app.calibration.profile import CalibrationProfile, GuidedMap, MapKind
 from app.calibration.vocabulary import standard_parameters
-from app.quantities import Document
+from app.quantities import Document, Name
 from app.session.calibration_flow import RESULT, Progress
+from app.session.map_choice import choose_map
 from app.session.refusals import Conflict
 from app.session.store_controls import save_parameters, save_profile
 from app.session.store_log import write_log
@@ -29,6 +30,13 @@ class Look(Document):
     """Which step to look at."""
 
     step: Annotated[str, Field(min_length=1, max_length=80)]
+
+
+class ChosenMap(Document):
+    """Which map is to decode a joint."""
+
+    joint: Name
+    map: MapKind
 
 
 class RunningStep(Document):
@@ -77,13 +85,29 @@ def _steps(progress: Progress) -> list[dict[str, Any]]:
     return steps
 
 
+def _guided(guided: GuidedMap | None) -> dict[str, Any] | None:
+    """Return how the map of the study and the guided map did on the held-out repetitions."""
+    if guided is None:
+        return None
+    checks = {"pca_check": guided.pca_check, "guided_check": guided.guided_check}
+    return {
+        "offered": guided.is_better,
+        "repetitions": guided.repetitions,
+        **{name: check.model_dump(mode="json") for name, check in checks.items()},
+    }
+
+
 def _result(progress: Progress, profile: CalibrationProfile) -> dict[str, Any]:
     labels = {joint.name: joint.label for joint in profile.layout.joints}
     steps = {step.joint: step.id for step in progress.steps if step.joint is not None}
     shown = {"name", "evr", "span", "sign", "signal_to_noise", "repeatability", "angle_deg", "grade", "reason"}
     joints = [
         {
-            **joint.model_dump(mode="json", include=shown | {"dead_zone", "full"}),
+            **joint.model_dump(mode="json", include=shown),
+            "dead_zone": joint.handles[0],
+            "full": joint.handles[1],
+            "map": joint.map,
+            "guided": _guided(joint.guided),
             "label": labels[joint.name],
             "step": steps.get(joint.name),
         }
@@ -91,7 +115,7 @@ def _result(progress: Progress, profile: CalibrationProfile) -> dict[str, Any]:
     ]
     missing = [
         {
-            **dict.fromkeys(shown | {"dead_zone", "full"}),
+            **dict.fromkeys(shown | {"dead_zone", "full", "map", "guided"}),
             "name": name,
             "label": labels[name],
             "step": steps.get(name),
@@ -165,6 +189,18 @@ async def begin_anew(who: Clinician, flows: FlowParts) -> CalibrationView:
     async with flows.visit.undisturbed("begin anew"):
         session = await flows.visit.needed_session(who.clinic_id)
         await flows.calibration.restart(session.id)
+    return await _view(flows, session)
+
+
+@router.post("/map")
+async def choose(body: ChosenMap, who: Clinician, parts: PeopleParts, flows: FlowParts) -> CalibrationView:
+    """Let a joint be decoded by the study's map or by its guided one; the result then waits to be accepted."""
+    async with flows.visit.undisturbed("choose a map"):
+        session = await flows.visit.needed_session(who.clinic_id)
+        if flows.calibration.running:
+            raise Conflict("A step is being recorded, or the map is being fitted: wait for its end.")
+        await asyncio.to_thread(choose_map, parts.database, session.id, body.joint, body.map)
+    flows.live.tell("calibration")
     return await _view(flows, session)
 
 

@@ -55,6 +55,7 @@ export async function show(app, root, { signal }) {
     start: (step) => call(`/calibration/steps/${step}/start`),
     cancel: (step) => call(`/calibration/steps/${step}/cancel`),
     skip: (step) => call(`/calibration/steps/${step}/skip`),
+    chooseMap: (joint, map) => call("/calibration/map", { joint, map }),
     setAuto: (on) => {
       localStorage.setItem(AUTO_PLACE, on ? "on" : "off");
       actions.isAuto = on;
@@ -149,7 +150,7 @@ function resultPage(calibration, actions, accept) {
   return {
     title: t("result.title"),
     lead: h("p", { class: "lead" }, t("result.lead")),
-    body: resultView(result, actions.start),
+    body: resultView(result, actions.start, actions.chooseMap),
     foot: [
       back,
       h("span", { class: "grow" }, result.accepted ? t("result.accepted") : leftOutWords(result.left_out)),

@@ -3,6 +3,7 @@ import { t } from "../texts.js";
 import { h } from "./dom.js";
 import { number, percent } from "./format.js";
 import { withLabels } from "./gestures.js";
+import { mapChoice } from "./map_choice.js";
 
 const STUDY = { low: 0.8, high: 0.9 }; // the paper's explained variance of PC1
 const OWN = 0.75; // from here a cell is painted in full, with the text in the other colour
@@ -10,9 +11,9 @@ const WASH = 0.5; // strongest paint below that: dark text stays readable on it
 const TONES = { good: "", usable: "att", repeat: "bad" };
 
 /**
- * @param {any} result @param {(step: string) => void} onRepeat
+ * @param {any} result @param {(step: string) => void} onRepeat @param {(joint: string, map: string) => void} onMap
  */
-export function resultView(result, onRepeat) {
+export function resultView(result, onRepeat, onMap) {
   const labels = Object.fromEntries(result.joints.map(({ name, label }) => [name, label]));
   return h(
     "div",
@@ -20,13 +21,13 @@ export function resultView(result, onRepeat) {
     h(
       "div",
       { class: "joint-cards" },
-      result.joints.map((joint) => jointCard(joint, withLabels(joint.reason, labels), onRepeat)),
+      result.joints.map((joint) => jointCard(joint, withLabels(joint.reason, labels), onRepeat, onMap)),
     ),
     result.cross_talk && crossTalk(result),
   );
 }
 
-function jointCard(joint, reason, onRepeat) {
+function jointCard(joint, reason, onRepeat, onMap) {
   const evr = percent(joint.evr);
   return h(
     "section",
@@ -50,6 +51,7 @@ function jointCard(joint, reason, onRepeat) {
     joint.grade !== "good" &&
       joint.step &&
       h("button", { type: "button", class: "btn small", onclick: () => onRepeat(joint.step) }, t("result.again")),
+    joint.guided && mapChoice(joint, onMap),
   );
 }
 

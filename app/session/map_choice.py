@@ -1,0 +1,29 @@
+"""Which map decodes a joint: chosen on the result of a calibration, before it is accepted."""
+
+from app.calibration.profile import CalibrationProfile, MapKind
+from app.session.database import Database
+from app.session.refusals import Conflict, NotFound
+from app.session.tables import PatientSession
+
+
+def choose_map(database: Database, session_id: int, joint: str, kind: MapKind) -> None:
+    """Let one joint of the session's result be decoded by this map; a result in use has to be accepted again.
+
+    A guided map is refused where it is not better than the paper's on the held-out repetitions.
+    """
+    with database.transaction() as db:
+        session = db.get_one(PatientSession, session_id)
+        if session.result is None:
+            raise Conflict("There is no result yet: do every step first.")
+        profile = CalibrationProfile.model_validate(session.result)
+        names = [one.name for one in profile.joints]
+        if joint not in names:
+            raise NotFound(f"There is no map for '{joint}': choose one of {', '.join(names)}.")
+        chosen = profile.joints[names.index(joint)]
+        if kind == "guided" and (chosen.guided is None or not chosen.guided.is_better):
+            raise Conflict("The guided map is not better for this joint, so it is not offered: keep the study's map.")
+        if chosen.map == kind:
+            return
+        joints = tuple(one.model_copy(update={"map": kind}) if one.name == joint else one for one in profile.joints)
+        session.result = profile.model_copy(update={"joints": joints}).model_dump(mode="json")
+        session.accepted = False

@@ -1,0 +1,112 @@
+"""Choosing which map decodes a joint, on the result of a calibration."""
+
+from typing import Any
+
+import fake_clinic
+import pytest
+
+from app.calibration.profile import GuidedMap, MapCheck
+
+WORSE = MapCheck(in_phase=0.86, hit_rate=0.88, false_per_minute=11.4, false_count=2)
+BETTER = MapCheck(in_phase=0.95, hit_rate=0.88, false_per_minute=0.0, false_count=0)
+
+
+def guided(pca: MapCheck, own: MapCheck) -> GuidedMap:
+    return GuidedMap(
+        rate=(0.5, 0.1),
+        short=(0.0, 0.0),
+        long=(0.0, 0.0),
+        dead_zone=0.4,
+        full=1.5,
+        lag=0.3,
+        repetitions=3,
+        pca_check=pca,
+        guided_check=own,
+    )
+
+
+@pytest.fixture
+def fitted(signed_in: Any, monkeypatch: pytest.MonkeyPatch) -> Any:
+    """A clinic whose calibration gave guided maps: better for the first joint, not for the second, else none."""
+    plain = fake_clinic.profile_for
+
+    def with_guided(layout: Any) -> Any:
+        profile = plain(layout)
+        right, left, *others = profile.joints
+        right = right.model_copy(update={"guided": guided(WORSE, BETTER)})
+        left = left.model_copy(update={"guided": guided(BETTER, WORSE)})
+        return profile.model_copy(update={"joints": (right, left, *others)})
+
+    monkeypatch.setattr(fake_clinic, "profile_for", with_guided)
+    signed_in.visit()
+    signed_in.calibrate()
+    return signed_in
+
+
+def choose(clinic: Any, joint: str, kind: str) -> Any:
+    return clinic("POST", "/calibration/map", json={"joint": joint, "map": kind})
+
+
+def test_both_figures_are_shown_and_the_study_s_map_is_chosen(fitted: Any) -> None:
+    right, left, shoulder, _ = fitted.good("GET", "/calibration")["result"]["joints"]
+    assert (right["map"], left["map"], shoulder["map"]) == ("pca", "pca", "pca")
+    assert right["guided"]["offered"] is True
+    assert right["guided"]["pca_check"]["in_phase"] == 0.86
+    assert right["guided"]["guided_check"]["in_phase"] == 0.95
+    assert left["guided"]["offered"] is False
+    assert shoulder["guided"] is None
+    assert right["dead_zone"] == 0.2
+
+
+def test_the_chosen_map_drives_once_the_result_is_accepted(fitted: Any) -> None:
+    answer = choose(fitted, "right_elbow", "guided")
+    assert answer.status_code == 200, answer.text
+    result = answer.json()["result"]
+    assert result["joints"][0]["map"] == "guided"
+    assert (result["joints"][0]["dead_zone"], result["joints"][0]["full"]) == (0.4, 1.5)
+    assert result["accepted"] is False
+    assert "map" not in fitted.link.parameters["profile"]["joints"][0]  # what is loaded is what was accepted
+    fitted.good("POST", "/calibration/accept")
+    loaded = fitted.link.parameters
+    assert loaded["profile"]["joints"][0]["map"] == "guided"
+    assert (loaded["gestures"][0]["dead_zone"], loaded["gestures"][0]["full"]) == (0.4, 1.5)
+    choose(fitted, "right_elbow", "pca")
+    fitted.good("POST", "/calibration/accept")
+    assert "map" not in fitted.link.parameters["profile"]["joints"][0]
+    assert fitted.link.parameters["gestures"][0]["dead_zone"] == 0.2
+
+
+def test_choosing_what_is_chosen_changes_nothing(fitted: Any) -> None:
+    assert choose(fitted, "right_elbow", "pca").json()["result"]["accepted"] is True
+
+
+@pytest.mark.parametrize(
+    ("joint", "kind", "status", "words"),
+    [
+        ("left_elbow", "guided", 409, "not better"),
+        ("left_shoulder", "guided", 409, "not better"),
+        ("tail", "guided", 404, "no map for 'tail'"),
+        ("right_elbow", "best", 422, "map"),
+    ],
+)
+def test_what_is_not_offered_is_refused(fitted: Any, joint: str, kind: str, status: int, words: str) -> None:
+    answer = choose(fitted, joint, kind)
+    assert answer.status_code == status
+    assert words in answer.json()["detail"]
+    assert fitted.good("GET", "/calibration")["result"]["accepted"] is True
+
+
+def test_before_there_is_a_result_there_is_nothing_to_choose(signed_in: Any) -> None:
+    signed_in.visit()
+    answer = choose(signed_in, "right_elbow", "guided")
+    assert answer.status_code == 409
+    assert "do every step" in answer.json()["detail"]
+
+
+def test_while_a_step_is_recorded_nothing_is_chosen(fitted: Any) -> None:
+    fitted.good("POST", "/calibration/steps/rest/start")
+    assert choose(fitted, "right_elbow", "guided").status_code == 409
+
+
+def test_nobody_signed_in_chooses(clinic: Any) -> None:
+    assert choose(clinic, "right_elbow", "guided").status_code == 401
