@@ -9,12 +9,14 @@ from pydantic import Field
 from app.api.deps import Clinician, People, PeopleParts
 from app.api.flows import FlowParts, Flows
 from app.api.signed_in import SignedIn
+from app.calibration.discovery import Discovery
 from app.calibration.fit import joints_without_map
 from app.calibration.profile import CalibrationProfile, GuidedMap, MapKind
 from app.calibration.vocabulary import standard_parameters
 from app.quantities import Document, Name
 from app.session.calibration_flow import RESULT, Progress
 from app.session.map_choice import choose_map
+from app.session.gesture_discovery import of_result
 from app.session.refusals import Conflict
 from app.session.store_controls import save_parameters, save_profile
 from app.session.store_log import write_log
@@ -147,6 +149,13 @@ async def _view(flows: Flows, session: PatientSession) -> CalibrationView:
 async def look(who: Clinician, flows: FlowParts) -> CalibrationView:
     """Return the wizard as it stands."""
     return await _view(flows, await flows.visit.needed_session(who.clinic_id))
+
+
+@router.get("/gestures")
+async def gestures(who: Clinician, parts: PeopleParts, flows: FlowParts) -> Discovery:
+    """Return all gestures that were found in the calibration under way, or else in the newest accepted one."""
+    session = await flows.visit.needed_session(who.clinic_id)
+    return await asyncio.to_thread(of_result, parts.database, flows.runs.folder_of, session.id)
 
 
 @router.post("/steps/{step}/start")

@@ -10,13 +10,13 @@ from pydantic import Field, ValidationError
 from app.api.deps import Clinician, People, PeopleParts
 from app.api.flows import FlowParts, Flows
 from app.api.signed_in import SignedIn
-from app.calibration.profile import CalibrationProfile
-from app.calibration.suggest import suggest_bindings
+from app.calibration.suggest import SuggestedVocabulary
 from app.calibration.vocabulary import Binding, ControlMode, CruiseTime, DriveParameters, Gesture
 from app.messages import MAX_GESTURES
 from app.quantities import Cutoff, Document, Title
 from app.sentences import one_sentence
 from app.session.database import Transaction
+from app.session.gesture_discovery import of_newest
 from app.session.store_controls import (
     as_document,
     current_parameters,
@@ -89,11 +89,10 @@ class ControlsView(Document):
     misfit: str | None  # why these cannot drive with the shirt in use
 
 
-def _view(db: Transaction, flows: Flows, patient_id: int) -> ControlsView:
+def _view(db: Transaction, flows: Flows, patient_id: int, suggestion: SuggestedVocabulary) -> ControlsView:
     row, profile = current_parameters(db, patient_id)
     parameters = as_document(row, profile)
     before, after = undo_and_redo(db, patient_id)
-    suggestion = suggest_bindings(parameters.profile)
     return ControlsView(
         parameters=parameters,
         hash=parameters.hash,
@@ -107,28 +106,35 @@ def _view(db: Transaction, flows: Flows, patient_id: int) -> ControlsView:
     )
 
 
+def _suggestion(parts: People, flows: Flows, patient_id: int) -> SuggestedVocabulary:
+    """Return what the newest map's calibration speaks for; outside of a transaction, for recordings are read."""
+    return of_newest(parts.database, flows.runs.folder_of, patient_id).suggestion
+
+
 @router.get("")
 async def look(who: Clinician, parts: PeopleParts, flows: FlowParts) -> ControlsView:
     """Return the set that drives now."""
     session = await flows.visit.needed_session(who.clinic_id)
 
     def _read() -> ControlsView:
+        suggestion = _suggestion(parts, flows, session.patient_id)
         with parts.database.transaction() as db:
-            return _view(db, flows, session.patient_id)
+            return _view(db, flows, session.patient_id, suggestion)
 
     return await asyncio.to_thread(_read)
 
 
-Change = Callable[[Transaction, PatientSession], Parameters]
+Change = Callable[[Transaction, PatientSession, SuggestedVocabulary], Parameters]
 
 
 async def _change(who: SignedIn, parts: People, flows: Flows, what: str, change: Change) -> ControlsView:
     """Change the current set and load it: what is kept is what drives, from the next arming on."""
 
     def _write(session: PatientSession) -> ControlsView:
+        suggestion = _suggestion(parts, flows, session.patient_id)
         with parts.database.transaction() as db:
-            row = change(db, session)
-            view = _view(db, flows, session.patient_id)
+            row = change(db, session, suggestion)
+            view = _view(db, flows, session.patient_id, suggestion)
             write_log(db, who.name, what, patient=session.patient_id, parameters=row.id, hash=view.hash)
             return view
 
@@ -143,7 +149,7 @@ async def _change(who: SignedIn, parts: People, flows: Flows, what: str, change:
 async def set_controls(body: ControlSettings, who: Clinician, parts: PeopleParts, flows: FlowParts) -> ControlsView:
     """Set the controls; an invalid set changes nothing."""
 
-    def _set(db: Transaction, session: PatientSession) -> Parameters:
+    def _set(db: Transaction, session: PatientSession, _suggestion: SuggestedVocabulary) -> Parameters:
         _row, profile = current_parameters(db, session.patient_id)
         return save_parameters(db, profile, _whole(body.model_dump(mode="json"), profile))
 
@@ -161,7 +167,7 @@ def _whole(settings: dict[str, Any], profile: Profile) -> DriveParameters:
 async def undo(who: Clinician, parts: PeopleParts, flows: FlowParts) -> ControlsView:
     """Go back to the set before."""
     return await _change(
-        who, parts, flows, "controls undone", lambda db, session: step_parameters(db, session.patient_id, back=True)
+        who, parts, flows, "controls undone", lambda db, session, _: step_parameters(db, session.patient_id, back=True)
     )
 
 
@@ -169,7 +175,7 @@ async def undo(who: Clinician, parts: PeopleParts, flows: FlowParts) -> Controls
 async def redo(who: Clinician, parts: PeopleParts, flows: FlowParts) -> ControlsView:
     """Go forward again to the set that was undone."""
     return await _change(
-        who, parts, flows, "controls redone", lambda db, session: step_parameters(db, session.patient_id, back=False)
+        who, parts, flows, "controls redone", lambda db, session, _: step_parameters(db, session.patient_id, back=False)
     )
 
 
@@ -177,17 +183,9 @@ async def redo(who: Clinician, parts: PeopleParts, flows: FlowParts) -> Controls
 async def suggest(who: Clinician, parts: PeopleParts, flows: FlowParts) -> ControlsView:
     """Bind the gestures that the calibration suggests, with its dead-zones and fulls."""
 
-    def _suggest(db: Transaction, session: PatientSession) -> Parameters:
+    def _suggest(db: Transaction, session: PatientSession, suggestion: SuggestedVocabulary) -> Parameters:
         row, profile_row = current_parameters(db, session.patient_id)
-        profile = CalibrationProfile.model_validate(profile_row.document)
-        gestures = [
-            Gesture(name=joint.name, joint=joint.name, dead_zone=joint.handles[0], full=joint.handles[1]).model_dump(
-                mode="json"
-            )
-            for joint in profile.joints
-        ]
-        bindings = [binding.model_dump(mode="json") for binding in suggest_bindings(profile).bindings]
-        settings = {**row.settings, "gestures": gestures, "bindings": bindings}
+        settings = {**row.settings, **suggestion.model_dump(mode="json", include={"gestures", "bindings"})}
         return save_parameters(db, profile_row, _whole(settings, profile_row))
 
     return await _change(who, parts, flows, "controls suggested", _suggest)
@@ -197,5 +195,5 @@ async def suggest(who: Clinician, parts: PeopleParts, flows: FlowParts) -> Contr
 async def load(body: LoadTitled, who: Clinician, parts: PeopleParts, flows: FlowParts) -> ControlsView:
     """Make a saved set the current one."""
     return await _change(
-        who, parts, flows, "controls loaded", lambda db, session: load_titled(db, session.patient_id, body.title)
+        who, parts, flows, "controls loaded", lambda db, session, _: load_titled(db, session.patient_id, body.title)
     )

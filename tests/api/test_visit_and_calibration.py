@@ -199,6 +199,23 @@ def test_controls_are_set_undone_named_and_never_half(signed_in: Any) -> None:
     assert suggested["parameters"]["bindings"] == suggested["suggested"]["bindings"]
 
 
+def test_the_gestures_are_those_of_the_calibration_and_one_suggestion_is_everywhere(signed_in: Clinic) -> None:
+    signed_in.visit()
+    refused = signed_in("GET", "/calibration/gestures")
+    assert refused.status_code == 409
+    assert "Nothing is calibrated yet" in refused.json()["detail"]
+    signed_in.calibrate()
+    found = signed_in.good("GET", "/calibration/gestures")
+    assert found["source"] == "profile"  # the runs of these tests are not on disk, and it says so
+    assert "recordings" in found["words"]
+    assert [one["score"] for one in found["gestures"]] == sorted(
+        (one["score"] for one in found["gestures"]), reverse=True
+    )
+    suggested = signed_in.good("POST", "/controls/suggest")
+    assert suggested["parameters"]["bindings"] == found["suggestion"]["bindings"] == suggested["suggested"]["bindings"]
+    assert suggested["parameters"]["gestures"] == found["suggestion"]["gestures"]
+
+
 def test_another_shirt_does_not_drive_with_this_calibration(signed_in: Clinic) -> None:
     signed_in.visit()
     signed_in.calibrate()

@@ -1,7 +1,7 @@
 from wearing import JOINTS, Wearer, layout_of
 
+from app.calibration.discovery import known_of
 from app.calibration.fit import fit_profile
-from app.calibration.suggest import suggest_bindings
 from app.calibration.vocabulary import PAPER_VOCABULARY, standard_parameters
 
 
@@ -15,12 +15,17 @@ def calibrated(joints, along=None):
     return fit_profile(wearer.layout, 100.0, free=wearer.free(), rest=wearer.rest(), repetitions=repetitions)
 
 
+def suggested(profile):
+    """What the profile's own numbers speak for, as when its recordings are gone."""
+    return known_of(profile, "No recordings.").suggestion
+
+
 def bound(suggestion):
     return {binding.control: binding.gestures for binding in suggestion.bindings}
 
 
 def test_the_papers_four_joints_give_the_papers_vocabulary():
-    suggestion = suggest_bindings(calibrated(JOINTS))
+    suggestion = suggested(calibrated(JOINTS))
     expected = {control: (name,) for name, control in PAPER_VOCABULARY.items()}
     assert bound(suggestion) == {**expected, "stop": ("right_elbow", "left_elbow")}
     assert "times above its noise" in suggestion.reason
@@ -34,13 +39,13 @@ def test_joints_that_answer_together_are_not_chosen():
         "left_wrist": {"left_elbow": 0.9},
         "right_elbow": {"right_wrist": 0.9},
     }
-    chosen = bound(suggest_bindings(calibrated(joints, along)))
+    chosen = bound(suggested(calibrated(joints, along)))
     names = {name for control, gestures in chosen.items() for name in gestures if control != "stop"}
     assert names in ({*JOINTS}, {"right_wrist", "left_wrist", "right_shoulder", "left_shoulder"})
 
 
 def test_any_four_joints_do_when_the_body_has_no_pairs():
-    chosen = bound(suggest_bindings(calibrated(("tongue", "brow", "jaw", "neck"))))
+    chosen = bound(suggested(calibrated(("tongue", "brow", "jaw", "neck"))))
     assert sorted(name for control, gestures in chosen.items() for name in gestures if control != "stop") == [
         "brow",
         "jaw",
@@ -52,7 +57,7 @@ def test_any_four_joints_do_when_the_body_has_no_pairs():
 def test_fewer_joints_give_fewer_bindings_that_are_still_valid():
     for joints in (("jaw",), ("jaw", "neck"), ("jaw", "neck", "brow")):
         profile = calibrated(joints)
-        suggestion = suggest_bindings(profile)
+        suggestion = suggested(profile)
         standard = standard_parameters(profile).model_dump()
         type(standard_parameters(profile)).model_validate({**standard, "bindings": suggestion.bindings})
         assert [binding.control for binding in suggestion.bindings][: len(joints)] == ["u1+", "u1-", "u2+"][
@@ -62,6 +67,17 @@ def test_fewer_joints_give_fewer_bindings_that_are_still_valid():
 
 def test_without_prompts_nothing_is_claimed_about_cross_talk():
     wearer = Wearer(layout_of())
-    suggestion = suggest_bindings(fit_profile(wearer.layout, 100.0, free=wearer.free(), rest=wearer.rest()))
+    suggestion = suggested(fit_profile(wearer.layout, 100.0, free=wearer.free(), rest=wearer.rest()))
     assert len(suggestion.bindings) == 5
     assert "not known" in suggestion.reason
+
+
+def test_a_joint_that_was_not_prompted_while_others_were_is_left_to_the_clinician():
+    wearer = Wearer(layout_of())
+    repetitions = [wearer.repetition(joint) for joint in ("right_elbow", "left_elbow") for _ in range(3)]
+    profile = fit_profile(wearer.layout, 100.0, free=wearer.free(), rest=wearer.rest(), repetitions=repetitions)
+    assert bound(suggested(profile)) == {
+        "u1+": ("right_elbow",),
+        "u1-": ("left_elbow",),
+        "stop": ("right_elbow", "left_elbow"),
+    }
