@@ -2,13 +2,14 @@
 
 import numpy as np
 import pytest
-from cued_wearing import RATE, dressed, profile_of, recorded, runs_of
+from cued_wearing import dressed, profile_of, recorded, runs_of
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from app.calibration.cued_runs import CuedRun
 from app.calibration.discovery import discover, known_of
 from app.calibration.gesture_numbers import ratios, score_of
+from app.calibration.profile import GuidedMap, MapCheck
 from app.layout import ShirtLayout
 
 CHANNELS = dressed().layout.channels_of_joint
@@ -180,9 +181,33 @@ def test_unit_and_order_of_the_channels_change_nothing(found, steps, scale, rand
         assert one.prediction.counted == other.prediction.counted
 
 
-def test_a_sample_rate_of_its_own(wearer, steps, found):
-    """Every other frame of the same movement tells the same story."""
-    half = [(step, values[::2], cue[::2]) for step, values, cue in steps]
-    profile = profile_of(wearer.layout, half).model_copy(update={"sample_rate": RATE / 2})
-    scores = {one.name: one.score for one in discover(profile, runs_of(half)).gestures}
-    assert set(scores) == set(by_name(found))
+def test_a_guided_map_is_judged_by_what_it_decodes(wearer, steps, found):
+    """One that has the weights of the paper's map gives the paper's numbers, one that is twice as fast does not."""
+    profile = profile_of(wearer.layout, steps)
+
+    def guided(faster):
+        check = MapCheck(in_phase=0.9, hit_rate=0.9, false_per_minute=0.0, false_count=0)
+        joints = []
+        for joint in profile.joints:
+            rate = tuple(faster * joint.sign / joint.span * weight for weight in joint.weights)
+            still = (0.0,) * len(rate)
+            candidate = GuidedMap(
+                rate=rate,
+                short=still,
+                long=still,
+                dead_zone=faster * joint.dead_zone,
+                full=faster * joint.full,
+                lag=0.0,
+                repetitions=3,
+                pca_check=check,
+                guided_check=check,
+            )
+            joints.append(joint.model_copy(update={"map": "guided", "guided": candidate}))
+        return profile.model_copy(update={"joints": tuple(joints)})
+
+    before = by_name(found)
+    for one in discover(guided(1.0), runs_of(steps)).gestures:
+        assert one.score == pytest.approx(before[one.name].score, rel=1e-3)
+    for one in discover(guided(2.0), runs_of(steps)).gestures:
+        assert (one.dead_zone, one.full) == pytest.approx((2 * before[one.name].dead_zone, 2 * before[one.name].full))
+        assert one.signal_to_noise == pytest.approx(before[one.name].signal_to_noise, rel=1e-3)
