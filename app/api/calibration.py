@@ -15,8 +15,8 @@ from app.calibration.profile import CalibrationProfile, GuidedMap, MapKind
 from app.calibration.vocabulary import standard_parameters
 from app.quantities import Document, Name
 from app.session.calibration_flow import RESULT, Progress
-from app.session.map_choice import choose_map
 from app.session.gesture_discovery import of_result
+from app.session.map_choice import choose_map
 from app.session.refusals import Conflict
 from app.session.store_controls import save_parameters, save_profile
 from app.session.store_log import write_log

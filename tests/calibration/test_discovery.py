@@ -209,5 +209,7 @@ def test_a_guided_map_is_judged_by_what_it_decodes(wearer, steps, found):
     for one in discover(guided(1.0), runs_of(steps)).gestures:
         assert one.score == pytest.approx(before[one.name].score, rel=1e-3)
     for one in discover(guided(2.0), runs_of(steps)).gestures:
-        assert (one.dead_zone, one.full) == pytest.approx((2 * before[one.name].dead_zone, 2 * before[one.name].full))
-        assert one.signal_to_noise == pytest.approx(before[one.name].signal_to_noise, rel=1e-3)
+        assert (one.dead_zone, one.full) == pytest.approx(
+            (2 * before[one.name].dead_zone, 2 * before[one.name].full), abs=2e-4
+        )
+        assert one.signal_to_noise == pytest.approx(before[one.name].signal_to_noise, rel=0.02)
