@@ -7,11 +7,12 @@ from fastapi import APIRouter, Query
 from app.api.deps import Anyone, PeopleParts, RowId
 from app.api.flows import FlowParts
 from app.quantities import Document
+from app.session.judged_trial import ControlWarning, JudgedTrial
 from app.session.store_controls import newest_profile
 from app.session.store_log import write_log
 from app.session.store_patients import find_patient
 from app.session.store_runs import trials_of
-from app.session.warnings_of_control import ControlWarning, JudgedTrial, warnings_of_control
+from app.session.warnings_of_control import warnings_of_control
 
 router = APIRouter(tags=["review"])
 

@@ -13,15 +13,25 @@ from app.calibration.pieces import held
 from app.calibration.vocabulary import DriveParameters
 from app.pipeline.controls import STOP_ACTIVATION
 from app.pipeline.health import ChannelHealth
-from app.quantities import Count, Document, Fraction
+from app.quantities import Count, Document, Fraction, Name
 from app.session.command_counts import onsets
 from app.session.joint_quality import Amount, Degrees, JointQuality, joint_quality
 
 MOST_BAD = 0.1  # of the time; a channel that was bad for longer is left out of its joint's figures
+MOSTLY = 0.5  # of the frames in which a channel was not believed
 LEAST_DISTANCE = 0.5  # m; on a shorter way, activations per metre say nothing
 
 Numbers = NDArray[np.float64]
 Flags = NDArray[np.bool_]
+
+
+class BadChannel(Document):
+    """A channel that could not be believed: for which share of the time, and whether it gave a signal at all."""
+
+    name: Name
+    joint: Name
+    share: Fraction  # of the time for which motion was permitted
+    silent: bool  # it stood still or gave no numbers; otherwise it lay outside its calibrated range
 
 
 class ControlQuality(Document):
@@ -34,7 +44,7 @@ class ControlQuality(Document):
     activations: Count
     activations_per_metre: Amount | None
     joints: tuple[JointQuality, ...]
-    bad_channels: dict[str, Fraction]  # channel that the map uses -> share of the time in which it was not believed
+    bad_channels: tuple[BadChannel, ...]  # of those that the map uses
 
 
 def control_quality(
@@ -82,7 +92,6 @@ def control_quality(
     bad = ChannelHealth(profile, watched, sample_rate).block(signals, None)
     bad_share = bad[armed].mean(axis=0)
     whole = held(np.where(np.isfinite(signals), signals, np.nan))
-    names = profile.layout.channel_names
     found = []
     for joint in joints:
         believed = [channel for channel in joint.channels if bad_share[channel] <= MOST_BAD]
@@ -103,7 +112,15 @@ def control_quality(
         activations=sum(counts),
         activations_per_metre=sum(counts) / distance if distance >= LEAST_DISTANCE else None,
         joints=tuple(found),
-        bad_channels={names[index]: float(bad_share[index]) for index in np.flatnonzero(bad_share).tolist()},
+        bad_channels=tuple(
+            BadChannel(
+                name=profile.layout.channels[index].name,
+                joint=profile.layout.channels[index].joint,
+                share=float(bad_share[index]),
+                silent=_silent(signals[:, index], armed & bad[:, index]),
+            )
+            for index in np.flatnonzero(bad_share).tolist()
+        ),
     )
 
 
@@ -134,6 +151,13 @@ def cross_talk(activation: Numbers, stops: Iterable[list[int]] = ()) -> float | 
     if total <= 0:
         return None
     return min(1.0, max(0.0, 1.0 - float(counted.max(axis=1).sum()) / total))
+
+
+def _silent(signal: Numbers, where: Flags) -> bool:
+    """Return whether a channel (n,) mostly stood still or gave no numbers in the frames `where` (n,)."""
+    still = ~np.isfinite(signal)
+    still[1:] |= signal[1:] == signal[:-1]
+    return bool(still[where].mean() > MOSTLY)
 
 
 def _stops(parameters: DriveParameters, bound: list[int]) -> list[list[int]]:

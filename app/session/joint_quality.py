@@ -32,7 +32,7 @@ class JointQuality(Document):
     name: Name
     label: Title  # what people call it
     channels: tuple[Name, ...]  # that its map reads
-    dead_zone: Amount | None = None  # FS/s, the smallest of its gestures that read the rate
+    dead_zone: Amount | None = None  # FS/s, the smallest of its gestures that read the PCA map's rate
     guided: bool = False  # a guided map decodes it: these figures are those of its PCA map
     map_angle_deg: Degrees | None = None  # between the trial's own PC1 and the map
     evr: Fraction | None = None  # share of the trial's movement that its own PC1 explains
@@ -87,14 +87,14 @@ def joint_quality(
     """
     names = layout.channel_names
     label = next(one.label for one in layout.joints if one.name == joint.name)
-    guided = getattr(joint, "map", "pca") == "guided"
+    guided = joint.map == "guided"
     weights = np.array([joint.weights[joint.channels.index(channel)] for channel in channels])
     length = float(np.linalg.norm(weights))
     known = JointQuality(
         name=joint.name,
         label=label,
         channels=tuple(names[index] for index in joint.channels),
-        dead_zone=dead_zone,
+        dead_zone=None if guided else dead_zone,
         guided=guided,
         activations=activations,
     )

@@ -9,9 +9,9 @@ from sqlalchemy.orm import Session
 
 from app.session.control_quality import ControlQuality
 from app.session.database import Database
+from app.session.judged_trial import JudgedTrial
 from app.session.readings import Quality
 from app.session.tables import Parameters, PatientSession, Profile, Trial
-from app.session.warnings_of_control import JudgedTrial
 
 
 def save_quality(db: Session, trial_id: int, quality: ControlQuality) -> None:
@@ -67,5 +67,6 @@ class TrialQualities:
         for trial in trials:
             quality = self.of(trial) if trial.kept else None
             if quality is not None:
-                found.append(JudgedTrial(trial.id, trial.number, *places[trial.id], quality))
+                task = f"{trial.floorplan}/{trial.path}"
+                found.append(JudgedTrial(trial.id, trial.number, *places[trial.id], task, quality))
         return found

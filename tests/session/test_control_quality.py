@@ -6,82 +6,10 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from session.known_strokes import COUNT, JOINTS, RATE, SECONDS, along, frames, parameters, strokes, turned
 
-from app.calibration.profile import CalibrationProfile, JointMap
-from app.calibration.vocabulary import Binding, DriveParameters, Gesture
-from app.layout import Channel, Joint, ShirtLayout
 from app.session.control_quality import control_quality, cross_talk
 from app.session.joint_quality import fit_of_movement, stillest, stretches
-
-RATE = 100.0
-JOINTS = ("right_elbow", "left_elbow")
-COUNT = 4  # channels of a joint
-NOISE = 1e-4  # keeps a channel from being flat
-SECONDS = 40.0
-
-
-def parameters(bound: tuple[str, ...] = JOINTS, *, stop: bool = False) -> DriveParameters:
-    layout = ShirtLayout(
-        name="Known",
-        channels=tuple(Channel(name=f"{joint}_{i}", joint=joint) for joint in JOINTS for i in range(COUNT)),
-        joints=tuple(Joint(name=joint, label=joint.replace("_", " ")) for joint in JOINTS),
-    )
-    maps = tuple(
-        JointMap(
-            name=joint,
-            channels=tuple(range(COUNT * place, COUNT * place + COUNT)),
-            weights=(1.0, 0.0, 0.0, 0.0),
-            mean=(0.0,) * COUNT,
-            sign=1,
-            span=2.0,
-            evr=0.9,
-            prompted=True,
-            rest_rate=0.01,
-            dead_zone=0.15,
-            full=1.0,
-            grade="good",
-            reason="Clear.",
-        )
-        for place, joint in enumerate(JOINTS)
-    )
-    profile = CalibrationProfile(
-        created="2025-01-01T00:00:00+00:00",
-        software="0",
-        layout=layout,
-        sample_rate=RATE,
-        left_out={},
-        low=(-1.0,) * COUNT * 2,
-        high=(3.0,) * COUNT * 2,
-        joints=maps,
-    )
-    gestures = tuple(Gesture(name=joint, joint=joint, dead_zone=0.15, full=1.0) for joint in JOINTS)
-    controls = ("u1+", "u1-")
-    bindings = [Binding(control=control, gestures=(joint,)) for control, joint in zip(controls, bound, strict=False)]
-    if stop:
-        bindings.append(Binding(control="stop", gestures=JOINTS))
-    return DriveParameters(profile=profile, gestures=gestures, bindings=tuple(bindings))
-
-
-def strokes(share: float = 1.0, seconds: float = SECONDS) -> np.ndarray:
-    """Strokes of 1 s to `share` of full scale and back, each followed by 1 s of rest: (n,) in FS."""
-    t = np.arange(round(seconds * RATE)) / RATE
-    phase = np.minimum(t % 2.0, 1.0)
-    return share * (0.5 - 0.5 * np.cos(2 * math.pi * phase))
-
-
-def frames(right: np.ndarray, left: np.ndarray | None = None) -> np.ndarray:
-    """What the shirt gives (n, 8) for movements (n, 4) of the right elbow, and of the left one."""
-    other = np.zeros_like(right) if left is None else left
-    noise = NOISE * np.random.default_rng(1).standard_normal((len(right), 2 * COUNT))
-    return np.concatenate((right, other), axis=1) + noise
-
-
-def along(direction: np.ndarray, movement: np.ndarray) -> np.ndarray:
-    return 2.0 * movement[:, np.newaxis] * direction  # span 2.0
-
-
-def turned(degrees: float) -> np.ndarray:
-    return np.array([math.cos(math.radians(degrees)), 0.0, math.sin(math.radians(degrees)), 0.0])
 
 
 def judged(values: np.ndarray, activation: np.ndarray | None = None, **more: object):
@@ -250,8 +178,9 @@ def test_a_channel_that_dies_is_named_and_left_out(dead):
     values = frames(along(turned(20), strokes()))
     values[1000:, 2] = dead  # the channel across the map dies after a quarter of the time
     quality = judged(values)
-    assert list(quality.bad_channels) == ["right_elbow_2"]
-    assert quality.bad_channels["right_elbow_2"] == pytest.approx(0.75, abs=0.01)
+    (bad,) = quality.bad_channels
+    assert (bad.name, bad.joint, bad.silent) == ("right_elbow_2", "right_elbow", True)
+    assert bad.share == pytest.approx(0.75, abs=0.01)
     assert quality.joints[0].map_angle_deg == pytest.approx(0.0, abs=0.1)
     assert "right_elbow_2" not in quality.joints[0].direction
 
@@ -260,8 +189,15 @@ def test_a_short_drop_out_costs_only_its_own_moment():
     values = frames(along(turned(20), strokes()))
     values[1000:1100, 0] = np.nan
     quality = judged(values)
-    assert quality.bad_channels == {"right_elbow_0": pytest.approx(100 / 4000)}
+    assert [(bad.name, bad.share, bad.silent) for bad in quality.bad_channels] == [("right_elbow_0", 100 / 4000, True)]
     assert quality.joints[0].map_angle_deg == pytest.approx(20.0, abs=0.2)
+
+
+def test_a_channel_beyond_its_range_is_not_silent():
+    values = frames(along(turned(20), strokes()))
+    values[:, 1] += 10.0
+    (bad,) = judged(values).bad_channels
+    assert (bad.name, bad.share, bad.silent) == ("right_elbow_1", 1.0, False)
 
 
 def test_a_joint_without_a_channel_left_has_no_figures():

@@ -1,5 +1,6 @@
 /** Drive: choose a path, drive it, look at what it came to. */
 import { chairChoice } from "../parts/chair_choice.js";
+import { warningsPlace } from "../parts/control_warnings.js";
 import { h, put } from "../parts/dom.js";
 import { emptyPage, nobodyIsHere } from "../parts/nobody.js";
 import { patientScreenCard } from "../parts/patient_screen_card.js";
@@ -56,6 +57,7 @@ async function choose(app, root, signal) {
         app.me.role !== "reviewer" && h("a", { class: "btn bare small", href: "#/plans" }, t("plans.link")),
       ),
       chairChoice(app, chairs),
+      warningsPlace(app, app.visit.patient.id, signal),
       chooser.element,
       app.me.role !== "reviewer" && patientScreenCard(app, signal),
     ),

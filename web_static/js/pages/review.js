@@ -6,6 +6,7 @@ import { moment } from "../parts/format.js";
 import { curveChart, trajectoriesChart } from "../parts/learning_charts.js";
 import { MEASURES, mostTelling, withUnit } from "../parts/measures.js";
 import { emptyPage } from "../parts/nobody.js";
+import { qualitySection } from "../parts/quality_section.js";
 import { t } from "../texts.js";
 
 const MEASURE_PLACE = "bodydrive-measure";
@@ -53,8 +54,9 @@ export async function show(app, root, { signal, rest }) {
     ]);
     if (until.aborted) return;
     const charts = await Promise.all([curveChart(learning, measure, until), trajectoriesChart(learning, plan, until)]);
-    if (until.aborted) return;
     const counts = learning.trials.length > 0;
+    const quality = counts && (await qualitySection(app, patient, where, until));
+    if (until.aborted) return;
     put(
       place,
       counts &&
@@ -71,6 +73,7 @@ export async function show(app, root, { signal, rest }) {
           h("section", { class: "card" }, h("h2", {}, t("review.trajectories")), charts[1]),
         ),
       !counts && h("p", { class: "card quiet" }, t("review.no-kept")),
+      quality,
       trialList(
         patient,
         trials.filter((trial) => keyOf(trial) === path.key),

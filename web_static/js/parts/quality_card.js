@@ -23,9 +23,9 @@ export function qualityCard({ quality }) {
   const title = h("h2", {}, t("quality.title"));
   if (!quality) return h("section", { class: "card" }, title, h("p", { class: "quiet" }, t("quality.none")));
   const guided = quality.joints.filter((joint) => joint.guided).map(({ label }) => label);
-  const bad = Object.entries(quality.bad_channels).map(([name, share]) =>
-    t("quality.bad.one", { name, share: percent(share) }),
-  );
+  const bad = quality.bad_channels
+    .filter(({ share }) => share >= 0.005) // less is shown as 0 %
+    .map(({ name, share }) => t("quality.bad.one", { name, share: percent(share) }));
   return h(
     "section",
     { class: "card quality-card" },

@@ -37,5 +37,5 @@ export default {
   "quality.go.sensor": "To the shirt",
   "quality.go.map": "To the calibration",
   "quality.go.noise": "To the controls",
-  "quality.go.span": "To the controls",
+  "quality.go.span": "To the calibration",
 };

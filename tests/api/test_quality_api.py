@@ -1,0 +1,99 @@
+"""The quality of control as the pages read it."""
+
+from typing import Any
+
+import pytest
+from fake_clinic import WORD
+
+from app.session.tables import Trial
+
+QUALITY = {
+    "map_angle_deg": 12.0,
+    "evr": 0.9,
+    "null_space_share": 0.1,
+    "cross_talk": 0.05,
+    "activations": 8,
+    "activations_per_metre": 0.8,
+    "joints": [
+        {
+            "name": "right_elbow",
+            "label": "Right elbow",
+            "channels": ["right_elbow_1", "right_elbow_2"],
+            "dead_zone": 0.2,
+            "map_angle_deg": 12.0,
+            "evr": 0.9,
+            "null_space_share": 0.1,
+            "span": 1.0,
+            "span_share": 1.0,
+            "rest_rate": 0.02,
+            "moved": 9.0,
+            "activations": 8,
+            "direction": {"right_elbow_1": 1.0, "right_elbow_2": 0.0},
+        }
+    ],
+    "bad_channels": [{"name": "right_elbow_1", "joint": "right_elbow", "share": 0.6, "silent": True}],
+}
+
+
+@pytest.fixture
+def ready(signed_in: Any) -> Any:
+    signed_in.patient = signed_in.visit()
+    signed_in.calibrate()
+    plan = signed_in.good("GET", "/floorplans/apartment")
+    signed_in.where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}
+    signed_in.page = f"/patients/{signed_in.patient['id']}/quality"
+    return signed_in
+
+
+def drive(clinic: Any) -> Any:
+    clinic.good("POST", "/trials", json=clinic.where)
+    return clinic.good("POST", "/trials/current/end", json={"reason": "by hand"})
+
+
+def test_without_trials_there_is_nothing_to_say(ready: Any) -> None:
+    assert ready.good("GET", ready.page) == {"trials": [], "labels": {}, "warnings": [], "note": ""}
+    assert ready("GET", "/patients/999/quality").status_code == 404
+
+
+def test_a_finished_trial_has_its_quality_and_its_warning(ready: Any) -> None:
+    ready.readings["quality"] = QUALITY
+    trial = drive(ready)
+    del ready.readings["quality"]  # from here on only what was kept can be told
+    assert ready.good("GET", f"/trials/{trial['id']}")["quality"]["joints"][0]["direction"]["right_elbow_1"] == 1.0
+    found = ready.good("GET", f"{ready.page}?floorplan={ready.where['floorplan']}&path={ready.where['path']}")
+    (row,) = found["trials"]
+    assert (row["id"], row["number"], row["session"], row["map_version"]) == (trial["id"], 1, 1, 1)
+    assert row["quality"]["map_angle_deg"] == 12.0
+    assert row["joints"]["right_elbow"]["span_share"] == 1.0
+    assert found["labels"] == {"right_elbow": "Right elbow"}
+    assert [warning["kind"] for warning in found["warnings"]] == ["sensor"]
+    assert "Few trials" in found["note"]
+    assert ready.good("GET", f"{ready.page}?floorplan=nowhere&path=none")["trials"] == []
+
+
+def test_the_quality_of_an_older_trial_is_made_up_for(ready: Any) -> None:
+    trial = drive(ready)
+    assert trial["measures"] is not None  # which do not depend on it
+    assert ready.good("GET", f"/trials/{trial['id']}")["quality"] is None
+    assert ready.good("GET", ready.page)["trials"] == []
+    second = drive(ready)
+    ready.readings["quality"] = QUALITY
+    assert ready.good("GET", f"/trials/{second['id']}")["quality"]["evr"] == 0.9
+    del ready.readings["quality"]
+    assert [row["id"] for row in ready.good("GET", ready.page)["trials"]] == [second["id"]]
+
+
+def test_what_an_older_program_kept_is_reckoned_anew(ready: Any) -> None:
+    trial = drive(ready)
+    with ready.client.app.state.people.database.transaction() as db:
+        db.get_one(Trial, trial["id"]).quality = {"evr": 0.5}
+    ready.readings["quality"] = QUALITY
+    assert ready.good("GET", f"/trials/{trial['id']}")["quality"]["evr"] == 0.9
+
+
+def test_a_discarded_trial_warns_of_nothing(ready: Any) -> None:
+    ready.readings["quality"] = QUALITY
+    trial = drive(ready)
+    ready.good("POST", f"/trials/{trial['id']}/discard", json={"reason": "plug was out"})
+    found = ready.good("GET", ready.page)
+    assert (found["trials"], found["warnings"]) == ([], [])

@@ -1,0 +1,163 @@
+"""Simulated people over sessions, and which warnings they earn. As a program: the table of docs/learning.md.
+
+`python tests/session/warned_wearers.py --seeds 20`, or with `--only turned` one of the conditions.
+"""
+
+import argparse
+import math
+import pickle
+import sys
+from collections import Counter
+from typing import NamedTuple
+
+import numpy as np
+
+from app.calibration.vocabulary import DriveParameters, standard_parameters
+from app.hardware.body.person import Person
+from app.hardware.body.person_parameters import DETERIORATING, IMPROVING, NOVICE, PRACTISED, PersonParameters
+from app.messages import SensorFrame
+from app.pipeline.batch import decode_block
+from app.session.control_quality import control_quality
+from app.session.judged_trial import ControlWarning, JudgedTrial
+from app.session.study import SAMPLE_RATE, SEEDS_APART, shirt_layout
+from app.session.study_calibration import calibrate
+from app.session.study_trial import drive_trial
+from app.session.warnings_of_control import warnings_of_control
+from app.session.wearer import Wearer
+from app.world.scene import find_place
+
+PLACE, PATH = "apartment", "main"  # 13.6 m with two corners
+
+
+class Condition(NamedTuple):
+    """Who drives, and what happens to the shirt."""
+
+    person: PersonParameters
+    sessions: int = 8
+    trials: int = 3
+    turned: int | None = None  # session from which the map is turned: the fabric's directions, its offsets as they were
+    worn_again: int | None = None  # session from which the shirt was put on again, offsets and all
+    calibrated_again: bool = False  # each session begins with putting the shirt on and a calibration
+    dies: int | None = None  # session in whose second trial a channel stands still
+
+
+CONDITIONS = {
+    "steady": Condition(PRACTISED),
+    "steady, calibrated each session": Condition(PRACTISED, calibrated_again=True),
+    "novice": Condition(NOVICE),
+    "improving": Condition(IMPROVING),
+    "deteriorating": Condition(DETERIORATING),
+    "tired limbs": Condition(PersonParameters(practice=1500.0, range_per_session=-0.02)),
+    "turned": Condition(PRACTISED, sessions=2, turned=2),
+    "worn again": Condition(PRACTISED, sessions=2, trials=2, worn_again=2),
+    "channel dies": Condition(PRACTISED, sessions=2, trials=2, dies=2),
+}
+
+
+class RecordedWearer(Wearer):
+    """Keeps its frames; a channel may stand still from now on."""
+
+    def __init__(self, person: Person, seed: int) -> None:
+        super().__init__(person, shirt_layout(), SAMPLE_RATE, seed)
+        self.frames: list[np.ndarray] = []
+        self.dead: int | None = None
+
+    def _frame(self) -> SensorFrame:
+        frame = super()._frame()
+        if self.dead is not None:
+            frame.values[self.dead] = 1.5
+        self.frames.append(frame.values.copy())
+        return frame
+
+
+def sessions_of(condition: Condition, seed: int, place: str = PLACE, path_name: str = PATH) -> list[JudgedTrial]:
+    """Drive all sessions of one person, and return the trials in the order driven."""
+    plan = find_place(place)
+    path = plan.path_named(path_name)
+    wearer = RecordedWearer(Person(condition.person, seed), seed + SEEDS_APART)
+    parameters, version = standard_parameters(calibrate(wearer)), 1
+    trials: list[JudgedTrial] = []
+    for session in range(1, condition.sessions + 1):
+        wearer.person.begin_session(session)
+        if session == condition.turned:
+            offsets = wearer._fabric._offsets
+            wearer._fabric.don_again()
+            wearer._fabric._offsets = offsets
+        if session == condition.worn_again or (condition.calibrated_again and session > 1):
+            wearer._fabric.don_again()
+        if condition.calibrated_again and session > 1:
+            parameters, version = standard_parameters(calibrate(wearer)), version + 1
+        for number in range(1, condition.trials + 1):
+            if session == condition.dies and number == 2:
+                wearer.dead = np.random.default_rng(seed).choice(_used(parameters))
+            wearer.frames.clear()
+            driven = drive_trial(len(trials) + 1, wearer, parameters, plan, path)
+            values = np.array(wearer.frames)
+            t = np.arange(len(values)) / SAMPLE_RATE
+            armed = np.arange(len(values)) >= len(values) - len(driven.t)
+            activation = decode_block(parameters, SAMPLE_RATE, t, values).activation
+            way = float(np.hypot(np.diff(driven.x), np.diff(driven.y)).sum())
+            quality = control_quality(parameters, SAMPLE_RATE, values, armed, activation, way)
+            trials.append(JudgedTrial(len(trials) + 1, len(trials) + 1, session, version, path_name, quality))
+    return trials
+
+
+def _used(parameters: DriveParameters) -> list[int]:
+    bound = {name for binding in parameters.bindings for name in binding.gestures}
+    return [channel for joint in parameters.profile.joints if joint.name in bound for channel in joint.channels]
+
+
+def warned(trials: list[JudgedTrial]) -> dict[int, list[ControlWarning]]:
+    """Return what would have been said after each session, as a clinician would have seen it after each."""
+    said = {}
+    for session in sorted({trial.session for trial in trials}):
+        said[session] = warnings_of_control([trial for trial in trials if trial.session <= session]).warnings
+    return said
+
+
+def row(name: str, found: list[dict[int, list[ControlWarning]]]) -> str:
+    """Return one row of the table: how many people were never warned, how many of what, and from which session."""
+    counts: Counter[str] = Counter()
+    first: dict[str, list[int]] = {}
+    for said in found:
+        kinds = {
+            kind: min(s for s, all_ in said.items() if any(w.kind == kind for w in all_))
+            for kind in {w.kind for all_ in said.values() for w in all_}
+        }
+        for kind, session in kinds.items():
+            counts[kind] += 1
+            first.setdefault(kind, []).append(session)
+    silent = sum(not any(said.values()) for said in found)
+    cells = [
+        f"{counts[kind]} (from session {_middle(first[kind])})" if counts[kind] else "0"
+        for kind in ("sensor", "map", "noise", "span")
+    ]
+    return f"| {name} | {len(found)} | {silent} | {' | '.join(cells)} |"
+
+
+def _middle(sessions: list[int]) -> str:
+    return f"{sorted(sessions)[math.ceil(len(sessions) / 2) - 1]}"
+
+
+def main() -> None:
+    """Print the table."""
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--seeds", type=int, default=20)
+    parser.add_argument("--only", choices=list(CONDITIONS))
+    parser.add_argument("--keep", help="a file that takes the trials, for a closer look")
+    given = parser.parse_args()
+    kept = {}
+    say = sys.stdout.write
+    say("| person | seeds | never warned | sensor | map | noise | span |\n|---|---|---|---|---|---|---|\n")
+    for name, condition in CONDITIONS.items():
+        if given.only in (None, name):
+            kept[name] = [sessions_of(condition, seed) for seed in range(1, given.seeds + 1)]
+            say(row(name, [warned(trials) for trials in kept[name]]) + "\n")
+            sys.stdout.flush()
+            if given.keep:
+                with open(f"{given.keep}-{name}.pickle", "wb") as file:
+                    pickle.dump(kept[name], file)
+
+
+if __name__ == "__main__":
+    main()
