@@ -20,7 +20,8 @@ from app.smoothing import slow_average, smooth
 FEWEST = 3  # repetitions: one is held out, and two others must agree
 SHORTEST_CUE = 0.25  # s: a shorter one is part of a movement
 ALIGNMENTS = 3  # how often the lag is found again, with the map that the lag before gave
-SOONER = 0.05  # s: of the low-pass's delay of 75 ms, what the map is asked to make good
+DELAY = 0.075  # s: of the low-pass at 3 Hz
+SOONER = 0.05  # s: what the map is asked to make good of it
 RIDGE = 0.03  # of each channel's own variance: on the rates
 LEVEL_RIDGES = (np.inf, 30.0, 10.0, 3.0, 1.0, 0.3)  # on the levels; inf leaves them out. Held-out repetitions choose
 MOST_OF_FULL = 0.3  # the dead-zone at most: a movement much weaker than the prompted ones is still to drive
@@ -120,7 +121,7 @@ def _guided_map(joint: JointMap, stretches: Sequence[Stretch], rest: Array | Non
         long=tuple(map(float, weights[2 * k :])),
         dead_zone=chosen.dead_zone,
         full=chosen.full,
-        lag=float(np.median(np.concatenate(lags))) / sample_rate,
+        lag=float(np.median(np.concatenate(lags))) / sample_rate - DELAY,
         repetitions=count,
         pca_check=pca_check,
         guided_check=chosen.check,
