@@ -108,6 +108,7 @@ export async function show(app, root, { signal }) {
       "div",
       { class: "foot" },
       h("button", { type: "button", class: "btn", onclick: () => ask("/controls/suggest") }, t("controls.suggest")),
+      h("a", { class: "btn bare", href: "#/adapt" }, t("adapt.link")),
       h("span", { class: "grow" }),
       h("a", { class: "btn go", href: "#/drive" }, t("controls.drive")),
     ),

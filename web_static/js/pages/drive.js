@@ -1,4 +1,5 @@
 /** Drive: choose a path, drive it, look at what it came to. */
+import { adaptLink } from "../parts/adapt_link.js";
 import { chairChoice } from "../parts/chair_choice.js";
 import { warningsPlace } from "../parts/control_warnings.js";
 import { h, put } from "../parts/dom.js";
@@ -118,6 +119,7 @@ async function over(app, root, id, signal) {
   const read = await readTrial(app.api, id);
   if (signal.aborted) return;
   showTrialOver(app, root, read, (trial) => [
+    adaptLink(app, trial, signal),
     h("a", { class: "btn", href: "#/drive" }, t("over.other")),
     h(
       "button",

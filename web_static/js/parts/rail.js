@@ -5,7 +5,7 @@ import { icon } from "./icons.js";
 
 const STEPS = ["patients", "shirt", "calibrate", "controls", "drive", "review"];
 const RAIL = [...STEPS, "settings"];
-export const PAGES = [...RAIL, "plans"]; // those that have an address of their own
+export const PAGES = [...RAIL, "plans", "adapt"]; // those that have an address of their own
 
 /** Which steps are done, by what the visit says. @param {import("../main.js").App} app @returns {Set<string>} */
 export function stepsDone(app) {
