@@ -14,7 +14,9 @@ from app.quantities import Document
 from app.recording_reader import Columns, Run, read_run
 from app.session.decimation import Decimation
 from app.session.trial_events import Event, events_of
+from app.world.floorplan import FloorPlan
 from app.world.path import Path
+from app.world.scenery import Track
 
 MOST_POINTS = 2000
 CHANNELS_SHOWN = 4  # of a joint: those that weigh most in its map
@@ -57,6 +59,14 @@ class JointLines(Document):
     of: int  # how many it has
 
 
+class MoverLine(Document):
+    """Where something was that moves by itself."""
+
+    x: Column  # m
+    y: Column  # m
+    theta: Column  # rad
+
+
 class Timeline(Document):
     """A recorded trial, all columns of one length; times in s since motion was first permitted."""
 
@@ -71,11 +81,13 @@ class Timeline(Document):
     along: Column  # m along the prescribed path; empty where it has no length
     across: Column  # m beside it, left positive
     scene_t: Column  # s, of what moves by itself
+    movers: list[MoverLine]
     state: list[int]  # app.faults.State
     contact: list[bool]
     gestures: list[GestureLine]
     joints: list[JointLines]
     events: list[Event]
+    floorplan: FloorPlan | None  # as it was when it was driven; None: the recording does not say
     words: str  # what is wrong with the recording; empty when it is whole
 
 
@@ -104,19 +116,23 @@ def timeline_of(folder: FilePath, path_points: list[Any], end: str | None) -> Ti
     short = Decimation(run.rows, MOST_POINTS)
     x, y = short.taken(rows["x"]), short.taken(rows["y"])
     along, across = _beside(path_points, x, y)
+    scene_t, plan = short.taken(scene_times(rows, t)), plan_of(run)
     return Timeline(
         t=column(short.taken(t)),
         x=column(x),
         y=column(y),
         along=along,
         across=across,
-        **{name: column(short.taken(rows[name])) for name in ("theta", "v", "omega", "scene_t")},
+        **{name: column(short.taken(rows[name])) for name in ("theta", "v", "omega")},
         **{name: column(short.peaks(rows[name])) for name in ("u1", "u2")},
+        scene_t=column(scene_t),
+        movers=_movers(plan, scene_t),
         state=short.taken(rows["state"]).tolist(),
         contact=short.any(rows["in_contact"]).tolist(),
         gestures=_gestures(run, short),
         joints=_joints(run, short),
         events=events_of(rows, t, end),
+        floorplan=plan,
         words=run.words,
     )
 
@@ -141,12 +157,11 @@ def poses_of(run: Run, most_per_second: float) -> Poses:
     t = since_armed(rows)
     places = np.floor((t - t[0]) * most_per_second)
     chosen = np.flatnonzero(np.diff(places, prepend=-1.0) > 0)
-    scene_t = np.where(np.isfinite(rows["scene_t"]), rows["scene_t"], np.maximum(t, 0.0))
     head = [rows[f"head_{axis}"][chosen] for axis in ("yaw", "pitch", "roll")]
     return Poses(
         t=t[chosen],
         **{name: rows[name][chosen] for name in ("x", "y", "theta", "v")},
-        scene_t=scene_t[chosen],
+        scene_t=scene_times(rows, t)[chosen],
         head=np.stack(head, axis=1).astype(np.float64),
     )
 
@@ -157,6 +172,11 @@ def since_armed(rows: Columns) -> Numbers:
     armed = np.flatnonzero(rows["state"] == State.ARMED)
     since: Numbers = t - t[armed[0] if len(armed) else 0]
     return since
+
+
+def scene_times(rows: Columns, t: Numbers) -> Numbers:
+    """Return the scene's times (n,) s; recordings from before there were scenes have none, and nothing moved then."""
+    return np.where(np.isfinite(rows["scene_t"]), rows["scene_t"], np.maximum(t, 0.0))
 
 
 def column(values: NDArray[Any]) -> Column:
@@ -182,6 +202,23 @@ def _beside(path_points: list[Any], x: NDArray[Any], y: NDArray[Any]) -> tuple[C
         found.append((along, across))
     both = np.array(found)
     return column(both[:, 0]), column(both[:, 1])
+
+
+def _movers(plan: FloorPlan | None, scene_t: NDArray[Any]) -> list[MoverLine]:
+    lines = []
+    for mover in plan.movers if plan else ():
+        track = Track(mover)
+        places = np.array([track.at(t).pose for t in scene_t.tolist()])
+        lines.append(MoverLine(x=column(places[:, 0]), y=column(places[:, 1]), theta=column(places[:, 2])))
+    return lines
+
+
+def plan_of(run: Run) -> FloorPlan | None:
+    """Return where a run was driven, as its recording says; None when it does not."""
+    try:
+        return FloorPlan.model_validate(run.meta.get("floorplan"))
+    except ValidationError:
+        return None
 
 
 def _gestures(run: Run, short: Decimation) -> list[GestureLine]:
