@@ -24,6 +24,7 @@ from app.api import (
     patients,
     plans,
     quality,
+    replay_view,
     review,
     screen,
     trial_replay,
@@ -37,6 +38,7 @@ from app.api.passwords import Passwords
 from app.api.patient_picture import PatientPicture
 from app.api.picture import LivePicture
 from app.api.refusals import install_refusals
+from app.api.replays import Replays
 from app.api.screens import Screens
 from app.api.set_up import SetUp
 from app.api.sockets import OpenSockets
@@ -84,6 +86,7 @@ ROUTES = (
     adaptation,
     trials,
     trial_replay,
+    replay_view,
     plans,
     models,
     drives,
@@ -150,6 +153,7 @@ def create_app(
         api.include_router(module.router)
     api.include_router(view_controls(scene_now, clinician))
     app.include_router(api)
+    app.include_router(replay_view.page_router)
     app.include_router(view_router(port_of, may_view, viewer))
     install_pages(app, settings)
     return app
@@ -215,6 +219,7 @@ def _flows(
         trajectories=Trajectories(readings.drive),
         timelines=Timelines(),
         qualities=TrialQualities(database, runs.folder_of, readings.quality),
+        replays=Replays(),
         view=ViewKeeper(open_scene, link.newest),
         own_floorplans=settings.state / "floorplans",
     )
@@ -261,4 +266,4 @@ async def _end(flows: Flows) -> None:
     await asyncio.gather(flows.drive.stop(), flows.real.stop())
     await flows.adaptation.stop()
     await asyncio.gather(flows.live.close(), flows.patient_live.close(), flows.faults.close())
-    await asyncio.gather(flows.view.close(), flows.control.close())
+    await asyncio.gather(flows.view.close(), flows.control.close(), asyncio.to_thread(flows.replays.close_all))

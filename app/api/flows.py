@@ -11,6 +11,7 @@ from starlette.requests import HTTPConnection
 
 from app.api.live_hub import LiveHub
 from app.api.patient_picture import PatientPicture
+from app.api.replays import Replays
 from app.api.screens import Screen, Screens
 from app.api.timelines import Timelines
 from app.api.trajectories import Trajectories
@@ -59,6 +60,7 @@ class Flows:
     trajectories: Trajectories
     timelines: Timelines
     qualities: TrialQualities
+    replays: Replays
     view: ViewKeeper
     own_floorplans: Path
 

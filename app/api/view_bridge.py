@@ -49,18 +49,11 @@ def view_router(port_of: PortOf, may_view: Admission, signed_in: Callable[..., A
         Dependency that refuses a request for the page from somebody who is not signed in.
     """
     router = APIRouter()
-    page = client_page()
-    packed = gzip.compress(page, mtime=0)
-    tag = f'"{hashlib.sha256(page).hexdigest()[:32]}"'
+    page = ViewPage(client_page())
 
     @router.get("/view/{role}/", dependencies=[Depends(signed_in)], include_in_schema=False)
     async def view_page(role: Role, request: Request) -> Response:  # noqa: ARG001
-        headers = page_headers(request.headers.get("host", ""), request.url.scheme) | {"ETag": tag}
-        if request.headers.get("if-none-match") == tag:
-            return Response(status_code=304, headers=headers)
-        if "gzip" in request.headers.get("accept-encoding", ""):
-            return Response(packed, media_type="text/html", headers=headers | {"Content-Encoding": "gzip"})
-        return Response(page, media_type="text/html", headers=headers)
+        return page.answer(request)
 
     @router.websocket("/view/{role}")
     @router.websocket("/view/{role}/")
@@ -72,9 +65,27 @@ def view_router(port_of: PortOf, may_view: Admission, signed_in: Callable[..., A
             if port is None or SUBPROTOCOL not in websocket.scope.get("subprotocols", []):
                 await websocket.close(NO_VIEW)
                 return
-            await _bridge(websocket, role, port)
+            await bridge(websocket, role, port)
 
     return router
+
+
+class ViewPage:
+    """viser's page as it is served: compressed, and sent again only when it is another one."""
+
+    def __init__(self, page: bytes) -> None:
+        self._page = page
+        self._packed = gzip.compress(page, mtime=0)
+        self._tag = f'"{hashlib.sha256(page).hexdigest()[:32]}"'
+
+    def answer(self, request: Request) -> Response:
+        """Return the page with its policy, or that it has not changed."""
+        headers = page_headers(request.headers.get("host", ""), request.url.scheme) | {"ETag": self._tag}
+        if request.headers.get("if-none-match") == self._tag:
+            return Response(status_code=304, headers=headers)
+        if "gzip" in request.headers.get("accept-encoding", ""):
+            return Response(self._packed, media_type="text/html", headers=headers | {"Content-Encoding": "gzip"})
+        return Response(self._page, media_type="text/html", headers=headers)
 
 
 def page_headers(host: str, scheme: str) -> dict[str, str]:
@@ -105,7 +116,8 @@ def page_headers(host: str, scheme: str) -> dict[str, str]:
     }
 
 
-async def _bridge(websocket: WebSocket, role: Role, port: int) -> None:
+async def bridge(websocket: WebSocket, role: Role, port: int) -> None:
+    """Join an admitted browser and the 3D server on `port`; the browser may send what one of this role may."""
     try:
         server = await connect(
             f"ws://127.0.0.1:{port}",

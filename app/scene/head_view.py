@@ -21,6 +21,7 @@ class Angles(NamedTuple):
 
 
 AHEAD: Final = Angles(0.0, 0.0, 0.0)
+NO_HEAD: Final = Angles(math.nan, math.nan, math.nan)
 LIMITS: Final = Angles(MOST_YAW, MOST_PITCH, MOST_ROLL)
 
 

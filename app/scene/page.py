@@ -75,8 +75,16 @@ for (const kind of ["keydown", "keyup"]) {
 """
 
 
-def client_page() -> bytes:
-    """Return the page that shows a role's 3D view.
+MARK: Final = """
+body::after {
+  content: "%s"; position: fixed; left: 10px; top: 10px; z-index: 9; padding: 3px 12px; border-radius: 99px;
+  font: 700 15px system-ui, sans-serif; color: #fff; background: #8f5400; border: 2px solid #fff;
+}
+"""
+
+
+def client_page(mark: str = "") -> bytes:
+    """Return the page that shows a 3D view; `mark` stands on the picture itself, so that it passes for nothing else.
 
     Raises
     ------
@@ -86,7 +94,8 @@ def client_page() -> bytes:
     file = Path(viser.__file__).parent / "client" / "build" / "index.html"
     page = file.read_text(encoding="utf-8")
     page, titles = re.subn(r"<title>[^<]*</title>", "<title>bodydrive: view</title>", page, count=1)
-    head = f"<style>{STYLE}</style><script>{SCRIPT}</script></head>"
+    style = STYLE + MARK % mark if mark else STYLE
+    head = f"<style>{style}</style><script>{SCRIPT}</script></head>"
     page, heads = re.subn(r"</head>", lambda _: head, page, count=1)
     if not (titles and heads):
         raise ValueError(f"{file}: this is not the page of viser 1.1.1, install that version")

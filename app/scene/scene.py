@@ -1,6 +1,5 @@
 """The whole 3D scene of a visit: both roles' pictures follow one chair."""
 
-import logging
 import math
 import threading
 from pathlib import Path
@@ -9,24 +8,18 @@ from typing import Final
 import numpy as np
 
 from app.geometry import Pose
-from app.scene.building import building_parts
-from app.scene.head_view import Angles
-from app.scene.models import Model, read_model
-from app.scene.movers import mover_parts
+from app.scene.drawing import NOTHING, drawing_of
+from app.scene.head_view import NO_HEAD, Angles
 from app.scene.play import Play
 from app.scene.plots import Plots
 from app.scene.servers import ROLES, Role, RoleServers
 from app.scene.trajectory import Trajectory
 from app.scene.views import EyeSettings, Orbit, View
-from app.scene.world_view import Drawing, WorldView
-from app.world.floorplan import FloorPlan, PrescribedPath
+from app.scene.world_view import WorldView
+from app.world.floorplan import FloorPlan
 
 CLOCK_WRAPS = 100.0  # s; viser leaves out changes below a hundred-thousandth, so that a clock must stay small
 CLOCK_NODE: Final = "/clock"
-NO_HEAD: Final = Angles(math.nan, math.nan, math.nan)
-NOTHING: Final = Drawing({}, ())
-
-logger = logging.getLogger(__name__)
 
 
 class Scene:
@@ -81,7 +74,7 @@ class Scene:
             When the plan has no path of this name; the scene stays as it was.
         """
         path = None if plan is None or path_name is None else plan.path_named(path_name)
-        drawing = self._drawing if plan == self._plan else self._drawing_of(plan, path)
+        drawing = self._drawing if plan == self._plan else drawing_of(plan, path, self._models)
         with self._lock:
             self._plan, self._drawing, self._play = plan, drawing, Play(plan, path)
             for view in self._views.values():
@@ -192,28 +185,6 @@ class Scene:
         for trajectory in self._trajectories:
             trajectory.clear()
         self._plots.clear()
-
-    def _drawing_of(self, plan: FloorPlan | None, path: PrescribedPath | None) -> Drawing:
-        if plan is None:
-            return NOTHING
-        return Drawing(
-            building=building_parts(plan, self._model),
-            movers=[mover_parts(mover) for mover in plan.movers],
-            bounds=plan.bounds,
-            wall_height=plan.wall_height if plan.walls else 0.0,
-            lights=plan.lights,
-            start=None if path is None else path.start,
-        )
-
-    def _model(self, name: str) -> Model | None:
-        """Return a 3D object; one that cannot be read is drawn as a plain box."""
-        if self._models is None:
-            return None
-        try:
-            return read_model(self._models / f"{name}.glb")
-        except ValueError as error:
-            logger.warning("an object is drawn as a plain box: %s", error)
-            return None
 
     def _flush(self) -> None:
         for role in ROLES:

@@ -21,12 +21,10 @@ class RoleServers:
     """
 
     def __init__(self) -> None:
-        # viser prints a banner and a farewell however it is told to be quiet; standard output belongs to the caller.
-        rich.get_console().quiet = True
         self._servers: dict[Role, viser.ViserServer] = {}
         try:
             for role in ROLES:
-                self._servers[role] = _quiet_server()
+                self._servers[role] = quiet_server()
         except BaseException:
             self.stop()
             raise
@@ -52,7 +50,10 @@ class RoleServers:
         self.stop()
 
 
-def _quiet_server() -> viser.ViserServer:
+def quiet_server() -> viser.ViserServer:
+    """Return a 3D server on this machine only, OSError when there is no port left; whoever asks stops it."""
+    # viser prints a banner and a farewell however it is told to be quiet; standard output belongs to the caller.
+    rich.get_console().quiet = True
     server = viser.ViserServer(host="127.0.0.1", port=0, verbose=False)
     # These two open a public tunnel round our sign-in.
     for message in (wire.ShareUrlRequest, wire.ShareUrlDisconnect):

@@ -48,6 +48,10 @@ FOR_REVIEWERS = {
     "GET /patients/{patient_id}/maps",
     "GET /adaptation",
     "GET /view/{role}/",
+    "POST /replays",
+    "POST /replays/{word}/at",
+    "DELETE /replays/{word}",
+    "GET /view/replay/{word}/",
 }
 
 
@@ -100,7 +104,8 @@ def test_the_matrix_of_roles_and_routes(clinic: Clinic, role: str) -> None:
         for placeholder in ("{chair_id}", "{patient_id}", "{trial_id}", "{screen_id}"):
             path = path.replace(placeholder, "1")
         path = path.replace("{name}", "nowhere").replace("{step}", "rest").replace("{role}", "clinician")
-        prefix = "" if path.startswith("/view/clinician/") and method == "GET" else "/api/v1"
+        path = path.replace("{word}", "no-such-word")
+        prefix = "" if path.startswith(("/view/clinician/", "/view/replay/")) and method == "GET" else "/api/v1"
         status = clinic.client.request(method, f"{prefix}{path}", headers={"Origin": BASE}).status_code
         needed = right or 0
         if needed and ROLES[role] == 0:
@@ -108,7 +113,7 @@ def test_the_matrix_of_roles_and_routes(clinic: Clinic, role: str) -> None:
         elif needed > ROLES[role]:
             expected = {403}
         else:
-            expected = {200, 201, 404, 409, 415, 422, 503}
+            expected = {200, 201, 204, 404, 409, 415, 422, 503}
         if status not in expected:
             wrong.append((name, status))
     assert wrong == []
@@ -116,9 +121,11 @@ def test_the_matrix_of_roles_and_routes(clinic: Clinic, role: str) -> None:
 
 def test_no_websocket_opens_for_nobody(clinic: Clinic) -> None:
     sockets = {context.path for context in contexts(clinic.client.app, APIWebSocketRoute)}  # type: ignore[arg-type]
-    assert sockets == {"/api/v1/live", "/api/v1/screen", "/api/v1/patient/live", "/view/{role}", "/view/{role}/"}
+    views = {"/view/{role}", "/view/{role}/", "/view/replay/{word}", "/view/replay/{word}/"}
+    assert sockets == {"/api/v1/live", "/api/v1/screen", "/api/v1/patient/live"} | views
     for path in sockets:
-        url = f"{BASE.replace('http', 'ws')}{path.replace('{role}', 'clinician')}"
+        named = path.replace("{role}", "clinician").replace("{word}", "no-such-word")
+        url = f"{BASE.replace('http', 'ws')}{named}"
         with (
             pytest.raises(WebSocketDisconnect),
             clinic.client.websocket_connect(url, headers={"Origin": BASE}) as socket,

@@ -1,11 +1,13 @@
-"""One trial's time line, as a page asks for it."""
+"""One trial again, as a page asks for it: its time line, and its picture in 3D."""
 
 from typing import Any
 
 import pytest
-from fake_clinic import WORD
+from fake_clinic import BASE, WORD
 from recorded_trial import record_trial
+from starlette.websockets import WebSocketDisconnect
 
+from app.world.scene import find_place
 from building import make_parameters
 
 
@@ -46,3 +48,59 @@ def test_a_trial_without_a_recording_says_so(driven: Any) -> None:
         "The recording of this trial cannot be read: restore it from a backup.",
     )
     assert driven("GET", "/trials/999/timeline").status_code == 404
+
+
+def page_of(clinic: Any, word: str) -> int:
+    return clinic.client.get(f"/view/replay/{word}/", headers={"Origin": BASE}).status_code
+
+
+def test_a_trial_is_shown_in_3d_at_a_moment_and_closed(driven: Any) -> None:
+    record_trial(driven.folder, make_parameters(n_channels=8), seconds=3.0, plan=find_place("apartment"))
+    logged = len([row for row in driven.log() if row.what == "trial viewed"])
+    word = driven.good("POST", "/replays", json={"trial": driven.trial["id"]})["id"]
+    assert len([row for row in driven.log() if row.what == "trial viewed"]) == logged + 1
+    page = driven.client.get(f"/view/replay/{word}/")
+    assert 'content: "Replay"' in page.text
+    assert "connect-src" in page.headers["content-security-policy"]
+    assert driven("POST", f"/replays/{word}/at", json={"t": 1.5, "view": "top"}).status_code == 204
+    assert driven.flows.replays.find(word, 1)._t == 1.5
+    for bad in ({"t": "1"}, {"t": 1e9}, {"t": 1.0, "view": "free fall"}):
+        assert driven("POST", f"/replays/{word}/at", json=bad).status_code == 422
+    address = f"{BASE.replace('http', 'ws')}/view/replay/{word}"
+    with driven.client.websocket_connect(address, ["viser-v1.1.1"], headers={"Origin": BASE}) as socket:
+        assert len(socket.receive_bytes()) > 0
+    # Whoever else comes finds nothing: another word, another page's origin, nobody.
+    assert driven("POST", "/replays/another-word/at", json={"t": 0.0}).status_code == 404
+    foreign = {"Origin": "http://evil.example"}
+    with pytest.raises(WebSocketDisconnect), driven.client.websocket_connect(address, headers=foreign):
+        pass
+    with pytest.raises(Exception, match="closed"):
+        driven.flows.replays.find(word, 2)
+    assert driven("DELETE", f"/replays/{word}").status_code == 204
+    assert driven("DELETE", f"/replays/{word}").status_code == 204
+    assert page_of(driven, word) == 404
+    driven.client.cookies.clear()
+    assert driven("POST", "/replays", json={"trial": driven.trial["id"]}).status_code == 401
+
+
+def test_only_two_are_open_and_none_moves_while_somebody_drives(driven: Any) -> None:
+    record_trial(driven.folder, make_parameters(n_channels=8), seconds=3.0, plan=find_place("apartment"))
+    body = {"trial": driven.trial["id"]}
+    words = [driven.good("POST", "/replays", json=body)["id"] for _ in range(3)]
+    assert [page_of(driven, word) for word in words] == [404, 200, 200]
+    where = {"floorplan": "apartment", "path": driven.trial["path"], "screen": WORD}
+    with driven.screen():
+        driven.good("POST", "/trials", json=where)
+        for answer in (
+            driven("POST", "/replays", json=body),
+            driven("POST", f"/replays/{words[2]}/at", json={"t": 0.0}),
+        ):
+            assert (answer.status_code, answer.json()["detail"][:14]) == (409, "Somebody drive")
+        driven.good("POST", "/trials/current/end", json={"reason": "by hand"})
+    assert driven("POST", f"/replays/{words[2]}/at", json={"t": 0.0}).status_code == 204
+
+
+def test_a_recording_without_a_place_has_no_picture(driven: Any) -> None:
+    answer = driven("POST", "/replays", json={"trial": driven.trial["id"]})
+    assert answer.status_code == 404
+    assert "no picture" in answer.json()["detail"]

@@ -33,6 +33,8 @@ const PATHS = {
   plus: ["M12 5v14M5 12h14"],
   up: ["M12 20V5M6 11l6-6 6 6"],
   hide: ["M5 9l7 7 7-7"],
+  play: ["M7 4.5v15l12-7.5Z"],
+  pause: ["M8 5v14M16 5v14"],
 };
 
 /** @param {keyof typeof PATHS} name @param {number} [size] in px */

@@ -70,6 +70,9 @@ export function planPicture(plan, path, { label, hasRooms = false, isNear = fals
     box,
     setDriven: (line) => set(driven, { points: points(line) }),
     setLeader: ([x, y, theta]) => leader && set(leader, { transform: placed([x, y], theta) }),
+    /** Where all movers are, in the plan's order. @param {[number, number, number][]} places */
+    setMovers: (places) =>
+      places.forEach(([x, y, theta], i) => set(movers[i].body, { transform: placed([x, y], theta) })),
     /** Where to get now: the stages of a course each have their own. */
     setGoal: ([x, y]) => goal && set(goal, { cx: x, cy: y }),
     setPose: ([x, y, theta]) =>

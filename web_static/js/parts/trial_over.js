@@ -22,12 +22,13 @@ export async function readTrial(api, id) {
 /**
  * @param {import("../main.js").App} app @param {HTMLElement} root @param {{trial: any, trials: any[], plan: any}} read
  * @param {(trial: any) => (Node | false)[]} actions what stands at the right of the foot
+ * @param {Node} [above] what stands before the figures; without it, a link leads to the replay
  */
-export function showTrialOver(app, root, read, actions) {
+export function showTrialOver(app, root, read, actions, above) {
   const { trial, trials, plan } = read;
   const place = h("div", {});
   const path = plan?.paths.find(({ name }) => name === trial.path_name)?.title ?? trial.path_name;
-  const again = async () => showTrialOver(app, root, await readTrial(app.api, trial.id), actions);
+  const again = async () => showTrialOver(app, root, await readTrial(app.api, trial.id), actions, above);
   const call = async (what, body) => {
     try {
       await app.api.post(`/trials/${trial.id}/${what}`, body);
@@ -65,10 +66,18 @@ export function showTrialOver(app, root, read, actions) {
         { class: "lead" },
         t("over.lead", { number: trial.number, plan: trial.floorplan_title, path, when: moment(trial.started) }),
       ),
+      above,
       trialSummary(trial, trials, plan),
       qualityCard(trial),
       place,
     ),
-    h("div", { class: "foot" }, keeping, h("span", { class: "grow" }), actions(trial)),
+    h(
+      "div",
+      { class: "foot" },
+      keeping,
+      !above && h("a", { class: "btn", href: `#/review/${trial.patient_id}/trial/${trial.id}` }, t("replay.look")),
+      h("span", { class: "grow" }),
+      actions(trial),
+    ),
   );
 }

@@ -1,0 +1,40 @@
+"""What is drawn of a floor plan: its building, its objects, what moves in it."""
+
+import logging
+from pathlib import Path
+from typing import Final
+
+from app.scene.building import building_parts
+from app.scene.models import Model, read_model
+from app.scene.movers import mover_parts
+from app.scene.world_view import Drawing
+from app.world.floorplan import FloorPlan, PrescribedPath
+
+NOTHING: Final = Drawing({}, ())
+
+logger = logging.getLogger(__name__)
+
+
+def drawing_of(plan: FloorPlan | None, path: PrescribedPath | None, models: Path | None) -> Drawing:
+    """Return what is drawn of a plan; `models` is the folder of the 3D objects that its obstacles name."""
+    if plan is None:
+        return NOTHING
+    return Drawing(
+        building=building_parts(plan, lambda name: _model(models, name)),
+        movers=[mover_parts(mover) for mover in plan.movers],
+        bounds=plan.bounds,
+        wall_height=plan.wall_height if plan.walls else 0.0,
+        lights=plan.lights,
+        start=None if path is None else path.start,
+    )
+
+
+def _model(models: Path | None, name: str) -> Model | None:
+    """Return a 3D object; one that cannot be read is drawn as a plain box."""
+    if models is None:
+        return None
+    try:
+        return read_model(models / f"{name}.glb")
+    except ValueError as error:
+        logger.warning("an object is drawn as a plain box: %s", error)
+        return None

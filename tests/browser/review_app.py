@@ -1,0 +1,115 @@
+"""A clinic with two trials that are over, their recordings made by the real chain; served in a thread of this process.
+
+python tests/browser/review_app.py --port 8131
+"""
+
+import argparse
+import socket
+import sys
+import tempfile
+import threading
+import time
+from pathlib import Path
+
+import uvicorn
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # for its own start, outside of the tests
+
+from api.fake_clinic import FakeLink
+from recorded_trial import record_trial
+
+from app.api.app import create_app
+from app.session.database import Database
+from app.session.recordings import recorded_readings
+from app.session.store_controls import current_parameters, save_parameters, save_profile
+from app.session.store_patients import add_patient, start_session
+from app.session.store_people import add_clinic
+from app.session.store_runs import add_run, add_trial, finish_trial
+from app.settings import Settings
+from app.world.floorplan import FloorPlan
+from app.world.scene import find_place
+from building import make_parameters
+
+CODE = "the-code-of-the-link"
+PLAN = "follow_me.easy"  # somebody walks ahead
+SECONDS = 24.0
+
+
+def furnish(settings: Settings) -> list[int]:
+    """Make the clinic with its trials; return their ids."""
+    plan = find_place(PLAN)
+    assert isinstance(plan, FloorPlan)
+    path = plan.paths[0]
+    parameters = make_parameters()
+    database = Database(settings.database)
+    made = []
+    with database.transaction() as db:
+        clinic = add_clinic(db, "Demonstration")
+        patient = add_patient(db, clinic.id, "P-1", "Heron", "")
+        session = start_session(db, clinic.id, patient.id)
+        save_parameters(db, save_profile(db, patient.id, session.id, parameters.profile), parameters)
+        row, _ = current_parameters(db, patient.id)
+        for number in (1, 2):
+            run = f"run{number}"
+            folder = settings.runs / run
+            record_trial(folder, parameters, seconds=SECONDS, seed=number, plan=plan, stop_at=15.0)
+            trial = add_trial(
+                db,
+                run=add_run(db, run, session.id, "drive", run),
+                clinic_id=clinic.id,
+                patient_id=patient.id,
+                parameters_id=row.id,
+                floorplan=plan.name,
+                floorplan_title=plan.title,
+                path=path.name,
+                path_points=[[x, y] for x, y in path.points],
+            )
+            finish_trial(db, trial.id, "by hand", recorded_readings().measure(folder, plan, path))
+            made.append(trial.id)
+    database.close()
+    return made
+
+
+class ReviewApp:
+    """The application in a thread of this process."""
+
+    def __init__(self, folder: Path, port: int = 0) -> None:
+        settings = Settings(state=folder, demo_code=CODE)
+        self.trials = furnish(settings)
+        self._links: list[FakeLink] = []
+
+        async def open_link() -> FakeLink:
+            self._links.append(FakeLink())
+            return self._links[-1]
+
+        self._socket = socket.socket()
+        self._socket.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        self._socket.bind(("127.0.0.1", port))
+        self.app = create_app(settings, open_link, recorded_readings())
+        config = uvicorn.Config(self.app, log_level="error", ws_per_message_deflate=False)
+        self._server = uvicorn.Server(config)
+        self._thread = threading.Thread(target=self._server.run, args=([self._socket],), daemon=True)
+        self.address = f"http://127.0.0.1:{self._socket.getsockname()[1]}"
+        self.link = f"{self.address}/#demo={CODE}"
+
+    def start(self) -> None:
+        """Return when it serves."""
+        self._thread.start()
+        while not self._server.started:
+            assert self._thread.is_alive()
+            time.sleep(0.02)
+
+    def stop(self) -> None:
+        """End it and wait for that."""
+        self._server.should_exit = True
+        self._thread.join(20)
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--port", type=int, default=8131)
+    running = ReviewApp(Path(tempfile.mkdtemp()), parser.parse_args().port)
+    running.start()
+    sys.stdout.write(f"{running.link}\n")
+    sys.stdout.flush()
+    threading.Event().wait()
