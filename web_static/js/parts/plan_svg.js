@@ -65,9 +65,22 @@ export function planPicture(plan, path, { label, hasRooms = false, isNear = fals
   );
   element.style.setProperty("--unit", String(Math.max(box.width, box.height) / 100));
   const leader = movers[plan.movers.findIndex(({ name }) => name === asked?.task.leader)]?.body;
+  /** A second trajectory and its chair, told apart by their colour. */
+  const another = () => {
+    const line = s("polyline", { class: "driven second" });
+    const other = s("path", { class: "chair second", d: CHAIR, visibility: "hidden" });
+    driven.after(line);
+    chair.after(other);
+    return {
+      setDriven: (way) => set(line, { points: points(way) }),
+      setPose: ([x, y, theta]) =>
+        set(other, { visibility: "visible", transform: `${placed([x, y], theta)} scale(${scale})` }),
+    };
+  };
   return {
     element,
     box,
+    another,
     setDriven: (line) => set(driven, { points: points(line) }),
     setLeader: ([x, y, theta]) => leader && set(leader, { transform: placed([x, y], theta) }),
     /** Where all movers are, in the plan's order. @param {[number, number, number][]} places */
