@@ -69,7 +69,7 @@ def judged(evidence: Evidence, joint: JointMap, gesture: Gesture) -> Judged:
         return Judged(JointChange(**told, felt_change=min(felt, 1e6), status="refused", reason=words), old, now)
     told |= {"dead_zone_after": handles.dead_zone, "full_after": handles.full}
     if turns or handles != now:
-        told |= {"felt_change": felt, "angle_applied_deg": angle(old, weights)}
+        told |= {"felt_change": felt, "angle_applied_deg": angle(old, weights) if turns else 0.0}
         change = JointChange(**told, status="applied", reason="")
         return Judged(change.model_copy(update={"reason": _why(change, turn.refused)}), weights, handles)
     if turn.refused:
@@ -190,4 +190,5 @@ def _why(change: JointChange, refused: str) -> str:
         if before is not None and after is not None and before != after:
             words.append(f"{what} from {before:.2f} to {after:.2f} FS/s")
     kept = f"; the direction stays: {refused[0].lower()}{refused[1:-1]}" if refused else ""
-    return f"{'; '.join(words)}{kept}.".capitalize()
+    text = f"{'; '.join(words)}{kept}."
+    return text[:1].upper() + text[1:]

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
-from app.calibration.adaptation import Movement, propose
+from app.calibration.adaptation import STANDARD_LIMITS, Movement, Proposal, propose
 from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import DriveParameters
 from app.faults import State
@@ -33,8 +33,21 @@ def adapt_from_recordings(
         if movement is not None:
             movements.append(movement)
             fresh_read += left <= fresh
-    proposal = propose(parameters, movements, calibrated=calibrated, fresh=fresh_read)
-    return Adapted(proposal, None)
+    return Adapted(_proposal(parameters, calibrated, movements, fresh_read), None)
+
+
+def _proposal(
+    parameters: DriveParameters, calibrated: CalibrationProfile, movements: list[Movement], fresh: int
+) -> Proposal:
+    """Return the proposal of the largest step of which no joint is felt too much.
+
+    The step grows with the trials since the last change: who waits before deciding must not be refused for it.
+    """
+    while True:
+        proposal = propose(parameters, movements, calibrated=calibrated, fresh=fresh)
+        if fresh <= 1 or all(joint.felt_change < STANDARD_LIMITS.refuse for joint in proposal.joints):
+            return proposal
+        fresh -= 1
 
 
 def movement_of(folder: Path, parameters: DriveParameters) -> Movement | None:

@@ -1,0 +1,138 @@
+"""What the last trials would change, read from real recordings on disk."""
+
+import math
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from test_recordings import JOINTS, LAYOUT, RATE, record
+
+from app.calibration.adaptation import propose
+from app.calibration.profile import CalibrationProfile, JointMap
+from app.calibration.vocabulary import DriveParameters, standard_parameters
+from app.faults import State
+from app.messages import Tick
+from app.session.adaptation_reading import movement_of
+from app.session.recordings import recorded_readings
+
+READINGS = recorded_readings()
+AS_CALIBRATED, PUT_ON_AGAIN = (1.0, -0.6), (1.0, -0.3)  # how a joint's two channels answer to its angle
+SIZE = math.hypot(*AS_CALIBRATED)
+
+
+def never() -> bool:
+    return False
+
+
+def always() -> bool:
+    return True
+
+
+@pytest.fixture
+def parameters() -> DriveParameters:
+    maps = tuple(
+        JointMap(
+            name=joint,
+            channels=(2 * i, 2 * i + 1),
+            weights=tuple(gain / SIZE for gain in AS_CALIBRATED),
+            mean=(0.0, 0.0),
+            sign=1,
+            span=SIZE,
+            evr=0.95,
+            prompted=True,
+            rest_rate=0.04,
+            dead_zone=0.2,
+            full=3.0,
+            grade="good",
+            reason="Clear.",
+        )
+        for i, joint in enumerate(JOINTS)
+    )
+    profile = CalibrationProfile(
+        created="2025-01-01T00:00:00+00:00",
+        software="0",
+        layout=LAYOUT,
+        sample_rate=RATE,
+        left_out={},
+        low=(-1.0,) * 4,
+        high=(1.5,) * 4,
+        joints=maps,
+    )
+    return standard_parameters(profile)
+
+
+@pytest.fixture
+def trial(tmp_path: Path) -> Callable[..., Path]:
+    """Record a trial of 30 s in which one joint moves after the other."""
+
+    def _record(name: str, gains: tuple[float, float] = PUT_ON_AGAIN, state: State = State.ARMED) -> Path:
+        random = np.random.default_rng(5)
+        ticks = []
+        for number in range(round(30 * RATE)):
+            t = number / RATE
+            turn, within = divmod(t, 1.5)
+            angle = dict.fromkeys(JOINTS, 0.0)
+            if within < 1.0:
+                angle[JOINTS[int(turn) % 2]] = 0.5 - 0.5 * math.cos(2 * math.pi * within)
+            values = np.array([gain * angle[joint] for joint in JOINTS for gain in gains]) + random.normal(0, 0.002, 4)
+            ticks.append(Tick(t=t, t_device=t, frame_seq=number, state=state, values=values.astype(np.float32)))
+        return record(tmp_path / name, ticks)
+
+    return _record
+
+
+def adapt(parameters: DriveParameters, folders: list[Path], fresh: int) -> Any:
+    adapted = READINGS.adapt(parameters, parameters.profile, folders, fresh, never)
+    assert adapted is not None
+    return adapted.proposal
+
+
+def test_a_shirt_put_on_again_turns_the_map_two_degrees_for_each_new_trial(
+    parameters: DriveParameters, trial: Callable[..., Path]
+) -> None:
+    gestures = tuple(gesture.model_copy(update={"full": 2.6}) for gesture in parameters.gestures)
+    parameters = parameters.model_copy(update={"gestures": gestures})  # as they are asked for: only the map turns
+    folders = [trial("a"), trial("b")]
+    for fresh in (1, 2):
+        for joint in adapt(parameters, folders, fresh).joints:
+            assert joint.status == "applied"
+            assert joint.angle_proposed_deg == pytest.approx(14.3, abs=1.0)
+            assert joint.angle_applied_deg == pytest.approx(2.0 * fresh)
+            assert joint.evr_after > joint.evr_before
+
+
+def test_who_waits_is_offered_a_smaller_step_instead_of_a_refusal(
+    parameters: DriveParameters, trial: Callable[..., Path]
+) -> None:
+    folders = [trial(name) for name in "abc"]
+    movements = [movement_of(folder, parameters) for folder in folders]
+    asked = propose(parameters, [one for one in movements if one], fresh=3)
+    assert {joint.status for joint in asked.joints} == {"refused"}
+    for joint in adapt(parameters, folders, 3).joints:
+        assert joint.status == "applied"
+        assert 0.0 < joint.felt_change < 0.10
+
+
+def test_a_map_that_fits_stays(parameters: DriveParameters, trial: Callable[..., Path]) -> None:
+    for joint in adapt(parameters, [trial("a", AS_CALIBRATED)], 1).joints:
+        assert joint.angle_applied_deg == 0.0
+
+
+def test_what_cannot_be_read_or_never_moved_says_nothing(
+    parameters: DriveParameters, trial: Callable[..., Path], tmp_path: Path
+) -> None:
+    gone = tmp_path / "gone"
+    assert adapt(parameters, [gone], 1).parameters is None
+    assert adapt(parameters, [trial("still", state=State.DISARMED)], 1).joints[0].angle_applied_deg == 0.0
+    # The new trial is gone: the one before has had its turn already.
+    assert adapt(parameters, [trial("old"), gone], 1).parameters is None
+    joints = adapt(parameters, [gone, trial("new")], 1).joints
+    assert joints[0].angle_applied_deg == pytest.approx(2.0)
+    other = parameters.profile.model_copy(update={"sample_rate": 200.0})
+    assert adapt(parameters.model_copy(update={"profile": other}), [tmp_path / "new"], 1).parameters is None
+
+
+def test_it_leaves_off_when_somebody_drives(parameters: DriveParameters, trial: Callable[..., Path]) -> None:
+    assert READINGS.adapt(parameters, parameters.profile, [trial("a")], 1, always) is None
