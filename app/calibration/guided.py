@@ -17,6 +17,7 @@ from app.calibration.profile import MEMORIES, CalibrationProfile, GuidedMap, Joi
 from app.calibration.repetitions import Stretch
 from app.smoothing import slow_average, smooth
 
+LARGEST_WEIGHT = 1e12  # FS per signal unit, as `app.quantities.Finite`
 FEWEST = 3  # repetitions: one is held out, and two others must agree
 SHORTEST_CUE = 0.25  # s: a shorter one is part of a movement
 ALIGNMENTS = 3  # how often the lag is found again, with the map that the lag before gave
@@ -28,6 +29,10 @@ MOST_OF_FULL = 0.3  # the dead-zone at most: a movement much weaker than the pro
 LEVELS_MUST_GAIN = 0.02  # of in-phase share: levels follow drift as well as the fabric, so they have to earn it
 
 Array = NDArray[np.float64]
+
+
+class GuidedMapError(Exception):
+    """Why a joint has no guided map, in one sentence that says what to do."""
 
 
 class GuidedFit(NamedTuple):
@@ -78,20 +83,20 @@ def with_guided_maps(
         own = [one for one in stretches if one.joint == joint.name]
         try:
             joints.append(joint.model_copy(update={"guided": _guided_map(joint, own, resting, profile.sample_rate)}))
-        except ValueError as error:
+        except GuidedMapError as error:
             joints.append(joint)
             reasons[joint.name] = str(error)
     return GuidedFit(profile.model_copy(update={"joints": tuple(joints)}), reasons)
 
 
 def _guided_map(joint: JointMap, stretches: Sequence[Stretch], rest: Array | None, sample_rate: float) -> GuidedMap:
-    """Return the guided map of one joint, or raise ValueError with a sentence that says what is missing."""
+    """Return the guided map of one joint, or raise GuidedMapError."""
     pieces = [_piece(joint, one, sample_rate) for one in stretches]
     count = sum(len(piece.asked) for piece in pieces)
     if not joint.prompted or count == 0:
-        raise ValueError("No guided map, because its movement was never prompted: prompt it at least three times.")
+        raise GuidedMapError("No guided map, because its movement was never prompted: prompt it at least three times.")
     if count < FEWEST:
-        raise ValueError(
+        raise GuidedMapError(
             f"No guided map from {count} prompted repetition{'s' if count > 1 else ''}: prompt at least {FEWEST}, so "
             f"that it can be judged on one that it has not seen."
         )
@@ -105,7 +110,7 @@ def _guided_map(joint: JointMap, stretches: Sequence[Stretch], rest: Array | Non
         joint, pieces, [[lag - round(SOONER * sample_rate) for lag in own] for own in lags], rest, sample_rate
     )
     if (data.label == 0).sum() < SHORTEST_REST * sample_rate:
-        raise ValueError(
+        raise GuidedMapError(
             f"No guided map, because it is nowhere at rest for {SHORTEST_REST:g} s in all: record a rest, or leave "
             f"pauses between the prompted movements."
         )
@@ -115,6 +120,8 @@ def _guided_map(joint: JointMap, stretches: Sequence[Stretch], rest: Array | Non
     chosen = next(candidate for candidate in candidates if candidate.check.in_phase >= best - LEVELS_MUST_GAIN)
     k = len(joint.channels)
     weights = chosen.weights
+    if np.abs(weights).max() > LARGEST_WEIGHT:
+        raise GuidedMapError("No guided map, because the signals are too small for it: give them in a smaller unit.")
     return GuidedMap(
         rate=tuple(map(float, weights[:k])),
         short=tuple(map(float, weights[k : 2 * k])),
@@ -220,7 +227,7 @@ def _candidate(data: _Labelled, level_ridge: float, joint: JointMap, pca: MapChe
     moving = held_out[data.label > 0]
     strong = float(np.percentile(moving, 90))
     if strong <= 0.0:
-        raise ValueError("No guided map, because the repetitions have nothing in common: repeat the prompts.")
+        raise GuidedMapError("No guided map, because the repetitions have nothing in common: repeat the prompts.")
     scale = joint.full / strong
     held_out = held_out * scale
     resting = held_out[data.repetition < 0]

@@ -59,6 +59,7 @@ def check(
 
 def _at_rest(label: NDArray[np.int8], beside: int) -> NDArray[np.bool_]:
     """Return where (n,) nothing is asked for, and nothing was or will be within `beside` rows."""
-    near = np.convolve(label != 0, np.ones(2 * beside + 1, dtype=np.int_))
-    calm: NDArray[np.bool_] = near[beside : beside + len(label)] == 0
+    asked = np.concatenate(([0], np.cumsum(label != 0)))
+    rows = np.arange(len(label))
+    calm: NDArray[np.bool_] = asked[np.minimum(rows + beside + 1, len(label))] == asked[np.maximum(rows - beside, 0)]
     return calm

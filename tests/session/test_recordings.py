@@ -71,6 +71,8 @@ def test_a_calibration_is_fitted_from_its_recordings_alone(recorded):
     for step, folder in recorded:
         assert READINGS.judge(folder, step.duration) is None
     profile = READINGS.fit(LAYOUT, recorded, [])
+    assert all(joint.map == "pca" for joint in profile.joints)
+    assert [joint.guided.repetitions for joint in profile.joints] == [3] * len(profile.joints)
     assert [joint.name for joint in profile.joints] == list(JOINTS)
     for joint in profile.joints:
         assert joint.prompted
