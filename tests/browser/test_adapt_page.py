@@ -1,0 +1,104 @@
+"""The map learns the person, on a tablet: suggested after a trial, looked at, applied, taken back."""
+
+import re
+import signal
+from pathlib import Path
+
+import pytest
+from browser.driving import go_on_until
+from playwright.sync_api import expect
+from processes.test_demo_process import bodydrive, printed_link
+
+pytestmark = [pytest.mark.browser, pytest.mark.long, pytest.mark.timeout(420)]
+
+SCREENSHOTS = Path(__file__).resolve().parents[2] / "var" / "screenshots"
+TABLETS = {"768x1024": (768, 1024), "1280x800": (1280, 800)}
+PATIENCE = 60_000  # ms: drawing in software on a busy machine is slow
+LONG_ENOUGH = re.compile(r"^(0:[45]\d|[1-9]:\d\d)$")  # a joint has moved for some seconds by then
+TITLE = "What would change, and why"
+
+
+@pytest.fixture
+def demo():
+    """Yield the link of a running demonstration."""
+    with bodydrive("demo", "--port", "0") as process:
+        try:
+            yield printed_link(process)
+        finally:
+            process.send_signal(signal.SIGINT)
+            assert process.wait(20) == 0
+
+
+@pytest.fixture(params=list(TABLETS))
+def tablet(request, browser, page_log, demo):
+    """Yield a page of one tablet, signed in, and a function that keeps a screenshot."""
+    width, height = TABLETS[request.param]
+    page = browser.new_page(viewport={"width": width, "height": height}, has_touch=True)
+    page.set_default_timeout(PATIENCE)
+    expect.set_options(timeout=PATIENCE)
+    log = page_log(demo)
+    log.watch(page)
+    SCREENSHOTS.mkdir(parents=True, exist_ok=True)
+    page.goto(demo)
+    expect(page.get_by_role("heading", name="Where to?")).to_be_visible()
+    yield page, lambda picture: page.screenshot(path=SCREENSHOTS / f"{request.param}-{picture}.png")
+    log.assert_clean()
+    page.close()
+    expect.set_options(timeout=5000)
+
+
+def visit(page, step):
+    page.goto(page.url.split("#")[0] + f"#/{step}")
+
+
+def drive_for_a_while(page):
+    visit(page, "drive")
+    page.get_by_role("button", name="Start trial").click()
+    clock = page.locator(".place .big")
+    expect(clock).to_be_visible()
+    go_on_until(page, lambda: LONG_ENOUGH.match(clock.inner_text()), "40 seconds of the trial", seconds=150)
+    page.get_by_role("button", name="End trial").first.click()
+    expect(page.get_by_role("heading", name="Ended by hand")).to_be_visible()
+
+
+def large_enough_to_touch(page):
+    boxes = [one.bounding_box() for one in page.locator("main .btn, main .choice").all() if one.is_visible()]
+    assert boxes
+    assert all(box["height"] >= 44 and box["width"] >= 44 for box in boxes)
+    assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")
+
+
+def test_a_suggestion_is_looked_at_applied_and_taken_back(tablet):
+    page, keep = tablet
+    visit(page, "controls")
+    page.get_by_role("link", name="What would change?").click()
+    expect(page.get_by_role("heading", name=TITLE)).to_be_visible()
+    page.get_by_role("button", name="Look now").click()
+    expect(page.get_by_text("Nothing was driven with this map yet")).to_be_visible()
+    suggest = page.get_by_role("radio", name="Suggest")
+    suggest.focus()
+    page.keyboard.press("Space")
+    expect(suggest).to_be_checked()
+    expect(suggest).to_be_focused()
+    keep("adapt-nothing-yet")
+
+    drive_for_a_while(page)
+    page.get_by_role("link", name="A change of the map is suggested").click()
+    expect(page.get_by_text("Felt change")).to_be_visible()
+    expect(page.locator(".adapt-joint").first).to_contain_text("Fits the movement")
+    expect(page.locator(".adapt-head")).to_contain_text("a real chair arms only what was practised")
+    large_enough_to_touch(page)
+    keep("adapt-suggested")
+
+    page.get_by_role("button", name="Apply").click()
+    expect(page.locator(".adapt-head")).to_contain_text("Version 2 of the map is in use.")
+    expect(page.locator(".adapt-head")).to_contain_text("A real chair does not arm this set yet")
+    versions = page.locator(".map-versions tbody tr")
+    expect(versions.first).to_contain_text("Adapted from 1")
+    keep("adapt-applied")
+
+    page.get_by_role("button", name="Back to version 1").click()
+    expect(versions.first).to_contain_text("Back to 1, from 2")
+    expect(versions).to_have_count(3)
+    expect(page.get_by_role("button", name="Back to version")).to_have_count(0)
+    keep("adapt-back")
