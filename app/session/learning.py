@@ -149,14 +149,21 @@ def describe(measure: Measure, learning: LearningCurve) -> str:
     if trend.direction == "none":
         change += " This is not a trend: it may be chance."
     else:
-        slope = theil_sen(learning.n.tolist(), learning.values.tolist())
-        steps = sorted(map(abs, (slope.low, slope.high)))
-        change += (
-            f" From trial to trial it {trend.direction} by {_number(abs(slope.median), measure.unit)} in the median "
-            f"(95 %: {steps[0]:.2g} to {steps[1]:.2g})."
-        )
+        change += _slope_in_words(measure, learning)
     few = f" {count} trials are few: the curve may yet change." if count < MIN_TRIALS_FOR_CONSTANT else ""
     return f"{change} {_shape_in_words(measure, learning)}{few}"
+
+
+def _slope_in_words(measure: Measure, learning: LearningCurve) -> str:
+    """Say by how much, where that is surely not nothing: counts may fall although most of them are the same."""
+    slope = theil_sen(learning.n.tolist(), learning.values.tolist())
+    if slope.low * slope.high <= 0:
+        return ""
+    least, most = sorted((abs(slope.low), abs(slope.high)))
+    step = _number(abs(slope.median), measure.unit, digits=2)
+    return (
+        f" From trial to trial it {learning.trend.direction} by {step} in the median (95 %: {least:.2g} to {most:.2g})."
+    )
 
 
 def _too_few(count: int) -> str:
@@ -192,5 +199,5 @@ def _others(learning: LearningCurve) -> list[dict[str, Any]]:
     ]
 
 
-def _number(value: float, unit: str) -> str:
-    return f"{value:.3g} {unit}".rstrip()
+def _number(value: float, unit: str, digits: int = 3) -> str:
+    return f"{value:.{digits}g} {unit}".rstrip()

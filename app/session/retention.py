@@ -49,8 +49,8 @@ def retention(visits: Sequence[int], values: Sequence[float]) -> Retention | Non
 def describe_retention(kept: Retention, unit: str) -> str:
     """Say in one sentence what a visit gave and what was left of it at the next."""
     return (
-        f"Within a visit it {_moved(kept.within, unit)} (mean of {kept.within.visits} visits); from the last trials of "
-        f"a visit to the first of the next it {_moved(kept.between, unit)}."
+        f"In the mean of {kept.within.visits} visits it {_moved(kept.within, unit)} within a visit, "
+        f"and {_moved(kept.between, unit)} from its last trials to the first of the next."
     )
 
 
@@ -64,6 +64,6 @@ def _mean(changes: Sequence[float]) -> Change:
 def _moved(change: Change, unit: str) -> str:
     amount = f"{abs(change.mean):.2g} {unit}".rstrip()
     if change.low <= 0 <= change.high:
-        return f"changed by {'-' if change.mean < 0 else ''}{amount}, which may be chance"
+        return f"changed by {'-' if change.mean < 0 else ''}{amount} (may be chance)"
     low, high = sorted(map(abs, (change.low, change.high)))
     return f"{'fell' if change.mean < 0 else 'rose'} by {amount} (95 %: {low:.2g} to {high:.2g})"

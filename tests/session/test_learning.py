@@ -208,3 +208,9 @@ def test_the_robust_slope_forgives_a_third_of_the_trials() -> None:
     slope = theil_sen(list(range(1, 22)), list(values))
     assert slope.median == pytest.approx(-0.5)
     assert slope.low <= -0.5 <= slope.high
+
+
+def test_a_count_that_is_mostly_the_same_has_a_trend_but_no_step() -> None:
+    text = learning_curves(trials_of(np.array([3.0] * 4 + [0.0] * 18), "collisions"))["collisions"]["text"]
+    assert "fell from 3 to 0" in text
+    assert "From trial to trial" not in text

@@ -28,8 +28,9 @@ function plotly() {
  * A chart that draws itself again when the theme changes.
  * @param {string} label @param {AbortSignal} signal
  * @param {(colours: Record<string, string>) => {traces: any[], layout: any}} make
+ * @param {(point: any) => void} [onPoint] what a tap on a point does
  */
-export async function chart(label, signal, make) {
+export async function chart(label, signal, make, onPoint) {
   const { colours, stop } = palette(
     "text",
     "text-quiet",
@@ -56,7 +57,12 @@ export async function chart(label, signal, make) {
     );
   };
   // Drawn once it stands in the page: only there it has a size.
-  requestAnimationFrame(() => !signal.aborted && draw());
+  requestAnimationFrame(() => {
+    if (signal.aborted) return;
+    draw();
+    // Later, because plotly goes on with its own element after it has told of the tap.
+    if (onPoint) element["on"]("plotly_click", ({ points }) => setTimeout(() => onPoint(points[0])));
+  });
   document.addEventListener("themechange", draw);
   signal.addEventListener("abort", () => {
     document.removeEventListener("themechange", draw);
@@ -75,7 +81,7 @@ function frame(colours) {
     autosize: true,
     font: { family: "system-ui, sans-serif", size: 13, color: colours["text-quiet"] },
     margin: { l: 56, r: 12, t: 8, b: 44 },
-    legend: { orientation: "h", x: 0, y: 1.02, yanchor: "bottom" },
+    legend: { orientation: "h", traceorder: "normal", x: 0, y: 1.02, yanchor: "bottom" },
     hoverlabel: { bgcolor: colours.panel, bordercolor: colours.border, font: { color: colours.text } },
   };
 }

@@ -1,0 +1,53 @@
+// What stands along a learning curve, without a page. Run by test_curve_marks.py with the folder js.
+import assert from "node:assert/strict";
+import { pathToFileURL } from "node:url";
+
+globalThis.matchMedia = () => ({ matches: false, addEventListener() {} });
+const { mapTraces, visitShapes, visitWords } = await import(pathToFileURL(`${process.argv[2]}/parts/curve_marks.js`));
+
+const colours = { text: "rgb(1, 2, 3)", "path-prescribed": "rgb(4, 5, 6)" };
+const row = (number, session, profile_version, origin) => ({ number, session, profile_version, origin });
+// Trial 4 was discarded, and a map was made and taken back within the second visit.
+const rows = [
+  row(1, 1, 1, "calibration"),
+  row(2, 1, 1, "calibration"),
+  row(3, 2, 1, "calibration"),
+  row(5, 2, 2, "adaptation"),
+  row(6, 2, 3, "back"),
+  row(7, 3, 3, "back"),
+];
+
+const bands = visitShapes(rows, colours);
+assert.deepEqual(
+  bands.map(({ x0, x1 }) => [x0, x1]),
+  [
+    [0.5, 2.5],
+    [6.5, 7.5],
+  ],
+);
+assert.deepEqual(
+  visitWords(rows).map(({ text, x }) => [text, x]),
+  [
+    ["visit 1", 1.5],
+    ["visit 2", 4.5],
+    ["visit 3", 7],
+  ],
+);
+const many = Array.from({ length: 8 }, (_, i) => row(i + 1, i + 1, 1, "calibration"));
+assert.deepEqual(visitWords(many).map(({ text }) => text).slice(0, 3), ["visit 1", "2", "3"]);
+
+const maps = mapTraces(rows, colours);
+assert.deepEqual(
+  maps.map(({ name, x, text }) => [name, x, text]),
+  [
+    ["map calibrated", [1], ["1"]],
+    ["map adapted", [5], ["2"]],
+    ["map taken back", [6], ["3"]],
+  ],
+);
+assert.match(maps[1].hovertemplate[0], /^Map 2, adapted: from trial 5 on/);
+// So many that their numbers would stand on one another: only marks.
+const crowded = Array.from({ length: 30 }, (_, i) => row(i + 1, 1, i + 1, i ? "adaptation" : "calibration"));
+assert.ok(mapTraces(crowded, colours).every(({ text }) => text.every((one) => one === "")));
+assert.deepEqual([mapTraces([], colours), visitShapes([], colours), visitWords([])], [[], [], []]);
+console.log("curve_marks.mjs holds");

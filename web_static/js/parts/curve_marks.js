@@ -1,0 +1,76 @@
+/** What stands along a learning curve: the visits as light bands, and where the map became another version. */
+import { t } from "../texts.js";
+import { faint } from "./plotly.js";
+
+export const ABOVE = 0.82; // share of the chart's height that the curve has; visits and maps stand above it
+const MAPS = [0.84, 0.93]; // of the height
+const VISITS = 0.94;
+const MANY = 6; // visits: from then on the word stands only at the first
+const CROWDED = 24; // maps: from then on their numbers would stand on one another
+const SYMBOLS = { calibration: "diamond", adaptation: "triangle-up", back: "triangle-left" };
+
+/** The visits: number, and from which to which trial. @param {any[]} rows trials in order */
+function visits(rows) {
+  const found = [];
+  for (const { session, number } of rows) {
+    if (found.at(-1)?.session === session) found.at(-1).last = number;
+    else found.push({ session, first: number, last: number });
+  }
+  return found;
+}
+
+/** Every other visit has a light band. @param {any[]} rows @param {Record<string, string>} colours */
+export function visitShapes(rows, colours) {
+  return visits(rows)
+    .filter((_, i) => i % 2 === 0)
+    .map(({ first, last }) => ({
+      type: "rect",
+      layer: "below",
+      yref: "paper",
+      x0: first - 0.5,
+      x1: last + 0.5,
+      y0: 0,
+      y1: 1,
+      line: { width: 0 },
+      fillcolor: faint(colours.text, 0.06),
+    }));
+}
+
+/** @param {any[]} rows */
+export function visitWords(rows) {
+  const all = visits(rows);
+  return all.map(({ session, first, last }, i) => ({
+    text: all.length > MANY && i > 0 ? String(session) : t("review.visit", { number: session }),
+    x: (first + last) / 2,
+    y: VISITS,
+    yref: "paper",
+    yanchor: "bottom",
+    showarrow: false,
+  }));
+}
+
+/** The row in which the maps stand. */
+export function mapAxis() {
+  return { domain: MAPS, range: [0, 1], visible: false, fixedrange: true };
+}
+
+/** A mark with its version where the map is another one than in the trial before. @param {any[]} rows @param {Record<string, string>} colours */
+export function mapTraces(rows, colours) {
+  const changed = rows.filter((row, i) => row.profile_version !== rows[i - 1]?.profile_version);
+  return Object.entries(SYMBOLS)
+    .map(([origin, symbol]) => ({ origin, symbol, some: changed.filter((row) => row.origin === origin) }))
+    .filter(({ some }) => some.length)
+    .map(({ origin, symbol, some }) => ({
+      mode: "markers+text",
+      yaxis: "y2",
+      x: some.map(({ number }) => number),
+      y: some.map(() => 0.72),
+      text: some.map(({ profile_version }) => (changed.length > CROWDED ? "" : String(profile_version))),
+      textposition: "bottom center",
+      marker: { symbol, size: 11, color: colours["path-prescribed"] },
+      name: t(`review.map.${origin}`),
+      hovertemplate: some.map(({ profile_version, number }) =>
+        t(`review.map.from.${origin}`, { version: profile_version, number }).concat("<extra></extra>"),
+      ),
+    }));
+}

@@ -1,0 +1,37 @@
+/** The paths that a patient has driven: which, in what order, and in what words. */
+
+/** Which path a trial was driven on. @param {{floorplan: string, path: string}} trial */
+export function keyOf({ floorplan, path }) {
+  return `${floorplan}/${path}`;
+}
+
+/** The paths that were driven, the last driven last. @param {any[]} trials */
+export function driven(trials) {
+  const found = new Map();
+  for (const trial of trials) {
+    found.delete(keyOf(trial));
+    found.set(keyOf(trial), {
+      key: keyOf(trial),
+      floorplan: trial.floorplan,
+      name: trial.path,
+      title: trial.floorplan_title,
+    });
+  }
+  return [...found.values()];
+}
+
+/** By place and level as on the Drive page, then by task; what is not there any more last. @param {any[]} paths @param {any[]} plans */
+export function inOrder(paths, plans) {
+  const rank = ({ floorplan, name }) => {
+    const at = plans.findIndex((plan) => plan.name === floorplan);
+    return at < 0 ? Infinity : at + plans[at].paths.findIndex((one) => one.name === name) / 100;
+  };
+  return paths.toSorted((a, b) => (rank(a) === rank(b) ? 0 : rank(a) - rank(b)));
+}
+
+/** Where it is, how difficult, and the task; the levels of one scene stand together. @param {any} path @param {any[]} plans */
+export function pathWords({ floorplan, name, title }, plans) {
+  const plan = plans.find((one) => one.name === floorplan);
+  const task = plan?.paths.find((one) => one.name === name)?.title ?? name;
+  return { label: `${title}: ${task}`, group: plan?.scene?.title ?? title };
+}
