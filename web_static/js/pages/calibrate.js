@@ -92,6 +92,7 @@ export async function show(app, root, { signal }) {
     drawn = new AbortController();
     signal.addEventListener("abort", () => drawn.abort(), { signal: drawn.signal });
     const hadFocus = root.contains(document.activeElement) && document.activeElement !== root.querySelector("h1");
+    const choice = document.activeElement?.closest(".segments")?.getAttribute("aria-label"); // a map is being chosen
     const isResult = calibration.current === "result";
     const view = isResult
       ? resultPage(calibration, actions, accept)
@@ -108,7 +109,9 @@ export async function show(app, root, { signal }) {
       ),
       h("div", { class: "foot" }, view.foot),
     );
-    if (hadFocus) (root.querySelector(".foot .btn.go") ?? root.querySelector("h1")).focus({ preventScroll: true });
+    const same = choice && root.querySelector(`[aria-label="${CSS.escape(choice)}"] input:checked`);
+    if (same) same.focus({ preventScroll: true });
+    else if (hadFocus) (root.querySelector(".foot .btn.go") ?? root.querySelector("h1")).focus({ preventScroll: true });
   };
   app.live.addEventListener(
     "changed",
