@@ -12,7 +12,7 @@ FILES = sorted((ROOT / "app").rglob("*.py"))
 
 LEAVES = "leaf"
 PURE_PIPELINE = {f"app.pipeline.{name}" for name in ("chain", "batch", "safety", "decoder", "controls", "shaping", "health")}
-FITTING = {f"app.calibration.{name}" for name in ("fit", "pca", "quality")}
+FITTING = {f"app.calibration.{name}" for name in ("fit", "guided", "pca", "quality")}
 PURE_HARDWARE = (
     "app.hardware.body",
     "app.hardware.shirt.fabric",
