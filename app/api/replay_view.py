@@ -8,6 +8,7 @@ from pydantic import Field
 from app.api.deps import Anyone, People, PeopleParts
 from app.api.flows import FlowParts, Flows, flows_of
 from app.api.sockets import OpenSockets
+from app.api.trial_replay import refuse_while_driving
 from app.api.view_bridge import NO_VIEW, ViewPage, bridge
 from app.quantities import Count, Document
 from app.recording_reader import read_run
@@ -23,7 +24,6 @@ from app.session.timeline import plan_of, poses_of
 
 MARK = "Replay"
 MOMENTS_PER_SECOND = 20.0
-BUSY = "Somebody drives: the replay in 3D waits until the chair stands and the drive is over."
 
 Word = Annotated[str, Path(pattern=r"^[A-Za-z0-9_-]{8,64}$")]
 Moment = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=-86_400, le=86_400)]  # s
@@ -54,7 +54,7 @@ class Shown(Document):
 @router.post("/replays", status_code=201)
 def open_replay(body: NewReplay, who: Anyone, parts: PeopleParts, flows: FlowParts) -> ReplayView:
     """Open a trial in 3D, on a server of its own that shows nothing live."""
-    _nobody_drives(flows)
+    refuse_while_driving(flows)
     with parts.database.transaction() as db:
         trial = find_trial(db, who.clinic_id, body.trial)
         write_log(db, who.name, "trial viewed", trial=trial.id)
@@ -66,7 +66,7 @@ def open_replay(body: NewReplay, who: Anyone, parts: PeopleParts, flows: FlowPar
 @router.post("/replays/{word}/at", status_code=204)
 def show_moment(word: Word, body: Shown, who: Anyone, flows: FlowParts) -> None:
     """Show another moment, or look from somewhere else."""
-    _nobody_drives(flows)
+    refuse_while_driving(flows)
     flows.replays.find(word, who.person_id).show(body.t, body.view)
 
 
@@ -74,12 +74,6 @@ def show_moment(word: Word, body: Shown, who: Anyone, flows: FlowParts) -> None:
 def close_replay(word: Word, who: Anyone, flows: FlowParts) -> None:
     """Close a replay; one that is closed already stays so."""
     flows.replays.close(word, who.person_id)
-
-
-def _nobody_drives(flows: Flows) -> None:
-    """Refuse while a chair may move: nothing that only shows may take the machine's time then."""
-    if flows.drive.running or flows.real.running:
-        raise Conflict(BUSY)
 
 
 def _made(parts: People, flows: Flows, trial: Trial) -> Replay:

@@ -15,6 +15,10 @@ class Timelines:
     def __init__(self) -> None:
         self._packed: dict[Path, bytes] = {}
 
+    def has(self, folder: Path) -> bool:
+        """Return whether a time line is made already: making one takes the machine's time."""
+        return folder in self._packed
+
     def of(self, folder: Path, path_points: list[Any], end: str | None) -> bytes:
         """Return the time line of an ended trial as compressed JSON.
 

@@ -5,13 +5,21 @@ import gzip
 from fastapi import APIRouter, Request, Response
 
 from app.api.deps import Anyone, PeopleParts, RowId
-from app.api.flows import FlowParts
+from app.api.flows import FlowParts, Flows
 from app.session.refusals import Conflict, NotFound
 from app.session.store_log import write_log
 from app.session.store_runs import find_trial
 from app.session.timeline import Timeline
 
 router = APIRouter(tags=["review"])
+
+BUSY = "Somebody drives: this trial can be looked at again when the chair stands and the drive is over."
+
+
+def refuse_while_driving(flows: Flows) -> None:
+    """Refuse while a chair may move: reading a long recording must not make the heartbeat late."""
+    if flows.drive.running or flows.real.running:
+        raise Conflict(BUSY)
 
 
 @router.get("/trials/{trial_id}/timeline", response_model=Timeline)
@@ -22,8 +30,11 @@ def trial_timeline(trial_id: RowId, who: Anyone, parts: PeopleParts, flows: Flow
         write_log(db, who.name, "trial viewed", trial=trial_id)
     if trial.status != "done":
         raise Conflict("This trial is still running: look at it when it has ended.")
+    folder = flows.runs.folder_of(trial.run_id)
+    if not flows.timelines.has(folder):
+        refuse_while_driving(flows)
     try:
-        packed = flows.timelines.of(flows.runs.folder_of(trial.run_id), trial.path_points, trial.end)
+        packed = flows.timelines.of(folder, trial.path_points, trial.end)
     except (ValueError, OSError) as error:
         raise NotFound("The recording of this trial cannot be read: restore it from a backup.") from error
     headers = {"Cache-Control": "private, no-cache", "Vary": "Accept-Encoding"}

@@ -43,11 +43,14 @@ class Decimation:
         if self._size == 1:
             return np.asarray(column, dtype=np.float64)
         buckets = -(-self._n_rows // self._size)
-        padded = np.full(buckets * self._size, np.nan)
+        padded = np.empty(buckets * self._size)
         padded[: self._n_rows] = column
+        padded[self._n_rows :] = column[-1]
         grid = padded.reshape(buckets, self._size)
-        lowest = np.where(np.isnan(grid), np.inf, grid).argmin(axis=1)
-        highest = np.where(np.isnan(grid), -np.inf, grid).argmax(axis=1)
+        unknown = np.isnan(grid)
+        some = bool(unknown.any())
+        lowest = (np.where(unknown, np.inf, grid) if some else grid).argmin(axis=1)
+        highest = (np.where(unknown, -np.inf, grid) if some else grid).argmax(axis=1)
         order = np.stack([np.minimum(lowest, highest), np.maximum(lowest, highest)], axis=1)
         # A bucket in which nothing is known has NaN at every place.
         return np.take_along_axis(grid, order, axis=1).reshape(-1)

@@ -1,0 +1,115 @@
+"""One trial and two side by side in a real browser: one slider moves picture, plan and charts together."""
+
+import re
+from pathlib import Path
+
+import pytest
+from browser.review_app import ReviewApp
+from playwright.sync_api import expect
+
+pytestmark = [pytest.mark.browser, pytest.mark.long, pytest.mark.timeout(420)]
+
+SCREENSHOTS = Path(__file__).resolve().parents[2] / "var" / "screenshots"
+SIZES = {"1280x800": (1280, 800), "768x1024": (768, 1024)}
+PATIENCE = 60_000  # ms: drawing in software on a busy machine is slow
+PICTURE = "document.querySelector('.replay-frame iframe').contentWindow.__viserMutable?.nodePoseData"
+MOMENT = f"(({PICTURE} ?? {{}})['/moment']?.position ?? [NaN])[0]"
+CHAIR = f"(({PICTURE} ?? {{}})['/world/chair']?.position ?? [NaN])[0]"
+ON_PLAN = "Number(/translate\\(([-\\d.e]+)/.exec(document.querySelector('.plan .chair').getAttribute('transform'))[1])"
+CURSORS = """[...document.querySelectorAll(".cursor")].map(
+  (one) => Math.round(Number(/translateX\\(([-\\d.]+)/.exec(one.style.transform)[1])))"""
+SMALL = """[...document.querySelectorAll("main button, main select, main .segments label, main .pick, main .foot a")]
+  .filter((one) => one.checkVisibility())
+  .filter((one) => one.getBoundingClientRect().height < 44).map((one) => one.outerHTML.slice(0, 80))"""
+TOO_WIDE = "document.querySelector('main').scrollWidth > document.querySelector('main').clientWidth"
+
+
+@pytest.fixture(scope="module")
+def served(tmp_path_factory):
+    app = ReviewApp(tmp_path_factory.mktemp("clinic"))
+    app.start()
+    yield app
+    app.stop()
+
+
+@pytest.fixture(params=SIZES)
+def page(request, browser, page_log, served):
+    """Yield a page of one size, signed in, and a function that keeps a screenshot."""
+    expect.set_options(timeout=PATIENCE)
+    SCREENSHOTS.mkdir(parents=True, exist_ok=True)
+    width, height = SIZES[request.param]
+    log = page_log(served.address)
+    page = log.watch(browser.new_context(viewport={"width": width, "height": height}, color_scheme="dark").new_page())
+    page.set_default_timeout(PATIENCE)
+    page.goto(served.link)
+    expect(page.get_by_role("heading", name="Where to?")).to_be_visible()
+    page.keep = lambda name: page.screenshot(path=SCREENSHOTS / f"{request.param}-{name}.png")
+    yield page
+    log.assert_clean()
+    page.context.close()
+    expect.set_options(timeout=5000)
+
+
+def read(page, expression):
+    return page.evaluate(f"() => {expression}")
+
+
+def assert_at(page, until, t):
+    """Assert that slider, plan, charts and the picture in 3D all show the moment `t`."""
+    assert float(page.get_by_label("Moment of the trial").input_value()) == pytest.approx(t, abs=0.051)
+    assert len(set(read(page, CURSORS))) == 1
+    until(page, f"Math.abs({MOMENT} - {t}) < 0.06", seconds=60)
+    assert read(page, CHAIR) == pytest.approx(read(page, ON_PLAN), abs=0.02)
+
+
+def test_one_slider_moves_everything(page, until, served):
+    page.goto(f"{served.address}/#/review/1/trial/{served.trials[0]}")
+    slider = page.get_by_label("Moment of the trial")
+    expect(page.locator(".time-chart")).to_have_count(6)
+    until(page, f"Number.isFinite({MOMENT})", seconds=90)
+    places = []
+    for t in (3.0, 12.5, 5.0):
+        slider.fill(str(t))
+        assert_at(page, until, t)
+        places.append((read(page, ON_PLAN), read(page, CURSORS)[0]))
+    assert places[0] != places[1] != places[2]
+    # A tap on a chart, then the keys.
+    box = page.locator(".chart-box").first.bounding_box()
+    page.locator(".chart-box").first.click(position={"x": box["width"] * 0.75, "y": 30})
+    tapped = float(slider.input_value())
+    assert tapped == pytest.approx(0.75 * 23, abs=2.0)
+    slider.press("ArrowRight")
+    assert float(slider.input_value()) == pytest.approx(tapped + 1.0, abs=0.06)
+    slider.press("Home")
+    slider.press("p")
+    expect(page.get_by_role("button", name="Pause")).to_be_visible()
+    until(page, "Number(document.querySelector('.play-bar input[type=range]').value) > 0.5")
+    slider.press("p")
+    expect(page.get_by_role("button", name="Play")).to_be_visible()
+    assert_at(page, until, float(slider.input_value()))
+    # An event takes everything to its moment.
+    stop = page.get_by_role("button", name=re.compile("Stop was pressed"))
+    stop.click()
+    assert float(slider.input_value()) == pytest.approx(14.5, abs=0.2)
+    expect(page.locator(".over-picture")).to_be_hidden()
+    page.keep("trial-replay")
+    assert read(page, SMALL) == []
+    assert not read(page, TOO_WIDE)
+
+
+def test_two_trials_are_chosen_and_compared(page, until, served):
+    page.goto(f"{served.address}/#/review/1")
+    for number in (1, 2):
+        page.get_by_label(f"Compare trial {number}").check()
+    page.get_by_role("link", name="Compare two trials").click()
+    expect(page.get_by_role("heading", name="Two trials side by side")).to_be_visible()
+    expect(page.locator(".plan .chair")).to_have_count(2)
+    before = [one.get_attribute("transform") for one in page.locator(".plan .chair").all()]
+    page.get_by_label("Moment of the trial").fill("6")
+    after = [one.get_attribute("transform") for one in page.locator(".plan .chair").all()]
+    assert all(a != b for a, b in zip(before, after, strict=True))
+    until(page, "document.querySelectorAll('.chart .scatterlayer .trace').length >= 4")
+    expect(page.get_by_role("row", name=re.compile("largest error"))).to_contain_text(re.compile(r"Trial [12]"))
+    page.keep("compare")
+    assert read(page, SMALL) == []
+    assert not read(page, TOO_WIDE)
