@@ -11,15 +11,8 @@ ROOT = Path(__file__).resolve().parents[1]
 FILES = sorted((ROOT / "app").rglob("*.py"))
 
 LEAVES = "leaf"
-<<<<<<< HEAD
 PURE_PIPELINE = {f"app.pipeline.{name}" for name in ("chain", "batch", "safety", "decoder", "controls", "shaping", "health")}
 FITTING = {f"app.calibration.{name}" for name in ("fit", "guided", "pca", "quality")}
-=======
-PURE_PIPELINE = {
-    f"app.pipeline.{name}" for name in ("chain", "batch", "safety", "decoder", "controls", "shaping", "health")
-}
-FITTING = {f"app.calibration.{name}" for name in ("fit", "pca", "quality")}
->>>>>>> 3436c7c (api: no time line is made while somebody drives; tests of the review's pages in a browser)
 PURE_HARDWARE = (
     "app.hardware.body",
     "app.hardware.shirt.fabric",
