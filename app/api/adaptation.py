@@ -13,6 +13,7 @@ from app.quantities import Document
 from app.session.adaptation_flow import NOT_ASKED, STALE, Held, Mode
 from app.session.database import Database, Transaction
 from app.session.map_versions import version_before, versions_of
+from app.session.predicted import Effect
 from app.session.store_adaptation import mode_of, still_holds
 from app.session.store_controls import as_document, current_parameters, newest_profile
 from app.session.store_log import write_log
@@ -51,7 +52,7 @@ class ProposalView(Document):
     reason: str
     changes: bool  # whether there is anything to apply
     joints: list[JointView]
-    effect: dict[str, Any] | None  # predicted by replaying the last trial; None when that was not possible
+    effect: Effect | None  # predicted by replaying the last trial; None when that was not possible
     applied: int | None
     words: str  # why it was not applied by itself
 

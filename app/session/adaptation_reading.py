@@ -10,6 +10,7 @@ from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import DriveParameters
 from app.faults import State
 from app.recording_reader import read_run
+from app.session.predicted import Effect, predicted_effect
 from app.session.readings import Adapted
 
 
@@ -33,7 +34,18 @@ def adapt_from_recordings(
         if movement is not None:
             movements.append(movement)
             fresh_read += left <= fresh
-    return Adapted(_proposal(parameters, calibrated, movements, fresh_read), None)
+    proposal = _proposal(parameters, calibrated, movements, fresh_read)
+    return Adapted(proposal, _effect(parameters, proposal, folders[-1]) if folders else None)
+
+
+def _effect(parameters: DriveParameters, proposal: Proposal, folder: Path) -> Effect | None:
+    """Return what the newest trial would have been like, None where nothing changes or it cannot be decoded again."""
+    if proposal.parameters is None:
+        return None
+    try:
+        return predicted_effect(read_run(folder), parameters, proposal.parameters)
+    except (ValueError, OSError):
+        return None
 
 
 def _proposal(

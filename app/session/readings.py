@@ -14,6 +14,7 @@ from app.calibration.script import Step
 from app.calibration.vocabulary import DriveParameters
 from app.layout import ShirtLayout
 from app.session.control_quality import ControlQuality
+from app.session.predicted import Effect
 from app.world.floorplan import FloorPlan, PrescribedPath
 
 
@@ -29,7 +30,7 @@ class Adapted(NamedTuple):
     """What the last trials would change of a set, and what the last of them would have been like with it."""
 
     proposal: Proposal
-    effect: dict[str, Any] | None  # None where nothing would change, or it cannot be replayed
+    effect: Effect | None  # None where nothing would change, or it cannot be replayed
 
 
 Judge = Callable[[Path, float], str | None]

@@ -12,11 +12,21 @@ from app.api import drives
 from app.calibration.adaptation import JointChange, Proposal
 from app.calibration.vocabulary import DriveParameters
 from app.faults import Fault, State
+from app.session.predicted import Effect
 from app.session.readings import Adapted
 from app.session.store_people import add_person, sign_in, the_clinic
 from app.speeds import Speeds
 
 UP = 0.01
+EFFECT = Effect(
+    seconds=60.0,
+    activations_before=40,
+    activations_after=42,
+    false_before=3,
+    false_after=1,
+    alike=0.98,
+    felt_change=0.02,
+)
 
 
 def change(parameters: DriveParameters, felt: float = 0.03) -> Adapted:
@@ -51,7 +61,7 @@ def change(parameters: DriveParameters, felt: float = 0.03) -> Adapted:
         difference={"felt_change": felt, "turned": {first.name: 2.0}},
         reason="The right elbow would change.",
     )
-    return Adapted(proposal, {"felt_change": felt})
+    return Adapted(proposal, EFFECT)
 
 
 @pytest.fixture(autouse=True)
@@ -136,7 +146,7 @@ def test_it_is_off_until_somebody_chooses_otherwise_and_may_be_looked_at_all_the
     assert ready.asked == [(1, 1)]
     [joint] = view["proposal"]["joints"]
     assert (joint["label"], joint["angle_applied_deg"], joint["evr_after"]) == ("Right elbow", 2.0, 0.86)
-    assert (view["proposal"]["changes"], view["proposal"]["effect"], view["why"]) == (True, {"felt_change": 0.03}, "")
+    assert (view["proposal"]["changes"], view["proposal"]["effect"], view["why"]) == (True, EFFECT.model_dump(), "")
     assert versions(ready) == [(1, "calibration", None)]
 
 

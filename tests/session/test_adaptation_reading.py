@@ -115,6 +115,18 @@ def test_who_waits_is_offered_a_smaller_step_instead_of_a_refusal(
         assert 0.0 < joint.felt_change < 0.10
 
 
+def test_the_effect_is_what_the_last_trial_would_have_been(
+    parameters: DriveParameters, trial: Callable[..., Path]
+) -> None:
+    folder = trial("a")
+    effect = READINGS.adapt(parameters, parameters.profile, [folder], 1, never).effect
+    assert effect.seconds == pytest.approx(30.0, abs=0.1)
+    assert 18 <= effect.activations_before <= 22
+    assert 18 <= effect.activations_after <= 22
+    assert 0.0 < effect.felt_change < 0.10
+    assert effect.alike > 0.95
+
+
 def test_a_map_that_fits_stays(parameters: DriveParameters, trial: Callable[..., Path]) -> None:
     for joint in adapt(parameters, [trial("a", AS_CALIBRATED)], 1).joints:
         assert joint.angle_applied_deg == 0.0

@@ -1,4 +1,5 @@
 /** What would change of the map, and why: joint by joint, applied by a person or by itself, and one tap back. */
+import { effectCard } from "../parts/adapt_effect.js";
 import { jointCards } from "../parts/adapt_joints.js";
 import { h, put, write } from "../parts/dom.js";
 import { choices } from "../parts/fields.js";
@@ -95,7 +96,7 @@ function button(words, run, kind = "btn", disabled = false) {
 function proposalCards(view, labels) {
   const { proposal } = view;
   if (!proposal) return [h("p", { class: "card adapt-why" }, view.why), view.refusal && h("p", { class: "problem" }, view.refusal)];
-  return [headline(view, labels), jointCards(proposal)];
+  return [headline(view, labels), proposal.effect && effectCard(proposal.effect), jointCards(proposal)];
 }
 
 /** In ten seconds: how much is felt, what changes, and what it means for a real chair. */
