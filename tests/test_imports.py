@@ -11,7 +11,9 @@ ROOT = Path(__file__).resolve().parents[1]
 FILES = sorted((ROOT / "app").rglob("*.py"))
 
 LEAVES = "leaf"
-PURE_PIPELINE = {f"app.pipeline.{name}" for name in ("chain", "batch", "safety", "decoder", "controls", "shaping", "health")}
+PURE_PIPELINE = {
+    f"app.pipeline.{name}" for name in ("chain", "batch", "safety", "decoder", "controls", "shaping", "health")
+}
 FITTING = {f"app.calibration.{name}" for name in ("fit", "guided", "pca", "quality")}
 PURE_HARDWARE = (
     "app.hardware.body",
