@@ -67,7 +67,7 @@ class FoundGesture(Document):
     brings: Companion | None  # who answers most while it is made
     prediction: Prediction | None = None
     score: Fraction = 0.0  # of the four numbers, `score_of`
-    weakest: NumberName = "signal_to_noise"  # which of them lies furthest beyond its limit
+    weakest: NumberName | None = None  # which of them lies furthest beyond its limit, None where none does
 
 
 def ratios(gesture: FoundGesture) -> dict[NumberName, float]:
@@ -90,6 +90,7 @@ def score_of(of_limits: dict[NumberName, float]) -> float:
     return 1.0 / (1.0 + math.fsum(of_limits.values()) / len(of_limits))
 
 
-def weakest_of(of_limits: dict[NumberName, float]) -> NumberName:
-    """Return the number that lies furthest beyond its limit."""
-    return max(of_limits, key=lambda name: of_limits[name])
+def weakest_of(of_limits: dict[NumberName, float]) -> NumberName | None:
+    """Return the number that lies furthest beyond its limit, None when none does."""
+    worst = max(of_limits, key=lambda name: of_limits[name])
+    return worst if of_limits[worst] > 1.0 else None

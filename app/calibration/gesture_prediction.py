@@ -32,13 +32,13 @@ def predict(ability: Ability, all_abilities: Sequence[Ability], evidence: Eviden
     if quiet is None and not peaks:
         return None
     counted = passes([*first, *second], ability.dead_zone)
-    hits = sum(peak >= _level(ability.dead_zone, ability.full) for peak in peaks)
+    hits = sum(peak >= answered_from(ability.dead_zone, ability.full) for peak in peaks)
     return Prediction(
         false_per_minute=None if quiet is None else false_per_minute(quiet, ability.dead_zone),
         counted=counted,
         rest_seconds=0.0 if quiet is None else quiet.seconds,
         counted_at_most=None if quiet is None else at_most_per_minute(counted, quiet.seconds),
-        hit_rate=hit_probability(peaks, _level(ability.dead_zone, ability.full), others) if peaks else None,
+        hit_rate=hit_probability(peaks, answered_from(ability.dead_zone, ability.full), others) if peaks else None,
         hit_at_least=at_least_share(hits, len(peaks)) if peaks else None,
         rest_check=_check_rest(ability.dead_zone, first, second, evidence.sample_rate),
         hit_check=_check_hits(ability, others),
@@ -77,12 +77,12 @@ def _check_hits(ability: Ability, others: Sequence[Sequence[float]]) -> HitCheck
     for left_out in range(count):
         rest = [rate for index, rate in enumerate(ability.rates) if index != left_out]
         full = max(full_rate(rest, ability.dead_zone) or 0.0, ability.dead_zone + LEAST_RANGE)
-        level = _level(ability.dead_zone, full)
+        level = answered_from(ability.dead_zone, full)
         predicted += hit_probability([float(rate.max()) for rate in rest], level, others) / count
         counted += float(ability.rates[left_out].max()) >= level
     return HitCheck(predicted=min(1.0, predicted), counted=int(counted), repetitions=count)
 
 
-def _level(dead_zone: float, full: float) -> float:
+def answered_from(dead_zone: float, full: float) -> float:
     """Return the rate (FS/s) from which on a movement counts as answered."""
     return dead_zone + HIT * (full - dead_zone)

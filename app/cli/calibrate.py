@@ -7,12 +7,15 @@ from typing import Annotated
 
 import typer
 
+from app.calibration.cued_runs import run_of_prompts
+from app.calibration.discovery import discover
 from app.calibration.fit import fit_profile, joints_without_map
 from app.calibration.guided import with_guided_maps
 from app.calibration.profile import CalibrationProfile
 from app.calibration.prompts_file import read_prompts
 from app.calibration.repetitions import repetitions_of_prompts, stretches_of_prompts
 from app.cli.errors import InputError
+from app.cli.gestures_found import gestures_report
 from app.cli.map_choice import MapChoice, checks, choose, comparison
 from app.cli.output import warn, write_output
 from app.signals import Signals, read_layout, read_signals
@@ -40,6 +43,9 @@ def calibrate(
             "--map", help="Which map decodes: the paper's, the guided one, or the better on held-out prompts."
         ),
     ] = "pca",
+    gestures: Annotated[
+        bool, typer.Option("--gestures", help="Rank every gesture that was found, there and back, and suggest four.")
+    ] = False,
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")] = False,
 ) -> None:
     """Fit a calibration profile to a file of signals: per joint EVR, span, sign, grade, dead-zone and full."""
@@ -74,11 +80,14 @@ def calibrate(
     for sentence in words:
         warn(sentence)
     write_output(out, (profile.model_dump_json(indent=1) + "\n").encode(), *sources)
-    typer.echo(
-        json.dumps(summary(profile, fitted.reasons, out), allow_nan=False)
-        if as_json
-        else report(profile, fitted.reasons, out)
-    )
+    found = discover(profile, [run_of_prompts(recorded.t, recorded.values, rows, free, rest)]) if gestures else None
+    if as_json:
+        more = {} if found is None else {"gestures": found.model_dump(mode="json")}
+        typer.echo(json.dumps(summary(profile, fitted.reasons, out) | more, allow_nan=False))
+    else:
+        typer.echo(report(profile, fitted.reasons, out))
+        if found is not None:
+            typer.echo(f"\n{gestures_report(found)}")
 
 
 def window(

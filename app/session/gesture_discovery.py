@@ -13,6 +13,7 @@ from app.calibration.profile import CalibrationProfile
 from app.calibration.script import Step, calibration_script
 from app.recording_reader import read_run
 from app.session.database import Database
+from app.session.map_versions import family
 from app.session.refusals import Conflict
 from app.session.store_calibration import recordings_of
 from app.session.store_controls import newest_profile
@@ -62,14 +63,8 @@ def of_newest(database: Database, folder_of: Callable[[str], Path], patient_id: 
 
 def _recordings_behind(db: Session, row: Profile) -> dict[str, str]:
     """Return the recordings of the calibration that a map was adapted from; none when the steps were done again."""
-    origin = row
-    while origin.parent is not None:
-        parent = db.scalar(
-            select(Profile).where(Profile.patient_id == row.patient_id, Profile.version == origin.parent)
-        )
-        if parent is None or parent.version >= origin.version:
-            return {}
-        origin = parent
+    first = min(family(db, row.patient_id, row.version))
+    origin = db.scalars(select(Profile).where(Profile.patient_id == row.patient_id, Profile.version == first)).one()
     session = db.get(PatientSession, origin.session_id)
     if session is None or session.result is None or session.result["created"] != origin.document["created"]:
         return {}

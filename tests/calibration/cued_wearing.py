@@ -2,16 +2,12 @@
 
 from dataclasses import replace
 
-import numpy as np
-
 from app.calibration.cued_runs import run_of_cues
-from app.calibration.fit import fit_profile
-from app.calibration.repetitions import repetitions_of_run
 from app.calibration.script import calibration_script
 from app.hardware.body.person import Person
 from app.hardware.body.person_parameters import PRACTISED
 from app.hardware.shirt.standard import standard_layout
-from app.session.study_calibration import record_step
+from app.session.study_calibration import fit_recorded, record_step
 from app.session.wearer import Wearer
 
 RATE = 100.0
@@ -32,14 +28,4 @@ def runs_of(steps):
 
 
 def profile_of(layout, steps):
-    free = rest = None
-    repetitions = []
-    for step, values, cue in steps:
-        within = np.array([index >= 0 and step.cues[index].kind == step.kind for index in cue])
-        if step.kind == "rest":
-            rest = values[within]
-        elif step.kind == "free":
-            free = values[within]
-        else:
-            repetitions += repetitions_of_run(values, cue, step.cues, RATE)
-    return fit_profile(layout, RATE, free, rest, repetitions)
+    return fit_recorded(layout, RATE, steps)

@@ -66,6 +66,20 @@ def test_people_get_a_table_and_the_reasons(files):
         assert words in result.output
 
 
+def test_gestures_are_ranked_there_and_back(files):
+    windows = ("--prompts", str(files / "prompts.csv"), "--rest-from", "0", "--rest-to", "3", "--gestures")
+    found = json.loads(run(files, *windows, "--json").stdout)["gestures"]
+    assert found["source"] == "recordings"
+    assert {(one["joint"], one["direction"]) for one in found["gestures"]} == {
+        (joint, way) for joint in ("right_elbow", "left_elbow") for way in (1, -1)
+    }
+    assert [binding["control"] for binding in found["suggestion"]["bindings"]] == ["u1+", "u1-", "stop"]
+    table = run(files, *windows).output
+    assert "left_elbow_back" in table
+    assert found["suggestion"]["reason"] in table
+    assert "gestures" not in json.loads(run(files, "--json").stdout)
+
+
 def test_a_joint_without_channels_is_there_with_its_reason(files):
     unused = [word for i in range(3) for word in ("--unused", f"left_elbow_{i}")]
     answer = json.loads(run(files, *unused, "--json").stdout)

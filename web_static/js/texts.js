@@ -6,6 +6,7 @@ import adapt from "./texts/en/adapt.js";
 import calibrate from "./texts/en/calibrate.js";
 import chair from "./texts/en/chair.js";
 import controls from "./texts/en/controls.js";
+import discovery from "./texts/en/discovery.js";
 import drive from "./texts/en/drive.js";
 import editor from "./texts/en/editor.js";
 import measures from "./texts/en/measures.js";
@@ -28,6 +29,7 @@ const CATALOGUE = Object.freeze({
   ...calibrate,
   ...controls,
   ...adapt,
+  ...discovery,
   ...drive,
   ...editor,
   ...chair,

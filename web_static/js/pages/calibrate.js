@@ -1,5 +1,6 @@
 /** The calibration wizard: its steps are kept by the server, so that a reload comes back to the same one. */
 import { calibrateStep } from "../parts/calibrate_step.js";
+import { discoveryCard } from "../parts/discovery_card.js";
 import { h, put } from "../parts/dom.js";
 import { nobodyIsHere } from "../parts/nobody.js";
 import { leftOutWords, resultView } from "../parts/result_view.js";
@@ -95,7 +96,7 @@ export async function show(app, root, { signal }) {
     const choice = document.activeElement?.closest(".segments")?.getAttribute("aria-label"); // a map is being chosen
     const isResult = calibration.current === "result";
     const view = isResult
-      ? resultPage(calibration, actions, accept)
+      ? resultPage(app, calibration, actions, accept)
       : calibrateStep(app, calibration, equipment, actions, drawn.signal);
     put(
       root,
@@ -123,7 +124,7 @@ export async function show(app, root, { signal }) {
   draw();
 }
 
-function resultPage(calibration, actions, accept) {
+function resultPage(app, calibration, actions, accept) {
   const { result, steps, running } = calibration;
   const missing = steps.filter(({ kind, status }) => kind !== "result" && status !== "done" && status !== "skipped");
   const last = steps.at(-1);
@@ -153,11 +154,25 @@ function resultPage(calibration, actions, accept) {
   return {
     title: t("result.title"),
     lead: h("p", { class: "lead" }, t("result.lead")),
-    body: resultView(result, actions.start, actions.chooseMap),
+    body: [resultView(result, actions.start, actions.chooseMap), foundGestures(app, result)],
     foot: [
       back,
       h("span", { class: "grow" }, result.accepted ? t("result.accepted") : leftOutWords(result.left_out)),
       onwards,
     ],
   };
+}
+
+/** All movements that were found; the suggestion can be taken once the calibration is in use. */
+function foundGestures(app, result) {
+  const labels = Object.fromEntries(result.joints.map(({ name, label }) => [name, label]));
+  const take = async () => {
+    try {
+      await app.api.post("/controls/suggest");
+      app.go("#/controls");
+    } catch (error) {
+      app.toasts.show(error.message);
+    }
+  };
+  return discoveryCard(app.api, labels, result.accepted ? take : null);
 }

@@ -2,6 +2,7 @@
 import { controlRow } from "../parts/control_row.js";
 import { ControlsDraft } from "../parts/controls_draft.js";
 import { cross } from "../parts/cross.js";
+import { discoveryCard } from "../parts/discovery_card.js";
 import { h, put, write } from "../parts/dom.js";
 import { signed } from "../parts/format.js";
 import { jointLabels, withLabels } from "../parts/gestures.js";
@@ -102,6 +103,7 @@ export async function show(app, root, { signal }) {
       suggestion,
       h("div", { class: "controls-columns" }, rowsPlace, sidePlace),
       morePlace,
+      discoveryCard(app.api, jointLabels(draft.profile), () => ask("/controls/suggest")),
       equipment.body?.kind === "visitor" && h("div", { class: "card pad-card docked" }, pads(app, signal).element),
     ),
     h(

@@ -1,0 +1,34 @@
+"""The ranking of `calibrate --gestures`, as a table for people."""
+
+from app.calibration.discovery import Discovery
+from app.calibration.gesture_numbers import FoundGesture
+
+HEAD = ("score", "S/N", "spread", "x-talk", "effort", "false/min", "hits")
+
+
+def gestures_report(found: Discovery) -> str:
+    """Return one line per gesture, the best first, then the suggestion; `-` where nothing could be measured."""
+    width = max(len(gesture.name) for gesture in found.gestures)
+    lines = [f"{'gesture':{width}}  {'  '.join(f'{word:>9}' for word in HEAD)}"]
+    lines += [
+        f"{gesture.name:{width}}  {'  '.join(f'{cell:>9}' for cell in _cells(gesture))}" for gesture in found.gestures
+    ]
+    bound = [f"{binding.control} {' + '.join(binding.gestures)}" for binding in found.suggestion.bindings]
+    return "\n".join([*lines, "", found.suggestion.reason, ", ".join(bound)])
+
+
+def _cells(gesture: FoundGesture) -> list[str]:
+    forecast = gesture.prediction
+    return [
+        f"{gesture.score:.2f}",
+        f"{gesture.signal_to_noise:.0f}",
+        _share(gesture.repeatability),
+        _share(gesture.cross_talk),
+        _share(gesture.effort),
+        "-" if forecast is None or forecast.false_per_minute is None else f"{forecast.false_per_minute:.1f}",
+        _share(None if forecast is None else forecast.hit_rate),
+    ]
+
+
+def _share(value: float | None) -> str:
+    return "-" if value is None else f"{value:.0%}"

@@ -1,0 +1,22 @@
+"""The check of the forecasts: it counts what simulated wearers do, and prints it."""
+
+from app.bench.forecasts import KINDS, Kind, Tally, row, watch
+
+
+def test_one_wearer_is_watched_and_counted():
+    tally = Tally()
+    watch(Kind("able", 0.0, 0.0), 1, tally, rest=5.0, repetitions=2)
+    assert (tally.gestures, tally.movements) == (4, 8)
+    assert 4 * 4.5 / 60 < tally.minutes < 4 * 5 / 60
+    assert tally.counted_false == 0
+    assert tally.counted_hits == 8
+    assert 7 < tally.predicted_hits <= 8
+    cells = row(KINDS[0], tally).split("|")[1:-1]
+    assert (cells[0].strip(), cells[1].strip(), cells[8].strip()) == ("able", "4", "1.000")
+
+
+def test_wearers_differ_in_what_they_are_asked_to():
+    even, uneven = Tally(), Tally()
+    watch(Kind("even", 0.0, 0.0), 2, even, rest=1.0, repetitions=6)
+    watch(Kind("uneven", 0.0, 1.0), 2, uneven, rest=1.0, repetitions=6)
+    assert uneven.counted_hits < even.counted_hits

@@ -1,0 +1,104 @@
+"""Gestures found from recordings on disk: of the calibration under way, and behind the newest map."""
+
+import shutil
+
+import pytest
+from test_recordings import LAYOUT, READINGS, record, step_ticks
+
+from app.calibration.script import calibration_script
+from app.calibration.vocabulary import standard_parameters
+from app.session.gesture_discovery import of_newest, of_result
+from app.session.map_versions import save_adapted
+from app.session.refusals import Conflict
+from app.session.store_calibration import begin_calibration, set_step
+from app.session.store_controls import save_parameters, save_profile
+from app.session.store_patients import add_patient, start_session
+from app.session.store_people import add_clinic
+from app.session.store_runs import add_run
+from app.session.tables import PatientSession
+
+
+class Recorded:
+    """A patient whose steps are all recorded, and whose result waits."""
+
+    def __init__(self, database, folder):
+        self.database, self.folder = database, folder
+        self.steps = calibration_script(LAYOUT)
+        recorded = [(step, record(folder / step.id, step_ticks(step), step.cues)) for step in self.steps]
+        self.profile = READINGS.fit(LAYOUT, recorded, [])
+        with database.transaction() as db:
+            patient = add_patient(db, add_clinic(db, "Clinic").id, "P-1", "Heron", "")
+            session = start_session(db, patient.clinic_id, patient.id)
+            begin_calibration(db, session, {}, [step.id for step in self.steps])
+            for step in self.steps:
+                add_run(db, step.id, session.id, step.kind, step.id)
+                set_step(db, session.id, step.id, "done", "", step.id)
+            session.result = self.profile.model_dump(mode="json")
+            self.patient, self.session = patient.id, session.id
+
+    def folder_of(self, run):
+        return self.folder / run
+
+    def accept(self):
+        with self.database.transaction() as db:
+            row = save_profile(db, self.patient, self.session, self.profile)
+            save_parameters(db, row, standard_parameters(self.profile))
+            db.get_one(PatientSession, self.session).accepted = True
+
+    def result(self):
+        return of_result(self.database, self.folder_of, self.session)
+
+    def newest(self):
+        return of_newest(self.database, self.folder_of, self.patient)
+
+
+@pytest.fixture
+def recorded(database, tmp_path):
+    return Recorded(database, tmp_path)
+
+
+def test_the_calibration_under_way_is_judged_by_its_recordings_before_and_after_it_is_accepted(recorded):
+    with pytest.raises(Conflict):
+        recorded.newest()
+    found = recorded.result()
+    assert (found.source, found.words) == ("recordings", "")
+    assert {(one.joint, one.direction) for one in found.gestures} == {
+        (joint, way) for joint in LAYOUT.joint_names for way in (1, -1)
+    }
+    for one in found.gestures:
+        assert one.prediction.hit_check.repetitions == 3
+        assert one.prediction.rest_check.seconds == pytest.approx(2 * 0.5 + 3 * 0.7, abs=0.1)
+    recorded.accept()
+    assert recorded.result() == recorded.newest() == found
+
+
+def test_an_adapted_map_is_judged_by_the_recordings_of_the_calibration_behind_it(recorded):
+    recorded.accept()
+    before = recorded.newest()
+    joints = tuple(joint.model_copy(update={"span": 2 * joint.span}) for joint in recorded.profile.joints)
+    adapted = standard_parameters(recorded.profile.model_copy(update={"joints": joints}))
+    with recorded.database.transaction() as db:
+        save_adapted(db, recorded.patient, recorded.session, adapted, {"by": "hand"})
+    after = {one.name: one for one in recorded.newest().gestures}
+    assert recorded.newest().source == "recordings"
+    for one in before.gestures:  # twice the span: half the rate, against the profile's own noise
+        assert after[one.name].signal_to_noise == pytest.approx(one.signal_to_noise / 2, rel=0.05)
+
+
+def test_steps_that_were_done_again_are_not_taken_for_those_behind_the_map(recorded):
+    recorded.accept()
+    with recorded.database.transaction() as db:
+        session = db.get_one(PatientSession, recorded.session)
+        session.result = recorded.profile.model_copy(update={"created": "later"}).model_dump(mode="json")
+        session.accepted = False
+    assert recorded.newest().source == "profile"
+    assert recorded.result().source == "recordings"
+
+
+def test_recordings_that_were_tidied_up_are_missed_in_words(recorded):
+    recorded.accept()
+    shutil.rmtree(recorded.folder_of("rest"))
+    found = recorded.newest()
+    assert found.source == "profile"
+    assert "calibrate again" in found.words
+    assert {one.direction for one in found.gestures} == {1}

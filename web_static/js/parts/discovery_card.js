@@ -1,0 +1,155 @@
+/** All gestures that were found, best first, with their numbers, and the suggestion with a tap that takes it. */
+import { t } from "../texts.js";
+import { h, put } from "./dom.js";
+import { number, percent } from "./format.js";
+import { gestureWords, withLabels } from "./gestures.js";
+
+const NUMBERS = ["signal_to_noise", "repeatability", "cross_talk", "effort"];
+const LEAST_SAID = 0.1; // false activations a minute: a forecast is no finer than that
+
+/** How each number is written. @type {Record<string, (value: number | null) => string>} */
+const WRITTEN = {
+  signal_to_noise: (value) => number(value, 0),
+  repeatability: percent,
+  cross_talk: percent,
+  effort: percent,
+};
+
+/**
+ * A card that fills itself; it stays away when nothing is calibrated.
+ * @param {import("../api.js").Api} api @param {Record<string, string>} labels joint name -> label
+ * @param {(() => void) | null} onTake what the tap on the suggestion does, null where it cannot be taken yet
+ */
+export function discoveryCard(api, labels, onTake) {
+  const card = h("section", { class: "card discovery", hidden: true });
+  const read = async () => {
+    try {
+      const found = await api.get("/calibration/gestures");
+      put(card, h("h2", {}, t("found.title")), content(found, labels, onTake));
+      card.hidden = false;
+    } catch {
+      card.hidden = true; // the page around it says what is missing
+    }
+  };
+  read();
+  return card;
+}
+
+function content(found, labels, onTake) {
+  const controls = new Map();
+  for (const { control, gestures } of found.suggestion.bindings)
+    if (control !== "stop") gestures.forEach((name) => controls.set(name, control));
+  const words = (gesture) => gestureWords({ ...gesture, feature: "rate" }, labels);
+  return [
+    found.words && h("p", { class: "small reason" }, found.words),
+    h(
+      "div",
+      { class: "suggested-block" },
+      h("p", {}, withLabels(found.suggestion.reason, labels)),
+      onTake
+        ? h("button", { type: "button", class: "btn", onclick: onTake }, t("found.take"))
+        : h("p", { class: "quiet small" }, t("found.take.later")),
+    ),
+    h("p", { class: "quiet small" }, t("found.lead")),
+    table(found.gestures, controls, words),
+    Object.entries(found.not_found).map(([joint, reason]) =>
+      h("p", { class: "small reason" }, `${labels[joint] ?? joint.replaceAll("_", " ")}: ${reason}`),
+    ),
+    checks(
+      found.gestures.filter(({ name, prediction }) => controls.has(name) && prediction),
+      words,
+    ),
+  ];
+}
+
+function table(gestures, controls, words) {
+  const head = (name) => h("th", { scope: "col", title: t(`found.means.${name}`) }, t(`found.${name}`));
+  const row = (gesture) =>
+    h(
+      "tr",
+      { class: controls.has(gesture.name) ? "chosen" : null },
+      h(
+        "th",
+        { scope: "row" },
+        words(gesture),
+        controls.has(gesture.name) && h("span", { class: "tag" }, t(`control.${controls.get(gesture.name)}`)),
+      ),
+      h("td", { class: "score" }, scoreBar(gesture.score)),
+      NUMBERS.map((name) => numberCell(gesture, name)),
+      h("td", {}, falseWords(gesture.prediction)),
+      h("td", {}, percent(gesture.prediction?.hit_rate)),
+    );
+  return h(
+    "div",
+    { class: "scroll-x", tabindex: "0", role: "region", "aria-label": t("found.title") },
+    h(
+      "table",
+      { class: "measures" },
+      h(
+        "thead",
+        {},
+        h("tr", {}, h("th", { scope: "col" }, t("found.gesture")), ["score", ...NUMBERS, "false", "hits"].map(head)),
+      ),
+      h("tbody", {}, gestures.map(row)),
+    ),
+  );
+}
+
+function numberCell(gesture, name) {
+  const isWeakest = gesture.weakest === name;
+  return h(
+    "td",
+    {},
+    isWeakest ? h("mark", { title: t("found.weakest") }, WRITTEN[name](gesture[name])) : WRITTEN[name](gesture[name]),
+  );
+}
+
+function scoreBar(score) {
+  const value = Math.round(100 * score);
+  return [h("span", { class: "score-bar", "aria-hidden": "true" }, h("i", { style: `width:${value}%` })), h("b", {}, `${value}`)];
+}
+
+function falseWords(prediction) {
+  const rate = prediction?.false_per_minute;
+  if (!Number.isFinite(rate)) return number(null, 1);
+  return rate < LEAST_SAID ? t("found.less", { value: LEAST_SAID }) : number(rate, 1);
+}
+
+/** What was predicted from one part of the recordings beside what was counted in the other. */
+function checks(gestures, words) {
+  const line = (gesture) => {
+    const { rest_check: rest, hit_check: hits, rest_seconds, counted_at_most, hit_at_least } = gesture.prediction;
+    return h(
+      "li",
+      {},
+      h("b", {}, words(gesture)),
+      ": ",
+      rest &&
+        t("found.check.rest", {
+          predicted: falseWords({ false_per_minute: rest.predicted }),
+          counted: rest.counted,
+          seconds: number(rest.seconds, 0),
+          all: number(rest_seconds, 0),
+          bound: number(counted_at_most, 0),
+        }),
+      " ",
+      hits &&
+        t("found.check.hits", {
+          predicted: percent(hits.predicted),
+          counted: hits.counted,
+          all: hits.repetitions,
+          bound: percent(hit_at_least),
+        }),
+    );
+  };
+  return (
+    gestures.length > 0 &&
+    h(
+      "details",
+      {},
+      h("summary", {}, t("found.check")),
+      h("p", { class: "quiet small" }, t("found.check.lead")),
+      h("ul", { class: "small" }, gestures.map(line)),
+    )
+  );
+}

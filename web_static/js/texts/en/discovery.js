@@ -1,0 +1,32 @@
+/** Texts of the gestures that were found in a calibration. */
+export default {
+  "found.title": "Every movement this body can make",
+  "found.lead":
+    "Best first. The score weighs the four numbers after it, 100 would be perfect; what keeps a movement back is marked.",
+  "found.take": "Put these into the controls",
+  "found.take.later": "Use this calibration first; then one tap in Controls takes the suggestion.",
+  "found.gesture": "Movement",
+  "found.score": "Score",
+  "found.signal_to_noise": "Signal to noise",
+  "found.repeatability": "Repeats within",
+  "found.cross_talk": "Cross-talk",
+  "found.effort": "Effort",
+  "found.false": "False at rest",
+  "found.hits": "Answered",
+  "found.means.score": "50 stands at the limits of a usable joint on average, 100 would be perfect",
+  "found.means.signal_to_noise": "How many times a full movement stands above the noise at rest",
+  "found.means.repeatability": "How far the peaks of the repetitions differ",
+  "found.means.cross_talk": "How much it appears with another movement, or another with it",
+  "found.means.effort": "Share of the joint's span to move for full effect; counted twice for a way back",
+  "found.means.false": "Expected false activations a minute at rest",
+  "found.means.hits": "Share of movements that should reach half of full",
+  "found.weakest": "This keeps it back most",
+  "found.less": "under {value}",
+  "found.check": "How sure is that?",
+  "found.check.lead":
+    "Each forecast was made from one part of the recordings and checked on the rest. So few data prove little: the last numbers say how little.",
+  "found.check.rest":
+    "{predicted} false activations a minute predicted from the first rest, {counted} counted in another {seconds} s. All {all} s together prove fewer than {bound} a minute (95 %).",
+  "found.check.hits":
+    "{predicted} answered predicted, {counted} of {all} counted, each left out in turn: at least {bound} (95 %).",
+};
