@@ -37,10 +37,11 @@ def task_measures(plan: FloorPlan, path: PrescribedPath, columns: Mapping[str, A
     -------
     dict
         The path measures (`app.session.metrics`), but for a turn; `reached` by the task's own judgement. With cones:
-        cones_touched, cones. With gaps: gaps (how many there are). With gaps or doors: gap_clearance (m; None when none was passed), door_contacts.
-        Following: follow_error_rms, follow_error_max (m), follow_near (share of time). Turning: heading_error_deg
-        (beside the mark, either way), turn_drift (m), time, collisions, contact_time (s). A course: stages_done, stages and parts, a list of each
-        stage's own measures with its title and kind.
+        cones_touched, cones. With gaps: gaps (how many there are). With gaps or doors: gap_clearance (m; None when
+        none was passed), door_contacts. Following: follow_error_rms, follow_error_max (m), follow_near (share of
+        time). Turning: heading_error_deg (beside the mark, either way), turn_drift (m), time, collisions,
+        contact_time (s). A course: stages_done, stages and parts, a list of each stage's own measures with its title
+        and kind.
 
     Raises
     ------
