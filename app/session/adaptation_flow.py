@@ -268,7 +268,7 @@ class AdaptationFlow:
                 patient=patient.id,
                 version=row.version,
                 parent=row.parent,
-                **row.difference,
+                **(row.difference or {}),
             )
         self._held = None
         self._why.pop(session.patient_id, None)
