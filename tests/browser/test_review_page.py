@@ -80,6 +80,8 @@ def test_one_slider_moves_everything(page, until, served):
     assert tapped == pytest.approx(0.75 * 23, abs=2.0)
     slider.press("ArrowRight")
     assert float(slider.input_value()) == pytest.approx(tapped + 1.0, abs=0.06)
+    page.get_by_role("heading", level=1).press("Shift+ArrowLeft")
+    assert float(slider.input_value()) == pytest.approx(tapped - 9.0, abs=0.06)
     slider.press("Home")
     slider.press("p")
     expect(page.get_by_role("button", name="Pause")).to_be_visible()

@@ -22,7 +22,7 @@ def assert_same(run, again):
 @pytest.mark.parametrize("mode", ["acceleration", "velocity"])
 def test_a_drive_comes_out_bit_for_bit(tmp_path, mode, dynamics):
     parameters = make_parameters().model_copy(update={"mode_u1": mode})
-    record_trial(tmp_path / "run", parameters, dynamics=dynamics, plan=plan_of([((1.0, 0.8), (8.0, 0.8))]))
+    record_trial(tmp_path / "run", parameters, seconds=8.0, dynamics=dynamics, plan=plan_of([((1.0, 0.8), (8.0, 0.8))]))
     run = read_run(tmp_path / "run")
     assert run.columns["x"].max() > 0.2
     assert np.abs(run.columns["omega"]).max() > 0.1

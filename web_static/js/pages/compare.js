@@ -10,7 +10,7 @@ export async function show(app, root, { signal, rest: [patient, , ...ids] }) {
   if (ids.length < 2) throw new Error(t("compare.pairs"));
   const trials = await Promise.all(ids.slice(0, 2).map((id) => app.api.get(`/trials/${id}`)));
   if (signal.aborted) return;
-  const above = await pictures(app, trials, signal);
+  const above = await pictures(app, root, trials, signal);
   if (signal.aborted) return;
   const link = (trial) =>
     h("a", { href: `#/review/${patient}/trial/${trial.id}` }, t("compare.trial", trial), ` (${moment(trial.started)})`);
@@ -34,14 +34,14 @@ export async function show(app, root, { signal, rest: [patient, , ...ids] }) {
 }
 
 /** What can be shown of both together, or why nothing can. */
-async function pictures(app, trials, signal) {
+async function pictures(app, root, trials, signal) {
   const [first, second] = trials;
   if (first.floorplan !== second.floorplan || first.path_name !== second.path_name)
     return h("p", { class: "card quiet" }, t("compare.other-path"));
   try {
     const lines = await Promise.all(trials.map(({ id }) => app.api.get(`/trials/${id}/timeline`)));
     const plan = lines[1].floorplan ?? (await app.api.get(`/floorplans/${first.floorplan}`).catch(() => null));
-    return await compareReplay(trials, lines, plan, signal);
+    return await compareReplay(root, trials, lines, plan, signal);
   } catch (error) {
     return h("p", { class: "card quiet" }, t("compare.no-recording", { why: error.message }));
   }

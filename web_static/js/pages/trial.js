@@ -14,12 +14,12 @@ export async function show(app, root, { signal, rest: [patient, , id] }) {
   if (signal.aborted) return;
   const line = await app.api.get(`/trials/${id}/timeline`).catch((error) => ({ why: error.message }));
   if (signal.aborted) return;
-  const above = line.why ? h("p", { class: "card quiet" }, t("replay.none"), " ", line.why) : replay(app, read, line, signal);
+  const above = line.why ? h("p", { class: "card quiet" }, t("replay.none"), " ", line.why) : replay(app, root, read, line, signal);
   const back = () => [h("a", { class: "btn", href: `#/review/${patient}` }, t("review.back"))];
   showTrialOver(app, root, read, back, above);
 }
 
-function replay(app, { trial, plan }, line, signal) {
+function replay(app, root, { trial, plan }, line, signal) {
   const head = new PlayHead(line.t[0], line.t.at(-1), signal);
   const where = line.floorplan ?? plan;
   const fromAbove = where && replayPlan(where, trial, line, t("replay.plan"));
@@ -46,6 +46,6 @@ function replay(app, { trial, plan }, line, signal) {
     playBar(head, line.events, signal),
     h("p", { class: "quiet small" }, t("replay.keys")),
   );
-  playKeys(element, head);
+  playKeys(root, head, signal);
   return element;
 }

@@ -12,10 +12,10 @@ const ARMED = 2; // app.faults.State
 export const COLOURS = ["path-driven", "action"]; // of the first and of the second trial
 
 /**
- * @param {any[]} trials two, as GET /trials/ID answered @param {any[]} lines their time lines
+ * @param {HTMLElement} root of the page @param {any[]} trials two, as GET /trials/ID answered @param {any[]} lines their time lines
  * @param {any} plan or null @param {AbortSignal} signal
  */
-export async function compareReplay(trials, lines, plan, signal) {
+export async function compareReplay(root, trials, lines, plan, signal) {
   const head = new PlayHead(0, Math.max(...lines.map((line) => line.t.at(-1))), signal);
   const where = lines.at(-1).floorplan ?? plan;
   const hasPath = lines.every(({ along }) => along.length);
@@ -56,7 +56,7 @@ export async function compareReplay(trials, lines, plan, signal) {
     h("p", { class: "quiet small" }, t("replay.keys")),
     h("div", { class: "charts" }, charts.map((one, i) => h("section", { class: "card" }, h("h2", {}, titles[i]), one))),
   );
-  playKeys(element, head);
+  playKeys(root, head, signal);
   return element;
 }
 

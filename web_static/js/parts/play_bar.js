@@ -61,29 +61,32 @@ export function playBar(head, events, signal) {
 
 /**
  * Let the keys of a page move its replay, whatever on it has the focus.
- * @param {HTMLElement} element @param {import("./play_head.js").PlayHead} head
+ * @param {HTMLElement} root of the page @param {import("./play_head.js").PlayHead} head @param {AbortSignal} signal
  */
-export function playKeys(element, head) {
-  const acts = {
-    ArrowLeft: (far) => head.seek(head.t - far),
-    ArrowRight: (far) => head.seek(head.t + far),
-    Home: () => head.seek(head.start),
-    End: () => head.seek(head.end),
-  };
-  element.addEventListener("keydown", (event) => {
-    if (event.ctrlKey || event.metaKey || event.altKey) return;
-    const isSlider = event.target.matches?.("input[type=range]");
-    if ((isWriting(event.target) && !isSlider) || event.target.matches?.("input[type=radio]")) return;
-    if (event.key === "p" || event.key === "P") {
+export function playKeys(root, head, signal) {
+  const acts = { ArrowLeft: -1, ArrowRight: 1 };
+  const ends = { Home: head.start, End: head.end };
+  const press = (event) => {
+    if (event.ctrlKey || event.metaKey || event.altKey || belongsElsewhere(event.target)) return;
+    if (event.key.toLowerCase() === "p") {
       if (!event.repeat) head.toggle();
       return;
     }
-    const act = acts[event.key];
-    if (!act) return;
+    // Elsewhere than on the slider these two go to the ends of the page.
+    const end = event.target.matches("input[type=range]") ? ends[event.key] : undefined;
+    const step = (acts[event.key] ?? NaN) * (event.shiftKey ? FAR : ARROW);
+    if (end === undefined && Number.isNaN(step)) return;
     event.preventDefault();
     head.pause();
-    act(event.shiftKey ? FAR : ARROW);
-  });
+    head.seek(end ?? head.t + step);
+  };
+  root.addEventListener("keydown", press, { signal });
+}
+
+/** What has keys of its own: a field, a choice side by side, something that scrolls sideways. */
+function belongsElsewhere(target) {
+  if (target.matches("input[type=range]")) return false;
+  return isWriting(target) || target.matches("input[type=radio], .scroll-x");
 }
 
 /** What happened, one below the other; a tap goes there. @param {any[]} events @param {import("./play_head.js").PlayHead} head */
