@@ -100,15 +100,10 @@ def _with_range(change: JointChange, moved: bool) -> JointChange:
     if not moved:
         return change
     words = "The range that its channels are watched by follows where the shirt sits now."
-    applied = change.status == "applied"
-    return change.model_copy(
-        update={
-            "range_moved": True,
-            "status": "applied",
-            "felt_change": change.felt_change if applied else 0.0,
-            "reason": words if change.status == "unchanged" else f"{change.reason} {words}",
-        }
-    )
+    alone = change.status in ("unchanged", "shown")
+    reason = words if change.status == "unchanged" else f"{change.reason} {words}"
+    status: Status = "applied" if alone else change.status
+    return change.model_copy(update={"range_moved": True, "status": status, "reason": reason})
 
 
 def _built(parameters: DriveParameters, profile: CalibrationProfile, found: Sequence[Judged]) -> DriveParameters:

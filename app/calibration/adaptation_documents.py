@@ -55,7 +55,8 @@ class Proposal(Document):
     """What would be armed after the last trials, and why.
 
     `applied` of a joint means: in `parameters`. `shown`: the movements ask for a change, but its part is not to be
-    adapted. `refused`: a gate is closed. Nothing here changes anything that drives.
+    adapted. `refused`: a gate is closed, and the figures after are those before;
+    S5's range may follow the shirt all the same. Nothing here changes anything that drives.
     """
 
     trials: int

@@ -16,7 +16,8 @@ DEAD_ZONE_STEP = 0.10  # of itself, at most, for each new trial
 DEAD_ZONE_UPDATE = 0.20  # of itself, at most, however many trials there were
 FULL_STEP = 0.04
 FULL_UPDATE = 0.08
-FURTHEST = 2.5  # times what the calibration suggested, or its part: beyond it, calibrate again
+FURTHEST = 2.5  # times the full that the calibration suggested, or its part: beyond it, calibrate again
+LARGEST_SHARE = 0.5  # of that full, for the dead-zone: half of the movement must stay to drive with
 WORTH_IT = 0.01  # of itself: a smaller change is chance, and no new version
 
 
@@ -32,7 +33,7 @@ def wanted_dead_zone(joint: JointMap, heard: Sequence[Heard], rates: Sequence[Nu
     noise = rest_noise(rates, [trial.sample_rate for trial in heard])
     if noise is None:
         return None
-    return _near(max(REST_NOISE_FACTOR * noise, SMALLEST_DEAD_ZONE), max(joint.dead_zone, SMALLEST_DEAD_ZONE))
+    return min(max(REST_NOISE_FACTOR * noise, SMALLEST_DEAD_ZONE), max(LARGEST_SHARE * joint.full, joint.dead_zone))
 
 
 def wanted_full(joint: JointMap, heard: Sequence[Heard], rates: Sequence[Numbers], dead_zone: float) -> float | None:
@@ -46,7 +47,8 @@ def wanted_full(joint: JointMap, heard: Sequence[Heard], rates: Sequence[Numbers
         return None
     found.sort(key=lambda stroke: float(stroke.max()))
     strongest = found[-max(3, round(STRONGEST * len(found))) :]
-    return _near(float(np.percentile(np.concatenate(strongest), 90)), joint.full)
+    asked = float(np.percentile(np.concatenate(strongest), 90))
+    return min(max(asked, joint.full / FURTHEST), joint.full * FURTHEST)
 
 
 def stepped(gesture: Gesture, wanted: Handles, fresh: int) -> Handles:
@@ -56,10 +58,6 @@ def stepped(gesture: Gesture, wanted: Handles, fresh: int) -> Handles:
     if full < dead_zone + LEAST_RANGE:
         return Handles(gesture.dead_zone, gesture.full)  # a slope must stay: nothing is better than a switch
     return Handles(dead_zone, full)
-
-
-def _near(value: float, calibrated: float) -> float:
-    return min(max(value, calibrated / FURTHEST), calibrated * FURTHEST)
 
 
 def _step(before: float, wanted: float, most: float) -> float:

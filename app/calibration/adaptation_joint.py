@@ -66,6 +66,7 @@ def judged(evidence: Evidence, joint: JointMap, gesture: Gesture) -> Judged:
     turns = not np.array_equal(weights, old)
     if felt >= limits.refuse:
         words = f"It would be felt as a change of {min(felt, 9.99):.0%}, more than {limits.refuse:.0%}: refused."
+        told |= turn.kept
         return Judged(JointChange(**told, felt_change=min(felt, 1e6), status="refused", reason=words), old, now)
     told |= {"dead_zone_after": handles.dead_zone, "full_after": handles.full}
     if turns or handles != now:
@@ -77,7 +78,7 @@ def judged(evidence: Evidence, joint: JointMap, gesture: Gesture) -> Judged:
     if not np.array_equal(turn.weights, old) or wanted != now:
         told |= {"dead_zone_after": wanted.dead_zone, "full_after": wanted.full}
         words = "The last trials ask for a change, but this part is not to be adapted: shown only."
-        return Judged(JointChange(**told, status="shown", reason=words), old, now)
+        return Judged(JointChange(**told, status="shown", reason=words), old, now)  # what it would be
     return Judged(JointChange(**told, status="unchanged", reason="The last trials ask for no change."), old, now)
 
 
@@ -85,6 +86,8 @@ def _nothing_to_learn_from(evidence: Evidence, joint: JointMap) -> tuple[Status,
     """Return why a joint is left as it is before anything is computed."""
     if not evidence.heard or not evidence.fresh:
         return "unchanged", "No trial was driven since the map last changed."
+    if joint.map == "guided":
+        return "unchanged", "A guided map drives it, which is not adapted: calibrate again to renew it."
     weighed = {channel for channel, weight in zip(joint.channels, joint.weights, strict=True) if weight != 0.0}
     broken = sorted(weighed - set(sound_channels(evidence.parameters.profile, joint, evidence.movements)))
     if broken:
@@ -98,6 +101,7 @@ class _Turn(NamedTuple):
 
     weights: Numbers
     told: dict[str, Any]
+    kept: dict[str, Any]  # the same, for the case that it does not turn after all
     refused: str  # why it may not, in one sentence
 
 
@@ -109,22 +113,29 @@ def _turn(evidence: Evidence, joint: JointMap, moved: Numbers) -> _Turn:
     covariance = exponential_covariance(moved * used, sample_rate) if len(moved) else np.zeros((len(old), len(old)))
     found = principal(covariance, old)
     if found is None or len(moved) < limits.least_movement * sample_rate:
-        return _Turn(old, {}, "")
+        return _Turn(old, {}, {}, "")
     asked = angle(old, found.weights)
     most = min(limits.per_update_deg, limits.per_trial_deg * evidence.fresh)
     weights = np.where(used, turned(old, found.weights, most), 0.0) if asked > limits.worth_it_deg else old
     calibrated = evidence.calibrated.get(joint.name, joint)
-    away = angle(np.array(calibrated.weights), weights) if calibrated.channels == joint.channels else 180.0
-    told: dict[str, Any] = {
-        "angle_proposed_deg": asked,
-        "angle_from_calibration_deg": away,
-        "evr_before": share_along(covariance, old),
-        "evr_after": share_along(covariance, weights),
-    }
+    same = calibrated.channels == joint.channels  # another shirt's calibration tells nothing of this one
+    away, before = (angle(np.array(calibrated.weights), one) if same else 180.0 for one in (weights, old))
     gesture = gesture_of(evidence.parameters, joint.name)
     assert gesture is not None
     talk = tuple(_cross_talk(evidence, joint, gesture, direction) for direction in (old, weights))
-    told |= {"cross_talk_before": talk[0], "cross_talk_after": talk[1]}
+    kept: dict[str, Any] = {
+        "angle_proposed_deg": asked,
+        "angle_from_calibration_deg": before,
+        "evr_before": share_along(covariance, old),
+        "evr_after": share_along(covariance, old),
+        "cross_talk_before": talk[0],
+        "cross_talk_after": talk[0],
+    }
+    told = kept | {
+        "angle_from_calibration_deg": away,
+        "evr_after": share_along(covariance, weights),
+        "cross_talk_after": talk[1],
+    }
     refused = ""
     if np.array_equal(weights, old):
         pass
@@ -134,10 +145,7 @@ def _turn(evidence: Evidence, joint: JointMap, moved: Numbers) -> _Turn:
         refused = f"It would be {away:.0f} degrees away from the calibration: calibrate this joint again."
     elif talk[0] is not None and talk[1] is not None and talk[1] > talk[0] + limits.cross_talk_slack:
         refused = f"It would answer more to other joints ({talk[0]:.0%} before, {talk[1]:.0%} after)."
-    if refused:
-        told |= {"evr_after": told["evr_before"], "cross_talk_after": talk[0]}
-        told["angle_from_calibration_deg"] = angle(np.array(calibrated.weights), old) if away < 180.0 else away
-    return _Turn(old if refused else weights, told, refused)
+    return _Turn(old, kept, kept, refused) if refused else _Turn(weights, told, kept, "")
 
 
 def _rates(evidence: Evidence, joint: JointMap, gesture: Gesture, weights: Numbers) -> list[Numbers]:

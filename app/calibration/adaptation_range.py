@@ -16,7 +16,7 @@ from app.calibration.profile import CalibrationProfile, JointMap
 from app.calibration.quality import channel_quality
 
 SEEN = (0.5, 99.5)  # percentiles: a single spike is no range
-LEAST_AGREEMENT = 0.5  # correlation of a channel with the rest of its joint
+LEAST_AGREEMENT = 0.7  # multiple correlation: half of a channel is told by the rest of its joint
 FURTHEST = 1.0  # of the range's own width, away from the calibration
 SLACK = 0.1  # of the width, either way: S5 leaves a quarter on either side of it
 SOUND = {"good", "near", "noisy"}
@@ -67,17 +67,20 @@ def sound_channels(profile: CalibrationProfile, joint: JointMap, movements: Sequ
 
 
 def _agreement(joint: JointMap, channel: int, values: Numbers) -> float:
-    """Return how a channel goes with the rest of its joint, as the map has it: a correlation, 1 when it is alone."""
-    weights = np.array(joint.weights)
-    place = joint.channels.index(channel)
-    own, weights[place] = weights[place], 0.0
-    if not weights.any():
+    """Return how well the joint's other channels tell a channel: their multiple correlation, 1 when it is alone.
+
+    Not its correlation with the map: a channel that feels the joint's second way to move, and so has next to no weight,
+    is sound all the same.
+    """
+    others = [other for other in joint.channels if other != channel]
+    if not others:
         return 1.0
-    others, signal = values[:, list(joint.channels)] @ weights, values[:, channel] * own
-    spread = float(others.std() * signal.std())
-    if not 0.0 < spread < np.inf:
+    signal, known = values[:, channel] - values[:, channel].mean(), values[:, others] - values[:, others].mean(axis=0)
+    total = float(signal @ signal)
+    if not 0.0 < total < np.inf or not np.isfinite(known).all():
         return 0.0
-    return float(np.mean((others - others.mean()) * (signal - signal.mean()))) / spread
+    told = known @ np.linalg.lstsq(known, signal, rcond=None)[0]
+    return float(np.sqrt(min(1.0, float(told @ told) / total)))
 
 
 def _shift(profile: CalibrationProfile, origin: CalibrationProfile, channel: int, signal: Numbers) -> float:

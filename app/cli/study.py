@@ -11,27 +11,43 @@ import typer
 
 from app.cli.errors import InputError
 from app.cli.output import check_new_folder
+from app.cli.study_sessions import study_sessions
 from app.clock import stopwatch
 from app.session.figures import FigureFormat
 from app.session.study import run_study
 from app.session.study_files import check_folder, summary, write_study
+from app.session.study_sessions import Mode, WhoAdapts
 from app.session.study_trial import StudyTrial
 from app.world.floorplan import FloorPlan, load_floorplan
 from app.world.scene import bundled_places, find_place
 
 MOST_TRIALS = 1000
+STUDY_TRIALS = 22  # the paper's
+SESSION_TRIALS = 3
+MOST_SESSIONS = 100
+MOST_SEEDS = 1000
 LARGEST_SEED = 2**31 - 1
-OF_A_STUDY = re.compile(r"(study\.json|trials\.csv|trajectories\.(parquet|png|svg)|errors\.(png|svg))").fullmatch
+OF_A_STUDY = re.compile(
+    r"(study\.json|trials\.csv|trajectories\.(parquet|png|svg)|errors\.(png|svg)|sessions\.csv|table\.txt|adaptation\.json)"
+).fullmatch
 
 
-def study(
+def study(  # noqa: PLR0917
     out: Annotated[Path, typer.Option(help="Folder to write; it must be new or empty.")],
-    trials: Annotated[int, typer.Option(min=1, max=MOST_TRIALS, help="How often the path is driven.")] = 22,
+    trials: Annotated[
+        int | None, typer.Option(min=1, max=MOST_TRIALS, help="How often the path is driven: 22, or 3 a session.")
+    ] = None,
     seed: Annotated[int, typer.Option(min=0, max=LARGEST_SEED, help="The same seed gives the same numbers.")] = 1,
     floorplan: Annotated[str, typer.Option(help="Name of a bundled floor plan, or a JSON file.")] = "clinic",
     path: Annotated[str | None, typer.Option(help="Name of a path in it; the first when not given.")] = None,
     figure_format: Annotated[FigureFormat, typer.Option("--format", help="Of the figures.")] = "png",
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace what the folder holds.")] = False,
+    adapt: Annotated[
+        Mode | None, typer.Option(help="Over sessions: let the map follow the person, against the fixed map.")
+    ] = None,
+    person: Annotated[WhoAdapts, typer.Option(help="Over sessions: what happens to body or shirt.")] = "deteriorating",
+    sessions: Annotated[int, typer.Option(min=1, max=MOST_SESSIONS, help="How many, with --adapt.")] = 10,
+    seeds: Annotated[int, typer.Option(min=1, max=MOST_SEEDS, help="How many persons, from --seed on.")] = 1,
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")] = False,
 ) -> None:
     """Let a simulated person calibrate, then drive a path again and again, and score every trial."""
@@ -52,6 +68,20 @@ def study(
         raise InputError(
             f"--path {chosen.name}: it has no line to be scored beside, choose a path that is driven along"
         )
+    if adapt is not None:
+        study_sessions(
+            out,
+            adapt=adapt,
+            person=person,
+            sessions=sessions,
+            trials=trials or SESSION_TRIALS,
+            seeds=range(seed, seed + seeds),
+            floorplan=plan,
+            path=chosen,
+            as_json=as_json,
+        )
+        return
+    trials = trials or STUDY_TRIALS
     try:
         result = run_study(trials, seed, plan, chosen.name, progress=None if as_json else _Progress(trials))
         write_study(result, out, figure_format, overwrite)

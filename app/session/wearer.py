@@ -27,6 +27,10 @@ class Wearer:
         self._dt = 1.0 / sample_rate
         self._seq = 0
 
+    def don_again(self) -> None:
+        """Take the shirt off and put it on again."""
+        self._fabric.don_again()
+
     def follow(self, cue: Cue | None, elapsed: float) -> SensorFrame:
         """Return the next frame of somebody who is asked to do `cue`, which came up `elapsed` (s) ago."""
         self._view = BodyView(cue=cue, cue_elapsed=elapsed)

@@ -84,6 +84,7 @@ class Fabric:
         self.gains = _gains(layout, self.joints, properties, rng)
         self._strength = np.abs(self.gains).max(axis=1) * SPAN  # V
         self._offsets = rng.uniform(*REST_LEVEL, channels)
+        self._first = self.gains, self._offsets  # as it was woven: every time it is put on, it sits near this
         self._shares = _shares(channels, properties, rng)
         self._dead = np.array(
             [i for i, name in enumerate(layout.channel_names) if name in dead_channels], dtype=np.intp
@@ -109,17 +110,22 @@ class Fabric:
         self._t = 0.0
 
     def don_again(self) -> None:
-        """Take the shirt off and put it on again: other gains and offsets, and every joint's direction turned."""
+        """Take the shirt off and put it on again: other gains and offsets, and every joint's direction turned.
+
+        Always against how it was woven: the fabric does not remember how it sat the last time, so that ten times are
+        ten ways to sit and no walk away from the body.
+        """
         rng = self._random
-        gains = self.gains * rng.uniform(0.8, 1.2, len(self.gains))[:, np.newaxis]
+        woven, offsets = self._first
+        gains = woven * rng.uniform(0.8, 1.2, len(woven))[:, np.newaxis]
         for joint, channels in self.layout.channels_of_joint.items():
             if len(channels) > 1:
                 column = self.joints.index(joint)
                 angle = math.radians(rng.uniform(*TURN_DEG))
-                gains[channels, column] = _turned(self.gains[channels, column], gains[channels, column], angle, rng)
+                gains[channels, column] = _turned(woven[channels, column], gains[channels, column], angle, rng)
         self.gains = gains
         standard_deviation = 0.3 * self._strength  # V, of a channel while its joint moves freely
-        self._offsets = self._offsets + standard_deviation * rng.uniform(-2.0, 2.0, len(gains))
+        self._offsets = offsets + standard_deviation * rng.uniform(-2.0, 2.0, len(gains))
         self._weave()
         self.reset()
 

@@ -1,0 +1,87 @@
+"""`bodydrive study --adapt`: sessions of trials, with the map fixed and with it following the person."""
+
+import csv
+import json
+import sys
+from collections.abc import Sequence
+from dataclasses import asdict, fields
+from pathlib import Path
+from typing import Any
+
+import typer
+
+from app.cli.errors import InputError
+from app.clock import stopwatch
+from app.session.study_comparison import compare, table
+from app.session.study_sessions import Mode, SessionTrial, WhoAdapts, dressed, run_sessions
+from app.world.floorplan import FloorPlan, PrescribedPath
+
+ROWS, TABLE, SUMMARY = "sessions.csv", "table.txt", "adaptation.json"
+
+
+def study_sessions(
+    out: Path,
+    *,
+    adapt: Mode,
+    person: WhoAdapts,
+    sessions: int,
+    trials: int,
+    seeds: Sequence[int],
+    floorplan: FloorPlan,
+    path: PrescribedPath,
+    as_json: bool,
+) -> None:
+    """Run every seed with the map fixed, and beside it as `adapt` says; write rows, table and summary into `out`.
+
+    Raises
+    ------
+    InputError
+        When the folder cannot be written, or a calibration could not be made.
+    """
+    started = stopwatch()
+    rows: list[SessionTrial] = []
+    modes: tuple[Mode, ...] = ("off",) if adapt == "off" else ("off", adapt)
+    progress = None if as_json else _say
+    try:
+        out.mkdir(parents=True, exist_ok=True)
+        for seed in seeds:
+            first = dressed(person, seed)
+            for mode in modes:
+                rows += run_sessions(mode, first, sessions, trials, floorplan, path, progress)
+            _write_rows(out, rows)  # after each person: an hour's work is not lost to the last one
+        asked = {
+            "adapt": adapt,
+            "person": person,
+            "sessions": sessions,
+            "trials": trials,
+            "seeds": list(seeds),
+            "floorplan": floorplan.name,
+            "path": path.name,
+        }
+        found = compare([one for one in rows if one.mode == "off"], [one for one in rows if one.mode == modes[-1]])
+        (out / TABLE).write_text(table(found), encoding="utf-8")
+        (out / SUMMARY).write_text(json.dumps({**asked, **found}, indent=1, allow_nan=False) + "\n", encoding="utf-8")
+    except ValueError as error:
+        raise InputError(str(error)) from error
+    except OSError as error:
+        raise InputError(f"--out {out} cannot be written ({error.strerror}): choose another place") from error
+    if as_json:
+        typer.echo(json.dumps({"out": str(out), **asked, **found}, allow_nan=False))
+        return
+    typer.echo(table(found))
+    typer.echo(f"{len(rows)} trials in {stopwatch() - started:.1f} s, written to {out}")
+
+
+def _write_rows(out: Path, rows: Sequence[SessionTrial]) -> None:
+    with (out / ROWS).open("w", encoding="utf-8", newline="") as file:
+        writer = csv.DictWriter(file, [field.name for field in fields(SessionTrial)], lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(asdict(row) for row in rows)
+
+
+def _say(row: SessionTrial) -> None:
+    words: dict[str, Any] = asdict(row)
+    words["ending"] = "" if row.reached else ", goal not reached"
+    sys.stderr.write(
+        "seed {seed}, {mode}, session {session}, trial {trial}: E_diff {e_diff:.2f} m²{ending}\n".format(**words)
+    )
