@@ -57,9 +57,12 @@ export async function show(app, root, { signal, rest }) {
     ]);
     if (until.aborted) return;
     const charts = await Promise.all([curveCard(learning, measure, opens, until), trajectoriesChart(learning, plan, until)]);
-    const counts = learning.trials.length > 0;
-    const quality = counts && (await qualitySection(app, patient, where, until));
     if (until.aborted) return;
+    const counts = learning.trials.length > 0;
+    const quality = h("div", {});
+    const fail = (error) => until.aborted || app.toasts.show(error.message);
+    // It may read old recordings: the curve does not wait for it.
+    if (counts) qualitySection(app, patient, where, until).then((one) => put(quality, one), fail);
     put(
       place,
       counts &&

@@ -6,7 +6,7 @@ export const ABOVE = 0.82; // share of the chart's height that the curve has; vi
 const MAPS = [0.84, 0.93]; // of the height
 const VISITS = 0.94;
 const MANY = 6; // visits: from then on the word stands only at the first
-const CROWDED = 24; // maps: from then on their numbers would stand on one another
+const ROOM = 40; // numbers of maps side by side over the whole width; closer ones would stand on one another
 const SYMBOLS = { calibration: "diamond", adaptation: "triangle-up", back: "triangle-left" };
 
 /** The visits: number, and from which to which trial. @param {any[]} rows trials in order */
@@ -57,6 +57,8 @@ export function mapAxis() {
 /** A mark with its version where the map is another one than in the trial before. @param {any[]} rows @param {Record<string, string>} colours */
 export function mapTraces(rows, colours) {
   const changed = rows.filter((row, i) => row.profile_version !== rows[i - 1]?.profile_version);
+  const apart = rows.length && (rows.at(-1).number - rows[0].number + 1) / ROOM;
+  const hasRoom = (row) => !(changed[changed.indexOf(row) + 1]?.number - row.number < apart);
   return Object.entries(SYMBOLS)
     .map(([origin, symbol]) => ({ origin, symbol, some: changed.filter((row) => row.origin === origin) }))
     .filter(({ some }) => some.length)
@@ -65,7 +67,7 @@ export function mapTraces(rows, colours) {
       yaxis: "y2",
       x: some.map(({ number }) => number),
       y: some.map(() => 0.72),
-      text: some.map(({ profile_version }) => (changed.length > CROWDED ? "" : String(profile_version))),
+      text: some.map((row) => (hasRoom(row) ? String(row.profile_version) : "")),
       textposition: "bottom center",
       marker: { symbol, size: 11, color: colours["path-prescribed"] },
       name: t(`review.map.${origin}`),

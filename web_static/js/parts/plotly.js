@@ -57,14 +57,17 @@ export async function chart(label, signal, make, onPoint) {
     );
   };
   // Drawn once it stands in the page: only there it has a size.
-  requestAnimationFrame(() => {
-    if (signal.aborted) return;
+  const stands = new ResizeObserver(() => {
+    if (signal.aborted || !element.clientWidth) return;
+    stands.disconnect();
     draw();
+    document.addEventListener("themechange", draw);
     // Later, because plotly goes on with its own element after it has told of the tap.
     if (onPoint) element["on"]("plotly_click", ({ points }) => setTimeout(() => onPoint(points[0])));
   });
-  document.addEventListener("themechange", draw);
+  stands.observe(element);
   signal.addEventListener("abort", () => {
+    stands.disconnect();
     document.removeEventListener("themechange", draw);
     stop();
     Plotly.purge(element);
