@@ -102,7 +102,7 @@ def test_what_a_clinic_had_before_real_chairs_is_there_after_going_up_and_down(t
         assert limits_of(clinic) == NO_FURTHER
         clinic.limits = {"forward": 0.4}
         add_chair(db, clinic, "Blue", "10.0.0.7", 5354, 1, NO_FURTHER)
-    for _later in ("0004", "0003", "0002"):
+    for _later in ("0005", "0004", "0003", "0002"):
         migrate(engine, "-1")
     with engine.connect() as connection:
         row = connection.execute(text("SELECT name, shirt, unused FROM clinic")).one()
