@@ -1,0 +1,67 @@
+"""The comparison of a fixed with an adapted map says what happened, and claims no more than that."""
+
+import pytest
+
+from app.session.study_comparison import compare, table
+from app.session.study_sessions import SessionTrial
+
+
+def trial(seed, mode, session, e_diff, reached=True, felt=0.0, flips=0):
+    return SessionTrial(
+        seed=seed,
+        mode=mode,
+        session=session,
+        trial=1,
+        e_diff=e_diff,
+        dist=10.0,
+        time=30.0,
+        reached=reached,
+        faults=0,
+        felt_change=felt,
+        angle_deg=2.0 if felt else 0.0,
+        flips=flips,
+        refused=0,
+        dead_zone=0.15,
+        full=2.0,
+        from_calibration_deg=0.0,
+    )
+
+
+def study(ratio, seeds=8, **how):
+    fixed = [trial(s, "off", n, 1.0 + 0.1 * s) for s in range(seeds) for n in (1, 2)]
+    other = [
+        trial(s, "auto", n, (ratio if n == 2 else 1.0) * (1.0 + 0.1 * s), **how) for s in range(seeds) for n in (1, 2)
+    ]
+    return fixed, other
+
+
+def test_a_clear_gain_holds_the_claim() -> None:
+    found = compare(*study(0.6, felt=0.04))
+    assert found["last_session"]["median_relative"] == pytest.approx(-0.4)
+    assert found["last_session"]["interval"] == pytest.approx((-0.4, -0.4))
+    assert found["claim_holds"]
+    assert found["sessions"][0]["relative"] == pytest.approx(0.0)
+    assert found["applied"]["largest_felt_change"] == 0.04
+
+
+@pytest.mark.parametrize(
+    ("ratio", "how"), [(0.8, {}), (1.2, {}), (0.6, {"felt": 0.11}), (0.6, {"felt": 0.04, "flips": 1})]
+)
+def test_a_small_gain_a_loss_a_felt_step_or_a_flip_do_not(ratio, how) -> None:
+    assert not compare(*study(ratio, **how))["claim_holds"]
+
+
+def test_who_did_not_drive_is_not_compared_as_if_driving() -> None:
+    fixed, other = study(0.5)
+    fixed = [trial(one.seed, "off", 2, 11.0, reached=False) if one.session == 2 else one for one in fixed]
+    found = compare(fixed, other)
+    assert found["sessions"][1]["seeds_that_always_drove"] == 0
+    assert found["sessions"][1]["relative"] is None
+    assert found["sessions"][1]["reached_fixed"] == 0.0
+    assert found["last_session_in_which_most_drove_with_both"]["session"] == 1
+
+
+def test_the_table_has_a_row_for_each_session_and_seed() -> None:
+    text = table(compare(*study(0.6)))
+    assert len(text.splitlines()) == 1 + 2 + 3 + 8 + 2
+    assert "-40%" in text
