@@ -14,6 +14,7 @@ from app.quantities import Count, Document, Fraction, Name, Title
 from app.session.command_counts import ON
 from app.smoothing import smooth
 
+LEAST_TIME = 2.0  # s that can be looked at: with less, nothing is told
 LEAST_MOVEMENT = 2.0  # s of movement in a trial, before its direction is told: a handful of strokes
 SHORTEST_STRETCH = 0.1  # s; a shorter stretch of movement is a twitch
 SETTLING = 0.3  # s: the low-pass forgets its first sample within it
@@ -98,7 +99,7 @@ def joint_quality(
         guided=guided,
         activations=activations,
     )
-    if length == 0 or not usable.any():
+    if length == 0 or np.count_nonzero(usable) < LEAST_TIME * sample_rate:
         return known
     smoothed = smooth(values[:, channels], CUTOFF, sample_rate)
     rates = np.diff(smoothed, axis=0, prepend=smoothed[:1]) * (sample_rate / joint.span)

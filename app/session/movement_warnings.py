@@ -30,9 +30,9 @@ def noise_warnings(of_map: Sequence[JointRow], every: Sequence[JointRow]) -> lis
                     kind="noise",
                     joint=label,
                     words=f"{label}: at rest the noise is {now:.2f} FS/s, too near the dead-zone of "
-                    f"{dead_zone:.2f} FS/s: the gesture may activate by itself.",
+                    f"{dead_zone:.2f} FS/s, so that the gesture may activate by itself: it needs {4 * now:.2f} FS/s.",
                     advice="Look for tremor, a tired patient or a loose plug. Then raise the dead-zone on the Controls "
-                    f"page to at least {4 * now:.2f} FS/s, or lower the cutoff of the tremor damping.",
+                    "page, or lower the cutoff of the tremor damping.",
                 )
             ]
     rows = [row for row in every if row.joint.rest_rate is not None]
