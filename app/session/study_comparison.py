@@ -13,6 +13,7 @@ RESAMPLES = 9999
 CONFIDENCE = 0.95
 CLAIM = -0.25  # relative difference of E_diff in the last session
 FELT_LIMIT = 0.10
+LEAST_AREA = 0.01  # m2: a smaller one is none, and nothing is measured against none
 
 
 def compare(fixed: Sequence[SessionTrial], other: Sequence[SessionTrial]) -> dict[str, Any]:
@@ -29,7 +30,7 @@ def compare(fixed: Sequence[SessionTrial], other: Sequence[SessionTrial]) -> dic
     last = max(row.session for row in fixed)
     sessions = [_session(fixed, other, seeds, number) for number in range(1, last + 1)]
     before, after = (_means(rows, seeds, last) for rows in (fixed, other))
-    relative = (after - before) / before
+    relative = _relative(before, after)
     driving = [one for one in sessions if one["seeds_that_always_drove"] >= max(2, len(seeds) // 2)]
     applied = [row for row in other if row.mode == "auto"]
     median, interval = _median(relative)
@@ -104,7 +105,7 @@ def _session(
 ) -> dict[str, Any]:
     before, after = (_means(rows, seeds, session) for rows in (fixed, other))
     drove = np.array([min(_reached(fixed, seed, session), _reached(other, seed, session)) == 1.0 for seed in seeds])
-    median, interval = _median(((after - before) / before)[drove])
+    median, interval = _median(_relative(before, after)[drove])
     return {
         "session": session,
         "fixed": float(np.median(before)),
@@ -120,6 +121,11 @@ def _session(
 def _means(rows: Sequence[SessionTrial], seeds: list[int], session: int) -> NDArray[np.float64]:
     """Return each seed's mean E_diff (m2) in a session."""
     return np.array([np.mean([one.e_diff for one in rows if (one.seed, one.session) == (s, session)]) for s in seeds])
+
+
+def _relative(before: NDArray[np.float64], after: NDArray[np.float64]) -> NDArray[np.float64]:
+    relative: NDArray[np.float64] = (after - before) / np.maximum(before, LEAST_AREA)
+    return relative
 
 
 def _reached(rows: Sequence[SessionTrial], seed: int, session: int) -> float:

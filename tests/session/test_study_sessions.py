@@ -1,0 +1,47 @@
+"""Sessions of a study: both conditions begin with the same person, and what is applied keeps its limits."""
+
+import json
+
+import pytest
+
+from app.cli.study import study
+from app.session.study_sessions import dressed, run_sessions
+from app.world.floorplan import bundled_floorplans, load_floorplan
+
+CLINIC = load_floorplan(bundled_floorplans()["clinic"])
+CORRIDOR = CLINIC.path_named("corridor")
+
+
+@pytest.fixture(scope="module")
+def first():
+    return dressed("redonned", 5)
+
+
+def test_both_conditions_begin_alike_and_what_is_applied_keeps_its_limits(first) -> None:
+    fixed = run_sessions("off", first, 2, 1, CLINIC, CORRIDOR)
+    auto = run_sessions("auto", first, 2, 1, CLINIC, CORRIDOR)
+    assert fixed[0].e_diff == auto[0].e_diff  # the first trial is driven with the calibration's own map
+    assert [row.felt_change for row in fixed] == [0.0, 0.0]
+    assert fixed[1].reached  # after the shirt was put on again: sound channels are not taken for broken ones
+    assert all(row.felt_change <= 0.1 and row.flips == 0 and row.angle_deg <= 2.0 + 1e-6 for row in auto)
+    assert auto[0].angle_deg > 0.0
+    assert auto[1].from_calibration_deg == pytest.approx(auto[0].angle_deg, abs=1e-6)
+    assert fixed[1].from_calibration_deg == 0.0
+
+
+def test_what_is_only_suggested_changes_nothing(first) -> None:
+    fixed = run_sessions("off", first, 1, 2, CLINIC, CORRIDOR)
+    suggested = run_sessions("suggest", first, 1, 2, CLINIC, CORRIDOR)
+    assert [row.e_diff for row in fixed] == [row.e_diff for row in suggested]
+    assert suggested[0].felt_change > 0.0
+
+
+def test_the_command_writes_rows_table_and_summary(tmp_path, capsys) -> None:
+    study(
+        out=tmp_path, adapt="auto", person="deteriorating", sessions=1, trials=1, seed=2, path="corridor", as_json=True
+    )
+    answer = json.loads(capsys.readouterr().out)
+    assert answer["applied"]["sign_flips"] == 0
+    assert answer["sessions"][0]["relative"] == 0.0  # nothing can be applied before the first trial
+    assert len((tmp_path / "sessions.csv").read_text().splitlines()) == 1 + 2
+    assert "session 1" in (tmp_path / "table.txt").read_text()
