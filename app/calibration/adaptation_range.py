@@ -37,8 +37,9 @@ def range_moved(
     shift = np.zeros(values.shape[1])
     for joint in profile.joints:
         for channel in sound_channels(profile, joint, movements):
-            if _agreement(joint, channel, values) >= LEAST_AGREEMENT:
-                shift[channel] = _shift(profile, origin, channel, values[:, channel])
+            moved = _shift(profile, origin, channel, values[:, channel])
+            if moved and _agreement(joint, channel, values) >= LEAST_AGREEMENT:
+                shift[channel] = moved
     if not shift.any():
         return profile
     return profile.model_copy(
@@ -79,8 +80,9 @@ def _agreement(joint: JointMap, channel: int, values: Numbers) -> float:
     total = float(signal @ signal)
     if not 0.0 < total < np.inf or not np.isfinite(known).all():
         return 0.0
-    told = known @ np.linalg.lstsq(known, signal, rcond=None)[0]
-    return float(np.sqrt(min(1.0, float(told @ told) / total)))
+    shared = known.T @ signal
+    told = float(shared @ np.linalg.pinv(known.T @ known, hermitian=True) @ shared)
+    return float(np.sqrt(min(1.0, max(0.0, told / total))))
 
 
 def _shift(profile: CalibrationProfile, origin: CalibrationProfile, channel: int, signal: Numbers) -> float:
