@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from app.geometry import Pose
-from app.scene.servers import _quiet_server
+from app.scene.servers import quiet_server
 from app.scene.trajectory import JUMP, PIECE, STEP, Pieces, Thinned, Trajectory, line_segments
 
 
@@ -91,7 +91,7 @@ def bytes_sent(server, trajectory, steps):
 
 
 def test_an_update_of_a_long_trajectory_sends_no_more_than_one_of_a_short():
-    server = _quiet_server()
+    server = quiet_server()
     try:
         trajectory = Trajectory(server)
         short = bytes_sent(server, trajectory, range(PIECE))
