@@ -1,5 +1,6 @@
 """`bodydrive study`: the paper's experiment without a screen, faster than real time."""
 
+import dataclasses
 import json
 import os
 import re
@@ -13,9 +14,12 @@ from app.cli.errors import InputError
 from app.cli.output import check_new_folder
 from app.cli.study_sessions import study_sessions
 from app.clock import stopwatch
+from app.hardware.body.person_parameters import NOVICE
 from app.session.figures import FigureFormat
-from app.session.study import run_study
+from app.session.study import StudyResult, run_study
 from app.session.study_files import check_folder, summary, write_study
+from app.session.study_seeds import MEASURES, run_seeds
+from app.session.study_seeds_files import seeds_summary, sentences, write_seeds
 from app.session.study_sessions import Mode, WhoAdapts
 from app.session.study_trial import StudyTrial
 from app.world.floorplan import FloorPlan, load_floorplan
@@ -28,29 +32,36 @@ MOST_SESSIONS = 100
 MOST_SEEDS = 1000
 LARGEST_SEED = 2**31 - 1
 OF_A_STUDY = re.compile(
-    r"(study\.json|trials\.csv|trajectories\.(parquet|png|svg)|errors\.(png|svg)|sessions\.csv|table\.txt|adaptation\.json)"
+    r"(study\.json|trials\.csv|trajectories\.parquet|(trajectories|errors)(-seed-\d+)?\.(png|svg)"
+    r"|sessions\.csv|table\.txt|adaptation\.json)"
 ).fullmatch
 
 
-def study(  # noqa: PLR0917
+def study(
     out: Annotated[Path, typer.Option(help="Folder to write; it must be new or empty.")],
     trials: Annotated[
         int | None, typer.Option(min=1, max=MOST_TRIALS, help="How often the path is driven: 22, or 3 a session.")
     ] = None,
     seed: Annotated[int, typer.Option(min=0, max=LARGEST_SEED, help="The same seed gives the same numbers.")] = 1,
+    seeds: Annotated[int, typer.Option(min=1, max=MOST_SEEDS, help="How many people, from --seed on.")] = 1,
+    *,
     floorplan: Annotated[str, typer.Option(help="Name of a bundled floor plan, or a JSON file.")] = "clinic",
     path: Annotated[str | None, typer.Option(help="Name of a path in it; the first when not given.")] = None,
     figure_format: Annotated[FigureFormat, typer.Option("--format", help="Of the figures.")] = "png",
+    no_learning: Annotated[bool, typer.Option("--no-learning", help="Nothing that is practised stays.")] = False,
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace what the folder holds.")] = False,
     adapt: Annotated[
         Mode | None, typer.Option(help="Over sessions: let the map follow the person, against the fixed map.")
     ] = None,
     person: Annotated[WhoAdapts, typer.Option(help="Over sessions: what happens to body or shirt.")] = "deteriorating",
     sessions: Annotated[int, typer.Option(min=1, max=MOST_SESSIONS, help="How many, with --adapt.")] = 10,
-    seeds: Annotated[int, typer.Option(min=1, max=MOST_SEEDS, help="How many persons, from --seed on.")] = 1,
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")] = False,
 ) -> None:
     """Let a simulated person calibrate, then drive a path again and again, and score every trial."""
+    if seed + seeds - 1 > LARGEST_SEED:
+        raise InputError(f"--seed {seed} leaves no room for --seeds {seeds}: the largest seed is {LARGEST_SEED}")
+    if adapt is not None and no_learning:
+        raise InputError("--no-learning goes without --adapt: over sessions the person is chosen with --person")
     check_new_folder(out)
     if out.is_dir() and (foreign := sorted(entry.name for entry in out.iterdir() if not OF_A_STUDY(entry.name))):
         raise InputError(f"--out {out} holds '{foreign[0]}', which is no part of a study: name a new or empty folder")
@@ -82,19 +93,28 @@ def study(  # noqa: PLR0917
         )
         return
     trials = trials or STUDY_TRIALS
+    driver = dataclasses.replace(NOVICE, learns=not no_learning)
     try:
-        result = run_study(trials, seed, plan, chosen.name, progress=None if as_json else _Progress(trials))
-        write_study(result, out, figure_format, overwrite)
+        if seeds == 1:
+            result = run_study(trials, seed, plan, chosen.name, None if as_json else _Progress(trials), driver)
+            write_study(result, out, figure_format, overwrite)
+            told, said = summary(result), [result.learning[name]["text"] for name in MEASURES]
+        else:
+            results = run_seeds(
+                range(seed, seed + seeds), trials, plan, chosen.name, driver, None if as_json else _tell_of_seed
+            )
+            write_seeds(results, out, figure_format, overwrite)
+            told, said = seeds_summary(results), sentences(results)
     except ValueError as error:
         raise InputError(str(error)) from error
     except OSError as error:
         raise InputError(f"--out {out} cannot be written ({error.strerror}): choose another place") from error
     if as_json:
-        typer.echo(json.dumps({"out": str(out), **summary(result)}, allow_nan=False))
+        typer.echo(json.dumps({"out": str(out), **told}, allow_nan=False))
         return
-    for name in ("dist", "e_diff"):
-        typer.echo(result.learning[name]["text"])
-    typer.echo(f"{trials} trials in {stopwatch() - started:.1f} s, written to {out}")
+    for sentence in said:
+        typer.echo(sentence)
+    typer.echo(f"{trials * seeds} trials in {stopwatch() - started:.1f} s, written to {out}")
 
 
 def find_floorplan(name: str) -> FloorPlan:
@@ -128,3 +148,7 @@ class _Progress:
             f"trial {trial.number} of {self._trials}: Dist {measures['dist']:.1f} m, "
             f"E_diff {measures['e_diff']:.2f} m², {measures['time']:.0f} s{reached}\n"
         )
+
+
+def _tell_of_seed(result: StudyResult) -> None:
+    sys.stderr.write(f"seed {result.seed}: {len(result.trials)} trials driven\n")

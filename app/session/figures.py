@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 FigureFormat = Literal["png", "svg"]
+Trajectory = tuple[NDArray[np.float64], NDArray[np.float64]]
 
 WALL = "#b8bcc2"
 OBSTACLE = "#dfe1e5"
@@ -39,20 +40,37 @@ STYLE = {
 
 
 def trajectories_figure(
-    floorplan: FloorPlan, path: PrescribedPath, trajectories: Sequence[tuple[NDArray[np.float64], NDArray[np.float64]]]
+    floorplan: FloorPlan, path: PrescribedPath, panels: Sequence[tuple[str, Sequence[Trajectory]]]
 ) -> Figure:
-    """Draw all trajectories, each (x, y) in m, in red over the prescribed path in blue, within the walls."""
-    with _style():
-        return _draw_trajectories(floorplan, path, trajectories)
+    """Draw trajectories, each (x, y) in m, in red over the prescribed path in blue, within the walls.
+
+    One panel for each of `panels`, which are a title and what to draw under it.
+    """
+    with paper_style():
+        return _draw_trajectories(floorplan, path, panels)
 
 
 def _draw_trajectories(
-    floorplan: FloorPlan, path: PrescribedPath, trajectories: Sequence[tuple[NDArray[np.float64], NDArray[np.float64]]]
+    floorplan: FloorPlan, path: PrescribedPath, panels: Sequence[tuple[str, Sequence[Trajectory]]]
 ) -> Figure:
     x_min, y_min, x_max, y_max = floorplan.bounds
     width = 7.0
-    height = min(9.0, max(2.5, width * (y_max - y_min) / max(x_max - x_min, 1e-9) + 0.9))
-    figure, (axes,) = _figure(width, height, 1)
+    height = min(9.0, max(2.5, width * (y_max - y_min) / max(x_max - x_min, 1e-9) + 0.5))
+    figure, axes = new_figure(width, height * len(panels), len(panels))
+    for panel, (title, trajectories) in zip(axes, panels, strict=True):
+        _draw_panel(panel, floorplan, path, trajectories)
+        panel.set_title(title, loc="left")
+    legend = [
+        line_of(PATH, 1.8, f"prescribed path, {path.line.length:.1f} m (● start, ■ goal)"),
+        line_of(TRAJECTORY, 0.8, "trajectory"),
+    ]
+    figure.legend(handles=legend, loc="outside upper center", ncols=2, frameon=False)
+    axes[-1].set_xlabel("x (m)")
+    return figure
+
+
+def _draw_panel(axes: Axes, floorplan: FloorPlan, path: PrescribedPath, trajectories: Sequence[Trajectory]) -> None:
+    x_min, y_min, x_max, y_max = floorplan.bounds
     for wall in floorplan.walls:
         axes.plot(*zip(*wall, strict=True), color=WALL, linewidth=2.0, solid_capstyle="round", zorder=1)
     _draw_obstacles(axes, floorplan)
@@ -63,18 +81,11 @@ def _draw_trajectories(
     (start_x, start_y), (goal_x, goal_y) = path.points[0], path.points[-1]
     axes.plot([start_x], [start_y], "o", color=PATH, markersize=6, zorder=5)
     axes.plot([goal_x], [goal_y], "s", color=PATH, markersize=6, zorder=5)
-    legend = [
-        _line(PATH, 1.8, f"prescribed path, {path.line.length:.1f} m (● start, ■ goal)"),
-        _line(TRAJECTORY, 0.8, f"{_trials(len(trajectories))}"),
-    ]
-    axes.legend(handles=legend, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2, frameon=False)
     margin = 0.02 * max(x_max - x_min, y_max - y_min)
     axes.set_xlim(x_min - margin, x_max + margin)
     axes.set_ylim(y_min - margin, y_max + margin)
     axes.set_aspect("equal")
-    axes.set_xlabel("x (m)")
     axes.set_ylabel("y (m)")
-    return figure
 
 
 def errors_figure(
@@ -85,7 +96,7 @@ def errors_figure(
     curves: dict[str, dict[str, Any]],
 ) -> Figure:
     """Draw Dist (m) and E_diff (m2) per trial, each with its learning curve and 95 % band where there is one."""
-    with _style():
+    with paper_style():
         return _draw_errors(numbers, dist, e_diff, path_length, curves)
 
 
@@ -96,7 +107,7 @@ def _draw_errors(
     path_length: float,
     curves: dict[str, dict[str, Any]],
 ) -> Figure:
-    figure, axes = _figure(7.0, 5.4, 2)
+    figure, axes = new_figure(7.0, 5.4, 2)
     panels = (
         ("a", "Dist: distance driven", "Dist (m)", dist, curves.get("dist")),
         ("b", "$E_{diff}$: area between trajectory and path", "$E_{diff}$ (m²)", e_diff, curves.get("e_diff")),
@@ -110,11 +121,7 @@ def _draw_errors(
         panel.plot(numbers, values, "o-", color=INK, markersize=4, linewidth=0.7, label="trial")
         panel.set_title(f"({letter}) {title}", loc="left")
         panel.set_ylabel(label)
-        panel.set_xlim(min(numbers) - 0.5, max(numbers) + 0.5)
-        panel.locator_params(axis="x", integer=True)
-        panel.spines[["top", "right"]].set_visible(False)
-        panel.grid(axis="y", color=OBSTACLE, linewidth=0.6)
-        panel.set_axisbelow(True)
+        dress_axes(panel, numbers)
     axes[0].axhline(path_length, color=PATH, linewidth=1.0, linestyle="--", label="length of the path")
     axes[1].set_ylim(bottom=0.0)
     axes[0].legend(frameon=False, loc="upper right")
@@ -122,20 +129,30 @@ def _draw_errors(
     return figure
 
 
+def dress_axes(axes: Axes, numbers: Sequence[int]) -> None:
+    """Give a panel over trials its frame, its grid and whole numbers below."""
+    axes.set_xlim(min(numbers) - 0.5, max(numbers) + 0.5)
+    axes.locator_params(axis="x", integer=True)
+    axes.spines[["top", "right"]].set_visible(False)
+    axes.grid(axis="y", color=OBSTACLE, linewidth=0.6)
+    axes.set_axisbelow(True)
+
+
 def save_figure(figure: Figure, file: FilePath, file_format: FigureFormat) -> None:
     """Write a figure; the same figure gives the same bytes."""
     metadata = {"Date": None} if file_format == "svg" else {"Software": None}
-    with _style():
+    with paper_style():
         figure.savefig(file, format=file_format, dpi=DOTS_PER_INCH, metadata=metadata)
 
 
-def _style() -> AbstractContextManager[None]:
+def paper_style() -> AbstractContextManager[None]:
+    """Return the style in which all figures of a study are drawn and saved."""
     from matplotlib import rc_context  # noqa: PLC0415  (slow to import, and most commands draw nothing)
 
     return rc_context(STYLE)
 
 
-def _figure(width: float, height: float, rows: int) -> tuple[Figure, tuple[Axes, ...]]:
+def new_figure(width: float, height: float, rows: int) -> tuple[Figure, tuple[Axes, ...]]:
     """Return a figure (inches) with its axes, one below the other, apart from any window system."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg  # noqa: PLC0415
     from matplotlib.figure import Figure  # noqa: PLC0415
@@ -159,11 +176,8 @@ def _draw_obstacles(axes: Axes, floorplan: FloorPlan) -> None:
         axes.add_patch(shape)
 
 
-def _line(colour: str, width: float, label: str) -> Any:
+def line_of(colour: str, width: float, label: str) -> Any:
+    """Return a line for a legend."""
     from matplotlib.lines import Line2D  # noqa: PLC0415
 
     return Line2D([], [], color=colour, linewidth=width, label=label)
-
-
-def _trials(count: int) -> str:
-    return "1 trajectory" if count == 1 else f"{count} trajectories"

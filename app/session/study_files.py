@@ -5,6 +5,8 @@ import io
 import json
 import shutil
 import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import fields
 from pathlib import Path
 from typing import Any
@@ -14,7 +16,7 @@ import pyarrow as pa
 import pyarrow.parquet
 
 from app import __version__
-from app.hardware.body.person_parameters import Practised
+from app.hardware.body.person_parameters import PersonParameters, Practised
 from app.session.figures import FigureFormat, errors_figure, save_figure, trajectories_figure
 from app.session.study import StudyResult
 
@@ -48,17 +50,30 @@ def write_study(
     OSError
         When the place cannot be written; nothing is left behind then.
     """
-    check_folder(folder, overwrite)
-    folder = folder.absolute()
-    folder.parent.mkdir(parents=True, exist_ok=True)
-    part = Path(tempfile.mkdtemp(dir=folder.parent, prefix=f".{folder.name}.", suffix=".part"))
-    try:
+    with whole_folder(folder, overwrite) as part:
         (part / "trials.csv").write_text(trials_csv(result), encoding="utf-8")
         pyarrow.parquet.write_table(trajectories_table(result), part / "trajectories.parquet", compression="zstd")
         (part / "study.json").write_text(
             json.dumps(summary(result), indent=1, allow_nan=False) + "\n", encoding="utf-8"
         )
-        _draw(result, part, figure_format)
+        draw_study(result, part, figure_format)
+
+
+@contextmanager
+def whole_folder(folder: Path, overwrite: bool) -> Iterator[Path]:
+    """Yield a folder beside `folder` to write into; it takes that place when all went well, and is gone otherwise.
+
+    Raises
+    ------
+    ValueError
+        When `folder` is a file, or holds something and may not be overwritten.
+    """
+    check_folder(folder, overwrite)
+    folder = folder.absolute()
+    folder.parent.mkdir(parents=True, exist_ok=True)
+    part = Path(tempfile.mkdtemp(dir=folder.parent, prefix=f".{folder.name}.", suffix=".part"))
+    try:
+        yield part
         part.chmod(0o755)
         _put_in_place(part, folder)
     except BaseException:
@@ -73,7 +88,7 @@ def trials_csv(result: StudyResult) -> str:
     writer.writerow(TRIAL_COLUMNS)
     for trial in result.trials:
         row = {"trial": trial.number, **trial.measures}
-        writer.writerow([_cell(row[column]) for column in TRIAL_COLUMNS])
+        writer.writerow([cell(row[column]) for column in TRIAL_COLUMNS])
     return text.getvalue()
 
 
@@ -97,10 +112,7 @@ def summary(result: StudyResult) -> dict[str, Any]:
         "path": result.path.name,
         "path_length": result.path.line.length,
         "sample_rate": result.sample_rate,
-        "person": {
-            name: value._asdict() if isinstance(value, Practised) else value
-            for name, value in ((field.name, getattr(result.person, field.name)) for field in fields(result.person))
-        },
+        "person": person_document(result.person),
         "calibration": {
             joint.name: {"evr": joint.evr, "grade": joint.grade, "reason": joint.reason}
             for joint in result.parameters.profile.joints
@@ -113,9 +125,20 @@ def summary(result: StudyResult) -> dict[str, Any]:
     }
 
 
-def _draw(result: StudyResult, folder: Path, figure_format: FigureFormat) -> None:
-    over_path = trajectories_figure(result.floorplan, result.path, [(trial.x, trial.y) for trial in result.trials])
-    save_figure(over_path, folder / f"trajectories.{figure_format}", figure_format)
+def person_document(person: PersonParameters) -> dict[str, Any]:
+    """Return a person's numbers by name, ready for JSON."""
+    numbers = ((field.name, getattr(person, field.name)) for field in fields(person))
+    return {name: value._asdict() if isinstance(value, Practised) else value for name, value in numbers}
+
+
+def draw_study(result: StudyResult, folder: Path, figure_format: FigureFormat, suffix: str = "") -> None:
+    """Draw a study as the paper does: the first trajectory and all of them over the path, and both errors."""
+    driven = [(trial.x, trial.y) for trial in result.trials]
+    panels = [("(a) Trial 1", driven[:1])]
+    if len(driven) > 1:
+        panels.append((f"(b) All {len(driven)} trials", driven))
+    over_path = trajectories_figure(result.floorplan, result.path, panels)
+    save_figure(over_path, folder / f"trajectories{suffix}.{figure_format}", figure_format)
     errors = errors_figure(
         [trial.number for trial in result.trials],
         [trial.measures["dist"] for trial in result.trials],
@@ -123,7 +146,7 @@ def _draw(result: StudyResult, folder: Path, figure_format: FigureFormat) -> Non
         result.path.line.length,
         result.learning,
     )
-    save_figure(errors, folder / f"errors.{figure_format}", figure_format)
+    save_figure(errors, folder / f"errors{suffix}.{figure_format}", figure_format)
 
 
 def _put_in_place(part: Path, folder: Path) -> None:
@@ -142,5 +165,6 @@ def _put_in_place(part: Path, folder: Path) -> None:
         shutil.rmtree(old, ignore_errors=True)
 
 
-def _cell(value: Any) -> str:
+def cell(value: Any) -> str:
+    """Return a cell of a table: numbers in full precision, true or false in small letters."""
     return str(value).lower() if isinstance(value, bool | np.bool_) else repr(value)
