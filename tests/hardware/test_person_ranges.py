@@ -2,6 +2,7 @@
 
 import dataclasses
 import math
+from pathlib import Path
 
 import pytest
 
@@ -36,3 +37,11 @@ def test_a_number_outside_is_named_with_its_range() -> None:
     said = out_of_range(odd)
     assert said[0] == "reaction_time is 0.05 s: choose 0.18 to 0.5"
     assert [sentence.split(" is ")[0] for sentence in said[1:]] == ["wrong_limb.first", "wrong_limb.strokes"]
+
+
+def test_the_table_of_the_documentation_is_this_one() -> None:
+    text = (Path(__file__).parents[2] / "docs" / "learning.md").read_text(encoding="utf-8")
+    novice = numbers_of(NOVICE)
+    for name, known in RANGES.items():
+        row = f"| `{name}` | {novice[name]:g} | {known.low:g} to {known.high:g} | {known.unit} | {known.source} |"
+        assert row in text

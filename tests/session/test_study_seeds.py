@@ -2,6 +2,7 @@
 
 import csv
 import dataclasses
+import itertools
 import json
 
 import numpy as np
@@ -90,7 +91,7 @@ def test_a_trial_that_missed_the_goal_is_left_out() -> None:
 @given(st.lists(st.one_of(st.floats(-100, 100), st.just(float("nan"))), max_size=12))
 @settings(max_examples=60)
 def test_the_largest_step_is_the_largest(values) -> None:
-    falls = {i: a - b for i, (a, b) in enumerate(zip(values, values[1:], strict=False), start=1) if a - b > 0}
+    falls = {i: a - b for i, (a, b) in enumerate(itertools.pairwise(values), start=1) if a - b > 0}
     step = largest_step(values)
     assert (step is None) == (not falls)
     if step is not None:

@@ -1,0 +1,72 @@
+"""The person who learns shows a trend, the one who does not shows none: the study in little, on a short path.
+
+What 20 people do on the clinic's path takes half an hour of a processor and stands in docs/learning.md. Here two people
+who learn as fast as the published ranges allow drive 12 m eight times.
+"""
+
+import dataclasses
+
+import numpy as np
+import pytest
+
+from app.hardware.body.person_parameters import NOVICE
+from app.hardware.body.person_ranges import RANGES, out_of_range
+from app.session.study_seeds import comparable_table, over_seeds, run_seeds
+from app.world.floorplan import FloorPlan
+
+SEEDS = (1, 2)
+TRIALS = 8
+PRACTISED_QUANTITIES = ("hesitation", "stroke_noise", "wrong_limb", "estimate_error", "heading_tolerance")
+QUICK = dataclasses.replace(
+    NOVICE,
+    correction=RANGES["correction"].high,
+    **{name: getattr(NOVICE, name)._replace(strokes=RANGES[f"{name}.strokes"].low) for name in PRACTISED_QUANTITIES},
+)
+PLAN = FloorPlan(
+    name="open",
+    title="Open floor",
+    walls=(),
+    paths=(
+        {
+            "name": "bends",
+            "title": "Two bends",
+            "points": ((0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (8.0, 4.0)),
+            "instruction": "Go.",
+            "time_limit": 120.0,
+        },
+    ),
+)
+
+
+@pytest.fixture(scope="module")
+def learners():
+    return run_seeds(SEEDS, TRIALS, PLAN, "bends", QUICK)
+
+
+@pytest.fixture(scope="module")
+def others():
+    return run_seeds(SEEDS, TRIALS, PLAN, "bends", dataclasses.replace(QUICK, learns=False))
+
+
+def test_the_quick_learner_is_still_human() -> None:
+    assert out_of_range(QUICK) == ()
+
+
+def test_with_learning_the_distance_falls_in_everybody(learners) -> None:
+    over = over_seeds(learners, "dist")
+    assert over.falls == len(SEEDS), over
+    e_diff = comparable_table(learners, "e_diff")
+    assert np.all(np.mean(e_diff[:, -3:], axis=1) < 0.8 * np.mean(e_diff[:, :3], axis=1))
+
+
+def test_without_learning_nothing_falls(others) -> None:
+    for measure in ("dist", "e_diff"):
+        over = over_seeds(others, measure)
+        assert over.falls == 0, over
+        assert over.no_trend == len(SEEDS), over
+
+
+def test_the_same_people_drive_better_with_learning(learners, others) -> None:
+    for measure in ("dist", "e_diff"):
+        last = [np.nanmean(comparable_table(results, measure)[:, -3:]) for results in (learners, others)]
+        assert last[0] < last[1]
