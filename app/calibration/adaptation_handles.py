@@ -11,7 +11,7 @@ from app.calibration.profile import JointMap
 from app.calibration.vocabulary import Gesture
 
 FEWEST_STROKES = 9
-STRONGEST = 1 / 3  # of the strokes: prompted movements go all the way, and so do the strongest of a drive
+ALIKE = 0.25  # of full: strokes are no prompts; with nothing changed, they ask for 0.85 to 1.23 of what prompts did
 DEAD_ZONE_STEP = 0.10  # of itself, at most, for each new trial
 DEAD_ZONE_UPDATE = 0.20  # of itself, at most, however many trials there were
 FULL_STEP = 0.04
@@ -36,18 +36,17 @@ def wanted_dead_zone(joint: JointMap, heard: Sequence[Heard], rates: Sequence[Nu
     return min(max(REST_NOISE_FACTOR * noise, SMALLEST_DEAD_ZONE), max(LARGEST_SHARE * joint.full, joint.dead_zone))
 
 
-def wanted_full(joint: JointMap, heard: Sequence[Heard], rates: Sequence[Numbers], dead_zone: float) -> float | None:
-    """Return the full that the strongest strokes of the last trials ask for, None when there were too few.
+def wanted_full(joint: JointMap, heard: Sequence[Heard], rates: Sequence[Numbers], gesture: Gesture) -> float | None:
+    """Return the full that the strokes of the last trials ask for; None when they ask for none that is clearly another.
 
-    As in the calibration, the 90th percentile of the rates above the dead-zone; of the strongest third of the strokes,
-    because a drive is full of small corrections and a prompt is not.
+    As in the calibration, the 90th percentile of the rates above the dead-zone.
     """
-    found = strokes(heard, joint.name, rates, dead_zone)
+    found = strokes(heard, joint.name, rates, gesture.dead_zone)
     if len(found) < FEWEST_STROKES:
         return None
-    found.sort(key=lambda stroke: float(stroke.max()))
-    strongest = found[-max(3, round(STRONGEST * len(found))) :]
-    asked = float(np.percentile(np.concatenate(strongest), 90))
+    asked = float(np.percentile(np.concatenate(found), 90))
+    if abs(asked - gesture.full) <= ALIKE * gesture.full:
+        return None
     return min(max(asked, joint.full / FURTHEST), joint.full * FURTHEST)
 
 

@@ -160,7 +160,7 @@ def _handles(evidence: Evidence, joint: JointMap, gesture: Gesture, weights: Num
     """Return the handles after one careful step towards what rest and strokes ask for."""
     rates = _rates(evidence, joint, gesture, weights)
     dead_zone = wanted_dead_zone(joint, evidence.heard, rates)
-    full = wanted_full(joint, evidence.heard, rates, gesture.dead_zone)
+    full = wanted_full(joint, evidence.heard, rates, gesture)
     wanted = Handles(gesture.dead_zone if dead_zone is None else dead_zone, gesture.full if full is None else full)
     return stepped(gesture, wanted, evidence.fresh)
 
