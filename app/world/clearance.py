@@ -11,6 +11,8 @@ from app.world.obstacles import Box, Cylinder, Obstacle
 
 Points = NDArray[np.float64]
 
+PARALLEL = 1e-300  # m2: what two lines span; below it nothing can be divided by, and no wall is that short
+
 
 class Tightest(NamedTuple):
     """The tightest place along a path."""
@@ -103,9 +105,10 @@ def _crossings(piece: Points, segments: Points) -> tuple[NDArray[np.bool_], Poin
     start, along = piece[:2], piece[2:] - piece[:2]
     others, other_along = segments[:, :2], segments[:, 2:] - segments[:, :2]
     denominator = along[0] * other_along[:, 1] - along[1] * other_along[:, 0]
-    safe = np.where(denominator != 0, denominator, 1.0)
+    across = np.abs(denominator) > PARALLEL
+    safe = np.where(across, denominator, 1.0)
     away = others - start
     share = (away[:, 0] * other_along[:, 1] - away[:, 1] * other_along[:, 0]) / safe
     other_share = (away[:, 0] * along[1] - away[:, 1] * along[0]) / safe
-    crossing = (denominator != 0) & (share >= 0) & (share <= 1) & (other_share >= 0) & (other_share <= 1)
+    crossing = across & (share >= 0) & (share <= 1) & (other_share >= 0) & (other_share <= 1)
     return crossing, start + share[:, np.newaxis] * along

@@ -106,6 +106,8 @@ def test_a_shirt_put_on_again_turns_the_map_two_degrees_for_each_new_trial(
 def test_who_waits_is_offered_a_smaller_step_instead_of_a_refusal(
     parameters: DriveParameters, trial: Callable[..., Path]
 ) -> None:
+    gestures = tuple(gesture.model_copy(update={"full": 4.0}) for gesture in parameters.gestures)
+    parameters = parameters.model_copy(update={"gestures": gestures})  # 2.6 is asked for: full falls as the map turns
     folders = [trial(name) for name in "abc"]
     movements = [movement_of(folder, parameters) for folder in folders]
     asked = propose(parameters, [one for one in movements if one], fresh=3)
