@@ -15,8 +15,8 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 REPORT = ROOT / "docs" / "mutation.md"
-MODULES = ("safety", "ramp", "shaping")
-TESTS = ("test_safety", "test_gate_levels", "test_ramp", "test_shaping", "test_drive_modes")
+MODULES = ("safety", "brakes", "ramp", "shaping")
+TESTS = ("test_safety", "test_gate_levels", "test_brakes", "test_ramp", "test_shaping", "test_drive_modes")
 LEAST_SCORE = 0.95
 STEPS = "1000000"
 LONGEST = 900.0  # s for each part
@@ -38,8 +38,8 @@ SAME = {
     '_since: float | None = ""': "set anew before it is read",
     "_stop_turn_rate = None": "set anew before it is read",
     "_stop_turn_rate = 1.0": "set anew before it is read",
-    "self._unasked < self._cruise_time": "a tick more or less of ten seconds; the tests that count ticks see the rest",
-    "self._unasked + dt >= self._cruise_time": "a tick more or less of ten seconds",
+    "self._unasked < self._longest": "a tick more or less of ten seconds; the tests that count ticks see the rest",
+    "self._unasked + dt >= self._longest": "a tick more or less of ten seconds",
 }
 
 

@@ -12,7 +12,8 @@ FILES = sorted((ROOT / "app").rglob("*.py"))
 
 LEAVES = "leaf"
 PURE_PIPELINE = {
-    f"app.pipeline.{name}" for name in ("chain", "batch", "safety", "decoder", "controls", "shaping", "health")
+    f"app.pipeline.{name}"
+    for name in ("chain", "batch", "brakes", "safety", "decoder", "controls", "shaping", "health")
 }
 FITTING = {f"app.calibration.{name}" for name in ("fit", "guided", "pca", "quality")}
 PURE_HARDWARE = (

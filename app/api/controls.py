@@ -11,7 +11,7 @@ from app.api.deps import Clinician, People, PeopleParts
 from app.api.flows import FlowParts, Flows
 from app.api.signed_in import SignedIn
 from app.calibration.suggest import SuggestedVocabulary
-from app.calibration.vocabulary import Binding, ControlMode, CruiseTime, DriveParameters, Gesture
+from app.calibration.vocabulary import Binding, ControlMode, CruiseTime, DriveParameters, Gesture, TurnCruiseTime
 from app.messages import MAX_GESTURES
 from app.quantities import Cutoff, Document, Title
 from app.sentences import one_sentence
@@ -46,6 +46,7 @@ LIMITS: dict[str, tuple[float, float]] = {
     "jerk": (0.5, 20.0),
     "turn_jerk": (1.0, 400.0),
     "cruise_time": (1.0, 30.0),
+    "turn_cruise_time": (1.0, 10.0),
 }
 
 
@@ -59,6 +60,7 @@ class ControlSettings(Document):
     cutoff: Cutoff
     speeds: Speeds
     cruise_time: CruiseTime = 10.0
+    turn_cruise_time: TurnCruiseTime = 3.0
     title: Title = "Standard"
 
 
@@ -86,7 +88,7 @@ class ControlsView(Document):
     suggested: Suggested
     limits: dict[str, tuple[float, float]]
     held: dict[str, float]  # speeds of the set that the clinic or the chosen chair does not allow: what holds instead
-    misfit: str | None  # why these cannot drive with the shirt in use
+    obstacle: str | None  # why these cannot drive
 
 
 def _view(db: Transaction, flows: Flows, patient_id: int, suggestion: SuggestedVocabulary) -> ControlsView:
@@ -102,7 +104,7 @@ def _view(db: Transaction, flows: Flows, patient_id: int, suggestion: SuggestedV
         suggested=Suggested(bindings=suggestion.bindings, reason=suggestion.reason),
         limits=LIMITS,
         held=flows.arming.held(parameters.speeds),
-        misfit=flows.visit.misfit(parameters),
+        obstacle=flows.visit.obstacle(parameters),
     )
 
 

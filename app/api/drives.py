@@ -46,6 +46,7 @@ class ArmedSet(Document):
     mode_u2: ControlMode
     cutoff: float  # Hz
     cruise_time: float  # s
+    turn_cruise_time: float  # s
 
 
 class PracticeView(Document):
@@ -119,6 +120,7 @@ async def summary(who: Anyone, flows: FlowParts) -> Summary:
             mode_u2=parameters.mode_u2,
             cutoff=parameters.cutoff,
             cruise_time=parameters.cruise_time,
+            turn_cruise_time=parameters.turn_cruise_time,
         ),
         speeds=now.speeds,
         practised=PracticeView(
@@ -147,9 +149,9 @@ async def arm(body: NewDrive, request: Request, who: Clinician, parts: PeoplePar
         age = flows.screens.age(Screen(who.person_id, body.screen), monotonic())
         if age is None or age > HEARD_WITHIN:
             raise Conflict(NOT_IN_VIEW)
-        misfit = await flows.visit.load_parameters()
-        if misfit is not None:
-            raise Conflict(misfit)
+        obstacle = await flows.visit.load_parameters()
+        if obstacle is not None:
+            raise Conflict(obstacle)
         starter = Starter(who.person_id, who.name, body.screen)
         drive_id = await flows.real.start(now.session, starter, chair, now.parameters_id, body.hash)
     return await asyncio.to_thread(_one, parts, who.clinic_id, drive_id)

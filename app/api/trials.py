@@ -195,9 +195,9 @@ async def start_trial(body: NewTrial, who: Clinician, parts: PeopleParts, flows:
             path = plan.path_named(body.path)
         except ValueError as error:
             raise NotFound(f"This floor plan has no path '{body.path}': choose one of the list.") from error
-        misfit = await flows.visit.load_parameters()
-        if misfit is not None:
-            raise Conflict(misfit)
+        obstacle = await flows.visit.load_parameters()
+        if obstacle is not None:
+            raise Conflict(obstacle)
         await flows.view.show(plan, path.name)
         trial_id = await flows.drive.start(session, Starter(who.person_id, who.name, body.screen), plan, path)
     return await asyncio.to_thread(_one, parts, who.clinic_id, trial_id)

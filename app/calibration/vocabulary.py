@@ -2,7 +2,7 @@
 
 import hashlib
 import json
-from typing import Annotated, Literal, Self
+from typing import Annotated, Any, Literal, Self
 
 from pydantic import Field, model_validator
 
@@ -16,6 +16,7 @@ Feature = Literal["rate", "displacement"]
 ControlMode = Literal["velocity", "acceleration"]
 
 CruiseTime = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=1, le=30)]  # s
+TurnCruiseTime = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=1, le=10)]  # s
 
 
 class Gesture(Document):
@@ -61,6 +62,7 @@ class DriveParameters(Document):
     cutoff: Cutoff = 3.0  # Hz: tremor damping
     speeds: Speeds = Speeds()
     cruise_time: CruiseTime = 10.0  # s: a chair that cruises without being asked to for so long slows to standstill
+    turn_cruise_time: TurnCruiseTime | None = 3.0  # s: the same for turning; None only in sets from before it
 
     @model_validator(mode="after")
     def _names_fit_together(self) -> Self:
@@ -86,8 +88,21 @@ class DriveParameters(Document):
     @property
     def hash(self) -> str:
         """SHA-256 of the canonical JSON, hex: two sets with one hash drive alike."""
-        canonical = json.dumps(self.model_dump(mode="json"), sort_keys=True, separators=(",", ":"))
+        document = self.model_dump(mode="json")
+        if self.turn_cruise_time is None:
+            del document["turn_cruise_time"]  # such a set keeps the hash that its recordings carry
+        canonical = json.dumps(document, sort_keys=True, separators=(",", ":"))
         return hashlib.sha256(canonical.encode()).hexdigest()
+
+
+def recorded_parameters(document: Any) -> DriveParameters:
+    """Return the parameter set in the header of a recording, which drives again exactly as it did then.
+
+    A set from before there was a time-out of turning has none. Raise pydantic's ValidationError for anything else.
+    """
+    if isinstance(document, dict):
+        document = {"turn_cruise_time": None, **document}
+    return DriveParameters.model_validate(document)
 
 
 # The paper's vocabulary: which joint's movement does what, where the shirt has these joints.

@@ -1,6 +1,7 @@
 """Why a chair is not armed, beyond what the gate itself watches."""
 
 from app.faults import EXPLANATIONS, State
+from app.pipeline.brakes import missing_brake
 from app.pipeline.loop import ControlLoop
 
 
@@ -11,6 +12,9 @@ def refusal(loop: ControlLoop, digest: str) -> str:
         return "There is nothing to drive with: calibrate first."
     if digest != setup.hash:
         return "The controls were changed meanwhile: load them again, then arm."
+    missing = missing_brake(setup.chain.parameters)
+    if missing:
+        return missing
     if gate.state is State.FAULT:
         what = EXPLANATIONS[gate.fault]
         return f"{what.happened} {what.next_step}"

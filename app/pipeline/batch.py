@@ -29,7 +29,7 @@ from app.pipeline.safety import (
     stop_rate,
     towards_zero,
 )
-from app.pipeline.shaping import Shaper, forward_ramp, turn_ramp
+from app.pipeline.shaping import Cruise, Shaper, forward_ramp, turn_ramp
 from app.smoothing import smooth
 
 Array = NDArray[np.float64]
@@ -218,8 +218,8 @@ def _twists(
     shaper = Shaper(parameters)
     forward, turn = forward_ramp(parameters.speeds), turn_ramp(parameters.speeds)
     return (
-        _ramped(_Axis(shaper.speed, forward, STOP_DECELERATION, shaper), u1, dt, permitted),
-        _ramped(_Axis(shaper.turn_rate, turn, STOP_TURN_DECELERATION, None), u2, dt, permitted),
+        _ramped(_Axis(shaper.speed, forward, STOP_DECELERATION, shaper.cruise), u1, dt, permitted),
+        _ramped(_Axis(shaper.turn_rate, turn, STOP_TURN_DECELERATION, shaper.turn_cruise), u2, dt, permitted),
     )
 
 
@@ -229,7 +229,7 @@ class _Axis(NamedTuple):
     shape: Callable[[float, float, float, float], float]
     ramp: Ramp
     stop_deceleration: float
-    cruises: Shaper | None  # where a speed that nobody asks for runs out
+    cruise: Cruise | None  # the time-out of a speed that is kept
 
 
 def _ramped(axis: _Axis, control: Array, dt: Array, permitted: NDArray[np.bool_]) -> Array:
@@ -254,14 +254,14 @@ def _ramped(axis: _Axis, control: Array, dt: Array, permitted: NDArray[np.bool_]
         else:
             if was_permitted:
                 stop, rate = stop_rate(last, axis.stop_deceleration), 0.0
-                if axis.cruises:
-                    axis.cruises.reset()
+                if axis.cruise:
+                    axis.cruise.reset()
             speed = towards_zero(last, stop * step)
         was_permitted = permissions[i]
         settled = speed == last and step > 0.0 and (controls[i] == 0.0 or not was_permitted)
         end = next_ask[i] if settled else i + 1
-        if settled and axis.cruises and was_permitted and speed:
-            end = i + 1 + axis.cruises.coast(steps[i + 1 : end])
+        if settled and axis.cruise and was_permitted and speed:
+            end = i + 1 + axis.cruise.coast(steps[i + 1 : end])
         speeds[i:end] = speed
         last = speed
         i = end

@@ -61,7 +61,7 @@ class Chain:
         if self._shaper:
             self._shaper.restrict(self.limits)
         self._sample_rate = sample_rate
-        self._stale, _ = shirt_limits(sample_rate)
+        self._stale, self._silent = shirt_limits(sample_rate)
         self._loss = LossWindow()
         self._tick = Tick()
         self.reset()
@@ -160,7 +160,7 @@ class Chain:
         elif self._frame_t is None:
             self._frame_t = t  # from here on the first frame is waited for
         frame_age = t - self._frame_t if self._frame_t is not None else math.inf
-        self._follow_losses(t)
+        self._follow_losses(t, controls)
         unseen = frame_age > self._stale or self._loss.too_lossy
         if unseen:
             decoder.quieten()
@@ -177,18 +177,24 @@ class Chain:
         return gate.limit(shaper.step(tick.u1, tick.u2, gate.last, gate.rates, dt), dt)
 
     def _bad(self, decoder: Decoder, controls: Controls) -> BadGestures:
-        if True not in decoder.bad:
+        if controls.brakes.are_complete and True not in decoder.bad:
             return NONE_BAD
-        return BadGestures(sum(decoder.bad[i] for i in controls.bound), not controls.can_brake(decoder.bad))
+        bad_count = sum(decoder.bad[i] for i in controls.bound)
+        return BadGestures(bad_count, not controls.brakes.suffice(self.gate.last, decoder.bad))
 
-    def _follow_losses(self, t: float) -> None:
-        """Stop when losses go on: with gestures silenced, nobody could slow a chair that cruises."""
+    def _follow_losses(self, t: float, controls: Controls) -> None:
+        """Stop when losses go on: gestures count as neutral meanwhile, so that nobody can brake with one.
+
+        A chair that keeps its speed is stopped as soon as it would be without any frame.
+        """
         if not self._loss.too_lossy:
             self._lossy_since = None
         elif self._lossy_since is None:
             self._lossy_since = t
-        elif t - self._lossy_since > LOSSY_LIMIT and self.gate.state is not State.DISARMED:
-            self.gate.stop(Fault.SHIRT_LOSSY)
+        elif self.gate.state is not State.DISARMED:
+            limit = self._silent if controls.brakes.are_needed(self.gate.last) else LOSSY_LIMIT
+            if t - self._lossy_since > limit:
+                self.gate.stop(Fault.SHIRT_LOSSY)
 
     def _decode(self, decoder: Decoder, frame: SensorFrame) -> None:
         time_step = frame.t_device - self._t_device

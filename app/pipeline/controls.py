@@ -1,6 +1,7 @@
 """From activations to u1, u2 and the stop gesture (signal-chain.md, section 4)."""
 
 from app.calibration.vocabulary import DriveParameters
+from app.pipeline.brakes import Brakes
 
 STOP_ACTIVATION = 0.5  # each gesture of the stop: well above what a neighbour's movement leaks
 
@@ -13,7 +14,7 @@ class Controls:
         self._u1: list[tuple[int, float]] = []
         self._u2: list[tuple[int, float]] = []
         self._stops: list[list[int]] = []
-        self._cruises = parameters.mode_u1 == "acceleration"
+        self.brakes = Brakes(parameters)
         for binding in parameters.bindings:
             gestures = [place[name] for name in binding.gestures]
             if binding.control == "stop":
@@ -41,13 +42,6 @@ class Controls:
         if u1 or u2:
             return min(1.0, max(-1.0, u1)), min(1.0, max(-1.0, u2))
         return 0.0, 0.0
-
-    def can_brake(self, bad: list[bool]) -> bool:
-        """Return whether a gesture that slows or stops is left; without acceleration mode, rest is enough."""
-        if not self._cruises:
-            return True
-        slows = any(gain < 0 and not bad[i] for i, gain in self._u1)
-        return slows or any(not any(bad[i] for i in stop) for stop in self._stops)
 
     def is_stop(self, activation: list[float]) -> bool:
         """Return whether all gestures of a stop are there together."""

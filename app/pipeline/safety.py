@@ -18,7 +18,7 @@ NEUTRAL_TIME = 0.5  # s at rest before motion (ISO 7176-14, control signal at sw
 NEUTRAL_PATIENCE = 5.0  # s, then a latched fault
 SHIRT_STALE = 0.05  # s: gestures count as neutral
 SHIRT_SILENT = 0.2  # s: disarm (a 200 ms stall disarms in ArduPilot, too)
-LOSSY_LIMIT = 1.5  # s of too many lost frames: one burst of losses is forgotten after 1 s, so these go on
+LOSSY_LIMIT = 1.5  # s of too many lost frames: one burst is forgotten after 1 s; a chair that cruises stops sooner
 SLOW_SHIRT = 60.0  # Hz: below it the limits are counted in periods
 STALE_PERIODS, SILENT_PERIODS = 3, 12
 WEB_SILENT = 0.3  # s without a heartbeat of the web process
@@ -55,7 +55,7 @@ class BadGestures(NamedTuple):
     """Which bound gestures have channels that cannot be believed."""
 
     bound: int = 0  # how many
-    brakes: bool = False  # no gesture is left that slows or stops a chair that cruises
+    brakes: bool = False  # the others cannot stop what moves (app/pipeline/brakes.py)
 
 
 def shirt_limits(sample_rate: float) -> tuple[float, float]:

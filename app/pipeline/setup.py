@@ -160,6 +160,8 @@ class Setup:
         self.require_still()
         if parameters is not None and not self._fits(parameters):
             raise Refused("These controls were made for a shirt with other channels: calibrate with this shirt.")
+        if parameters is not None and parameters.turn_cruise_time is None:
+            raise Refused("These controls have no time-out of turning: open the Controls page and save them anew.")
         self.parameters = parameters
         self.hash = parameters.hash if parameters else None
         self._link_chain()

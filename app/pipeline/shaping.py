@@ -1,5 +1,6 @@
 """From u1 and u2 to the twist that is asked for: control mode, speeds, ramps. Never on the stop path."""
 
+import math
 from collections.abc import Sequence
 
 from app.calibration.vocabulary import DriveParameters
@@ -20,23 +21,54 @@ def turn_ramp(speeds: Speeds) -> Ramp:
     return Ramp(speeds.turn, speeds.turn, speeds.turn_acceleration, speeds.turn_acceleration, speeds.turn_jerk)
 
 
+class Cruise:
+    """How long nobody has asked an axis that keeps its speed for anything; safety S10.
+
+    `longest` is the time-out (s), None where speed is kept for ever.
+    """
+
+    def __init__(self, longest: float | None) -> None:
+        self._longest = math.inf if longest is None else longest
+        self.reset()
+
+    def reset(self) -> None:
+        """Begin the time-out anew."""
+        self._unasked = 0.0
+
+    def goes_on(self, control: float, dt: float) -> bool:
+        """Return whether the speed is still kept, `dt` (s) later, with `control` asked for."""
+        self._unasked = 0.0 if control else self._unasked + dt
+        return self._unasked <= self._longest
+
+    def coast(self, steps: Sequence[float]) -> int:
+        """Let `steps` (s) pass in which nothing is asked and the speed stays; return how many until it runs out."""
+        for count, dt in enumerate(steps):
+            if self._unasked + dt > self._longest:
+                return count
+            self._unasked += dt
+        return len(steps)
+
+
 class Shaper:
-    """Knows what the chair was last told, and for how long nobody has asked a cruising chair for anything."""
+    """Knows how the chair follows the controls: the mode and the limits of each axis.
+
+    `cruise` and `turn_cruise` are the time-outs of axes in acceleration mode, None for an axis in velocity mode.
+    """
 
     def __init__(self, parameters: DriveParameters) -> None:
-        self._accelerates_u1 = parameters.mode_u1 == "acceleration"
-        self._accelerates_u2 = parameters.mode_u2 == "acceleration"
-        self._cruise_time = parameters.cruise_time
+        self.cruise = Cruise(parameters.cruise_time) if parameters.mode_u1 == "acceleration" else None
+        self.turn_cruise = Cruise(parameters.turn_cruise_time) if parameters.mode_u2 == "acceleration" else None
         self.restrict(parameters.speeds)
-        self.reset()
 
     def restrict(self, speeds: Speeds) -> None:
         """Shape within these limits from now on."""
         self._forward, self._turn = forward_ramp(speeds), turn_ramp(speeds)
 
     def reset(self) -> None:
-        """Forget how long nothing was asked for."""
-        self._unasked = 0.0
+        """Begin the time-outs anew."""
+        for cruise in (self.cruise, self.turn_cruise):
+            if cruise:
+                cruise.reset()
 
     def step(self, u1: float, u2: float, last: Twist, rates: Twist, dt: float) -> Twist:
         """Return the twist to ask for, `dt` (s) after `last` was commanded with the changes `rates` (per s)."""
@@ -45,9 +77,8 @@ class Shaper:
     def speed(self, u1: float, last: float, rate: float, dt: float) -> float:
         """Return the forward speed (m/s) to ask for, `dt` (s) after `last`, which had changed by `rate` (m/s2)."""
         ramp = self._forward
-        if self._accelerates_u1:
-            self._unasked = 0.0 if u1 else self._unasked + dt
-            if self._unasked <= self._cruise_time:
+        if self.cruise:
+            if self.cruise.goes_on(u1, dt):
                 return last + u1 * ramp.acceleration * dt
             target = 0.0
         else:
@@ -56,19 +87,11 @@ class Shaper:
                 target = 0.0
         return ramp.towards(last, rate, target, dt)
 
-    def coast(self, steps: Sequence[float]) -> int:
-        """Let `steps` (s) pass in which nothing is asked and the speed stays; return how many until it runs out."""
-        if not self._accelerates_u1:
-            return len(steps)
-        for count, dt in enumerate(steps):
-            if self._unasked + dt > self._cruise_time:
-                return count
-            self._unasked += dt
-        return len(steps)
-
     def turn_rate(self, u2: float, last: float, rate: float, dt: float) -> float:
         """Return the turn rate (rad/s) to ask for, `dt` (s) after `last`, which had changed by `rate` (rad/s2)."""
         ramp = self._turn
-        if self._accelerates_u2:
-            return last + u2 * ramp.top / TURN_BUILD_UP * dt
+        if self.turn_cruise:
+            if self.turn_cruise.goes_on(u2, dt):
+                return last + u2 * ramp.top / TURN_BUILD_UP * dt
+            return ramp.towards(last, rate, 0.0, dt)
         return ramp.towards(last, rate, u2 * ramp.top, dt)

@@ -124,9 +124,9 @@ class RealArming:
         if found.parameters is None:
             return [NOT_CALIBRATED]
         refusals = []
-        misfit = self._visit.misfit(found.parameters)
-        if misfit is not None:
-            refusals.append(misfit)
+        obstacle = self._visit.obstacle(found.parameters)
+        if obstacle is not None:
+            refusals.append(obstacle)
         if self._equipment.shirt["kind"] in NOT_A_BODY and not self._demonstration:
             refusals.append(NOT_WORN)
         if found.practice.trials == 0:

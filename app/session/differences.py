@@ -45,7 +45,9 @@ def _heads(now: DriveParameters, before: DriveParameters) -> Iterator[str]:
     if now.cutoff != before.cutoff:
         yield _change("Tremor damping", before.cutoff, now.cutoff, 1, "Hz")
     if now.cruise_time != before.cruise_time:
-        yield _change("Latched time-out", before.cruise_time, now.cruise_time, 0, "s")
+        yield _change("Stops by itself after", before.cruise_time, now.cruise_time, 0, "s")
+    if now.turn_cruise_time != before.turn_cruise_time:
+        yield _turn_time_out(now.turn_cruise_time, before.turn_cruise_time)
 
 
 def _speeds(now: DriveParameters, before: DriveParameters) -> Iterator[str]:
@@ -108,6 +110,14 @@ def _label(parameters: DriveParameters, gesture: Gesture) -> str:
     labels = {joint.name: joint.label for joint in parameters.profile.layout.joints}
     words = labels.get(gesture.joint, gesture.joint)
     return words if gesture.direction == 1 else f"{words}, going back"
+
+
+def _turn_time_out(now: float | None, before: float | None) -> str:
+    words = "Stops turning by itself after"
+    if now is None or before is None:
+        old, new = ("no time-out" if time is None else f"{time:g} s" for time in (before, now))
+        return f"{words}: {old} → {new}."
+    return _change(words, before, now, 1, "s")
 
 
 def _change(words: str, before: float, now: float, digits: int, unit: str) -> str:

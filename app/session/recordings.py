@@ -11,7 +11,7 @@ from app.calibration.guided import with_guided_maps
 from app.calibration.profile import CalibrationProfile
 from app.calibration.repetitions import Repetition, Stretch, repetitions_of_run, stretch_of_run
 from app.calibration.script import Step
-from app.calibration.vocabulary import DriveParameters
+from app.calibration.vocabulary import recorded_parameters
 from app.faults import State
 from app.layout import ShirtLayout
 from app.recording_reader import Columns, read_run
@@ -95,7 +95,7 @@ def quality_of_recording(folder: Path) -> ControlQuality:
     rows = run.frames()
     way = _since_armed(run.columns)
     return control_quality(
-        DriveParameters.model_validate(run.meta["parameters"]),
+        recorded_parameters(run.meta["parameters"]),
         float(run.meta["sample_rate"]),
         rows["values"],
         rows["state"] == State.ARMED,

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import ValidationError
 
-from app.calibration.vocabulary import DriveParameters
+from app.calibration.vocabulary import DriveParameters, recorded_parameters
 from app.faults import State
 from app.layout import ShirtLayout
 from app.quantities import Document
@@ -268,7 +268,7 @@ def _joints(run: Run, short: Decimation) -> list[JointLines]:
 def parameters_of(run: Run) -> DriveParameters | None:
     """Return what a run was driven with, as its recording says; None when it does not."""
     try:
-        return DriveParameters.model_validate(run.meta.get("parameters"))
+        return recorded_parameters(run.meta.get("parameters"))
     except ValidationError:
         return None
 

@@ -5,6 +5,7 @@ from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager, suppress
 
 from app.calibration.vocabulary import DriveParameters
+from app.pipeline.brakes import missing_brake
 from app.session.calibration_flow import CalibrationFlow
 from app.session.control import Control
 from app.session.database import Database
@@ -83,7 +84,7 @@ class VisitFlow:
         self._tell("visit")
 
     async def load_parameters(self) -> str | None:
-        """Load the current parameters into the control process; return in one sentence why they do not fit."""
+        """Load the current parameters into the control process; return in one sentence why they cannot drive."""
         # What was loaded for somebody else must not come back with a new control process.
         self._control.forget("parameters")
         self.loaded = None
@@ -93,14 +94,18 @@ class VisitFlow:
             if words is None:
                 await self._control.load("parameters", parameters=document.model_dump(mode="json"))
                 self.loaded = document
-                return None
+                return self.obstacle(document)
         else:
             words = None
         await self._control.load("parameters", parameters=None)
         return words
 
+    def obstacle(self, parameters: DriveParameters) -> str | None:
+        """Return in one sentence why parameters cannot drive: not in this shirt, or not so that a person can stop."""
+        return self.misfit(parameters) or missing_brake(parameters) or None
+
     def misfit(self, parameters: DriveParameters) -> str | None:
-        """Return in one sentence why parameters cannot drive with the shirt in use, None when they can."""
+        """Return in one sentence why parameters do not fit the shirt in use, None when they do."""
         layout = self._equipment.layout
         if layout is None:
             return self._equipment.words or "There is no shirt: choose one on the Shirt page."

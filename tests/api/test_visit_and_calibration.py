@@ -185,6 +185,11 @@ def test_controls_are_set_undone_named_and_never_half(signed_in: Any) -> None:
     assert "nobody" in bad.json()["detail"]
     assert signed_in("PUT", "/controls", json={**body, "cutoff": 900.0}).status_code == 422
     assert signed_in.good("GET", "/controls")["hash"] == controls["hash"]
+    for time in (0.5, 10.5, None, "3"):
+        assert signed_in("PUT", "/controls", json={**body, "turn_cruise_time": time}).status_code == 422
+    no_brake = [{"control": "u1+", "gestures": ["right_elbow"]}]
+    assert "bind a movement" in signed_in.good("PUT", "/controls", json={**body, "bindings": no_brake})["obstacle"]
+    assert signed_in.good("POST", "/controls/undo")["obstacle"] is None
     changed = signed_in.good("PUT", "/controls", json={**body, "cutoff": 5.0, "title": "Brisk"})
     assert changed["can_undo"] is True
     assert signed_in.link.parameters["cutoff"] == 5.0
@@ -221,7 +226,7 @@ def test_another_shirt_does_not_drive_with_this_calibration(signed_in: Clinic) -
     signed_in.calibrate()
     worn = signed_in.client.app.state.flows.equipment
     worn.sample_rate = 250.0
-    assert "calibrate again" in signed_in.good("GET", "/controls")["misfit"]
+    assert "calibrate again" in signed_in.good("GET", "/controls")["obstacle"]
     plan = signed_in.good("GET", "/floorplans/apartment")
     answer = signed_in(
         "POST", "/trials", json={"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}

@@ -6,7 +6,7 @@ import pytest
 from pydantic import ValidationError
 
 from app.calibration.profile import CalibrationProfile, GuidedMap, JointMap, MapCheck
-from app.calibration.vocabulary import DriveParameters, standard_parameters
+from app.calibration.vocabulary import DriveParameters, recorded_parameters, standard_parameters
 from building import make_parameters, make_profile
 
 PCA = MapCheck(in_phase=0.9, hit_rate=0.8, false_per_minute=1.0, false_count=1)
@@ -35,9 +35,21 @@ def with_guided(kind="guided", **changes):
 
 def test_a_parameter_set_without_guided_maps_keeps_its_hash():
     digest = "a9aa5cb4ec91edafd0892ac5b7c2348a6367e9e6e7ec42b5c847011b669fef50"  # reckoned before there were any
-    assert make_parameters().hash == digest
-    again = DriveParameters.model_validate_json(make_parameters().model_dump_json())
-    assert again.hash == digest
+    before = json.loads(make_parameters().model_dump_json())
+    del before["turn_cruise_time"]  # which came later
+    assert recorded_parameters(before).hash == digest
+
+
+def test_a_set_from_before_there_was_a_time_out_of_turning_is_read_with_none_from_a_recording_only():
+    before = json.loads(make_parameters().model_dump_json())
+    del before["turn_cruise_time"]
+    assert recorded_parameters(before).turn_cruise_time is None
+    assert DriveParameters.model_validate(before).turn_cruise_time == 3.0
+    again = recorded_parameters(json.loads(make_parameters().model_dump_json()))
+    assert (again, again.hash) == (make_parameters(), make_parameters().hash)
+    assert recorded_parameters(before).hash != again.hash
+    with pytest.raises(ValidationError):
+        recorded_parameters(None)
 
 
 def test_a_joint_without_a_guided_map_is_written_as_before():

@@ -1,6 +1,7 @@
 """The chain as a whole: what a person does, and what the chair does of it."""
 
 import numpy as np
+import pytest
 
 from app.faults import Fault, State
 from app.geometry import Pose
@@ -107,15 +108,15 @@ def test_a_bad_channel_silences_its_gesture_and_two_bad_gestures_stop():
     ride = Ride(parameters)
     ride.arm_at_rest(make_signals(parameters, strokes=False))
     frames = make_signals(parameters, 100, strokes=False)
-    channel = parameters.profile.joints[0].channels[0]
-    frames[:50, channel] = np.nan
+    left, right = (parameters.profile.joints[i].channels[0] for i in (2, 3))  # the shoulders
+    frames[:50, left] = np.nan
     for frame in frames[:50]:
         tick = ride.feed(frame)
-        assert tick.activation[0] == 0.0
+        assert tick.activation[2] == 0.0
         assert np.isfinite(tick.score).all()
     assert tick.state is State.ARMED
-    frames[50:, parameters.profile.joints[1].channels[0]] = 1e9
-    frames[50:, channel] = np.nan
+    frames[50:, right] = 1e9
+    frames[50:, left] = np.nan
     assert ride.feed(frames[50]).fault is Fault.CHANNELS_BAD
 
 
@@ -164,16 +165,19 @@ def test_a_body_that_is_not_seen_is_not_seen_at_rest():
     assert State.ARMED not in states
 
 
-def test_losses_that_go_on_stop_a_chair_that_cruises():
-    parameters = make_parameters()
+@pytest.mark.parametrize(("mode", "limit"), [("acceleration", 0.2), ("velocity", 1.5)])
+def test_losses_that_go_on_stop_and_a_chair_that_cruises_sooner(mode, limit):
+    parameters = make_parameters().model_copy(update={"mode_u1": mode})
     ride = Ride(parameters)
     ride.arm_at_rest(make_signals(parameters, strokes=False))
     for frame in bend(parameters, 60, 0.8):
         tick = ride.feed(frame)
     assert tick.v > 0.1
     frames = make_signals(parameters, 300, strokes=False)
-    ticks = [ride.feed(frame if i % 2 else None) for i, frame in enumerate(frames)]
-    assert ticks[-1].fault is Fault.SHIRT_LOSSY
+    seen = [(ride.feed(frame if i % 2 else None).fault, ride.chain._loss.too_lossy) for i, frame in enumerate(frames)]
+    silenced = [lossy for _, lossy in seen].index(True)
+    stopped = [fault for fault, _ in seen].index(Fault.SHIRT_LOSSY)
+    assert (stopped - silenced) / RATE == pytest.approx(limit, abs=0.02)
     assert ride.chain.gate.last == (0.0, 0.0)
 
 

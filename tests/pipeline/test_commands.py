@@ -11,6 +11,7 @@ import pytest
 from hardware.chair_stand_in import StandInChair
 from scripted_shirt import ScriptedShirt
 
+from app.calibration.vocabulary import Binding
 from app.clock import FakeClock
 from app.faults import Fault, State
 from app.geometry import Twist
@@ -22,6 +23,8 @@ from app.pipeline.setup import Refused, Setup
 from app.ring import TickRing
 from app.speeds import NO_FURTHER, Speeds
 from building import make_parameters, make_signals
+
+ONE_WAY = (Binding(control="u2+", gestures=("left_shoulder",)),)
 
 
 class Office:
@@ -215,6 +218,17 @@ def test_room_is_looked_for_where_the_folder_will_be(tmp_path, monkeypatch):
     with pytest.raises(Refused, match=r"Only 0 MB are free"):
         require_room(tmp_path / "not" / "yet" / "there")
     assert asked == [tmp_path]
+
+
+def test_what_nobody_could_stop_is_not_armed(office):
+    parameters = office.parameters.model_copy(update={"mode_u2": "acceleration", "bindings": ONE_WAY})
+    office.done("parameters", parameters=parameters.model_dump(mode="json"))
+    assert "bind a movement" in office.refused("arm", hash=parameters.hash)
+
+
+def test_a_set_without_a_time_out_of_turning_is_not_driven(office):
+    before = office.parameters.model_copy(update={"turn_cruise_time": None})
+    assert "save them anew" in office.refused("parameters", parameters=before.model_dump(mode="json"))
 
 
 def test_a_head_tracker_is_chosen_asked_and_given_back(office, tmp_path):

@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 
+from app.calibration.vocabulary import STOP_TOGETHER
 from app.faults import Fault, State
 from app.geometry import Pose
 from app.hardware.chair.simulator import VirtualChair
@@ -177,7 +178,7 @@ def test_each_channel_that_breaks_silences_its_gesture_and_moves_nothing(mode, k
             assert (tick.v, tick.omega) == (0.0, 0.0)
             assert kind == "flat" or tick.activation[gesture] == 0.0
             assert kind != "flat" or count < 22 or tick.activation[gesture] == 0.0
-        lost_brake = mode == "acceleration" and joint.name == "left_elbow"
+        lost_brake = mode == "acceleration" and joint.name in STOP_TOGETHER
         assert (tick.fault is Fault.BRAKE_BAD) == lost_brake, joint.name
 
 
@@ -246,14 +247,18 @@ def test_the_same_input_gives_the_same_commands_on_either_chair_bit_for_bit(mode
     assert any(v for v, *_ in logs[0])
 
 
-def test_a_cruise_that_nobody_asks_for_runs_out_on_either_chair():
-    for chair in (VirtualChair, RealChair):
-        ride = Ride("acceleration", chair, cruise_time=2.0).armed()
-        for frame in ride.bend("right_elbow"):
-            ride.feed(frame)
-        held = ride.bend("right_elbow")[-1]
-        noise = np.random.default_rng(4).normal(scale=0.002, size=(500, len(held))).astype(np.float32)
-        speeds = [ride.feed(held + wobble).v for wobble in noise]
-        assert speeds[150] > 0.1
-        assert speeds[-1] == 0.0
-        assert ride.gate.state is State.ARMED
+@pytest.mark.parametrize("chair", [VirtualChair, RealChair])
+@pytest.mark.parametrize(
+    ("axis", "joint", "changes"),
+    [("v", "right_elbow", {"cruise_time": 2.0}), ("omega", "left_shoulder", {"turn_cruise_time": 2.0})],
+)
+def test_a_cruise_that_nobody_asks_for_runs_out_on_either_chair_and_axis(chair, axis, joint, changes):
+    ride = Ride("acceleration", chair, mode_u2="acceleration", **changes).armed()
+    for frame in ride.bend(joint):
+        ride.feed(frame)
+    posture = ride.bend(joint)[-1]
+    noise = np.random.default_rng(4).normal(scale=0.002, size=(500, len(posture))).astype(np.float32)
+    speeds = [abs(getattr(ride.feed(posture + wobble), axis)) for wobble in noise]
+    assert speeds[150] > 0.1
+    assert speeds[-1] == 0.0
+    assert ride.gate.state is State.ARMED

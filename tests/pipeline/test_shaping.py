@@ -3,7 +3,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from app.geometry import STANDSTILL, Twist
-from app.pipeline.shaping import TURN_BUILD_UP, Shaper, forward_ramp, turn_ramp
+from app.pipeline.shaping import TURN_BUILD_UP, Cruise, Shaper, forward_ramp, turn_ramp
 from app.speeds import Speeds
 from building import make_parameters
 
@@ -78,19 +78,45 @@ def test_a_new_permission_begins_the_cruise_anew():
 
 
 def test_in_velocity_mode_nothing_runs_out():
-    shape = shaper(mode_u1="velocity", cruise_time=1.0)
-    assert driven(shape, [(1.0, 0.0)] * 500)[-1].v == Speeds().forward
-    assert shape.coast([0.01] * 500) == 500
+    shape = shaper(mode_u1="velocity", cruise_time=1.0, turn_cruise_time=1.0)
+    assert driven(shape, [(1.0, 1.0)] * 500)[-1] == Twist(Speeds().forward, Speeds().turn)
+    assert shape.cruise is shape.turn_cruise is None
+
+
+def test_turning_that_nobody_asks_for_runs_out_by_itself_and_at_its_own_time():
+    shape = shaper(mode_u2="acceleration", cruise_time=4.0, turn_cruise_time=2.0)
+    seen = driven(shape, [(0.0, 0.0)] * 300, Twist(0.6, -0.5))
+    assert [twist.omega for twist in seen[:199]] == [-0.5] * 199
+    assert -0.5 < seen[202].omega < 0.0
+    assert seen[-1] == Twist(0.6, 0.0)
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_any_intention_to_turn_lets_the_turning_go_on(sign):
+    shape = shaper(mode_u2="acceleration", turn_cruise_time=2.0)
+    rest, wish = [(0.0, 0.0)] * 150, [(0.0, sign * 1e-6)]
+    assert driven(shape, (rest + wish) * 4, Twist(0.0, 0.5))[-1].omega == pytest.approx(0.5, abs=1e-5)
+
+
+def test_a_new_permission_begins_the_time_out_of_turning_anew():
+    shape = shaper(mode_u2="acceleration", turn_cruise_time=2.0)
+    driven(shape, [(0.0, 0.0)] * 150, Twist(0.0, 0.5))
+    shape.reset()
+    assert driven(shape, [(0.0, 0.0)] * 190, Twist(0.0, 0.5))[-1].omega == 0.5
+
+
+def test_without_a_time_out_turning_goes_on():
+    shape = shaper(mode_u2="acceleration", turn_cruise_time=None)
+    assert driven(shape, [(0.0, 0.0)] * 3000, Twist(0.0, 0.5))[-1].omega == 0.5
 
 
 def test_coasting_at_once_is_coasting_step_by_step():
-    at_once, stepped = shaper(cruise_time=2.0), shaper(cruise_time=2.0)
+    at_once, stepped = Cruise(2.0), Cruise(2.0)
     count = at_once.coast([0.01] * 400)
-    seen = [twist.v for twist in driven(stepped, [(0.0, 0.0)] * 400, Twist(0.6, 0.0))]
-    assert seen[count - 1] == 0.6
-    assert seen[count] < 0.6
+    assert [stepped.goes_on(0.0, 0.01) for _ in range(400)].index(False) == count
     assert at_once.coast([0.001] * 3) <= 3
-    assert shaper(cruise_time=2.0).coast([0.01] * 5) == 5
+    assert Cruise(2.0).coast([0.01] * 5) == 5
+    assert Cruise(None).coast([1.0] * 500) == 500
 
 
 def test_lower_limits_are_shaped_within():

@@ -20,6 +20,7 @@ SOME = st.fixed_dictionaries(
         "mode_u2": st.sampled_from(["velocity", "acceleration"]),
         "cutoff": st.floats(1, 8),
         "cruise_time": st.floats(1, 30),
+        "turn_cruise_time": st.one_of(st.none(), st.floats(1, 10)),
         "speeds": st.builds(Speeds, forward=st.floats(0.1, 1.5), jerk=st.floats(0.5, 20)),
         "bindings": st.lists(
             st.builds(
@@ -60,7 +61,9 @@ def test_nothing_is_said_exactly_when_both_have_one_hash(one: dict[str, Any], ot
         (changed(mode_u2="acceleration"), "Turning: follows the movement → keeps turning."),
         (changed(cutoff=4.0), "Tremor damping: 3.0 → 4.0 Hz."),
         (changed(cutoff=3.001), "Tremor damping: 3.000 → 3.001 Hz."),
-        (changed(cruise_time=8.0), "Latched time-out: 10 → 8 s."),
+        (changed(cruise_time=8.0), "Stops by itself after: 10 → 8 s."),
+        (changed(turn_cruise_time=2.5), "Stops turning by itself after: 3.0 → 2.5 s."),
+        (changed(turn_cruise_time=None), "Stops turning by itself after: 3 s → no time-out."),
         (changed(speeds=Speeds(forward=0.6)), "Forward speed: 0.80 → 0.60 m/s."),
         (changed(speeds=Speeds(turn=0.6)), "Turn speed: 69 → 34 °/s."),
         (gesture(dead_zone=0.25), "right_elbow counts from: 0.20 → 0.25 FS/s."),

@@ -27,7 +27,7 @@ export async function show(app, root, { signal }) {
   const draft = new ControlsDraft(app.api, view);
   const open = new Set(); // rows whose fine-tuning is open stay open when the page is drawn again
   const state = h("span", { role: "status" });
-  const problem = h("p", { class: "problem", role: "alert" }, view.misfit ?? "");
+  const problem = h("p", { class: "problem", role: "alert" });
   const suggestion = h("p", { class: "card suggestion", role: "status", hidden: true });
   const rowsPlace = h("section", { class: "card" });
   const sidePlace = h("div", { class: "stack" });
@@ -52,6 +52,7 @@ export async function show(app, root, { signal }) {
     }
   };
   const showState = () => {
+    write(problem, draft.view.obstacle ?? "");
     undo.disabled = !draft.view.can_undo;
     redo.disabled = !draft.view.can_redo;
     write(title, t("controls.lead", { title: draft.settings.title }));

@@ -44,8 +44,7 @@ function chosenSet({ controls, summary }, onLoad) {
 }
 
 function main(read) {
-  const { mode_u1, mode_u2, cruise_time: cruise } = read.summary.parameters;
-  return [figures(read), how(mode_u1, mode_u2, cruise)];
+  return [figures(read), how(read.summary.parameters)];
 }
 
 /** What a person feels first, large. */
@@ -60,11 +59,16 @@ function figures(read) {
   );
 }
 
-function how(mode_u1, mode_u2, cruise) {
+function how({ mode_u1, mode_u2, cruise_time, turn_cruise_time }) {
   return rows(
     [t("apply.forward-back"), t(`how.u1.${mode_u1}`), t(`how.u1.${mode_u1}.hint`)],
     [t("apply.turning"), t(`how.u2.${mode_u2}`), t(`how.u2.${mode_u2}.hint`)],
-    mode_u1 === "acceleration" && [t("apply.cruise"), t("apply.cruise.value", { time: number(cruise, 0) }), ""],
+    mode_u1 === "acceleration" && [t("apply.cruise"), t("apply.cruise.value", { time: number(cruise_time, 0) }), ""],
+    mode_u2 === "acceleration" && [
+      t("apply.turn-cruise"),
+      t("apply.turn-cruise.value", { time: number(turn_cruise_time, 0) }),
+      "",
+    ],
   );
 }
 

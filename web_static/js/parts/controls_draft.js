@@ -5,7 +5,7 @@
 import { gestureFor, newGestureName } from "./gestures.js";
 
 const REST = 400; // ms without another change, then it is sent
-const SETTINGS = ["title", "gestures", "bindings", "mode_u1", "mode_u2", "cutoff", "cruise_time", "speeds"];
+const SETTINGS = ["title", "gestures", "bindings", "mode_u1", "mode_u2", "cutoff", "cruise_time", "turn_cruise_time", "speeds"];
 const LEAST_GAP = 0.02; // FS/s or FS
 
 export class ControlsDraft extends EventTarget {
@@ -54,7 +54,7 @@ export class ControlsDraft extends EventTarget {
     this.#changed();
   }
 
-  /** @param {"mode_u1" | "mode_u2" | "cutoff" | "cruise_time" | "title"} name @param {any} value */
+  /** @param {"mode_u1" | "mode_u2" | "cutoff" | "cruise_time" | "turn_cruise_time" | "title"} name @param {any} value */
   setValue(name, value) {
     this.settings[name] = value;
     this.#changed(name.startsWith("mode"));

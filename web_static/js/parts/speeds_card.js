@@ -1,4 +1,4 @@
-/** How the chair drives: control mode per axis in words, speeds with their units, tremor damping, latched time-out. */
+/** How the chair drives: control mode per axis in words, speeds with their units, tremor damping, time-outs. */
 import { t } from "../texts.js";
 import { h } from "./dom.js";
 import { choices, setting, stepper } from "./fields.js";
@@ -42,7 +42,7 @@ export function speedsCard(draft) {
       rows.note(speed.name, held < own ? t("speed.held", { value: speedWords(speed, held) }) : "");
     }
   };
-  const isLatched = draft.settings.mode_u1 === "acceleration";
+  const keeps = (axis) => draft.settings[`mode_${axis}`] === "acceleration";
   showHeld();
   const element = h(
     "section",
@@ -50,7 +50,8 @@ export function speedsCard(draft) {
     h("h2", {}, t("speeds.title")),
     rows.elements,
     value(draft, "cutoff", { step: 0.5, digits: 1 }),
-    isLatched && value(draft, "cruise_time", { step: 1, digits: 0 }),
+    keeps("u1") && value(draft, "cruise_time", { step: 1, digits: 0 }),
+    keeps("u2") && value(draft, "turn_cruise_time", { step: 1, digits: 0 }),
   );
   return { element, showHeld };
 }

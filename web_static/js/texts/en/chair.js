@@ -47,6 +47,8 @@ export default {
   "apply.hash.hint": "Sets with one fingerprint drive alike.",
   "apply.cruise": "Cruises at most",
   "apply.cruise.value": "{time} s without a movement, then it slows to a stop",
+  "apply.turn-cruise": "Turns on at most",
+  "apply.turn-cruise.value": "{time} s without a movement, then it goes straight",
   "apply.practised": "Practised",
   "apply.practised.trials": {
     one: "{count} trial on the virtual chair, {when}",

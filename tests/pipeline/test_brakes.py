@@ -1,0 +1,144 @@
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from app.calibration.vocabulary import Binding, DriveParameters, Gesture
+from app.geometry import STANDSTILL, Twist
+from app.pipeline.brakes import Brakes, missing_brake
+from building import make_parameters, make_profile
+
+FASTER, SLOWER, LEFT, RIGHT = range(4)  # the order of the paper's joints in the test profile
+FORWARD, BACK, TURN_LEFT, TURN_RIGHT = Twist(0.3, 0.0), Twist(-0.3, 0.0), Twist(0.0, 0.3), Twist(0.0, -0.3)
+KEEPS = {"mode_u1": "acceleration", "mode_u2": "acceleration"}
+
+
+def bad(*indices, count=4):
+    return [i in indices for i in range(count)]
+
+
+def brakes(stop=False, **changes):
+    """Return the brakes of the paper's vocabulary, with its stop gesture or without."""
+    parameters = make_parameters().model_copy(update={**KEEPS, **changes})
+    kept = tuple(binding for binding in parameters.bindings if stop or binding.control != "stop")
+    return Brakes(parameters.model_copy(update={"bindings": changes.get("bindings", kept)}))
+
+
+@pytest.mark.parametrize(
+    ("twist", "brake"), [(FORWARD, SLOWER), (BACK, FASTER), (TURN_LEFT, RIGHT), (TURN_RIGHT, LEFT)]
+)
+def test_each_direction_has_its_own_brake(twist, brake):
+    for gesture in range(4):
+        assert brakes().suffice(twist, bad(gesture)) == (gesture != brake)
+    assert brakes().suffice(twist, bad(*{0, 1, 2, 3} - {brake}))
+
+
+def test_both_axes_must_be_stoppable():
+    twist = Twist(0.3, -0.3)
+    assert brakes().suffice(twist, bad(FASTER, RIGHT))
+    assert not brakes().suffice(twist, bad(LEFT))
+    assert not brakes().suffice(twist, bad(SLOWER))
+
+
+@pytest.mark.parametrize("twist", [FORWARD, BACK, STANDSTILL])
+def test_an_axis_that_slows_by_itself_needs_no_brake(twist):
+    velocity = brakes(mode_u1="velocity", mode_u2="velocity")
+    assert velocity.suffice(twist, bad(0, 1, 2, 3))
+    assert velocity.are_complete
+    assert not velocity.are_needed(Twist(0.3, 0.3))
+
+
+@pytest.mark.parametrize(("axis", "twist"), [("mode_u1", FORWARD), ("mode_u2", TURN_LEFT)])
+def test_each_axis_has_a_mode_of_its_own(axis, twist):
+    one = brakes(**{axis: "velocity"})
+    assert one.suffice(twist, bad(0, 1, 2, 3))
+    assert not one.suffice(Twist(0.3, 0.3), bad(0, 1, 2, 3))
+
+
+@pytest.mark.parametrize("twist", [FORWARD, BACK, TURN_LEFT, TURN_RIGHT])
+def test_a_whole_stop_gesture_stops_everything_and_half_of_one_nothing(twist):
+    bindings = (
+        Binding(control="u1+", gestures=("right_elbow",)),
+        Binding(control="u2+", gestures=("right_shoulder",)),
+        Binding(control="stop", gestures=("left_elbow", "left_shoulder")),
+    )
+    with_stop = brakes(bindings=bindings)
+    assert with_stop.suffice(twist, bad(FASTER, LEFT)) is True
+    assert with_stop.are_complete
+    if twist in (FORWARD, TURN_LEFT):
+        assert not with_stop.suffice(twist, bad(SLOWER))
+        assert not with_stop.suffice(twist, bad(RIGHT))
+
+
+def test_one_of_two_stop_gestures_is_enough():
+    bindings = (
+        Binding(control="u1+", gestures=("right_elbow",)),
+        Binding(control="stop", gestures=("left_elbow",)),
+        Binding(control="stop", gestures=("left_shoulder",)),
+        Binding(control="stop", gestures=()),
+    )
+    assert brakes(bindings=bindings).suffice(FORWARD, bad(SLOWER))
+    assert not brakes(bindings=bindings).suffice(FORWARD, bad(SLOWER, RIGHT))
+
+
+@pytest.mark.parametrize(("broken", "suffices"), [((), True), ((0,), False), ((1,), False), ((0, 1), True)])
+def test_at_rest_what_can_begin_must_be_stoppable(broken, suffices):
+    assert brakes().suffice(STANDSTILL, bad(*broken)) == suffices
+
+
+def test_an_axis_that_nothing_moves_needs_no_brake():
+    bindings = tuple(Binding(control=control, gestures=(name,)) for control, name in ELBOWS)
+    assert brakes(bindings=bindings).are_complete
+    assert brakes(bindings=()).are_complete
+
+
+ELBOWS = (("u1+", "right_elbow"), ("u1-", "left_elbow"))
+
+
+def test_a_gesture_bound_to_both_directions_brakes_by_the_sum_of_its_gains():
+    def gains(forward, back):
+        return brakes(
+            bindings=(
+                Binding(control="u1+", gestures=("right_elbow", "left_elbow"), gain=forward),
+                Binding(control="u1-", gestures=("left_elbow",), gain=back),
+            )
+        )
+
+    assert gains(1.0, 2.0).suffice(FORWARD, bad())
+    assert not gains(1.0, 1.0).suffice(FORWARD, bad())
+    assert not gains(2.0, 1.0).suffice(FORWARD, bad())
+    assert not gains(1.0, 1.0).suffice(BACK, bad(FASTER))
+    assert gains(2.0, 1.0).suffice(BACK, bad(FASTER))
+
+
+def pair(*features):
+    """Return a set in which one joint drives forwards, and both directions of it together are the stop."""
+    gestures = tuple(
+        Gesture(name=name, joint="right_elbow", direction=direction, feature=feature, dead_zone=0.2, full=1.0)
+        for name, direction, feature in zip(("on", "back"), (1, -1), features, strict=True)
+    )
+    bindings = (Binding(control="u1+", gestures=("on",)), Binding(control="stop", gestures=("on", "back")))
+    return DriveParameters(profile=make_profile(), gestures=gestures, bindings=bindings)
+
+
+def test_a_stop_that_asks_one_joint_for_both_directions_is_none():
+    assert not Brakes(pair("rate", "rate")).are_complete
+    assert not Brakes(pair("displacement", "displacement")).are_complete
+    assert Brakes(pair("rate", "displacement")).are_complete  # bent, and on the way back
+
+
+def test_what_goes_on_without_any_gesture_needs_brakes():
+    assert brakes(stop=True).are_needed(FORWARD)
+    assert brakes().are_needed(TURN_RIGHT)
+    assert not brakes().are_needed(STANDSTILL)
+
+
+@given(
+    st.sampled_from([FORWARD, BACK, TURN_LEFT, TURN_RIGHT, STANDSTILL]), st.lists(st.booleans(), min_size=4, max_size=4)
+)
+def test_a_stop_gesture_never_makes_it_worse(twist, broken):
+    assert brakes(stop=True).suffice(twist, broken) >= brakes().suffice(twist, broken)
+
+
+def test_a_set_without_a_brake_says_what_to_do():
+    assert missing_brake(make_parameters()) == ""
+    assert "bind a movement" in missing_brake(pair("rate", "rate"))

@@ -1,0 +1,201 @@
+"""Nothing moves that nobody can stop (safety S22): every mode, direction, kind of vocabulary and set of broken joints.
+
+A person makes one movement until the chair moves along one axis. Then sensors break. Either the gate stops the chair
+within 200 ms, or the person brings it to rest with the gestures that are left, long before any time-out could.
+"""
+
+import copy
+import itertools
+import math
+from typing import get_args
+
+import numpy as np
+import pytest
+
+from app.calibration.vocabulary import (
+    PAPER_VOCABULARY,
+    STOP_TOGETHER,
+    Binding,
+    Control,
+    ControlMode,
+    DriveParameters,
+    Feature,
+    Gesture,
+)
+from app.faults import State
+from app.geometry import Pose
+from app.hardware.chair.simulator import VirtualChair
+from app.messages import SensorFrame
+from app.pipeline.chain import Chain
+from app.pipeline.safety import STOP_TIME, Conditions
+from building import make_profile
+
+RATE = 100.0
+PROFILE = make_profile(n_channels=8)  # two channels a joint
+REST = np.zeros(8)
+for joint in PROFILE.joints:
+    REST[list(joint.channels)] = joint.mean
+MODES = get_args(ControlMode)
+DIRECTIONS = [control for control in get_args(Control) if control != "stop"]
+STOPPED_WITHIN = 0.2  # s
+BRAKING = 3.0  # s: from any speed that is reached here to rest
+NEVER = {"cruise_time": 30.0, "turn_cruise_time": 10.0}  # s: so that no time-out can be what stops the chair
+TREMBLE = 1e-6  # signal units: fabric never sends the same value for long
+STROKE = 1.5  # FS/s, and FS for a held posture: beyond `full`
+
+
+def both_ways(joint):
+    """Return the two gestures of one joint."""
+    return f"{joint}.on", f"{joint}.back"
+
+
+PAPER = {control: (joint,) for joint, control in PAPER_VOCABULARY.items()}
+ELBOW, SHOULDER = both_ways("right_elbow"), both_ways("right_shoulder")
+PAIRED = {"u1+": ELBOW[:1], "u1-": ELBOW[1:], "u2+": SHOULDER[:1], "u2-": SHOULDER[1:]}
+VOCABULARIES = {
+    "paper": {**PAPER, "stop": STOP_TOGETHER},
+    "paper, no stop": PAPER,
+    "paper, stop of other joints": {**PAPER, "stop": ("right_shoulder", "left_shoulder")},
+    "one joint both ways": PAIRED,
+    "one joint both ways, stop": {**PAIRED, "stop": (ELBOW[0], SHOULDER[0])},
+    "a stop that no body can make": {"u1+": ELBOW[:1], "u2+": SHOULDER[:1], "stop": ELBOW},
+    "no way back": {"u1+": PAPER["u1+"], "u2-": PAPER["u2-"]},
+}
+
+
+def parameters_of(bound, feature, modes):
+    """Return the set in which `bound` gestures, read as `feature`, drive in these modes."""
+    names = sorted({name for gestures in bound.values() for name in gestures})
+    gestures = [
+        Gesture(
+            name=name,
+            joint=name.split(".")[0],
+            direction=-1 if name.endswith(".back") else 1,
+            feature=feature,
+            dead_zone=0.2,
+            full=1.0,
+        )
+        for name in names
+    ]
+    return DriveParameters(
+        profile=PROFILE,
+        gestures=tuple(gestures),
+        bindings=tuple(Binding(control=control, gestures=names) for control, names in bound.items()),
+        mode_u1=modes[0],
+        mode_u2=modes[1],
+        **NEVER,
+    )
+
+
+class Person:
+    """Wears a chain: makes gestures, some of which the shirt no longer sees."""
+
+    def __init__(self, parameters):
+        self.parameters = parameters
+        self.chain = Chain(RATE, parameters, VirtualChair(None, Pose(0.0, 0.0, 0.0)))
+        self.gestures = {gesture.name: gesture for gesture in parameters.gestures}
+        self.posture = dict.fromkeys((joint.name for joint in PROFILE.joints), 0.0)  # FS
+        self.broken = frozenset()
+        self.steps = 0
+
+    def make(self, *names):
+        """Make these gestures for one tick; all other joints rest."""
+        wishes = {self.gestures[name].joint: self.gestures[name] for name in names}
+        for joint, posture in self.posture.items():
+            gesture = wishes.get(joint)
+            if gesture and gesture.feature == "rate":
+                self.posture[joint] = posture + gesture.direction * STROKE / RATE
+            elif self.parameters.gestures[0].feature == "displacement":
+                wish = gesture.direction * STROKE if gesture else 0.0
+                self.posture[joint] = posture + max(-10 / RATE, min(10 / RATE, wish - posture))
+        return self._tick()
+
+    def _tick(self):
+        values = REST + TREMBLE * (self.steps % 2)
+        for joint in PROFILE.joints:
+            values[list(joint.channels)] += self.posture[joint.name] * joint.span * np.array(joint.weights)
+            if joint.name in self.broken:
+                values[joint.channels[0]] = math.nan
+        t = self.steps / RATE
+        self.steps += 1
+        return self.chain.step(SensorFrame(self.steps, t, t, values), t, Conditions())
+
+    def for_seconds(self, seconds, *names):
+        """Make gestures for so long, and return the last tick's speeds."""
+        for _ in range(round(seconds * RATE)):
+            tick = self.make(*names)
+        return tick
+
+    def rests_after(self, *names):
+        """Return whether these gestures, of a copy of this person, bring the chair to rest or make the gate stop it."""
+        other = copy.deepcopy(self)
+        before = speeds(self.chain)
+        for _ in range(round(BRAKING * RATE)):
+            other.make(*(name for name in names if self.gestures[name].joint not in self.broken))
+            if all(now * then <= 0.0 for now, then in zip(speeds(other.chain), before, strict=True)):
+                return True
+        return False
+
+
+def speeds(chain):
+    return chain.gate.last.v, chain.gate.last.omega
+
+
+def moving_along(direction, bound, parameters):
+    """Return a person whose chair moves in this direction; None when the gate lets it not begin."""
+    person = Person(parameters)
+    person.chain.arm()
+    person.for_seconds(0.7)
+    for _ in range(round(0.5 * RATE)):
+        tick = person.make(*bound[direction])
+    if tick.state is State.FAULT:
+        assert speeds(person.chain) == (0.0, 0.0)
+        return None
+    assert max(map(abs, speeds(person.chain))) > 0.05
+    return person
+
+
+def cases_of(vocabulary, feature):
+    """Yield each pair of modes, direction and set of broken joints, with a person whose chair moves like that."""
+    bound = VOCABULARIES[vocabulary]
+    for modes in itertools.product(MODES, repeat=2):
+        parameters = parameters_of(bound, feature, modes)
+        joints = sorted({gesture.joint for gesture in parameters.gestures})
+        for direction in (control for control in DIRECTIONS if control in bound):
+            start = moving_along(direction, bound, parameters)
+            for count in range(len(joints) + 1) if start else ():
+                for broken in itertools.combinations(joints, count):
+                    person = copy.deepcopy(start)
+                    person.broken = frozenset(broken)
+                    yield (modes, direction, broken), person
+
+
+@pytest.mark.parametrize("vocabulary", VOCABULARIES)
+@pytest.mark.parametrize("feature", get_args(Feature))
+def test_what_moves_is_stopped_by_the_person_or_by_the_gate(vocabulary, feature):
+    unstoppable, went_on = [], 0
+    for case, person in cases_of(vocabulary, feature):
+        tick = person.for_seconds(STOPPED_WITHIN)
+        if tick.state is State.FAULT:
+            person.for_seconds(STOP_TIME)
+            is_stopped = speeds(person.chain) == (0.0, 0.0)
+        else:
+            went_on += 1
+            ways = [(), *((name,) for name in person.gestures), VOCABULARIES[vocabulary].get("stop", ())]
+            is_stopped = any(person.rests_after(*way) for way in ways)
+        if not is_stopped:
+            unstoppable.append(case)
+    assert unstoppable == []
+    assert went_on > 0, "a gate that stops everything is none"
+
+
+def test_the_cases_know_every_control():
+    assert {control for bound in VOCABULARIES.values() for control in bound} == set(get_args(Control))
+
+
+def test_a_broken_accelerator_leaves_the_brake_to_the_person():
+    parameters = parameters_of(VOCABULARIES["paper"], "rate", ("acceleration", "velocity"))
+    person = moving_along("u1+", VOCABULARIES["paper"], parameters)
+    person.broken = frozenset({"right_elbow"})
+    assert person.for_seconds(1.0).state is State.ARMED
+    assert person.rests_after("left_elbow")
