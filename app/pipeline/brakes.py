@@ -33,8 +33,8 @@ class Brakes:
     """
 
     def __init__(self, parameters: DriveParameters) -> None:
-        modes = (("u1", parameters.mode_u1), ("u2", parameters.mode_u2))
-        self._axes = tuple(_axis(parameters, name) if mode == "acceleration" else None for name, mode in modes)
+        self._forward = _axis(parameters, "u1") if parameters.mode_u1 == "acceleration" else None
+        self._turn = _axis(parameters, "u2") if parameters.mode_u2 == "acceleration" else None
         self._stops = _possible_stops(parameters)
         self._all_bad = [True] * len(parameters.gestures)
         self.are_complete = self.suffice(STANDSTILL, [False] * len(parameters.gestures))
@@ -47,9 +47,11 @@ class Brakes:
         """
         if any(not any(bad[i] for i in stop) for stop in self._stops):
             return True
-        axes = zip(self._axes, twist, strict=True)
-        asked = [(axis, speed) for axis, speed in axes if axis and (speed or twist == STANDSTILL)]
-        return all(axis.can_stop(speed, bad) for axis, speed in asked)
+        stands = twist == STANDSTILL
+        for axis, speed in ((self._forward, twist.v), (self._turn, twist.omega)):
+            if axis and (speed or stands) and not axis.can_stop(speed, bad):
+                return False
+        return True
 
     def are_needed(self, twist: Twist) -> bool:
         """Return whether `twist` goes on while no gesture is believable."""

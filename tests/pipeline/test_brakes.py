@@ -132,13 +132,19 @@ def test_what_goes_on_without_any_gesture_needs_brakes():
     assert not brakes().are_needed(STANDSTILL)
 
 
+WITH_STOP, WITHOUT = brakes(stop=True), brakes()
+
+
 @given(
     st.sampled_from([FORWARD, BACK, TURN_LEFT, TURN_RIGHT, STANDSTILL]), st.lists(st.booleans(), min_size=4, max_size=4)
 )
 def test_a_stop_gesture_never_makes_it_worse(twist, broken):
-    assert brakes(stop=True).suffice(twist, broken) >= brakes().suffice(twist, broken)
+    assert WITH_STOP.suffice(twist, broken) >= WITHOUT.suffice(twist, broken)
 
 
 def test_a_set_without_a_brake_says_what_to_do():
     assert missing_brake(make_parameters()) == ""
-    assert "bind a movement" in missing_brake(pair("rate", "rate"))
+    assert missing_brake(pair("rate", "rate")) == (
+        "With these controls the chair would keep a speed that no movement can slow: on the Controls page, bind a "
+        "movement to the opposite direction or to Stop, or choose “Follows the movement”."
+    )
