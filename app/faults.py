@@ -35,6 +35,7 @@ class Fault(IntEnum):
     CHAIR_DISARMED = 16
     CHAIR_NOT_READY = 17
     BRAKE_BAD = 18
+    PICTURE_LOST = 21
 
 
 class Explanation(NamedTuple):
@@ -105,5 +106,9 @@ EXPLANATIONS: dict[Fault, Explanation] = {
     Fault.BRAKE_BAD: Explanation(
         "A sensor of the movement that brakes or stops gave impossible values.",
         "See the lamps on the Shirt page; repeat the calibration without the bad channels.",
+    ),
+    Fault.PICTURE_LOST: Explanation(
+        "A screen lost the picture that the patient drives by.",
+        "Wait until the picture is back, or choose the drawn plan, then tap Continue.",
     ),
 }

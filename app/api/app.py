@@ -27,6 +27,7 @@ from app.api import (
     replay_view,
     review,
     screen,
+    shown_plan,
     trial_replay,
     trials,
 )
@@ -37,6 +38,7 @@ from app.api.pages import install_pages
 from app.api.passwords import Passwords
 from app.api.patient_picture import PatientPicture
 from app.api.picture import LivePicture
+from app.api.pictures import Pictures
 from app.api.refusals import install_refusals
 from app.api.replays import Replays
 from app.api.screens import Screens
@@ -97,6 +99,7 @@ ROUTES = (
     screen,
     patient_screen,
     patient_live,
+    shown_plan,
 )
 
 WebApp = FastAPI
@@ -211,6 +214,7 @@ def _flows(
         visit=visit,
         adaptation=AdaptationFlow(database, link, runs, drive, visit, seats, tell, readings),
         screens=Screens(),
+        pictures=Pictures(link, drive),
         faults=FaultLog(database, link, driven_now),
         live=hub,
         pairing=PairingCodes(),

@@ -8,7 +8,7 @@ from fastapi.requests import Request
 from pydantic import Field
 
 from app.api.deps import Clinician, ForEveryone, People, PeopleParts
-from app.api.driving import require_hand_on_chair
+from app.api.driving import require_hand_on_chair, require_picture
 from app.api.flows import FlowParts
 from app.faults import Fault, State
 from app.quantities import Count, Document
@@ -61,6 +61,7 @@ async def stop(flows: FlowParts) -> ControlView:
 async def clear(body: SeenStops, request: Request, who: Clinician, flows: FlowParts) -> ControlView:
     """Clear the latched stop or fault that was seen; in a trial or a drive a new neutral check follows."""
     require_hand_on_chair(flows, who, request)
+    require_picture(flows)
     before = flows.control.newest()
     await flows.control.call("clear", stops=body.stops)
     for _ in range(NEXT_TICK_LOOKS):

@@ -7,6 +7,7 @@ from starlette.requests import HTTPConnection
 
 from app.api.flows import Flows
 from app.api.nearby import require_nearby
+from app.api.screens import Screen
 from app.api.signed_in import SignedIn
 
 ANOTHER = "Somebody else started this drive, and only they go on or end it here: you can stop it, and ask them."
@@ -41,3 +42,11 @@ def require_hand_on_chair(flows: Flows, who: SignedIn, connection: HTTPConnectio
     controller = require_controller(flows, who)
     if controller is not None and controller.real:
         require_nearby(connection)
+
+
+def require_picture(flows: Flows) -> None:
+    """Refuse to go on with a trial whose screens have no picture to drive by."""
+    trial = flows.drive.trial
+    refusal = "" if trial is None else flows.pictures.refusal(Screen(trial.person_id, trial.screen))
+    if refusal:
+        raise HTTPException(409, refusal)

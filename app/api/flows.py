@@ -11,6 +11,7 @@ from starlette.requests import HTTPConnection
 
 from app.api.live_hub import LiveHub
 from app.api.patient_picture import PatientPicture
+from app.api.pictures import Pictures
 from app.api.replays import Replays
 from app.api.screens import Screen, Screens
 from app.api.timelines import Timelines
@@ -52,6 +53,7 @@ class Flows:
     visit: VisitFlow
     adaptation: AdaptationFlow
     screens: Screens
+    pictures: Pictures
     faults: FaultLog
     live: LiveHub
     pairing: PairingCodes

@@ -1,21 +1,33 @@
-"""The live websocket of the patient's screen: it shows, and listens to nothing."""
+"""The live websocket of the patient's screen: it shows, and hears only which picture that screen has."""
 
 import asyncio
+from collections.abc import Mapping
+from typing import Any
 
 from fastapi import APIRouter, WebSocket
 from fastapi.concurrency import run_in_threadpool
+from pydantic import ValidationError
 
 from app.api.deps import People
 from app.api.flows import Flows
 from app.api.live_hub import Viewer
+from app.api.pictures import Picture
 from app.clock import monotonic
+from app.quantities import Document
 from app.session.store_patient_screens import wishes_of
 
 router = APIRouter()
 
 FLOOD = 20  # messages within ...
-WITHIN = 10.0  # s; our page sends none at all
-NOT_HEARD = 1008  # close code: a page that talks is none of ours
+WITHIN = 10.0  # s; our page sends one when its picture changes
+MESSAGE_LIMIT = 300  # characters
+NOT_HEARD = 1008  # close code: a page that talks so much is none of ours
+
+
+class Upward(Document):
+    """What the patient's screen says: what it shows to drive by."""
+
+    picture: Picture
 
 
 @router.websocket("/patient/live")
@@ -39,23 +51,38 @@ async def patient_live(websocket: WebSocket) -> None:
         flows.live.tell("screens")
         sending = asyncio.create_task(flows.patient_live.serve(viewer))
         try:
-            await _ignore(websocket)
+            await _take(websocket, who.screen_id, flows)
         except RuntimeError:
             pass  # closed by us
         finally:
             flows.patient_live.forget(viewer)
+            flows.pictures.gone(websocket)
             sending.cancel()
             await asyncio.gather(sending, return_exceptions=True)
     flows.live.tell("screens")
 
 
-async def _ignore(websocket: WebSocket) -> None:
-    """Take what a page sends without looking at it, until it goes or sends more than a slip can explain."""
+async def _take(websocket: WebSocket, screen_id: int, flows: Flows) -> None:
+    """Take what a page says of its picture, until it goes or sends more than a slip can explain."""
     count, since = 0, monotonic()
-    while (await websocket.receive())["type"] != "websocket.disconnect":
+    while (message := await websocket.receive())["type"] != "websocket.disconnect":
         if monotonic() - since > WITHIN:
             count, since = 0, monotonic()
         count += 1
         if count > FLOOD:
             await websocket.close(NOT_HEARD)
             return
+        said = _read(message)
+        if said is not None and flows.pictures.of_patient(screen_id, said.picture, websocket):
+            flows.live.tell("screens")
+
+
+def _read(message: Mapping[str, Any]) -> Upward | None:
+    """Return what was said; None for what cannot be read, which changes nothing."""
+    text = message.get("text")
+    if text is None or len(text) > MESSAGE_LIMIT:
+        return None
+    try:
+        return Upward.model_validate_json(text)
+    except ValidationError:
+        return None

@@ -12,7 +12,7 @@ from app.session.runs import Runs
 from app.session.store_patient_screens import Wishes
 
 SAID = ("tick", "t", "state", "control", "v", "pose", "contacts", "stops")
-SAID_OF_TRIAL = ("id", "t", "done", "length", "stage", "stages", "instruction", "target")
+SAID_OF_TRIAL = ("id", "t", "done", "length", "stage", "stages", "instruction", "target", "movers")
 
 
 class PatientPicture:

@@ -10,6 +10,7 @@ from pydantic import Field
 from app.api.deps import Clinician, ForEveryone, People, PeopleParts, RowId
 from app.api.flows import FlowParts, Flows
 from app.api.own_address import own_address
+from app.api.pictures import Picture
 from app.api.qr import qr_picture
 from app.api.signed_in import SCREEN_COOKIE, SignedIn
 from app.quantities import Document
@@ -42,6 +43,7 @@ class ScreenView(Document):
     number: int
     paired: str
     connected: bool
+    picture: Picture | None  # what it shows to drive by; None: it has not said
 
 
 class ScreensView(Document):
@@ -75,7 +77,7 @@ class MyState(Document):
 
 async def _view(parts: People, flows: Flows, who: SignedIn) -> ScreensView:
     session = await flows.visit.needed_session(who.clinic_id)
-    connected = parts.sockets.screens()
+    connected, pictures = parts.sockets.screens(), flows.pictures.patients()
 
     def _read() -> ScreensView:
         with parts.database.transaction() as db:
@@ -85,6 +87,7 @@ async def _view(parts: People, flows: Flows, who: SignedIn) -> ScreensView:
                     number=screen.number,
                     paired=screen.paired.isoformat(),
                     connected=screen.id in connected,
+                    picture=pictures.get(screen.id),
                 )
                 for screen in screens_of(db, session.id)
             ]

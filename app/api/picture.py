@@ -48,6 +48,7 @@ class LivePicture:
         self._visit = visit
         self._number = 0
         self._pose: list[float | None] = [0.0, 0.0, 0.0]
+        self._scene_t = 0.0
         self._frame: np.void | None = None
 
     def picture(self) -> dict[str, Any]:
@@ -56,6 +57,7 @@ class LivePicture:
         if tick is None:
             return self._nothing()
         self._pose = [_number(tick[name], 4) for name in ("x", "y", "theta")]
+        self._scene_t = float(tick["scene_t"])
         gestures = [gesture.name for gesture in self._visit.loaded.gestures] if self._visit.loaded else []
         n = min(int(tick["n_gestures"]), len(gestures))
         age = float(tick["t"] - self._frame["t"]) if self._frame is not None else None
@@ -147,6 +149,7 @@ class LivePicture:
         return {
             "id": trial.id,
             **{name: None if (v := getattr(place, name)) is None else _number(v, 3) for name in names},
+            "movers": [[_number(value, 3) for value in pose] for pose in trial.watch.movers(self._scene_t)],
             "leader": None if place.leader is None else [_number(value, 3) for value in place.leader],
             "stage": place.stage,
             "stages": stages,

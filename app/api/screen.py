@@ -1,4 +1,4 @@
-"""The screen socket: ten times a second a page says, from a worker of its own, whether it is in view."""
+"""The screen socket: ten times a second a page says, from a worker of its own, if it is in view and what it shows."""
 
 import json
 from typing import Annotated
@@ -8,6 +8,7 @@ from pydantic import Field, ValidationError
 from starlette.websockets import WebSocketDisconnect
 
 from app.api.flows import Flows
+from app.api.pictures import Picture
 from app.api.screens import Screen
 from app.clock import monotonic
 from app.quantities import Document
@@ -21,10 +22,11 @@ ScreenWord = Annotated[str, Field(min_length=8, max_length=64, pattern=r"^[A-Za-
 
 
 class Said(Document):
-    """What a screen says."""
+    """What a screen says; `picture` is what it shows to drive by, None: it does not say."""
 
     screen: ScreenWord
     visible: bool
+    picture: Picture | None = None
 
 
 @router.websocket("/screen")
@@ -47,11 +49,14 @@ async def screen_socket(websocket: WebSocket) -> None:
                     flows.lost(screen, websocket)
                 screen = Screen(who.person_id, said.screen)
                 flows.saw(screen, said.visible, monotonic(), websocket)
+                if said.picture is not None:
+                    flows.pictures.of_screen(screen, said.picture, websocket)
         except (WebSocketDisconnect, RuntimeError):
             pass  # gone, or closed by us
         except KeyError:
             await websocket.close(NOT_TEXT)
         finally:
+            flows.pictures.gone(websocket)
             if screen is not None:
                 flows.lost(screen, websocket)
 

@@ -9,7 +9,9 @@ from pydantic import Field
 from app.api.deps import Anyone, Clinician, People, PeopleParts, RowId
 from app.api.driving import require_controller
 from app.api.flows import FlowParts, Flows, load_plan
+from app.api.pictures import NO_PICTURE, Picture
 from app.api.screen import ScreenWord
+from app.api.screens import Screen
 from app.api.signed_in import SignedIn
 from app.quantities import Document, Name
 from app.session.control_quality import ControlQuality
@@ -62,11 +64,12 @@ class FloorPlanView(Document):
 
 
 class NewTrial(Document):
-    """Where to drive, and the screen that must stay in view meanwhile."""
+    """Where to drive, the screen that must stay in view meanwhile, and what it shows; None: it does not say."""
 
     floorplan: Name
     path: Name
     screen: ScreenWord
+    picture: Picture | None = None
 
 
 class EndTrial(Document):
@@ -190,6 +193,9 @@ async def start_trial(body: NewTrial, who: Clinician, parts: PeopleParts, flows:
         session = await flows.visit.needed_session(who.clinic_id)
         if flows.chairs.chosen is not None:
             raise Conflict("A real chair is chosen: choose the virtual one for a trial.")
+        refusal = NO_PICTURE if body.picture == "none" else flows.pictures.refusal(Screen(who.person_id, body.screen))
+        if refusal:
+            raise Conflict(refusal)
         plan = await asyncio.to_thread(_needed_plan, flows, body.floorplan)
         try:
             path = plan.path_named(body.path)
@@ -199,7 +205,9 @@ async def start_trial(body: NewTrial, who: Clinician, parts: PeopleParts, flows:
         if obstacle is not None:
             raise Conflict(obstacle)
         await flows.view.show(plan, path.name)
-        trial_id = await flows.drive.start(session, Starter(who.person_id, who.name, body.screen), plan, path)
+        trial_id = await flows.drive.start(
+            session, Starter(who.person_id, who.name, body.screen, body.picture), plan, path
+        )
     return await asyncio.to_thread(_one, parts, who.clinic_id, trial_id)
 
 

@@ -22,7 +22,7 @@ from app.sentences import one_sentence
 
 Answer = dict[str, Any]
 
-STOPPED_BY = {"tablet": Fault.STOP_TABLET, "key": Fault.STOP_KEY}
+STOPPED_BY = {"tablet": Fault.STOP_TABLET, "key": Fault.STOP_KEY, "picture": Fault.PICTURE_LOST}
 
 
 class Command(NamedTuple):

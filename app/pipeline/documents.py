@@ -94,9 +94,9 @@ class Arm(Document):
 
 
 class Stop(Document):
-    """Who stopped the chair."""
+    """Who stopped the chair; `picture`: the web process, because a screen has no picture to drive by."""
 
-    by: Literal["tablet", "key"] = "tablet"
+    by: Literal["tablet", "key", "picture"] = "tablet"
 
 
 class Clear(Document):

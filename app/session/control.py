@@ -27,6 +27,7 @@ START_AGAIN_AFTER = 0.5  # s; doubled with each start that fails, up to ...
 LONGEST_PAUSE = 8.0  # s
 
 ControlState = Literal["alive", "starting", "lost"]
+StopReason = Literal["tablet", "picture"]
 Loaded = Literal["limits", "dial", "chair", "shirt", "body", "head", "parameters"]
 
 
@@ -132,11 +133,16 @@ class Control:
 
     async def stop(self) -> bool:
         """Stop the chair; return soon whether the control process said that it did. One that does not is replaced."""
-        stopping = asyncio.create_task(self.call("stop", by="tablet"))
-        self._hurried.add(stopping)
-        stopping.add_done_callback(self._stopped)
+        stopping = self.begin_stop("tablet")
         await asyncio.wait({stopping}, timeout=STOP_LIMIT)
         return stopping.done() and not stopping.cancelled() and stopping.exception() is None
+
+    def begin_stop(self, by: StopReason) -> "asyncio.Task[dict[str, Any]]":
+        """Send a stop without waiting for its answer; nobody has to look at the task that is returned."""
+        stopping = asyncio.create_task(self.call("stop", by=by))
+        self._hurried.add(stopping)
+        stopping.add_done_callback(self._stopped)
+        return stopping
 
     def _stopped(self, stopping: "asyncio.Task[dict[str, Any]]") -> None:
         self._hurried.discard(stopping)

@@ -85,9 +85,11 @@ class DriveFlow:
     async def _start(self, session: PatientSession, who: Starter, plan: FloorPlan, path: PrescribedPath) -> int:
         parameters_id, parameters_hash = await asyncio.to_thread(self._parameters, session.patient_id)
         await self._control.call("world", floorplan=plan.model_dump(mode="json"), path=path.name)
-        run = await self._runs.begin(session.id, "drive", (), {"floorplan": plan.name, "path": path.name})
+        run = await self._runs.begin(
+            session.id, "drive", (), {"floorplan": plan.name, "path": path.name, "picture": who.picture}
+        )
         try:
-            trial_id = await asyncio.to_thread(self._note, session, parameters_id, who.name, plan, path, run)
+            trial_id = await asyncio.to_thread(self._note, session, parameters_id, who, plan, path, run)
         except BaseException:
             await self._runs.end()
             raise
@@ -166,7 +168,7 @@ class DriveFlow:
         self,
         session: PatientSession,
         parameters_id: int,
-        person: str,
+        who: Starter,
         plan: FloorPlan,
         path: PrescribedPath,
         run: OpenRun,
@@ -183,7 +185,7 @@ class DriveFlow:
                 path=path.name,
                 path_points=[[x, y] for x, y in path.points],
             )
-            write_log(db, person, "armed", trial=trial.id, parameters=parameters_id)
+            write_log(db, who.name, "armed", trial=trial.id, parameters=parameters_id, picture=who.picture)
             return trial.id
 
     def _drop(self, trial_id: int) -> None:

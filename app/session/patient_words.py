@@ -13,6 +13,7 @@ _HAPPENED: dict[Fault, str] = {
     Fault.SHIRT_LOSSY: "The shirt is hard to hear at the moment.",
     Fault.CHANNELS_BAD: "Some sensors of the shirt need a look.",
     Fault.BRAKE_BAD: "Some sensors of the shirt need a look.",
+    Fault.PICTURE_LOST: "The picture was lost.",
     Fault.STOP_CHAIR: "The chair's own stop switch was used.",
     Fault.CHAIR_SILENT: "The chair is hard to reach at the moment.",
     Fault.CHAIR_DISARMED: "The chair is hard to reach at the moment.",

@@ -28,6 +28,7 @@ class Wishes(Document):
     arrow: StrictBool = False  # to where the chair shall go
     sounds: StrictBool = False
     large: StrictBool = False  # larger text
+    plan: StrictBool = False  # the drawn plan from above instead of the 3D view
 
 
 def _hash(token: str) -> str:

@@ -10,6 +10,7 @@ from app.faults import State
 from app.geometry import Pose
 from app.session.watching import FaultPatience
 from app.world.floorplan import FloorPlan, PrescribedPath
+from app.world.scenery import Track
 from app.world.task_progress import leader_of, progress_of
 
 End = Literal["goal", "time-out", "by hand", "fault"]
@@ -38,10 +39,15 @@ class TrialWatch:
     def __init__(self, plan: FloorPlan, path: PrescribedPath) -> None:
         self.progress = progress_of(plan, path)
         self._leader = leader_of(plan, path)
+        self._tracks = [Track(mover) for mover in plan.movers]
         self._time_limit = path.time_limit
         self._began: float | None = None
         self._patience = FaultPatience()
         self.place = TrialPlace(0.0, 0.0, self.progress.length, 0.0, 0.0)
+
+    def movers(self, scene_t: float) -> list[Pose]:
+        """Return where all that moves by itself is at the scene's time (s), in the plan's order."""
+        return [track.at(scene_t).pose for track in self._tracks]
 
     def take(self, ticks: NDArray[np.void]) -> End | None:
         """Take the newest ticks (`app.messages.TICK`) of the run; return how the trial ended, None while it goes on."""

@@ -26,6 +26,7 @@ class Starter(NamedTuple):
     person_id: int
     name: str
     screen: str
+    picture: str | None = None  # what that screen shows to drive by: "view" or "plan", None: not known
 
 
 class FaultPatience:

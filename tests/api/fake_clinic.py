@@ -20,6 +20,7 @@ from app.faults import Fault, State
 from app.layout import Channel, Joint, ShirtLayout
 from app.link import LinkLost, LinkRefused
 from app.messages import NO_CUE, TICK
+from app.pipeline.commands import STOPPED_BY
 from app.session.control_quality import ControlQuality
 from app.session.readings import Driven, Readings
 from app.session.tables import LogEntry
@@ -121,7 +122,7 @@ class FakeLink:
             return {"share": self.dial}
         if do == "stop":
             self.stops += 1
-            self.state, self.fault = State.FAULT, Fault.STOP_TABLET
+            self.state, self.fault = State.FAULT, STOPPED_BY[fields["by"]]
         if do == "clear" and self.state is State.FAULT:
             if fields["stops"] != self.stops:
                 raise LinkRefused("There was another stop meanwhile.")

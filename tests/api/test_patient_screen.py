@@ -92,7 +92,7 @@ def test_its_cookie_opens_no_other_route(screen: Clinic) -> None:
         for placeholder in ("{chair_id}", "{patient_id}", "{trial_id}", "{screen_id}"):
             path = path.replace(placeholder, "1")
         path = path.replace("{name}", "nowhere").replace("{step}", "rest").replace("{word}", "w" * 32)
-        prefix = "" if name in FOR_PATIENTS_SCREENS or path.startswith("/view/replay/") else "/api/v1"
+        prefix = "" if path == "/view/{role}/" or path.startswith("/view/replay/") else "/api/v1"
         for role in ("clinician", "patient") if "{role}" in path else ("",):
             url = f"{prefix}{path.replace('{role}', role)}"
             opens = name in FOR_PATIENTS_SCREENS and role == "patient"

@@ -30,7 +30,7 @@ def test_a_trial_is_shown_with_what_to_do_and_how_it_ended(paired: Clinic) -> No
         while (message := socket.receive_json())["trial"] is None:
             pass
         trial = message["trial"]
-        assert set(trial) == {"id", "t", "done", "length", "stage", "stages", "instruction", "target"}
+        assert set(trial) == {"id", "t", "done", "length", "stage", "stages", "instruction", "target", "movers"}
         assert trial["instruction"] == path["instruction"]
         assert len(trial["target"]) == 2
         assert message["drives"] is True
@@ -76,9 +76,9 @@ def test_a_prompt_of_the_calibration_is_a_cue(paired: Clinic) -> None:
 
 
 def test_what_the_clinician_asks_for_is_shown_and_kept_for_the_visit(paired: Clinic) -> None:
-    wishes = {"arrow": True, "sounds": False, "large": True}
+    wishes = {"arrow": True, "sounds": False, "large": True, "plan": False}
     with paired.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
-        assert socket.receive_json()["asks"] == {"arrow": False, "sounds": False, "large": False}
+        assert socket.receive_json()["asks"] == {"arrow": False, "sounds": False, "large": False, "plan": False}
         assert paired.good("POST", "/patient-screen/settings", json=wishes)["settings"] == wishes
         while socket.receive_json()["asks"] != wishes:
             pass

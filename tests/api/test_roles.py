@@ -28,7 +28,7 @@ FOR_EVERYONE = {
     "POST /patient-screen/pair",
     "GET /patient-screen/me",
 }
-FOR_PATIENTS_SCREENS = {"GET /view/{role}/"}  # the patient's only
+FOR_PATIENTS_SCREENS = {"GET /view/{role}/", "GET /view/{role}/plan"}  # the patient's only
 FOR_OWNERS = {"POST /chairs", "DELETE /chairs/{chair_id}", "PUT /limits"}
 FOR_REVIEWERS = {
     "GET /patients",
@@ -48,6 +48,7 @@ FOR_REVIEWERS = {
     "GET /patients/{patient_id}/maps",
     "GET /adaptation",
     "GET /view/{role}/",
+    "GET /view/{role}/plan",
     "POST /replays",
     "POST /replays/{word}/at",
     "DELETE /replays/{word}",
@@ -105,7 +106,8 @@ def test_the_matrix_of_roles_and_routes(clinic: Clinic, role: str) -> None:
             path = path.replace(placeholder, "1")
         path = path.replace("{name}", "nowhere").replace("{step}", "rest").replace("{role}", "clinician")
         path = path.replace("{word}", "no-such-word")
-        prefix = "" if path.startswith(("/view/clinician/", "/view/replay/")) and method == "GET" else "/api/v1"
+        is_frame = path == "/view/clinician/" or path.startswith("/view/replay/")
+        prefix = "" if is_frame and method == "GET" else "/api/v1"
         status = clinic.client.request(method, f"{prefix}{path}", headers={"Origin": BASE}).status_code
         needed = right or 0
         if needed and ROLES[role] == 0:

@@ -1,0 +1,127 @@
+"""Nobody drives blind: a trial begins, and goes on, only where every screen that is driven by has a picture (S24)."""
+
+import time
+from typing import Any
+
+import pytest
+from fake_clinic import BASE, WORD
+
+from app.world.scene import find_place
+
+LIVE = f"{BASE.replace('http', 'ws')}/api/v1/patient/live"
+PLACE = "follow_me.easy"  # somebody walks ahead
+
+
+@pytest.fixture
+def ready(paired: Any) -> Any:
+    paired.calibrate()
+    plan = paired.good("GET", f"/floorplans/{PLACE}")
+    paired.where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD, "picture": "view"}
+    return paired
+
+
+def until_state(clinic: Any, state: str) -> Any:
+    """Return the fault once the chair's state is this one."""
+    while (tick := clinic.link.since(0)[-1], clinic.link.state.name.lower())[1] != state:
+        time.sleep(0.002)
+    return int(tick["fault"]) and clinic.link.fault.name
+
+
+def says(socket: Any, picture: str) -> None:
+    socket.send_json({"screen": WORD, "visible": True, "picture": picture})
+
+
+def until_said(clinic: Any, refused: bool) -> None:
+    """Wait until the server has taken what the screens say."""
+    while any(picture == "none" for _, picture in clinic.flows.pictures._screens.values()) is not refused:
+        time.sleep(0.002)
+
+
+def test_a_screen_without_a_picture_starts_no_trial(ready: Any) -> None:
+    blind = ready("POST", "/trials", json={**ready.where, "picture": "none"})
+    assert (blind.status_code, "drives blind" in blind.json()["detail"]) == (409, True)
+    with ready.screen() as socket:
+        says(socket, "none")
+        until_said(ready, True)
+        for picture in ("view", "plan", None):  # what the screen itself says counts more than the request
+            assert ready("POST", "/trials", json={**ready.where, "picture": picture}).status_code == 409
+        assert ready.good("GET", "/trials?patient=1") == []
+        says(socket, "plan")
+        until_said(ready, False)
+        ready.good("POST", "/trials", json={**ready.where, "picture": "plan"})
+    armed = next(row for row in ready.log() if row.what == "armed")
+    assert armed.details["picture"] == "plan"
+    assert ready("POST", "/trials", json={**ready.where, "picture": "eye"}).status_code == 422
+
+
+def test_a_picture_lost_in_a_trial_halts_it_until_there_is_one_again(ready: Any) -> None:
+    with ready.screen() as socket, ready.screen("of-somebody-who-looks") as other:
+        says(socket, "view")
+        ready.good("POST", "/trials", json=ready.where)
+        other.send_json({"screen": "of-somebody-who-looks", "visible": True, "picture": "none"})
+        until_said(ready, True)
+        assert until_state(ready, "armed") == 0  # a screen that only looks stops nobody
+        says(socket, "none")
+        assert until_state(ready, "fault") == "PICTURE_LOST"
+        refused = ready("POST", "/control/clear", json={"stops": ready.link.stops})
+        assert (refused.status_code, "drawn plan" in refused.json()["detail"]) == (409, True)
+        stops = ready.link.stops
+        says(socket, "none")
+        says(socket, "plan")
+        while ready.flows.pictures.refusal(ready.flows.driving_screen):
+            time.sleep(0.002)
+        assert ready.link.stops == stops  # what stands is not stopped again
+        assert ready.good("POST", "/control/clear", json={"stops": stops})["state"] == "armed"
+
+
+def test_going_on_between_two_words_of_a_screen_halts_again(ready: Any) -> None:
+    with ready.screen() as socket:
+        ready.good("POST", "/trials", json=ready.where)
+        says(socket, "none")
+        assert until_state(ready, "fault") == "PICTURE_LOST"
+        ready.link.state = type(ready.link.state).ARMED
+        says(socket, "none")
+        assert until_state(ready, "fault") == "PICTURE_LOST"
+
+
+def test_the_patients_screen_tells_the_clinicians_page_and_halts_too(ready: Any) -> None:
+    def shown() -> Any:
+        return ready.good("GET", "/patient-screen")["screens"][0]["picture"]
+
+    with ready.client.websocket_connect(LIVE, headers={"Origin": BASE}) as socket:
+        for junk in ('{"picture": "eye"}', "{", '{"picture": "none", "screen": 1}', "x" * 400):
+            socket.send_text(junk)
+        assert shown() is None
+        socket.send_json({"picture": "none"})
+        while shown() != "none":
+            pass
+        refused = ready("POST", "/trials", json=ready.where)
+        assert (refused.status_code, "patient's screen" in refused.json()["detail"]) == (409, True)
+        socket.send_json({"picture": "plan"})
+        while shown() != "plan":
+            pass
+        ready.good("POST", "/trials", json=ready.where)
+        socket.send_json({"picture": "none"})
+        assert until_state(ready, "fault") == "PICTURE_LOST"
+        socket.send_json({"picture": "view"})
+        while shown() != "view":
+            pass
+        ready.good("POST", "/control/clear", json={"stops": ready.link.stops})
+    assert until_state(ready, "fault") == "PICTURE_LOST"  # it is gone, and the patient sees nothing any more
+    assert ready.good("POST", "/control/clear", json={"stops": ready.link.stops})["state"] == "armed"
+
+
+def test_the_patients_page_is_given_what_it_needs_to_draw_the_plan(ready: Any) -> None:
+    assert ready.good("GET", "/view/patient/plan") is None
+    trial = ready.good("POST", "/trials", json=ready.where)
+    shown = ready.good("GET", "/view/patient/plan")
+    plan = find_place(PLACE)
+    assert plan is not None
+    assert shown == {"trial": trial["id"], "floorplan": plan.model_dump(mode="json"), "path": ready.where["path"]}
+    ready.link.says = {"scene_t": 4.0}
+    with ready.client.websocket_connect(LIVE, headers={"Origin": BASE}) as socket:
+        started = [[*plan.movers[0].points[0]]]
+        while (movers := socket.receive_json()["trial"]["movers"]) == started or movers[0][:2] == started[0]:
+            pass
+    gone, _ = plan.movers[0].way(4.0)
+    assert movers[0][:2] == pytest.approx(plan.movers[0].line.point_at(gone), abs=1e-3)
