@@ -31,6 +31,7 @@ body :not(:has(canvas)):not(canvas):not(.uplot *) { display: none !important; }
 # - viser starts a sorter for Gaussian splats that compiles code from text. Our policy forbids that, and we draw none.
 # - bodydriveView.age() tells how old the picture is (s): since the last stamp, and how far that stamp came late.
 #   lag() tells how old the drawn pose was when its stamp came: the time since its tick, and how far it came late.
+#   draws() is false while the browser has taken the canvas's drawing context away, or gave it none.
 SCRIPT: Final = """
 Document.prototype.hasFocus = () => true;
 window.addEventListener("unhandledrejection", (event) => {
@@ -49,7 +50,10 @@ for (const kind of ["keydown", "keyup"]) {
   const WRAP = 100;  // s
   const STAMPS = 0.15;  // s; at least this often one comes when all is well
   const DRIFT = 2e-4;  // by which two clocks may part, so that an hour of it is not taken for lateness
-  let stamp = null, seenAt = 0, least = 0, late = 0, tickAge = null;
+  let stamp = null, seenAt = 0, least = 0, late = 0, tickAge = null, draws = true;
+  const context = {webglcontextlost: false, webglcontextcreationerror: false, webglcontextrestored: true};
+  for (const [kind, is] of Object.entries(context))
+    window.addEventListener(kind, (event) => { if (event.target.isConnected) draws = is; }, true);
   setInterval(() => {
     const viewer = window.__viserMutable;
     if (!viewer) return;
@@ -69,6 +73,7 @@ for (const kind of ["keydown", "keyup"]) {
   window.bodydriveView = {
     age: () => (stamp === null ? Infinity : performance.now() / 1000 - seenAt + late),
     tickAge: () => tickAge,
+    draws: () => draws,
     lag: () => (stamp === null ? Infinity : Math.max(late + tickAge, performance.now() / 1000 - seenAt - STAMPS)),
   };
 })();

@@ -1,6 +1,6 @@
 /**
  * The live websocket: one per page, coming back by itself.
- * Events: `tick` (each message), `quality` (once a second), `changed` (detail: what), `connection` (detail: is it there).
+ * Events: `open` (each new link), `tick` (each message), `quality` (once a second), `changed` (detail: what), `connection` (detail: is it there).
  */
 
 const FIRST_PAUSE = 250; // ms before trying again; doubled with each failure, up to ...
@@ -70,7 +70,10 @@ export class Live extends EventTarget {
     const socket = new WebSocket(`${scheme}://${location.host}${this.#path}`);
     this.#socket = socket;
     this.heardAt = performance.now();
-    socket.onopen = () => (this.heardAt = performance.now());
+    socket.onopen = () => {
+      this.heardAt = performance.now();
+      if (socket === this.#socket) this.dispatchEvent(new Event("open"));
+    };
     socket.onmessage = (event) => {
       if (socket === this.#socket) this.#take(JSON.parse(event.data));
     };

@@ -10,6 +10,8 @@ export class Screen {
   /** A random word, by which the server knows this screen again. */
   word = wordOfThisPage();
   #isWanted = false;
+  /** @type {"view" | "plan" | "none"} */
+  #picture = "none";
   #worker = new Worker(new URL("./screen_worker.js", import.meta.url), { type: "module" });
 
   constructor() {
@@ -32,8 +34,14 @@ export class Screen {
     this.#tell();
   }
 
+  /** Say what this page shows to drive by. @param {"view" | "plan" | "none"} picture */
+  show(picture) {
+    this.#picture = picture;
+    this.#tell();
+  }
+
   #tell(visible = document.visibilityState === "visible") {
-    this.#worker.postMessage({ screen: this.word, visible, isWanted: this.#isWanted });
+    this.#worker.postMessage({ screen: this.word, visible, picture: this.#picture, isWanted: this.#isWanted });
   }
 }
 

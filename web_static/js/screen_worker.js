@@ -10,7 +10,7 @@ const LONGEST_PAUSE = 800; // ms
 const OPENING_LIMIT = 2000; // ms for a socket to open
 
 /** What the page said last. */
-let page = { screen: "", visible: false, isWanted: false };
+let page = { screen: "", visible: false, picture: "none", isWanted: false };
 let heardAt = 0; // ms of performance.now
 /** @type {WebSocket | null} */
 let socket = null;
@@ -19,7 +19,7 @@ let openAgainAt = 0; // ms of performance.now
 let askedAt = 0; // ms of performance.now, when the socket was asked for
 
 self.onmessage = ({ data }) => {
-  const isNews = data.visible !== page.visible || data.isWanted !== page.isWanted;
+  const isNews = ["visible", "picture", "isWanted"].some((name) => data[name] !== page[name]);
   page = data;
   heardAt = performance.now();
   if (isNews) beat();
@@ -38,7 +38,7 @@ function beat() {
 
 function say(now) {
   const visible = page.visible && now - heardAt < PAGE_LIMIT;
-  socket.send(JSON.stringify({ screen: page.screen, visible }));
+  socket.send(JSON.stringify({ screen: page.screen, visible, picture: page.picture }));
 }
 
 function connect(now) {

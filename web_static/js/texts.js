@@ -12,6 +12,7 @@ import editor from "./texts/en/editor.js";
 import measures from "./texts/en/measures.js";
 import patient_screen from "./texts/en/patient_screen.js";
 import patients from "./texts/en/patients.js";
+import picture from "./texts/en/picture.js";
 import replay from "./texts/en/replay.js";
 import quality from "./texts/en/quality.js";
 import review from "./texts/en/review.js";
@@ -37,6 +38,7 @@ const CATALOGUE = Object.freeze({
   ...quality,
   ...review,
   ...replay,
+  ...picture,
   ...settings,
   ...patient_screen,
   ...stereo,

@@ -8,6 +8,8 @@ import { patientScreenCard } from "../parts/patient_screen_card.js";
 import { planChooser } from "../parts/plan_chooser.js";
 import { readTrial, showTrialOver } from "../parts/trial_over.js";
 import { showTrial } from "../parts/trial_view.js";
+import { chooseView } from "../parts/view_bar.js";
+import { canDrawIn3d } from "../parts/webgl.js";
 import { t } from "../texts.js";
 
 /** @param {import("../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal, rest: string[]}} page */
@@ -38,10 +40,15 @@ async function choose(app, root, signal) {
   };
   const chosenWords = h("button", { type: "button", class: "btn bare chosen-words", title: t("drive.chosen"), onclick: () => chooser.show() });
   const chooser = planChooser(plans, read, (words) => put(chosenWords, words));
+  const has3d = canDrawIn3d();
+  const start = () => {
+    if (!has3d) chooseView("plan");
+    app.want(chooser.chosen());
+  };
   const button = h(
     "button",
-    { type: "button", class: "btn go large", onclick: () => app.want(chooser.chosen()) },
-    t("drive.start"),
+    { type: "button", class: "btn go large", onclick: start },
+    t(has3d ? "drive.start" : "drive.start.plan"),
   );
   app.live.addEventListener("changed", ({ detail }) => detail === "trial" && app.show(), { signal });
   put(
@@ -57,6 +64,7 @@ async function choose(app, root, signal) {
         " ",
         app.me.role !== "reviewer" && h("a", { class: "btn bare small", href: "#/plans" }, t("plans.link")),
       ),
+      !has3d && h("p", { class: "card no-view", role: "status" }, t("picture.choose")),
       chairChoice(app, chairs),
       warningsPlace(app, app.visit.patient.id, signal),
       chooser.element,
@@ -102,10 +110,10 @@ async function drive(app, root, running, where, signal) {
   app.live.addEventListener("changed", lookWhetherOver, { signal });
   const view = showTrial(app, root, { plan, path, isVisitor }, signal);
   if (running) return view.begin(running);
-  view.ready.then(async () => {
+  view.picture.ready.then(async () => {
     if (signal.aborted) return;
     try {
-      trial = await app.api.post("/trials", { ...where, screen: app.screen.word });
+      trial = await app.api.post("/trials", { ...where, screen: app.screen.word, picture: view.picture.shows });
       view.begin(trial);
       await lookWhetherOver({ detail: "trial" });
     } catch (error) {

@@ -3,7 +3,7 @@ import { h } from "../parts/dom.js";
 import { PlayHead } from "../parts/play_head.js";
 import { eventList, playBar, playKeys } from "../parts/play_bar.js";
 import { replayCharts } from "../parts/replay_charts.js";
-import { replayPlan } from "../parts/replay_plan.js";
+import { replayDrawn, replayPlan } from "../parts/replay_plan.js";
 import { replayView } from "../parts/replay_view.js";
 import { readTrial, showTrialOver } from "../parts/trial_over.js";
 import { t } from "../texts.js";
@@ -38,7 +38,7 @@ function replay(app, root, { trial, plan }, line, signal) {
       h(
         "div",
         { class: "replay-pictures" },
-        replayView(app, trial.id, head, signal),
+        replayView(app, trial.id, where && replayDrawn(where, trial, line), head, signal),
         fromAbove && h("section", { class: "card replay-plan" }, h("h2", {}, t("replay.plan")), fromAbove.element),
       ),
       h("div", { class: "replay-lines" }, replayCharts(line, head, signal), eventList(line.events, head)),

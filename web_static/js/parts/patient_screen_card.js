@@ -6,7 +6,7 @@ import { moment } from "./format.js";
 import { icon } from "./icons.js";
 import { pictureOf } from "./paired_card.js";
 
-const WISHES = ["arrow", "sounds", "large"];
+const WISHES = ["arrow", "sounds", "large", "plan"];
 const LOOK_EVERY = 5000; // ms between two looks at the time that a code has left
 const MINUTE = 60_000; // ms
 
@@ -70,6 +70,8 @@ export function patientScreenCard(app, signal) {
       { class: "paired-chair row", role: "listitem" },
       h("b", {}, t("screens.name", { number: screen.number })),
       h("span", { class: `tag ${screen.connected ? "" : "att"}` }, t(`screens.${screen.connected ? "connected" : "away"}`)),
+      screen.picture &&
+        h("span", { class: `tag ${screen.picture === "none" ? "att" : ""}` }, t(`screens.picture.${screen.picture}`)),
       h("span", { class: "quiet small grow" }, t("screens.since", { when: moment(screen.paired) })),
       h("button", action, t("screens.unpair")),
     );

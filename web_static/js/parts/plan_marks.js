@@ -1,8 +1,9 @@
-/** What is drawn on a plan for a task: how the chair begins, where it is to get, the way round; gaps; who moves. */
+/** What is drawn on a plan for a task: how the chair begins, where it is to get, the way round; gaps, doors; the chair; who moves. */
 import { s } from "./dom.js";
 
 const ARROW = 0.45; // m, of somebody who moves by himself, of a start and of a mark
 const ROUND = 0.95; // m, radius of the way round
+const CHAIR_RADIUS = 0.32; // m: what touches things (app/world/kinematics.py)
 
 /** @typedef {[number, number]} Point */
 
@@ -49,10 +50,48 @@ export function gap({ position: [x, y], width, heading: way }) {
   return s("polyline", { class: "gap", points: points([[x - dx, y - dy], [x + dx, y + dy]]) });
 }
 
-/** Somebody who moves by himself: where he begins, and his way. */
-export function mover({ points: line }, scale) {
-  const body = arrow("mover", line[0], heading(line[0], line[1]), scale);
+/** A doorway: its sill between the frame's two sides. */
+export function door({ position: [x, y], width, heading: way }) {
+  const half = width / 2;
+  return s(
+    "g",
+    { class: "door", transform: placed([x, y], way) },
+    s("path", { class: "sill", d: `M0 ${-half} L0 ${half}` }),
+    s("path", { class: "jambs", d: `M-.09 ${-half} L.09 ${-half} M-.09 ${half} L.09 ${half}` }),
+  );
+}
+
+/** Somebody who moves by himself: where he begins, how much room he takes, and his way. */
+export function mover({ points: line, radius }, scale) {
+  const body = s(
+    "g",
+    { class: "mover-body", transform: placed(line[0], heading(line[0], line[1])) },
+    s("circle", { class: "reach", r: radius }),
+    arrow("mover", [0, 0], 0, scale),
+  );
   return { way: s("polyline", { class: "mover-way", points: points(line) }), body };
+}
+
+/** The chair true to size: the circle that touches things, seat and wheels, and an arrow to where it looks. */
+export function chairOutline() {
+  return s(
+    "g",
+    { class: "chair-outline" },
+    s("circle", { class: "reach", r: CHAIR_RADIUS }),
+    s("path", { class: "wheels", d: "M-.17 .29H.17 M-.17 -.29H.17 M.34 .2H.44 M.34 -.2H.44" }),
+    s("rect", { class: "seat", x: -0.32, y: -0.23, width: 0.6, height: 0.46, rx: 0.08 }),
+    s("path", { class: "nose", d: "M.78 0 L.46 .2 L.46 -.2 Z" }),
+    s("path", { class: "shaft", d: "M-.2 0 H.48" }),
+  );
+}
+
+/** Which way the chair looks when a stage of a course begins; null for the first, which has its own rule. */
+export function headingBefore(stages, number) {
+  if (number === 0) return null;
+  const { points: line, task } = stages[number - 1];
+  if (task.kind === "turn") return heading(line[0], line[1]);
+  const along = heading(line.at(-2), line.at(-1));
+  return task.kind === "back" ? along + Math.PI : along;
 }
 
 /** @param {string} name @param {number[]} at @param {number} angle rad @param {number} scale */

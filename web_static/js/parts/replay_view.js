@@ -1,25 +1,55 @@
-/** A replay in 3D, in a frame of its own server: "Replay" stands on the picture, and nobody's live picture changes. */
+/** The large picture of a replay: in 3D, in a frame of its own server that shows nothing live, or as the drawn plan. */
 import { t } from "../texts.js";
 import { h, put, write } from "./dom.js";
 import { segments } from "./fields.js";
 import { newestWins } from "./newest_wins.js";
+import { canDrawIn3d } from "./webgl.js";
 
-const VIEWS = ["chase", "eye", "top"];
+const VIEWS_IN_3D = ["chase", "eye", "top"];
 const SEND_EVERY = 50; // ms
 const AGAIN_EVERY = 2000; // ms: also a picture that has just come, or that was refused while somebody drove
 
 /**
  * @param {import("../main.js").App} app @param {number} trial id
+ * @param {ReturnType<import("./replay_plan.js").replayDrawn>} drawn the drawn plan; null where the place is not known
  * @param {import("./play_head.js").PlayHead} head @param {AbortSignal} signal
  */
-export function replayView(app, trial, head, signal) {
+export function replayView(app, trial, drawn, head, signal) {
+  const has3d = canDrawIn3d();
+  const first = has3d || !drawn ? VIEWS_IN_3D[0] : "plan";
+  const in3d = replayIn3d(app, trial, head, signal);
+  const place = h("div", { class: "view replay-frame" }, in3d.element, drawn?.element);
+  const choose = (view) => {
+    drawn?.setShown(view === "plan");
+    if (view !== "plan" && has3d) in3d.look(view);
+  };
+  const showDrawn = () => drawn?.show(head.t);
+  head.addEventListener("time", showDrawn, { signal });
+  showDrawn();
+  choose(first);
+  const views = segments(
+    t("trial.views"),
+    [...VIEWS_IN_3D, ...(drawn ? ["plan"] : [])].map((value) => ({ value, label: t(`trial.view.${value}`) })),
+    first,
+    choose,
+  );
+  if (!has3d) for (const radio of views.querySelectorAll("input")) radio.disabled = radio.value !== "plan";
+  const why = !has3d && h("p", { class: "no-view small", role: "status" }, t("replay.picture.webgl"));
+  const bar = h("div", { class: "spread" }, views, drawn?.pad);
+  return h("section", { class: "card replay-picture" }, place, why, bar);
+}
+
+/** The 3D picture; its server is opened with the first look. */
+function replayIn3d(app, trial, head, signal) {
   const words = h("p", { class: "over-picture", role: "status" }, t("replay.picture.loading"));
   const frame = h("iframe", { title: t("replay.picture"), tabindex: "-1" });
-  const place = h("div", { class: "view replay-frame" }, frame, words);
+  const element = h("div", { class: "in-3d" }, frame, words);
   let word = "";
-  let view = VIEWS[0];
+  let view = "";
+  let isOpening = false;
   const isLeft = () => signal.aborted;
   const open = async () => {
+    isOpening = true;
     try {
       const { id } = await app.api.post("/replays", { trial });
       if (isLeft()) return close(id);
@@ -27,50 +57,53 @@ export function replayView(app, trial, head, signal) {
       frame.src = `/view/replay/${id}/`;
     } catch (error) {
       refused(error);
+    } finally {
+      isOpening = false;
     }
   };
   const close = (id) => app.api.remove(`/replays/${id}`).catch(() => {});
+  const off = (why, ...more) => {
+    element.classList.add("off");
+    put(words, t("replay.picture.off", { why }), ...more);
+  };
   const refused = (error) => {
-    write(words, t("replay.picture.off", { why: error.message }));
-    place.classList.add("off");
+    off(error.message);
     // A replay that was closed meanwhile is opened anew.
     if (error.status === 404 && word) {
       word = "";
-      put(words, t("replay.picture.off", { why: error.message }), " ", again);
+      off(error.message, " ", again);
     }
   };
   const again = h("button", { type: "button", class: "btn small", onclick: open }, t("replay.picture.again"));
+  const isDrawn = () => frame.contentWindow?.bodydriveView?.draws() ?? true;
   const send = newestWins(async (moment) => {
     if (!word || isLeft()) return;
     try {
       await app.api.post(`/replays/${word}/at`, moment);
+      if (!isDrawn()) return off(t("replay.picture.context"));
       write(words, "");
-      place.classList.remove("off");
+      element.classList.remove("off");
     } catch (error) {
       refused(error);
     }
   }, SEND_EVERY);
-  const show = () => send({ t: Number(head.t.toFixed(3)), view });
+  const show = () => view && send({ t: Number(head.t.toFixed(3)), view });
   frame.addEventListener("load", show);
   head.addEventListener("time", show, { signal });
   const timer = setInterval(() => {
-    if (document.visibilityState !== "visible" || head.playing) return;
+    if (!view || document.visibilityState !== "visible" || head.playing) return;
     if (word) show();
-    else if (place.classList.contains("off") && !again.isConnected) open();
+    else if (element.classList.contains("off") && !again.isConnected) open();
   }, AGAIN_EVERY);
   signal.addEventListener("abort", () => {
     clearInterval(timer);
     if (word) close(word);
   });
-  open();
-  const views = segments(
-    t("trial.views"),
-    VIEWS.map((value) => ({ value, label: t(`trial.view.${value}`) })),
-    view,
-    (chosen) => {
-      view = chosen;
-      show();
-    },
-  );
-  return h("section", { class: "card replay-picture" }, place, views);
+  /** @param {string} from where to look from */
+  const look = (from) => {
+    view = from;
+    if (!word && !isOpening) open();
+    else show();
+  };
+  return { element, look };
 }

@@ -1,4 +1,4 @@
-/** What stands over the 3D view: the starting cue, and what to do after a stop or fault. */
+/** What stands over the picture: the starting cue, what to do after a stop or fault, and what to do without a picture. */
 import { t } from "../texts.js";
 import { h, put } from "./dom.js";
 import { icon } from "./icons.js";
@@ -7,10 +7,14 @@ import { continueButton, faultKey } from "./notices.js";
 const LONG = 6; // letters; longer words are written smaller
 const GO_SHOWN = 1600; // ms
 
-/** @param {import("../main.js").App} app @param {() => Promise<void>} onEnd */
-export function trialCue(app, onEnd) {
+/**
+ * @param {import("../main.js").App} app @param {import("./drive_picture.js").DrivePicture} picture
+ * @param {() => Promise<void>} onEnd @param {() => void} onPlan show the drawn plan
+ */
+export function trialCue(app, picture, onEnd, onPlan) {
   const element = h("div", { class: "over-view", "aria-live": "assertive" });
-  let shown = "start";
+  let shown = "";
+  let isBegun = false;
   let timer = 0;
   const word = (big, small, tone = "") =>
     h(
@@ -19,36 +23,64 @@ export function trialCue(app, onEnd) {
       h("div", { class: big.length > LONG ? "huge long" : "huge" }, big),
       small && h("p", {}, small),
     );
-  put(element, word(t("trial.moment"), t("trial.moment.why")));
+  const missing = () => (picture.shows === "none" ? picture.why : "");
+  /** Before the trial: the picture is coming, or there is none. */
+  const prepare = () => {
+    const why = missing();
+    if (!why || why === "coming") put(element, word(t("trial.moment"), t("trial.moment.why")));
+    else put(element, withoutPicture(why, onPlan));
+  };
   const show = (now) => {
-    const key = now.control !== "alive" ? "control" : now.fault ? faultKey(now) : now.state;
+    const isFault = now.fault && now.control === "alive";
+    const phase = now.control !== "alive" ? "control" : now.fault ? faultKey(now) : now.state;
+    const key = isFault ? `${phase} ${missing()}` : phase;
     if (key === shown) return;
-    clearTimeout(timer);
-    const before = shown;
     shown = key;
-    if (now.fault && now.control === "alive") put(element, overView(app, now.fault, onEnd));
-    else if (key === "checking") put(element, word(t("trial.rest"), t("trial.rest.why")));
-    else if (key === "armed" && before !== "start") {
+    if (isFault) {
+      clearTimeout(timer);
+      return put(element, overView(app, now.fault, missing(), onEnd, onPlan));
+    }
+    if (key === "disarmed" && !isBegun) return; // not begun: what was prepared stays
+    clearTimeout(timer);
+    isBegun ||= key === "checking";
+    if (key === "checking") put(element, word(t("trial.rest"), t("trial.rest.why")));
+    else if (key === "armed" && isBegun) {
       put(element, word(t("trial.go"), "", "go"));
       timer = setTimeout(() => put(element), GO_SHOWN);
-    } else if (key !== "disarmed" || before !== "start") put(element);
+    } else put(element);
   };
-  return { element, show };
+  prepare();
+  return { element, show, prepare };
 }
 
-function overView(app, fault, onEnd) {
+function overView(app, fault, missing, onEnd, onPlan) {
   const end = h("button", { type: "button", class: "btn", onclick: onEnd }, t("trial.end"));
-  return faultCard(app, fault, t("trial.paused"), end);
+  if (!missing) return faultCard(app, fault, t("trial.paused"), end);
+  return card(fault.happened, t(`picture.${missing}`), t("trial.paused"), planButton("picture.plan.show", onPlan), end);
+}
+
+/** Nothing to drive by yet. */
+function withoutPicture(why, onPlan) {
+  const back = h("a", { class: "btn", href: "#/drive" }, t("picture.back"));
+  return card(t("picture.none"), t(`picture.${why}`), "", planButton("picture.plan.start", onPlan), back);
+}
+
+function planButton(words, onPlan) {
+  return h("button", { type: "button", class: "btn go", onclick: onPlan }, t(words));
 }
 
 /** What happened, what to do, Continue, and how to end. @param {import("../main.js").App} app @param {{happened: string, next_step: string}} fault @param {string} after @param {Node} end */
 export function faultCard(app, { happened, next_step: next }, after, end) {
+  return card(happened, next, after, continueButton(app), end);
+}
+
+function card(happened, next, after, go, other) {
   return h(
     "div",
     { class: "hud fault-card" },
     h("h2", {}, icon("warning", 28), happened),
     h("p", {}, next),
-    h("p", { class: "quiet small" }, after),
-    h("div", { class: "spread" }, continueButton(app), end),
+    after && h("p", { class: "quiet small" }, after),
+    h("div", { class: "spread" }, go, other),
   );
 }

@@ -1,15 +1,15 @@
-/** A running trial: the 3D view fills the page; over it time, place, plan, speed, and what can be done. */
+/** A running trial: the picture fills the page; over it time, place, plan, speed, and what can be done. */
 import { t } from "../texts.js";
 import { cross } from "./cross.js";
 import { speedDial } from "./dial.js";
 import { h, put, write } from "./dom.js";
+import { DrivePicture } from "./drive_picture.js";
 import { number } from "./format.js";
 import { miniPlan } from "./mini_plan.js";
 import { pads } from "./pads.js";
 import { placeCard } from "./place_card.js";
 import { trialCue } from "./trial_cue.js";
-import { viewBar } from "./view_bar.js";
-import { viewFrame } from "./view_frame.js";
+import { chosenView, viewBar } from "./view_bar.js";
 
 const WIDE = matchMedia("(min-width: 1000px)"); // narrower, the plots would be drawn at the cost of the picture
 
@@ -17,20 +17,21 @@ const WIDE = matchMedia("(min-width: 1000px)"); // narrower, the plots would be 
  * Show the picture and what lies over it; `begin` is told of the trial once it runs.
  * @param {import("../main.js").App} app @param {HTMLElement} root
  * @param {{plan: any, path: any, isVisitor: boolean}} what @param {AbortSignal} signal
- * @returns {{ready: Promise<void>, begin: (trial: any) => void}}
+ * @returns {{picture: DrivePicture, begin: (trial: any) => void}}
  */
 export function showTrial(app, root, { plan, path, isVisitor }, signal) {
   let trial = null;
   const end = endButton(app);
-  const cue = trialCue(app, end.run);
+  const picture = new DrivePicture(app.live, plan, path, chosenView() === "plan" ? "plan" : "view", signal);
+  const { view, drawn } = picture;
   const mini = miniPlan(plan, path);
   const place = placeCard(plan, path);
-  const view = viewFrame(signal);
   const onPlots = (isOpen) => {
     mini.element.hidden = isOpen; // the plots stand in the same corner, and show the same line
     view.setPlots(isOpen);
   };
-  const views = viewBar(app, view.surface);
+  const views = viewBar(app, view.surface, (which) => picture.choose(which));
+  const cue = trialCue(app, picture, end.run, views.choosePlan);
   const bar = bottomBar(app, path, [views.element, end.element], onPlots, signal);
   const title = h("h1", { class: "unseen", tabindex: "-1" }, plan.title);
   const show = ({ detail: now }) => {
@@ -39,14 +40,23 @@ export function showTrial(app, root, { plan, path, isVisitor }, signal) {
     if (now.trial?.id !== trial.id) return;
     place.show(now);
     mini.show(now.pose, now.trial);
+    drawn.show({ ...now.trial, pose: now.pose });
     bar.show(now);
   };
+  const tell = () => {
+    app.screen.show(picture.shows);
+    bar.setPicture(picture.shows);
+    if (!trial) cue.prepare();
+    else if (app.live.latest) cue.show(app.live.latest);
+  };
   app.live.addEventListener("tick", show, { signal });
+  picture.addEventListener("change", tell, { signal });
+  signal.addEventListener("abort", () => app.screen.show("none")); // whoever goes elsewhere in the program drives blind
   root.className = "page filled";
   put(
     root,
     title,
-    view.element,
+    picture.element,
     place.element,
     mini.element,
     cue.element,
@@ -55,11 +65,13 @@ export function showTrial(app, root, { plan, path, isVisitor }, signal) {
       { class: "lower" },
       h("div", { class: "hud dial-card" }, h("b", { class: "small" }, t("dial.title")), speedDial(app, signal)),
       views.pad,
+      drawn.pad,
       isVisitor && h("div", { class: "pad-dock" }, pads(app, signal, { hasNote: false }).element),
       bar.element,
     ),
   );
   app.setShowsTrial(true);
+  tell();
   const begin = (started) => {
     trial = started;
     end.element.disabled = false;
@@ -67,7 +79,7 @@ export function showTrial(app, root, { plan, path, isVisitor }, signal) {
     write(title, words);
     place.name(words);
   };
-  return { ready: view.ready, begin };
+  return { picture, begin };
 }
 
 function bottomBar(app, path, [views, endElement], onPlots, signal) {
@@ -106,8 +118,13 @@ function bottomBar(app, path, [views, endElement], onPlots, signal) {
     if (now.trial) write(instruction, now.trial.instruction);
     square.show(now.u1 ?? 0, now.u2 ?? 0);
   };
+  /** The plots stand inside the 3D view. @param {"view" | "plan" | "none"} shows */
+  const setPicture = (shows) => {
+    if (shows !== "view" && isOpen) setPlots(false);
+    plots.disabled = shows !== "view";
+  };
   show({ v: 0, u1: 0, u2: 0 });
-  return { element, show };
+  return { element, show, setPicture };
 }
 
 function endButton(app) {

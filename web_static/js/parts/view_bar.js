@@ -1,22 +1,35 @@
-/** Where the 3D view is looked at from: the buttons, the eye's settings, and the free camera's pad. */
+/** Where one looks from, or the drawn plan: the buttons, the eye's settings, and the free camera's pad. */
 import { t } from "../texts.js";
 import { h } from "./dom.js";
 import { segments } from "./fields.js";
 import { freeCamera } from "./free_camera.js";
 import { newestWins } from "./newest_wins.js";
 import { viewSettings } from "./view_settings.js";
+import { canDrawIn3d } from "./webgl.js";
 
-const VIEWS = ["eye", "chase", "top", "free"];
+const VIEWS_IN_3D = ["eye", "chase", "top", "free"];
+const VIEWS = [...VIEWS_IN_3D, "plan"];
 const VIEW_PLACE = "bodydrive-view";
 const SEND_EVERY = 50; // ms
 
+/** The view that was chosen last on this page. @returns {string} */
+export function chosenView() {
+  const stored = sessionStorage.getItem(VIEW_PLACE) ?? "";
+  return VIEWS.includes(stored) ? stored : "eye";
+}
+
+/** Choose the view that the next trial on this page begins with. @param {string} view */
+export function chooseView(view) {
+  sessionStorage.setItem(VIEW_PLACE, view);
+}
+
 /**
  * @param {import("../main.js").App} app @param {HTMLElement} surface what lies over the picture
- * @returns {{element: HTMLElement, pad: HTMLElement}} the bar, and what turns the free camera
+ * @param {(which: "view" | "plan") => void} onChoose the 3D view or the drawn plan was chosen
+ * @returns {{element: HTMLElement, pad: HTMLElement, choosePlan: () => void}} the bar, and what turns the free camera
  */
-export function viewBar(app, surface) {
-  const stored = sessionStorage.getItem(VIEW_PLACE) ?? "";
-  let view = VIEWS.includes(stored) ? stored : "eye";
+export function viewBar(app, surface, onChoose) {
+  let view = chosenView();
   const ask = (call) => call.catch((error) => app.toasts.show(error.message));
   const free = freeCamera((place) => ask(app.api.post("/view/clinician/free", place)), surface);
   const settings = viewSettings(() => {
@@ -27,13 +40,14 @@ export function viewBar(app, surface) {
     const shown = await ask(app.api.post("/view/clinician/camera", choice));
     if (shown && choice.view === view) free.open(view === "free", shown.free);
   }, SEND_EVERY);
-  const look = () => send({ view, ...settings.mine() });
+  const look = () => view !== "plan" && send({ view, ...settings.mine() });
   // The eye is the patient's: the same settings hold on the patient's own screen, which can change nothing.
   const sendPatients = newestWins((eye) => ask(app.api.post("/view/patient/camera", eye)), SEND_EVERY);
   const choose = (chosen) => {
     view = chosen;
-    sessionStorage.setItem(VIEW_PLACE, view);
+    chooseView(view);
     free.open(false);
+    onChoose(view === "plan" ? "plan" : "view");
     look();
   };
   look();
@@ -44,6 +58,8 @@ export function viewBar(app, surface) {
     view,
     choose,
   );
+  const radio = (value) => views.querySelector(`input[value="${value}"]`);
+  if (!canDrawIn3d()) for (const value of VIEWS_IN_3D) radio(value).disabled = value !== view;
   const element = h("div", { class: "view-bar" }, views, settings.button, settings.panel);
-  return { element, pad: free.element };
+  return { element, pad: free.element, choosePlan: () => radio("plan").click() };
 }

@@ -1,11 +1,11 @@
-/** What the patient sees: the view, and over it what to do, the speed, the arrow, and a stop that nobody overlooks. */
+/** What the patient sees: the picture, and over it what to do, the speed, the arrow, and a stop that nobody overlooks. */
 import { h, put, s, write } from "../parts/dom.js";
 import { number } from "../parts/format.js";
-import { viewFrame } from "../parts/view_frame.js";
 import { t } from "../texts.js";
 import { arrow } from "./arrow.js";
 import { cueLayer } from "./cue.js";
 import { momentCard } from "./moment.js";
+import { patientPicture } from "./picture.js";
 import { heard, Sounds } from "./sounds.js";
 
 const BACKWARDS = -0.02; // m/s
@@ -13,7 +13,7 @@ const BACKWARDS = -0.02; // m/s
 /** @param {HTMLElement} root @param {import("../live.js").Live} live @param {AbortSignal} signal */
 export function showScreen(root, live, signal) {
   const sounds = new Sounds();
-  const view = renewedView(live, signal);
+  const picture = patientPicture(live, signal);
   const parts = [taskCard(), speedCard(), arrow(), momentCard(), cueLayer(live, signal), stopBand()];
   const lost = band("lost", h("div", {}, h("b", {}, t("patient.lost")), h("p", {}, t("patient.lost.why"))));
   const sound = h("button", { type: "button", class: "btn sound", hidden: true }, t("patient.sound"));
@@ -23,7 +23,7 @@ export function showScreen(root, live, signal) {
   });
   let before = null;
   const show = ({ detail: now }) => {
-    for (const part of parts) part.show(now);
+    for (const part of [picture, ...parts]) part.show(now);
     document.documentElement.classList.toggle("large", now.asks.large);
     sound.hidden = !now.asks.sounds || sounds.isOn;
     if (now.asks.sounds) for (const name of heard(before, now)) sounds.play(name);
@@ -36,25 +36,8 @@ export function showScreen(root, live, signal) {
   live.addEventListener("tick", show, { signal });
   live.addEventListener("connection", showConnection, { signal });
   signal.addEventListener("abort", () => root.classList.remove("is-lost")); // what is said then is not of the past
-  put(root, view, parts.map(({ element }) => element), sound, lost);
+  put(root, picture.element, parts.map(({ element }) => element), sound, lost);
   showConnection();
-}
-
-/** The 3D view; made anew when the connection is back, because a frame that failed to load stays as it is. */
-function renewedView(live, signal) {
-  const element = h("div", { class: "view-place" });
-  let shown = new AbortController();
-  const make = () => {
-    shown.abort();
-    shown = new AbortController();
-    const frame = viewFrame(shown.signal, "patient").element;
-    frame.querySelector("iframe").title = t("patient.view");
-    put(element, frame);
-  };
-  live.addEventListener("connection", () => live.connected && make(), { signal });
-  signal.addEventListener("abort", () => shown.abort());
-  make();
-  return element;
 }
 
 function taskCard() {

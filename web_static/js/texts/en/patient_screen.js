@@ -2,6 +2,8 @@
 export default {
   "patient.title": "bodydrive · patient's screen",
   "patient.view": "3D view from the chair",
+  "patient.plan": "This screen cannot draw the 3D view: it shows the plan from above.",
+  "patient.no-picture": "No picture at the moment. The chair stops.",
   "patient.lost": "Connection lost, trying again",
   "patient.lost.why": "Nothing to do: the picture comes back by itself.",
   "patient.stopped": "Stopped",
@@ -66,4 +68,8 @@ export default {
   "screens.arrow": "Arrow to the goal",
   "screens.sounds": "Sounds: contact, goal, stop",
   "screens.large": "Large text",
+  "screens.plan": "Drawn plan instead of the 3D view",
+  "screens.picture.view": "3D view",
+  "screens.picture.plan": "drawn plan",
+  "screens.picture.none": "no picture",
 };

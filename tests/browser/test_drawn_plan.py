@@ -1,0 +1,168 @@
+"""Nobody drives blind: what a browser does that cannot draw in 3D, or loses its picture while somebody drives (S24)."""
+
+import re
+import signal
+from pathlib import Path
+
+import pytest
+from browser.driving import go_on_until
+from playwright.sync_api import expect
+from processes.served_demo import bodydrive, printed_link
+
+pytestmark = [pytest.mark.browser, pytest.mark.timeout(420)]
+
+SCREENSHOTS = Path(__file__).resolve().parents[2] / "var" / "screenshots"
+PATIENCE = 60_000  # ms: drawing in software on a busy machine is slow
+DRIVE_LIMIT = 150  # s
+LOOKS = {"light": (1280, 800), "dark": (768, 1024)}
+WITHOUT_WEBGL = """{
+  const get = HTMLCanvasElement.prototype.getContext;
+  HTMLCanvasElement.prototype.getContext = function (kind, ...more) {
+    return kind.startsWith("webgl") ? null : get.call(this, kind, ...more);
+  };
+}"""
+LOSE = """() => {
+  const view = document.querySelector(".view iframe").contentWindow;
+  const context = view.document.querySelector("canvas[data-engine]").getContext("webgl2");
+  window.taken = context.getExtension("WEBGL_lose_context");
+  window.taken.loseContext();
+}"""
+CHAIR = "document.querySelector('.drawn-plan .chair-outline').getAttribute('transform')"
+SMALL = """[...document.querySelectorAll(".lower button, .lower .segments label, .fault-card .btn")]
+  .filter((one) => one.checkVisibility())
+  .filter((one) => Math.min(one.offsetHeight, one.offsetWidth) < 44).map((one) => one.outerHTML.slice(0, 80))"""
+
+
+@pytest.fixture
+def demo():
+    """Yield the link of a running demonstration."""
+    expect.set_options(timeout=PATIENCE)
+    SCREENSHOTS.mkdir(parents=True, exist_ok=True)
+    with bodydrive("demo", "--port", "0") as process:
+        try:
+            yield printed_link(process)
+        finally:
+            process.send_signal(signal.SIGINT)
+            assert process.wait(20) == 0
+            expect.set_options(timeout=5000)
+
+
+@pytest.fixture
+def opened(browser, page_log, demo):
+    """Return what opens a page of its own browser context: with or without WebGL, signed in."""
+    log = page_log(demo)
+    contexts = []
+
+    def open_page(address, scheme="light", *, webgl=True):
+        width, height = LOOKS[scheme]
+        context = browser.new_context(viewport={"width": width, "height": height}, color_scheme=scheme)
+        contexts.append(context)
+        if not webgl:
+            context.add_init_script(WITHOUT_WEBGL)
+        page = log.watch(context.new_page())
+        page.set_default_timeout(PATIENCE)
+        page.goto(address)
+        page.keep = lambda name: page.screenshot(path=SCREENSHOTS / f"{scheme}-{name}.png")
+        return page
+
+    yield open_page
+    log.assert_clean()
+    for context in contexts:
+        context.close()
+
+
+def choose_straight_ahead(page):
+    expect(page.get_by_role("heading", name="Where to?")).to_be_visible()
+    page.get_by_text("Straight ahead", exact=True).click()
+
+
+def drives_for(page, seconds):
+    """Wait until the trial's clock shows so many seconds more."""
+    clock = page.locator(".place .big")
+
+    def shown():
+        minutes, left = clock.inner_text().split(":")
+        return 60 * int(minutes) + int(left)
+
+    least = shown() + seconds
+    go_on_until(page, lambda: shown() >= least, f"{least} s on the clock")
+
+
+def trials(page):
+    base = page.url.split("#")[0]
+    return page.context.request.get(f"{base}api/v1/trials?patient=1").json()
+
+
+@pytest.mark.parametrize("scheme", ["light", pytest.param("dark", marks=pytest.mark.long)])
+def test_without_webgl_a_trial_is_driven_and_replayed_in_the_drawn_plan(opened, demo, until, scheme):
+    page = opened(demo, scheme, webgl=False)
+    choose_straight_ahead(page)
+    expect(page.get_by_text("This screen cannot draw the 3D view")).to_be_visible()
+    page.keep("plan-choose")
+    page.get_by_role("button", name="Start in the drawn plan").click()
+    drives_for(page, 3)
+    assert page.get_by_label("Plan", exact=True).is_checked()
+    assert page.get_by_label("Eye", exact=True).is_disabled()
+    before = page.evaluate(CHAIR)
+    until(page, f"{CHAIR} !== {before!r}")
+    page.keep("plan-drive")
+    page.get_by_role("button", name="Heading up").click()
+    page.get_by_role("button", name="Farther").click()
+    page.keep("plan-drive-north")
+    assert page.evaluate(f"() => {SMALL}") == []
+    go_on_until(page, page.get_by_role("heading", name="Goal reached").is_visible, "the goal", seconds=DRIVE_LIMIT)
+
+    # Somebody comes who wants the eye: nothing begins, and the plan is offered.
+    page.evaluate("sessionStorage.setItem('bodydrive-view', 'eye')")
+    page.get_by_role("button", name="Next trial").click()
+    expect(page.get_by_text("No picture to drive by")).to_be_visible()
+    expect(page.locator(".fault-card")).to_contain_text("no WebGL 2")
+    page.wait_for_timeout(2000)
+    assert [trial["status"] for trial in trials(page)] == ["done"]
+    page.keep("plan-offer")
+    page.get_by_role("button", name="Drive in the drawn plan").click()
+    drives_for(page, 1)
+    page.get_by_role("button", name="End trial").first.click()
+    expect(page.get_by_role("link", name="Look at it again")).to_be_visible()
+
+    page.goto(f"{demo.split('#')[0]}#/review/1/trial/1")
+    expect(page.get_by_text("so the replay is shown in the drawn plan")).to_be_visible()
+    places = []
+    for t in ("1", "4"):
+        page.get_by_label("Moment of the trial").fill(t)
+        places.append(page.evaluate(CHAIR))
+    assert places[0] != places[1]
+    page.keep("plan-replay")
+    assert page.locator("iframe[src]").count() == 0
+
+
+def test_a_context_that_is_lost_halts_the_trial_until_there_is_a_picture(opened, demo, until):
+    page = opened(demo)
+    choose_straight_ahead(page)
+    page.get_by_role("button", name="Start trial").click()
+    drives_for(page, 1)
+    card = page.locator(".fault-card")
+
+    page.evaluate(LOSE)
+    expect(card).to_contain_text("lost the picture")
+    expect(card).to_contain_text("the browser took its graphics away")
+    expect(page.get_by_role("button", name="Continue")).to_have_count(0)
+    expect(page.locator(".bar .speed .big")).to_contain_text("0.00")
+    page.keep("picture-lost")
+    page.get_by_role("button", name="Show the drawn plan").click()
+    page.get_by_role("button", name="Continue").click()
+    drives_for(page, 1)
+
+    # Back to the 3D view while driving: the plan stays until that view is there.
+    page.get_by_text("Eye", exact=True).click()
+    assert page.locator(".drawn-plan").is_visible()
+    until(page, "!document.querySelector('.picture .drawn-plan').checkVisibility()", seconds=60)
+    drives_for(page, 1)
+    page.evaluate(LOSE)
+    expect(card).to_contain_text("lost the picture")
+    page.evaluate("() => window.taken.restoreContext()")
+    page.get_by_role("button", name="Continue").click()
+    drives_for(page, 1)
+    page.keep("picture-back")
+    page.get_by_role("button", name="End trial").first.click()
+    expect(page.get_by_role("heading", name="Ended by hand")).to_be_visible()

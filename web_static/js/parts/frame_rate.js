@@ -1,0 +1,29 @@
+/** Counts the pictures of a frame over two seconds. */
+
+const WINDOW = 2000; // ms
+
+/** @returns {{perSecond: (frame: HTMLIFrameElement) => number}} Infinity while it does not know yet */
+export function frameCounter() {
+  let counted = null;
+  let pictures = 0;
+  let since = 0;
+  return {
+    perSecond(frame) {
+      const view = frame.contentWindow;
+      if (counted !== view) {
+        counted = view;
+        const count = () => {
+          pictures += 1;
+          if (counted === view) view.requestAnimationFrame(count);
+        };
+        [pictures, since] = [0, performance.now()];
+        count();
+      }
+      const time = performance.now() - since;
+      if (time < WINDOW || document.visibilityState !== "visible") return Infinity;
+      const rate = (1000 * pictures) / time;
+      [pictures, since] = [0, performance.now()];
+      return rate;
+    },
+  };
+}

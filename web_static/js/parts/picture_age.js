@@ -1,0 +1,24 @@
+/** How old a picture may be that somebody drives by. */
+
+const OLD = 1.0; // s: an older picture must not pass for the present
+const OLD_WHEN_SLOW = 3.0; // s, while this page itself is late: then the picture may be there and only drawn late
+const LATE = 450; // ms between two looks
+const SLOW_FOR = 3000; // ms after a late look
+
+export const LOOK_EVERY = 250; // ms
+
+/**
+ * Make what tells, at each look, whether the page was on time and how old its picture may be (s).
+ * @returns {() => {onTime: boolean, limit: number}} to be called every `LOOK_EVERY`
+ */
+export function ageLimit() {
+  let lookedAt = performance.now();
+  let lateAt = -Infinity;
+  return () => {
+    const now = performance.now();
+    const onTime = now - lookedAt < LATE;
+    if (!onTime) lateAt = now;
+    lookedAt = now;
+    return { onTime, limit: now - lateAt < SLOW_FOR ? OLD_WHEN_SLOW : OLD };
+  };
+}

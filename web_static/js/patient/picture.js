@@ -1,0 +1,104 @@
+/** The patient's picture: the 3D view, or the drawn plan where there is none; it tells the server which of them there is. */
+import { Api } from "../api.js";
+import { h, put, write } from "../parts/dom.js";
+import { drawnPlan } from "../parts/drawn_plan.js";
+import { LOOK_EVERY, ageLimit } from "../parts/picture_age.js";
+import { viewFrame } from "../parts/view_frame.js";
+import { t } from "../texts.js";
+
+const ASK_AGAIN_AFTER = 1000; // ms after a plan could not be read
+const MAY_MOVE = new Set(["checking", "armed"]);
+
+/** @param {import("../live.js").Live} live @param {AbortSignal} signal */
+export function patientPicture(live, signal) {
+  const view = renewedView(live, signal, () => look());
+  const plan = planOfTrial();
+  const words = h("p", { class: "hud picture-words", role: "status", hidden: true });
+  const element = h("div", { class: "picture-place" }, view.element, plan.element, words);
+  const limit = ageLimit();
+  /** @type {"view" | "plan" | "none"} */
+  let shows = "plan"; // until the 3D view is there
+  let wasAskedForPlan = false;
+
+  const wanted = (asks) => (!asks.plan && view.why() === "" ? "view" : "plan");
+  /** A picture that is lost while the chair may move is not replaced unseen: first the chair must have stopped. */
+  const next = (now) => {
+    const which = wanted(now.asks);
+    if (live.age > limit().limit || (which === "plan" && !plan.isThere(now.trial))) return "none";
+    const isByHand = now.asks.plan !== wasAskedForPlan;
+    wasAskedForPlan = now.asks.plan;
+    if (which === shows || isByHand || !now.trial || !MAY_MOVE.has(now.state)) return which;
+    return shows === "plan" ? "plan" : "none";
+  };
+  const look = () => {
+    const now = live.latest;
+    if (!now) return;
+    const before = shows;
+    shows = next(now);
+    if (shows !== before) say();
+    view.setWanted(!now.asks.plan);
+    plan.element.hidden = shows === "view" || !plan.has();
+    const why = shows === "none" ? "patient.no-picture" : view.why() === "webgl" && !now.asks.plan ? "patient.plan" : "";
+    words.hidden = !why;
+    write(words, why && t(why));
+  };
+  const say = () => live.send({ picture: shows });
+  const show = (now) => {
+    plan.show(now);
+    look();
+  };
+  live.addEventListener("open", say, { signal });
+  const timer = setInterval(look, LOOK_EVERY);
+  signal.addEventListener("abort", () => clearInterval(timer));
+  return { element, show };
+}
+
+/** The 3D view; made anew when the connection is back, because a frame that failed to load stays as it is. */
+function renewedView(live, signal, onChange) {
+  const element = h("div", { class: "view-place" });
+  let shown = new AbortController();
+  let frame = null;
+  const make = () => {
+    shown.abort();
+    shown = new AbortController();
+    frame = viewFrame(shown.signal, "patient", onChange);
+    const inside = frame.element.querySelector("iframe");
+    if (inside) inside.title = t("patient.view");
+    put(element, frame.element);
+  };
+  live.addEventListener("connection", () => live.connected && make(), { signal });
+  signal.addEventListener("abort", () => shown.abort());
+  make();
+  return { element, why: () => frame?.why() ?? "coming", setWanted: (is) => frame.setWanted(is) };
+}
+
+/** The drawn plan of the trial that is driven; the last one's stays until there is another. */
+function planOfTrial() {
+  const api = new Api(() => {});
+  const element = h("div", { class: "plan-place", hidden: true });
+  let drawn = null;
+  let trial = null; // the one whose plan is drawn, asked for, or could not be had
+  let isAsking = false;
+  let hasFailed = false;
+  const read = async (id) => {
+    isAsking = true;
+    trial = id;
+    const shown = await api.get("/view/patient/plan").catch(() => null);
+    isAsking = false;
+    hasFailed = shown?.trial !== id;
+    if (hasFailed) return setTimeout(() => (trial = null), ASK_AGAIN_AFTER);
+    const path = shown.floorplan.paths.find(({ name }) => name === shown.path);
+    drawn = drawnPlan(shown.floorplan, path);
+    put(element, drawn.element);
+  };
+  return {
+    element,
+    has: () => drawn !== null,
+    /** Whether there is nothing to draw, or it is drawn or on its way. */
+    isThere: (now) => !now || !hasFailed,
+    show: (now) => {
+      if (now.trial && now.trial.id !== trial && !isAsking) read(now.trial.id);
+      if (drawn && now.trial?.id === trial) drawn.show({ ...now.trial, pose: now.pose });
+    },
+  };
+}
