@@ -1,6 +1,5 @@
 """Nobody drives blind: what a browser does that cannot draw in 3D, or loses its picture while somebody drives (S24)."""
 
-import re
 import signal
 from pathlib import Path
 
@@ -21,12 +20,13 @@ WITHOUT_WEBGL = """{
     return kind.startsWith("webgl") ? null : get.call(this, kind, ...more);
   };
 }"""
-LOSE = """() => {
-  const view = document.querySelector(".view iframe").contentWindow;
+VIEW = "document.querySelector('.view iframe').contentWindow"
+LOSE = f"""() => {{
+  const view = {VIEW};
   const context = view.document.querySelector("canvas[data-engine]").getContext("webgl2");
   window.taken = context.getExtension("WEBGL_lose_context");
   window.taken.loseContext();
-}"""
+}}"""
 CHAIR = "document.querySelector('.drawn-plan .chair-outline').getAttribute('transform')"
 SMALL = """[...document.querySelectorAll(".lower button, .lower .segments label, .fault-card .btn")]
   .filter((one) => one.checkVisibility())
@@ -164,5 +164,35 @@ def test_a_context_that_is_lost_halts_the_trial_until_there_is_a_picture(opened,
     page.get_by_role("button", name="Continue").click()
     drives_for(page, 1)
     page.keep("picture-back")
+
+    # A picture that stands still, older than what even a slow page is allowed.
+    page.evaluate(f"() => {{ {VIEW}.bodydriveView.age = () => 3.5; }}")
+    expect(card).to_contain_text("older than a second")
     page.get_by_role("button", name="End trial").first.click()
     expect(page.get_by_role("heading", name="Ended by hand")).to_be_visible()
+
+
+def test_the_patients_screen_falls_back_on_the_drawn_plan_once_the_chair_stands(opened, demo, until):
+    page = opened(demo, webgl=False)
+    choose_straight_ahead(page)
+    base = demo.split("/#")[0]
+    offer = page.context.request.post(f"{base}/api/v1/patient-screen/pairing", headers={"Origin": base}).json()
+    patient = opened(offer["url"], "dark")
+    tag = page.locator(".patient-screens .tag", has_text="3D view")
+    expect(tag).to_be_visible()
+    page.get_by_role("button", name="Start in the drawn plan").click()
+    drives_for(page, 1)
+    assert not patient.locator(".drawn-plan").is_visible()
+    patient.evaluate(LOSE)
+    expect(page.locator(".fault-card")).to_contain_text("lost the picture")
+    expect(patient.locator(".drawn-plan")).to_be_visible()
+    expect(patient.locator(".band.stopped")).to_contain_text("The picture was lost")
+    page.get_by_role("button", name="Continue").click()
+    drives_for(page, 2)
+    before = patient.evaluate(CHAIR)
+    until(patient, f"{CHAIR} !== {before!r}")
+    patient.keep("patient-plan")
+    patient.context.close()  # a screen that is gone shows nothing
+    expect(page.locator(".fault-card")).to_contain_text("lost the picture")
+    page.get_by_role("button", name="Continue").click()
+    drives_for(page, 1)

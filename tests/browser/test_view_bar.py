@@ -12,7 +12,8 @@ pytestmark = [pytest.mark.browser, pytest.mark.long]
 ORIGIN = "http://127.0.0.1:9"  # nothing listens there: every answer comes from the test
 PAGE = """<!doctype html><html lang="en"><head><title>view bar</title>
 <link rel="stylesheet" href="/css/tokens.css"><link rel="stylesheet" href="/css/base.css">
-<link rel="stylesheet" href="/css/forms.css"><link rel="stylesheet" href="/css/drive.css"></head><body>
+<link rel="stylesheet" href="/css/forms.css"><link rel="stylesheet" href="/css/picture.css">
+<link rel="stylesheet" href="/css/drive.css"></head><body>
 <div class="view" style="inset: 0 0 200px 0"><div class="surface" tabindex="0" hidden></div></div>
 <div class="lower" id="lower"></div>
 <script type="module">
@@ -25,7 +26,7 @@ const post = async (path, body) => {
   return { ...body, free: { ...free } };
 };
 const bar = viewBar({ api: { post }, toasts: { show: (words) => { throw new Error(words); } } },
-  document.querySelector(".surface"));
+  document.querySelector(".surface"), (which) => { window.chosen = which; });
 document.querySelector("#lower").append(bar.pad, bar.element);
 window.ready = true;
 </script></body></html>"""
@@ -95,6 +96,16 @@ def test_the_pad_is_there_in_the_free_view_only_and_its_buttons_are_large_enough
     page.get_by_text("Top", exact=True).click()
     until(page, "document.querySelector('.surface').hidden")
     assert posts(page, "/clinician/camera")[-1]["body"]["view"] == "top"
+
+
+def test_the_drawn_plan_is_a_view_of_the_page_alone(open_bar, until):
+    page = open_bar()
+    before = len(posts(page, "/clinician/camera"))
+    page.get_by_text("Plan", exact=True).click()
+    until(page, "chosen === 'plan'")
+    page.get_by_text("Chase", exact=True).click()
+    until(page, f"chosen === 'view' && {CLINICIANS}.view === 'chase'")
+    assert len(posts(page, "/clinician/camera")) == before + 1
 
 
 def test_a_drag_turns_a_wheel_comes_nearer_and_keys_do_both(open_bar, until):

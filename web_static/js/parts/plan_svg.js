@@ -27,7 +27,7 @@ export function planPicture(plan, path, { label, hasRooms = false, isNear = fals
   const ends = s("g", {});
   let { element: marked, goal } = marks(path, asked, scale);
   put(ends, marked);
-  const prescribed = s("polyline", { class: `prescribed ${asked?.task.kind ?? "path"}`, points: points(path) });
+  const prescribed = prescribedLine(path, asked?.task.kind ?? "path", isTrue);
   const lines = s("g", { class: "lines" }, prescribed, ends, driven, chair);
   // The plan's y goes up, the picture's down.
   const scene = s(
@@ -84,7 +84,7 @@ export function planPicture(plan, path, { label, hasRooms = false, isNear = fals
     stage = number;
     const { points: way, task } = stages[number];
     ({ element: marked, goal } = marks(way, { task, start_heading: headingBefore(stages, number) }, scale));
-    put(ends, s("polyline", { class: `prescribed ${task.kind}`, points: points(way) }), marked);
+    put(ends, prescribedLine(way, task.kind, isTrue), marked);
     prescribed.classList.add("later");
   };
   /** Look at a point so near that `metres` are seen across the shorter side. @param {{x: number, y: number, turn: number, metres: number, middle: number}} camera
@@ -114,6 +114,12 @@ export function planPicture(plan, path, { label, hasRooms = false, isNear = fals
         transform: `${placed([x, y], theta)} scale(${scale})`,
       }),
   };
+}
+
+/** The prescribed line; one that is driven by has a rim, because it is white as on the floor of the 3D view. */
+function prescribedLine(line, kind, hasRim) {
+  const at = points(line);
+  return s("g", {}, hasRim && s("polyline", { class: `rim ${kind}`, points: at }), s("polyline", { class: `prescribed ${kind}`, points: at }));
 }
 
 function obstacle(one) {

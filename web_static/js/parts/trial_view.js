@@ -63,9 +63,13 @@ export function showTrial(app, root, { plan, path, isVisitor }, signal) {
     h(
       "div",
       { class: "lower" },
-      h("div", { class: "hud dial-card" }, h("b", { class: "small" }, t("dial.title")), speedDial(app, signal)),
-      views.pad,
-      drawn.pad,
+      h(
+        "div",
+        { class: "above-bar" },
+        h("div", { class: "hud dial-card" }, h("b", { class: "small" }, t("dial.title")), speedDial(app, signal)),
+        views.pad,
+        drawn.pad,
+      ),
       isVisitor && h("div", { class: "pad-dock" }, pads(app, signal, { hasNote: false }).element),
       bar.element,
     ),

@@ -39,7 +39,7 @@ export function viewFrame(signal, role = "clinician", onChange = () => {}) {
     why = now;
     words.hidden = why === "" || why === "coming";
     write(words, words.hidden ? "" : t(`picture.${why}`));
-    element.classList.toggle("without", why === "webgl");
+    element.classList.toggle("without", why === "webgl" || why === "context");
     onChange();
   };
   const shown = { element, surface, why: () => why, setWanted: (_is) => {}, setPlots: (_is) => {} };

@@ -11,7 +11,7 @@ const MAY_MOVE = new Set(["checking", "armed"]);
 
 /** @param {import("../live.js").Live} live @param {AbortSignal} signal */
 export function patientPicture(live, signal) {
-  const view = renewedView(live, signal, () => look());
+  const view = renewedView(live, signal);
   const plan = planOfTrial();
   const words = h("p", { class: "hud picture-words", role: "status", hidden: true });
   const element = h("div", { class: "picture-place" }, view.element, plan.element, words);
@@ -38,7 +38,8 @@ export function patientPicture(live, signal) {
     if (shows !== before) say();
     view.setWanted(!now.asks.plan);
     plan.element.hidden = shows === "view" || !plan.has();
-    const why = shows === "none" ? "patient.no-picture" : view.why() === "webgl" && !now.asks.plan ? "patient.plan" : "";
+    const isInstead = view.why() === "webgl" && !now.asks.plan && !now.trial;
+    const why = shows === "none" ? "patient.no-picture" : isInstead ? "patient.plan" : "";
     words.hidden = !why;
     write(words, why && t(why));
   };
@@ -54,14 +55,14 @@ export function patientPicture(live, signal) {
 }
 
 /** The 3D view; made anew when the connection is back, because a frame that failed to load stays as it is. */
-function renewedView(live, signal, onChange) {
+function renewedView(live, signal) {
   const element = h("div", { class: "view-place" });
   let shown = new AbortController();
   let frame = null;
   const make = () => {
     shown.abort();
     shown = new AbortController();
-    frame = viewFrame(shown.signal, "patient", onChange);
+    frame = viewFrame(shown.signal, "patient");
     const inside = frame.element.querySelector("iframe");
     if (inside) inside.title = t("patient.view");
     put(element, frame.element);
@@ -75,7 +76,7 @@ function renewedView(live, signal, onChange) {
 /** The drawn plan of the trial that is driven; the last one's stays until there is another. */
 function planOfTrial() {
   const api = new Api(() => {});
-  const element = h("div", { class: "plan-place", hidden: true });
+  const element = h("div", { class: "drawn-place", hidden: true });
   let drawn = null;
   let trial = null; // the one whose plan is drawn, asked for, or could not be had
   let isAsking = false;
