@@ -1,5 +1,6 @@
 /** The picture that a trial is driven by: the 3D view or the drawn plan; and whether there is one at all. */
-import { h } from "./dom.js";
+import { t } from "../texts.js";
+import { h, write } from "./dom.js";
 import { drawnPlan } from "./drawn_plan.js";
 import { LOOK_EVERY, ageLimit } from "./picture_age.js";
 import { viewFrame } from "./view_frame.js";
@@ -16,6 +17,7 @@ export class DrivePicture extends EventTarget {
   ready;
   #live;
   #chosen;
+  #words = h("p", { class: "pace", role: "status" });
   #isReady = () => {};
   #readyTimer = 0;
 
@@ -32,7 +34,7 @@ export class DrivePicture extends EventTarget {
     const limit = ageLimit();
     const look = () => this.#look(limit().limit);
     this.view = viewFrame(signal, "clinician", look);
-    this.element = h("div", { class: "picture" }, this.view.element, this.drawn.element);
+    this.element = h("div", { class: "picture" }, this.view.element, this.drawn.element, this.#words);
     const timer = setInterval(look, LOOK_EVERY);
     signal.addEventListener("abort", () => {
       clearInterval(timer);
@@ -53,7 +55,8 @@ export class DrivePicture extends EventTarget {
     if (!this.view) return; // not yet: it tells while it is being made
     const viewWhy = this.view.why();
     // The plan stays until the 3D view that was chosen is there.
-    const isPlan = this.#chosen === "plan" || (this.shows === "plan" && viewWhy === "coming");
+    const isPlan = this.#chosen === "plan" || (this.shows === "plan" && viewWhy !== "");
+    write(this.#words, isPlan && this.#chosen === "view" ? t(`picture.${viewWhy}`) : "");
     if (!isPlan) this.#show(viewWhy === "" ? "view" : "none", viewWhy);
     else if (this.#live.age < limit) this.#show("plan", "");
     else this.#show("none", "stale");
