@@ -1,4 +1,4 @@
-"""The screen socket: ten times a second a page says, from a worker of its own, whether it is in view."""
+"""The screen socket: ten times a second a page says, from a worker of its own, whether it is in view and alive."""
 
 import json
 from typing import Annotated
@@ -8,23 +8,25 @@ from pydantic import Field, ValidationError
 from starlette.websockets import WebSocketDisconnect
 
 from app.api.flows import Flows
-from app.api.screens import Screen
+from app.api.screens import PageSign, Screen
 from app.clock import monotonic
-from app.quantities import Document
+from app.quantities import Document, Seconds
 
 router = APIRouter()
 
 MESSAGE_LIMIT = 300  # characters
 NOT_TEXT = 1003  # close code
+TAKEN = 4409  # close code: another socket speaks for this screen
 
 ScreenWord = Annotated[str, Field(min_length=8, max_length=64, pattern=r"^[A-Za-z0-9_-]+$")]
 
 
 class Said(Document):
-    """What a screen says."""
+    """What a screen says; `silence` is for how long (s) the page's own thread has said nothing to the worker."""
 
     screen: ScreenWord
     visible: bool
+    silence: Seconds
 
 
 @router.websocket("/screen")
@@ -46,7 +48,9 @@ async def screen_socket(websocket: WebSocket) -> None:
                 if screen is not None and screen.word != said.screen:
                     flows.lost(screen, websocket)
                 screen = Screen(who.person_id, said.screen)
-                flows.saw(screen, said.visible, monotonic(), websocket)
+                if not flows.take_sign(screen, PageSign(monotonic(), said.visible, said.silence, websocket)):
+                    await websocket.close(TAKEN)
+                    return
         except (WebSocketDisconnect, RuntimeError):
             pass  # gone, or closed by us
         except KeyError:

@@ -116,6 +116,6 @@ def test_nothing_it_says_is_acted_on_and_a_flood_is_cut_off(screen: Clinic, monk
 
 def test_it_is_not_the_screen_that_must_stay_in_view(screen: Clinic) -> None:
     with screen.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
-        socket.send_json({"screen": WORD, "visible": True})
+        socket.send_json({"screen": WORD, "visible": True, "silence": 0.0})
         socket.receive_json()
-        assert screen.flows.screens._said == {}
+        assert screen.flows.screens._signs == {}
