@@ -73,7 +73,7 @@ export default {
   "trial.go": "Go",
   "trial.frame": "3D view of the chair in the building",
   "trial.stale": "The picture is not live: loading it again…",
-  "trial.paused": "The trial goes on after Continue.",
+  "trial.paused": "The trial waits for Continue. Without it, the trial ends in",
   "over.goal": "Goal reached",
   "over.time-out": "The time is over",
   "over.by hand": "Ended by hand",
