@@ -29,6 +29,8 @@ HIDE = """() => {
   document.dispatchEvent(new Event("visibilitychange"));
 }"""
 DRIVING = "The patient drives"
+WAITS = re.compile(r"Without Continue, the drive ends in [45]:\d\d")
+LEFT = re.compile("was hidden or left|was heard no more")
 FREEZE = "() => { const since = performance.now(); while (performance.now() - since < 1800); }"  # longer than 1 s
 SHOW = """() => {
   delete document.visibilityState;
@@ -215,16 +217,17 @@ def stops_by_key_and_by_touch(page, keep):
 def stops_when_hidden_or_loaded_again(page, keep):
     state = page.locator(".drive-state")
     page.evaluate(HIDE)
-    expect(state).to_contain_text("hidden or out of reach")
+    expect(state).to_contain_text("was hidden or left")
+    expect(state).to_contain_text(WAITS)
     expect(told_by_chair(page)).to_contain_text("Stands, disarmed")
     page.evaluate(SHOW)
     keep("chair-was-hidden")
     go_on(page)
     page.evaluate(FREEZE)
-    expect(state).to_contain_text("hidden or out of reach")
+    expect(state).to_contain_text("stood still for too long")
     go_on(page)
     page.reload()
-    expect(state).to_contain_text("hidden or out of reach")
+    expect(state).to_contain_text(LEFT)
     go_on(page)
 
 
