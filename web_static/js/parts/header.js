@@ -48,7 +48,7 @@ export function header(app) {
     write(who, patient ? t("who.visit", { code: patient.code, number: session?.number ?? 1 }) : t("who.nobody"));
   };
   const showShirt = () => {
-    if (!app.live.present) return unknown(shirt, "lamp.shirt.unknown");
+    if (!app.live.present) return unknown(shirt, "lamp.shirt.unknown", "");
     const alive = app.live.present.shirt.alive;
     const all = app.live.quality.length;
     const good = app.live.quality.filter((quality) => quality === "good").length;
@@ -57,7 +57,7 @@ export function header(app) {
   };
   const showChair = () => {
     const now = app.live.present;
-    if (!now) return unknown(chair, "lamp.chair.unknown");
+    if (!now) return unknown(chair, "lamp.chair.unknown", "wide");
     const armed = now.state === "armed";
     const state = now.chair && chairState(now.chair);
     element.classList.toggle("has-chair", Boolean(state));
@@ -80,9 +80,9 @@ export function header(app) {
   return element;
 }
 
-/** A lamp of which nothing is known now. @param {HTMLElement} lamp @param {string} key of its words */
-function unknown(lamp, key) {
-  lamp.className = "lamp off unknown";
+/** A lamp of which nothing is known now. @param {HTMLElement} lamp @param {string} key of its words @param {string} width */
+function unknown(lamp, key, width) {
+  lamp.className = `lamp off unknown ${width}`;
   write(lamp, t(key));
 }
 
