@@ -13,7 +13,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
-from browser.driving import bend_until, go_on_until
+from browser.driving import HIDE, SHOW, bend_until, go_on_until
 from playwright.sync_api import expect
 from processes.test_demo_process import bodydrive, printed_link
 
@@ -24,18 +24,10 @@ SCREENSHOTS = ROOT / "var" / "screenshots"
 TABLETS = {"1024x768": (1024, 768), "768x1024": (768, 1024)}
 PATIENCE = 60_000  # ms: drawing in software on a busy machine is slow
 PRACTICE = re.compile(r"^0:(0[2-9]|[1-5]\d)$")  # as long as a trial is driven so that the set counts as practised
-HIDE = """() => {
-  Object.defineProperty(document, "visibilityState", { configurable: true, get: () => "hidden" });
-  document.dispatchEvent(new Event("visibilitychange"));
-}"""
 DRIVING = "The patient drives"
 WAITS = re.compile(r"Without Continue, the drive ends in [45]:\d\d")
 LEFT = re.compile("was hidden or left|was heard no more")
 FREEZE = "() => { const since = performance.now(); while (performance.now() - since < 1800); }"  # longer than 1 s
-SHOW = """() => {
-  delete document.visibilityState;
-  document.dispatchEvent(new Event("visibilitychange"));
-}"""
 
 
 @pytest.fixture

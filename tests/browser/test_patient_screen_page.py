@@ -9,7 +9,7 @@ from urllib.parse import urlsplit
 
 import httpx
 import pytest
-from browser.driving import go_on_until
+from browser.driving import HIDE, SHOW, go_on_until
 from playwright.sync_api import expect
 from processes.served_demo import bodydrive, printed_link
 
@@ -121,9 +121,19 @@ def is_shown_the_stop(clinician, patient, keep):
     assert patient.evaluate(OUTSIDE) == []
     patient.set_viewport_size({"width": width, "height": height})
     go_on_until(clinician, band.is_hidden, "the end of the stop")
+    is_told_that_the_clinician_s_page_is_hidden(clinician, patient, keep)
     is_readable_in_the_dark_and_large(clinician, patient, keep)
     clinician.get_by_role("button", name="End trial").first.click()
     expect(patient.locator(".moment")).to_contain_text("Finished")
+
+
+def is_told_that_the_clinician_s_page_is_hidden(clinician, patient, keep):
+    band = patient.locator(".band.stopped")
+    clinician.evaluate(HIDE)
+    expect(band).to_contain_text("Your clinician's page was out of view.We wait for your clinician")
+    keep(patient, "patient-hidden")
+    clinician.evaluate(SHOW)
+    go_on_until(clinician, band.is_hidden, "the end of the stop")
 
 
 def is_readable_in_the_dark_and_large(clinician, patient, keep):
