@@ -71,8 +71,9 @@ EXPLANATIONS: dict[Fault, Explanation] = {
         "Wait for the page to return, then start again.",
     ),
     Fault.SCREEN_LOST: Explanation(
-        "The screen that started the drive was heard no more: it is out of reach, or its page was closed.",
-        "See that this screen is on and connected and shows the page, then tap Continue.",
+        "The screen that started the drive was not heard for 0.3 s: "
+        "it was out of reach or overloaded, or its page was closed.",
+        "See that this screen is connected and shows the page, then tap Continue.",
     ),
     Fault.SCREEN_HIDDEN: Explanation(
         "The page that started the drive was hidden or left.",

@@ -33,7 +33,7 @@ _HAPPENED: dict[Fault, str] = {
     Fault.CHANNELS_BAD: "Some sensors of the shirt need a look.",
     Fault.BRAKE_BAD: "Some sensors of the shirt need a look.",
     Fault.WEB_SILENT: "The program was interrupted.",
-    Fault.SCREEN_LOST: "Your clinician's screen was out of reach.",
+    Fault.SCREEN_LOST: "Your clinician's screen was not heard.",
     Fault.SCREEN_HIDDEN: "Your clinician's page was out of view.",
     Fault.SCREEN_SLOW: "Your clinician's screen was too slow.",
     Fault.BAD_NUMBER: "The program made a mistake.",

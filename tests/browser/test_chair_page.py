@@ -26,7 +26,7 @@ PATIENCE = 60_000  # ms: drawing in software on a busy machine is slow
 PRACTICE = re.compile(r"^0:(0[2-9]|[1-5]\d)$")  # as long as a trial is driven so that the set counts as practised
 DRIVING = "The patient drives"
 WAITS = re.compile(r"Without Continue, the drive ends in [45]:\d\d")
-LEFT = re.compile("was hidden or left|was heard no more")
+LEFT = re.compile("was hidden or left|was not heard")
 FREEZE = "() => { const since = performance.now(); while (performance.now() - since < 1800); }"  # longer than 1 s
 
 

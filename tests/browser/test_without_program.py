@@ -1,4 +1,4 @@
-"""The program is taken away under open pages: nothing they show looks like the present, and only Stop is offered."""
+"""Pages that lose the program show nothing as present and offer only Stop; one that has another's word takes its own."""
 
 import os
 import re
@@ -21,6 +21,8 @@ OFFERED = """() => [...document.querySelectorAll(".btn, button, a, input, [tabin
   .filter((one) => one.checkVisibility({ checkVisibilityCSS: true }) && !one.closest("[inert]") && !one.disabled)
   .filter((one) => one.tabIndex >= 0)
   .map((one) => one.getAttribute("aria-label") || one.innerText)"""
+
+WORD_OF = "() => sessionStorage.getItem('bodydrive-screen')"
 
 
 @pytest.fixture
@@ -65,6 +67,21 @@ def shows_nothing_as_present(page, picture):
     assert [words for words in page.evaluate(OFFERED) if "Colours" not in words] == ["Stop the chair now"]
     assert float(page.locator("main").evaluate("(main) => getComputedStyle(main).opacity")) < 0.5
     page.screenshot(path=SCREENSHOTS / f"without-program-{picture}.png")
+
+
+def test_a_page_with_the_word_of_another_is_refused_and_takes_one_of_its_own(pages):
+    _, driven, other = pages
+    word = driven.evaluate(WORD_OF)
+    assert other.evaluate(WORD_OF) != word
+    other.evaluate("(word) => sessionStorage.setItem('bodydrive-screen', word)", word)
+    other.reload()
+    assert other.evaluate(WORD_OF) == word  # it was loaded again, and believes to be that screen
+    while other.evaluate(WORD_OF) == word:
+        other.wait_for_timeout(100)
+    assert driven.evaluate(WORD_OF) == word
+    driven.bring_to_front()
+    driven.get_by_role("button", name="Continue").click()
+    expect(driven.locator(".fault-card")).to_have_count(0)
 
 
 def test_without_the_program_no_page_shows_a_present_or_offers_what_needs_it(pages):
