@@ -35,6 +35,8 @@ class Fault(IntEnum):
     CHAIR_DISARMED = 16
     CHAIR_NOT_READY = 17
     BRAKE_BAD = 18
+    SCREEN_HIDDEN = 19
+    SCREEN_SLOW = 20
     PICTURE_LOST = 21
 
 
@@ -70,8 +72,17 @@ EXPLANATIONS: dict[Fault, Explanation] = {
         "Wait for the page to return, then start again.",
     ),
     Fault.SCREEN_LOST: Explanation(
-        "The screen that started the drive was hidden or out of reach.",
-        "Bring the page to the front, then tap Continue.",
+        "The screen that started the drive was not heard for 0.3 s: "
+        "it was out of reach or overloaded, or its page was closed.",
+        "See that this screen is connected and shows the page, then tap Continue.",
+    ),
+    Fault.SCREEN_HIDDEN: Explanation(
+        "The page that started the drive was hidden or left.",
+        "Bring it to the front and leave it there, then tap Continue.",
+    ),
+    Fault.SCREEN_SLOW: Explanation(
+        "The page that started the drive stood still for too long, and Stop could not be pressed on it.",
+        "Close other pages and programs on that screen, or make its window smaller, then tap Continue.",
     ),
     Fault.BAD_NUMBER: Explanation(
         "A command was not a number.", "Do not drive; repeat the calibration and report this."

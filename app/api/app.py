@@ -49,7 +49,6 @@ from app.api.trajectories import Trajectories
 from app.api.view_bridge import view_router
 from app.api.view_controls import view_controls
 from app.api.view_keeper import OpenScene, ViewKeeper, may_view
-from app.clock import monotonic
 from app.scene.scene import Scene
 from app.scene.servers import Role
 from app.session.adaptation_flow import AdaptationFlow
@@ -228,11 +227,7 @@ def _flows(
         own_floorplans=settings.state / "floorplans",
     )
 
-    def screen_age() -> float | None:
-        screen = flows.driving_screen
-        return None if screen is None else flows.screens.age(screen, monotonic())
-
-    link.screen_age = screen_age
+    link.screen_sign = flows.driving_sign
     return flows
 
 

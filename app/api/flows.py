@@ -13,15 +13,16 @@ from app.api.live_hub import LiveHub
 from app.api.patient_picture import PatientPicture
 from app.api.pictures import Pictures
 from app.api.replays import Replays
-from app.api.screens import Screen, Screens
+from app.api.screens import SILENCE_LIMIT, VIRTUAL_SILENCE_LIMIT, PageSign, Screen, Screens
 from app.api.timelines import Timelines
 from app.api.trajectories import Trajectories
 from app.api.view_keeper import ViewKeeper
+from app.clock import monotonic
 from app.session.adaptation_flow import AdaptationFlow
 from app.session.arming import RealArming
 from app.session.calibration_flow import CalibrationFlow
 from app.session.chairs import Chairs
-from app.session.control import Control
+from app.session.control import Control, ScreenSign
 from app.session.drive_flow import DriveFlow
 from app.session.equipment import Equipment
 from app.session.fault_log import FaultLog
@@ -66,24 +67,31 @@ class Flows:
     view: ViewKeeper
     own_floorplans: Path
 
-    @property
-    def driving_screen(self) -> Screen | None:
-        """The screen that armed what is driven now; from any thread."""
-        # Looked at once each: they may end meanwhile.
-        going_on = self.real.drive or self.drive.trial
-        return None if going_on is None else Screen(going_on.person_id, going_on.screen)
+    def driving_sign(self) -> ScreenSign:
+        """Return what the screen said last that armed what is driven now; from any thread."""
+        drive, trial = self.real.drive, self.drive.trial  # looked at once each: they may end meanwhile
+        going_on = drive or trial
+        if going_on is None:
+            return ScreenSign()
+        limit = VIRTUAL_SILENCE_LIMIT if drive is None else SILENCE_LIMIT
+        return self.screens.sign(Screen(going_on.person_id, going_on.screen), monotonic(), limit)
 
-    def saw(self, screen: Screen, visible: bool, t: float, link: object) -> None:
-        """Take what a screen says; the one that drives and is hidden stops the chair with this very message."""
-        was_in_view = self.screens.age(screen, t) is not None
-        self.screens.seen(screen, visible, t, link)
-        if was_in_view and not visible and screen == self.driving_screen:
+    def take_sign(self, screen: Screen, sign: PageSign) -> bool:
+        """Take what a screen says, unless another socket speaks for it; return whether it was taken.
+
+        When the one that drives does not count any more, this very message stops the chair.
+        """
+        before = self.driving_sign()
+        is_taken = self.screens.take(screen, sign)
+        if before.view == "in view" != self.driving_sign().view:
             self.control.beat()
+        return is_taken
 
     def lost(self, screen: Screen, link: object) -> None:
-        """Take a screen out whose socket has ended; the same holds for the one that drives."""
+        """Take a screen out whose socket has ended; when it is the one that drives, the chair stops."""
+        before = self.driving_sign()
         self.screens.gone(screen, link)
-        if screen == self.driving_screen:
+        if before.age is not None and self.driving_sign().age is None:
             self.control.beat()
 
     def places(self) -> dict[str, Offer]:

@@ -4,7 +4,7 @@ from typing import Any
 
 from app.api.picture import LivePicture
 from app.calibration.script import movement_words
-from app.faults import Fault
+from app.faults import Fault, State
 from app.session.drive_flow import DriveFlow
 from app.session.equipment import Equipment
 from app.session.patient_words import patient_words
@@ -29,12 +29,19 @@ class PatientPicture:
         """Return the message of this moment."""
         shown = self._shown.picture()
         fault, trial = shown["fault"], shown["trial"]
-        over = self._drive.over
+        over, drives = self._drive.over, trial is not None or shown["drive"] is not None
+        words = patient_words(
+            State[shown["state"].upper()],
+            Fault.NONE if fault is None else Fault[fault["name"].upper()],
+            drives=drives,
+            shirt_alive=shown["shirt"]["alive"],
+        )
         return {
             **{name: shown[name] for name in SAID},
-            "fault": fault and {"name": fault["name"], "words": patient_words(Fault[fault["name"].upper()])},
+            "fault": fault and {"name": fault["name"], "words": words.happened},
+            "waits": {"for": words.awaited, "words": words.wait},
             "trial": trial and {name: trial[name] for name in SAID_OF_TRIAL},
-            "drives": trial is not None or shown["drive"] is not None,
+            "drives": drives,
             "cue": self._cue(shown["run"]),
             "over": None if over is None else {"id": over.id, "end": over.end},
             "asks": self.wishes.model_dump(),

@@ -19,6 +19,7 @@ from app.session.equipment import Equipment
 from app.session.real_drive import RealDriveFlow
 from app.session.runs import Runs
 from app.session.visit_flow import VisitFlow
+from app.session.watching import Halt
 
 STALE = 1.0  # s without a tick: the control process is not to be counted on
 SILENT = 0.5  # s without a frame: the shirt is not alive
@@ -148,6 +149,7 @@ class LivePicture:
         names = ("t", "done", "length", "cross_track", "e_diff", "leader_distance")
         return {
             "id": trial.id,
+            "waits": _waits(trial.watch.halt),
             **{name: None if (v := getattr(place, name)) is None else _number(v, 3) for name in names},
             "movers": [[_number(value, 3) for value in pose] for pose in trial.watch.movers(self._scene_t)],
             "leader": None if place.leader is None else [_number(value, 3) for value in place.leader],
@@ -166,7 +168,9 @@ class LivePicture:
 
     def _real_drive(self) -> dict[str, Any] | None:
         drive = self._real.drive
-        return None if drive is None else {"id": drive.id, "t": _number(drive.watch.t, 3)}
+        if drive is None:
+            return None
+        return {"id": drive.id, "t": _number(drive.watch.t, 3), "waits": _waits(drive.watch.halt)}
 
     def _nothing(self) -> dict[str, Any]:
         """Return the picture of a chair that stands because nothing is left that could move it."""
@@ -233,6 +237,11 @@ def noise_of(frames: NDArray[np.float64], channels: int) -> NDArray[np.float64]:
         return np.full(channels, np.nan)
     # Of second differences: movement, which is smooth, falls out of them; white noise has sqrt(6) times its spread.
     return np.asarray(np.std(np.diff(frames, n=2, axis=0), axis=0) / math.sqrt(6.0))
+
+
+def _waits(halt: Halt) -> float | None:
+    """Return for how much longer (s) what is halted waits for Continue, None when it is not halted."""
+    return None if halt.waits is None else _number(halt.waits, 1)
 
 
 def _number(value: Any, digits: int) -> float | None:

@@ -1,4 +1,4 @@
-"""The screen socket: ten times a second a page says, from a worker of its own, if it is in view and what it shows."""
+"""The screen socket: a worker of the page says ten times a second if the page is in view, alive, and what it shows."""
 
 import json
 from typing import Annotated
@@ -9,23 +9,29 @@ from starlette.websockets import WebSocketDisconnect
 
 from app.api.flows import Flows
 from app.api.pictures import Picture
-from app.api.screens import Screen
+from app.api.screens import PageSign, Screen
 from app.clock import monotonic
-from app.quantities import Document
+from app.quantities import Document, Seconds
 
 router = APIRouter()
 
 MESSAGE_LIMIT = 300  # characters
 NOT_TEXT = 1003  # close code
+TAKEN = 4409  # close code: another socket speaks for this screen
 
 ScreenWord = Annotated[str, Field(min_length=8, max_length=64, pattern=r"^[A-Za-z0-9_-]+$")]
 
 
 class Said(Document):
-    """What a screen says; `picture` is what it shows to drive by, None: it does not say."""
+    """What a screen says.
+
+    `silence` is for how long (s) the page's own thread has said nothing to the worker; `picture` is what the page shows
+    to drive by, None: it does not say.
+    """
 
     screen: ScreenWord
     visible: bool
+    silence: Seconds
     picture: Picture | None = None
 
 
@@ -48,7 +54,9 @@ async def screen_socket(websocket: WebSocket) -> None:
                 if screen is not None and screen.word != said.screen:
                     flows.lost(screen, websocket)
                 screen = Screen(who.person_id, said.screen)
-                flows.saw(screen, said.visible, monotonic(), websocket)
+                if not flows.take_sign(screen, PageSign(monotonic(), said.visible, said.silence, websocket)):
+                    await websocket.close(TAKEN)
+                    return
                 if said.picture is not None:
                     flows.pictures.of_screen(screen, said.picture, websocket)
         except (WebSocketDisconnect, RuntimeError):

@@ -18,7 +18,7 @@ from app.bench.subject import bench_chair, bench_floorplan, bench_parameters
 from app.clock import monotonic
 from app.faults import EXPLANATIONS, Fault, State
 from app.realtime import tidy
-from app.session.control import Control
+from app.session.control import Control, ScreenSign
 from app.session.recordings import recorded_readings
 from app.session.refusals import Conflict
 from app.settings import Settings
@@ -42,7 +42,7 @@ async def main(chair_port: int, key_file: Path, folder: Path) -> None:
             await asyncio.sleep(LOOK_EVERY)
         tidy()  # as the web server does
         control = flows_of(app).control
-        control.screen_age = lambda: 0.0  # a screen that is in view all the time
+        control.screen_sign = lambda: ScreenSign(0.0)  # a screen that is in view all the time
         digest = await _set_up(control, chair_port, key_file, folder)
         _say(str(port))
         while word := (await asyncio.to_thread(sys.stdin.readline)).strip():

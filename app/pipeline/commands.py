@@ -23,6 +23,7 @@ from app.sentences import one_sentence
 Answer = dict[str, Any]
 
 STOPPED_BY = {"tablet": Fault.STOP_TABLET, "key": Fault.STOP_KEY, "picture": Fault.PICTURE_LOST}
+SCREEN_FAULTS = {"in view": Fault.NONE, "hidden": Fault.SCREEN_HIDDEN, "slow": Fault.SCREEN_SLOW}
 
 
 class Command(NamedTuple):
@@ -96,6 +97,7 @@ class Commands:
     def _heartbeat(self, fields: documents.Heartbeat, _id: int) -> Answer:
         self._loop.heard = self._clock.now()
         self._loop.screen_seen = -math.inf if fields.screen_age is None else self._clock.now() - fields.screen_age
+        self._loop.conditions.screen = SCREEN_FAULTS[fields.screen]
         return {}
 
     def _shirt(self, fields: documents.Device, _id: int) -> Answer:
@@ -193,7 +195,7 @@ class Commands:
 
     def _begin_neutral_check(self) -> None:
         # The screen counts as in view until the next heartbeat says otherwise: the last one was sent before arming.
-        self._loop.screen_seen = self._clock.now()
+        self._loop.screen_seen, self._loop.conditions.screen = self._clock.now(), Fault.NONE
         self._loop.tell_chair()  # a real one hears of what was before: then this is a new arming to it
         self._setup.chain.arm()
         if self._loop.run is not None:

@@ -21,9 +21,10 @@ class Nothing(Document):
 
 
 class Heartbeat(Document):
-    """The web process lives; how long ago the screen that armed the chair said that it is in view, None: hidden."""
+    """The web process lives; how long ago the screen that armed the chair spoke (None: it is gone), and how it is."""
 
     screen_age: Seconds | None
+    screen: Literal["in view", "hidden", "slow"] = "in view"
 
 
 class Device(Document):

@@ -31,7 +31,7 @@ class ControlLoop:
     heard : float
         When the web process was heard last (monotonic s); never, at first.
     screen_seen : float
-        When the screen that armed the chair last said that it is in view (monotonic s).
+        When the screen that armed the chair last said how it is (monotonic s); what, is in the conditions.
     """
 
     def __init__(self, setup: Setup, ring: TickRing, report: ChairReport | None, clock: Clock) -> None:

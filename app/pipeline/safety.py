@@ -45,7 +45,8 @@ class Conditions:
     """What the gate must know of the world outside the chain."""
 
     supervisor_age: float = 0.0  # s since the last heartbeat of the web process
-    screen_age: float = 0.0  # s since the screen that armed the chair last said that it is in view; inf: hidden
+    screen_age: float = 0.0  # s since the screen that armed the chair last said how it is; inf: it is gone
+    screen: Fault = Fault.NONE  # why what it said does not count: it is hidden, or its page stands still
     recording: bool = True  # the recording, where one is required, is being written
     chair_age: float = 0.0  # s since the chair's newest telemetry
     chair: ChairCondition = ChairCondition.READY
@@ -192,6 +193,8 @@ class SafetyGate:
             return Fault.WEB_SILENT
         if not conditions.screen_age <= SCREEN_SILENT:
             return Fault.SCREEN_LOST
+        if conditions.screen is not Fault.NONE:
+            return conditions.screen
         if not conditions.chair_age <= CHAIR_SILENT:
             return Fault.CHAIR_SILENT
         if conditions.chair is ChairCondition.INHIBITED:

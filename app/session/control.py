@@ -5,7 +5,7 @@ import logging
 import threading
 from collections.abc import Awaitable, Callable
 from contextlib import suppress
-from typing import Any, Literal, Protocol, get_args
+from typing import Any, Literal, NamedTuple, Protocol, get_args
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,6 +29,13 @@ LONGEST_PAUSE = 8.0  # s
 ControlState = Literal["alive", "starting", "lost"]
 StopReason = Literal["tablet", "picture"]
 Loaded = Literal["limits", "dial", "chair", "shirt", "body", "head", "parameters"]
+
+
+class ScreenSign(NamedTuple):
+    """What the screen that drives said of itself last."""
+
+    age: float | None = None  # s since then; None: there is no such screen, or its socket has ended
+    view: Literal["in view", "hidden", "slow"] = "in view"
 
 
 class Link(Protocol):
@@ -68,8 +75,7 @@ class Control:
 
     def __init__(self, open_link: Callable[[], Awaitable[Link]]) -> None:
         self.state: ControlState = "starting"
-        # How long ago (s) the screen that drives said that it is in view, None: hidden, or none; from any thread.
-        self.screen_age: Callable[[], float | None] = lambda: None
+        self.screen_sign: Callable[[], ScreenSign] = ScreenSign  # of the screen that drives; from any thread
         self.on_change: list[Callable[[ControlState], Awaitable[None]]] = []
         self._open_link = open_link
         self._link: Link | None = None
@@ -170,12 +176,13 @@ class Control:
             self._thread.soon(lambda: self._tell("look", yaw=yaw, pitch=pitch, roll=roll))
 
     def beat(self) -> None:
-        """Send a heartbeat now: the screen that drives was hidden, and the chair must not wait for the next one."""
+        """Send a heartbeat now: the screen that drives does not count any more, and the chair must not wait."""
         if self._thread is not None:
             self._thread.soon(self._beat)
 
     def _beat(self) -> None:
-        self._tell("heartbeat", screen_age=self.screen_age())
+        sign = self.screen_sign()
+        self._tell("heartbeat", screen_age=sign.age, screen=sign.view)
 
     def _tell(self, do: str, **fields: Any) -> None:
         link = self._link

@@ -17,7 +17,7 @@ from app.session.runs import OpenRun, Runs
 from app.session.store_drives import add_drive, finish_drive
 from app.session.store_log import write_log
 from app.session.tables import Chair, Drive, PatientSession, Run
-from app.session.watching import FaultPatience, RunLost, Starter, watched
+from app.session.watching import Halt, RunLost, Starter, watched
 
 STOP_LIMIT = 1.5  # s for closing a drive when the application ends
 END_LIMIT = 30.0  # s for closing the recording, before a caller is told to look later
@@ -29,7 +29,7 @@ class DriveWatch:
     """Takes the ticks of one drive, in order."""
 
     def __init__(self) -> None:
-        self._patience = FaultPatience()
+        self.halt = Halt()
         self._began: float | None = None
         self.t = 0.0  # s since motion was first permitted
 
@@ -41,7 +41,7 @@ class DriveWatch:
                 self._began = t
             if self._began is not None:
                 self.t = t - self._began
-            if self._patience.ends(t, state):
+            if self.halt.take(t, state):
                 return "fault"
         return None
 

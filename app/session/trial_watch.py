@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from app.faults import State
 from app.geometry import Pose
-from app.session.watching import FaultPatience
+from app.session.watching import Halt
 from app.world.floorplan import FloorPlan, PrescribedPath
 from app.world.scenery import Track
 from app.world.task_progress import leader_of, progress_of
@@ -42,7 +42,7 @@ class TrialWatch:
         self._tracks = [Track(mover) for mover in plan.movers]
         self._time_limit = path.time_limit
         self._began: float | None = None
-        self._patience = FaultPatience()
+        self.halt = Halt()
         self.place = TrialPlace(0.0, 0.0, self.progress.length, 0.0, 0.0)
 
     def movers(self, scene_t: float) -> list[Pose]:
@@ -58,7 +58,7 @@ class TrialWatch:
         return None
 
     def _take_one(self, tick: np.void, t: float, state: State) -> End | None:
-        if self._patience.ends(t, state):
+        if self.halt.take(t, state):
             return "fault"
         if self._began is None:
             if state is not State.ARMED:
@@ -76,6 +76,8 @@ class TrialWatch:
         self.place = TrialPlace(
             t - self._began, done, progress.length, cross_track, e_diff, progress.stage, leader, distance
         )
+        if state is State.FAULT:
+            return None  # halted: only a person, or the end of the halt, ends it
         if progress.reached:
             return "goal"
-        return "time-out" if self.place.t > self._time_limit else None
+        return "time-out" if self.place.t - self.halt.total > self._time_limit else None

@@ -11,7 +11,9 @@ from app.faults import State
 from app.session.control import Control
 
 LOOK_EVERY = 0.04  # s
-FAULT_LIMIT = 20.0  # s: a latched stop pauses a trial or a drive; uncleared for so long, it ends it
+# s for which a halted trial or drive waits for Continue; S27 asks for 180 at least. There must be time to help the
+# patient or to change a cable. It ends at last, because nothing else can be recorded meanwhile.
+HALT_LIMIT = 300.0
 
 End = TypeVar("End")
 
@@ -29,19 +31,32 @@ class Starter(NamedTuple):
     picture: str | None = None  # what that screen shows to drive by: "view" or "plan", None: not known
 
 
-class FaultPatience:
-    """Says when a latched stop has lasted for too long."""
+class Halt:
+    """The halt of a trial or a drive by a latched stop: how long it waits for a person who goes on.
+
+    Attributes
+    ----------
+    waits : float or None
+        For how much longer (s); None while it is not halted.
+    total : float
+        s of all halts so far.
+    """
 
     def __init__(self) -> None:
+        self.waits: float | None = None
+        self.total = 0.0
         self._since: float | None = None
+        self._before = 0.0  # s of the halts before this one
 
-    def ends(self, t: float, state: State) -> bool:
-        """Take the state at `t` (s); return whether nobody will go on any more."""
+    def take(self, t: float, state: State) -> bool:
+        """Take the state at `t` (s); return whether nobody has gone on for too long."""
         if state is not State.FAULT:
-            self._since = None
+            self._since, self._before, self.waits = None, self.total, None
             return False
         self._since = t if self._since is None else self._since
-        return t - self._since >= FAULT_LIMIT
+        self.total = self._before + t - self._since
+        self.waits = max(0.0, HALT_LIMIT - (t - self._since))
+        return self.waits == 0.0
 
 
 async def watched(

@@ -211,7 +211,7 @@ class Clinic:
         """Open the socket of a screen that is in view, of the first person who signed in."""
         url = f"{BASE.replace('http', 'ws')}/api/v1/screen"
         with self.client.websocket_connect(url, headers={"Origin": BASE}) as socket:
-            socket.send_json({"screen": word, "visible": True})
+            socket.send_json({"screen": word, "visible": True, "silence": 0.0})
             while self.flows.screens.age(Screen(1, word), monotonic()) is None:
                 time.sleep(0.002)
             yield socket

@@ -234,7 +234,7 @@ def test_an_arming_that_the_control_process_refuses_leaves_no_drive(ready: Any) 
 def test_a_fault_that_nobody_clears_ends_the_drive_and_is_in_the_log(
     ready: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("app.session.watching.FAULT_LIMIT", 0.5)
+    monkeypatch.setattr("app.session.watching.HALT_LIMIT", 0.5)
     with ready.screen():
         drive = arm(ready).json()
         ready.link.state, ready.link.fault = State.FAULT, Fault.CHAIR_SILENT

@@ -39,7 +39,11 @@ def test_a_trial_is_shown_with_what_to_do_and_how_it_ended(paired: Clinic) -> No
             pass
         assert message["fault"] == {
             "name": "stop_tablet",
-            "words": "Your clinician stopped the chair. Please wait a moment.",
+            "words": "Stop was pressed on a clinician's page.",
+        }
+        assert message["waits"] == {
+            "for": "clinician",
+            "words": "We wait for your clinician, who looks and goes on.",
         }
         paired.good("POST", "/trials/current/end", json={})
         while (message := socket.receive_json())["trial"] is not None:
@@ -116,6 +120,6 @@ def test_nothing_it_says_is_acted_on_and_a_flood_is_cut_off(screen: Clinic, monk
 
 def test_it_is_not_the_screen_that_must_stay_in_view(screen: Clinic) -> None:
     with screen.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
-        socket.send_json({"screen": WORD, "visible": True})
+        socket.send_json({"screen": WORD, "visible": True, "silence": 0.0})
         socket.receive_json()
-        assert screen.flows.screens._said == {}
+        assert screen.flows.screens._signs == {}

@@ -7,17 +7,32 @@ import pytest
 from fake_clinic import BASE, WORD
 from starlette.websockets import WebSocketDisconnect
 
+from app.api import flows, screens
+from app.session.control import ScreenSign
+
 URL = f"{BASE.replace('http', 'ws')}/api/v1/screen"
 ORIGIN = {"Origin": BASE}
 
 
-def next_ages(clinic: Any, since: int) -> list[float | None]:
-    """Return the screen's age in the heartbeats after the first `since` messages, at least one."""
+def saying(visible: bool = True, silence: float = 0.0, word: str = WORD) -> dict[str, Any]:
+    return {"screen": word, "visible": visible, "silence": silence}
+
+
+def next_beats(clinic: Any, since: int = -1) -> list[Any]:
+    """Return what the heartbeats say of the screen: those after the first `since` messages, or from now on; some."""
+    since = len(clinic.link.told) if since < 0 else since
     while True:
-        heard = [fields["screen_age"] for do, fields in list(clinic.link.told)[since:] if do == "heartbeat"]
+        told = list(clinic.link.told)[since:]
+        heard = [(fields["screen_age"], fields["screen"]) for do, fields in told if do == "heartbeat"]
         if heard:
             return heard
         time.sleep(0.001)
+
+
+def until_told(clinic: Any, wanted: str | None) -> None:
+    """Wait until a heartbeat says this of the screen; None: that it is gone."""
+    while (None if (beat := next_beats(clinic)[-1])[0] is None else beat[1]) != wanted:
+        pass
 
 
 @pytest.fixture
@@ -44,52 +59,118 @@ def test_nobody_signed_in_opens_no_socket(clinic: Any) -> None:
 
 def test_the_age_goes_down_with_each_word_and_is_null_without_a_trial(driving: Any) -> None:
     with driving.screen() as socket:
-        assert next_ages(driving, len(driving.link.told))[-1] is None
+        assert next_beats(driving)[-1] == (None, "in view")
         driving.start()
-        socket.send_json({"screen": WORD, "visible": True})
-        assert next_ages(driving, len(driving.link.told))[-1] is not None
+        socket.send_json(saying())
+        assert next_beats(driving)[-1][0] is not None
 
 
-def test_hiding_and_closing_are_told_with_the_very_message(driving: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    with driving.screen() as socket:
-        driving.start()
-        beats: list[str] = []
-        monkeypatch.setattr(driving.flows.control, "beat", lambda: beats.append("now"))
-        socket.send_json({"screen": WORD, "visible": False})
+def test_hiding_standing_still_and_closing_are_told_apart_with_the_very_message(
+    driving: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    beats: list[str] = []
+
+    def tells_at_once(view: str | None) -> None:
         while not beats:
             time.sleep(0.001)
-        assert next_ages(driving, len(driving.link.told))[-1] is None
-        socket.send_json({"screen": WORD, "visible": False})
-        socket.send_json({"screen": WORD, "visible": True})
-        while next_ages(driving, len(driving.link.told))[-1] is None:
-            pass
+        until_told(driving, view)
         assert len(beats) == 1  # saying it again is no news
-    while len(beats) < 2:
-        time.sleep(0.001)
-    assert next_ages(driving, len(driving.link.told))[-1] is None
+        beats.clear()
+
+    with driving.screen() as socket:
+        driving.start()
+        monkeypatch.setattr(driving.flows.control, "beat", lambda: beats.append("now"))
+        for _ in range(2):
+            socket.send_json(saying(visible=False))
+        tells_at_once("hidden")
+        socket.send_json(saying(silence=flows.VIRTUAL_SILENCE_LIMIT))
+        until_told(driving, "in view")  # nobody sits in the virtual chair: a slow screen may draw for so long
+        for silence in (3.1, 3.2):
+            socket.send_json(saying(silence=silence))
+        tells_at_once("slow")
+        socket.send_json(saying())
+        until_told(driving, "in view")
+    tells_at_once(None)
+
+
+def test_a_page_that_stands_still_counts_less_long_on_a_real_chair(driving: Any) -> None:
+    with driving.screen() as socket:
+        driving.start()
+        socket.send_json(saying(silence=1.1))
+        until_told(driving, "in view")
+        driving.flows.real.drive, driving.flows.drive.trial = driving.flows.drive.trial, None
+        until_told(driving, "slow")
+        driving.flows.drive.trial, driving.flows.real.drive = driving.flows.real.drive, None
+
+
+def test_a_second_socket_with_the_same_word_does_not_keep_the_chair_driving(driving: Any) -> None:
+    with driving.screen():
+        driving.start()
+        since = len(driving.link.told)
+        with driving.client.websocket_connect(URL, headers=ORIGIN) as second:
+            second.send_json(saying())
+            with pytest.raises(WebSocketDisconnect) as closed:
+                second.receive_text()
+        assert closed.value.code == 4409
+        while (beats := next_beats(driving, since))[-1][0] < 0.31:  # the first one is silent, and the gate is told so
+            time.sleep(0.01)
+        assert [age for age, _ in beats] == sorted(age for age, _ in beats)
+    until_told(driving, None)
+    with driving.screen():  # loaded again: the first is closed
+        until_told(driving, "in view")
+
+
+def test_a_socket_that_is_dead_but_open_gives_way_long_after_the_chair_stopped(
+    driving: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(screens, "LINK_LIMIT", 0.4)
+    with driving.screen() as dead:
+        driving.start()
+        while next_beats(driving)[-1][0] <= 0.4:
+            time.sleep(0.01)
+        with driving.client.websocket_connect(URL, headers=ORIGIN) as second:
+            second.send_json(saying())
+            while next_beats(driving)[-1][0] > 0.4:
+                time.sleep(0.001)
+            dead.send_json(saying(visible=False))  # it comes back, too late
+            with pytest.raises(WebSocketDisconnect) as closed:
+                dead.receive_text()
+            assert closed.value.code == 4409
+            assert next_beats(driving)[-1][1] == "in view"
 
 
 def test_a_beat_out_of_turn_reaches_the_control_process(driving: Any) -> None:
-    driving.flows.control.screen_age = lambda: 0.125
+    driving.flows.control.screen_sign = lambda: ScreenSign(0.125, "hidden")
     driving.flows.control.beat()
-    assert 0.125 in next_ages(driving, len(driving.link.told))
+    assert (0.125, "hidden") in next_beats(driving)
 
 
 def test_another_screen_of_the_same_person_does_not_stand_in(driving: Any) -> None:
     with driving.screen("another-screen") as other:
         driving.start()
-        other.send_json({"screen": "another-screen", "visible": True})
-        assert set(next_ages(driving, len(driving.link.told))) == {None}
+        other.send_json(saying(word="another-screen"))
+        assert {age for age, _ in next_beats(driving)} == {None}
 
 
-@pytest.mark.parametrize("junk", ["{", "[]", "null", "1", '{"screen": "x", "visible": true}', "[" * 200, " " * 5000])
+@pytest.mark.parametrize(
+    "junk",
+    [
+        *("{", "[]", "null", "1", "[" * 200, " " * 5000),
+        '{"screen": "x", "visible": true, "silence": 0}',
+        '{"screen": "the-screen-of-the-tests", "visible": true}',
+        '{"screen": "the-screen-of-the-tests", "visible": true, "silence": NaN}',
+        '{"screen": "the-screen-of-the-tests", "visible": true, "silence": -1}',
+    ],
+)
 def test_what_cannot_be_read_is_silence(driving: Any, junk: str) -> None:
     with driving.screen() as socket:
         driving.start()
+        socket.send_json(saying(visible=False))
+        until_told(driving, "hidden")
         socket.send_text(junk)
-        socket.send_json({"screen": WORD, "visible": False})
-        while any(age is not None for age in next_ages(driving, len(driving.link.told))):
-            pass
+        socket.send_json(saying(word="another-screen"))  # after it the junk has been read
+        until_told(driving, None)
+        assert all(view != "in view" for age, view in next_beats(driving) if age is not None)
 
 
 def test_what_is_no_text_closes_the_socket(signed_in: Any) -> None:

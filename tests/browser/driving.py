@@ -7,6 +7,14 @@ from playwright.sync_api import Error
 
 LOOK_EVERY = 250  # ms
 BEND = 700  # ms there, and the same back: the movement is what drives
+HIDE = """() => {
+  Object.defineProperty(document, "visibilityState", { configurable: true, get: () => "hidden" });
+  document.dispatchEvent(new Event("visibilitychange"));
+}"""
+SHOW = """() => {
+  delete document.visibilityState;
+  document.dispatchEvent(new Event("visibilitychange"));
+}"""
 
 
 def go_on_until(page, reached, what, *, seconds=60):

@@ -9,7 +9,7 @@ from urllib.parse import urlsplit
 
 import httpx
 import pytest
-from browser.driving import go_on_until
+from browser.driving import HIDE, SHOW, go_on_until
 from playwright.sync_api import expect
 from processes.served_demo import bodydrive, printed_link
 
@@ -18,7 +18,8 @@ pytestmark = [pytest.mark.browser, pytest.mark.long, pytest.mark.timeout(420)]
 SCREENSHOTS = Path(__file__).resolve().parents[2] / "var" / "screenshots"
 SIZES = {"1280x800": (1280, 800), "768x1024": (768, 1024)}
 PATIENCE = 60_000  # ms: drawing in software on a busy machine is slow
-LOST = "Connection lost, trying again"
+LOST = "This screen has lost the program"
+WAITS = re.compile("We wait for (your clinician|the shirt)")
 OPEN_TO_ALL = {"/auth/demo", "/auth/setup", "/auth/sign-in", "/auth/sign-out", "/control/stop", "/patient-screen/pair"}
 # What sticks out of the window, or makes it scroll.
 OUTSIDE = """() => {
@@ -76,7 +77,7 @@ def pair(clinician, patient, keep):
     card.scroll_into_view_if_needed()
     keep(clinician, "patient-screen-code")
     patient.goto(card.locator("code").inner_text())
-    expect(patient.get_by_text("All is ready")).to_be_visible()
+    expect(patient.locator(".task", has_text=WAITS)).to_be_visible()
     assert urlsplit(patient.url).fragment == ""
     expect(card.get_by_text("Screen 1")).to_be_visible()
     expect(card.get_by_text("connected", exact=True)).to_be_visible()
@@ -108,7 +109,8 @@ def is_shown_the_stop(clinician, patient, keep):
     clinician.locator("#stop").dispatch_event("pointerdown")
     band = patient.locator(".band.stopped")
     expect(band).to_contain_text("Stopped")
-    expect(band).to_contain_text("Your clinician stopped the chair.")
+    expect(band).to_contain_text("Stop was pressed on a clinician's page.")
+    expect(band).to_contain_text("We wait for your clinician, who looks and goes on.")
     box = band.bounding_box()
     assert (box["x"], box["width"]) == (0, patient.viewport_size["width"])
     keep(patient, "patient-stopped")
@@ -119,9 +121,19 @@ def is_shown_the_stop(clinician, patient, keep):
     assert patient.evaluate(OUTSIDE) == []
     patient.set_viewport_size({"width": width, "height": height})
     go_on_until(clinician, band.is_hidden, "the end of the stop")
+    is_told_that_the_clinician_s_page_is_hidden(clinician, patient, keep)
     is_readable_in_the_dark_and_large(clinician, patient, keep)
     clinician.get_by_role("button", name="End trial").first.click()
     expect(patient.locator(".moment")).to_contain_text("Finished")
+
+
+def is_told_that_the_clinician_s_page_is_hidden(clinician, patient, keep):
+    band = patient.locator(".band.stopped")
+    clinician.evaluate(HIDE)
+    expect(band).to_contain_text("Your clinician's page was out of view.We wait for your clinician")
+    keep(patient, "patient-hidden")
+    clinician.evaluate(SHOW)
+    go_on_until(clinician, band.is_hidden, "the end of the stop")
 
 
 def is_readable_in_the_dark_and_large(clinician, patient, keep):
@@ -204,19 +216,19 @@ def test_it_comes_back_when_the_program_was_away(browser, tmp_path, page_log):
         log = page_log(base)
         page = log.watch(browser.new_page(viewport={"width": 640, "height": 480}))
         page.goto(link)
-        expect(page.get_by_text("All is ready")).to_be_visible(timeout=PATIENCE)
+        expect(page.locator(".task", has_text=WAITS)).to_be_visible(timeout=PATIENCE)
         canvas = page.frame_locator("iframe").locator("canvas").first
         expect(canvas).to_be_visible(timeout=PATIENCE)
         process.send_signal(signal.SIGTERM)
         process.communicate(timeout=60)
         lost = page.get_by_text(LOST)
         expect(lost).to_be_visible(timeout=PATIENCE)
-        expect(page.get_by_text("All is ready")).to_be_hidden()
+        expect(page.locator(".task", has_text=WAITS)).to_be_hidden()
         page.screenshot(path=SCREENSHOTS / "patient-lost.png")
         process = served(port, state)
         printed_link(process)
         expect(lost).to_be_hidden(timeout=PATIENCE)
-        expect(page.get_by_text("All is ready")).to_be_visible(timeout=PATIENCE)
+        expect(page.locator(".task", has_text=WAITS)).to_be_visible(timeout=PATIENCE)
         expect(canvas).to_be_visible(timeout=PATIENCE)
         assert "Heron" not in page.content()
         assert log.outside == []
@@ -239,7 +251,7 @@ def test_a_wrong_link_says_what_to_do_and_an_unpaired_screen_shows_nothing(brows
     card.get_by_role("button", name="Pair a screen").click(timeout=PATIENCE)
     link = card.locator("code").inner_text(timeout=PATIENCE)
     page.evaluate("(hash) => { location.hash = hash; }", urlsplit(link).fragment)  # scanned into the page that is open
-    expect(page.get_by_text("All is ready")).to_be_visible(timeout=PATIENCE)
+    expect(page.locator(".task", has_text=WAITS)).to_be_visible(timeout=PATIENCE)
     expect(card.get_by_text("connected", exact=True)).to_be_visible(timeout=PATIENCE)
     SCREENSHOTS.mkdir(parents=True, exist_ok=True)
     clinician.screenshot(path=SCREENSHOTS / "patient-screen-settings.png")

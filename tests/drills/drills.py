@@ -14,6 +14,7 @@ from drills.cuts import cuts
 from drills.relay import FAIR, Weather
 from drills.results import Result
 from drills.rig import AFTER, PARAMETERS, rig
+from drills.second_socket import second_socket
 from processes.running_control import tick_with
 
 from app.clock import monotonic
@@ -142,20 +143,33 @@ async def web_silent(runs, dice):
 
 
 async def screen_gone(runs, dice):
-    """S7: the screen that armed the chair is hidden, or its word grows old."""
-    result = Result("screen said to be hidden, or silent for over 300 ms", HEARTBEAT + A_TICK + COMMAND)
+    """S7: the screen that armed the chair is out of reach, is hidden, or stands still; each has its own fault."""
+    result = Result("screen out of reach, hidden, standing still, in turn", HEARTBEAT + A_TICK + COMMAND)
     async with rig() as made:
 
-        async def hide():
-            made.screen_age = None if dice.random() < 0.5 else 0.31
-
         async def show():
-            made.screen_age = 0.0
+            fault = Fault(int(made.control.newest()["fault"]))
+            if fault is not wanted:
+                result.violations.append(f"run {result.runs}: {fault.name} instead of {wanted.name}")
+            made.screen_age, made.screen = 0.0, "in view"
 
-        for _ in range(runs):
-            await _injure(made, result, dice, hide, show)
+        for run in range(runs):
+            says, wanted = SCREENS[run % len(SCREENS)]
+
+            async def injure(says=says):
+                made.screen_age, made.screen = says
+
+            await _injure(made, result, dice, injure, show)
     result.remark = "from when the web process knows it; its heartbeat adds up to 50 ms"
     return result
+
+
+SCREENS = (
+    ((0.31, "in view"), Fault.SCREEN_LOST),
+    ((None, "in view"), Fault.SCREEN_LOST),
+    ((0.0, "hidden"), Fault.SCREEN_HIDDEN),
+    ((0.0, "slow"), Fault.SCREEN_SLOW),
+)
 
 
 async def tablet_stop(runs, dice):
@@ -381,7 +395,8 @@ DRILLS = {
     "kill-receiver": (kill_receiver, 100, 1),
     "kill-web": (kill_web, 100, 1),
     "web-silent": (web_silent, 100, 1),
-    "screen": (screen_gone, 100, 1),
+    "screen": (screen_gone, 100, len(SCREENS)),
+    "second-socket": (second_socket, 20, 1),
     "stop": (tablet_stop, 100, 1),
     "switch": (chair_switch, 100, 1),
     "shirt": (shirt_stalls, 50, 1),

@@ -71,7 +71,7 @@ class Rig:
         self._shirt_port = free_port()
         self.wearer = DrillWearer(PARAMETERS, self._shirt_port)
         self.control = None
-        self.screen_age = 0.0
+        self.screen_age, self.screen = 0.0, "in view"
         self.beats = True
         self._heart = None
         self._runs = 0
@@ -120,7 +120,7 @@ class Rig:
         with suppress(LinkLost):
             while True:
                 if self.beats:
-                    control.tell("heartbeat", screen_age=self.screen_age)
+                    control.tell("heartbeat", screen_age=self.screen_age, screen=self.screen)
                 await asyncio.sleep(0.05)
 
     async def start_web(self):

@@ -129,6 +129,30 @@ def test_the_dial_turns_down_at_once_and_up_only_at_rest(office):
         assert "share" in office.refused("dial", share=share)
 
 
+@pytest.mark.parametrize(
+    ("said", "fault"),
+    [
+        ({"screen_age": 0.1}, Fault.NONE),
+        ({"screen_age": 0.1, "screen": "in view"}, Fault.NONE),
+        ({"screen_age": 0.1, "screen": "hidden"}, Fault.SCREEN_HIDDEN),
+        ({"screen_age": 0.1, "screen": "slow"}, Fault.SCREEN_SLOW),
+        ({"screen_age": 0.31}, Fault.SCREEN_LOST),
+        ({"screen_age": None}, Fault.SCREEN_LOST),
+    ],
+)
+def test_the_heartbeat_says_which_of_three_is_wrong_with_the_screen(office, said, fault):
+    office.live(0.1)
+    office.tell("heartbeat", screen_age=0.0, screen="hidden")  # of the drive before
+    office.done("arm", hash=office.parameters.hash)
+    office.loop.turn()
+    gate = office.setup.chain.gate
+    assert (gate.state, gate.fault) == (State.CHECKING, Fault.NONE)
+    office.tell("heartbeat", **said)
+    office.loop.turn()
+    assert gate.fault is fault
+    assert "screen" in office.refused("heartbeat", screen_age=0.0, screen="away")
+
+
 def test_limits_dial_and_the_count_of_stops_outlive_other_parameters(office):
     office.live(0.1)
     office.done("limits", clinic=limits(forward=0.5))

@@ -99,6 +99,8 @@ def test_nothing_moves_during_the_neutral_check(ride):
     [
         ({"supervisor_age": 0.301}, Fault.WEB_SILENT),
         ({"screen_age": 0.301}, Fault.SCREEN_LOST),
+        ({"screen": Fault.SCREEN_HIDDEN}, Fault.SCREEN_HIDDEN),
+        ({"screen": Fault.SCREEN_SLOW}, Fault.SCREEN_SLOW),
         ({"recording": False}, Fault.RECORDING_LOST),
         ({"chair_age": 0.301}, Fault.CHAIR_SILENT),
         ({"chair": ChairCondition.WAITING}, Fault.CHAIR_DISARMED),

@@ -131,6 +131,9 @@ def test_a_chair_that_is_not_ready_is_waited_for():
         ({"chair_age": math.nan}, Fault.CHAIR_SILENT),
         ({"screen_age": math.nextafter(SCREEN_SILENT, 1)}, Fault.SCREEN_LOST),
         ({"screen_age": math.nan}, Fault.SCREEN_LOST),
+        ({"screen_age": math.inf, "screen": Fault.SCREEN_HIDDEN}, Fault.SCREEN_LOST),
+        ({"screen": Fault.SCREEN_HIDDEN}, Fault.SCREEN_HIDDEN),
+        ({"screen": Fault.SCREEN_SLOW, "chair_age": math.inf}, Fault.SCREEN_SLOW),
     ],
 )
 def test_what_the_chair_or_the_screen_does_not_say_stops(conditions, fault):
@@ -142,6 +145,14 @@ def test_what_the_chair_or_the_screen_does_not_say_stops(conditions, fault):
 
 def test_at_the_border_itself_it_drives_on():
     assert decide(moving_gate(), 1.0, chair_age=CHAIR_SILENT, screen_age=SCREEN_SILENT) is State.ARMED
+
+
+@pytest.mark.parametrize("fault", [Fault.SCREEN_HIDDEN, Fault.SCREEN_SLOW])
+def test_a_screen_that_does_not_count_forbids_the_check_too(fault):
+    gate = SafetyGate(SPEEDS, 100.0)
+    gate.arm()
+    assert decide(gate, 0.0, screen=fault) is State.FAULT
+    assert gate.fault is fault
 
 
 def test_a_pressed_switch_forbids_the_check_too():

@@ -42,7 +42,7 @@ class InView:
             self._send()
 
     def _send(self) -> None:
-        self._socket.send(json.dumps({"screen": WORD, "visible": self.visible}))
+        self._socket.send(json.dumps({"screen": WORD, "visible": self.visible, "silence": 0.0}))
 
 
 @pytest.fixture
@@ -110,7 +110,7 @@ def test_the_story_of_a_real_chair(demo: Demo, tmp_path: Path) -> None:
 
             screen.hide()
             stopped = until(live, lambda m: m["state"] == "fault")
-            assert stopped["fault"]["name"] == "screen_lost"
+            assert stopped["fault"]["name"] == "screen_hidden"
             receiver.wait_for(lambda line: line["state"] == "disarmed" and line["v"] == 0.0)
             screen.visible = True
             good(demo, "POST", "/control/clear", {"stops": stopped["stops"]})

@@ -8,7 +8,9 @@ from hypothesis import strategies as st
 from app.faults import State
 from app.messages import TICK
 from app.session.calibration_judge import judge_frames
+from app.session.real_drive import DriveWatch
 from app.session.trial_watch import TrialWatch
+from app.session.watching import HALT_LIMIT
 from app.world.floorplan import FloorPlan, PrescribedPath
 
 LINE = ((0.0, 0.0), (10.0, 0.0))
@@ -48,13 +50,43 @@ def test_time_runs_from_the_first_permitted_motion():
     assert watch.take(ticks([130.1], [0.0], [0.0])) == "time-out"
 
 
-def test_a_stop_pauses_for_twenty_seconds_then_ends():
-    watch = watch_of()
+@pytest.mark.parametrize("watch", [watch_of(), DriveWatch()], ids=["trial", "drive"])
+def test_a_stop_halts_for_five_minutes_says_so_and_then_ends_it(watch):
+    assert HALT_LIMIT >= 180.0
     assert watch.take(ticks([0.0], [0.0], [0.0])) is None
-    assert watch.take(ticks([1.0, 20.9], [0.0, 0.0], [0.0, 0.0], State.FAULT)) is None
-    assert watch.take(ticks([21.0], [0.0], [0.0], State.CHECKING)) is None
-    assert watch.take(ticks([22.0, 41.9], [0.0, 0.0], [0.0, 0.0], State.FAULT)) is None
-    assert watch.take(ticks([42.0], [0.0], [0.0], State.FAULT)) == "fault"
+    assert watch.halt.waits is None
+    assert watch.take(ticks([1.0, 60.0], [0.0, 0.0], [0.0, 0.0], State.FAULT)) is None
+    assert watch.halt.waits == 241.0
+    assert watch.take(ticks([300.9], [0.0], [0.0], State.FAULT)) is None
+    assert watch.take(ticks([301.0], [0.0], [0.0], State.CHECKING)) is None  # a person went on
+    assert watch.halt.waits is None
+    assert watch.take(ticks([302.0, 601.9], [0.0, 0.0], [0.0, 0.0], State.FAULT)) is None
+    assert watch.halt.waits == pytest.approx(0.1)
+    assert watch.take(ticks([602.0], [0.0], [0.0], State.FAULT)) == "fault"
+
+
+def test_a_halt_before_the_first_motion_waits_as_long():
+    watch = watch_of(time_limit=10.0)
+    assert watch.take(ticks([0.0, 200.0], [0.0, 0.0], [0.0, 0.0], State.FAULT)) is None
+    assert watch.take(ticks([300.0], [0.0], [0.0], State.FAULT)) == "fault"
+
+
+def test_neither_the_time_limit_nor_the_goal_ends_a_trial_that_is_halted():
+    watch = watch_of(goal_radius=0.6, time_limit=60.0)
+    x = np.linspace(0, 9.3, 201)
+    assert watch.take(ticks(5 * x, x, 0 * x)) is None
+    assert watch.take(ticks([47.0, 147.0], [9.4, 9.4], [0.0, 0.0], State.FAULT)) is None
+    assert watch.take(ticks([148.0], [9.4], [0.0], State.CHECKING)) == "goal"  # a person went on
+
+
+def test_what_was_halted_is_no_part_of_the_time_limit():
+    watch = watch_of(time_limit=60.0)
+    assert watch.take(ticks([0.0, 10.0], [0.0, 0.0], [0.0, 0.0])) is None
+    for begin in (20.0, 130.0):
+        assert watch.take(ticks([begin, begin + 100.0], [0.0, 0.0], [0.0, 0.0], State.FAULT)) is None
+        assert watch.take(ticks([begin + 101.0], [0.0], [0.0])) is None
+    assert watch.take(ticks([260.0], [0.0], [0.0])) is None  # 60 s of its own
+    assert watch.take(ticks([260.1], [0.0], [0.0])) == "time-out"
 
 
 @given(st.lists(st.tuples(st.floats(-50, 50), st.floats(-50, 50)), min_size=1, max_size=60))

@@ -20,8 +20,10 @@ export class Live extends EventTarget {
   /** @type {(number | null)[]} */
   noise = [];
   connected = true;
-  /** @type {number} when the newest message came, in ms of performance.now */
+  /** @type {number} when the newest message came or the socket was asked for, in ms of performance.now */
   heardAt = 0;
+  /** @type {number} when the newest message came, in ms of the wall clock */
+  saidAt = 0;
   #socket = null;
   #pause = FIRST_PAUSE;
   #wanted = false;
@@ -42,6 +44,7 @@ export class Live extends EventTarget {
   open() {
     if (this.#wanted) return;
     this.#wanted = true;
+    this.saidAt = Date.now();
     this.#connect();
   }
 
@@ -58,6 +61,11 @@ export class Live extends EventTarget {
   /** Send a message; when the link is down it is dropped, never kept for later. @param {object} message */
   send(message) {
     if (this.#socket?.readyState === WebSocket.OPEN) this.#socket.send(JSON.stringify(message));
+  }
+
+  /** What is so now: the newest message, null while the link is down or nothing has come yet. */
+  get present() {
+    return this.connected ? this.latest : null;
   }
 
   /** Seconds since the newest message. */
@@ -93,6 +101,7 @@ export class Live extends EventTarget {
 
   #take(message) {
     this.heardAt = performance.now();
+    this.saidAt = Date.now();
     clearTimeout(this.#lostTimer);
     this.#lostTimer = 0;
     this.#pause = FIRST_PAUSE;

@@ -13,6 +13,7 @@ import { t } from "./texts.js";
 
 const DEMO_LINK = /^#demo=(.+)$/;
 const LOOK_AT_DISK_EVERY = 60_000; // ms
+const WITHOUT_PROGRAM = new Set(["plans"]); // pages that work while it is not heard: drawings are kept in this browser
 
 /** Events: `me`, `visit`, `route`, `trial-view`, `disk`. */
 export class App extends EventTarget {
@@ -35,11 +36,13 @@ export class App extends EventTarget {
 
   async start() {
     this.root = h("main", { class: "page", tabindex: "-1" });
-    this.frame = h("div", { class: "app alone" }, header(this), rail(this), notices(this), this.root);
+    this.rail = rail(this);
+    this.frame = h("div", { class: "app alone" }, header(this), this.rail, notices(this), this.root);
     document.body.replaceChildren(this.frame, this.toasts.element, this.toasts.voice, this.toasts.urgent);
     stopOnSpace(this, window);
     this.live.addEventListener("changed", (event) => this.#changed(event.detail));
-    this.live.addEventListener("connection", () => !this.live.connected && this.#whoAmI());
+    this.live.addEventListener("connection", () => this.#connectionChanged());
+    this.addEventListener("route", () => this.#showWhetherOffline());
     window.addEventListener("hashchange", () => this.show());
     setInterval(() => this.#lookAtDisk(), LOOK_AT_DISK_EVERY);
     await this.enter();
@@ -194,6 +197,22 @@ export class App extends EventTarget {
     if (words === this.diskWords) return;
     this.diskWords = words;
     this.dispatchEvent(new Event("disk"));
+  }
+
+  #connectionChanged() {
+    this.#showWhetherOffline();
+    // A page that does not hear what the chair does must not keep it driving.
+    if (this.live.connected) return this.screen.open();
+    this.screen.close();
+    this.#whoAmI();
+  }
+
+  /** While the program is not heard, nothing shall look like the present, and only what works without it is offered. */
+  #showWhetherOffline() {
+    const isOffline = Boolean(this.me?.signed_in) && !this.live.connected;
+    this.frame.classList.toggle("offline", isOffline);
+    this.rail.inert = isOffline;
+    this.root.inert = isOffline && !WITHOUT_PROGRAM.has(this.route.page);
   }
 
   async #whoAmI() {

@@ -15,6 +15,10 @@ export class Screen {
   #worker = new Worker(new URL("./screen_worker.js", import.meta.url), { type: "module" });
 
   constructor() {
+    this.#worker.onmessage = () => {
+      this.word = keptWord(randomWord()); // another page speaks with this one's
+      this.#tell();
+    };
     document.addEventListener("visibilitychange", () => this.#tell());
     // A page that is left, or put to sleep with its tab, is out of view before it can be asked.
     window.addEventListener("pagehide", () => this.#tell(false));
@@ -48,7 +52,10 @@ export class Screen {
 /** A page that was loaded again is still the screen that it was: after Continue it drives on. Another tab is another screen. */
 function wordOfThisPage() {
   const isReload = performance.getEntriesByType("navigation")[0]?.type === "reload";
-  const word = (isReload && sessionStorage.getItem(WORD_PLACE)) || randomWord();
+  return keptWord((isReload && sessionStorage.getItem(WORD_PLACE)) || randomWord());
+}
+
+function keptWord(word) {
   sessionStorage.setItem(WORD_PLACE, word);
   return word;
 }

@@ -1,13 +1,15 @@
 /**
- * The heartbeat of a screen, in a worker: it says over a socket of its own whether the page is in view.
- * The chair that this page armed stops after 300 ms of silence. When the page itself stands still, the worker says so.
+ * The heartbeat of a screen, in a worker: it says over a socket of its own whether the page is in view, and for how long
+ * the page's own thread has said nothing. The chair that this page armed stops after 300 ms without a word.
  */
 
 const SAY_EVERY = 50; // ms: twice the ten a second that are needed, because a busy machine delivers some of them late
-const PAGE_LIMIT = 1000; // ms without a sign of life: nobody can be sure that this page shows anything
 const FIRST_PAUSE = 50; // ms before the socket is opened again; doubled with each failure, up to ...
 const LONGEST_PAUSE = 800; // ms
 const OPENING_LIMIT = 2000; // ms for a socket to open
+const TAKEN = 4409; // close code: another socket speaks with this page's word
+const TAKEN_LIMIT = 5000; // ms of it: the server gives up a dead socket after 2 s, so this one belongs to another page
+const KEPT_AFTER = 500; // ms: a socket that is open for so long was not refused
 
 /** What the page said last. */
 let page = { screen: "", visible: false, picture: "none", isWanted: false };
@@ -17,6 +19,8 @@ let socket = null;
 let pause = FIRST_PAUSE;
 let openAgainAt = 0; // ms of performance.now
 let askedAt = 0; // ms of performance.now, when the socket was asked for
+let openedAt = 0; // ms of performance.now
+let refusedAt = 0; // ms of performance.now, when a socket was refused first; 0: none was
 
 self.onmessage = ({ data }) => {
   const isNews = ["visible", "picture", "isWanted"].some((name) => data[name] !== page[name]);
@@ -37,8 +41,9 @@ function beat() {
 }
 
 function say(now) {
-  const visible = page.visible && now - heardAt < PAGE_LIMIT;
-  socket.send(JSON.stringify({ screen: page.screen, visible, picture: page.picture }));
+  if (now - openedAt > KEPT_AFTER) refusedAt = 0;
+  const { screen, visible, picture } = page;
+  socket.send(JSON.stringify({ screen, visible, silence: (now - heardAt) / 1000, picture }));
 }
 
 function connect(now) {
@@ -49,9 +54,21 @@ function connect(now) {
   mine.onopen = () => {
     if (mine !== socket) return;
     pause = FIRST_PAUSE;
-    say(performance.now());
+    openedAt = performance.now();
+    say(openedAt);
   };
-  mine.onclose = () => lost(mine);
+  mine.onclose = ({ code }) => {
+    if (code === TAKEN) refused(performance.now());
+    lost(mine);
+  };
+}
+
+/** Another page has this one's word: this one needs a word of its own. */
+function refused(now) {
+  refusedAt ||= now;
+  if (now - refusedAt < TAKEN_LIMIT) return;
+  refusedAt = 0;
+  self.postMessage("taken");
 }
 
 /** @param {WebSocket} gone */

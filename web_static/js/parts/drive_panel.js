@@ -10,7 +10,7 @@ import { gestureLevels } from "./gesture_levels.js";
 import { stopWords } from "./neutral_card.js";
 import { faultKey } from "./notices.js";
 import { pads } from "./pads.js";
-import { faultCard } from "./trial_cue.js";
+import { faultCard, waitWords } from "./trial_cue.js";
 
 const DEGREES = 180 / Math.PI;
 const STRAIGHT = 1; // °/s: less is told as straight on
@@ -80,8 +80,10 @@ export function showDrivePanel(app, root, read, id, signal) {
 function stateCard(app, about, onEnd) {
   const place = h("div", { class: "grow", "aria-live": "assertive" });
   const element = h("section", { class: "card drive-state" }, place, about);
+  const waits = waitWords("driving.paused");
   let shown = "";
   const show = (now) => {
+    waits.show(now.drive?.waits);
     const key = now.fault ? faultKey(now) : now.state;
     if (key === shown) return;
     shown = key;
@@ -89,7 +91,7 @@ function stateCard(app, about, onEnd) {
     app.root.scrollTop = 0; // what has just happened, and Continue, shall not lie outside of the view
     if (now.fault) {
       const end = h("button", { type: "button", class: "btn", onclick: onEnd }, t("driving.end"));
-      put(place, faultCard(app, now.fault, t("driving.paused"), end));
+      put(place, faultCard(app, now.fault, waits.element, end));
     } else put(place, h("div", { class: "huge long" }, t(`driving.${key}`)), h("p", {}, t(`driving.${key}.why`)));
   };
   return { element, show };

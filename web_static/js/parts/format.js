@@ -9,6 +9,7 @@ const MOMENT = new Intl.DateTimeFormat(LANGUAGE, {
   hour: "2-digit",
   minute: "2-digit",
 });
+const TIME = new Intl.DateTimeFormat(LANGUAGE, { timeStyle: "medium", hourCycle: "h23" });
 
 /** @param {number | null | undefined} value @param {number} digits after the point */
 export function number(value, digits) {
@@ -42,6 +43,11 @@ export function day(iso) {
 /** @param {string | null} iso */
 export function moment(iso) {
   return iso ? MOMENT.format(new Date(iso)) : NONE;
+}
+
+/** Hours, minutes and seconds of the day. @param {number} at ms of the wall clock */
+export function timeOfDay(at) {
+  return TIME.format(at);
 }
 
 /** @param {number} bytes */

@@ -13,7 +13,7 @@ export function header(app) {
   const who = h("span", { class: "who" });
   const demo = h("span", { class: "tag calm", title: t("demo.explained") }, t("demo.tag"));
   const shirt = h("span", { class: "lamp" });
-  const chair = h("span", { class: "lamp off wide" }, t("lamp.chair"));
+  const chair = h("span", { class: "lamp" });
   const lamps = h("div", { class: "lamps" }, shirt, chair);
   const theme = themeButton(app);
   const leave = h(
@@ -48,16 +48,18 @@ export function header(app) {
     write(who, patient ? t("who.visit", { code: patient.code, number: session?.number ?? 1 }) : t("who.nobody"));
   };
   const showShirt = () => {
-    const alive = Boolean(app.live.latest?.shirt.alive) && app.live.connected;
+    if (!app.live.present) return unknown(shirt, "lamp.shirt.unknown", "");
+    const alive = app.live.present.shirt.alive;
     const all = app.live.quality.length;
     const good = app.live.quality.filter((quality) => quality === "good").length;
     shirt.className = alive ? (good < all * 0.75 ? "lamp att" : "lamp") : "lamp att";
     write(shirt, alive && all ? t("lamp.shirt", { good, all }) : t("lamp.shirt.silent"));
   };
   const showChair = () => {
-    const now = app.live.latest;
-    const armed = now?.state === "armed";
-    const state = now?.chair && chairState(now.chair);
+    const now = app.live.present;
+    if (!now) return unknown(chair, "lamp.chair.unknown", "wide");
+    const armed = now.state === "armed";
+    const state = now.chair && chairState(now.chair);
     element.classList.toggle("has-chair", Boolean(state));
     const isBad = state === "silent" || state === "fault";
     chair.className = `lamp${isBad ? " att" : armed ? "" : " off"}${state ? "" : " wide"}`;
@@ -66,11 +68,22 @@ export function header(app) {
   app.addEventListener("me", showWho);
   app.addEventListener("visit", showWho);
   app.live.addEventListener("quality", showShirt);
-  app.live.addEventListener("connection", showShirt);
   app.live.addEventListener("tick", showChair);
+  app.live.addEventListener("connection", () => {
+    showShirt();
+    showChair();
+    leave.disabled = !app.live.connected; // signing out is something that the program does
+  });
   showWho();
   showShirt();
+  showChair();
   return element;
+}
+
+/** A lamp of which nothing is known now. @param {HTMLElement} lamp @param {string} key of its words @param {string} width */
+function unknown(lamp, key, width) {
+  lamp.className = `lamp off unknown ${width}`;
+  write(lamp, t(key));
 }
 
 /** @param {import("../main.js").App} app */

@@ -1,6 +1,7 @@
 /** The strip under the header: connection lost, control process lost, a stop or fault that waits for Continue, a full disk. */
 import { t } from "../texts.js";
 import { h, put } from "./dom.js";
+import { timeOfDay } from "./format.js";
 import { icon } from "./icons.js";
 
 const SEEN_AFTER = 400; // ms: a tap that comes sooner was meant for what stood there before
@@ -39,7 +40,7 @@ export function faultKey(now) {
 }
 
 function note(app, kind) {
-  if (kind === "lost") return strip("bad", t("note.lost"), t("note.lost.why"));
+  if (kind === "lost") return strip("bad", t("note.lost", { time: timeOfDay(app.live.saidAt) }), t("note.lost.why"));
   if (kind === "control") return strip("bad", t("note.control"), t("note.control.why"));
   if (kind === "driving")
     return strip("", t("note.driving"), "", h("a", { class: "btn go", href: "#/drive/chair" }, t("note.driving.go")));

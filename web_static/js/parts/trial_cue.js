@@ -1,6 +1,7 @@
 /** What stands over the picture: the starting cue, what to do after a stop or fault, and what to do without a picture. */
 import { t } from "../texts.js";
-import { h, put } from "./dom.js";
+import { h, put, write } from "./dom.js";
+import { clock } from "./format.js";
 import { icon } from "./icons.js";
 import { continueButton, faultKey } from "./notices.js";
 
@@ -13,6 +14,7 @@ const GO_SHOWN = 1600; // ms
  */
 export function trialCue(app, picture, onEnd, onPlan) {
   const element = h("div", { class: "over-view", "aria-live": "assertive" });
+  const waits = waitWords("trial.paused");
   let shown = "";
   let isBegun = false;
   let timer = 0;
@@ -31,6 +33,7 @@ export function trialCue(app, picture, onEnd, onPlan) {
     else put(element, withoutPicture(why, onPlan));
   };
   const show = (now) => {
+    waits.show(now.trial?.waits);
     const isFault = now.fault && now.control === "alive";
     const phase = now.control !== "alive" ? "control" : now.fault ? faultKey(now) : now.state;
     const key = isFault ? `${phase} ${missing()}` : phase;
@@ -38,7 +41,7 @@ export function trialCue(app, picture, onEnd, onPlan) {
     shown = key;
     if (isFault) {
       clearTimeout(timer);
-      return put(element, overView(app, now.fault, missing(), onEnd, onPlan));
+      return put(element, overView(app, now.fault, missing(), waits.element, onEnd, onPlan));
     }
     if (key === "disarmed" && !isBegun) return; // not begun: what was prepared stays
     clearTimeout(timer);
@@ -53,34 +56,45 @@ export function trialCue(app, picture, onEnd, onPlan) {
   return { element, show, prepare };
 }
 
-function overView(app, fault, missing, onEnd, onPlan) {
+function overView(app, fault, missing, waits, onEnd, onPlan) {
   const end = h("button", { type: "button", class: "btn", onclick: onEnd }, t("trial.end"));
-  if (!missing) return faultCard(app, fault, t("trial.paused"), end);
-  return card(fault.happened, t(`picture.${missing}`), t("trial.paused"), planButton("picture.plan.show", onPlan), end);
+  if (!missing) return faultCard(app, fault, waits, end);
+  return card(fault.happened, t(`picture.${missing}`), waits, planButton("picture.plan.show", onPlan), end);
 }
 
 /** Nothing to drive by yet. */
 function withoutPicture(why, onPlan) {
   const back = h("a", { class: "btn", href: "#/drive" }, t("picture.back"));
-  return card(t("picture.none"), t(`picture.${why}`), "", planButton("picture.plan.start", onPlan), back);
+  return card(t("picture.none"), t(`picture.${why}`), null, planButton("picture.plan.start", onPlan), back);
 }
 
 function planButton(words, onPlan) {
   return h("button", { type: "button", class: "btn go", onclick: onPlan }, t(words));
 }
 
-/** What happened, what to do, Continue, and how to end. @param {import("../main.js").App} app @param {{happened: string, next_step: string}} fault @param {string} after @param {Node} end */
-export function faultCard(app, { happened, next_step: next }, after, end) {
-  return card(happened, next, after, continueButton(app), end);
+/**
+ * For how much longer a halted trial or drive waits for Continue: counted down for the eye, and read out once.
+ * @param {string} key of the words
+ */
+export function waitWords(key) {
+  const left = h("b", { class: "number", role: "timer" });
+  const element = h("p", { class: "waits" }, t(key), " ", left);
+  return { element, show: (seconds) => write(left, clock(seconds)) };
 }
 
-function card(happened, next, after, go, other) {
+/** What happened, what to do, Continue, and how to end. @param {import("../main.js").App} app @param {{happened: string, next_step: string}} fault @param {Node} waits @param {Node} end */
+export function faultCard(app, { happened, next_step: next }, waits, end) {
+  return card(happened, next, waits, continueButton(app), end);
+}
+
+/** @param {string} happened @param {string} next @param {Node | null} waits @param {Node} go @param {Node} other */
+function card(happened, next, waits, go, other) {
   return h(
     "div",
     { class: "hud fault-card" },
     h("h2", {}, icon("warning", 28), happened),
     h("p", {}, next),
-    after && h("p", { class: "quiet small" }, after),
+    waits,
     h("div", { class: "spread" }, go, other),
   );
 }

@@ -11,7 +11,7 @@ export function momentCard() {
   let until = 0;
   /** @type {any} */
   let before = null;
-  const say = (name, hasWhy = true, tone = "") => {
+  const say = (name, why = "", tone = "") => {
     if (shown === name) return;
     shown = name;
     put(
@@ -21,7 +21,7 @@ export function momentCard() {
           "div",
           { class: `hud ${tone}` },
           h("div", { class: "word" }, t(`patient.${name}`)),
-          hasWhy && h("p", {}, t(`patient.${name}.why`)),
+          why && h("p", {}, why),
         ),
     );
   };
@@ -31,12 +31,13 @@ export function momentCard() {
     const begins = before && now.state === "armed" && before.state !== "armed";
     before = now;
     if (now.state === "fault" || now.cue) say("");
-    else if (now.state === "checking") say("rest");
+    else if (now.state === "checking") say("rest", now.waits.words);
     else if (isNew) {
-      say(now.over.end === "goal" ? "goal" : "ended", true, now.over.end === "goal" ? "good" : "");
+      const name = now.over.end === "goal" ? "goal" : "ended";
+      say(name, t(`patient.${name}.why`), name === "goal" ? "good" : "");
       until = performance.now() + OVER_SHOWN;
     } else if (begins) {
-      say("go", false, "go");
+      say("go", "", "go");
       until = performance.now() + GO_SHOWN;
     } else if (performance.now() > until || shown === "rest") say("");
   };

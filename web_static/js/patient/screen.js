@@ -46,9 +46,9 @@ function taskCard() {
   const done = h("span", {});
   const progress = h("div", { class: "progress", "aria-hidden": "true" }, done);
   const element = h("div", { class: "hud task" }, stage, words, progress);
-  const show = ({ trial, drives }) => {
+  const show = ({ trial, state, waits }) => {
     write(stage, trial?.stages > 1 ? t("patient.stage", { stage: trial.stage + 1, stages: trial.stages }) : "");
-    write(words, trial?.instruction ?? (drives ? "" : t("patient.waiting")));
+    write(words, state === "disarmed" ? waits.words : (trial?.instruction ?? ""));
     progress.hidden = !trial?.length;
     if (trial?.length) done.style.width = `${100 * Math.min(1, Math.max(0, trial.done / trial.length))}%`;
     element.hidden = !words.textContent;
@@ -75,15 +75,19 @@ function speedCard() {
 
 function stopBand() {
   const words = h("p", {});
+  const wait = h("p", { class: "wait" });
   const shape = s(
     "svg",
     { viewBox: "0 0 100 100", "aria-hidden": "true" },
     s("path", { class: "octagon", d: "M31 4h38l27 27v38L69 96H31L4 69V31Z" }),
     s("path", { class: "bars", d: "M36 30v40M64 30v40" }),
   );
-  const element = band("stopped", shape, h("div", {}, h("b", {}, t("patient.stopped")), words));
-  const show = ({ state, fault }) => {
-    if (fault) write(words, fault.words);
+  const element = band("stopped", shape, h("div", {}, h("b", {}, t("patient.stopped")), words, wait));
+  const show = ({ state, fault, waits }) => {
+    if (fault) {
+      write(words, fault.words);
+      write(wait, waits.words);
+    }
     element.hidden = state !== "fault";
   };
   return { element, show };

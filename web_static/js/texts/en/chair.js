@@ -89,7 +89,7 @@ export default {
   "driving.ending": "Ending…",
   "driving.movements": "Movements",
   "driving.commands": "Commands",
-  "driving.paused": "The drive goes on after Continue and a new moment of rest. After 20 seconds without it, the drive ends.",
+  "driving.paused": "The drive waits for Continue and a new moment of rest. Without Continue, the drive ends in",
   "driven.title": "The drive is over",
   "driven.distance": "Distance",
   "driven.time": "Time",

@@ -74,7 +74,7 @@ export default {
   "trial.rest.why": "Let the arms hang. The chair is ready when the body is at rest.",
   "trial.go": "Go",
   "trial.frame": "3D view of the chair in the building",
-  "trial.paused": "The trial goes on after Continue.",
+  "trial.paused": "The trial waits for Continue. Without it, the trial ends in",
   "over.goal": "Goal reached",
   "over.time-out": "The time is over",
   "over.by hand": "Ended by hand",

@@ -1,0 +1,108 @@
+"""A page that loses the program shows nothing as present and offers only Stop; a page takes a word of its own."""
+
+import os
+import re
+import signal
+from contextlib import ExitStack
+from pathlib import Path
+
+import pytest
+from browser.driving import go_on_until
+from playwright.sync_api import expect
+from processes.served_demo import bodydrive, printed_link
+
+pytestmark = [pytest.mark.browser, pytest.mark.timeout(300)]
+
+SCREENSHOTS = Path(__file__).resolve().parents[2] / "var" / "screenshots"
+PATIENCE = 60_000  # ms: drawing in software on a busy machine is slow
+SINCE = re.compile(r"No connection to the program since \d\d:\d\d:\d\d\.")
+WAITS = re.compile(r"The trial waits for Continue\. Without it, the trial ends in [34]:\d\d")
+OFFERED = """() => [...document.querySelectorAll(".btn, button, a, input, [tabindex]")]
+  .filter((one) => one.checkVisibility({ checkVisibilityCSS: true }) && !one.closest("[inert]") && !one.disabled)
+  .filter((one) => one.tabIndex >= 0)
+  .map((one) => one.getAttribute("aria-label") || one.innerText)"""
+
+WORD_OF = "() => sessionStorage.getItem('bodydrive-screen')"
+
+
+@pytest.fixture
+def pages(browser, page_log):
+    """Yield a running demonstration, a page with a trial that is halted, one with the shirt; both signed in."""
+    expect.set_options(timeout=PATIENCE)
+    SCREENSHOTS.mkdir(parents=True, exist_ok=True)
+    with ExitStack() as stack:
+        process = stack.enter_context(bodydrive("demo", "--port", "0"))
+        stack.callback(end, process)
+        link = printed_link(process)
+        log = page_log(link)
+        context = browser.new_context(viewport={"width": 1280, "height": 800})
+        stack.callback(context.close)
+        driven, shirt = (log.watch(context.new_page()) for _ in range(2))
+        driven.goto(link)
+        expect(driven.get_by_role("heading", name="Where to?")).to_be_visible()
+        driven.get_by_role("button", name="Start trial").click()
+        clock = driven.locator(".place .big")
+        go_on_until(driven, lambda: re.match(r"0:0[1-9]", clock.inner_text()), "a second of the trial")
+        driven.locator("#stop").dispatch_event("pointerdown")
+        expect(driven.locator(".fault-card")).to_contain_text(WAITS)
+        shirt.goto(f"{link.split('#')[0]}#/shirt")
+        expect(shirt.locator(".bodies .sensor")).to_have_count(52)
+        expect(shirt.locator(".lamps")).to_contain_text("Shirt 52 of 52")
+        yield process, driven, shirt
+        assert log.outside == []
+    expect.set_options(timeout=5000)
+
+
+def end(process):
+    if process.poll() is None:
+        process.send_signal(signal.SIGCONT)
+        process.send_signal(signal.SIGINT)
+    process.wait(30)
+
+
+def shows_nothing_as_present(page, picture):
+    expect(page.locator(".notes")).to_contain_text(SINCE)
+    expect(page.locator(".notes")).to_contain_text("stops by itself")
+    expect(page.locator(".lamps")).to_have_text("Shirt: not knownChair: not known")
+    assert [words for words in page.evaluate(OFFERED) if "Colours" not in words] == ["Stop the chair now"]
+    assert float(page.locator("main").evaluate("(main) => getComputedStyle(main).opacity")) < 0.5
+    page.screenshot(path=SCREENSHOTS / f"without-program-{picture}.png")
+
+
+def test_a_page_with_the_word_of_another_is_refused_and_takes_one_of_its_own(pages):
+    _, driven, other = pages
+    word = driven.evaluate(WORD_OF)
+    assert other.evaluate(WORD_OF) != word
+    other.evaluate("(word) => sessionStorage.setItem('bodydrive-screen', word)", word)
+    other.reload()
+    assert other.evaluate(WORD_OF) == word  # it was loaded again, and believes to be that screen
+    while other.evaluate(WORD_OF) == word:
+        other.wait_for_timeout(100)
+    assert driven.evaluate(WORD_OF) == word
+    driven.bring_to_front()
+    driven.get_by_role("button", name="Continue").click()
+    expect(driven.locator(".fault-card")).to_have_count(0)
+
+
+def test_without_the_program_no_page_shows_a_present_or_offers_what_needs_it(pages):
+    process, driven, shirt = pages
+    go_on = driven.get_by_role("button", name="Continue")
+    expect(go_on).to_be_visible()
+    os.kill(process.pid, signal.SIGSTOP)
+    shows_nothing_as_present(shirt, "shirt")
+    shows_nothing_as_present(driven, "drive")
+    expect(go_on).to_be_hidden()
+
+    os.kill(process.pid, signal.SIGCONT)
+    expect(driven.locator(".notes")).to_be_empty()
+    expect(driven.locator(".lamps")).to_contain_text("Shirt 52 of 52")
+    expect(go_on).to_be_visible()
+    expect(driven.locator(".fault-card")).to_contain_text(WAITS)
+
+    end(process)
+    shows_nothing_as_present(driven, "drive-down")
+    for width, height in ((768, 1024), (390, 844)):
+        driven.set_viewport_size({"width": width, "height": height})
+        driven.screenshot(path=SCREENSHOTS / f"without-program-{width}x{height}.png")
+    driven.locator("#stop").dispatch_event("pointerdown")
+    expect(driven.get_by_text("Stop did not get through")).to_be_visible()

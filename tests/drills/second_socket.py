@@ -1,0 +1,111 @@
+"""A second socket speaks with the word of the screen that drives, and that screen falls silent."""
+
+import asyncio
+import json
+import tempfile
+import threading
+import time
+from contextlib import ExitStack
+
+from drills.results import Result, Watcher
+from processes.served_demo import Demo, bodydrive, until
+from websockets.exceptions import ConnectionClosed
+
+from app.clock import monotonic
+
+WORD = "the-screen-of-this-drill"
+SAY_EVERY = 0.05  # s, as our page does
+SHOWN_EVERY = 0.05  # s between two messages of the live socket, which tell when the chair stopped
+A_TICK = 0.02  # s
+LOOK_ON = 3.0  # s: the server gives up a silent socket after 2 s, and the chair must not go on by that
+MOVES = 0.15  # m/s
+ARMINGS = 6  # on a machine so busy that a word may be late
+
+
+class Speaker:
+    """The worker of a page: it says that its page is in view, and asks for a socket again when one was refused."""
+
+    def __init__(self, demo):
+        self.refusals = 0
+        self._demo = demo
+        self._socket = demo.socket("screen")
+        self._speaks, self._ended = threading.Event(), threading.Event()
+        self._speaks.set()
+        self._thread = threading.Thread(target=self._run)
+        self._thread.start()
+
+    def fall_silent(self):
+        """Say nothing any more, with the socket open."""
+        self._speaks.clear()
+
+    def close(self):
+        self._ended.set()
+        self._thread.join()
+        self._socket.close()
+
+    def _run(self):
+        while not self._ended.wait(SAY_EVERY):
+            if self._speaks.is_set():
+                try:
+                    self._socket.send(json.dumps({"screen": WORD, "visible": True, "silence": 0.0}))
+                except ConnectionClosed:
+                    self.refusals += 1
+                    self._socket = self._demo.socket("screen")
+
+
+async def second_socket(runs, dice):
+    """S7: another page with the same word must not keep the chair driving."""
+    return await asyncio.to_thread(_second_socket, runs, dice)
+
+
+def _second_socket(runs, dice):
+    result = Result("a second socket with the screen's word, and the screen silent", 0.32 + SHOWN_EVERY + A_TICK)
+    watcher = Watcher()
+    with ExitStack() as stack:
+        stack.callback(watcher.close)
+        folder = stack.enter_context(tempfile.TemporaryDirectory(prefix="bodydrive-drill-"))
+        process = stack.enter_context(bodydrive("demo", "--port", "0", TMPDIR=folder))
+        stack.callback(process.terminate)
+        demo = Demo(process)
+        stack.callback(demo.client.close)
+        plan = demo.client.get("/floorplans/apartment").json()
+        where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}
+        refusals = sum(_run(demo, where, result, dice, watcher) for _ in range(runs))
+    result.remark = f"the virtual chair of a whole demonstration; {refusals} sockets refused; goes on after Continue"
+    return result
+
+
+def _run(demo, where, result, dice, watcher):
+    """Do it once; return how often the second socket was refused."""
+    with ExitStack() as stack:
+        live = stack.enter_context(demo.socket("live"))
+        first = Speaker(demo)
+        stack.callback(first.close)
+        until(live, lambda message: message["values"] is not None and message["trial"] is None)
+        assert demo.client.post("/trials", json=where).status_code == 201
+        _until_driving(demo, live)
+        second = Speaker(demo)
+        stack.callback(second.close)
+        time.sleep(dice.uniform(0.3, 0.6))
+        first.fall_silent()
+        silent = monotonic()
+        shown = []
+        until(live, lambda message: shown.append(message) or monotonic() > silent + LOOK_ON)
+        late = watcher.late(silent, silent + LOOK_ON)
+        stopped = [message for message in shown if message["state"] == "fault"]
+        if not stopped or stopped != shown[-len(stopped) :] or stopped[0]["fault"]["name"] != "screen_lost":
+            result.violations.append(f"run {result.runs + 1}: the chair went on, or stopped for another reason")
+        result.add(stopped[0]["t"] - silent if stopped else None, late=late)
+        _until_driving(demo, live)  # Continue: the second socket speaks for the screen now
+        assert demo.client.post("/trials/current/end", json={}).is_success
+        return second.refusals
+
+
+def _until_driving(demo, live):
+    for _ in range(ARMINGS):
+        message = until(live, lambda message: message["state"] == "fault" or abs(message["v"]) > MOVES)
+        if message["state"] != "fault":
+            return
+        assert demo.client.post("/control/clear", json={"stops": message["stops"]}).is_success
+        until(live, lambda message: message["state"] != "fault")
+    raise AssertionError(f"the chair could not be brought to drive: {message['fault']}")
