@@ -28,8 +28,6 @@ export function logCard(app, signal) {
     { class: "card" },
     h("h2", {}, t("log.title")),
     h("p", { class: "quiet small" }, t("log.lead")),
-    finding,
-    problem,
-    h("div", {}, again),
+    h("div", { class: "stack" }, h("div", {}, finding, problem), h("div", {}, again)),
   );
 }
