@@ -77,8 +77,8 @@ class Database:
     def transaction(self, *, closing: bool = False) -> Iterator[Transaction]:
         """Yield a session; all of what was done in it is kept, or nothing when an exception passes.
 
-        `closing`: what is done in it closes something or only notes that somebody looked. It must be possible on a
-        full disk, too, and may use the ballast.
+        `closing`: this transaction must be possible on a full disk, too, and may use the ballast: it ends something,
+        lets somebody in or out, or notes in the log what happened anyway.
 
         Raises
         ------
@@ -102,8 +102,8 @@ class Database:
 
     def _open_head(self) -> None:
         """Bring the head of the log to its newest row, and say in the log where it was missing or behind."""
-        head = self._head_file.read()
         with self.transaction(closing=True) as db:
+            head = self._head_file.read()
             newest = advance(db, head or Head())
             if head is None and newest is not None:
                 self._write_head(newest)
