@@ -32,7 +32,7 @@ def write_atomically(path: Path, content: bytes) -> None:
     except BaseException:
         part.unlink(missing_ok=True)
         raise
-    _sync_folder(path.parent)
+    sync_folder(path.parent)
 
 
 def _file_mode_mask() -> int:
@@ -42,7 +42,7 @@ def _file_mode_mask() -> int:
     return mask
 
 
-def _sync_folder(folder: Path) -> None:
+def sync_folder(folder: Path) -> None:
     """Put the folder's new entry on the disk too."""
     descriptor = os.open(folder, os.O_RDONLY)
     try:

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 PACKAGE = Path(__file__).parent
+IN_USE = "in-use"  # the file that says, by a lock, that a program has the state open
 CODE_BYTES = 16  # 128 bits: a code of this length cannot be guessed
 
 
@@ -73,6 +74,11 @@ class Settings:
         return self.state / "models"
 
     @property
+    def floorplans(self) -> Path:
+        """Return the folder of the floor plans that people draw."""
+        return self.state / "floorplans"
+
+    @property
     def keys(self) -> Path:
         """Return the folder of the keys that are shared with real chairs, one file each."""
         return self.state / "keys"
@@ -81,6 +87,14 @@ class Settings:
     def database(self) -> Path:
         """Return the database's file."""
         return self.state / "bodydrive.sqlite"
+
+    @property
+    def places(self) -> list[Path]:
+        """Return everything that the program keeps in the folder of the state, and the folder when it keeps it all."""
+        beside = sorted(self.state.glob(f"*{self.database.name}*"))  # the log's head, the ballast, copies
+        own = [*beside, self.files, self.runs, self.models, self.keys, self.floorplans, self.state / IN_USE]
+        foreign = set(self.state.glob("*")) - set(own)
+        return own if foreign or not self.state.exists() else [self.state, *own]
 
     def serves(self, host: str) -> bool:
         """Tell whether a request's Host (without port) can be meant for us.

@@ -193,7 +193,7 @@ async def back(who: Clinician, parts: PeopleParts, flows: FlowParts) -> Adaptati
 @router.get("/patients/{patient_id}/maps")
 def list_maps(patient_id: RowId, who: Anyone, parts: PeopleParts) -> list[MapView]:
     """List the versions of a patient's map, the newest first."""
-    with parts.database.transaction() as db:
+    with parts.database.transaction(closing=True) as db:
         find_patient(db, who.clinic_id, patient_id)
         write_log(db, who.name, "patient viewed", patient=patient_id)
         return [

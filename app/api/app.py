@@ -18,6 +18,7 @@ from app.api import (
     equipment,
     limits,
     live,
+    log,
     models,
     patient_live,
     patient_screen,
@@ -57,11 +58,13 @@ from app.session.calibration_flow import CalibrationFlow
 from app.session.chairs import Chairs
 from app.session.control import Control, Link
 from app.session.database import Database
+from app.session.disk import DiskWatch
 from app.session.drive_flow import DriveFlow
 from app.session.equipment import Equipment
 from app.session.fault_log import FaultLog
 from app.session.head import HeadChoice
 from app.session.limits import ClinicLimits
+from app.session.log_chain import warn_of_changed_log
 from app.session.patient_screens import PairingCodes
 from app.session.readings import Readings
 from app.session.real_drive import RealDriveFlow
@@ -93,6 +96,7 @@ ROUTES = (
     drives,
     review,
     quality,
+    log,
     control,
     live,
     screen,
@@ -127,9 +131,11 @@ def create_app(
         flows = _flows(settings, database, open_link, readings, open_scene)
         app.state.people, app.state.flows = people, flows
         await _start(database, flows)
+        checking = asyncio.create_task(asyncio.to_thread(warn_of_changed_log, settings.database))
         try:
             yield
         finally:
+            await asyncio.gather(checking, return_exceptions=True)
             await people.sockets.close_all()
             await _end(flows)
             database.close()
@@ -215,6 +221,7 @@ def _flows(
         screens=Screens(),
         pictures=Pictures(link, drive),
         faults=FaultLog(database, link, driven_now),
+        disk=DiskWatch(settings.state, database.ballast, tell),
         live=hub,
         pairing=PairingCodes(),
         patient=patient,
@@ -224,7 +231,7 @@ def _flows(
         qualities=TrialQualities(database, runs.folder_of, readings.quality),
         replays=Replays(),
         view=ViewKeeper(open_scene, link.newest),
-        own_floorplans=settings.state / "floorplans",
+        own_floorplans=settings.floorplans,
     )
 
     link.screen_sign = flows.driving_sign
@@ -242,6 +249,7 @@ async def _start(database: Database, flows: Flows) -> None:
     flows.live.start()
     flows.patient_live.start()
     flows.faults.start()
+    flows.disk.start()
     if await asyncio.to_thread(_somebody_is_here, database):
         await show_visit(flows)
 
@@ -254,7 +262,7 @@ def _somebody_is_here(database: Database) -> bool:
 
 def _tidy_up(database: Database) -> None:
     """Say of what a dead web process left running that it was interrupted."""
-    with database.transaction() as db:
+    with database.transaction(closing=True) as db:
         fail_interrupted_steps(db)
         close_interrupted_trials(db)
         close_interrupted_drives(db)
@@ -264,5 +272,5 @@ async def _end(flows: Flows) -> None:
     await flows.calibration.stop()
     await asyncio.gather(flows.drive.stop(), flows.real.stop())
     await flows.adaptation.stop()
-    await asyncio.gather(flows.live.close(), flows.patient_live.close(), flows.faults.close())
+    await asyncio.gather(flows.live.close(), flows.patient_live.close(), flows.faults.close(), flows.disk.close())
     await asyncio.gather(flows.view.close(), flows.control.close(), asyncio.to_thread(flows.replays.close_all))

@@ -77,7 +77,7 @@ def _me(parts: PeopleParts, name: str | None, role: str | None) -> Me:
 
 def _let_in(parts: PeopleParts, request: Request, response: Response, name: str, how: str) -> Me:
     """Open a new sign-in, ending the one that this browser had."""
-    with parts.database.transaction() as db:
+    with parts.database.transaction(closing=True) as db:
         old = request.cookies.get(COOKIE)
         if old:
             sign_out(db, old)
@@ -137,7 +137,7 @@ def sign_in_by_password(body: Credentials, request: Request, response: Response,
         stored = None if person is None or person.disabled is not None else person.password_hash
     if not parts.passwords.matches(stored, body.password):
         parts.passwords.failed(body.name)
-        with parts.database.transaction() as db:
+        with parts.database.transaction(closing=True) as db:
             write_log(db, None, "sign-in refused")
         raise HTTPException(401, "Name or password is wrong: try again, or ask an owner for a new password.")
     return _let_in(parts, request, response, body.name, "password")
@@ -148,7 +148,7 @@ async def sign_out_here(request: Request, response: Response, parts: PeopleParts
     """End this sign-in; every socket that it had opened is closed."""
 
     def _end() -> tuple[int | None, Me]:
-        with parts.database.transaction() as db:
+        with parts.database.transaction(closing=True) as db:
             ended = sign_out(db, request.cookies.get(COOKIE, ""))
         return ended, _me(parts, None, None)
 

@@ -132,7 +132,7 @@ async def unpair(chair_id: RowId, who: Owner, parts: PeopleParts, flows: FlowPar
     """Unpair a chair; its key is deleted here, and what was chosen with it falls back to the virtual chair."""
 
     def _unpair() -> None:
-        with parts.database.transaction() as db:
+        with parts.database.transaction(closing=True) as db:
             chair = unpair_chair(db, needed_clinic(the_clinic(db)), parts.settings.keys, chair_id)
             write_log(db, who.name, "chair unpaired", chair=chair.id, key_id=chair.key_id)
 

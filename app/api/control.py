@@ -83,5 +83,5 @@ async def turn_dial(body: Dial, request: Request, who: Clinician, parts: PeopleP
 
 
 def _note(parts: People, person: str, share: float) -> None:
-    with parts.database.transaction() as db:
+    with parts.database.transaction(closing=True) as db:
         write_log(db, person, "dial turned", share=share)

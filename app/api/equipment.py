@@ -1,8 +1,6 @@
 """The shirt, what moves inside it, its channels, and the files that people bring."""
 
 import asyncio
-import shutil
-from pathlib import Path
 from typing import Annotated, Any
 
 from fastapi import APIRouter, UploadFile
@@ -15,11 +13,9 @@ from app.hardware.configs import BodyConfig, HeadConfig, ShirtConfig
 from app.layout import MAX_CHANNELS, ShirtLayout
 from app.quantities import Document, Name
 from app.session.control import Control
+from app.session.disk import disk_room
 from app.session.refusals import Refusal
 from app.session.store_log import write_log
-
-LITTLE_ROOM = 2_000_000_000  # bytes: somebody should make room, and there is still time to
-LEAST_ROOM = 500_000_000  # bytes: from there on the control process refuses to record
 
 router = APIRouter(prefix="/equipment", tags=["equipment"])
 
@@ -104,6 +100,7 @@ async def _status(control: Control, flows: Flows) -> tuple[StatusView, HeadView]
 async def _view(parts: PeopleParts, flows: Flows) -> EquipmentView:
     worn = flows.equipment
     status, head = await _status(flows.control, flows)
+    room = await asyncio.to_thread(disk_room, parts.settings.state)
     return EquipmentView(
         shirt=worn.shirt,
         body=worn.body,
@@ -113,19 +110,8 @@ async def _view(parts: PeopleParts, flows: Flows) -> EquipmentView:
         files=await asyncio.to_thread(list_files, parts.settings.files),
         chair=ChairView(words=await flows.chairs.state()),
         head=head,
-        disk=await asyncio.to_thread(_disk, parts.settings.state),
+        disk=DiskView(free=room.free, words=room.words),
     )
-
-
-def _disk(folder: Path) -> DiskView:
-    free = shutil.disk_usage(folder).free
-    words = ""
-    if free < LITTLE_ROOM:
-        words = (
-            f"Only {free / 1e9:.1f} GB are free on the disk of the recordings, and below "
-            f"{LEAST_ROOM / 1e9:.1f} GB nothing is recorded or driven any more: make room."
-        )
-    return DiskView(free=free, words=words)
 
 
 @router.get("")

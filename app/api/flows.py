@@ -23,6 +23,7 @@ from app.session.arming import RealArming
 from app.session.calibration_flow import CalibrationFlow
 from app.session.chairs import Chairs
 from app.session.control import Control, ScreenSign
+from app.session.disk import DiskWatch
 from app.session.drive_flow import DriveFlow
 from app.session.equipment import Equipment
 from app.session.fault_log import FaultLog
@@ -56,6 +57,7 @@ class Flows:
     screens: Screens
     pictures: Pictures
     faults: FaultLog
+    disk: DiskWatch
     live: LiveHub
     pairing: PairingCodes
     patient: PatientPicture

@@ -173,7 +173,7 @@ async def unpair(screen_id: RowId, who: Clinician, parts: PeopleParts, flows: Fl
     """Unpair a screen; what it had opened is closed."""
 
     def _unpair() -> None:
-        with parts.database.transaction() as db:
+        with parts.database.transaction(closing=True) as db:
             unpair_screen(db, who.clinic_id, screen_id, who.name)
 
     await run_in_threadpool(_unpair)

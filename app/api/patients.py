@@ -163,7 +163,7 @@ async def end_visit(who: Clinician, parts: PeopleParts, flows: FlowParts) -> Vis
     """End the visit."""
 
     def _end() -> VisitView:
-        with parts.database.transaction() as db:
+        with parts.database.transaction(closing=True) as db:
             end_session(db, who.clinic_id)
             write_log(db, who.name, "visit ended")
         return _visit(parts, who.clinic_id)

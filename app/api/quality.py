@@ -50,7 +50,7 @@ def quality(
     path: Annotated[str | None, Query(max_length=64)] = None,
 ) -> QualityView:
     """Return the quality of control over trials: of one path, or of all when none is named."""
-    with parts.database.transaction() as db:
+    with parts.database.transaction(closing=True) as db:
         find_patient(db, who.clinic_id, patient_id)
         trials = trials_of(db, who.clinic_id, patient_id, floorplan, path)
         newest = newest_profile(db, patient_id)

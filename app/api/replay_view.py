@@ -55,7 +55,7 @@ class Shown(Document):
 def open_replay(body: NewReplay, who: Anyone, parts: PeopleParts, flows: FlowParts) -> ReplayView:
     """Open a trial in 3D, on a server of its own that shows nothing live."""
     refuse_while_driving(flows)
-    with parts.database.transaction() as db:
+    with parts.database.transaction(closing=True) as db:
         trial = find_trial(db, who.clinic_id, body.trial)
         write_log(db, who.name, "trial viewed", trial=trial.id)
     if trial.status != "done":

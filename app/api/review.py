@@ -44,7 +44,7 @@ def learning(
     flows: FlowParts,
 ) -> LearningView:
     """Return the learning curve of a patient on one path."""
-    with parts.database.transaction() as db:
+    with parts.database.transaction(closing=True) as db:
         find_patient(db, who.clinic_id, patient_id)
         counted = counted_trials(db, who.clinic_id, patient_id, floorplan, path)
         write_log(db, who.name, "patient viewed", patient=patient_id)

@@ -25,7 +25,7 @@ def refuse_while_driving(flows: Flows) -> None:
 @router.get("/trials/{trial_id}/timeline", response_model=Timeline)
 def trial_timeline(trial_id: RowId, who: Anyone, parts: PeopleParts, flows: FlowParts, request: Request) -> Response:
     """Return a trial on one time line: pose, commands, gestures, signals and events."""
-    with parts.database.transaction() as db:
+    with parts.database.transaction(closing=True) as db:
         trial = find_trial(db, who.clinic_id, trial_id)
         write_log(db, who.name, "trial viewed", trial=trial_id)
     if trial.status != "done":

@@ -235,7 +235,7 @@ def list_trials(patient: Annotated[int, Query(ge=1, le=2**31)], who: Anyone, par
 @router.get("/trials/{trial_id}")
 def one_trial(trial_id: RowId, who: Anyone, parts: PeopleParts, flows: FlowParts) -> TrialDetail:
     """Return a trial with its trajectory over its path."""
-    with parts.database.transaction() as db:
+    with parts.database.transaction(closing=True) as db:
         trial = find_trial(db, who.clinic_id, trial_id)
         write_log(db, who.name, "trial viewed", trial=trial_id)
     found = flows.trajectories.of(flows.runs.folder_of(trial.run_id)) if trial.status == "done" else None

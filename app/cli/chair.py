@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from app.cli.errors import InputError
+from app.file_modes import keep_new_files_private
 from app.hardware.chair import receive as receiver
 from app.session.refusals import Refusal
 from app.settings import Settings, state_folder
@@ -97,6 +98,7 @@ def _paired(chair: "RealChairConfig", settings: Settings) -> "Key":
     from app.session.store_log import write_log  # noqa: PLC0415
     from app.session.store_people import add_clinic, the_clinic  # noqa: PLC0415
 
+    keep_new_files_private()
     database, key = Database(settings.database), None
     try:
         with database.transaction() as db:

@@ -19,6 +19,7 @@ COMMANDS = {
     "study": ("app.cli.study", "study"),
     "replay": ("app.cli.replay", "replay"),
     "chair": ("app.cli.chair", "chair_app"),
+    "log": ("app.cli.log", "log_app"),
     "bench": ("app.cli.bench", "bench"),
     "floorplan": ("app.cli.floorplan", "floorplan_app"),
 }

@@ -14,7 +14,7 @@ import typer
 from app.api.app import WebApp, create_app
 from app.api.view_keeper import ServedScene
 from app.cli.errors import InputError
-from app.cli.server import WebServer, bind, held, link_to
+from app.cli.server import WebServer, bind, held, keep_private, link_to
 from app.files import write_atomically
 from app.session.database import Database
 from app.session.recordings import recorded_readings
@@ -38,6 +38,7 @@ def demo(port: Port = 8080, host: Host = "127.0.0.1", floorplans: Plans = None) 
     with bind(host, port) as listening, tempfile.TemporaryDirectory(prefix="bodydrive-demo-") as folder:
         bound = int(listening.getsockname()[1])
         settings = Settings(state=Path(folder), host=host, port=bound, demo_code=new_code())
+        keep_private(settings)
         _furnish_demonstration(settings, plans)
         words = ["A demonstration, kept nowhere. Ctrl-C ends it.", *_warning(host)]
         words.append(f"{link_to(host, bound)}#demo={settings.demo_code}")
@@ -50,9 +51,10 @@ def serve(port: Port = 8080, host: Host = "127.0.0.1", state: State = None) -> N
     folder = (state or state_folder()).expanduser().resolve()
     with bind(host, port) as listening, held(folder):
         bound = int(listening.getsockname()[1])
+        warnings = keep_private(Settings(state=folder))
         code = new_code() if _nobody_yet(folder) else None
         settings = Settings(state=folder, host=host, port=bound, setup_code=code)
-        words = [f"The clinic in {folder}. Ctrl-C ends it.", *_warning(host)]
+        words = [f"The clinic in {folder}. Ctrl-C ends it.", *_warning(host), *warnings]
         if code is None:
             words.append(link_to(host, bound))
         else:
@@ -88,7 +90,7 @@ def _furnish_demonstration(settings: Settings, plans: list[FloorPlan]) -> None:
     from app.session.demonstration import furnish  # noqa: PLC0415  (only here, because it loads what fits calibrations)
 
     for plan in plans:
-        write_atomically(settings.state / "floorplans" / f"{plan.name}.json", plan.model_dump_json().encode())
+        write_atomically(settings.floorplans / f"{plan.name}.json", plan.model_dump_json().encode())
     database = Database(settings.database)
     try:
         furnish(database)

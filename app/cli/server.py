@@ -15,7 +15,9 @@ import uvicorn
 
 from app.api.app import WebApp, say_goodbye
 from app.cli.errors import InputError
+from app.file_modes import OWNER_FOLDER, keep_new_files_private, restrict
 from app.realtime import tidy
+from app.settings import IN_USE, Settings
 
 PING_EVERY = 2.0  # s
 # A browser that does not answer for so long has gone: a tablet that sleeps, a cable that is out. Busy ones take a
@@ -117,12 +119,27 @@ def link_to(host: str, port: int) -> str:
     return f"http://[{host}]:{port}/" if ":" in host else f"http://{host}:{port}/"
 
 
+def keep_private(settings: Settings) -> list[str]:
+    """Let only their owner read what is written from now on, and what is in the clinic's folder already.
+
+    Return a sentence when others can read something still.
+    """
+    keep_new_files_private()
+    readable = restrict(settings.places)
+    if not readable:
+        return []
+    return [
+        f"Other people on this computer can read {len(readable)} files of the clinic, the first is {readable[0]}: "
+        f"give them to this account, or move the clinic to a disk that keeps rights."
+    ]
+
+
 @contextmanager
 def held(folder: Path) -> Iterator[None]:
     """Hold a clinic's folder, so that no second program writes to its database."""
     try:
-        folder.mkdir(parents=True, exist_ok=True)
-        file = (folder / "in-use").open("w")
+        folder.mkdir(mode=OWNER_FOLDER, parents=True, exist_ok=True)
+        file = (folder / IN_USE).open("w")
     except OSError as error:
         raise InputError(f"{folder} cannot be written: choose another folder with --state.") from error
     with file:

@@ -7,6 +7,7 @@ import sys
 
 from app.clock import MonotonicClock
 from app.faults import Fault
+from app.file_modes import keep_new_files_private
 from app.hardware.base import HardwareError
 from app.hardware.chair.report import ChairReport
 from app.link import CommandServer
@@ -34,6 +35,7 @@ def main(arguments: list[str] | None = None) -> int:
             link.close()
         sys.stderr.write(f"The control process cannot start: {error}\n")
         return 2
+    keep_new_files_private()
     try:
         server = CommandServer(link)
         setup = Setup(clock)

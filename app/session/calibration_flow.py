@@ -128,7 +128,7 @@ class CalibrationFlow:
             self._find(progress, step_id)
 
         def _write() -> None:
-            with self._database.transaction() as db:
+            with self._database.transaction(closing=True) as db:
                 db.get_one(PatientSession, session_id).current_step = step_id
 
         await asyncio.to_thread(_write)
@@ -258,7 +258,7 @@ class CalibrationFlow:
     def _set(
         self, session_id: int, step: str, status: str, words: str, run_id: str | None, current: str | None
     ) -> None:
-        with self._database.transaction() as db:
+        with self._database.transaction(closing=True) as db:
             set_step(db, session_id, step, status, words, run_id)
             if current is not None:
                 db.get_one(PatientSession, session_id).current_step = current

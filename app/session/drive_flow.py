@@ -189,11 +189,11 @@ class DriveFlow:
             return trial.id
 
     def _drop(self, trial_id: int) -> None:
-        with self._database.transaction() as db:
+        with self._database.transaction(closing=True) as db:
             db.delete(db.get_one(Trial, trial_id))
 
     def _save(self, trial_id: int, end: End, measures: dict[str, Any] | None, quality: ControlQuality | None) -> None:
-        with self._database.transaction() as db:
+        with self._database.transaction(closing=True) as db:
             finish_trial(db, trial_id, end, measures)
             if quality is not None:
                 save_quality(db, trial_id, quality)

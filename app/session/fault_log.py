@@ -59,5 +59,5 @@ class FaultLog:
             logger.exception("A %s could not be noted in the log", what)
 
     def _write(self, what: str, **details: Any) -> None:
-        with self._database.transaction() as db:
+        with self._database.transaction(closing=True) as db:
             write_log(db, None, what, **details)

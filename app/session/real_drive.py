@@ -175,11 +175,11 @@ class RealDriveFlow:
             return drive.id
 
     def _drop(self, drive_id: int) -> None:
-        with self._database.transaction() as db:
+        with self._database.transaction(closing=True) as db:
             db.delete(db.get_one(Drive, drive_id))
             write_log(db, None, "arming refused", drive=drive_id)
 
     def _save(self, drive_id: int, end: End, distance: float | None) -> None:
-        with self._database.transaction() as db:
+        with self._database.transaction(closing=True) as db:
             finish_drive(db, drive_id, end, distance)
             write_log(db, None, "drive ended", drive=drive_id, end=end)

@@ -90,5 +90,5 @@ class Runs:
             add_run(db, run_id, session_id, kind, run_id)
 
     def _close(self, run_id: str, rows: int | None, dropped: int | None) -> None:
-        with self._database.transaction() as db:
+        with self._database.transaction(closing=True) as db:
             close_run(db, run_id, rows, dropped)

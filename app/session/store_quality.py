@@ -1,6 +1,7 @@
 """How well each trial was controlled, as it is kept; what is missing is made up for from the recording."""
 
 from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 
 from pydantic import ValidationError
@@ -11,6 +12,7 @@ from app.session.control_quality import ControlQuality
 from app.session.database import Database
 from app.session.judged_trial import JudgedTrial
 from app.session.readings import Quality
+from app.session.refusals import Full
 from app.session.tables import Parameters, PatientSession, Profile, Trial
 
 
@@ -52,7 +54,7 @@ class TrialQualities:
         except (ValueError, OSError):
             self._unreadable.add(trial.id)
             return None
-        with self._database.transaction() as db:
+        with suppress(Full), self._database.transaction() as db:
             save_quality(db, trial.id, made)
         return made
 

@@ -9,7 +9,7 @@ from fake_clinic import Clinic, running
 from pairing import code_of, only, pair
 
 from app.api.passwords import Passwords
-from app.session import calibration_flow, watching
+from app.session import ballast, calibration_flow, watching
 from app.session.database import Database
 from app.session.store_people import add_clinic
 from app.settings import Settings
@@ -25,6 +25,11 @@ def _light_passwords(monkeypatch: pytest.MonkeyPatch) -> None:
     light = Passwords.__init__
     hasher = PasswordHasher(time_cost=1, memory_cost=8, parallelism=1)
     monkeypatch.setattr(Passwords, "__init__", lambda self: light(self, hasher))
+
+
+@pytest.fixture(autouse=True)
+def _little_ballast(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(ballast, "SIZE", 65_536)  # each test keeps its folder for a while
 
 
 @pytest.fixture(autouse=True)

@@ -28,7 +28,7 @@ def until_state(clinic: Any, state: str) -> Any:
 
 
 def says(socket: Any, picture: str) -> None:
-    socket.send_json({"screen": WORD, "visible": True, "picture": picture})
+    socket.send_json({"screen": WORD, "visible": True, "silence": 0.0, "picture": picture})
 
 
 def until_said(clinic: Any, refused: bool) -> None:
@@ -58,7 +58,7 @@ def test_a_picture_lost_in_a_trial_halts_it_until_there_is_one_again(ready: Any)
     with ready.screen() as socket, ready.screen("of-somebody-who-looks") as other:
         says(socket, "view")
         ready.good("POST", "/trials", json=ready.where)
-        other.send_json({"screen": "of-somebody-who-looks", "visible": True, "picture": "none"})
+        other.send_json({"screen": "of-somebody-who-looks", "visible": True, "silence": 0.0, "picture": "none"})
         until_said(ready, True)
         assert until_state(ready, "armed") == 0  # a screen that only looks stops nobody
         says(socket, "none")

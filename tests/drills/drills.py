@@ -15,6 +15,7 @@ from drills.relay import FAIR, Weather
 from drills.results import Result
 from drills.rig import AFTER, PARAMETERS, rig
 from drills.second_socket import second_socket
+from drills.session_end import session_end
 from processes.running_control import tick_with
 
 from app.clock import monotonic
@@ -402,6 +403,7 @@ DRILLS = {
     "shirt": (shirt_stalls, 50, 1),
     "sensors": (sensors_break, 60, 3),
     "disk": (disk_full, 20, 1),
+    "disk-end": (session_end, 10, 1),
     "weather": (weather, 60, 1),
     "forgeries": (forgeries, 20, 1),
     "clock": (wall_clock, 20, 1),

@@ -36,10 +36,10 @@ class Demo:
 
     def __init__(self, process: "subprocess.Popen[str]") -> None:
         self.process = process
-        base, code = printed_link(process).split("/#demo=")
+        base, self.code = printed_link(process).split("/#demo=")
         self.base = base
         self.client = httpx.Client(base_url=f"{base}/api/v1", headers={"Origin": base}, timeout=60)
-        assert self.client.post("/auth/demo", json={"code": code}).json()["signed_in"]
+        assert self.client.post("/auth/demo", json={"code": self.code}).json()["signed_in"]
 
     def socket(self, name: str) -> ClientConnection:
         """Open the live socket or the screen socket."""

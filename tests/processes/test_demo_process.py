@@ -3,6 +3,7 @@
 import re
 import signal
 import socket
+import stat
 import time
 from collections.abc import Iterator
 from pathlib import Path
@@ -55,6 +56,32 @@ def test_the_story_of_a_control_process_that_dies_and_of_an_orderly_end(demo: De
     assert "Traceback" not in errors
     assert not control.is_running()
     assert not state.exists()
+
+
+def test_nothing_of_a_clinic_can_be_read_by_others(demo: Demo, tmp_path: Path) -> None:
+    """After a session with a recording, an upload, a floor plan, a paired chair; under the usual umask."""
+    client = demo.client
+    chair = {"name": "Blue", "host": "127.0.0.1", "port": 5354, "speeds": {}}
+    assert client.post("/chairs", json=chair).status_code == 201
+    table = "t,a,b\n" + "\n".join(f"{i / 100},{i},{i}" for i in range(200))
+    assert client.post("/equipment/files", files={"file": ("arm.csv", table)}).status_code == 201
+    client.post("/calibration/steps/rest/start")
+    with demo.socket("live") as live:
+        until(live, lambda m: m["run"] is not None and m["run"]["t"] > 0.7)
+        state = next(tmp_path.glob("bodydrive-demo-*"))
+        while_recording = readable_by_others(state)
+        names = {place.name for place in state.rglob("*")}
+        client.post("/calibration/steps/rest/cancel")
+        until(live, lambda m: m["run"] is None)
+    assert while_recording == readable_by_others(state) == []
+    assert {"segment-0000.arrows", "run.json", "arm.csv", "1.key"} <= names
+    database = {"bodydrive.sqlite", "bodydrive.sqlite-wal", "bodydrive.sqlite-shm"}
+    assert database | {"bodydrive.sqlite.log-head", "bodydrive.sqlite.ballast"} <= names
+    assert list(state.rglob("run.parquet"))
+
+
+def readable_by_others(folder: Path) -> list[Path]:
+    return [place for place in (folder, *folder.rglob("*")) if stat.S_IMODE(place.stat().st_mode) & 0o077]
 
 
 def test_a_web_process_that_is_killed_leaves_no_control_process(demo: Demo) -> None:

@@ -11,8 +11,9 @@ from sqlalchemy.orm import Session
 
 from app.clock import utc_now
 from app.session import database as database_module
-from app.session.database import Database, make_engine, migrate
+from app.session.database import Database, make_engine
 from app.session.refusals import Full, Unavailable
+from app.session.schema import migrate
 from app.session.store_chairs import add_chair, limits_of
 from app.session.store_patients import add_patient
 from app.session.store_people import add_clinic

@@ -31,7 +31,7 @@ class Asked:
 class Gone:
     """A database that is gone."""
 
-    def transaction(self) -> Any:
+    def transaction(self, **_how: bool) -> Any:
         raise OSError("the database is gone")
 
 

@@ -223,7 +223,7 @@ export class App extends EventTarget {
   #changed(what) {
     if (what === "sign-in") this.#whoAmI();
     else if (what !== "controls" && this.me?.signed_in) this.readVisit().catch(() => null);
-    if (what === "equipment" || what === "trial") this.#lookAtDisk();
+    if (what === "equipment" || what === "trial" || what === "disk") this.#lookAtDisk();
   }
 }
 

@@ -2,6 +2,7 @@
 import { chairsCard } from "../parts/chairs_card.js";
 import { h, put } from "../parts/dom.js";
 import { limitsCard } from "../parts/limits_card.js";
+import { logCard } from "../parts/log_card.js";
 import { patientScreenCard } from "../parts/patient_screen_card.js";
 import { t } from "../texts.js";
 
@@ -15,6 +16,7 @@ export async function show(app, root, { signal }) {
     chairsCard(app, chairs, isOwner, signal),
     app.me.role !== "reviewer" && patientScreenCard(app, signal),
     app.me.role !== "reviewer" && plansCard(),
+    isOwner && logCard(app, signal),
   ];
   put(
     root,

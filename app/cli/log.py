@@ -1,0 +1,47 @@
+"""`bodydrive log`: whether anybody changed the log of a clinic."""
+
+import json
+import sqlite3
+from dataclasses import asdict
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from app.cli.errors import InputError
+from app.session.log_chain import verify_log
+from app.settings import Settings, state_folder
+
+CHANGED = 1  # exit code
+
+log_app = typer.Typer(
+    help="Look at the log of a clinic: who did what, when.",
+    no_args_is_help=True,
+    pretty_exceptions_enable=False,
+)
+
+
+@log_app.callback()
+def _log() -> None:
+    """Keep `verify` a word of its own while it is the only one."""
+
+
+@log_app.command("verify")
+def verify(
+    state: Annotated[Path | None, typer.Option(help="The folder of the clinic's database and recordings.")] = None,
+    as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")] = False,
+) -> None:
+    """Check that no row of the log was edited, moved, put in or removed; the clinic may be open meanwhile.
+
+    The exit code is 0 when the log is whole, 1 when it was changed, 2 when it cannot be read.
+    """
+    settings = Settings(state=(state or state_folder()).expanduser().resolve())
+    if not settings.database.is_file():
+        raise InputError(f"There is no clinic in {settings.state}: give its folder with --state.")
+    try:
+        check = verify_log(settings.database)
+    except sqlite3.Error as error:
+        raise InputError(f"The log in {settings.database} cannot be read ({error}): give another --state.") from error
+    typer.echo(json.dumps(asdict(check)) if as_json else check.words)
+    if not check.whole:
+        raise typer.Exit(CHANGED)

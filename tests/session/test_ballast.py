@@ -1,0 +1,146 @@
+"""On a full disk a visit can be ended and people can sign out; on a really full one where it may be mounted."""
+
+import os
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from small_disk import fill, small_disk
+from sqlalchemy import text
+
+from app.session import ballast as ballast_module
+from app.session.ballast import HEADROOM, PART, SIZE, Ballast
+from app.session.database import Database
+from app.session.log_chain import verify_log
+from app.session.refusals import Full
+from app.session.store_log import write_log
+from app.session.store_patients import add_patient, end_session, open_session, start_session
+from app.session.store_people import add_clinic, add_person, sign_in, sign_out, signed_in
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+@pytest.fixture
+def disk(tmp_path: Path) -> Iterator[Path]:
+    with small_disk(tmp_path / "disk", SIZE + HEADROOM + (12 << 20)) as mounted:
+        if mounted is None:
+            pytest.skip("no disk may be mounted here, so none can be filled: run as root, or see `make drills`")
+        yield mounted
+
+
+def fill_all(database: Database, disk: Path) -> None:
+    """Take all room, that within SQLite's files too."""
+    fill(disk)
+    with pytest.raises(Full, match="disk is full"):
+        add_without_end(database)
+
+
+def add_without_end(database: Database) -> None:
+    while True:
+        with database.transaction() as db:
+            for _ in range(50):
+                add_patient(db, 1, os.urandom(8).hex(), "Heron", "n" * 2000)
+
+
+def test_a_visit_ends_and_people_sign_out_on_a_full_disk(disk: Path) -> None:
+    file = disk / "clinic.sqlite"
+    database = Database(file)
+    database.ballast.refill()
+    assert database.ballast.file.stat().st_blocks * 512 >= SIZE
+    with database.transaction() as db:
+        clinic = add_clinic(db, "Clinic")
+        start_session(db, clinic.id, add_patient(db, clinic.id, "P-1", "Heron", "").id)
+        token = sign_in(db, add_person(db, clinic, "Ada", "owner", None), "password")
+    fill_all(database, disk)
+
+    with database.transaction(closing=True) as db:
+        end_session(db, clinic.id)
+        write_log(db, "Ada", "visit ended")
+    with database.transaction(closing=True) as db:
+        assert sign_out(db, token) is not None
+    assert SIZE - 2 * PART <= database.ballast.size < SIZE
+    with database.transaction() as db:  # what was written is readable
+        assert open_session(db, clinic.id) is None
+        assert signed_in(db, token) is None
+        assert db.execute(text("PRAGMA integrity_check")).scalar() == "ok"
+    assert verify_log(file).whole
+    database.close()
+
+    fill(disk)
+    again = Database(file)  # the program starts on a full disk, too
+    for _ in range(300):
+        with again.transaction(closing=True) as db:
+            write_log(db, "Ada", "patient viewed", patient=1)
+    assert again.ballast.size > 0
+    again.ballast.refill()
+    assert again.ballast.size < SIZE, "there is no room yet"
+    (disk / "filler").unlink()
+    again.ballast.refill()
+    assert again.ballast.size == SIZE
+    again.close()
+    assert verify_log(file).whole
+
+
+def test_another_program_that_takes_what_becomes_free_does_not_take_all(disk: Path) -> None:
+    database = Database(disk / "clinic.sqlite")
+    database.ballast.refill()
+    with database.transaction() as db:
+        add_clinic(db, "Clinic")
+    for _ in range(4):
+        fill_all(database, disk)
+        with database.transaction(closing=True) as db:
+            write_log(db, "Ada", "visit ended")
+    database.close()
+
+
+def test_another_fault_of_the_folder_is_no_full_disk(tmp_path: Path) -> None:
+    ballast = Ballast(tmp_path / "nowhere" / "ballast")
+    assert ballast.has_room()
+    assert ballast.size == 0
+    ballast.make_room()
+
+
+def test_where_zeros_take_no_room_it_is_filled_with_noise(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def sparse(descriptor: int, start: int, size: int) -> None:
+        os.ftruncate(descriptor, start + size)
+
+    monkeypatch.setattr(ballast_module.os, "posix_fallocate", sparse)
+    ballast = Ballast(tmp_path / "ballast")
+    ballast.refill()
+    status = ballast.file.stat()
+    assert status.st_size == SIZE
+    assert status.st_blocks * 512 >= SIZE
+    assert status.st_mode & 0o077 == 0
+
+
+QUOTA = """
+import resource, sys
+from pathlib import Path
+from app.session.database import Database
+from app.session.refusals import Full
+from app.session.store_log import write_log
+
+database = Database(Path(sys.argv[1]))
+with database.transaction() as db:
+    write_log(db, "Ada", "before")
+resource.setrlimit(resource.RLIMIT_FSIZE, (1, 1))
+try:
+    with database.transaction() as db:
+        write_log(db, "Ada", "after")
+except Full as full:
+    print(full)
+database.close()
+"""
+
+
+def test_a_limit_on_the_size_of_files_is_a_full_disk_too(tmp_path: Path) -> None:
+    """For machines on which no disk may be mounted: no file of the process grows any more."""
+    file = tmp_path / "clinic.sqlite"
+    command = [sys.executable, "-c", QUOTA, str(file)]
+    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+    ended = subprocess.run(command, capture_output=True, text=True, env=environment, check=True)
+    assert "disk is full" in ended.stdout
+    check = verify_log(file)
+    assert (check.whole, check.rows) == (True, 1)
