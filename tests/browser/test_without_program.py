@@ -106,3 +106,27 @@ def test_without_the_program_no_page_shows_a_present_or_offers_what_needs_it(pag
         driven.screenshot(path=SCREENSHOTS / f"without-program-{width}x{height}.png")
     driven.locator("#stop").dispatch_event("pointerdown")
     expect(driven.get_by_text("Stop did not get through")).to_be_visible()
+
+
+def test_a_page_that_does_not_hear_the_chair_does_not_keep_it_driving(pages):
+    """Only the live socket is cut; the worker's socket would go on."""
+    _, driven, other = pages
+    passed = []
+
+    def pass_on(route):
+        passed.append(route)
+        if is_cut:
+            route.close()
+        else:
+            route.connect_to_server()
+
+    is_cut = False
+    driven.route_web_socket(re.compile("/api/v1/live$"), pass_on)
+    driven.reload()
+    driven.bring_to_front()
+    speed = driven.locator(".bar .speed .big")
+    go_on_until(driven, lambda: float(re.match(r"[\d.]+", speed.inner_text())[0]) >= 0.1, "a speed")
+    is_cut = True
+    passed[-1].close()
+    expect(driven.locator(".notes")).to_contain_text(SINCE)
+    expect(other.locator(".notes")).to_contain_text("was not heard for 0.3 s")
