@@ -1,4 +1,4 @@
-"""A page that loses the program shows nothing as present and offers only Stop; a page takes a word of its own."""
+"""Pages that lose the program show nothing as present and offer only Stop; a page takes no other page's word."""
 
 import os
 import re
