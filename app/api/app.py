@@ -32,15 +32,16 @@ from app.api import (
 )
 from app.api.deps import People, clinician, viewer
 from app.api.flows import Flows, flows_of, show_visit
+from app.api.hashing import Hashing
 from app.api.live_hub import LiveHub
 from app.api.pages import install_pages
-from app.api.passwords import Passwords
 from app.api.patient_picture import PatientPicture
 from app.api.picture import LivePicture
 from app.api.refusals import install_refusals
 from app.api.replays import Replays
 from app.api.screens import Screens
 from app.api.set_up import SetUp
+from app.api.sign_in_limits import SignInLimits
 from app.api.sockets import OpenSockets
 from app.api.timelines import Timelines
 from app.api.trajectories import Trajectories
@@ -118,7 +119,8 @@ def create_app(
         people = People(
             settings=settings,
             database=database,
-            passwords=await asyncio.to_thread(Passwords),
+            hashing=Hashing(),
+            limits=SignInLimits(),
             set_up=SetUp(settings.setup_code),
             sockets=OpenSockets(settings, database),
         )
@@ -129,6 +131,7 @@ def create_app(
             yield
         finally:
             await people.sockets.close_all()
+            await people.hashing.close()
             await _end(flows)
             database.close()
 
