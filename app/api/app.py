@@ -9,6 +9,7 @@ from fastapi import APIRouter, FastAPI
 from app import __version__
 from app.api import (
     adaptation,
+    api_document,
     auth,
     calibration,
     chairs,
@@ -98,6 +99,7 @@ ROUTES = (
     screen,
     patient_screen,
     patient_live,
+    api_document,
 )
 
 WebApp = FastAPI
@@ -139,9 +141,7 @@ def create_app(
         title="bodydrive",
         version=__version__,
         lifespan=lifespan,
-        openapi_url=f"{PREFIX}/openapi.json",
-        docs_url=None,  # these pages would fetch scripts from elsewhere
-        redoc_url=None,
+        openapi_url=None,  # api_document.py serves it, to owners; the pages that show it would fetch foreign scripts
     )
 
     def scene_now() -> Scene | None:
