@@ -11,6 +11,7 @@ from pathlib import Path
 
 import psutil
 from drills.cuts import cuts
+from drills.flood import sign_ins
 from drills.relay import FAIR, Weather
 from drills.results import Result
 from drills.rig import AFTER, PARAMETERS, rig
@@ -383,6 +384,7 @@ DRILLS = {
     "web-silent": (web_silent, 100, 1),
     "screen": (screen_gone, 100, 1),
     "stop": (tablet_stop, 100, 1),
+    "sign-ins": (sign_ins, 30, 1),
     "switch": (chair_switch, 100, 1),
     "shirt": (shirt_stalls, 50, 1),
     "sensors": (sensors_break, 60, 3),
