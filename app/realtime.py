@@ -8,6 +8,7 @@ import sys
 
 LOOP_PRIORITY = 10  # of SCHED_FIFO: above every ordinary program, below the kernel's own threads
 RECORDER_PRIORITY = 5  # below the loop, above what could hold it up while it has the interpreter that the loop wants
+GIVING_WAY = 10  # of nice: a tenth of the time of an ordinary process that wants the same core
 SWITCH_INTERVAL = 1e-4  # s: how long the recorder may hold the interpreter when the loop wants it
 MCL_CURRENT, MCL_FUTURE, MCL_ONFAULT = 1, 2, 4
 LOCK = MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT  # what is in use stays; reserved but untouched memory is not filled
@@ -47,6 +48,11 @@ def take_priority(priority: int) -> bool:
     except OSError:
         return False
     return True
+
+
+def give_way() -> None:
+    """Let ordinary processes run before this one."""
+    os.nice(GIVING_WAY)
 
 
 def _take_loop_priority() -> str:

@@ -9,6 +9,7 @@ from fastapi import APIRouter, FastAPI
 from app import __version__
 from app.api import (
     adaptation,
+    api_document,
     auth,
     calibration,
     chairs,
@@ -34,9 +35,9 @@ from app.api import (
 )
 from app.api.deps import People, clinician, viewer
 from app.api.flows import Flows, flows_of, show_visit
+from app.api.hashing import Hashing
 from app.api.live_hub import LiveHub
 from app.api.pages import install_pages
-from app.api.passwords import Passwords
 from app.api.patient_picture import PatientPicture
 from app.api.picture import LivePicture
 from app.api.pictures import Pictures
@@ -44,6 +45,7 @@ from app.api.refusals import install_refusals
 from app.api.replays import Replays
 from app.api.screens import Screens
 from app.api.set_up import SetUp
+from app.api.sign_in_limits import SignInLimits
 from app.api.sockets import OpenSockets
 from app.api.timelines import Timelines
 from app.api.trajectories import Trajectories
@@ -102,6 +104,7 @@ ROUTES = (
     screen,
     patient_screen,
     patient_live,
+    api_document,
     shown_plan,
 )
 
@@ -124,7 +127,8 @@ def create_app(
         people = People(
             settings=settings,
             database=database,
-            passwords=await asyncio.to_thread(Passwords),
+            hashing=Hashing(),
+            limits=SignInLimits(),
             set_up=SetUp(settings.setup_code),
             sockets=OpenSockets(settings, database),
         )
@@ -137,6 +141,7 @@ def create_app(
         finally:
             await asyncio.gather(checking, return_exceptions=True)
             await people.sockets.close_all()
+            await people.hashing.close()
             await _end(flows)
             database.close()
 
@@ -144,9 +149,7 @@ def create_app(
         title="bodydrive",
         version=__version__,
         lifespan=lifespan,
-        openapi_url=f"{PREFIX}/openapi.json",
-        docs_url=None,  # these pages would fetch scripts from elsewhere
-        redoc_url=None,
+        openapi_url=None,  # api_document.py serves it, to owners; the pages that show it would fetch foreign scripts
     )
 
     def scene_now() -> Scene | None:

@@ -8,11 +8,13 @@ from fastapi.concurrency import run_in_threadpool
 from pydantic import Field
 
 from app import __version__
-from app.api.deps import ForEveryone, PeopleParts
-from app.api.passwords import weakness
+from app.api.deps import ForEveryone, People, PeopleParts
+from app.api.passwords import BROWSER_COOKIE, hashed, require_password, weakness
+from app.api.sign_in_limits import address_of
 from app.api.signed_in import COOKIE, find_signed_in
 from app.quantities import Document
-from app.session.store_log import write_log
+from app.session.refusals import Conflict
+from app.session.store_browsers import KNOWN_FOR, remember_browser
 from app.session.store_people import (
     add_clinic,
     add_person,
@@ -24,6 +26,8 @@ from app.session.store_people import (
 )
 
 router = APIRouter(prefix="/auth", tags=["sign-in"], dependencies=[ForEveryone])
+
+DEMO_PERSON = "Demo clinician"
 
 Code = Annotated[str, Field(min_length=1, max_length=200)]
 PersonName = Annotated[str, Field(min_length=1, max_length=80, pattern=r"^\S(.*\S)?$")]
@@ -75,8 +79,8 @@ def _me(parts: PeopleParts, name: str | None, role: str | None) -> Me:
     )
 
 
-def _let_in(parts: PeopleParts, request: Request, response: Response, name: str, how: str) -> Me:
-    """Open a new sign-in, ending the one that this browser had."""
+def _let_in(parts: People, request: Request, response: Response, name: str, how: str) -> Me:
+    """Open a new sign-in, ending the one that this browser had; from now on the browser is known for this person."""
     with parts.database.transaction(closing=True) as db:
         old = request.cookies.get(COOKIE)
         if old:
@@ -85,62 +89,79 @@ def _let_in(parts: PeopleParts, request: Request, response: Response, name: str,
         if person is None or person.disabled is not None:
             raise HTTPException(401, "This person may no longer sign in: ask an owner.")
         token, role = sign_in(db, person, how), person.role
-    response.set_cookie(COOKIE, token, httponly=True, samesite="lax", secure=request.url.scheme == "https", path="/")
+        cookie = f"{BROWSER_COOKIE}{person.id}"
+        browser = None if person.password_hash is None else remember_browser(db, person, request.cookies.get(cookie))
+    secure = request.url.scheme == "https"
+    response.set_cookie(COOKIE, token, httponly=True, samesite="lax", secure=secure, path="/")
+    if browser is not None:
+        response.set_cookie(
+            cookie,
+            browser,
+            max_age=int(KNOWN_FOR.total_seconds()),
+            httponly=True,
+            samesite="strict",
+            secure=secure,
+            path=request.url_for("sign_in_by_password").path,  # no other request needs it
+        )
     return _me(parts, name, role)
 
 
 @router.post("/demo")
-def enter_demonstration(body: DemoCode, request: Request, response: Response, parts: PeopleParts) -> Me:
+async def enter_demonstration(body: DemoCode, request: Request, response: Response, parts: PeopleParts) -> Me:
     """Sign in to the demonstration with the code of its link."""
     code = parts.settings.demo_code
     if code is None:
         raise HTTPException(404, "This is not a demonstration: sign in with your name and password.")
+    attempt = await parts.limits.code(address_of(request))
     if not secrets.compare_digest(code.encode(), body.code.encode()):
         raise HTTPException(401, "This link belongs to another demonstration: open the link that was printed last.")
-    with parts.database.transaction() as db:
-        clinic = the_clinic(db)
-        name = "Demo clinician"
-        if clinic is not None and find_person(db, name) is None:
-            add_person(db, clinic, name, "owner", None)
-    return _let_in(parts, request, response, name, "demonstration")
+    attempt.take_back()
+
+    def _enter() -> Me:
+        with parts.database.transaction() as db:
+            clinic = the_clinic(db)
+            if clinic is not None and find_person(db, DEMO_PERSON) is None:
+                add_person(db, clinic, DEMO_PERSON, "owner", None)
+        return _let_in(parts, request, response, DEMO_PERSON, "demonstration")
+
+    return await run_in_threadpool(_enter)
 
 
 @router.post("/setup")
-def make_first_owner(body: FirstOwner, request: Request, response: Response, parts: PeopleParts) -> Me:
+async def make_first_owner(body: FirstOwner, request: Request, response: Response, parts: PeopleParts) -> Me:
     """Make the first owner with the code from the console, and sign in."""
-    with parts.database.transaction() as db:
-        if parts.settings.demo or count_people(db):
-            raise HTTPException(409, "This clinic is set up already: sign in with your name and password.")
+
+    def _refuse_second() -> None:
+        with parts.database.transaction() as db:
+            if parts.settings.demo or count_people(db):
+                raise Conflict("This clinic is set up already: sign in with your name and password.")
+
+    def _make(password_hash: str) -> Me:
+        with parts.database.transaction() as db:
+            if count_people(db):
+                raise Conflict("This clinic is set up already: sign in with your name and password.")
+            add_person(db, the_clinic(db) or add_clinic(db, "Clinic"), body.name, "owner", password_hash)
+        parts.set_up.used()
+        return _let_in(parts, request, response, body.name, "set-up")
+
+    await run_in_threadpool(_refuse_second)
+    attempt = await parts.limits.code(address_of(request))
     if not parts.set_up.opens(body.code):
         raise HTTPException(
             401, "This code is wrong, used or older than 30 minutes: restart the program for a new one."
         )
+    attempt.take_back()
     weak = weakness(body.name, body.password)
     if weak is not None:
         raise HTTPException(422, weak)
-    password_hash = parts.passwords.hash(body.password)
-    with parts.database.transaction() as db:
-        if count_people(db):
-            raise HTTPException(409, "This clinic is set up already: sign in with your name and password.")
-        add_person(db, the_clinic(db) or add_clinic(db, "Clinic"), body.name, "owner", password_hash)
-    parts.set_up.used()
-    return _let_in(parts, request, response, body.name, "set-up")
+    return await run_in_threadpool(_make, await hashed(parts, body.password))
 
 
 @router.post("/sign-in")
-def sign_in_by_password(body: Credentials, request: Request, response: Response, parts: PeopleParts) -> Me:
+async def sign_in_by_password(body: Credentials, request: Request, response: Response, parts: PeopleParts) -> Me:
     """Sign in with name and password."""
-    if parts.passwords.must_wait(body.name):
-        raise HTTPException(429, "Too many wrong passwords for this name: wait a minute, then try again.")
-    with parts.database.transaction() as db:
-        person = find_person(db, body.name)
-        stored = None if person is None or person.disabled is not None else person.password_hash
-    if not parts.passwords.matches(stored, body.password):
-        parts.passwords.failed(body.name)
-        with parts.database.transaction(closing=True) as db:
-            write_log(db, None, "sign-in refused")
-        raise HTTPException(401, "Name or password is wrong: try again, or ask an owner for a new password.")
-    return _let_in(parts, request, response, body.name, "password")
+    await require_password(parts, request, body.name, body.password)
+    return await run_in_threadpool(_let_in, parts, request, response, body.name, "password")
 
 
 @router.post("/sign-out")

@@ -14,11 +14,10 @@ from app.hardware.chair.key import Key
 from app.hardware.configs import Host
 from app.quantities import Document, Port, Title
 from app.session.chairs import Dynamics
+from app.session.database import Transaction
 from app.session.pairing import pair_chair, unpair_chair
-from app.session.refusals import Conflict
 from app.session.store_chairs import chairs_of, find_chair
 from app.session.store_log import write_log
-from app.session.store_people import the_clinic
 from app.session.tables import Chair, Clinic
 from app.speeds import Speeds
 
@@ -81,11 +80,10 @@ def _chair_view(chair: Chair) -> ChairView:
     )
 
 
-async def _view(parts: People, flows: Flows) -> ChairsView:
+async def _view(parts: People, flows: Flows, who: SignedIn) -> ChairsView:
     def _read() -> list[ChairView]:
         with parts.database.transaction() as db:
-            clinic = the_clinic(db)
-            return [] if clinic is None else [_chair_view(chair) for chair in chairs_of(db, clinic)]
+            return [_chair_view(chair) for chair in chairs_of(db, own_clinic(db, who))]
 
     chosen = flows.chairs.chosen
     return ChairsView(
@@ -96,17 +94,15 @@ async def _view(parts: People, flows: Flows) -> ChairsView:
     )
 
 
-def needed_clinic(clinic: Clinic | None) -> Clinic:
-    """Return the clinic, refusing before the set-up."""
-    if clinic is None:
-        raise Conflict("There is no clinic yet: set it up first.")
-    return clinic
+def own_clinic(db: Transaction, who: SignedIn) -> Clinic:
+    """Return the clinic of a person."""
+    return db.get_one(Clinic, who.clinic_id)
 
 
 @router.get("")
-async def look(_who: Anyone, parts: PeopleParts, flows: FlowParts) -> ChairsView:
+async def look(who: Anyone, parts: PeopleParts, flows: FlowParts) -> ChairsView:
     """Return the chairs."""
-    return await _view(parts, flows)
+    return await _view(parts, flows, who)
 
 
 @router.post("", status_code=201)
@@ -115,7 +111,7 @@ async def pair(body: NewChair, who: Owner, parts: PeopleParts, flows: FlowParts)
 
     def _pair() -> Key:
         with parts.database.transaction() as db:
-            clinic = needed_clinic(the_clinic(db))
+            clinic = own_clinic(db, who)
             keys = parts.settings.keys
             chair, key = pair_chair(db, clinic, keys, body.name, body.host, body.port, body.speeds)
             write_log(db, who.name, "chair paired", chair=chair.id, key_id=key.id, host=body.host, port=body.port)
@@ -123,7 +119,7 @@ async def pair(body: NewChair, who: Owner, parts: PeopleParts, flows: FlowParts)
 
     key = await asyncio.to_thread(_pair)
     flows.live.tell("equipment")
-    view = await _view(parts, flows)
+    view = await _view(parts, flows, who)
     return PairedView(**view.model_dump(), key_line=key.line, qr=qr_picture(key.line))
 
 
@@ -133,7 +129,7 @@ async def unpair(chair_id: RowId, who: Owner, parts: PeopleParts, flows: FlowPar
 
     def _unpair() -> None:
         with parts.database.transaction(closing=True) as db:
-            chair = unpair_chair(db, needed_clinic(the_clinic(db)), parts.settings.keys, chair_id)
+            chair = unpair_chair(db, own_clinic(db, who), parts.settings.keys, chair_id)
             write_log(db, who.name, "chair unpaired", chair=chair.id, key_id=chair.key_id)
 
     async with flows.visit.undisturbed("unpair a chair"):
@@ -141,22 +137,22 @@ async def unpair(chair_id: RowId, who: Owner, parts: PeopleParts, flows: FlowPar
             await flows.chairs.choose(None, flows.chairs.dynamics)
         await asyncio.to_thread(_unpair)
     flows.live.tell("equipment")
-    return await _view(parts, flows)
+    return await _view(parts, flows, who)
 
 
 @router.put("/chosen")
 async def choose(body: Choice, who: Clinician, parts: PeopleParts, flows: FlowParts) -> ChairsView:
     """Drive another chair from now on."""
     async with flows.visit.undisturbed("choose another chair"):
-        chair = None if body.id is None else await asyncio.to_thread(_found, parts, body.id)
+        chair = None if body.id is None else await asyncio.to_thread(_found, parts, who, body.id)
         await flows.chairs.choose(chair, body.dynamics)
     await asyncio.to_thread(_note, parts, who, body)
-    return await _view(parts, flows)
+    return await _view(parts, flows, who)
 
 
-def _found(parts: People, chair_id: int) -> Chair:
+def _found(parts: People, who: SignedIn, chair_id: int) -> Chair:
     with parts.database.transaction() as db:
-        return find_chair(db, needed_clinic(the_clinic(db)), chair_id)
+        return find_chair(db, own_clinic(db, who), chair_id)
 
 
 def _note(parts: People, who: SignedIn, choice: Choice) -> None:

@@ -6,8 +6,9 @@ from typing import Annotated
 from fastapi import Depends, HTTPException, Path
 from starlette.requests import HTTPConnection
 
-from app.api.passwords import Passwords
+from app.api.hashing import Hashing
 from app.api.set_up import SetUp
+from app.api.sign_in_limits import SignInLimits
 from app.api.signed_in import PairedScreen, SignedIn, find_signed_in, find_viewer
 from app.api.sockets import OpenSockets
 from app.scene.servers import Role
@@ -26,7 +27,8 @@ class People:
 
     settings: Settings
     database: Database
-    passwords: Passwords
+    hashing: Hashing
+    limits: SignInLimits
     set_up: SetUp
     sockets: OpenSockets
 

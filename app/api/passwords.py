@@ -1,22 +1,28 @@
-"""Passwords: hashed with argon2, one at a time, the same time for somebody who does not exist."""
+"""Passwords: which ones are refused as new ones, and whether the one that somebody gives is theirs."""
 
-import threading
-from collections import deque
+from typing import NamedTuple
 
-from argon2 import PasswordHasher
-from argon2.exceptions import VerificationError
+from fastapi import HTTPException, Request
+from fastapi.concurrency import run_in_threadpool
 
-from app.clock import monotonic
+from app.api.deps import People
+from app.api.hashing import Busy
+from app.api.sign_in_limits import address_of
+from app.session.store_browsers import find_browser
+from app.session.store_log import write_log
+from app.session.store_people import find_person
 
 SHORTEST = 8
-TRIES = 5  # wrong passwords for one name ...
-WITHIN = 60.0  # ... within so many seconds, then wait
-NAMES_WATCHED = 1000
 COMMON = """
     password password1 password12 password123 passw0rd 12345678 123456789 1234567890 87654321 11111111 00000000
     abcd1234 abc12345 qwertyui qwertyuiop qwerty123 1q2w3e4r asdfghjk iloveyou sunshine princess football baseball
     superman starwars letmein1 welcome1 whatever trustno1 computer internet changeme bodydrive wheelchair
 """
+BROWSER_COOKIE = "bodydrive_browser_"  # and the person's id: several people share a tablet
+
+WRONG = "Name or password is wrong: try again, or ask an owner for a new password."
+BUSY = "Too many people are signing in at this moment: wait a few seconds, then try again."
+BUSY_FOR = 2.0  # s
 
 
 def weakness(name: str, password: str) -> str | None:
@@ -30,40 +36,53 @@ def weakness(name: str, password: str) -> str | None:
     return None
 
 
-class Passwords:
-    """Makes and checks hashes; a hash takes 64 MB and 0.1 s of a core, so only one is made at a time."""
+async def hashed(parts: People, password: str) -> str:
+    """Return the hash of a new password; 503 when too many are being hashed."""
+    try:
+        async with parts.hashing.place():
+            return await parts.hashing.hash(password)
+    except Busy:
+        await parts.limits.refuse(503, BUSY, BUSY_FOR)
 
-    def __init__(self, hasher: PasswordHasher | None = None) -> None:
-        self._hasher = hasher or PasswordHasher()
-        self._one_at_a_time = threading.Lock()
-        self._nobody = self._hasher.hash("nobody has this password")
-        self._failed: dict[str, deque[float]] = {}
 
-    def hash(self, password: str) -> str:
-        """Return the hash to store."""
-        with self._one_at_a_time:
-            return self._hasher.hash(password)
+async def require_password(parts: People, request: Request, name: str, password: str) -> None:
+    """Refuse a password that is not this person's: 401; one too many: 429; more than can be looked at: 503.
 
-    def matches(self, stored: str | None, password: str) -> bool:
-        """Tell whether `password` is the one that was stored; for None it takes as long, and is not."""
-        with self._one_at_a_time:
-            try:
-                self._hasher.verify(stored or self._nobody, password)
-            except VerificationError:
-                return False
-        return stored is not None
+    The try is counted before anything is looked up or hashed, so that tries side by side all count.
+    """
+    attempt = parts.limits.password(name, address_of(request))
+    if not any(cookie.startswith(BROWSER_COOKIE) for cookie in request.cookies):
+        await parts.limits.require(attempt)
+    try:
+        async with parts.hashing.place():
+            found = await run_in_threadpool(_look_up, parts, request, name)
+            if attempt.wait and found.browser is not None:
+                attempt = parts.limits.password_in(found.browser)
+            is_right = not attempt.wait and await parts.hashing.matches(found.stored, password)
+    except Busy:
+        attempt.take_back()
+        await parts.limits.refuse(503, BUSY, BUSY_FOR)
+    await parts.limits.require(attempt)
+    if not is_right:
+        await run_in_threadpool(_note_refusal, parts)
+        raise HTTPException(401, WRONG)
+    attempt.take_back()
 
-    def must_wait(self, name: str) -> bool:
-        """Tell whether too many wrong passwords were given for this name lately."""
-        times = self._failed.get(name)
-        if times is None:
-            return False
-        while times and times[0] < monotonic() - WITHIN:
-            times.popleft()
-        return len(times) >= TRIES
 
-    def failed(self, name: str) -> None:
-        """Count a wrong password."""
-        if name not in self._failed and len(self._failed) >= NAMES_WATCHED:
-            self._failed.pop(next(iter(self._failed)))
-        self._failed.setdefault(name, deque(maxlen=TRIES)).append(monotonic())
+class _Found(NamedTuple):
+    stored: str | None  # the hash of the password
+    browser: int | None  # the known browser that asks
+
+
+def _look_up(parts: People, request: Request, name: str) -> _Found:
+    with parts.database.transaction() as db:
+        person = find_person(db, name)
+        if person is None or person.disabled is not None:
+            return _Found(None, None)
+        browser = find_browser(db, person, request.cookies.get(f"{BROWSER_COOKIE}{person.id}"))
+        return _Found(person.password_hash, None if browser is None else browser.id)
+
+
+def _note_refusal(parts: People) -> None:
+    with parts.database.transaction(closing=True) as db:
+        write_log(db, None, "sign-in refused")

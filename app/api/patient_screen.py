@@ -3,7 +3,7 @@
 import asyncio
 from typing import Annotated
 
-from fastapi import APIRouter, HTTPException, Request, Response
+from fastapi import APIRouter, Request, Response
 from fastapi.concurrency import run_in_threadpool
 from pydantic import Field
 
@@ -12,9 +12,9 @@ from app.api.flows import FlowParts, Flows
 from app.api.own_address import own_address
 from app.api.pictures import Picture
 from app.api.qr import qr_picture
+from app.api.sign_in_limits import address_of
 from app.api.signed_in import SCREEN_COOKIE, SignedIn
 from app.quantities import Document
-from app.session.patient_screens import TooManyTries
 from app.session.store_patient_screens import (
     PAIRED_FOR,
     ScreenState,
@@ -122,10 +122,9 @@ async def offer(request: Request, who: Clinician, parts: PeopleParts, flows: Flo
 @router.post("/pair", dependencies=[ForEveryone])
 async def pair(body: Code, request: Request, response: Response, parts: PeopleParts, flows: FlowParts) -> MyState:
     """Make the browser that asks a screen of the visit for which the code was made."""
-    try:
-        offered = flows.pairing.redeem(body.code, request.client.host if request.client else "")
-    except TooManyTries as wait:
-        raise HTTPException(429, str(wait)) from wait
+    attempt = await parts.limits.code(address_of(request))
+    offered = flows.pairing.redeem(body.code)
+    attempt.take_back()
 
     def _pair() -> str:
         with parts.database.transaction() as db:

@@ -4,14 +4,24 @@ import errno
 import logging
 
 from fastapi import FastAPI, Request
+from fastapi.concurrency import run_in_threadpool
 from fastapi.exceptions import RequestValidationError
 from fastapi.responses import JSONResponse
 from starlette.exceptions import HTTPException
 
+from app.api.deps import People
+from app.api.signed_in import find_signed_in
 from app.sentences import sentence_of
-from app.session.refusals import NO_ROOM, Conflict, Full, NotFound, Refusal, Unavailable
+from app.session.refusals import NO_ROOM, AnotherClinics, Conflict, Full, NotFound, Refusal, Unavailable
+from app.session.store_log import write_log
 
-STATUS: dict[type[Exception], int] = {NotFound: 404, Conflict: 409, Unavailable: 503, Full: 507}
+STATUS: dict[type[Exception], int] = {
+    NotFound: 404,
+    AnotherClinics: 404,
+    Conflict: 409,
+    Unavailable: 503,
+    Full: 507,
+}
 WHERE = {"body": "What was sent", "query": "The address", "path": "The address", "header": "A header"}
 WORDS = {
     404: "There is nothing at this address: check it.",
@@ -31,11 +41,24 @@ async def _broken(request: Request, error: Exception) -> JSONResponse:
     return _answer(500, "Something went wrong inside the application: try again, and report it if it happens again.")
 
 
+def _note(request: Request, error: AnotherClinics) -> None:
+    """Note in the log who asked for what belongs to another clinic; the answer does not depend on it."""
+    parts: People = request.app.state.people
+    try:
+        who = find_signed_in(parts.database, request.cookies)
+        with parts.database.transaction() as db:
+            write_log(db, who.name if who else None, "another clinic's id", **{error.kind: error.row_id})
+    except Refusal:
+        logging.getLogger("bodydrive").exception("A request for another clinic's %s could not be noted", error.kind)
+
+
 def install_refusals(app: FastAPI) -> None:
     """Let every exception of the application become one sentence."""
 
     @app.exception_handler(Refusal)
-    async def _refused(_request: Request, error: Refusal) -> JSONResponse:
+    async def _refused(request: Request, error: Refusal) -> JSONResponse:
+        if isinstance(error, AnotherClinics):
+            await run_in_threadpool(_note, request, error)
         return _answer(STATUS.get(type(error), 409), str(error))
 
     @app.exception_handler(HTTPException)

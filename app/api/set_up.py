@@ -6,7 +6,6 @@ import threading
 from app.clock import monotonic
 
 VALID_FOR = 1800.0  # s
-TRIES = 10  # wrong codes, then only a restart gives a new one
 
 
 class SetUp:
@@ -15,18 +14,14 @@ class SetUp:
     def __init__(self, code: str | None) -> None:
         self._code = code
         self._until = monotonic() + VALID_FOR
-        self._tries_left = TRIES
         self._lock = threading.Lock()
 
     def opens(self, code: str) -> bool:
-        """Tell whether `code` is the code and still valid; wrong ones are counted."""
+        """Tell whether `code` is the code and still valid."""
         with self._lock:
-            if self._code is None or monotonic() > self._until or self._tries_left <= 0:
+            if self._code is None or monotonic() > self._until:
                 return False
-            if secrets.compare_digest(self._code.encode(), code.encode()):
-                return True
-            self._tries_left -= 1
-            return False
+            return secrets.compare_digest(self._code.encode(), code.encode())
 
     def used(self) -> None:
         """Make the code worthless."""

@@ -1,6 +1,7 @@
 """The 3D view behind our sign-in: viser's page served by us, its websocket bridged to the server of the role.
 
-The 3D servers listen on this machine only and know no sign-in; nobody reaches them but through here.
+The 3D servers listen on this machine only, know no sign-in, and answer nobody but this bridge, which shows them the
+secret of this start.
 """
 
 import asyncio
@@ -18,6 +19,7 @@ from websockets.asyncio.client import ClientConnection, connect
 from websockets.exceptions import ConnectionClosed, InvalidHandshake
 from websockets.typing import Subprotocol
 
+from app.scene.bridge_secret import BRIDGE_HEADERS
 from app.scene.page import client_page
 from app.scene.servers import Role
 from app.scene.wire import SUBPROTOCOL, may_pass
@@ -122,6 +124,7 @@ async def bridge(websocket: WebSocket, role: Role, port: int) -> None:
         server = await connect(
             f"ws://127.0.0.1:{port}",
             subprotocols=[Subprotocol(SUBPROTOCOL)],
+            additional_headers=BRIDGE_HEADERS,
             compression=None,
             max_size=None,
             # What a slow browser has not taken yet must wait at the 3D server, where newer replaces older.

@@ -7,10 +7,11 @@ from typing import NamedTuple
 
 import viser
 
-from app.bench.parts import ask, next_line, started
+from app.bench.parts import ask, started
 from app.bench.row import Row
 from app.clock import MonotonicClock
 from app.geometry import Pose
+from app.scene.bridge_secret import SECRET
 from app.scene.servers import RoleServers
 from app.scene.trajectory import SEND_EVERY, STEP, Trajectory
 
@@ -38,7 +39,7 @@ def measure_trajectory(rounds: int = ROUNDS, long: int = LONG) -> list[Row]:
     """
     with RoleServers() as servers, started("app.bench.reading", str(servers.port("patient"))) as viewer:
         try:
-            next_line(viewer)
+            ask(viewer, SECRET)
             drawn = _Drawn(servers["patient"], viewer)
             found = [drawn.round(long) for _ in range(rounds)]
             viewer.communicate(timeout=10)

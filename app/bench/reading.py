@@ -1,6 +1,7 @@
 """A viewer of one 3D server in a process of its own: for each line on stdin it prints how many bytes have come so far.
 
-Argument: the server's port. Prints a line when it is connected, ends with stdin.
+Argument: the server's port. The first line on stdin is the secret of the bridge; prints a line when it is connected.
+Ends with stdin.
 """
 
 import asyncio
@@ -9,15 +10,21 @@ import sys
 from websockets.asyncio.client import connect
 from websockets.typing import Subprotocol
 
+from app.scene.bridge_secret import HEADER
 from app.scene.wire import SUBPROTOCOL
 
 
-async def read(port: int) -> None:
+async def read(port: int, secret: str) -> None:
     """Read until stdin ends."""
     count = 0
 
     async with connect(
-        f"ws://127.0.0.1:{port}", subprotocols=[Subprotocol(SUBPROTOCOL)], compression=None, max_size=None, proxy=None
+        f"ws://127.0.0.1:{port}",
+        subprotocols=[Subprotocol(SUBPROTOCOL)],
+        additional_headers={HEADER: secret},
+        compression=None,
+        max_size=None,
+        proxy=None,
     ) as connection:
 
         async def take() -> None:
@@ -38,4 +45,4 @@ def _say(line: str) -> None:
 
 
 if __name__ == "__main__":
-    asyncio.run(read(int(sys.argv[1])))
+    asyncio.run(read(int(sys.argv[1]), sys.stdin.readline().strip()))

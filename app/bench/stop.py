@@ -35,7 +35,7 @@ def measure_stop(stops: int = STOPS) -> list[Row]:
         with started("app.bench.stop_served", str(chair.port), str(key_file), folder) as web:
             try:
                 address = ("127.0.0.1", int(next_line(web)))
-                _request(address, "GET", "/")  # the page that has the button was loaded before
+                request(address, "GET", "/")  # the page that has the button was loaded before
                 for times, stop in [(over_link, _by_link), (over_http, _by_http)] * stops:
                     ask(web, "arm")
                     clock.sleep_until(clock.now() + pause.uniform(0.0, DRIVING))
@@ -53,10 +53,10 @@ def _by_link(web: subprocess.Popen[str], _address: tuple[str, int]) -> float:
 
 
 def _by_http(_web: subprocess.Popen[str], address: tuple[str, int]) -> float:
-    return _request(address, "POST", "/api/v1/control/stop")
+    return request(address, "POST", "/api/v1/control/stop")
 
 
-def _request(address: tuple[str, int], method: str, path: str) -> float:
+def request(address: tuple[str, int], method: str, path: str) -> float:
     """Ask the web process, and return when that began (monotonic s)."""
     connection = http.client.HTTPConnection(*address, timeout=FRAME_LIMIT)
     connection.connect()  # a page's connection stands already

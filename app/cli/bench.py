@@ -28,6 +28,7 @@ PARTS = {
     "frame": Part("app.bench.frame", "measure_frame", "a frame to the real chair, encoded and verified"),
     "loop": Part("app.bench.loop", "measure_loop", "datagram in to datagram out"),
     "stop": Part("app.bench.stop", "measure_stop", "Stop on the tablet to the frame that stops a real chair"),
+    "flood": Part("app.bench.flood", "measure_flood", "Stop on the tablet while 40 people sign in"),
     "period": Part("app.bench.period", "measure_period", "how evenly a real chair is told, under load and junk"),
     "decode": Part("app.bench.chain", "measure_decode", "decoding a recording"),
     "fit": Part("app.bench.fit", "measure_fit", "fitting a calibration"),

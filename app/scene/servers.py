@@ -7,6 +7,8 @@ import rich
 import viser
 from viser import _messages as wire
 
+from app.scene.bridge_secret import guard_viser, require_guarded
+
 Role = Literal["clinician", "patient"]
 ROLES: Final[tuple[Role, ...]] = get_args(Role)
 
@@ -51,10 +53,18 @@ class RoleServers:
 
 
 def quiet_server() -> viser.ViserServer:
-    """Return a 3D server on this machine only, OSError when there is no port left; whoever asks stops it."""
+    """Return a 3D server on this machine only and for our bridge only; whoever asks stops it.
+
+    Raises
+    ------
+    OSError
+        When there is no port left.
+    """
     # viser prints a banner and a farewell however it is told to be quiet; standard output belongs to the caller.
     rich.get_console().quiet = True
+    guard_viser()
     server = viser.ViserServer(host="127.0.0.1", port=0, verbose=False)
+    require_guarded(server)
     # These two open a public tunnel round our sign-in.
     for message in (wire.ShareUrlRequest, wire.ShareUrlDisconnect):
         server._websock_server.unregister_handler(message)  # noqa: SLF001

@@ -11,6 +11,15 @@ class NotFound(Refusal):
     """What was asked for does not exist, or not for this clinic."""
 
 
+class AnotherClinics(NotFound):
+    """What was asked for belongs to another clinic: answered as what does not exist, and noted in the log."""
+
+    def __init__(self, sentence: str, kind: str, row_id: int) -> None:
+        super().__init__(sentence)
+        self.kind = kind  # which table
+        self.row_id = row_id
+
+
 class Conflict(Refusal):
     """It exists, but cannot be done now."""
 

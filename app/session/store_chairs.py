@@ -7,6 +7,7 @@ from sqlalchemy import select
 from sqlalchemy.orm import Session
 
 from app.clock import utc_now
+from app.session.own_rows import own_row
 from app.session.refusals import Conflict, NotFound
 from app.session.tables import Chair, Clinic
 from app.speeds import NO_FURTHER, Speeds
@@ -49,10 +50,11 @@ def chairs_of(db: Session, clinic: Clinic) -> list[Chair]:
 
 def find_chair(db: Session, clinic: Clinic, chair_id: int) -> Chair:
     """Return one of the chairs that are paired."""
-    for chair in chairs_of(db, clinic):
-        if chair.id == chair_id:
-            return chair
-    raise NotFound(f"There is no chair {chair_id}: choose one of the list, or pair it first.")
+    missing = f"There is no chair {chair_id}: choose one of the list, or pair it first."
+    chair = own_row(db, Chair, clinic.id, chair_id, missing)
+    if chair.removed is not None:
+        raise NotFound(missing)
+    return chair
 
 
 def remove_chair(db: Session, clinic: Clinic, chair_id: int) -> Chair:

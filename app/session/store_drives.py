@@ -4,7 +4,7 @@ from sqlalchemy import select
 from sqlalchemy.orm import Session
 
 from app.clock import utc_now
-from app.session.refusals import NotFound
+from app.session.own_rows import own_row
 from app.session.tables import Drive, Run
 
 
@@ -39,10 +39,7 @@ def finish_drive(db: Session, drive_id: int, end: str, distance: float | None) -
 
 def find_drive(db: Session, clinic_id: int, drive_id: int) -> Drive:
     """Return one of the clinic's drives."""
-    drive = db.get(Drive, drive_id)
-    if drive is None or drive.clinic_id != clinic_id:
-        raise NotFound(f"There is no drive {drive_id}: choose one from the list of drives.")
-    return drive
+    return own_row(db, Drive, clinic_id, drive_id, f"There is no drive {drive_id}: choose one from the list of drives.")
 
 
 def drives_of(db: Session, clinic_id: int, patient_id: int) -> list[Drive]:

@@ -11,6 +11,7 @@ from sqlalchemy.orm import Session
 
 from app.clock import utc_now
 from app.quantities import Document
+from app.session.own_rows import own_row
 from app.session.refusals import Conflict, NotFound
 from app.session.store_log import write_log
 from app.session.tables import PatientScreen, PatientSession
@@ -103,9 +104,10 @@ def find_screen(db: Session, token: str) -> tuple[PatientScreen | None, ScreenSt
 
 def unpair_screen(db: Session, clinic_id: int, screen_id: int, person: str) -> None:
     """End a pairing."""
-    screen = db.get(PatientScreen, screen_id)
-    if screen is None or screen.clinic_id != clinic_id or screen.unpaired is not None:
-        raise NotFound(f"There is no paired screen {screen_id}: choose one of the list.")
+    missing = f"There is no paired screen {screen_id}: choose one of the list."
+    screen = own_row(db, PatientScreen, clinic_id, screen_id, missing)
+    if screen.unpaired is not None:
+        raise NotFound(missing)
     screen.unpaired = utc_now()
     write_log(db, person, "patient's screen unpaired", screen=screen.id, session=screen.session_id)
 

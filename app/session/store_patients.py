@@ -4,6 +4,7 @@ from sqlalchemy import func, select
 from sqlalchemy.orm import Session
 
 from app.clock import utc_now
+from app.session.own_rows import own_row
 from app.session.refusals import Conflict, NotFound
 from app.session.tables import CalibrationStep, Patient, PatientSession, Profile, Trial
 
@@ -26,9 +27,10 @@ def add_patient(db: Session, clinic_id: int, code: str, pseudonym: str, note: st
 
 def find_patient(db: Session, clinic_id: int, patient_id: int, *, deleted: bool = False) -> Patient:
     """Return one of the clinic's patients; `deleted` looks among the deleted ones too."""
-    patient = db.get(Patient, patient_id)
-    if patient is None or patient.clinic_id != clinic_id or (patient.deleted is not None and not deleted):
-        raise NotFound(f"There is no patient {patient_id}: choose one from the list of patients.")
+    missing = f"There is no patient {patient_id}: choose one from the list of patients."
+    patient = own_row(db, Patient, clinic_id, patient_id, missing)
+    if patient.deleted is not None and not deleted:
+        raise NotFound(missing)
     return patient
 
 

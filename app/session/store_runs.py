@@ -7,7 +7,8 @@ from sqlalchemy import func, select
 from sqlalchemy.orm import Session
 
 from app.clock import utc_now
-from app.session.refusals import Conflict, NotFound
+from app.session.own_rows import own_row
+from app.session.refusals import Conflict
 from app.session.tables import Run, Trial
 
 
@@ -93,10 +94,7 @@ def _storable(value: Any) -> Any:
 
 def find_trial(db: Session, clinic_id: int, trial_id: int) -> Trial:
     """Return one of the clinic's trials."""
-    trial = db.get(Trial, trial_id)
-    if trial is None or trial.clinic_id != clinic_id:
-        raise NotFound(f"There is no trial {trial_id}: choose one from the list of trials.")
-    return trial
+    return own_row(db, Trial, clinic_id, trial_id, f"There is no trial {trial_id}: choose one from the list of trials.")
 
 
 def trials_of(

@@ -78,6 +78,17 @@ class AuthSession(Table):
     expires: Mapped[datetime]
 
 
+class KnownBrowser(Table):
+    """A browser in which a person has signed in before; the token itself is never stored."""
+
+    __tablename__ = "known_browser"
+    id: Mapped[int] = mapped_column(primary_key=True)
+    person_id: Mapped[int] = mapped_column(ForeignKey("person.id"), index=True)
+    token_hash: Mapped[str] = mapped_column(String(64), unique=True)
+    created: Mapped[datetime]
+    expires: Mapped[datetime]
+
+
 class Patient(Table):
     """Who wears the shirt: a pseudonym and a code, no name."""
 

@@ -4,11 +4,10 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from argon2 import PasswordHasher
 from fake_clinic import Clinic, running
 from pairing import code_of, only, pair
 
-from app.api.passwords import Passwords
+from app.api import hashing
 from app.session import ballast, calibration_flow, watching
 from app.session.database import Database
 from app.session.store_people import add_clinic
@@ -22,9 +21,7 @@ def settings(tmp_path: Path) -> Settings:
 
 @pytest.fixture(autouse=True)
 def _light_passwords(monkeypatch: pytest.MonkeyPatch) -> None:
-    light = Passwords.__init__
-    hasher = PasswordHasher(time_cost=1, memory_cost=8, parallelism=1)
-    monkeypatch.setattr(Passwords, "__init__", lambda self: light(self, hasher))
+    monkeypatch.setattr(hashing, "COST", hashing.Cost(time=1, memory=8, lanes=1))
 
 
 @pytest.fixture(autouse=True)

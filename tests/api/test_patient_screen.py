@@ -67,21 +67,6 @@ def test_guesses_are_slowed_down_and_a_right_code_has_to_wait_with_them(visited:
     assert pair(visited, code).status_code == 429
 
 
-def test_one_address_that_guesses_holds_up_no_other(monkeypatch: pytest.MonkeyPatch) -> None:
-    codes = patient_screens.PairingCodes()
-    code = codes.offer(1, "Ada").code
-    for i in range(patient_screens.TRIES):
-        with pytest.raises(patient_screens.Conflict):
-            codes.redeem(f"guess-{i}", "10.0.0.1")
-    with pytest.raises(patient_screens.TooManyTries):
-        codes.redeem(code, "10.0.0.1")
-    now = patient_screens.monotonic()
-    monkeypatch.setattr(patient_screens, "monotonic", lambda: now + 61.0)
-    assert codes.redeem(code, "10.0.0.1").session_id == 1
-    code = codes.offer(2, "Ada").code
-    assert codes.redeem(code, "10.0.0.2").session_id == 2
-
-
 def test_its_cookie_opens_no_other_route(screen: Clinic) -> None:
     """Every route of the application is asked; what is for everyone is for the patient's screen, too."""
     wrong = []

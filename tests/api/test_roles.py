@@ -29,7 +29,7 @@ FOR_EVERYONE = {
     "GET /patient-screen/me",
 }
 FOR_PATIENTS_SCREENS = {"GET /view/{role}/", "GET /view/{role}/plan"}  # the patient's only
-FOR_OWNERS = {"POST /chairs", "DELETE /chairs/{chair_id}", "PUT /limits", "GET /log/check"}
+FOR_OWNERS = {"POST /chairs", "DELETE /chairs/{chair_id}", "PUT /limits", "GET /log/check", "GET /openapi.json"}
 FOR_REVIEWERS = {
     "GET /patients",
     "GET /visit",

@@ -74,16 +74,14 @@ def test_the_set_up_code_lasts_half_an_hour(real: Any, monkeypatch: pytest.Monke
     assert "restart" in answer.json()["detail"]
 
 
-def test_a_wrong_password_and_an_unknown_name_are_told_alike_and_counted(real: Any) -> None:
+def test_a_wrong_password_and_an_unknown_name_are_told_alike(real: Any) -> None:
     real.good("POST", "/auth/setup", json=OWNER)
     real.good("POST", "/auth/sign-out")
     wrong = real("POST", "/auth/sign-in", json={"name": "Ada", "password": "nothing like it"})
     unknown = real("POST", "/auth/sign-in", json={"name": "Eve", "password": "nothing like it"})
     assert (wrong.status_code, wrong.json()) == (unknown.status_code, unknown.json())
+    assert wrong.status_code == 401
     assert real.good("POST", "/auth/sign-in", json={"name": "Ada", "password": OWNER["password"]})["name"] == "Ada"
-    for _ in range(4):
-        real("POST", "/auth/sign-in", json={"name": "Ada", "password": "nothing like it"})
-    assert real("POST", "/auth/sign-in", json={"name": "Ada", "password": OWNER["password"]}).status_code == 429
 
 
 @pytest.mark.parametrize("origin", [None, "http://evil.example", "http://127.0.0.1:9999", "null", "http://[broken"])

@@ -4,21 +4,16 @@ python tests/browser/review_app.py --port 8131
 """
 
 import argparse
-import socket
 import sys
 import tempfile
 import threading
-import time
 from pathlib import Path
-
-import uvicorn
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # for its own start, outside of the tests
 
-from api.fake_clinic import FakeLink
+from browser.served_clinic import ServedClinic
 from recorded_trial import record_trial
 
-from app.api.app import create_app
 from app.session.database import Database
 from app.session.recordings import recorded_readings
 from app.session.store_controls import current_parameters, save_parameters, save_profile
@@ -70,39 +65,14 @@ def furnish(settings: Settings) -> list[int]:
     return made
 
 
-class ReviewApp:
-    """The application in a thread of this process."""
+class ReviewApp(ServedClinic):
+    """The application with this clinic."""
 
     def __init__(self, folder: Path, port: int = 0) -> None:
         settings = Settings(state=folder, demo_code=CODE)
         self.trials = furnish(settings)
-        self._links: list[FakeLink] = []
-
-        async def open_link() -> FakeLink:
-            self._links.append(FakeLink())
-            return self._links[-1]
-
-        self._socket = socket.socket()
-        self._socket.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-        self._socket.bind(("127.0.0.1", port))
-        self.app = create_app(settings, open_link, recorded_readings())
-        config = uvicorn.Config(self.app, log_level="error", ws_per_message_deflate=False)
-        self._server = uvicorn.Server(config)
-        self._thread = threading.Thread(target=self._server.run, args=([self._socket],), daemon=True)
-        self.address = f"http://127.0.0.1:{self._socket.getsockname()[1]}"
+        super().__init__(settings, port)
         self.link = f"{self.address}/#demo={CODE}"
-
-    def start(self) -> None:
-        """Return when it serves."""
-        self._thread.start()
-        while not self._server.started:
-            assert self._thread.is_alive()
-            time.sleep(0.02)
-
-    def stop(self) -> None:
-        """End it and wait for that."""
-        self._server.should_exit = True
-        self._thread.join(20)
 
 
 if __name__ == "__main__":

@@ -11,6 +11,7 @@ from pathlib import Path
 
 import psutil
 from drills.cuts import cuts
+from drills.flood import sign_ins
 from drills.relay import FAIR, Weather
 from drills.results import Result
 from drills.rig import AFTER, PARAMETERS, rig
@@ -399,6 +400,7 @@ DRILLS = {
     "screen": (screen_gone, 100, len(SCREENS)),
     "second-socket": (second_socket, 20, 1),
     "stop": (tablet_stop, 100, 1),
+    "sign-ins": (sign_ins, 30, 1),
     "switch": (chair_switch, 100, 1),
     "shirt": (shirt_stalls, 50, 1),
     "sensors": (sensors_break, 60, 3),

@@ -75,6 +75,7 @@ class Rig:
         self.beats = True
         self._heart = None
         self._runs = 0
+        self.web_port = None
 
     async def start_control(self):
         """Start a control process and give it everything it needs to arm."""
@@ -123,17 +124,21 @@ class Rig:
                     control.tell("heartbeat", screen_age=self.screen_age, screen=self.screen)
                 await asyncio.sleep(0.05)
 
-    async def start_web(self):
-        """Start a process that starts a control process and arms the chair, and return when the chair cruises."""
+    async def start_web(self, module="drills.web"):
+        """Start a process that starts a control process and arms the chair, and return when the chair cruises.
+
+        `web_port` is then where it serves, when it does.
+        """
         self._runs += 1
         given = {
             "shirt": shirt_config(PARAMETERS, self._shirt_port),
             "chair": self.receiver.config(port=self.relay.port),
             "folder": str(self._folder / f"run{self._runs}"),
+            "state": str(self._folder / f"state{self._runs}"),
         }
         self.wearer.rest()
         web = await asyncio.create_subprocess_exec(
-            sys.executable, "-m", "drills.web", json.dumps(given), stdout=subprocess.PIPE, env=environment()
+            sys.executable, "-m", module, json.dumps(given), stdout=subprocess.PIPE, env=environment()
         )
         await asyncio.sleep(1.0)
         for _ in range(TRIES):
@@ -141,7 +146,8 @@ class Rig:
             await asyncio.sleep(0.4)
             self.receiver.press(False)
             try:
-                await asyncio.wait_for(web.stdout.readline(), 5.0)
+                _, *port = (await asyncio.wait_for(web.stdout.readline(), 5.0)).split()
+                self.web_port = int(port[0]) if port else None
             except TimeoutError:
                 continue
             break

@@ -10,6 +10,7 @@ import zstandard
 from app.clock import MonotonicClock
 from app.geometry import Pose
 from app.messages import TICK
+from app.scene.bridge_secret import BRIDGE_HEADERS
 from app.scene.head_view import Angles
 from app.scene.page import client_page
 from app.scene.scene import CLOCK_NODE, Scene
@@ -33,7 +34,12 @@ def messages(port, stop):
     """Read a 3D server as a browser does, until a message satisfies `stop`."""
     found = []
     with websockets.sync.client.connect(
-        f"ws://127.0.0.1:{port}", subprotocols=[SUBPROTOCOL], compression=None, max_size=None, proxy=None
+        f"ws://127.0.0.1:{port}",
+        subprotocols=[SUBPROTOCOL],
+        additional_headers=BRIDGE_HEADERS,
+        compression=None,
+        max_size=None,
+        proxy=None,
     ) as client:
         while not any(stop(message) for message in found):
             frame = client.recv(timeout=10)

@@ -3,6 +3,7 @@ import { t } from "./texts.js";
 
 const BASE = "/api/v1";
 const NOT_SIGNED_IN = 401;
+const STOP = "/control/stop";
 
 /** A refusal, or no answer; the message is for people. */
 export class ApiError extends Error {
@@ -13,8 +14,13 @@ export class ApiError extends Error {
   }
 }
 
+/** What belongs to no sign-in. @param {string} path */
+const isForEveryone = (path) => path === STOP || path.startsWith("/auth/");
+
 /** The calls by method; `onSignedOut` is told when a sign-in has run out. */
 export class Api {
+  #signIn = 0; // counts up with each sign-in that ends
+
   /** @param {() => void} onSignedOut */
   constructor(onSignedOut) {
     this.onSignedOut = onSignedOut;
@@ -47,8 +53,25 @@ export class Api {
     return this.call("POST", path, form);
   }
 
+  /** A sign-in has ended: what was asked under it is answered to nobody, because the answer may name a patient. */
+  forget() {
+    this.#signIn += 1;
+  }
+
   /** @param {string} method @param {string} path @param {any} [body] @returns {Promise<any>} */
   async call(method, path, body) {
+    const signIn = this.#signIn;
+    const answer = this.#call(method, path, body);
+    const error = await answer.then(
+      () => null,
+      (refusal) => refusal,
+    );
+    if (isForEveryone(path)) return answer;
+    if (error?.status === NOT_SIGNED_IN && signIn === this.#signIn) this.onSignedOut();
+    return signIn === this.#signIn ? answer : new Promise(() => {});
+  }
+
+  async #call(method, path, body) {
     const isForm = body instanceof FormData;
     let answer;
     try {
@@ -57,14 +80,13 @@ export class Api {
         headers: body === undefined || isForm ? {} : { "Content-Type": "application/json" },
         body: body === undefined || isForm ? body : JSON.stringify(body),
         // A stop must leave even when the page is being closed.
-        keepalive: path === "/control/stop",
+        keepalive: path === STOP,
       });
     } catch {
       throw new ApiError(t("error.no-answer"), 0);
     }
     const content = await answer.json().catch(() => null);
     if (answer.ok) return content;
-    if (answer.status === NOT_SIGNED_IN && !path.startsWith("/auth/")) this.onSignedOut();
     throw new ApiError(sentence(content, answer.status), answer.status);
   }
 }

@@ -71,18 +71,22 @@ export class App extends EventTarget {
   }
 
   async signOut() {
-    await this.api.post("/auth/sign-out").catch((error) => this.toasts.show(error.message));
-    this.signedOut(false);
+    let words = "";
+    await this.api.post("/auth/sign-out").catch((error) => (words = error.message));
+    this.signedOut(words);
   }
 
-  /** Nobody is signed in any more. */
-  signedOut(say = true) {
+  /** Nobody is signed in any more: whatever may name a patient goes at once. @param {string} [words] to say then */
+  signedOut(words = t("note.signed-out")) {
     if (!this.me?.signed_in) return;
     this.live.close();
     this.screen.close();
+    this.api.forget();
     this.me = { ...this.me, signed_in: false };
     this.visit = null;
-    if (say) this.toasts.show(t("note.signed-out"));
+    put(this.root);
+    this.toasts.clear();
+    if (words) this.toasts.show(words);
     this.dispatchEvent(new Event("me"));
     this.show();
   }

@@ -29,6 +29,11 @@ export class Toasts {
     this.element.replaceChildren(toast);
   }
 
+  /** Take back everything that was said: it was not meant for the next person at this screen. */
+  clear() {
+    for (const place of [this.element, this.voice, this.urgent]) place.replaceChildren();
+  }
+
   /** Say something to screen readers only. @param {string} words @param {boolean} [urgent] */
   announce(words, urgent = false) {
     const place = urgent ? this.urgent : this.voice;

@@ -1,0 +1,54 @@
+"""The process that hashes passwords: `python -m app.api.hashing_process --time T --memory KIB --lanes N`.
+
+For each line on stdin, a JSON object, one line on stdout: `{"do": "hash", "password"}` is answered by `{"hash"}`;
+`{"do": "verify", "stored": hash or null, "password"}` by `{"matches": bool}`, which takes as long for null, and is
+false. Ends with stdin.
+"""
+
+import argparse
+import json
+import signal
+import sys
+from typing import Any
+
+from argon2 import PasswordHasher
+from argon2.exceptions import InvalidHashError, VerificationError
+
+from app.realtime import give_way
+
+
+def main() -> None:
+    """Answer until stdin ends."""
+    given = _parser().parse_args()
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the web process, which then ends this one
+    give_way()
+    hasher = PasswordHasher(time_cost=given.time, memory_cost=given.memory, parallelism=given.lanes)
+    for line in sys.stdin:
+        sys.stdout.write(f"{json.dumps(answer(hasher, json.loads(line)))}\n")
+        sys.stdout.flush()
+
+
+def answer(hasher: PasswordHasher, asked: dict[str, Any]) -> dict[str, Any]:
+    """Return what a line is answered by."""
+    stored, password = asked.get("stored"), asked["password"]
+    if asked["do"] == "hash":
+        return {"hash": hasher.hash(password)}
+    if stored is None:
+        hasher.hash(password)  # as long as for somebody who is known
+        return {"matches": False}
+    try:
+        return {"matches": hasher.verify(stored, password)}
+    except (VerificationError, InvalidHashError):
+        return {"matches": False}
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(prog="python -m app.api.hashing_process", description="Hashes passwords.")
+    parser.add_argument("--time", type=int, required=True, help="passes over the memory")
+    parser.add_argument("--memory", type=int, required=True, help="KiB")
+    parser.add_argument("--lanes", type=int, required=True, help="threads")
+    return parser
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,74 @@
+"""How long Stop on the tablet takes while 40 people sign in, against the same without them, on one machine."""
+
+import random
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+
+from app.bench.listening import ListeningChair
+from app.bench.parts import ask, next_line, started
+from app.bench.row import Row
+from app.bench.stop import request
+from app.clock import MonotonicClock, monotonic
+from app.hardware.chair.key import new_key, write_key
+
+SIGN_INS = 40  # under way at once
+ROUNDS, STOPS = 10, 40  # in turn without them and with them; stops in each
+REACH = 2.0  # times as long
+SETTLING = 0.5  # s after the flood began or ended
+PAUSE = (0.005, 0.03)  # s between two stops, at random, so that they meet every phase of what goes on
+
+
+def measure_flood(rounds: int = ROUNDS, stops: int = STOPS, sign_ins: int = SIGN_INS) -> list[Row]:
+    """Return the p99 of `POST /control/stop` until its answer with sign-ins under way, over the p99 without."""
+    clock = MonotonicClock()
+    key = new_key(1)
+    with tempfile.TemporaryDirectory() as folder, ListeningChair(key) as chair:
+        key_file = Path(folder) / "1.key"
+        write_key(key_file, key)
+        with started("app.bench.stop_served", str(chair.port), str(key_file), folder) as web:
+            try:
+                port = int(next_line(web))
+                with started("app.bench.sign_ins", str(port), str(sign_ins)) as flood:
+                    try:
+                        times = _in_turn(clock, rounds, stops, port, lambda word: ask(flood, word))
+                        answers = ask(flood, "off")
+                    finally:
+                        flood.communicate()
+            finally:
+                web.communicate()
+    quiet, flooded = (1e3 * np.array(times[word]) for word in ("off", "on"))
+    p99 = [float(np.percentile(found, 99)) for found in (quiet, flooded)]
+    details = (
+        f"{rounds * stops} stops each; p99 {p99[1]:.1f} ms against {p99[0]:.1f} ms, median {np.median(flooded):.1f} "
+        f"against {np.median(quiet):.1f} ms, worst {flooded.max():.1f} against {quiet.max():.1f} ms; "
+        f"answers to the sign-ins by status: {answers}"
+    )
+    return [
+        Row(
+            f"Stop with {sign_ins} sign-ins under way: p99 over that without",
+            p99[1] / p99[0],
+            "x",
+            REACH,
+            "lower",
+            details,
+        )
+    ]
+
+
+def _in_turn(
+    clock: MonotonicClock, rounds: int, stops: int, port: int, tell: Callable[[str], str]
+) -> dict[str, list[float]]:
+    """Return how long each stop took (s), without the flood ("off") and with it ("on")."""
+    pause = random.Random(1)
+    times: dict[str, list[float]] = {"off": [], "on": []}
+    for word in ("off", "on") * rounds:
+        tell(word)
+        clock.sleep_until(clock.now() + SETTLING)
+        for _ in range(stops):
+            before = request(("127.0.0.1", port), "POST", "/api/v1/control/stop")
+            times[word].append(monotonic() - before)
+            clock.sleep_until(clock.now() + pause.uniform(*PAUSE))
+    return times

@@ -1,0 +1,108 @@
+"""The process that hashes passwords: real, started, asked, killed."""
+
+import asyncio
+import os
+
+import psutil
+import pytest
+
+from app.api import hashing
+from app.api.hashing import Busy, Hashing
+from app.session.refusals import Unavailable
+
+
+def with_hashing(story):
+    async def run():
+        made = Hashing()
+        try:
+            return await story(made)
+        finally:
+            await made.close()
+
+    return asyncio.run(run())
+
+
+def children():
+    found = psutil.Process().children(recursive=True)
+    return [child for child in found if "app.api.hashing_process" in child.cmdline()]
+
+
+def test_a_password_is_its_own_and_no_others():
+    async def story(made):
+        stored = await made.hash("correct horse battery")
+        assert stored.startswith("$argon2id$")
+        given = (
+            (stored, "correct horse battery"),
+            (stored, "another"),
+            (None, "correct horse battery"),
+            ("junk", "x"),
+            (await made.hash("äöü \u202e 🦩\n" * 20), "äöü \u202e 🦩\n" * 20),
+        )
+        return [await made.matches(*one) for one in given]
+
+    assert with_hashing(story) == [True, False, False, False, True]
+
+
+def test_it_gives_way_to_every_other_process_and_ends_with_the_program():
+    async def story(made):
+        assert children() == []
+        await made.hash("a password")
+        (process,) = children()
+        return process, process.nice()
+
+    process, nice = with_hashing(story)
+    assert nice >= os.nice(0) + 10
+    assert not process.is_running()
+
+
+def test_one_that_died_is_started_again():
+    async def story(made):
+        stored = await made.hash("a password")
+        children()[0].kill()
+        with pytest.raises(Unavailable, match="try again"):
+            await made.matches(stored, "a password")
+        return await made.matches(stored, "a password")
+
+    assert with_hashing(story)
+
+
+def test_one_that_does_not_answer_is_ended(monkeypatch):
+    monkeypatch.setattr(hashing, "ANSWER_LIMIT", 0.2)
+    monkeypatch.setattr(hashing, "END_LIMIT", 0.1)
+
+    async def story(made):
+        made._process = await asyncio.create_subprocess_exec(
+            "sleep", "60", stdin=asyncio.subprocess.PIPE, stdout=asyncio.subprocess.PIPE
+        )
+        process = made._process
+        with pytest.raises(Unavailable):
+            await made.hash("a password")
+        return process.returncode
+
+    assert with_hashing(story) is not None
+
+
+def test_whoever_gives_up_leaves_no_answer_for_the_next():
+    async def story(made):
+        stored = await made.hash("a password")
+        asking = asyncio.create_task(made.matches(stored, "a password"))
+        await asyncio.sleep(0)
+        asking.cancel()
+        await asyncio.gather(asking, return_exceptions=True)
+        return await made.matches(stored, "another")
+
+    assert not with_hashing(story)
+
+
+def test_there_are_only_so_many_places(monkeypatch):
+    monkeypatch.setattr(hashing, "MOST_AT_ONCE", 1)
+
+    async def story(made):
+        async with made.place():
+            with pytest.raises(Busy):
+                async with made.place():
+                    pass
+        async with made.place():
+            return True
+
+    assert with_hashing(story)

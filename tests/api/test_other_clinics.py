@@ -1,0 +1,163 @@
+"""Another clinic's ids: 404 like ids that do not exist, and a row in the log. Every id of every route is tried."""
+
+import re
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+from fake_clinic import Clinic
+
+from app.api import refusals
+from app.clock import utc_now
+from app.session import tables
+from app.session.refusals import Full
+from app.session.store_chairs import add_chair
+from app.session.store_patient_screens import add_screen
+from app.session.store_patients import add_patient, start_session
+from app.session.store_people import add_clinic
+from app.session.store_runs import add_run, add_trial
+from app.speeds import NO_FURTHER
+
+IDS = {  # names of whole numbers that are ids, and of which table
+    "patient_id": "patient",
+    "patient": "patient",
+    "trial_id": "trial",
+    "trial": "trial",
+    "chair_id": "chair",
+    "screen_id": "patient_screen",
+    "PUT /chairs/chosen id": "chair",
+}
+NUMBERS = {"stops", "port", "seed", "baud", "address", "version", "direction"}  # whole numbers that are none
+FILLED = {"reason": "by hand", "dynamics": "unicycle", "floorplan": "apartment", "path": "main"}
+MISSING = 2**31 - 1  # an id that nothing has
+
+
+def integers(document: dict[str, Any], schema: dict[str, Any], name: str = "") -> Iterator[str]:
+    """Yield the names of all whole numbers in a schema, at any depth."""
+    if "$ref" in schema:
+        yield from integers(document, document["components"]["schemas"][schema["$ref"].rsplit("/", 1)[1]], name)
+    if schema.get("type") == "integer":
+        yield name
+    for key in ("anyOf", "oneOf", "allOf", "prefixItems"):
+        for inner in schema.get(key, []):
+            yield from integers(document, inner, name)
+    for inner in (schema.get("items"), schema.get("additionalProperties")):
+        if isinstance(inner, dict):
+            yield from integers(document, inner, name)
+    for inner_name, inner in schema.get("properties", {}).items():
+        yield from integers(document, inner, inner_name)
+
+
+def places(document: dict[str, Any]) -> Iterator[tuple[str, str, str, list[str]]]:
+    """Yield method, path, name of a whole number and the names of everything else that has to be sent along."""
+    for path, methods in document["paths"].items():
+        for method, operation in methods.items():
+            given = operation.get("parameters", [])
+            needed = [parameter["name"] for parameter in given if parameter["in"] == "query" and parameter["required"]]
+            for parameter in given:
+                for name in integers(document, parameter["schema"], parameter["name"]):
+                    yield method.upper(), path, name, needed
+            content = operation.get("requestBody", {}).get("content", {}).get("application/json", {})
+            for name in integers(document, content.get("schema", {})):
+                yield method.upper(), path, name, needed
+
+
+def table_of(method: str, path: str, name: str) -> str | None:
+    return IDS.get(f"{method} {path.removeprefix('/api/v1')} {name}") or IDS.get(name)
+
+
+@pytest.fixture
+def theirs(signed_in: Clinic) -> dict[str, int]:
+    """Return the ids of what another clinic has in the same database, by table."""
+    with signed_in.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
+        clinic = add_clinic(db, "Another clinic")
+        patient = add_patient(db, clinic.id, "P-9", "Otter", "")
+        session = start_session(db, clinic.id, patient.id)
+        run = add_run(db, "their-run", session.id, "drive", "their-run")
+        chair = add_chair(db, clinic, "Red", "10.0.0.9", 5354, 1, NO_FURTHER)
+        add_screen(db, session.id, "Eve", None)
+        screen = db.query(tables.PatientScreen).one()
+        profile = tables.Profile(
+            patient_id=patient.id, session_id=session.id, version=1, document={}, created=utc_now(), parent=None
+        )
+        db.add(profile)
+        db.flush()
+        parameters = tables.Parameters(
+            profile_id=profile.id,
+            title="Set",
+            settings={},
+            hash="0" * 64,
+            created=utc_now(),
+            current=True,
+            abandoned=False,
+        )
+        db.add(parameters)
+        db.flush()
+        trial = add_trial(
+            db,
+            run=run,
+            clinic_id=clinic.id,
+            patient_id=patient.id,
+            parameters_id=parameters.id,
+            floorplan="apartment",
+            floorplan_title="Apartment",
+            path="main",
+            path_points=[[0.0, 0.0]],
+        )
+        trial.status = "done"
+        return {"patient": patient.id, "trial": trial.id, "chair": chair.id, "patient_screen": screen.id}
+
+
+def test_every_whole_number_of_every_route_is_known_as_an_id_or_as_none(signed_in: Clinic) -> None:
+    found = list(places(signed_in.good("GET", "/openapi.json")))
+    unknown = {(method, path, name) for method, path, name, _ in found if not table_of(method, path, name)}
+    assert {name for _, _, name in unknown} <= NUMBERS, "say in IDS of which table this id is, or put it in NUMBERS"
+    assert {table_of(method, path, name) for method, path, name, _ in found} >= set(IDS.values())
+    # An id in a path is an id whatever it is called.
+    assert not [place for place in unknown if f"{{{place[2]}}}" in place[1]]
+
+
+def test_another_clinics_ids_do_not_exist_here_and_asking_for_one_is_noted(
+    signed_in: Clinic, theirs: dict[str, int]
+) -> None:
+    asked = []
+    for method, path, name, needed in places(signed_in.good("GET", "/openapi.json")):
+        table = table_of(method, path, name)
+        if table is None:
+            continue
+
+        def ask(number: int, method: str = method, path: str = path, name: str = name, needed: Any = needed) -> Any:
+            in_path = f"{{{name}}}" in path
+            url = path.removeprefix("/api/v1").replace(f"{{{name}}}", str(number))
+            more = {other: FILLED[other] for other in needed if other != name}
+            body = {"reason": "x"} if path.endswith("/discard") else None
+            if not in_path and method == "GET":
+                more[name] = str(number)
+            elif not in_path:
+                body = {name: number} | ({"dynamics": "unicycle"} if "chosen" in path else {})
+            return signed_in(method, url, params=more, json=body)
+
+        rows = len(signed_in.log())
+        missing = ask(MISSING)
+        assert len(signed_in.log()) == rows, (method, path)
+        refused = ask(theirs[table])
+        assert (refused.status_code, missing.status_code) == (404, 404), (method, path, refused.text)
+        assert re.sub(r"\d+", "N", refused.text) == re.sub(r"\d+", "N", missing.text)
+        (row,) = signed_in.log()[rows:]
+        assert (row.person, row.what, row.details) == (
+            "Demo clinician",
+            "another clinic's id",
+            {table: theirs[table]},
+        ), (method, path)
+        asked.append((method, path))
+    assert len(asked) >= 15
+
+
+def test_a_full_disk_does_not_tell_that_it_exists(
+    signed_in: Clinic, theirs: dict[str, int], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(*_given: Any, **_more: Any) -> None:
+        raise Full("The disk is full.")
+
+    monkeypatch.setattr(refusals, "write_log", full)
+    assert signed_in("DELETE", f"/patients/{theirs['patient']}").status_code == 404

@@ -1,0 +1,44 @@
+"""A clinic's real web application in a thread of this process, its control link answering without a process."""
+
+import socket
+import threading
+import time
+
+import uvicorn
+from api.fake_clinic import FakeLink
+
+from app.api.app import create_app
+from app.session.recordings import recorded_readings
+from app.settings import Settings
+
+
+class ServedClinic:
+    """Serves from `start` to `stop`."""
+
+    def __init__(self, settings: Settings, port: int = 0) -> None:
+        self._links: list[FakeLink] = []
+
+        async def open_link() -> FakeLink:
+            self._links.append(FakeLink())
+            return self._links[-1]
+
+        self._socket = socket.socket()
+        self._socket.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        self._socket.bind(("127.0.0.1", port))
+        self.app = create_app(settings, open_link, recorded_readings())
+        config = uvicorn.Config(self.app, log_level="error", ws_per_message_deflate=False)
+        self._server = uvicorn.Server(config)
+        self._thread = threading.Thread(target=self._server.run, args=([self._socket],), daemon=True)
+        self.address = f"http://127.0.0.1:{self._socket.getsockname()[1]}"
+
+    def start(self) -> None:
+        """Return when it serves."""
+        self._thread.start()
+        while not self._server.started:
+            assert self._thread.is_alive()
+            time.sleep(0.02)
+
+    def stop(self) -> None:
+        """End it and wait for that."""
+        self._server.should_exit = True
+        self._thread.join(20)

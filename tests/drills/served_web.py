@@ -1,0 +1,65 @@
+"""The real web process of a drill: serves the application, whose control process arms a real chair and keeps it armed.
+
+Argument: a JSON object with the shirt's and the chair's configuration, the folder of the recording, and one for the
+application's own state. Prints `armed PORT` when the chair may move, PORT being the one that it serves.
+"""
+
+import asyncio
+import json
+import socket
+import sys
+from pathlib import Path
+
+import uvicorn
+
+from app.api.app import create_app
+from app.api.flows import flows_of
+from app.faults import State
+from app.realtime import tidy
+from app.session.recordings import recorded_readings
+from app.session.refusals import Refusal
+from app.settings import Settings
+from app.supervisor import ControlProcess
+from building import make_parameters
+
+
+async def main(given):
+    with socket.create_server(("127.0.0.1", 0)) as listening:
+        port = listening.getsockname()[1]
+        app = create_app(Settings(state=Path(given["state"]), port=port), ControlProcess.start, recorded_readings())
+        server = uvicorn.Server(uvicorn.Config(app, log_level="error", lifespan="on"))
+        serving = asyncio.create_task(server.serve([listening]))
+        while not server.started:
+            await asyncio.sleep(0.01)
+        tidy()
+        control = flows_of(app).control
+        control.screen_age = lambda: 0.0  # a screen that is in view all the time
+        parameters = make_parameters()
+        await control.call("shirt", config=given["shirt"])
+        await control.call("parameters", parameters=parameters.model_dump(mode="json"))
+        await control.call("chair", config=given["chair"])
+        await control.call("run", run_id="w", folder=given["folder"], kind="drive", cues=[], meta={})
+        await armed(control, parameters)
+        sys.stdout.write(f"armed {port}\n")
+        sys.stdout.flush()
+        await serving
+
+
+async def armed(control, parameters):
+    while True:
+        await asyncio.sleep(0.05)
+        tick = control.newest()
+        if tick is None:
+            continue
+        if tick["state"] == State.ARMED:
+            return
+        try:
+            if tick["state"] == State.FAULT:
+                await control.call("clear", stops=int(tick["stops"]))
+            elif tick["state"] == State.DISARMED:
+                await control.call("arm", hash=parameters.hash)
+        except Refusal:
+            continue
+
+
+asyncio.run(main(json.loads(sys.argv[1])))

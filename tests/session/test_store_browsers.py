@@ -1,0 +1,62 @@
+"""Browsers in which a person has signed in before."""
+
+from datetime import timedelta
+
+import pytest
+from sqlalchemy.orm import Session
+
+from app.clock import utc_now
+from app.session import store_browsers
+from app.session.store_browsers import KNOWN_FOR, find_browser, remember_browser
+from app.session.store_people import add_clinic, add_person
+from app.session.tables import KnownBrowser, Person
+
+
+@pytest.fixture
+def ada(db: Session) -> Person:
+    return add_person(db, add_clinic(db, "Clinic"), "Ada", "owner", "the hash of a password")
+
+
+def test_a_browser_is_known_for_its_person_only_and_its_token_is_not_in_the_database(db: Session, ada: Person) -> None:
+    eve = add_person(db, ada_clinic(db, ada), "Eve", "clinician", "another hash")
+    token = remember_browser(db, ada, None)
+    assert find_browser(db, ada, token) is not None
+    for person, shown in ((eve, token), (ada, token[:-1]), (ada, ""), (ada, None), (None, token)):
+        assert find_browser(db, person, shown) is None
+    assert token not in str([row.token_hash for row in db.query(KnownBrowser)])
+
+
+def ada_clinic(db: Session, person: Person):  # type: ignore[no-untyped-def]
+    from app.session.tables import Clinic
+
+    return db.get_one(Clinic, person.clinic_id)
+
+
+def test_another_password_and_being_disabled_make_every_browser_unknown(db: Session, ada: Person) -> None:
+    token = remember_browser(db, ada, None)
+    ada.disabled = utc_now()
+    assert find_browser(db, ada, token) is None
+    ada.disabled = None
+    ada.password_hash = "the hash of a new password"
+    assert find_browser(db, ada, token) is None
+
+
+def test_a_browser_stays_known_from_its_last_sign_in_on(db: Session, ada: Person) -> None:
+    token = remember_browser(db, ada, None)
+    row = find_browser(db, ada, token)
+    assert row is not None
+    row.expires = utc_now() + timedelta(days=1)
+    assert remember_browser(db, ada, token) == token
+    assert row.expires > utc_now() + KNOWN_FOR - timedelta(hours=1)
+    row.expires = utc_now() - timedelta(seconds=1)
+    db.flush()
+    assert find_browser(db, ada, token) is None
+    assert remember_browser(db, ada, token) != token
+
+
+def test_the_newest_few_browsers_of_a_person_are_known(
+    db: Session, ada: Person, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(store_browsers, "MOST", 3)
+    tokens = [remember_browser(db, ada, None) for _ in range(5)]
+    assert [find_browser(db, ada, token) is not None for token in tokens] == [False, False, True, True, True]
