@@ -14,6 +14,7 @@ from app.link import CommandServer
 from app.pipeline import documents
 from app.pipeline.arming import real_chair_refusal, refusal
 from app.pipeline.loop import ControlLoop
+from app.pipeline.opening import Change, Openings
 from app.pipeline.runs import Runs
 from app.pipeline.setup import Refused
 from app.quantities import Document
@@ -21,6 +22,9 @@ from app.realtime import tidy
 from app.sentences import one_sentence
 
 Answer = dict[str, Any]
+
+NOT_MEANWHILE = frozenset({"shirt", "body", "head", "chair", "parameters", "world", "run", "arm", "clear"})
+"""What is refused while a device is being opened: it would change, arm or record what is not complete."""
 
 STOPPED_BY = {"tablet": Fault.STOP_TABLET, "key": Fault.STOP_KEY}
 
@@ -43,6 +47,7 @@ class Commands:
         self._real_time = real_time
         self._clock = clock
         self._runs = Runs(loop, server, clock)
+        self._openings = Openings(clock)
         self._commands = {
             "heartbeat": Command(documents.Heartbeat, self._heartbeat),
             "shirt": Command(documents.Device, self._shirt),
@@ -70,6 +75,7 @@ class Commands:
         """Do what has been asked for, and answer what has been finished."""
         for message in self._server.poll():
             self._do(message)
+        self._openings.poll()
         self._runs.poll()
 
     def close(self) -> None:
@@ -84,6 +90,8 @@ class Commands:
             self._server.refuse(command_id, f"There is no command '{word}': use one of {', '.join(self._commands)}.")
             return
         try:
+            if word in NOT_MEANWHILE and self._openings.busy:
+                raise Refused("Another device is being opened: wait a moment, then try again.")
             answer = command.do(command.fields.model_validate(message), command_id)
         except ValidationError as error:
             self._server.refuse(command_id, f"{one_sentence(error, word)}.")
@@ -98,27 +106,23 @@ class Commands:
         self._loop.screen_seen = -math.inf if fields.screen_age is None else self._clock.now() - fields.screen_age
         return {}
 
-    def _shirt(self, fields: documents.Device, _id: int) -> Answer:
+    def _shirt(self, fields: documents.Device, command_id: int) -> None:
         self._require_no_run()
-        try:
-            self._setup.use_shirt(parse_shirt(fields.config))
-        finally:
-            tidy()
-            self._loop.new_shirt()
-        shirt = self._setup.shirt
-        if shirt is None:
-            raise Refused("The shirt was not opened: choose another one.")
-        return {
-            "layout": shirt.layout.model_dump(mode="json"),
-            "sample_rate": shirt.sample_rate,
-            "hash": self._setup.hash,
-        }
+        change = self._setup.change_shirt(parse_shirt(fields.config))
+        self._loop.new_shirt()
 
-    def _body(self, fields: documents.Device, _id: int) -> Answer:
-        self._setup.require_still()
-        self._setup.use_body(parse_body(fields.config))
-        self._settle()
-        return {}
+        def answer() -> Answer:
+            self._loop.new_shirt()
+            return {
+                "layout": self._setup.layout_document,
+                "sample_rate": self._setup.sample_rate,
+                "hash": self._setup.hash,
+            }
+
+        self._open(change, command_id, answer)
+
+    def _body(self, fields: documents.Device, command_id: int) -> None:
+        self._open(self._setup.change_body(parse_body(fields.config)), command_id, dict)
 
     def _move(self, fields: documents.Move, _id: int) -> Answer:
         body = self._setup.dressed.body if self._setup.dressed else None
@@ -131,14 +135,11 @@ class Commands:
             raise Refused(f"{error}.") from error
         return {}
 
-    def _head(self, fields: documents.Head, _id: int) -> Answer:
+    def _head(self, fields: documents.Head, command_id: int) -> None:
         self._require_no_drive()
-        config = None if fields.config is None else parse_head(fields.config)
-        try:
-            self._setup.looking.use(config)
-        finally:
-            self._settle()
-        return {"words": self._setup.looking.words}
+        looking = self._setup.looking
+        change = looking.change(None if fields.config is None else parse_head(fields.config))
+        self._open(change, command_id, lambda: {"words": looking.words})
 
     def _look(self, fields: documents.Look, _id: int) -> Answer:
         if not self._setup.looking.look(fields.yaw, fields.pitch, fields.roll):
@@ -162,12 +163,14 @@ class Commands:
         self._settle()
         return {}
 
-    def _chair(self, fields: documents.Device, _id: int) -> Answer:
+    def _chair(self, fields: documents.Device, command_id: int) -> None:
         self._require_no_drive()
-        self._setup.use_chair(parse_chair(fields.config))
-        self._loop.new_chair()
-        self._settle()
-        return {"kind": "virtual" if self._setup.link is None else "udp"}
+
+        def answer() -> Answer:
+            self._loop.new_chair()
+            return {"kind": "virtual" if self._setup.link is None else "udp"}
+
+        self._open(self._setup.change_chair(parse_chair(fields.config)), command_id, answer)
 
     def _limits(self, fields: documents.Limits, _id: int) -> Answer:
         self._setup.use_clinic(fields.clinic)
@@ -257,6 +260,18 @@ class Commands:
         """Refuse while armed or recording: a stop in a trial is cleared into what was armed, and into nothing else."""
         self._setup.require_still()
         self._require_no_run()
+
+    def _open(self, change: Change, command_id: int, answer: Callable[[], Answer]) -> None:
+        """Open a device off the loop; the command is answered when it is there, or refused with why it is not."""
+
+        def finish(why: str) -> None:
+            if why:
+                self._server.refuse(command_id, why)
+            else:
+                self._settle()
+                self._server.answer(command_id, **answer())
+
+        self._openings.begin(change, finish)
 
     def _settle(self) -> None:
         """Take what was just loaded into the long-lived memory; the loop begins a new deadline."""

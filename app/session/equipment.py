@@ -50,6 +50,7 @@ class Equipment:
 
     async def use_shirt(self, config: dict[str, Any]) -> None:
         """Open another shirt; when it does not open, the one before is opened again and the reason is raised."""
+        self.located(config)  # a file that is not here is refused before the shirt in use is closed
         before, body = self.shirt, self.body
         wanted = (body or STANDARD_BODY) if config["kind"] == "simulator" else None
         try:

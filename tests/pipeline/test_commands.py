@@ -2,6 +2,7 @@
 
 import json
 import math
+import select
 import shutil
 import socket
 import uuid
@@ -49,8 +50,15 @@ class Office:
     def ask(self, do, **fields):
         self._count += 1
         self._ours.sendall(json.dumps({"id": self._count, "do": do, **fields}).encode() + b"\n")
-        self.commands.poll()
-        return json.loads(self._ours.recv(1 << 16))
+        return self.answer()
+
+    def answer(self):
+        """Poll until there is an answer: a device is opened in a thread."""
+        for _ in range(1000):
+            self.commands.poll()
+            if select.select([self._ours], [], [], 0.01)[0]:
+                return json.loads(self._ours.recv(1 << 16))
+        raise AssertionError("there is no answer")
 
     def tell(self, do, **fields):
         """Send what wants no answer."""
