@@ -25,7 +25,7 @@ PURE_HARDWARE = (
     "app.hardware.chair.reasons",
     "app.hardware.base",
 )
-API_HARDWARE = ("app.hardware.configs", "app.hardware.chair.key")
+API_HARDWARE = ("app.hardware.configs", "app.hardware.places", "app.hardware.chair.key")
 
 MAY_IMPORT = {
     LEAVES: {LEAVES},

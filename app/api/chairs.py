@@ -11,7 +11,7 @@ from app.api.flows import FlowParts, Flows
 from app.api.qr import qr_picture
 from app.api.signed_in import SignedIn
 from app.hardware.chair.key import Key
-from app.hardware.configs import Host
+from app.hardware.places import Host
 from app.quantities import Document, Port, Title
 from app.session.chairs import Dynamics
 from app.session.pairing import pair_chair, unpair_chair
