@@ -20,6 +20,7 @@ PURE_HARDWARE = (
     "app.hardware.body",
     "app.hardware.shirt.fabric",
     "app.hardware.shirt.standard",
+    "app.hardware.shirt.newest",
     "app.hardware.chair.simulator",
     "app.hardware.chair.key",
     "app.hardware.chair.reasons",

@@ -92,7 +92,7 @@ async def _view(parts: People, flows: Flows) -> ChairsView:
         chairs=await asyncio.to_thread(_read),
         chosen=None if chosen is None else chosen.id,
         dynamics=flows.chairs.dynamics,
-        words=" ".join(filter(None, (flows.arming.warning, await flows.chairs.state()))),
+        words=await flows.chairs.state(),
     )
 
 

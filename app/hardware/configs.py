@@ -38,6 +38,7 @@ class UdpConfig(Document):
     port: Port = 5252  # 0: any free one
     layout: ShirtLayout
     sample_rate: ShirtRate = 100.0
+    key_file: FilePlace | None = None  # None: frames of anybody are taken, so that no real chair is armed
 
 
 class PersonConfig(Document):

@@ -17,13 +17,14 @@ from app.pipeline.loop import ControlLoop
 from app.pipeline.opening import Change, Openings
 from app.pipeline.runs import Runs
 from app.pipeline.setup import Refused
+from app.pipeline.status import status
 from app.quantities import Document
 from app.realtime import tidy
 from app.sentences import one_sentence
 
 Answer = dict[str, Any]
 
-NOT_MEANWHILE = frozenset({"shirt", "body", "head", "chair", "parameters", "world", "run", "arm", "clear"})
+NOT_MEANWHILE = frozenset({"shirt", "sender", "body", "head", "chair", "parameters", "world", "run", "arm", "clear"})
 """What is refused while a device is being opened: it would change, arm or record what is not complete."""
 
 STOPPED_BY = {"tablet": Fault.STOP_TABLET, "key": Fault.STOP_KEY}
@@ -51,6 +52,7 @@ class Commands:
         self._commands = {
             "heartbeat": Command(documents.Heartbeat, self._heartbeat),
             "shirt": Command(documents.Device, self._shirt),
+            "sender": Command(documents.Sender, self._sender),
             "body": Command(documents.Device, self._body),
             "move": Command(documents.Move, self._move),
             "head": Command(documents.Head, self._head),
@@ -117,9 +119,17 @@ class Commands:
                 "layout": self._setup.layout_document,
                 "sample_rate": self._setup.sample_rate,
                 "hash": self._setup.hash,
+                "mistrust": self._setup.mistrust,
             }
 
         self._open(change, command_id, answer)
+
+    def _sender(self, fields: documents.Sender, _id: int) -> Answer:
+        self._require_no_drive()
+        shirt = self._setup.network_shirt
+        if shirt is None or not shirt.use_sender(fields.sender):
+            raise Refused("This sender sends no frames of this shirt: look again who does.")
+        return {}
 
     def _body(self, fields: documents.Device, command_id: int) -> None:
         self._open(self._setup.change_body(parse_body(fields.config)), command_id, dict)
@@ -226,27 +236,7 @@ class Commands:
         return {}
 
     def _status(self, _fields: documents.Nothing, _id: int) -> Answer:
-        setup, loop = self._setup, self._loop
-        return {
-            "shirt": {
-                "kind": setup.shirt_kind,
-                "words": setup.shirt_words,
-                "alive": loop.shirt_alive,
-                "sample_rate": setup.sample_rate if setup.shirt else 0.0,
-                "lost": setup.shirt.lost if setup.shirt else 0,
-            },
-            "chair": {
-                "kind": "virtual" if setup.link is None else "udp",
-                "words": setup.chair_words,
-                "switch_seen": setup.link is not None and setup.link.heard.switch_seen,
-            },
-            "head": {"kind": setup.looking.kind, "words": setup.looking.words},
-            "dial": setup.chain.dial,
-            "realtime": self._real_time,
-            "late": loop.late,
-            "recording": self._runs.status(),
-            "hash": setup.hash,
-        }
+        return {**status(self._loop), "realtime": self._real_time, "recording": self._runs.status()}
 
     def _quit(self, _fields: documents.Nothing, _id: int) -> Answer:
         self.quit = True

@@ -6,12 +6,12 @@ from app.calibration.vocabulary import DriveParameters
 from app.clock import Clock
 from app.faults import State
 from app.geometry import STANDSTILL
-from app.hardware.base import ORIGIN, Body, BodyView, Driving, Shirt
+from app.hardware.base import ORIGIN, Body, BodyView, Driving, FromNetwork, Shirt
 from app.hardware.chair.link import ChairLink
 from app.hardware.chair.packet import DIGEST_BYTES
 from app.hardware.chair.simulator import Dynamics, VirtualChair
 from app.hardware.configs import BodyConfig, ChairConfig, RealChairConfig, ShirtConfig
-from app.hardware.registry import make_body, make_real_chair, make_shirt
+from app.hardware.registry import make_body, make_real_chair, make_shirt, mistrust
 from app.pipeline.chain import Chain
 from app.pipeline.looking import Looking
 from app.pipeline.opening import Change, close_quietly, one_line, opened_device
@@ -43,6 +43,7 @@ class Setup:
         self.looking = Looking(clock)
         self.shirt: Shirt | None = None
         self.shirt_kind = ""
+        self.mistrust = NO_SHIRT  # why the shirt in use arms no real chair, empty when it may
         self._shirt_failed = ""  # why the shirt in use had to be let go
         self.dressed: DressedShirt | None = None  # the same shirt, when it is the simulated one
         self.parameters: DriveParameters | None = None
@@ -71,6 +72,11 @@ class Setup:
     def layout_document(self) -> dict[str, Any] | None:
         """The layout of the shirt as a document, None without a shirt."""
         return self.shirt.layout.model_dump(mode="json") if self.shirt else None
+
+    @property
+    def network_shirt(self) -> FromNetwork | None:
+        """The shirt, when somebody else's frames could reach it."""
+        return self.shirt if isinstance(self.shirt, FromNetwork) else None
 
     @property
     def shirt_words(self) -> str:
@@ -102,7 +108,7 @@ class Setup:
             return opened_device(make_shirt(config, self._clock))
 
         def take(shirt: Shirt) -> None:
-            self.shirt, self.shirt_kind = shirt, config.kind
+            self.shirt, self.shirt_kind, self.mistrust = shirt, config.kind, mistrust(config)
             self.dressed = cast(DressedShirt, shirt) if config.kind == "simulator" else None
             if self.parameters is not None and not self._fits(self.parameters):
                 self.parameters = self.hash = None
@@ -113,6 +119,7 @@ class Setup:
     def lose_shirt(self, error: Exception) -> None:
         """Let go of a shirt whose driver failed; without frames the gate stops the chair as for a silent one."""
         failed, self.shirt, self.dressed = self.shirt, None, None
+        self.mistrust = NO_SHIRT
         self._shirt_failed = f"The shirt failed ({one_line(str(error)) or type(error).__name__}): choose it again."
         close_quietly(failed)
 
@@ -195,6 +202,7 @@ class Setup:
         """Do without a shirt, and return the one that was in use, still open."""
         before, self.shirt, self.dressed = self.shirt, None, None
         self.shirt_kind = self._shirt_failed = ""
+        self.mistrust = NO_SHIRT
         self._link_chain()
         return before
 
