@@ -18,9 +18,13 @@ export function shirtSender(app, signal) {
     put(
       element,
       senders.shirt && h("p", { class: "quiet small" }, t("sender.now", { shirt: senders.shirt })),
-      senders.other && h("p", { class: "problem" }, t("sender.other", { other: senders.other, shirt: senders.shirt })),
+      senders.other && h("p", { class: "problem", id: "other-sender" }, t("sender.other", senders)),
       senders.other &&
-        h("button", { type: "button", class: "btn", onclick: () => use(senders.other) }, t("sender.use", senders)),
+        h(
+          "button",
+          { type: "button", class: "btn", "aria-describedby": "other-sender", onclick: () => use(senders.other) },
+          t("sender.use"),
+        ),
     );
   };
   const look = async () => {

@@ -104,7 +104,7 @@ export default {
   "sender.now": "Its frames come from {shirt}.",
   "sender.other":
     "Frames come from {other}, too. They are left out, because the shirt is the sender at {shirt}. Take the new sender only when the patient’s shirt was changed or started again.",
-  "sender.use": "Use the new sender {other}",
+  "sender.use": "Use the new sender",
   "sender.used": "The shirt is now the sender at {sender}.",
   "source.add": "Add a file",
   "source.add.hint": "CSV or Parquet, at most 64 MB.",
