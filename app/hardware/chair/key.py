@@ -1,4 +1,4 @@
-"""The secret that a chair and its sender share. Standard library only: this runs on the chair's small board, too."""
+"""The secret that a chair or a shirt shares with this machine. Standard library only: it runs on small boards, too."""
 
 import os
 import re
@@ -17,7 +17,7 @@ class KeyRefused(Exception):  # noqa: N818
 
 
 class Key(NamedTuple):
-    """A chair's number and its secret."""
+    """A key's number and its secret."""
 
     id: int  # u16
     secret: bytes  # 32 bytes
