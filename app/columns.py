@@ -34,6 +34,8 @@ def read_columns(path: Path, text: Collection[str] = (), only: Collection[str] |
         raise ValueError(f"{path}: there is no such file, check its name")
     if path.is_dir():
         raise ValueError(f"{path}: this is a folder, name a file in it")
+    if not path.is_file():
+        raise ValueError(f"{path}: this is a device or a pipe, name an ordinary file")
     try:
         table = _read_parquet(path, only) if _is_parquet(path) else _read_csv(path, text, only)
     except OSError as error:

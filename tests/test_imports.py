@@ -20,12 +20,13 @@ PURE_HARDWARE = (
     "app.hardware.body",
     "app.hardware.shirt.fabric",
     "app.hardware.shirt.standard",
+    "app.hardware.shirt.newest",
     "app.hardware.chair.simulator",
     "app.hardware.chair.key",
     "app.hardware.chair.reasons",
     "app.hardware.base",
 )
-API_HARDWARE = ("app.hardware.configs", "app.hardware.chair.key")
+API_HARDWARE = ("app.hardware.configs", "app.hardware.places", "app.hardware.chair.key")
 
 MAY_IMPORT = {
     LEAVES: {LEAVES},

@@ -187,7 +187,7 @@ def _flows(
 
     link = Control(open_link)
     runs = Runs(database, link, settings.runs)
-    worn = Equipment(database, link, settings.files, tell)
+    worn = Equipment(database, link, settings.files, settings.keys, tell)
     seats = Chairs(database, link, settings.keys, tell)
     allowed = ClinicLimits(database, link, tell)
     wizard = CalibrationFlow(database, link, worn, runs, tell, readings)
@@ -218,7 +218,7 @@ def _flows(
         chairs=seats,
         head=HeadChoice(database, link, worn.located, tell),
         limits=allowed,
-        arming=RealArming(database, link, worn, visit, seats, allowed, demonstration=settings.demo),
+        arming=RealArming(database, link, worn, visit, seats, allowed),
         visit=visit,
         adaptation=AdaptationFlow(database, link, runs, drive, visit, seats, tell, readings),
         screens=Screens(),

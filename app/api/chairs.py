@@ -11,7 +11,7 @@ from app.api.flows import FlowParts, Flows
 from app.api.qr import qr_picture
 from app.api.signed_in import SignedIn
 from app.hardware.chair.key import Key
-from app.hardware.configs import Host
+from app.hardware.places import Host
 from app.quantities import Document, Port, Title
 from app.session.chairs import Dynamics
 from app.session.database import Transaction
@@ -90,7 +90,7 @@ async def _view(parts: People, flows: Flows, who: SignedIn) -> ChairsView:
         chairs=await asyncio.to_thread(_read),
         chosen=None if chosen is None else chosen.id,
         dynamics=flows.chairs.dynamics,
-        words=" ".join(filter(None, (flows.arming.warning, await flows.chairs.state()))),
+        words=await flows.chairs.state(),
     )
 
 

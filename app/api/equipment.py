@@ -63,6 +63,20 @@ class DiskView(Document):
     words: str  # what to do about it, empty while there is enough
 
 
+class SendersView(Document):
+    """Who sends frames to the shirt's port; all empty where nobody could but the shirt."""
+
+    shirt: str  # HOST:PORT of the sender that is the shirt, empty before its first frame
+    other: str  # of another one that sends good frames, empty when there is none
+    others: int  # frames of others that were left out
+
+
+class OtherSender(Document):
+    """The sender that is the shirt from now on."""
+
+    sender: Annotated[str, Field(min_length=1, max_length=100)]
+
+
 class EquipmentView(Document):
     """Everything that is connected."""
 
@@ -72,6 +86,7 @@ class EquipmentView(Document):
     unused: list[str]
     status: StatusView
     files: list[FileView]
+    shirt_keys: list[str]
     chair: ChairView
     head: HeadView
     disk: DiskView
@@ -108,6 +123,7 @@ async def _view(parts: PeopleParts, flows: Flows) -> EquipmentView:
         unused=worn.unused,
         status=status,
         files=await asyncio.to_thread(list_files, parts.settings.files),
+        shirt_keys=await asyncio.to_thread(lambda: worn.key_names),
         chair=ChairView(words=await flows.chairs.state()),
         head=head,
         disk=DiskView(free=room.free, words=room.words),
@@ -139,6 +155,21 @@ async def choose_shirt(body: ShirtConfig, who: Clinician, parts: PeopleParts, fl
         finally:
             await flows.visit.try_load_parameters()
     return await _noted(parts, flows, who.name, "shirt chosen", kind=config["kind"])
+
+
+@router.get("/sender")
+async def look_at_senders(_who: Anyone, flows: FlowParts) -> SendersView:
+    """Return who sends frames to the shirt's port."""
+    status = await flows.control.call("status")
+    return SendersView.model_validate(status["shirt"].get("senders") or {"shirt": "", "other": "", "others": 0})
+
+
+@router.put("/sender")
+async def choose_sender(body: OtherSender, who: Clinician, parts: PeopleParts, flows: FlowParts) -> EquipmentView:
+    """Take another sender as the shirt; refused while anything is armed, driven or recorded."""
+    async with flows.visit.undisturbed("change the shirt's sender"):
+        await flows.equipment.use_sender(body.sender)
+    return await _noted(parts, flows, who.name, "shirt's sender chosen", sender=body.sender)
 
 
 @router.put("/body")

@@ -37,7 +37,7 @@ def list_files(folder: Path) -> list[FileView]:
         if file.is_dir():
             size = sum(part.stat().st_size for part in file.iterdir() if part.is_file())
             found.append(FileView(name=file.name, kind="recording", size=size))
-        elif file.suffix in KINDS:
+        elif file.is_file() and file.suffix in KINDS:
             with file.open("rb") as opened:
                 columns = _columns(file.suffix, opened)
             if columns is not None:

@@ -1,7 +1,8 @@
 """A web process with two browsers' worth of work: heartbeat, both 3D views at 60 Hz, both live pages at 20 Hz.
 
 Both ends of the viewers' connections are in this process, which is more than a web process has to do.
-Arguments: the shirt's port, the report's port, a folder for the recording, and for a real chair its port and key file.
+Arguments: the shirt's port, the report's port, a folder for the recording, and for a real chair its port, its key file
+and that of the shirt.
 """
 
 import asyncio
@@ -53,7 +54,9 @@ class Viewer:
             pass
 
 
-async def main(shirt_port: int, report_port: int, folder: Path, chair: dict[str, Any] | None) -> None:
+async def main(
+    shirt_port: int, report_port: int, folder: Path, chair: dict[str, Any] | None, shirt_key: str | None
+) -> None:
     """Start the control process, say so, and keep it armed and watched until stdin ends."""
     control = await ControlProcess.start("--report", f"127.0.0.1:{report_port}")
     # On a real chair acceleration mode is refused without a stop switch.
@@ -64,6 +67,7 @@ async def main(shirt_port: int, report_port: int, folder: Path, chair: dict[str,
         "port": shirt_port,
         "layout": parameters.profile.layout.model_dump(mode="json"),
         "sample_rate": SAMPLE_RATE,
+        "key_file": shirt_key,
     }
     await control.call("shirt", config=shirt)
     await control.call("parameters", parameters=parameters.model_dump(mode="json"))
@@ -143,4 +147,5 @@ async def _keep_armed(control: ControlProcess, digest: str, folder: Path) -> Non
 
 if __name__ == "__main__":
     real_chair = bench_chair(int(sys.argv[4]), Path(sys.argv[5])) if len(sys.argv) > 4 else None
-    asyncio.run(main(int(sys.argv[1]), int(sys.argv[2]), Path(sys.argv[3]), real_chair))
+    shirt_key = sys.argv[6] if len(sys.argv) > 6 else None
+    asyncio.run(main(int(sys.argv[1]), int(sys.argv[2]), Path(sys.argv[3]), real_chair, shirt_key))

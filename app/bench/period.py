@@ -13,6 +13,7 @@ from app.bench.junk import KEY_ID
 from app.bench.parts import ask, free_ports, next_line, started
 from app.bench.row import Row
 from app.hardware.chair.key import new_key, write_key
+from app.session.pairing import pair_shirt, shirt_key_file
 
 SECONDS = 15.0
 RUNS = 3
@@ -58,14 +59,21 @@ def _measured(seconds: float, rate: float) -> Measured:
         chair_port = chair_socket.getsockname()[1]
         key_file = Path(folder) / "1.key"
         write_key(key_file, key)
+        shirt_key = str(shirt_key_file(Path(folder), pair_shirt(Path(folder)).id))
         descriptor = chair_socket.fileno()
         recording = str(Path(folder) / "run")
         with (
             started("app.bench.chair_process", str(descriptor), str(key_file), descriptors=[descriptor]) as chair,
             started(
-                "app.bench.load", str(shirt_port), str(report_port), recording, str(chair_port), str(key_file)
+                "app.bench.load",
+                str(shirt_port),
+                str(report_port),
+                recording,
+                str(chair_port),
+                str(key_file),
+                shirt_key,
             ) as load,
-            started("app.bench.feed", str(shirt_port)) as feed,
+            started("app.bench.feed", str(shirt_port), shirt_key) as feed,
         ):
             try:
                 next_line(load)

@@ -10,11 +10,12 @@ from pathlib import Path
 import numpy as np
 
 from app.bench.listening import ListeningChair
-from app.bench.parts import ask, next_line, started
+from app.bench.parts import ask, free_ports, next_line, started
 from app.bench.row import Row
 from app.clock import MonotonicClock, monotonic
 from app.hardware.chair.key import new_key, write_key
 from app.hardware.chair.packet import STOP
+from app.session.pairing import pair_shirt, shirt_key_file
 
 STOPS = 100  # of each kind
 REACH = 25.0  # ms
@@ -32,7 +33,12 @@ def measure_stop(stops: int = STOPS) -> list[Row]:
     with tempfile.TemporaryDirectory() as folder, ListeningChair(key) as chair:
         key_file = Path(folder) / "1.key"
         write_key(key_file, key)
-        with started("app.bench.stop_served", str(chair.port), str(key_file), folder) as web:
+        shirt_port, shirt_key = free_ports(1)[0], str(shirt_key_file(Path(folder), pair_shirt(Path(folder)).id))
+        places = [str(chair.port), str(key_file), str(shirt_port), shirt_key, folder]
+        with (
+            started("app.bench.stop_served", *places) as web,
+            started("app.hardware.shirt.sender", "--key-file", shirt_key, "--to", f"127.0.0.1:{shirt_port}") as shirt,
+        ):
             try:
                 address = ("127.0.0.1", int(next_line(web)))
                 request(address, "GET", "/")  # the page that has the button was loaded before
@@ -42,6 +48,7 @@ def measure_stop(stops: int = STOPS) -> list[Row]:
                     times.append(_stopped(chair, clock, lambda stop=stop: stop(web, address)))  # type: ignore[misc]
             finally:
                 web.communicate()
+                shirt.terminate()
     return [
         _row("tablet stop to the first stop frame, from the command on the link: p99", over_link),
         _row("tablet stop to the first stop frame, from POST /control/stop: p99", over_http),

@@ -1,14 +1,15 @@
 """The web process of the stop's benchmark: the real application, its own control process, and a chair to be stopped.
 
-Arguments: the chair's port, its key file, a folder for the state. Prints the port that it serves. Then, for each line
-on stdin: `arm` prints `armed` as soon as the chair may move; `stop` sends the command over the link, and prints when
-(monotonic s). Ends with stdin.
+Arguments: the chair's port and key file, the shirt's port and key file, a folder for the state. Prints the port that it
+serves. Then, for each line on stdin: `arm` prints `armed` as soon as the chair may move; `stop` sends the command over
+the link, and prints when (monotonic s). Ends with stdin.
 """
 
 import asyncio
 import socket
 import sys
 from pathlib import Path
+from typing import Any
 
 import uvicorn
 
@@ -29,7 +30,7 @@ LOOK_EVERY = 0.005  # s
 ARMING_LIMIT = 30.0  # s
 
 
-async def main(chair_port: int, key_file: Path, folder: Path) -> None:
+async def main(chair: dict[str, Any], shirt_port: int, shirt_key: str, folder: Path) -> None:
     """Serve until stdin ends."""
     with socket.create_server(("127.0.0.1", 0)) as listening:
         port = listening.getsockname()[1]
@@ -43,7 +44,7 @@ async def main(chair_port: int, key_file: Path, folder: Path) -> None:
         tidy()  # as the web server does
         control = flows_of(app).control
         control.screen_sign = lambda: ScreenSign(0.0)  # a screen that is in view all the time
-        digest = await _set_up(control, chair_port, key_file, folder)
+        digest = await _set_up(control, chair, shirt_port, shirt_key, folder)
         _say(str(port))
         while word := (await asyncio.to_thread(sys.stdin.readline)).strip():
             if word == "arm":
@@ -57,14 +58,14 @@ async def main(chair_port: int, key_file: Path, folder: Path) -> None:
         await serving
 
 
-async def _set_up(control: Control, chair_port: int, key_file: Path, folder: Path) -> str:
+async def _set_up(control: Control, chair: dict[str, Any], shirt_port: int, shirt_key: str, folder: Path) -> str:
     parameters = bench_parameters(SAMPLE_RATE, "velocity")  # the other one asks for a stop switch
     layout = parameters.profile.layout.model_dump(mode="json")
-    await control.call("shirt", config={"kind": "simulator", "sample_rate": SAMPLE_RATE, "seed": 1, "layout": layout})
-    await control.call("body", config={"kind": "visitor"})
+    shirt = {"kind": "udp", "port": shirt_port, "sample_rate": SAMPLE_RATE, "layout": layout, "key_file": shirt_key}
+    await control.call("shirt", config=shirt)
     await control.call("parameters", parameters=parameters.model_dump(mode="json"))
     await control.call("world", floorplan=bench_floorplan().model_dump(mode="json"), path="main")
-    await control.call("chair", config=bench_chair(chair_port, key_file))
+    await control.call("chair", config=chair)
     await control.call("run", run_id="bench", folder=str(folder / "run"), kind="drive", cues=[], meta={})
     return parameters.hash
 
@@ -96,4 +97,5 @@ def _say(line: str) -> None:
 
 
 if __name__ == "__main__":
-    asyncio.run(main(int(sys.argv[1]), Path(sys.argv[2]), Path(sys.argv[3])))
+    real_chair = bench_chair(int(sys.argv[1]), Path(sys.argv[2]))
+    asyncio.run(main(real_chair, int(sys.argv[3]), sys.argv[4], Path(sys.argv[5])))

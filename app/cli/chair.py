@@ -1,13 +1,12 @@
 """`bodydrive chair`: pair with a real chair, and the program that runs on it."""
 
-import io
-import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from app.cli.errors import InputError
+from app.cli.qr import terminal_code
 from app.file_modes import keep_new_files_private
 from app.hardware.chair import receive as receiver
 from app.session.refusals import Refusal
@@ -73,7 +72,7 @@ def pair(
         key = _paired(chair, settings)
     except Refusal as refusal:
         raise InputError(str(refusal)) from refusal
-    typer.echo(_code(key))
+    typer.echo(terminal_code(key.line))
     for sentence in _instructions(chair, key, settings.keys):
         typer.echo(sentence)
 
@@ -112,16 +111,6 @@ def _paired(chair: "RealChairConfig", settings: Settings) -> "Key":
     finally:
         database.close()
     return key
-
-
-def _code(key: "Key") -> str:
-    """Return a key as a QR code for a terminal, in half blocks where it can show them."""
-    import segno  # noqa: PLC0415
-
-    drawn = io.StringIO()
-    has_blocks = "utf" in (sys.stdout.encoding or "").lower()
-    segno.make_qr(key.line, error="m").terminal(drawn, compact=has_blocks)
-    return drawn.getvalue()
 
 
 def _instructions(chair: "RealChairConfig", key: "Key", keys: Path) -> list[str]:

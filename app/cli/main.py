@@ -18,6 +18,7 @@ COMMANDS = {
     "score": ("app.cli.score", "score"),
     "study": ("app.cli.study", "study"),
     "replay": ("app.cli.replay", "replay"),
+    "shirt": ("app.cli.shirt", "shirt_app"),
     "chair": ("app.cli.chair", "chair_app"),
     "log": ("app.cli.log", "log_app"),
     "bench": ("app.cli.bench", "bench"),

@@ -125,6 +125,39 @@ class Shirt(Protocol):
         ...
 
 
+class OtherSenders(Protocol):
+    """Who else sends good frames to a shirt's port."""
+
+    @property
+    def name(self) -> str:
+        """The shirt's own address, empty before its first frame."""
+        ...
+
+    @property
+    def other(self) -> str:
+        """The address of another sender, empty when there is none."""
+        ...
+
+    @property
+    def others(self) -> int:
+        """How many frames of other senders were left out."""
+        ...
+
+
+@runtime_checkable
+class FromNetwork(Protocol):
+    """A shirt whose frames anybody could send, so that its sender is chosen by a person."""
+
+    @property
+    def senders(self) -> OtherSenders:
+        """Who sends."""
+        ...
+
+    def use_sender(self, name: str) -> bool:
+        """Take another sender as the shirt; False when none of this name sent good frames."""
+        ...
+
+
 class HeadTracker(Protocol):
     """A source of head poses. Only the newest matters: nothing is queued, nothing is waited for."""
 

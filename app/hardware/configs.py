@@ -4,13 +4,12 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
+from app.hardware.places import FilePlace, Host, SerialLine
 from app.layout import ShirtLayout
 from app.quantities import Count, Document, Hertz, Name, Port, Title
 from app.speeds import Speeds
 
 ShirtRate = Annotated[Hertz, Field(ge=10, le=2000)]
-FilePlace = Annotated[str, Field(min_length=1, max_length=4096, pattern=r"^[^\x00]+$")]
-Host = Annotated[str, Field(min_length=1, max_length=253, pattern=r"^[A-Za-z0-9.:_-]+$")]
 
 
 class SimulatorConfig(Document):
@@ -39,6 +38,7 @@ class UdpConfig(Document):
     port: Port = 5252  # 0: any free one
     layout: ShirtLayout
     sample_rate: ShirtRate = 100.0
+    key_file: FilePlace | None = None  # None: frames of anybody are taken, so that no real chair is armed
 
 
 class PersonConfig(Document):
@@ -100,7 +100,7 @@ class FlockOfBirdsConfig(Document):
     """Ascension's Flock of Birds on a serial line."""
 
     kind: Literal["flock_of_birds"]
-    device: FilePlace  # such as /dev/ttyUSB0
+    device: SerialLine  # such as /dev/ttyUSB0
     baud: Annotated[int, Field(strict=True, ge=2400, le=115_200)] = 115_200
     address: Annotated[int, Field(strict=True, ge=1, le=14)] | None = None  # in a group of units; None: a single one
 

@@ -1,6 +1,7 @@
 """The drivers in one table: word -> (module, class), imported only when asked for."""
 
 from collections.abc import Mapping
+from enum import Enum
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, cast
 
@@ -21,6 +22,31 @@ SHIRTS: Table = {
     "replay": ("app.hardware.shirt.replay", "ReplayedShirt"),
     "udp": ("app.hardware.shirt.udp", "UdpShirt"),
 }
+
+
+class Trust(Enum):
+    """Whether a source of frames may arm a real chair (safety S29)."""
+
+    WIRED = "nobody but the shirt is on the line"
+    WITH_KEY = "only where a key is paired"
+    NEVER = "nobody wears it"
+
+
+TRUST: Mapping[str, Trust] = {
+    "simulator": Trust.NEVER,
+    "replay": Trust.NEVER,
+    "udp": Trust.WITH_KEY,
+}
+"""What each source of `SHIRTS` declares; a source that declares nothing arms no real chair."""
+
+NOBODY_WEARS_IT = (
+    "A simulated or played shirt arms no real chair, for nobody wears it: choose the shirt on the Shirt page."
+)
+NO_KEY = (
+    "A shirt without a key arms no real chair, for anybody on the network could send its frames: pair it "
+    "(bodydrive shirt pair), then choose its key on the Shirt page."
+)
+
 BODIES: Table = {
     "person": ("app.hardware.body.person", "Person"),
     "visitor": ("app.hardware.body.visitor", "Visitor"),
@@ -67,6 +93,16 @@ def driver_class(what: str, word: str, table: Table) -> Any:
         raise HardwareError(
             f"the driver {module} of the {what} '{word}' has no class {name}: correct its table in app/hardware"
         ) from error
+
+
+def mistrust(config: ShirtConfig) -> str:
+    """Return in a sentence why this source arms no real chair; empty for one that may."""
+    trust = TRUST.get(config.kind, Trust.NEVER)
+    if trust is Trust.WIRED:
+        return ""
+    if trust is Trust.WITH_KEY:
+        return "" if getattr(config, "key_file", None) else NO_KEY
+    return NOBODY_WEARS_IT
 
 
 def parse_shirt(document: object) -> ShirtConfig:

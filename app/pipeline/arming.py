@@ -27,6 +27,8 @@ def real_chair_refusal(loop: ControlLoop) -> str:
     link, parameters = setup.link, setup.parameters
     if link is None or parameters is None:
         return ""
+    if setup.mistrust:
+        return setup.mistrust
     if loop.run is None:
         return "A real chair drives only while it is recorded: begin a drive first."
     if link.silent:

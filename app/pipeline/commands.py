@@ -14,13 +14,18 @@ from app.link import CommandServer
 from app.pipeline import documents
 from app.pipeline.arming import real_chair_refusal, refusal
 from app.pipeline.loop import ControlLoop
+from app.pipeline.opening import Change, Openings
 from app.pipeline.runs import Runs
 from app.pipeline.setup import Refused
+from app.pipeline.status import status
 from app.quantities import Document
 from app.realtime import tidy
 from app.sentences import one_sentence
 
 Answer = dict[str, Any]
+
+NOT_MEANWHILE = frozenset({"shirt", "sender", "body", "head", "chair", "parameters", "world", "run", "arm", "clear"})
+"""What is refused while a device is being opened: it would change, arm or record what is not complete."""
 
 STOPPED_BY = {"tablet": Fault.STOP_TABLET, "key": Fault.STOP_KEY, "picture": Fault.PICTURE_LOST}
 SCREEN_FAULTS = {"in view": Fault.NONE, "hidden": Fault.SCREEN_HIDDEN, "slow": Fault.SCREEN_SLOW}
@@ -44,9 +49,11 @@ class Commands:
         self._real_time = real_time
         self._clock = clock
         self._runs = Runs(loop, server, clock)
+        self._openings = Openings(clock)
         self._commands = {
             "heartbeat": Command(documents.Heartbeat, self._heartbeat),
             "shirt": Command(documents.Device, self._shirt),
+            "sender": Command(documents.Sender, self._sender),
             "body": Command(documents.Device, self._body),
             "move": Command(documents.Move, self._move),
             "head": Command(documents.Head, self._head),
@@ -71,6 +78,7 @@ class Commands:
         """Do what has been asked for, and answer what has been finished."""
         for message in self._server.poll():
             self._do(message)
+        self._openings.poll()
         self._runs.poll()
 
     def close(self) -> None:
@@ -85,6 +93,8 @@ class Commands:
             self._server.refuse(command_id, f"There is no command '{word}': use one of {', '.join(self._commands)}.")
             return
         try:
+            if word in NOT_MEANWHILE and self._openings.busy:
+                raise Refused("Another device is being opened: wait a moment, then try again.")
             answer = command.do(command.fields.model_validate(message), command_id)
         except ValidationError as error:
             self._server.refuse(command_id, f"{one_sentence(error, word)}.")
@@ -100,27 +110,31 @@ class Commands:
         self._loop.conditions.screen = SCREEN_FAULTS[fields.screen]
         return {}
 
-    def _shirt(self, fields: documents.Device, _id: int) -> Answer:
+    def _shirt(self, fields: documents.Device, command_id: int) -> None:
         self._require_no_run()
-        try:
-            self._setup.use_shirt(parse_shirt(fields.config))
-        finally:
-            tidy()
-            self._loop.new_shirt()
-        shirt = self._setup.shirt
-        if shirt is None:
-            raise Refused("The shirt was not opened: choose another one.")
-        return {
-            "layout": shirt.layout.model_dump(mode="json"),
-            "sample_rate": shirt.sample_rate,
-            "hash": self._setup.hash,
-        }
+        change = self._setup.change_shirt(parse_shirt(fields.config))
+        self._loop.new_shirt()
 
-    def _body(self, fields: documents.Device, _id: int) -> Answer:
-        self._setup.require_still()
-        self._setup.use_body(parse_body(fields.config))
-        self._settle()
+        def answer() -> Answer:
+            self._loop.new_shirt()
+            return {
+                "layout": self._setup.layout_document,
+                "sample_rate": self._setup.sample_rate,
+                "hash": self._setup.hash,
+                "mistrust": self._setup.mistrust,
+            }
+
+        self._open(change, command_id, answer)
+
+    def _sender(self, fields: documents.Sender, _id: int) -> Answer:
+        self._require_no_drive()
+        shirt = self._setup.network_shirt
+        if shirt is None or not shirt.use_sender(fields.sender):
+            raise Refused("This sender sends no frames of this shirt: look again who does.")
         return {}
+
+    def _body(self, fields: documents.Device, command_id: int) -> None:
+        self._open(self._setup.change_body(parse_body(fields.config)), command_id, dict)
 
     def _move(self, fields: documents.Move, _id: int) -> Answer:
         body = self._setup.dressed.body if self._setup.dressed else None
@@ -133,14 +147,11 @@ class Commands:
             raise Refused(f"{error}.") from error
         return {}
 
-    def _head(self, fields: documents.Head, _id: int) -> Answer:
+    def _head(self, fields: documents.Head, command_id: int) -> None:
         self._require_no_drive()
-        config = None if fields.config is None else parse_head(fields.config)
-        try:
-            self._setup.looking.use(config)
-        finally:
-            self._settle()
-        return {"words": self._setup.looking.words}
+        looking = self._setup.looking
+        change = looking.change(None if fields.config is None else parse_head(fields.config))
+        self._open(change, command_id, lambda: {"words": looking.words})
 
     def _look(self, fields: documents.Look, _id: int) -> Answer:
         if not self._setup.looking.look(fields.yaw, fields.pitch, fields.roll):
@@ -164,12 +175,14 @@ class Commands:
         self._settle()
         return {}
 
-    def _chair(self, fields: documents.Device, _id: int) -> Answer:
+    def _chair(self, fields: documents.Device, command_id: int) -> None:
         self._require_no_drive()
-        self._setup.use_chair(parse_chair(fields.config))
-        self._loop.new_chair()
-        self._settle()
-        return {"kind": "virtual" if self._setup.link is None else "udp"}
+
+        def answer() -> Answer:
+            self._loop.new_chair()
+            return {"kind": "virtual" if self._setup.link is None else "udp"}
+
+        self._open(self._setup.change_chair(parse_chair(fields.config)), command_id, answer)
 
     def _limits(self, fields: documents.Limits, _id: int) -> Answer:
         self._setup.use_clinic(fields.clinic)
@@ -225,27 +238,7 @@ class Commands:
         return {}
 
     def _status(self, _fields: documents.Nothing, _id: int) -> Answer:
-        setup, loop = self._setup, self._loop
-        return {
-            "shirt": {
-                "kind": setup.shirt_kind,
-                "words": setup.shirt_words,
-                "alive": loop.shirt_alive,
-                "sample_rate": setup.sample_rate if setup.shirt else 0.0,
-                "lost": setup.shirt.lost if setup.shirt else 0,
-            },
-            "chair": {
-                "kind": "virtual" if setup.link is None else "udp",
-                "words": setup.chair_words,
-                "switch_seen": setup.link is not None and setup.link.heard.switch_seen,
-            },
-            "head": {"kind": setup.looking.kind, "words": setup.looking.words},
-            "dial": setup.chain.dial,
-            "realtime": self._real_time,
-            "late": loop.late,
-            "recording": self._runs.status(),
-            "hash": setup.hash,
-        }
+        return {**status(self._loop), "realtime": self._real_time, "recording": self._runs.status()}
 
     def _quit(self, _fields: documents.Nothing, _id: int) -> Answer:
         self.quit = True
@@ -259,6 +252,18 @@ class Commands:
         """Refuse while armed or recording: a stop in a trial is cleared into what was armed, and into nothing else."""
         self._setup.require_still()
         self._require_no_run()
+
+    def _open(self, change: Change, command_id: int, answer: Callable[[], Answer]) -> None:
+        """Open a device off the loop; the command is answered when it is there, or refused with why it is not."""
+
+        def finish(why: str) -> None:
+            if why:
+                self._server.refuse(command_id, why)
+            else:
+                self._settle()
+                self._server.answer(command_id, **answer())
+
+        self._openings.begin(change, finish)
 
     def _settle(self) -> None:
         """Take what was just loaded into the long-lived memory; the loop begins a new deadline."""

@@ -47,6 +47,12 @@ class Look(Document):
     roll: Radians
 
 
+class Sender(Document):
+    """Another sender that is the shirt from now on."""
+
+    sender: Annotated[str, Field(min_length=1, max_length=100)]  # HOST:PORT, as `status` names it
+
+
 class Move(Document):
     """Where the visitor wants the joints of the simulated body."""
 

@@ -1,7 +1,6 @@
 """The head tracker in use: its newest pose in every tick, and never a reason for the loop to wait or to end."""
 
 import math
-from contextlib import suppress
 
 from app.clock import Clock
 from app.geometry import wrap_angle
@@ -9,6 +8,7 @@ from app.hardware.base import HeadTracker
 from app.hardware.configs import HeadConfig
 from app.hardware.registry import make_head
 from app.messages import HeadPose, Tick
+from app.pipeline.opening import Change, close_quietly, one_line, opened_device
 
 NOBODY = "No head tracker is connected: the view looks straight ahead."
 
@@ -28,21 +28,22 @@ class Looking:
         """The tracker's state in words."""
         return self._failed or (self._tracker.words() if self._tracker else NOBODY)
 
-    def use(self, config: HeadConfig | None) -> None:
-        """Close the tracker in use and open this one; raise HardwareError, with none open, when it cannot be had."""
-        self.close()
-        if config is None:
-            return
-        tracker = make_head(config, self._clock)
-        tracker.open()
-        self._tracker, self.kind = tracker, config.kind
+    def change(self, config: HeadConfig | None) -> Change:
+        """Do without a head tracker from now on, and return how this one is opened and put to use."""
+        before = self._let_go()
+
+        def opened() -> HeadTracker | None:
+            close_quietly(before)
+            return None if config is None else opened_device(make_head(config, self._clock))
+
+        def take(tracker: HeadTracker | None) -> None:
+            self._tracker, self.kind = tracker, config.kind if config else ""
+
+        return Change("head tracker", opened, take)
 
     def close(self) -> None:
         """Do without a head tracker."""
-        if self._tracker is not None:
-            self._tracker.close()
-        self._tracker, self.kind, self._failed = None, "", ""
-        self._ahead = (0.0, 0.0, 0.0)
+        close_quietly(self._let_go())
 
     def look(self, yaw: float, pitch: float, roll: float) -> bool:
         """Hand on what a tablet tells of itself (rad); False when none is listened to."""
@@ -70,6 +71,13 @@ class Looking:
         tick.head_pitch, tick.head_roll = wrap_angle(pose.pitch - pitch), wrap_angle(pose.roll - roll)
         tick.head_age = max(0.0, t - pose.t)
 
+    def _let_go(self) -> HeadTracker | None:
+        """Do without a head tracker, and return the one that was in use, still open."""
+        before, self._tracker = self._tracker, None
+        self.kind = self._failed = ""
+        self._ahead = (0.0, 0.0, 0.0)
+        return before
+
     def _newest(self) -> HeadPose | None:
         if self._tracker is None:
             return None
@@ -77,7 +85,6 @@ class Looking:
             return self._tracker.newest()
         except Exception as error:  # whatever a device does, the loop turns on
             tracker, self._tracker = self._tracker, None
-            self._failed = f"The head tracker failed ({error or type(error).__name__}): choose it again."
-            with suppress(Exception):
-                tracker.close()
+            self._failed = f"The head tracker failed ({one_line(str(error)) or type(error).__name__}): choose it again."
+            close_quietly(tracker)
             return None

@@ -5,7 +5,7 @@ import math
 from app.clock import Clock
 from app.faults import State
 from app.geometry import Pose
-from app.hardware.base import BodyView, LeaderView
+from app.hardware.base import BodyView, LeaderView, Shirt
 from app.hardware.chair.link import ChairLink
 from app.hardware.chair.report import ChairReport
 from app.messages import NO_CUE, SensorFrame, Tick
@@ -86,7 +86,7 @@ class ControlLoop:
             left = max(0.0, min(self._deadline, link.due) - now)
             wait = left if left <= CHAIR_WAIT else left / 2
         if shirt is not None:
-            frame, lost = shirt.read(wait), shirt.lost
+            frame, lost = self._read(shirt, wait)
         else:
             self._clock.sleep_until(self._deadline if link is None else now + wait)
             frame, lost = None, 0
@@ -97,6 +97,14 @@ class ControlLoop:
                 self.tell_chair()
                 return
         self._step(frame, lost)
+
+    def _read(self, shirt: Shirt, wait: float) -> tuple[SensorFrame | None, int]:
+        """Return the shirt's next frame and how many it has lost; a driver that fails is let go of."""
+        try:
+            return shirt.read(wait), shirt.lost
+        except Exception as error:  # whatever a device does, the loop turns on
+            self.setup.lose_shirt(error)
+            return None, 0
 
     def tell_chair(self) -> None:
         """Tell a real chair what the gate permits, if it is time to or the gate's state has changed."""

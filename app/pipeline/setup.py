@@ -1,25 +1,27 @@
 """What is connected and loaded: shirt, body, chair, limits, parameters, world; and the chain made of them."""
 
-from typing import Protocol, cast
+from typing import Any, Protocol, cast
 
 from app.calibration.vocabulary import DriveParameters
 from app.clock import Clock
 from app.faults import State
 from app.geometry import STANDSTILL
-from app.hardware.base import ORIGIN, Body, BodyView, Driving, Shirt
+from app.hardware.base import ORIGIN, Body, BodyView, Driving, FromNetwork, Shirt
 from app.hardware.chair.link import ChairLink
 from app.hardware.chair.packet import DIGEST_BYTES
 from app.hardware.chair.simulator import Dynamics, VirtualChair
 from app.hardware.configs import BodyConfig, ChairConfig, RealChairConfig, ShirtConfig
-from app.hardware.registry import make_body, make_real_chair, make_shirt
+from app.hardware.registry import make_body, make_real_chair, make_shirt, mistrust
 from app.pipeline.chain import Chain
 from app.pipeline.looking import Looking
+from app.pipeline.opening import Change, close_quietly, one_line, opened_device
 from app.speeds import NO_FURTHER, Speeds
 from app.world.floorplan import FloorPlan, PrescribedPath
 from app.world.scenery import Track
 from app.world.task_progress import leader_of
 
 IDLE_RATE = 50.0  # Hz: how often the loop turns while there is no shirt
+NO_SHIRT = "No shirt is connected: choose one on the Shirt page."
 
 
 class Refused(Exception):  # noqa: N818
@@ -41,6 +43,8 @@ class Setup:
         self.looking = Looking(clock)
         self.shirt: Shirt | None = None
         self.shirt_kind = ""
+        self.mistrust = NO_SHIRT  # why the shirt in use arms no real chair, empty when it may
+        self._shirt_failed = ""  # why the shirt in use had to be let go
         self.dressed: DressedShirt | None = None  # the same shirt, when it is the simulated one
         self.parameters: DriveParameters | None = None
         self.hash: str | None = None
@@ -65,9 +69,19 @@ class Setup:
         return self.shirt.sample_rate if self.shirt else IDLE_RATE
 
     @property
+    def layout_document(self) -> dict[str, Any] | None:
+        """The layout of the shirt as a document, None without a shirt."""
+        return self.shirt.layout.model_dump(mode="json") if self.shirt else None
+
+    @property
+    def network_shirt(self) -> FromNetwork | None:
+        """The shirt, when somebody else's frames could reach it."""
+        return self.shirt if isinstance(self.shirt, FromNetwork) else None
+
+    @property
     def shirt_words(self) -> str:
         """The shirt's state in words."""
-        return self.shirt.words() if self.shirt else "No shirt is connected: choose one on the Shirt page."
+        return self.shirt.words() if self.shirt else self._shirt_failed or NO_SHIRT
 
     @property
     def chair_words(self) -> str:
@@ -84,58 +98,51 @@ class Setup:
         if self.chain.gate.state in (State.ARMED, State.CHECKING) or not self.stands:
             raise Refused("The chair is armed: end the drive first.")
 
-    def use_shirt(self, config: ShirtConfig) -> None:
-        """Close the shirt in use and open this one; raise HardwareError, with no shirt open, when it cannot be had."""
+    def change_shirt(self, config: ShirtConfig) -> Change:
+        """Do without a shirt from now on, and return how this one is opened and put to use."""
         self.require_still()
-        self.close_shirt()
-        shirt = make_shirt(config, self._clock)
-        try:
-            shirt.open()
-        except Exception:
-            shirt.close()
-            raise
-        self.shirt, self.shirt_kind = shirt, config.kind
-        self.dressed = cast(DressedShirt, shirt) if config.kind == "simulator" else None
-        if self.parameters is not None and not self._fits(self.parameters):
-            self.parameters = self.hash = None
-        self._link_chain()
+        before = self._take_off_shirt()
 
-    def close_shirt(self) -> None:
-        """Do without a shirt."""
-        if self.shirt is not None:
-            self.shirt.close()
-        self.shirt = self.dressed = None
-        self.shirt_kind = ""
-        self._link_chain()
+        def opened() -> Shirt:
+            close_quietly(before)  # first: the next one may want the same port
+            return opened_device(make_shirt(config, self._clock))
+
+        def take(shirt: Shirt) -> None:
+            self.shirt, self.shirt_kind, self.mistrust = shirt, config.kind, mistrust(config)
+            self.dressed = cast(DressedShirt, shirt) if config.kind == "simulator" else None
+            if self.parameters is not None and not self._fits(self.parameters):
+                self.parameters = self.hash = None
+            self._link_chain()
+
+        return Change("shirt", opened, take)
+
+    def lose_shirt(self, error: Exception) -> None:
+        """Let go of a shirt whose driver failed; without frames the gate stops the chair as for a silent one."""
+        failed, self.shirt, self.dressed = self.shirt, None, None
+        self.mistrust = NO_SHIRT
+        self._shirt_failed = f"The shirt failed ({one_line(str(error)) or type(error).__name__}): choose it again."
+        close_quietly(failed)
 
     def close(self) -> None:
         """Give the devices back."""
         self.looking.close()
         self.close_chair()
-        if self.shirt is not None:
-            self.shirt.close()
+        close_quietly(self.shirt)
 
-    def use_body(self, config: BodyConfig) -> None:
-        """Let somebody else into the simulated shirt; raise HardwareError when the body cannot be had."""
+    def change_body(self, config: BodyConfig) -> Change:
+        """Return how somebody else gets into the simulated shirt."""
+        self.require_still()
         if self.dressed is None:
             raise Refused("Only the simulated shirt has a body to choose: choose the simulated shirt first.")
-        self.dressed.body = make_body(config)
-        self._show_path()
+        return Change("body", lambda: make_body(config), self._let_in)
 
-    def use_chair(self, config: ChairConfig) -> None:
-        """Drive this chair from now on; raise HardwareError, with the chair in use as it was, when it cannot be had."""
+    def change_chair(self, config: ChairConfig) -> Change:
+        """Return how this chair is opened and put to use; until then, and when it fails, the one in use stays."""
         self.require_still()
         if isinstance(config, RealChairConfig):
-            link = make_real_chair(config)
-            link.open()
-            self.close_chair()
-            self.chair = self.link = link
-            self.floorplan = self.path = self.leader = None
-        else:
-            self.close_chair()
-            self._dynamics = config.dynamics
-            self.chair = VirtualChair(self.floorplan, self.path.start if self.path else ORIGIN, self._dynamics)
-        self._link_chain()
+            return Change("chair", lambda: opened_device(make_real_chair(config)), self._take_real_chair)
+        dynamics = config.dynamics
+        return Change("chair", lambda: None, lambda _: self._take_virtual_chair(dynamics))
 
     def close_chair(self) -> None:
         """Let go of a real chair."""
@@ -190,6 +197,31 @@ class Setup:
     def to_start(self) -> None:
         """Put the virtual chair on the start, and reckon a real one's way from where it stands."""
         self.chair.place(self.path.start if self.path else ORIGIN)
+
+    def _take_off_shirt(self) -> Shirt | None:
+        """Do without a shirt, and return the one that was in use, still open."""
+        before, self.shirt, self.dressed = self.shirt, None, None
+        self.shirt_kind = self._shirt_failed = ""
+        self.mistrust = NO_SHIRT
+        self._link_chain()
+        return before
+
+    def _let_in(self, body: Body) -> None:
+        if self.dressed is not None:
+            self.dressed.body = body
+            self._show_path()
+
+    def _take_real_chair(self, link: ChairLink) -> None:
+        self.close_chair()
+        self.chair = self.link = link
+        self.floorplan = self.path = self.leader = None
+        self._link_chain()
+
+    def _take_virtual_chair(self, dynamics: Dynamics) -> None:
+        self.close_chair()
+        self._dynamics = dynamics
+        self.chair = VirtualChair(self.floorplan, self.path.start if self.path else ORIGIN, dynamics)
+        self._link_chain()
 
     def _fits(self, parameters: DriveParameters) -> bool:
         """Return whether the frames of the shirt are what these parameters were made for."""

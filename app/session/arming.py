@@ -21,12 +21,9 @@ from app.session.tables import PatientSession
 from app.session.visit_flow import VisitFlow
 from app.speeds import NO_FURTHER, Speeds, dialled, most_restrictive
 
-NOT_A_BODY = frozenset({"simulator", "replay"})  # shirts that nobody wears
-
 NOBODY = "Nobody is here: choose a patient on the Patients page first."
 NOT_CALIBRATED = "Nothing is calibrated yet: go to Calibrate and accept a result first."
 NO_CHAIR = "The virtual chair is chosen: choose a real one first."
-NOT_WORN = "A simulated or repeated shirt must not drive a real chair: choose the shirt that the patient wears."
 NOT_PRACTISED = "This set was never practised on the virtual chair: finish a trial with it, and keep it, first."
 SHOW_THE_SWITCH = (
     "In acceleration mode a chair cruises by itself: press and release its stop switch once to show that it works, "
@@ -70,8 +67,6 @@ class RealArming:
         visit: VisitFlow,
         chairs: Chairs,
         limits: ClinicLimits,
-        *,
-        demonstration: bool,
     ) -> None:
         self._database = database
         self._control = control
@@ -79,7 +74,6 @@ class RealArming:
         self._visit = visit
         self._chairs = chairs
         self._limits = limits
-        self._demonstration = demonstration
         self._practised = Practised()
 
     async def look(self, clinic_id: int) -> Arming:
@@ -97,13 +91,6 @@ class RealArming:
             differences=changed,
             refusals=[*self._about_the_patient(found), *await self._about_the_chair(parameters)],
         )
-
-    @property
-    def warning(self) -> str:
-        """Return what must be said of a chair that nobody wears a shirt for; empty where that cannot be."""
-        if self._chairs.chosen is None or not (self._demonstration and self._equipment.shirt["kind"] in NOT_A_BODY):
-            return ""
-        return "A demonstration: the simulated body may drive this chair, so nobody may sit in it."
 
     def held(self, speeds: Speeds) -> dict[str, float]:
         """Return what holds instead of those numbers of a set that the clinic or the chosen chair does not allow."""
@@ -127,8 +114,8 @@ class RealArming:
         obstacle = self._visit.obstacle(found.parameters)
         if obstacle is not None:
             refusals.append(obstacle)
-        if self._equipment.shirt["kind"] in NOT_A_BODY and not self._demonstration:
-            refusals.append(NOT_WORN)
+        if self._equipment.mistrust:
+            refusals.append(self._equipment.mistrust)
         if found.practice.trials == 0:
             refusals.append(NOT_PRACTISED)
         return refusals

@@ -1,7 +1,7 @@
 """The shirt in use, what moves inside it when it is simulated, and which of its channels are left alone."""
 
 import asyncio
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any, Literal
 
@@ -10,6 +10,7 @@ from pydantic import ValidationError
 from app.layout import ShirtLayout
 from app.session.control import Control
 from app.session.database import Database
+from app.session.pairing import shirt_key_files
 from app.session.refusals import Conflict, NotFound, Refusal, Unavailable
 from app.session.store_people import the_clinic
 
@@ -20,16 +21,20 @@ STANDARD_SHIRT: dict[str, Any] = {
     "layout": None,
     "dead_channels": [],
 }
+NO_SHIRT = "There is no shirt: choose one on the Shirt page."
 STANDARD_BODY: dict[str, Any] = {"kind": "person", "skill": "practised", "seed": 1}
 
 
 class Equipment:
     """What is connected; chosen by people, kept in the database, opened by the control process."""
 
-    def __init__(self, database: Database, control: Control, files: Path, tell: Callable[[str], None]) -> None:
+    def __init__(
+        self, database: Database, control: Control, files: Path, keys: Path, tell: Callable[[str], None]
+    ) -> None:
         self._database = database
         self._control = control
         self._files = files
+        self._keys = keys
         self._tell = tell
         self.shirt: dict[str, Any] = STANDARD_SHIRT
         self.body: dict[str, Any] | None = STANDARD_BODY
@@ -37,6 +42,7 @@ class Equipment:
         self.layout: ShirtLayout | None = None
         self.sample_rate = 0.0
         self.words = ""  # why there is no shirt, empty when there is one
+        self.mistrust = NO_SHIRT  # why the shirt arms no real chair, empty when it may
 
     async def open(self) -> None:
         """Open what was in use last; what does not open is said in words, and nothing takes its place."""
@@ -50,6 +56,7 @@ class Equipment:
 
     async def use_shirt(self, config: dict[str, Any]) -> None:
         """Open another shirt; when it does not open, the one before is opened again and the reason is raised."""
+        self.located(config)  # a file that is not here is refused before the shirt in use is closed
         before, body = self.shirt, self.body
         wanted = (body or STANDARD_BODY) if config["kind"] == "simulator" else None
         try:
@@ -59,7 +66,7 @@ class Equipment:
         except Unavailable:
             raise  # nothing was opened, and the next control process is given what was open before
         except Refusal:
-            self.shirt, self.body, self.layout = before, body, None
+            self.shirt, self.body, self.layout, self.mistrust = before, body, None, NO_SHIRT
             await self.open()
             raise
         self.body = wanted
@@ -89,7 +96,7 @@ class Equipment:
     def needed_layout(self) -> ShirtLayout:
         """Return the layout of the shirt, refusing when there is none."""
         if self.layout is None:
-            raise Conflict(self.words or "There is no shirt: choose one on the Shirt page.")
+            raise Conflict(self.words or NO_SHIRT)
         return self.layout
 
     async def _open_shirt(self, config: dict[str, Any]) -> None:
@@ -99,6 +106,7 @@ class Equipment:
         except ValidationError as error:
             raise Conflict("The shirt's layout cannot be read: choose another shirt.") from error
         self.sample_rate = float(answer["sample_rate"])
+        self.mistrust = str(answer["mistrust"])
         self.shirt, self.words = config, ""
 
     async def _open_body(self, config: dict[str, Any]) -> None:
@@ -108,17 +116,28 @@ class Equipment:
         try:
             return await self._control.load(do, config=self.located(config))
         except Conflict as refusal:  # a page knows files by their names, not by their places on this machine
-            raise Conflict(str(refusal).replace(f"{self._files}/", "")) from refusal
+            sentence = str(refusal).replace(f"{self._files}/", "").replace(f"{self._keys}/", "")
+            raise Conflict(sentence) from refusal
+
+    @property
+    def key_names(self) -> list[str]:
+        """Names of the keys of the shirts that are paired."""
+        return [file.name for file in shirt_key_files(self._keys)]
+
+    async def use_sender(self, sender: str) -> None:
+        """Take another sender (HOST:PORT) as the shirt from now on."""
+        await self._control.call("sender", sender=sender)
+        self._tell("equipment")
 
     def located(self, config: dict[str, Any]) -> dict[str, Any]:
-        """Return the configuration with the file's place instead of its name."""
-        if "file" not in config:
-            return config
-        name = str(config["file"])
-        for file in self._files.glob("*"):
-            if file.name == name:
-                return {**config, "file": str(file)}
-        raise NotFound(f"There is no file '{name[:80]}' here: bring it with 'Add a file' first.")
+        """Return the configuration with the places of its file and its key instead of their names."""
+        found = dict(config)
+        if "file" in config:
+            found["file"] = _place_of(str(config["file"]), self._files.glob("*"), "bring it with 'Add a file' first")
+        if config.get("key_file") is not None:
+            keys = shirt_key_files(self._keys)
+            found["key_file"] = _place_of(str(config["key_file"]), keys, "pair the shirt first (bodydrive shirt pair)")
+        return found
 
     def _read(self) -> None:
         with self._database.transaction() as db:
@@ -135,3 +154,11 @@ class Equipment:
 
         await asyncio.to_thread(_write)
         self._tell("equipment")
+
+
+def _place_of(name: str, files: Iterable[Path], otherwise: str) -> str:
+    """Return the place of the file of this name, or refuse and say what to do otherwise."""
+    for file in files:
+        if file.name == name:
+            return str(file)
+    raise NotFound(f"There is no file '{name[:80]}' here: {otherwise}.")

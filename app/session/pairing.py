@@ -1,11 +1,13 @@
-"""A key that a chair and this machine share: made, kept in a file of its own, taken away."""
+"""A key that a chair or a shirt shares with this machine: made, kept in a file of its own, taken away."""
 
 from pathlib import Path
 
 from sqlalchemy.orm import Session
 
 from app.hardware.chair.key import Key, new_key, write_key
-from app.session.store_chairs import add_chair, free_key_ids, remove_chair
+from app.hardware.shirt.newest import newest_file, write_newest
+from app.session.refusals import Conflict
+from app.session.store_chairs import LARGEST_KEY_ID, add_chair, free_key_ids, remove_chair
 from app.session.tables import Chair, Clinic
 from app.speeds import Speeds
 
@@ -40,3 +42,48 @@ def unpair_chair(db: Session, clinic: Clinic, keys: Path, chair_id: int) -> Chai
     chair = remove_chair(db, clinic, chair_id)
     key_file(keys, chair.key_id).unlink(missing_ok=True)
     return chair
+
+
+def shirt_key_file(keys: Path, key_id: int) -> Path:
+    """Return where the shirt's key of this number lies in the folder of all keys."""
+    return keys / f"shirt-{key_id}.key"
+
+
+def shirt_key_files(keys: Path) -> list[Path]:
+    """Return the keys of all shirts that are paired, by name."""
+    return sorted(file for file in keys.glob("shirt-*.key") if file.is_file())
+
+
+def pair_shirt(keys: Path) -> Key:
+    """Write a new shirt's key into `keys`, and that none of its frames has come yet; return the key.
+
+    Raises
+    ------
+    Conflict
+        When every number of a key was used.
+    OSError
+        When the key cannot be written; nothing stays then.
+    """
+    keys.mkdir(mode=0o700, parents=True, exist_ok=True)
+    # Deleting a key takes a shirt out of use; the note of its newest frame stays, so that its number is not used again.
+    for key_id in range(1, LARGEST_KEY_ID + 1):
+        file = shirt_key_file(keys, key_id)
+        if not file.exists() and not newest_file(file).exists():
+            break
+    else:
+        raise Conflict("Every number of a shirt's key was used: begin with a new state folder.")
+    key = new_key(key_id)
+    write_key(file, key)
+    try:
+        write_newest(newest_file(file), (0, 0))
+    except BaseException:
+        unpair_shirt(keys, key.id)
+        raise
+    return key
+
+
+def unpair_shirt(keys: Path, key_id: int) -> None:
+    """Take back a pairing that could not be completed."""
+    file = shirt_key_file(keys, key_id)
+    file.unlink(missing_ok=True)
+    newest_file(file).unlink(missing_ok=True)

@@ -92,6 +92,8 @@ class FakeLink:
         self.stops, self.dial, self.chair = 0, 1.0, "virtual"
         self.says: dict[str, Any] = {"battery": 0.5}  # what the real chair says, by the names of the tick
         self.switch_seen = False
+        self.mistrust = ""  # why the shirt arms no real chair
+        self.senders: dict[str, Any] | None = None  # of a shirt over the network
 
     async def call(self, do: str, **fields: Any) -> dict[str, Any]:
         if self.dead.is_set():
@@ -100,7 +102,7 @@ class FakeLink:
         if do in self.refuse:
             raise LinkRefused(self.refuse[do])
         if do == "shirt":
-            return {"layout": LAYOUT.model_dump(mode="json"), "sample_rate": 100.0}
+            return {"layout": LAYOUT.model_dump(mode="json"), "sample_rate": 100.0, "mistrust": self.mistrust}
         if do == "parameters":
             self.parameters = fields["parameters"]
         if do == "run":
@@ -129,7 +131,14 @@ class FakeLink:
             self.state, self.fault = (State.ARMED if self.run else State.DISARMED), Fault.NONE
         if do == "status":
             return {
-                "shirt": {"kind": "simulator", "words": "Sends.", "alive": True, "sample_rate": 100.0, "lost": 0},
+                "shirt": {
+                    "kind": "simulator",
+                    "words": "Sends.",
+                    "alive": True,
+                    "sample_rate": 100.0,
+                    "lost": 0,
+                    "senders": self.senders,
+                },
                 "realtime": ["No real-time scheduling."],
                 "late": 0,
                 "recording": None,

@@ -9,6 +9,7 @@ from fake_clinic import WORD, Clinic
 from app.api import drives
 from app.faults import Fault, State
 from app.hardware.chair.reasons import WORDS, Reason
+from app.hardware.registry import NO_KEY
 from app.session.store_people import add_person, sign_in, the_clinic
 from app.session.tables import Parameters
 from app.speeds import Speeds
@@ -158,15 +159,15 @@ def test_acceleration_mode_needs_the_stop_switch(calibrated: Any) -> None:
     assert calibrated.good("GET", "/drives/summary")["refusals"] == []
 
 
-@pytest.mark.parametrize("kind", ["simulator", "replay"])
-def test_a_shirt_that_nobody_wears_drives_a_real_chair_in_a_demonstration_only(ready: Any, kind: str) -> None:
-    ready.flows.equipment.shirt = {**ready.flows.equipment.shirt, "kind": kind}
-    assert ready.good("GET", "/chairs")["words"].startswith("A demonstration: the simulated body may drive")
-    assert ready.good("GET", "/drives/summary")["refusals"] == []
-    ready.flows.arming._demonstration = False
-    assert not ready.good("GET", "/chairs")["words"].startswith("A demonstration")
-    assert "must not drive a real chair" in ready.good("GET", "/drives/summary")["refusals"][0]
-    ready.flows.equipment.shirt = {**ready.flows.equipment.shirt, "kind": "udp"}
+def test_a_shirt_that_cannot_be_trusted_arms_no_real_chair_and_the_page_says_why(ready: Any) -> None:
+    """Safety S29: in a demonstration, too."""
+    ready.flows.equipment.mistrust = NO_KEY
+    assert ready.good("GET", "/drives/summary")["refusals"] == [NO_KEY]
+    with ready.screen():
+        answer = arm(ready)
+    assert (answer.status_code, answer.json()["detail"]) == (409, NO_KEY)
+    ready.link.mistrust = ""
+    ready.good("PUT", "/equipment/shirt", json={"kind": "simulator"})
     assert ready.good("GET", "/drives/summary")["refusals"] == []
 
 

@@ -34,6 +34,7 @@ FOR_REVIEWERS = {
     "GET /patients",
     "GET /visit",
     "GET /equipment",
+    "GET /equipment/sender",
     "GET /chairs",
     "GET /limits",
     "GET /floorplans",

@@ -9,13 +9,14 @@ import signal
 import socket
 import subprocess
 import sys
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from pathlib import Path
 
 import pytest
 from browser.driving import HIDE, SHOW, bend_until, go_on_until
 from playwright.sync_api import expect
 from processes.test_demo_process import bodydrive, printed_link
+from worn_shirt import WornShirt
 
 pytestmark = [pytest.mark.browser, pytest.mark.timeout(420)]
 
@@ -31,9 +32,9 @@ FREEZE = "() => { const since = performance.now(); while (performance.now() - si
 
 
 @pytest.fixture
-def demo():
-    """Yield the link of a running demonstration."""
-    with bodydrive("demo", "--port", "0") as process:
+def demo(tmp_path):
+    """Yield the link of a running demonstration, whose state lies in the test's folder."""
+    with bodydrive("demo", "--port", "0", TMPDIR=str(tmp_path)) as process:
         try:
             yield printed_link(process)
         finally:
@@ -106,6 +107,19 @@ def become_the_body(page):
     expect(page.get_by_text("You move this body").first).to_be_visible()
 
 
+def wear(page, keep, shirt):
+    """Choose the patient's shirt, which has a key, on the Shirt page."""
+    visit(page, "shirt")
+    card = page.locator("section.card", has=page.get_by_role("heading", name="Source"))
+    card.locator("summary").click()
+    card.get_by_role("radio", name="A shirt over the network").check(force=True)
+    card.get_by_label("Port").fill(str(shirt.port))
+    card.get_by_label("Key").select_option(shirt.config["key_file"])
+    keep("chair-shirt-key")
+    card.get_by_role("button", name="Use this").click()
+    expect(card.get_by_text("Its frames come from 127.0.0.1:")).to_be_visible()
+
+
 def pair(page, keep, port) -> str:
     """Pair a chair on the settings page, and return its key line."""
     visit(page, "settings")
@@ -164,6 +178,7 @@ def is_refused_while_silent_and_unpractised(page, keep):
     expect(told_by_chair(page)).to_contain_text("Does not answer")
     expect(missing).to_contain_text("does not answer")
     expect(missing).to_contain_text("never practised")
+    expect(missing).to_contain_text("nobody wears it")
     expect(page.get_by_role("button", name="Arm", exact=True)).to_be_disabled()
     keep("chair-silent")
 
@@ -188,9 +203,9 @@ def is_armed_when_nothing_is_missing(page, keep, chair):
     until_driving(page)
 
 
-def stops_by_key_and_by_touch(page, keep):
+def stops_by_key_and_by_touch(page, keep, bend):
     state, speed = page.locator(".drive-state"), page.locator(".drive-speed .giant")
-    bend_until(page, speed, 0.1)
+    bend_until(page, speed, 0.1, bend)
     keep("chair-drives")
     page.get_by_role("button", name="Speed dial, share of the speeds −").click()
     expect(page.locator(".dial output")).to_have_text("90 %")
@@ -252,10 +267,12 @@ def test_a_real_chair_is_armed_driven_stopped_and_ended(tablet, tmp_path):
     keep("chair-choose")
     practise(page)
 
-    with chair.receiving(key_line):
+    shirt = WornShirt(next(tmp_path.rglob("bodydrive.sqlite")).parent)
+    with chair.receiving(key_line), closing(shirt):
+        wear(page, keep, shirt)
         choose_chair(page)
         is_armed_when_nothing_is_missing(page, keep, chair)
-        stops_by_key_and_by_touch(page, keep)
+        stops_by_key_and_by_touch(page, keep, shirt.bend)
         stops_when_hidden_or_loaded_again(page, keep)
         ends_by_hand(page, keep, chair)
 

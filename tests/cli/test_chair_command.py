@@ -83,12 +83,12 @@ def test_the_code_says_the_line_of_the_key_file_and_no_word_does(bodydrive, tmp_
 def test_a_terminal_without_blocks_gets_the_code_in_plain_letters(monkeypatch, tmp_path):
     import io
 
-    from app.cli.chair import _code
+    from app.cli.qr import terminal_code
     from app.hardware.chair.key import new_key
 
     plain = io.TextIOWrapper(io.BytesIO(), encoding="ascii")
     monkeypatch.setattr("sys.stdout", plain)
-    drawn = _code(new_key(1))
+    drawn = terminal_code(new_key(1).line)
     assert drawn.isascii()
     assert re.search(r"\x1b\[\d+m", drawn)
 

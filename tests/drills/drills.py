@@ -17,6 +17,7 @@ from drills.results import Result
 from drills.rig import AFTER, PARAMETERS, rig
 from drills.second_socket import second_socket
 from drills.session_end import session_end
+from drills.strangers import odd_names, second_sender
 from processes.running_control import tick_with
 
 from app.clock import monotonic
@@ -409,5 +410,7 @@ DRILLS = {
     "weather": (weather, 60, 1),
     "forgeries": (forgeries, 20, 1),
     "clock": (wall_clock, 20, 1),
+    "names": (odd_names, 20, 1),
+    "second-sender": (second_sender, 20, 1),
 }
 """Name: the drill, its runs in full, its runs in the short form."""

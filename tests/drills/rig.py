@@ -7,6 +7,7 @@ import socket
 import subprocess
 import sys
 import tempfile
+from collections import deque
 from contextlib import asynccontextmanager, suppress
 from pathlib import Path
 
@@ -14,11 +15,10 @@ from drills.relay import Relay
 from drills.results import Watcher
 from processes.chair_process import ReceiverProcess
 from processes.running_control import clear, tick_with
-from processes.wearer import RATE, Wearer, free_port, shirt_config
+from processes.wearer import RATE, Wearer, free_port, paired_key_file, shirt_config
 
 from app.clock import MonotonicClock
 from app.faults import State
-from app.hardware.shirt.packet import encode
 from app.link import LinkLost, LinkRefused
 from app.supervisor import ControlProcess
 from building import make_parameters
@@ -32,10 +32,11 @@ TRIES = 6
 class DrillWearer(Wearer):
     """A wearer whose shirt can stall, or break in some of its channels."""
 
-    def __init__(self, parameters, port):
+    def __init__(self, parameters, port, key_file):
         self.stalled = False
         self.broken = {}  # channel: value
-        super().__init__(parameters, port)
+        self.recent = deque(maxlen=300)  # frames
+        super().__init__(parameters, port, key_file)
 
     def rest(self):
         """Have made no stroke."""
@@ -53,7 +54,8 @@ class DrillWearer(Wearer):
         with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender:
             while not self._ended.is_set():
                 if not self.stalled:
-                    sender.sendto(encode(self._frames, self._frames / RATE, self._values()), self._address)
+                    self.recent.append(self._frame())
+                    sender.sendto(self.recent[-1], self._address)
                 self._frames += 1
                 due += 1 / RATE
                 clock.sleep_until(due)
@@ -68,8 +70,9 @@ class Rig:
         self.receiver = ReceiverProcess(self._folder / "chair")
         self.relay = Relay(self.receiver.config()["port"], seed)
         self.watcher = Watcher()
-        self._shirt_port = free_port()
-        self.wearer = DrillWearer(PARAMETERS, self._shirt_port)
+        self.shirt_port = free_port()
+        self._key_file = paired_key_file(self._folder / "keys")
+        self.wearer = DrillWearer(PARAMETERS, self.shirt_port, self._key_file)
         self.control = None
         self.screen_age, self.screen = 0.0, "in view"
         self.beats = True
@@ -81,12 +84,16 @@ class Rig:
         """Start a control process and give it everything it needs to arm."""
         self.control = await ControlProcess.start()
         self._heart = asyncio.create_task(self._beat(self.control))
-        await self.control.call("shirt", config=shirt_config(PARAMETERS, self._shirt_port))
+        await self.control.call("shirt", config=self.shirt_config)
         await self.control.call("parameters", parameters=PARAMETERS.model_dump(mode="json"))
         await self.control.call("chair", config=self.receiver.config(port=self.relay.port))
         await tick_with(self.control, lambda tick: tick["has_frame"] and tick["chair_age"] < 0.3)
         await self.show_switch()
         await self.begin_run()
+
+    @property
+    def shirt_config(self):
+        return shirt_config(PARAMETERS, self.shirt_port, self._key_file)
 
     async def begin_run(self):
         self._runs += 1
@@ -131,7 +138,7 @@ class Rig:
         """
         self._runs += 1
         given = {
-            "shirt": shirt_config(PARAMETERS, self._shirt_port),
+            "shirt": self.shirt_config,
             "chair": self.receiver.config(port=self.relay.port),
             "folder": str(self._folder / f"run{self._runs}"),
             "state": str(self._folder / f"state{self._runs}"),

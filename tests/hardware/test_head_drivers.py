@@ -154,8 +154,8 @@ def test_a_flock_whose_line_is_pulled_says_so_and_asks_nobody_to_wait():
     head.close()
 
 
-def test_a_device_that_is_not_there_is_a_sentence(tmp_path):
-    config = FlockOfBirdsConfig(kind="flock_of_birds", device=str(tmp_path / "ttyUSB9"))
+def test_a_device_that_is_not_there_is_a_sentence():
+    config = FlockOfBirdsConfig(kind="flock_of_birds", device="/dev/ttyUSB9")
     with pytest.raises(HardwareError, match="check cable, power"):
         FlockOfBirds(config, MonotonicClock()).open()
 
@@ -234,6 +234,6 @@ def test_what_is_no_configuration_is_a_sentence(document):
 
 
 def test_every_word_of_the_table_has_its_driver():
-    more = {"flock_of_birds": {"device": "/dev/null"}, "recorded": {"file": "/dev/null"}}
+    more = {"flock_of_birds": {"device": "/dev/ttyUSB0"}, "recorded": {"file": "/dev/null"}}
     for kind in HEADS:
         assert make_head(parse_head({"kind": kind, **more.get(kind, {})}), FakeClock()).words().endswith(".")

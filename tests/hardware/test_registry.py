@@ -1,4 +1,5 @@
 import re
+from typing import get_args
 
 import pytest
 from pydantic import ValidationError
@@ -8,15 +9,25 @@ from app.clock import FakeClock
 from app.hardware.base import HardwareError
 from app.hardware.body.person import Person
 from app.hardware.body.visitor import Visitor
-from app.hardware.configs import PersonConfig, ReplayConfig, SimulatorConfig, VirtualChairConfig, VisitorConfig
+from app.hardware.configs import (
+    PersonConfig,
+    ReplayConfig,
+    ShirtConfig,
+    SimulatorConfig,
+    VirtualChairConfig,
+    VisitorConfig,
+)
 from app.hardware.registry import (
     BODIES,
     CHAIRS,
     SHIRTS,
+    TRUST,
+    Trust,
     driver_class,
     make_body,
     make_real_chair,
     make_shirt,
+    mistrust,
     parse_body,
     parse_chair,
     parse_shirt,
@@ -48,6 +59,30 @@ def test_each_reason_for_having_no_driver_has_its_own_sentence(tmp_path, monkeyp
     assert "has no class NoSuchShirt" in sentences[3]
     assert len(set(sentences)) == 4
     assert all("\n" not in sentence for sentence in sentences)
+
+
+def test_every_source_of_frames_declares_whether_it_may_arm_a_real_chair():
+    """Safety S29: a new source without a declaration fails here, and arms nothing."""
+    kinds = {
+        kind
+        for config in get_args(get_args(ShirtConfig)[0])
+        for kind in get_args(config.model_fields["kind"].annotation)
+    }
+    assert set(TRUST) == set(SHIRTS) == kinds
+    udp = {"kind": "udp", "layout": small_layout().model_dump(mode="json")}
+    samples = {"simulator": {"kind": "simulator"}, "replay": {"kind": "replay", "file": "a"}, "udp": udp}
+    for kind, trust in TRUST.items():
+        why = mistrust(parse_shirt(samples[kind]))
+        assert (why == "") is (trust is Trust.WIRED)
+        assert "arms no real chair" in why
+    assert "bodydrive shirt pair" in mistrust(parse_shirt(udp))
+    assert mistrust(parse_shirt({**udp, "key_file": "shirt-1.key"})) == ""
+
+
+def test_a_source_that_declares_nothing_arms_no_real_chair(monkeypatch):
+    monkeypatch.delitem(TRUST, "udp")
+    udp = {"kind": "udp", "layout": small_layout().model_dump(mode="json"), "key_file": "shirt-1.key"}
+    assert "arms no real chair" in mistrust(parse_shirt(udp))
 
 
 def test_a_missing_file_is_a_sentence_of_its_own(tmp_path):

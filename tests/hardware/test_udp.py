@@ -8,7 +8,7 @@ from app.clock import FakeClock, MonotonicClock
 from app.hardware.base import HardwareError
 from app.hardware.configs import UdpConfig
 from app.hardware.shirt.packet import encode
-from app.hardware.shirt.udp import SILENCE, UdpShirt
+from app.hardware.shirt.udp import UdpShirt
 
 WAIT = 2.0  # s
 
@@ -69,19 +69,28 @@ def test_a_second_sender_is_not_mixed_in(source, stranger):
     assert source.shirt.lost == 0
 
 
-def test_after_silence_another_sender_may_be_the_shirt(tmp_path, stranger):
+def test_after_any_silence_only_a_person_makes_another_sender_the_shirt(tmp_path, stranger):
+    """Safety S23: forged frames after two seconds of silence were armed and drove."""
     clock = FakeClock(10.0)
     source = Udp(tmp_path)
     shirt = source.shirt = UdpShirt(UdpConfig(kind="udp", port=0, layout=small_layout(), sample_rate=RATE), clock)
     shirt.open()
     source.send(0)
     assert shirt.read(WAIT).seq == 0
-    port = shirt.address[1]
-    clock.time += SILENCE + 0.1
-    assert shirt.read(0.0) is None
-    assert shirt.address[1] == port
-    source.send(77, stranger)
-    assert shirt.read(WAIT).seq == 77
+    clock.time += 3600.0
+    stranger.bind(("127.0.0.1", 0))
+    other = f"127.0.0.1:{stranger.getsockname()[1]}"
+    for seq in range(77, 80):
+        source.send(seq, stranger)
+        assert shirt.read(0.1) is None
+    assert shirt.words().endswith(f", 3 frames of another sender ({other}) left out.")
+    assert not shirt.use_sender("127.0.0.1:1")
+    assert shirt.use_sender(other)
+    source.send(80, stranger)
+    assert shirt.read(WAIT).seq == 80
+    assert shirt.lost == 0
+    source.send(1)
+    assert shirt.read(0.1) is None
     shirt.close()
     source.end()
 

@@ -2,11 +2,13 @@
 
 import json
 import math
+import select
 import shutil
 import socket
 import uuid
 from types import SimpleNamespace
 
+import numpy as np
 import pytest
 from hardware.chair_stand_in import StandInChair
 from scripted_shirt import ScriptedShirt
@@ -15,12 +17,14 @@ from app.calibration.vocabulary import Binding
 from app.clock import FakeClock
 from app.faults import Fault, State
 from app.geometry import Twist
+from app.hardware.shirt.packet import encode
 from app.link import NO_ANSWER, CommandServer
 from app.pipeline.commands import Commands
 from app.pipeline.loop import ControlLoop
 from app.pipeline.runs import LEAST_FREE, require_room
 from app.pipeline.setup import Refused, Setup
 from app.ring import TickRing
+from app.session.pairing import pair_shirt, shirt_key_file
 from app.speeds import NO_FURTHER, Speeds
 from building import make_parameters, make_signals
 
@@ -39,6 +43,7 @@ class Office:
         self.setup = Setup(self.clock)
         layout = self.parameters.profile.layout
         self.setup.shirt = ScriptedShirt(self.clock, [i / 100 for i in range(2000)], signals, layout=layout)
+        self.setup.mistrust = ""  # as of a shirt with a key
         self.setup.use_parameters(self.parameters)
         self.loop = ControlLoop(self.setup, self.ring, None, self.clock)
         self._ours, theirs = socket.socketpair()
@@ -49,8 +54,15 @@ class Office:
     def ask(self, do, **fields):
         self._count += 1
         self._ours.sendall(json.dumps({"id": self._count, "do": do, **fields}).encode() + b"\n")
-        self.commands.poll()
-        return json.loads(self._ours.recv(1 << 16))
+        return self.answer()
+
+    def answer(self):
+        """Poll until there is an answer: a device is opened in a thread."""
+        for _ in range(1000):
+            self.commands.poll()
+            if select.select([self._ours], [], [], 0.01)[0]:
+                return json.loads(self._ours.recv(1 << 16))
+        raise AssertionError("there is no answer")
 
     def tell(self, do, **fields):
         """Send what wants no answer."""
@@ -279,3 +291,51 @@ def test_a_head_tracker_is_chosen_asked_and_given_back(office, tmp_path):
     assert "recorded already" in office.refused("head", config={"kind": "tablet"})
     office.done("arm", hash=office.parameters.hash)
     assert "is armed" in office.refused("head", config=None)
+
+
+def network_shirt(office, **more):
+    """Choose a shirt over the network, and return the office's device that sends to it."""
+    layout = office.parameters.profile.layout
+    config = {"kind": "udp", "port": 0, "layout": layout.model_dump(mode="json"), **more}
+    office.done("shirt", config=config)
+    office.setup.use_parameters(office.parameters)
+    return office.setup.shirt.address
+
+
+def test_another_sender_is_named_and_taken_only_while_disarmed(office):
+    values = np.zeros(52, np.float32)
+    assert office.done("status")["shirt"]["senders"] is None
+    with (
+        socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as own,
+        socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as other,
+    ):
+        address = network_shirt(office)
+        for device in (own, other):
+            device.sendto(encode(1, 0.0, values), address)
+            office.setup.shirt.read(1.0)
+        senders = office.done("status")["shirt"]["senders"]
+        name = f"127.0.0.1:{other.getsockname()[1]}"
+        assert senders == {"shirt": f"127.0.0.1:{own.getsockname()[1]}", "other": name, "others": 1}
+        office.setup.chain.gate.state = State.CHECKING
+        assert "armed" in office.refused("sender", sender=name)
+        office.setup.chain.gate.state = State.DISARMED
+        assert "look again" in office.refused("sender", sender="127.0.0.1:1")
+        office.done("sender", sender=name)
+        assert office.done("status")["shirt"]["senders"] == {"shirt": name, "other": "", "others": 0}
+    office.setup.close()
+
+
+def test_a_source_without_trust_arms_no_real_chair(office, chair, tmp_path):
+    """Safety S29."""
+    office.done("chair", config=chair.document)
+    digest = office.parameters.hash
+    network_shirt(office)
+    assert "a shirt without a key arms no real chair" in office.refused("arm", hash=digest).lower()
+    office.done(
+        "shirt", config={"kind": "simulator", "layout": office.parameters.profile.layout.model_dump(mode="json")}
+    )
+    office.setup.use_parameters(office.parameters)
+    assert "nobody wears it" in office.refused("arm", hash=digest)
+    network_shirt(office, key_file=str(shirt_key_file(tmp_path, pair_shirt(tmp_path).id)))
+    assert "begin a drive" in office.refused("arm", hash=digest)
+    office.setup.close()

@@ -14,6 +14,11 @@ def looking():
     return Looking(FakeClock(10.0))
 
 
+def use(looking):
+    change = looking.change(TabletHeadConfig(kind="tablet"))
+    change.take(change.open())
+
+
 def noted(looking, t=10.0):
     tick = Tick(head_yaw=9.0, head_pitch=9.0, head_roll=9.0, head_age=9.0)
     looking.note(tick, t)
@@ -28,7 +33,7 @@ def test_without_a_tracker_nothing_is_known(looking):
 
 
 def test_a_pose_is_in_every_tick_and_grows_older(looking):
-    looking.use(TabletHeadConfig(kind="tablet"))
+    use(looking)
     assert all(map(math.isnan, noted(looking)))
     assert looking.look(0.5, -0.25, 0.125)
     assert noted(looking) == (0.5, -0.25, 0.125, 0.0)
@@ -37,13 +42,13 @@ def test_a_pose_is_in_every_tick_and_grows_older(looking):
 
 
 def test_straight_ahead_is_where_one_says(looking):
-    looking.use(TabletHeadConfig(kind="tablet"))
+    use(looking)
     looking.look(3.0, 0.2, 0.1)
     assert looking.set_ahead()
     assert noted(looking)[:3] == (0.0, 0.0, 0.0)
     looking.look(-3.0, 0.2, 0.1)
     assert noted(looking)[0] == pytest.approx(math.tau - 6.0), "the short way round"
-    looking.use(TabletHeadConfig(kind="tablet"))
+    use(looking)
     looking.look(1.0, 0.0, 0.0)
     assert noted(looking)[0] == 1.0, "another tracker begins anew"
 
@@ -69,7 +74,7 @@ class Broken:
 def test_a_tracker_that_fails_is_let_go_and_said(looking, monkeypatch):
     broken = Broken()
     monkeypatch.setattr("app.pipeline.looking.make_head", lambda _config, _clock: broken)
-    looking.use(TabletHeadConfig(kind="tablet"))
+    use(looking)
     assert all(map(math.isnan, noted(looking)))
     assert broken.closed
     assert looking.words == "The head tracker failed (no more): choose it again."
@@ -79,14 +84,14 @@ def test_a_tracker_that_fails_is_let_go_and_said(looking, monkeypatch):
 
 
 def test_a_tracker_that_cannot_be_had_leaves_none(looking, monkeypatch):
-    looking.use(TabletHeadConfig(kind="tablet"))
+    use(looking)
 
     def refuse(_config, _clock):
         raise HardwareError("it is not there")
 
     monkeypatch.setattr("app.pipeline.looking.make_head", refuse)
     with pytest.raises(HardwareError):
-        looking.use(TabletHeadConfig(kind="tablet"))
+        use(looking)
     assert looking.words == NOBODY
 
 
@@ -96,6 +101,6 @@ def test_a_tracker_that_fails_even_to_close_is_let_go(looking, monkeypatch):
             raise RuntimeError("not even that")
 
     monkeypatch.setattr("app.pipeline.looking.make_head", lambda _config, _clock: Stuck())
-    looking.use(TabletHeadConfig(kind="tablet"))
+    use(looking)
     assert all(map(math.isnan, noted(looking)))
     assert "no more" in looking.words

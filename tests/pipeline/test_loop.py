@@ -137,3 +137,17 @@ def test_the_cue_of_a_moment_is_that_of_the_list(spans, moments):
     run = OpenRun("r", 1, "free", cues, 0.0, Writer())
     for moment in sorted(moments):
         assert run.cue_at(moment) == cue_index(cues, moment)
+
+
+def test_a_shirt_whose_driver_fails_is_let_go_and_the_ticks_go_on(ring):
+    loop = loop_with(ring, [0.01, 0.02])
+    ticks_of(loop, 2)
+
+    def fail(_timeout):
+        raise RuntimeError("the cable\nburnt")
+
+    loop.setup.shirt.read = fail
+    ticks = ticks_of(loop, 5)
+    assert ticks["has_frame"].tolist() == [1, 1, 0, 0, 0, 0, 0]
+    assert loop.setup.shirt is None
+    assert loop.setup.shirt_words == "The shirt failed (the cable burnt): choose it again."

@@ -61,9 +61,13 @@ class Drive:
         self.setup.shirt = ScriptedShirt(self.clock, times, values, rate, self.parameters.profile.layout)
         self.setup.use_parameters(self.parameters)
         if chair is not None:
-            self.setup.use_chair(chair.config)
+            self.use_chair(chair.config)
         self.loop = ControlLoop(self.setup, ring, None, self.clock)
         self.loop.run = OpenRun("r", 1, "drive", (), 0.0, Writer())
+
+    def use_chair(self, config):
+        change = self.setup.change_chair(config)
+        change.take(change.open())
 
     @property
     def gate(self):
@@ -260,7 +264,7 @@ def test_a_chair_that_takes_no_arming_is_not_ready(make_drive, chair):
 def test_back_on_the_virtual_chair_nothing_is_asked_of_the_real_one(make_drive, chair):
     drive = make_drive(frame_times(6.0), chair=chair)
     drive.until(0.5)
-    drive.setup.use_chair(VirtualChairConfig(kind="virtual"))
+    drive.use_chair(VirtualChairConfig(kind="virtual"))
     drive.loop.new_chair()
     drive.chair = None
     drive.arm(0.6)

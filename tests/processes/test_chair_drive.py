@@ -8,7 +8,7 @@ from contextlib import asynccontextmanager
 import pytest
 from processes.chair_process import ReceiverProcess
 from processes.running_control import ROOM, armed, clear, refusal, running, tick_with
-from processes.wearer import Wearer, free_port, shirt_config
+from processes.wearer import Wearer, free_port, paired_key_file, shirt_config
 
 from app.clock import monotonic
 from app.faults import Fault, State
@@ -42,11 +42,11 @@ async def until(condition):
 @asynccontextmanager
 async def connected(chair, parameters, tmp_path):
     """Yield a control process with a worn shirt and this chair, a run begun."""
-    port = free_port()
+    port, key_file = free_port(), paired_key_file(tmp_path / "keys")
     async with running() as control:
-        wearer = Wearer(parameters, port)
+        wearer = Wearer(parameters, port, key_file)
         try:
-            await control.call("shirt", config=shirt_config(parameters, port))
+            await control.call("shirt", config=shirt_config(parameters, port, key_file))
             await control.call("parameters", parameters=parameters.model_dump(mode="json"))
             assert (await control.call("chair", config=chair.config()))["kind"] == "udp"
             await tick_with(control, lambda tick: tick["has_frame"] and tick["chair_age"] < 0.3)

@@ -10,6 +10,7 @@ import pytest
 from processes.chair_process import ReceiverProcess
 from processes.served_demo import Demo, bodydrive, until
 from processes.wearer import free_port
+from worn_shirt import WornShirt
 
 from app.hardware.chair.key import Key, write_key
 from app.speeds import Speeds
@@ -80,6 +81,7 @@ def test_the_story_of_a_real_chair(demo: Demo, tmp_path: Path) -> None:
     number, secret = paired["key_line"].split()
     write_key(tmp_path / "7.key", Key(int(number), bytes.fromhex(secret)))
     receiver = ReceiverProcess(tmp_path, port)
+    shirt = WornShirt(next(tmp_path.rglob("bodydrive.sqlite")).parent)
     screen = InView(demo)
     try:
         with demo.socket("live") as live:
@@ -93,6 +95,9 @@ def test_the_story_of_a_real_chair(demo: Demo, tmp_path: Path) -> None:
 
             good(demo, "PUT", "/chairs/chosen", {"id": paired["chairs"][0]["id"], "dynamics": "unicycle"})
             until(live, lambda m: m["chair"] is not None and (m["chair"]["age"] or 9.0) < 0.3)
+            assert "nobody wears it" in good(demo, "GET", "/drives/summary")["refusals"][0]
+            good(demo, "PUT", "/equipment/shirt", shirt.config)
+            until(live, lambda m: m["values"] is not None)
             summary = good(demo, "GET", "/drives/summary")
             assert (summary["practised"]["trials"], summary["speeds"]["forward"]) == (1, 0.5)
             assert [sentence[:20] for sentence in summary["refusals"]] == ["In acceleration mode"]
@@ -121,3 +126,4 @@ def test_the_story_of_a_real_chair(demo: Demo, tmp_path: Path) -> None:
     finally:
         screen.close()
         receiver.close()
+        shirt.close()

@@ -1,4 +1,4 @@
-"""A shirt over UDP that is worn by nobody: at rest, or one stroke of the right elbow, from a thread."""
+"""A shirt over UDP, paired, that is worn by nobody: at rest, or one stroke of the right elbow, from a thread."""
 
 import socket
 import threading
@@ -6,7 +6,10 @@ import threading
 import numpy as np
 
 from app.clock import MonotonicClock
+from app.hardware.chair.key import read_key
 from app.hardware.shirt.packet import encode
+from app.hardware.shirt.sender import signed_frame
+from app.session.pairing import pair_shirt, shirt_key_file
 
 RATE = 100.0
 STROKE_TIME = 0.6  # s
@@ -18,15 +21,22 @@ def free_port():
         return probe.getsockname()[1]
 
 
-def shirt_config(parameters, port):
+def paired_key_file(folder):
+    """Pair a shirt, and return where its key lies."""
+    return shirt_key_file(folder, pair_shirt(folder).id)
+
+
+def shirt_config(parameters, port, key_file=None):
     layout = parameters.profile.layout.model_dump(mode="json")
-    return {"kind": "udp", "host": "127.0.0.1", "port": port, "layout": layout, "sample_rate": RATE}
+    where = {"kind": "udp", "host": "127.0.0.1", "port": port}
+    return {**where, "layout": layout, "sample_rate": RATE, "key_file": key_file and str(key_file)}
 
 
 class Wearer:
-    """Sends frames at 100 Hz until it is closed; after a stroke the arm stays where it is."""
+    """Sends frames at 100 Hz until it is closed, signed when it has a key; after a stroke the arm stays where it is."""
 
-    def __init__(self, parameters, port):
+    def __init__(self, parameters, port, key_file=None):
+        self._key = key_file and read_key(key_file)
         self._profile = parameters.profile
         self._address = ("127.0.0.1", port)
         self._stroke_at = None
@@ -56,12 +66,18 @@ class Wearer:
         # a channel that never changes counts as broken
         return values + np.float32(1e-3) * np.random.default_rng(self._frames).standard_normal(len(values), np.float32)
 
+    def _frame(self):
+        values, t = self._values(), self._frames / RATE
+        if self._key is None:
+            return encode(self._frames, t, values)
+        return signed_frame(self._key, 1, self._frames, round(t * 1e6), values.tolist())
+
     def _send(self):
         clock = MonotonicClock()
         due = clock.now()
         with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender:
             while not self._ended.is_set():
-                sender.sendto(encode(self._frames, self._frames / RATE, self._values()), self._address)
+                sender.sendto(self._frame(), self._address)
                 self._frames += 1
                 due += 1 / RATE
                 clock.sleep_until(due)

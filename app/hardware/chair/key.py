@@ -1,4 +1,4 @@
-"""The secret that a chair and its sender share. Standard library only: this runs on the chair's small board, too."""
+"""The secret that a chair or a shirt shares with this machine. Standard library only: it runs on small boards, too."""
 
 import os
 import re
@@ -17,7 +17,7 @@ class KeyRefused(Exception):  # noqa: N818
 
 
 class Key(NamedTuple):
-    """A chair's number and its secret."""
+    """A key's number and its secret."""
 
     id: int  # u16
     secret: bytes  # 32 bytes
@@ -40,10 +40,10 @@ def new_key(key_id: int) -> Key:
 def read_key(file: Path) -> Key:
     """Return the key in `file`; raise KeyRefused when others can read it or it is no key."""
     try:
-        with file.open() as opened:
+        with open(os.open(file, os.O_RDONLY | os.O_NONBLOCK), encoding="ascii") as opened:  # a pipe is not waited for
             mode = os.fstat(opened.fileno()).st_mode
-            text = opened.read(200)
-    except (OSError, UnicodeDecodeError) as error:
+            text = opened.read(200) if stat.S_ISREG(mode) else ""
+    except (OSError, ValueError) as error:
         why = error.strerror if isinstance(error, OSError) else "it is no text"
         raise KeyRefused(f"the key file {file} cannot be read ({why}): give the file that pairing made") from error
     if stat.S_IMODE(mode) & (stat.S_IRWXG | stat.S_IRWXO):

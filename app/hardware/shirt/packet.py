@@ -1,22 +1,28 @@
-"""The datagram of a shirt: one frame, with a checksum (docs/protocols.md, section 6)."""
+"""The datagram of a shirt: one frame, checked, and signed where a key is paired (docs/protocols.md, section 6)."""
 
+import hmac
 from struct import Struct
 from zlib import crc32
 
 import numpy as np
 from numpy.typing import NDArray
 
+from app.hardware.chair.key import Key
 from app.layout import MAX_CHANNELS
 
 MAGIC = b"SHRT"
 VERSION = 1
 INT16 = 1  # flag: samples are int16 of full scale +-32767 instead of float32
+SIGNED = 2  # flag: key id and boot counter follow the header, a tag stands before the checksum
 FULL_SCALE = 32767.0
 
 HEADER = Struct("<4sBBHIQ")
 """Magic, version, flags, channel count, seq (u32), device time (u64, microseconds)."""
+SIGNER = Struct("<HQ")
+"""Key id (u16) and boot counter (u64) of a signed frame."""
+TAG_BYTES = 16  # the first of HMAC-SHA-256 over everything before the tag
 CHECKSUM = Struct("<I")
-LONGEST = HEADER.size + 4 * MAX_CHANNELS + CHECKSUM.size  # bytes
+LONGEST = HEADER.size + SIGNER.size + 4 * MAX_CHANNELS + TAG_BYTES + CHECKSUM.size  # bytes
 
 Packet = tuple[int, int, NDArray[np.float32]]
 """Seq, device time in microseconds, values (n_channels,)."""
@@ -24,6 +30,7 @@ Packet = tuple[int, int, NDArray[np.float32]]
 _PARTS = HEADER.unpack_from
 _NUMBER = CHECKSUM.unpack_from
 _VALUES_AT = HEADER.size
+_SIGNED_VALUES_AT = HEADER.size + SIGNER.size
 
 
 def encode(seq: int, t_device: float, values: NDArray[np.float32], int16: bool = False) -> bytes:
@@ -74,15 +81,43 @@ def decode(buffer: bytes | bytearray | memoryview, size: int, channels: int) -> 
         return None
     if size != end + 4 or crc32(memoryview(buffer)[:end]) != _NUMBER(buffer, end)[0]:
         return None
-    if flags == 0:
-        return seq, microseconds, np.frombuffer(buffer, "<f4", count, _VALUES_AT).astype(np.float32)
-    values = np.frombuffer(buffer, "<i2", count, _VALUES_AT).astype(np.float32)
+    return seq, microseconds, _values(buffer, flags, count, _VALUES_AT)
+
+
+def decode_signed(
+    buffer: bytes | bytearray | memoryview, size: int, channels: int, key: Key
+) -> tuple[int, Packet] | None:
+    """Return boot counter and frame of the first `size` bytes, None when they are no frame signed with `key`."""
+    if size < _SIGNED_VALUES_AT:
+        return None
+    magic, version, flags, count, seq, microseconds = _PARTS(buffer)
+    if magic != MAGIC or version != VERSION or count != channels or flags & ~INT16 != SIGNED:
+        return None
+    tag_at = _SIGNED_VALUES_AT + (2 if flags & INT16 else 4) * count
+    end = tag_at + TAG_BYTES
+    key_id, boot = SIGNER.unpack_from(buffer, _VALUES_AT)
+    if size != end + CHECKSUM.size or key_id != key.id:
+        return None
+    content = memoryview(buffer)
+    if crc32(content[:end]) != _NUMBER(buffer, end)[0]:
+        return None
+    tag = hmac.digest(key.secret, content[:tag_at], "sha256")[:TAG_BYTES]
+    if not hmac.compare_digest(tag, content[tag_at:end]):
+        return None
+    return boot, (seq, microseconds, _values(buffer, flags, count, _SIGNED_VALUES_AT))
+
+
+def _values(buffer: bytes | bytearray | memoryview, flags: int, count: int, start: int) -> NDArray[np.float32]:
+    """Return a copy of the samples (count,) that begin at byte `start`."""
+    if not flags & INT16:
+        return np.frombuffer(buffer, "<f4", count, start).astype(np.float32)
+    values = np.frombuffer(buffer, "<i2", count, start).astype(np.float32)
     values /= np.float32(FULL_SCALE)
-    return seq, microseconds, values
+    return values
 
 
-def refusal(buffer: bytes | bytearray | memoryview, size: int, channels: int) -> str:
-    """Return in words why `decode` gave None for these bytes."""
+def refusal(buffer: bytes | bytearray | memoryview, size: int, channels: int, key: Key | None = None) -> str:
+    """Return in words why these bytes are no frame of `channels` channels, signed with `key` where there is one."""
     if size < HEADER.size + CHECKSUM.size:
         return f"a datagram of {size} bytes is too short to be a frame"
     magic, version, flags, count, _, _ = HEADER.unpack_from(buffer)
@@ -90,10 +125,14 @@ def refusal(buffer: bytes | bytearray | memoryview, size: int, channels: int) ->
         return "what arrives does not come from a shirt"
     if version != VERSION:
         return f"the shirt speaks version {version} of the protocol, version {VERSION} is understood"
-    if flags not in {0, INT16}:
+    if flags & ~(INT16 | SIGNED):
         return f"the shirt uses flags {flags:#04x} that are not understood"
     if count != channels:
         return f"the shirt sends {count} channels, its layout has {channels}: use the layout of this shirt"
+    if key is None and flags & SIGNED:
+        return "the shirt signs its frames: choose its key"
+    if key is not None:
+        return "a frame was not signed with this shirt's key, or arrived damaged"
     return "a frame arrived damaged"
 
 

@@ -19,6 +19,11 @@ class Sequence:
         self._behind = 0
         self._straggler = -1
 
+    def forget(self) -> None:
+        """Begin anew with the next frame: another device counts, or the same one after it was started again."""
+        self._last = self._straggler = -1
+        self._behind = 0
+
     def takes(self, seq: int) -> bool:
         """Return whether the frame of number `seq` is new; late and repeated ones are not."""
         ahead = (seq - self._last) % WRAP

@@ -4,42 +4,53 @@ import math
 import select
 import socket
 import struct
+from pathlib import Path
 
 from app.clock import Clock
 from app.hardware.base import HardwareError
+from app.hardware.chair.key import Key, KeyRefused, read_key
 from app.hardware.configs import UdpConfig
-from app.hardware.shirt.packet import LONGEST, decode, refusal
+from app.hardware.shirt.newest import Newest, newest_file
+from app.hardware.shirt.packet import LONGEST, Packet, decode, decode_signed, refusal
+from app.hardware.shirt.senders import Address, Senders
 from app.hardware.shirt.sequence import Sequence
 from app.messages import SensorFrame
 
 BUFFER = 2 * LONGEST  # bytes: a longer datagram shows by its size
 KERNEL_BUFFER = 1 << 20  # bytes: a second at 1 kHz, should the loop be held up
-SILENCE = 2.0  # s without a frame after which another sender may be the shirt
+SILENCE = 2.0  # s without a frame: longer than any shirt may be silent while something is armed (S4)
 ALIVE = 0.5  # s without a frame after which the words say so
+NOTED_AHEAD = 10.0  # s of frames for which the newest one is written to the disk at once
 _TIME = struct.Struct("@ll")  # struct timeval
 
 
 class UdpShirt:
-    """Listens on one address; from the first good frame on, only to the sender of that frame.
+    """Listens on one address; the sender of the first good frame is the shirt, until a person takes another one.
 
-    Two senders at once would be mixed into one body, so a second one is not heard until the first has been silent for
-    `SILENCE` seconds.
+    Two senders at once would be mixed into one body, and a forged one would drive: frames of any other sender are
+    counted and left out, however long the shirt is silent. With a key only signed frames are good, and none is taken
+    twice, ever.
     """
 
     def __init__(self, config: UdpConfig, clock: Clock) -> None:
         self.layout = config.layout
         self.sample_rate = config.sample_rate
         self.address: tuple[str, int] = (config.host, config.port)  # with the true port once open
+        self.senders = Senders()
         self.junk = 0  # datagrams that were no frame of this shirt
+        self.repeated = 0  # signed frames that came again, or after a newer one
+        self._key_file = None if config.key_file is None else Path(config.key_file)
+        self._key: Key | None = None
+        self._newest: Newest | None = None
         self._clock = clock
         self._channels = len(config.layout.channels)
         self._sequence = Sequence()
+        self._boot = 0
         self._socket: socket.socket | None = None
         self._buffer = bytearray(BUFFER)
         self._timeout = -1.0  # s, which the kernel was told
         self._wait = -1.0  # s, which was asked for last
-        self._sender: tuple[str, int] | None = None
-        self._candidate: tuple[str, int] = ("", 0)
+        self._sender: Address = ("", 0)  # of the datagram in the buffer
         self._heard = -math.inf  # monotonic s
         self._refusal = ""
 
@@ -54,13 +65,16 @@ class UdpShirt:
         Raises
         ------
         HardwareError
-            When the address is not this machine's, or its port is taken.
+            When the address is not this machine's, its port is taken, or the key is none.
         """
         self.close()
         self._sequence = Sequence()
-        self.junk = 0
+        self.senders = Senders()
+        self.junk = self.repeated = self._boot = 0
         self._refusal = ""
         self._heard = -math.inf
+        if self._key_file is not None:
+            self._open_key(self._key_file)
         self._socket = self._bound()
         self.address = (self.address[0], self._socket.getsockname()[1])
 
@@ -73,23 +87,46 @@ class UdpShirt:
             size = self._receive(wait)
             now = self._clock.now()
             if size < 0:
-                if self._sender is not None and now - self._heard > SILENCE:
-                    self._listen_to_all()
                 return None
-            packet = decode(self._buffer, size, self._channels)
-            if packet is None:
-                self.junk += 1
-                self._refusal = refusal(self._buffer, size, self._channels)
-            else:
+            packet = self._packet(size, now)
+            if packet is not None:
                 seq, microseconds, values = packet
                 self._heard = now
-                if self._sender is None:
-                    self._listen_to_one()
                 if self._sequence.takes(seq):
                     return SensorFrame(seq, microseconds * 1e-6, now, values)
             wait = deadline - now
             if wait <= 0.0:
                 return None
+
+    def _packet(self, size: int, now: float) -> Packet | None:
+        """Return the frame in the buffer when it is good and the shirt's; None, and counted, when it is not."""
+        boot = 0
+        if self._key is None:
+            packet = decode(self._buffer, size, self._channels)
+        else:
+            boot, packet = decode_signed(self._buffer, size, self._channels, self._key) or (0, None)
+        if packet is None:
+            self.junk += 1
+            self._refusal = refusal(self._buffer, size, self._channels, self._key)
+            return None
+        if self._newest is not None and not self._newest.is_new(boot, packet[0]):
+            self.repeated += 1
+            return None
+        if not self.senders.takes(self._sender, boot, now - self._heard > SILENCE):
+            return None
+        if self._newest is not None and not self._newest.take(boot, packet[0]):
+            return None
+        if boot != self._boot:
+            self._boot = boot
+            self._sequence.forget()
+        return packet
+
+    def use_sender(self, name: str) -> bool:
+        """Take another sender as the shirt; False when none of this name (HOST:PORT) sent good frames."""
+        if not self.senders.use(name):
+            return False
+        self._sequence.forget()
+        return True
 
     def pending(self) -> bool:
         """Return whether a datagram is there already."""
@@ -103,26 +140,37 @@ class UdpShirt:
 
     def words(self) -> str:
         """Return the shirt's state in words."""
-        why = f" ({self._refusal})" if self._refusal else ""
+        trouble = self._newest.trouble if self._newest else ""
+        why = f" ({trouble or self._refusal})" if trouble or self._refusal else ""
         if self._socket is None:
             return f"The shirt is not listened for{why}."
         host, port = self.address
         if self._clock.now() - self._heard > ALIVE:
-            return f"No frames from a shirt on {host}:{port}{why}."
-        sender = "" if self._sender is None else f" from {self._sender[0]}:{self._sender[1]}"
-        words = f"Shirt on {host}:{port}{sender}, {self._channels} channels"
+            return f"No frames from {self.senders.name or 'a shirt'} on {host}:{port}{why}{self._others()}."
+        words = f"Shirt on {host}:{port} from {self.senders.name}, {self._channels} channels"
         if self._sequence.lost:
             words += f", {self._sequence.lost} frames lost"
         if self.junk:
             words += f", {self.junk} datagrams refused{why}"
-        return f"{words}."
+        return f"{words}{self._others()}."
+
+    def _others(self) -> str:
+        """Return what is to be said of frames that are left out, empty when there are none."""
+        words = ""
+        if self.senders.others:
+            words += f", {self.senders.others} frames of another sender ({self.senders.other}) left out"
+        if self.repeated:
+            words += f", {self.repeated} repeated frames left out"
+        return words
 
     def close(self) -> None:
         """Give the port back."""
         if self._socket is not None:
             self._socket.close()
             self._socket = None
-        self._sender = None
+        if self._newest is not None:
+            self._newest.close()
+            self._newest = None
         self._timeout = -1.0
 
     def _receive(self, wait: float) -> int:
@@ -142,9 +190,7 @@ class UdpShirt:
             if not select.select([self._socket], [], [], wait)[0]:
                 return -1
         try:
-            if self._sender is not None:
-                return self._socket.recv_into(self._buffer, 0, flags)
-            size, self._candidate = self._socket.recvfrom_into(self._buffer, 0, flags)
+            size, self._sender = self._socket.recvfrom_into(self._buffer, 0, flags)
         except (BlockingIOError, ConnectionError):
             return -1
         return size
@@ -158,28 +204,20 @@ class UdpShirt:
             )
             self._timeout = wait
 
-    def _listen_to_one(self) -> None:
-        if self._socket is not None:
-            self._socket.connect(self._candidate)
-            self._sender = self._candidate[:2]
-
-    def _listen_to_all(self) -> None:
-        """Hear any sender again: only a new socket on the same port can."""
-        if self._socket is not None:
-            self._socket.close()
-            self._socket = None
-            self._sender = None
-            self._timeout = -1.0
-            try:
-                self._socket = self._bound()
-            except HardwareError as error:
-                self._refusal = str(error)
+    def _open_key(self, file: Path) -> None:
+        try:
+            self._key = read_key(file)
+        except KeyRefused as error:
+            raise HardwareError(f"the shirt is not opened: {error}") from error
+        newest = Newest(newest_file(file), math.ceil(NOTED_AHEAD * self.sample_rate))
+        newest.open()
+        self._newest = newest
 
     def _bound(self) -> socket.socket:
         host, port = self.address
         try:
             family, kind, _, _, address = socket.getaddrinfo(host, port, type=socket.SOCK_DGRAM)[0]
-        except OSError as error:
+        except (OSError, UnicodeError) as error:
             raise HardwareError(
                 f"the shirt cannot be listened for on {host}: this is no address, correct it"
             ) from error

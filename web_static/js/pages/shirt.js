@@ -6,6 +6,7 @@ import { jointStrips } from "../parts/joint_strips.js";
 import { bodyLamps, lampSign, QUALITIES } from "../parts/lamps.js";
 import { pads } from "../parts/pads.js";
 import { sensorCard } from "../parts/sensor_card.js";
+import { shirtSender } from "../parts/shirt_sender.js";
 import { sourceForm, sourceWords } from "../parts/source_form.js";
 import { t } from "../texts.js";
 
@@ -104,10 +105,13 @@ export async function show(app, root, { signal }) {
       },
       () => makeForm({ kind: open.get(name) ?? first, onKind: (kind) => open.set(name, kind) }),
     );
-  const sourceCard = () =>
-    card("source", sourceWords(equipment.shirt), equipment.shirt.kind, (shown) =>
+  const sourceCard = () => {
+    const element = card("source", sourceWords(equipment.shirt), equipment.shirt.kind, (shown) =>
       sourceForm(app, equipment, (config) => use(app.api.put("/equipment/shirt", config), "source"), shown),
     );
+    if (equipment.shirt.kind === "udp") element.append(shirtSender(app, sensorShown.signal));
+    return element;
+  };
   const bodyCard = () =>
     card("body", equipment.body ? bodyWords(equipment.body) : "", "", (shown) =>
       bodyForm(app, equipment, (config) => use(app.api.put("/equipment/body", config), "body"), shown),

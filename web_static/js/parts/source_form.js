@@ -125,18 +125,20 @@ function replay(app, { shirt, files }) {
   };
 }
 
-function udp(_app, { shirt, layout }) {
+function udp(_app, { shirt, layout, shirt_keys: keys }) {
   const now = shirt.kind === "udp" ? shirt : { host: "127.0.0.1", port: PORT, sample_rate: 100 };
   const host = h("input", { type: "text", value: now.host, required: true, autocomplete: "off" });
   const port = h("input", { type: "number", value: now.port, min: 1, max: 65535, required: true });
   const rate = h("input", { type: "number", value: now.sample_rate, min: 1, max: 5000, required: true });
   const file = h("input", { type: "file", accept: ".json,application/json" });
+  let key = keys.includes(now.key_file) ? now.key_file : "";
   const config = async () => ({
     kind: "udp",
     host: host.value.trim(),
     port: Number(port.value),
     sample_rate: Number(rate.value),
     layout: file.files[0] ? await readDocument(file.files[0]) : layout,
+    key_file: key || null,
   });
   return {
     fields: [
@@ -148,6 +150,15 @@ function udp(_app, { shirt, layout }) {
         field(t("source.rate"), rate),
       ),
       field(t("source.layout"), file, t("source.layout.hint")),
+      field(
+        t("source.key"),
+        selection(
+          ["", ...keys].map((name) => ({ value: name, label: name || t("source.key.none") })),
+          key,
+          (name) => (key = name),
+        ),
+        t("source.key.hint"),
+      ),
     ],
     config,
   };

@@ -1,0 +1,79 @@
+"""`bodydrive shirt`: pair with a shirt over the network, and the program that sends as such a shirt does."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from app.cli.errors import InputError
+from app.cli.qr import terminal_code
+from app.hardware.shirt import sender
+from app.session.refusals import Refusal
+from app.settings import Settings, state_folder
+
+if TYPE_CHECKING:
+    from app.hardware.chair.key import Key
+
+shirt_app = typer.Typer(
+    help="Pair with a shirt over the network; send as such a shirt does.",
+    no_args_is_help=True,
+    pretty_exceptions_enable=False,
+)
+
+
+@shirt_app.command(
+    "send",
+    add_help_option=False,  # its own --help is the right one
+    context_settings={"allow_extra_args": True, "ignore_unknown_options": True},
+)
+def send(context: typer.Context) -> None:
+    """Send a file or slow waves as a paired shirt does: the example for a shirt's firmware."""
+    raise typer.Exit(sender.main(context.args, "bodydrive shirt send"))
+
+
+@shirt_app.command("pair")
+def pair(
+    state: Annotated[Path | None, typer.Option(help="The folder of the clinic's database and recordings.")] = None,
+) -> None:
+    """Make a key for a shirt, keep it with the clinic, and show it once as a QR code."""
+    settings = Settings(state=(state or state_folder()).expanduser().resolve())
+    try:
+        key = _paired(settings)
+    except Refusal as refusal:
+        raise InputError(str(refusal)) from refusal
+    typer.echo(terminal_code(key.line))
+    for sentence in _instructions(key, settings.keys):
+        typer.echo(sentence)
+
+
+def _paired(settings: Settings) -> "Key":
+    """Write the key and log it; neither stays when one of them fails. The clinic may be served meanwhile."""
+    from app.session.database import Database  # noqa: PLC0415
+    from app.session.pairing import pair_shirt, unpair_shirt  # noqa: PLC0415
+    from app.session.store_log import write_log  # noqa: PLC0415
+    from app.session.store_people import add_clinic, the_clinic  # noqa: PLC0415
+
+    database, key = Database(settings.database), None
+    try:
+        with database.transaction() as db:
+            if the_clinic(db) is None:
+                add_clinic(db, "Clinic")
+            key = pair_shirt(settings.keys)
+            write_log(db, None, "shirt paired", key_id=key.id)
+    except BaseException:
+        if key is not None:
+            unpair_shirt(settings.keys, key.id)
+        raise
+    finally:
+        database.close()
+    return key
+
+
+def _instructions(key: "Key", keys: Path) -> list[str]:
+    file = f"shirt-{key.id}.key"
+    return [
+        f"The shirt is paired. Its key lies in {keys / file} and in the code above; choose {file} on the Shirt page.",
+        f"The shirt's firmware needs what the code says. To try it, write that into a file {file} that only its owner",
+        "can read, on any machine, and start there:",
+        f"bodydrive shirt send --key-file {file} --to HOST:{sender.STANDARD_ADDRESS.rpartition(':')[2]}",
+    ]

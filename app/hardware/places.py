@@ -1,0 +1,60 @@
+"""Where a device is: the texts that a person types, checked before anything is opened."""
+
+import ipaddress
+import re
+from typing import Annotated
+
+from pydantic import AfterValidator, Field
+
+LONGEST_QUOTE = 40
+_LABEL = re.compile(r"[A-Za-z0-9_]([A-Za-z0-9_-]{0,61}[A-Za-z0-9_])?")
+_NUMBER = re.compile(r"[0-9]+|0[xX][0-9A-Fa-f]*")  # a last label like this is a part of an IPv4 address, RFC 3696
+_DIRECTIONS = frozenset(
+    "\u061c\u200e\u200f\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069"
+)  # turn the text round
+
+
+def checked_host(text: str) -> str:
+    """Return a host name, an IPv4 or an IPv6 address; ValueError for what can be none of them."""
+    if not _is_host(text):
+        raise ValueError(
+            f"{_quoted(text)} is no address: write a name such as chair.local, or an address such as 192.168.1.20"
+        )
+    return text
+
+
+def checked_file(text: str) -> str:
+    """Return a file's place; ValueError when it has letters that cannot be seen."""
+    if any(not letter.isprintable() or letter in _DIRECTIONS for letter in text):
+        raise ValueError(f"{_quoted(text)} has letters that cannot be seen: give the file another name")
+    return text
+
+
+def checked_line(text: str) -> str:
+    """Return the name of a serial line; ValueError for any other file or device."""
+    if not re.fullmatch(r"/dev/(tty|cu\.|pts/|rfcomm|serial/)[A-Za-z0-9._:+/-]*|COM[0-9]{1,3}", text) or ".." in text:
+        raise ValueError(f"{_quoted(text)} is no serial line: write a name such as /dev/ttyUSB0 or COM3")
+    return text
+
+
+def _is_host(text: str) -> bool:
+    try:
+        if ":" in text:
+            return "%" not in text and bool(ipaddress.IPv6Address(text))
+        *_, last = labels = text.split(".")
+        if _NUMBER.fullmatch(last):
+            return bool(ipaddress.IPv4Address(text).packed)
+    except ValueError:
+        return False
+    return all(map(_LABEL.fullmatch, labels))
+
+
+def _quoted(text: str) -> str:
+    """Return a text as it can be printed everywhere, cut to a few letters."""
+    quoted = ascii(text[: LONGEST_QUOTE + 1])
+    return quoted if len(quoted) <= LONGEST_QUOTE else quoted[:LONGEST_QUOTE] + "..."
+
+
+Host = Annotated[str, Field(min_length=1, max_length=253), AfterValidator(checked_host)]
+FilePlace = Annotated[str, Field(min_length=1, max_length=4096), AfterValidator(checked_file)]
+SerialLine = Annotated[str, Field(min_length=1, max_length=255), AfterValidator(checked_line)]

@@ -1,0 +1,108 @@
+"""The newest frame that was taken under a key, kept on the disk for ever: no frame is taken twice (safety S23)."""
+
+import re
+import threading
+from pathlib import Path
+
+from app.files import write_atomically
+from app.hardware.base import HardwareError
+
+LARGEST_SEQ = 0xFFFFFFFF  # u32
+Place = tuple[int, int]
+"""Boot counter and seq of a frame."""
+
+_LINE = re.compile(r"(\d{1,20}) (\d{1,10})")
+
+
+def newest_file(key_file: Path) -> Path:
+    """Return the file that belongs to a key."""
+    return key_file.with_suffix(".newest")
+
+
+def write_newest(file: Path, place: Place) -> None:
+    """Write it, whole or not at all; raise OSError when it cannot be written."""
+    write_atomically(file, f"{place[0]} {place[1]}\n".encode())
+
+
+def read_newest(file: Path) -> Place:
+    """Return what is written in `file`; HardwareError when that is not known: then any frame could be an old one."""
+    try:
+        found = _LINE.fullmatch(file.read_text(encoding="ascii").strip()) if file.is_file() else None
+    except (OSError, ValueError):
+        found = None
+    if found is None:
+        raise HardwareError(
+            f"{file}: nothing says which frame of this shirt was the newest, and an old one must not drive: pair the "
+            f"shirt anew"
+        )
+    return int(found[1]), int(found[2])
+
+
+class Newest:
+    """Takes each frame of a key once, also after this process has died; the disk is never waited for.
+
+    The file is written ahead, by a thread: it names a frame `ahead` frames later than the newest, and only frames up to
+    that one are taken. After a crash the shirt is refused for at most so many frames, or until it is started again.
+    """
+
+    def __init__(self, file: Path, ahead: int) -> None:
+        """`ahead` is the number of frames that one writing allows."""
+        self._file = file
+        self._ahead = ahead
+        self._newest: Place = (0, 0)
+        self._allowed: Place = (0, 0)  # what is on the disk
+        self._wanted: Place | None = None
+        self._wake = threading.Event()
+        self._ended = False
+        self._thread: threading.Thread | None = None
+        self.trouble = ""  # why the file cannot be written, empty while it can
+
+    def open(self) -> None:
+        """Read the file; HardwareError when it says nothing."""
+        self._newest = self._allowed = read_newest(self._file)
+        self._thread = threading.Thread(target=self._write_ahead, name="newest frame", daemon=True)
+        self._thread.start()
+
+    def is_new(self, boot: int, seq: int) -> bool:
+        """Return whether this frame is newer than every one that may have been taken."""
+        return (boot, seq) > self._newest
+
+    def take(self, boot: int, seq: int) -> bool:
+        """Take a new frame; False when the disk does not allow it yet."""
+        allowed_boot, allowed_seq = self._allowed
+        if boot != allowed_boot or seq + self._ahead // 2 > allowed_seq:
+            self._wanted = boot, min(seq + self._ahead, LARGEST_SEQ)
+            self._wake.set()
+        if (boot, seq) > self._allowed:
+            return False
+        self._newest = boot, seq
+        return True
+
+    def close(self) -> None:
+        """End the thread, and write exactly what was taken; closing twice does no harm."""
+        thread, self._thread = self._thread, None
+        if thread is None:
+            return
+        self._ended = True
+        self._wake.set()
+        thread.join()
+        self._try_to_write(self._newest)
+
+    def _write_ahead(self) -> None:
+        while True:
+            self._wake.wait()
+            self._wake.clear()
+            if self._ended:
+                return
+            wanted = self._wanted
+            if wanted is not None and wanted > self._allowed and self._try_to_write(wanted):
+                self._allowed = wanted
+
+    def _try_to_write(self, place: Place) -> bool:
+        try:
+            write_newest(self._file, place)
+        except OSError as error:
+            self.trouble = f"the newest frame cannot be noted ({error.strerror or error}): free some disk space"
+            return False
+        self.trouble = ""
+        return True

@@ -1,0 +1,66 @@
+"""Who is the shirt: the first sender of a good frame, until a person takes another one (safety S23)."""
+
+from typing import Any
+
+MOST = 8  # other senders that are remembered by name; more are only counted
+
+Address = tuple[Any, ...]
+"""What the socket calls a sender: host and port first."""
+
+
+class Senders:
+    """One sender is the shirt; the frames of all others are counted and left out.
+
+    Attributes
+    ----------
+    others : int
+        Good frames of other senders since the shirt was opened.
+    """
+
+    __slots__ = ("_boot", "_current", "_frames", "others")
+
+    def __init__(self) -> None:
+        self.others = 0
+        self._current: Address | None = None
+        self._boot = 0
+        self._frames: dict[Address, int] = {}  # other senders, and how many good frames came from each
+
+    @property
+    def name(self) -> str:
+        """The shirt's address, empty before its first frame."""
+        return "" if self._current is None else named(self._current)
+
+    @property
+    def other(self) -> str:
+        """The address of the other sender that sent most, empty when there is none."""
+        return named(max(self._frames, key=lambda address: self._frames[address])) if self._frames else ""
+
+    def takes(self, address: Address, boot: int, silent: bool) -> bool:
+        """Return whether a good frame from `address` is the shirt's.
+
+        `boot` is the boot counter of a signed frame, 0 of any other. A device with the same key that was started again
+        may come from another address, but only when the one before was `silent` for so long that nothing is armed.
+        """
+        if address == self._current or self._current is None or (boot > self._boot and silent):
+            self._current, self._boot = address, boot
+            return True
+        self.others += 1
+        if address in self._frames or len(self._frames) < MOST:
+            self._frames[address] = self._frames.get(address, 0) + 1
+        return False
+
+    def use(self, name: str) -> bool:
+        """Take another sender as the shirt, by its name; False when none of this name sent good frames."""
+        for address in self._frames:
+            if named(address) == name:
+                self._current, self._boot = address, 0
+                self._frames.clear()
+                self.others = 0
+                return True
+        return False
+
+
+def named(address: Address) -> str:
+    """Return an address as people write it."""
+    host, port = address[:2]
+    return f"[{host}]:{port}" if ":" in host else f"{host}:{port}"

@@ -1,0 +1,36 @@
+"""What the control process tells of itself when it is asked (docs/protocols.md, section 1, `status`)."""
+
+from typing import Any
+
+from app.hardware.base import FromNetwork
+from app.pipeline.loop import ControlLoop
+
+
+def status(loop: ControlLoop) -> dict[str, Any]:
+    """Return how shirt, chair and head tracker are, in words and numbers."""
+    setup = loop.setup
+    return {
+        "shirt": {
+            "kind": setup.shirt_kind,
+            "words": setup.shirt_words,
+            "alive": loop.shirt_alive,
+            "sample_rate": setup.sample_rate if setup.shirt else 0.0,
+            "lost": setup.shirt.lost if setup.shirt else 0,
+            "senders": _senders(setup.network_shirt),
+        },
+        "chair": {
+            "kind": "virtual" if setup.link is None else "udp",
+            "words": setup.chair_words,
+            "switch_seen": setup.link is not None and setup.link.heard.switch_seen,
+        },
+        "head": {"kind": setup.looking.kind, "words": setup.looking.words},
+        "dial": setup.chain.dial,
+        "late": loop.late,
+        "hash": setup.hash,
+    }
+
+
+def _senders(shirt: FromNetwork | None) -> dict[str, Any] | None:
+    if shirt is None:
+        return None
+    return {"shirt": shirt.senders.name, "other": shirt.senders.other, "others": shirt.senders.others}

@@ -1,0 +1,94 @@
+"""A second sender of the shirt's frames on the Shirt page: named, left out, and taken by a tap."""
+
+import signal
+import socket
+import threading
+from pathlib import Path
+
+import numpy as np
+import pytest
+from playwright.sync_api import expect
+from processes.test_demo_process import bodydrive, printed_link
+from worn_shirt import free_port
+
+from app.hardware.shirt.packet import encode
+from app.hardware.shirt.sender import waves
+
+pytestmark = [pytest.mark.browser, pytest.mark.timeout(300)]
+
+SCREENSHOTS = Path(__file__).resolve().parents[2] / "var" / "screenshots"
+SIZES = {"768x1024": (768, 1024), "1280x800": (1280, 800), "390x844": (390, 844)}
+
+
+@pytest.fixture
+def demo(tmp_path):
+    with bodydrive("demo", "--port", "0", TMPDIR=str(tmp_path)) as process:
+        try:
+            yield printed_link(process)
+        finally:
+            process.send_signal(signal.SIGINT)
+            assert process.wait(20) == 0
+
+
+class Sender:
+    """Sends frames of 52 channels without a key until it is closed."""
+
+    def __init__(self, port):
+        self._port, self._ended = port, threading.Event()
+        self._socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        self._socket.bind(("127.0.0.1", 0))
+        self.name = f"127.0.0.1:{self._socket.getsockname()[1]}"
+        self._thread = threading.Thread(target=self._send)
+        self._thread.start()
+
+    def _send(self):
+        for seq, (t, samples) in enumerate(waves(52, 100)):
+            self._socket.sendto(encode(seq, t, np.array(samples, np.float32)), ("127.0.0.1", self._port))
+            if self._ended.wait(0.01):
+                return
+
+    def close(self):
+        self._ended.set()
+        self._thread.join()
+        self._socket.close()
+
+
+def test_another_sender_is_named_and_becomes_the_shirt_by_a_tap(browser, page_log, demo):
+    page = browser.new_page(viewport={"width": 768, "height": 1024}, has_touch=True)
+    page.set_default_timeout(60_000)
+    expect.set_options(timeout=60_000)
+    log = page_log(demo)
+    log.watch(page)
+    page.goto(demo)
+    expect(page.get_by_role("heading", name="Where to?")).to_be_visible()
+    page.goto(page.url.split("#")[0] + "#/shirt")
+    port = free_port()
+    card = page.locator("section.card", has=page.get_by_role("heading", name="Source"))
+    card.locator("summary").click()
+    card.get_by_role("radio", name="A shirt over the network").check(force=True)
+    card.get_by_label("Port").fill(str(port))
+    card.get_by_role("button", name="Use this").click()
+    expect(card.get_by_text(f"Network shirt on port {port}")).to_be_visible()
+    first = Sender(port)
+    expect(card.get_by_text(f"Its frames come from {first.name}.")).to_be_visible()
+    second = Sender(port)
+    try:
+        take = card.get_by_role("button", name="Use the new sender")
+        expect(take).to_be_visible()
+        expect(card.get_by_text(f"Frames come from {second.name}, too.")).to_be_visible()
+        SCREENSHOTS.mkdir(parents=True, exist_ok=True)
+        for name, (width, height) in SIZES.items():
+            page.set_viewport_size({"width": width, "height": height})
+            take.scroll_into_view_if_needed()
+            assert take.bounding_box()["height"] >= 44
+            page.screenshot(path=SCREENSHOTS / f"{name}-shirt-sender.png")
+        first.close()
+        take.click()
+        expect(card.get_by_text(f"Its frames come from {second.name}.")).to_be_visible()
+        expect(take).to_have_count(0)
+    finally:
+        first.close()
+        second.close()
+    log.assert_clean()
+    page.close()
+    expect.set_options(timeout=5000)

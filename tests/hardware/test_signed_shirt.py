@@ -1,0 +1,187 @@
+"""A shirt with a key: only its own frames, each once, across restarts of the shirt and of this process (safety S23)."""
+
+import hmac
+import random
+import socket
+import struct
+import threading
+import zlib
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from shirts import RATE, small_layout
+
+from app.clock import FakeClock, MonotonicClock
+from app.hardware.base import HardwareError
+from app.hardware.chair.key import Key, new_key, read_key
+from app.hardware.configs import UdpConfig
+from app.hardware.shirt.newest import newest_file
+from app.hardware.shirt.packet import decode, decode_signed, encode, refusal
+from app.hardware.shirt.sender import signed_frame
+from app.hardware.shirt.udp import SILENCE, UdpShirt
+from app.session.pairing import pair_shirt, shirt_key_file
+
+WAIT = 2.0  # s
+FORGED = 12_000
+VALUES = [0.25, -1.5, 3.0]
+SAMPLES = st.lists(st.floats(width=32, allow_nan=False), min_size=1, max_size=64)
+
+
+class Paired:
+    """A shirt over the network with a key, and devices that send to it."""
+
+    def __init__(self, folder, clock):
+        self.key_file = shirt_key_file(folder, pair_shirt(folder).id)
+        self.key = read_key(self.key_file)
+        self.clock = clock
+        self.devices = [socket.socket(socket.AF_INET, socket.SOCK_DGRAM) for _ in range(2)]
+        self.shirt = self.new_shirt()
+
+    def new_shirt(self):
+        layout = small_layout()
+        config = UdpConfig(kind="udp", port=0, layout=layout, sample_rate=RATE, key_file=str(self.key_file))
+        shirt = UdpShirt(config, self.clock)
+        shirt.open()
+        return shirt
+
+    def frame(self, boot, seq):
+        return signed_frame(self.key, boot, seq, seq * 10_000, VALUES)
+
+    def send(self, content, device=0):
+        self.devices[device].sendto(content, self.shirt.address)
+
+    def takes(self, boot, seq, device=0):
+        """Send a frame and tell whether it is taken."""
+        self.send(self.frame(boot, seq), device)
+        return self.shirt.read(0.05) is not None
+
+    def begin(self, boot, seq=0, device=0):
+        """Send the first frame of a start again and again, for the disk has to take note of the start first."""
+        pause = threading.Event()
+        for _ in range(500):
+            if self.takes(boot, seq, device):
+                return
+            pause.wait(0.005)
+        raise AssertionError(self.shirt.words())
+
+    def close(self):
+        self.shirt.close()
+        for device in self.devices:
+            device.close()
+
+
+@pytest.fixture
+def paired(tmp_path):
+    made = Paired(tmp_path / "keys", MonotonicClock())
+    yield made
+    made.close()
+
+
+@settings(max_examples=200, deadline=None)
+@given(SAMPLES, st.integers(0, 2**64 - 1), st.integers(0, 2**32 - 1), st.integers(0, 2**64 - 1), st.integers(0, 65_535))
+def test_the_sender_s_bytes_come_back_as_they_were(samples, boot, seq, microseconds, key_id):
+    key = Key(key_id, bytes(range(32)))
+    content = signed_frame(key, boot, seq, microseconds, samples)
+    found_boot, (found_seq, found_time, values) = decode_signed(content, len(content), len(samples), key)
+    assert (found_boot, found_seq, found_time) == (boot, seq, microseconds)
+    np.testing.assert_array_equal(values, np.array(samples, np.float32))
+    assert decode(content, len(content), len(samples)) is None
+    assert "choose its key" in refusal(content, len(content), len(samples))
+
+
+def test_the_bytes_are_those_of_the_protocol():
+    key = Key(0x1234, bytes(range(32)))
+    content = signed_frame(key, 0x1122334455667788, 0xAABBCCDD, 1_000_000, [1.0, -2.0])
+    body = bytes.fromhex("53485254 01 02 0200 ddccbbaa 40420f0000000000 3412 8877665544332211 0000803f 000000c0")
+    tag = hmac.new(bytes(range(32)), body, "sha256").digest()[:16]
+    assert content == body + tag + struct.pack("<I", zlib.crc32(body + tag))
+
+
+def test_int16_samples_can_be_signed_too():
+    key = new_key(7)
+    body = struct.pack("<4sBBHIQHQ2h", b"SHRT", 1, 3, 2, 5, 6, 7, 8, 32767, -32767)
+    content = body + hmac.digest(key.secret, body, "sha256")[:16]
+    content += struct.pack("<I", zlib.crc32(content))
+    boot, (seq, _, values) = decode_signed(content, len(content), 2, key)
+    assert (boot, seq, values.tolist()) == (8, 5, [1.0, -1.0])
+
+
+def forged(dice, paired, boot, seq):
+    """Return a datagram that is not the shirt's next frame: (boot, seq) was taken last."""
+    newer = paired.frame(boot, seq + dice.randint(1, 500))
+    kind = dice.randrange(10)
+    if kind == 0:
+        return encode(seq + 1, 1.0, np.array(VALUES, np.float32))
+    if kind == 1:
+        return signed_frame(new_key(paired.key.id), boot + 1, seq + 1, 0, VALUES)
+    if kind == 2:
+        return signed_frame(Key(paired.key.id ^ 1, paired.key.secret), boot, seq + 1, 0, VALUES)
+    if kind == 3:
+        return paired.frame(boot, dice.randint(0, seq))
+    if kind == 4:
+        return paired.frame(dice.randint(0, boot - 1), dice.randint(0, 2**32 - 1))
+    if kind == 5:
+        return newer[: dice.randrange(len(newer))]
+    if kind == 6:
+        return newer + dice.randbytes(dice.randint(1, 40))
+    changed = bytearray(newer)
+    place = dice.randrange(len(changed) - 4)
+    changed[place] ^= 1 << dice.randrange(8)
+    if kind >= 8:  # ... by somebody who knows the checksum
+        changed[-4:] = struct.pack("<I", zlib.crc32(changed[:-4]))
+    return bytes(changed)
+
+
+def test_12000_forged_and_repeated_frames_do_nothing(paired):
+    dice = random.Random(5)
+    boot, seq = 9, 600
+    paired.begin(boot, seq)
+    taken = 0
+    for _ in range(FORGED // 40):
+        for _ in range(40):
+            paired.send(forged(dice, paired, boot, seq), device=dice.randrange(2))
+        while paired.shirt.pending():
+            taken += paired.shirt.read(0.0) is not None
+    assert taken == 0
+    assert paired.shirt.junk + paired.shirt.repeated == FORGED
+    assert paired.takes(boot, seq + 1)  # ... and the shirt is heard as before
+    assert "not signed with this shirt's key" in paired.shirt.words()
+
+
+def test_a_frame_is_taken_once_also_by_a_process_that_comes_later(paired):
+    paired.begin(4, 10)
+    assert not paired.takes(4, 10)
+    assert not paired.takes(4, 9)
+    assert "2 repeated frames left out" in paired.shirt.words()
+    paired.shirt.close()
+    paired.shirt = paired.new_shirt()
+    assert not paired.takes(4, 10)
+    assert not paired.takes(3, 4_000_000)
+    paired.begin(4, 11)
+
+
+def test_another_address_with_the_key_waits_until_nothing_can_be_armed(tmp_path):
+    paired = Paired(tmp_path / "keys", FakeClock(10.0))
+    paired.begin(1)
+    assert not paired.takes(1, 5, device=1)  # the shirt's own frame, sent on by somebody else
+    assert paired.takes(1, 5)  # which does not spoil the shirt's
+    assert not paired.takes(2, 0, device=1)
+    assert "frames of another sender" in paired.shirt.words()
+    paired.clock.time += SILENCE + 0.1
+    paired.begin(2, 0, device=1)
+    assert not paired.takes(1, 6)
+    assert paired.shirt.lost <= 4
+    paired.close()
+
+
+def test_a_key_that_is_none_opens_nothing(paired):
+    paired.shirt.close()
+    paired.key_file.chmod(0o644)
+    with pytest.raises(HardwareError, match="can be read by others"):
+        paired.new_shirt()
+    paired.key_file.chmod(0o600)
+    newest_file(paired.key_file).unlink()
+    with pytest.raises(HardwareError, match="pair the shirt anew"):
+        paired.new_shirt()

@@ -1,0 +1,53 @@
+"""A paired shirt over the network that a body wears: the frames of the simulated shirt, signed, from a thread."""
+
+import socket
+import threading
+
+from app.clock import MonotonicClock
+from app.hardware.body.visitor import Visitor
+from app.hardware.chair.key import read_key
+from app.hardware.configs import SimulatorConfig
+from app.hardware.shirt.sender import signed_frame
+from app.hardware.shirt.simulator import SimulatedShirt
+from app.session.pairing import pair_shirt, shirt_key_file
+
+
+def free_port():
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
+        probe.bind(("127.0.0.1", 0))
+        return probe.getsockname()[1]
+
+
+class WornShirt:
+    """Pairs with the clinic in a state folder and sends to it until it is closed; its body rests until it is moved."""
+
+    def __init__(self, state):
+        keys = state / "keys"
+        file = shirt_key_file(keys, pair_shirt(keys).id)
+        self._key = read_key(file)
+        self.port = free_port()
+        self._shirt = SimulatedShirt(SimulatorConfig(kind="simulator"), MonotonicClock())
+        self._shirt.body = Visitor()
+        self._shirt.open()
+        layout = self._shirt.layout.model_dump(mode="json")
+        self.config = {"kind": "udp", "port": self.port, "layout": layout, "key_file": file.name}
+        self._ended = threading.Event()
+        self._thread = threading.Thread(target=self._send)
+        self._thread.start()
+
+    def bend(self, share):
+        """Bend the right elbow, 0 (at rest) to 1."""
+        self._shirt.body.move({"right_elbow": share})
+
+    def close(self):
+        self._ended.set()
+        self._thread.join()
+
+    def _send(self):
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender:
+            while not self._ended.is_set():
+                frame = self._shirt.read(0.05)
+                if frame is not None:
+                    values = frame.values.tolist()
+                    datagram = signed_frame(self._key, 1, frame.seq, round(frame.t_device * 1e6), values)
+                    sender.sendto(datagram, ("127.0.0.1", self.port))
