@@ -11,7 +11,7 @@ from app import __version__
 from app.api.deps import ForEveryone, PeopleParts
 from app.api.passwords import weakness
 from app.api.signed_in import COOKIE, find_signed_in
-from app.quantities import Document
+from app.quantities import Document, Line
 from app.session.store_log import write_log
 from app.session.store_people import (
     add_clinic,
@@ -26,7 +26,7 @@ from app.session.store_people import (
 router = APIRouter(prefix="/auth", tags=["sign-in"], dependencies=[ForEveryone])
 
 Code = Annotated[str, Field(min_length=1, max_length=200)]
-PersonName = Annotated[str, Field(min_length=1, max_length=80, pattern=r"^\S(.*\S)?$")]
+PersonName = Annotated[Line, Field(min_length=1, max_length=80, pattern=r"^\S(.*\S)?$")]
 Password = Annotated[str, Field(max_length=1000)]
 
 

@@ -11,7 +11,7 @@ from app.api.driving import require_controller
 from app.api.flows import FlowParts, Flows, load_plan
 from app.api.screen import ScreenWord
 from app.api.signed_in import SignedIn
-from app.quantities import Document, Name
+from app.quantities import Document, Line, Name
 from app.session.control_quality import ControlQuality
 from app.session.refusals import Conflict, NotFound
 from app.session.store_log import write_log
@@ -78,7 +78,7 @@ class EndTrial(Document):
 class Discard(Document):
     """Why a trial does not count."""
 
-    reason: Annotated[str, Field(min_length=1, max_length=200)]
+    reason: Annotated[Line, Field(min_length=1, max_length=200)]
 
 
 class TrialView(Document):

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from pydantic import Field, ValidationError, model_validator
 
 from app.geometry import Pose, wrap_angle
-from app.quantities import Document, Length, Name, Radians, Seconds, Title
+from app.quantities import Document, Length, Line, Name, Radians, Seconds, Title
 from app.sentences import one_sentence
 from app.settings import data_folder
 from app.world.clearance import Clearance
@@ -59,7 +59,7 @@ class PrescribedPath(Document):
     points: Polyline
     goal_radius: Length = 0.5  # m around the last point
     time_limit: Seconds = 180.0
-    instruction: Annotated[str, Field(min_length=1, max_length=200)]
+    instruction: Annotated[Line, Field(min_length=1, max_length=200)]
     start_heading: Radians | None = None  # along the path when not given
     task: Task = FollowPath()
 
