@@ -73,6 +73,11 @@ class Settings:
         return self.state / "models"
 
     @property
+    def floorplans(self) -> Path:
+        """Return the folder of the clinic's own floor plans."""
+        return self.state / "floorplans"
+
+    @property
     def keys(self) -> Path:
         """Return the folder of the keys that are shared with real chairs, one file each."""
         return self.state / "keys"

@@ -24,6 +24,7 @@ from app.api import (
     patients,
     plans,
     quality,
+    replaced,
     replay_view,
     review,
     screen,
@@ -64,6 +65,7 @@ from app.session.limits import ClinicLimits
 from app.session.patient_screens import PairingCodes
 from app.session.readings import Readings
 from app.session.real_drive import RealDriveFlow
+from app.session.replaced import replaced_files
 from app.session.runs import Runs
 from app.session.store_calibration import fail_interrupted_steps
 from app.session.store_drives import close_interrupted_drives
@@ -89,6 +91,7 @@ ROUTES = (
     replay_view,
     plans,
     models,
+    replaced,
     drives,
     review,
     quality,
@@ -121,6 +124,7 @@ def create_app(
             passwords=await asyncio.to_thread(Passwords),
             set_up=SetUp(settings.setup_code),
             sockets=OpenSockets(settings, database),
+            replaced=replaced_files(settings),
         )
         flows = _flows(settings, database, open_link, readings, open_scene)
         app.state.people, app.state.flows = people, flows
@@ -221,7 +225,7 @@ def _flows(
         qualities=TrialQualities(database, runs.folder_of, readings.quality),
         replays=Replays(),
         view=ViewKeeper(open_scene, link.newest),
-        own_floorplans=settings.state / "floorplans",
+        own_floorplans=settings.floorplans,
     )
 
     def screen_age() -> float | None:

@@ -12,6 +12,7 @@ from app.api.plan_files import draft_of_uploads
 from app.quantities import Document, Name
 from app.sentences import one_sentence
 from app.session.own_plans import OwnPlans
+from app.session.same_name import SameName, logged
 from app.session.store_log import write_log
 from app.world.floorplan import FloorPlan, TooNear
 
@@ -99,15 +100,16 @@ async def import_files(
 
 
 @router.post("/floorplans", status_code=201)
-async def save_new(request: Request, who: Clinician, parts: PeopleParts, flows: FlowParts) -> OwnPlanView:
-    """Save a document as a new floor plan of one's own."""
+async def save_new(
+    request: Request, who: Clinician, parts: PeopleParts, flows: FlowParts, same_name: SameName = "ask"
+) -> OwnPlanView:
+    """Save a document as a new floor plan of one's own; `same_name` says what becomes of a plan of this name."""
     content = await request.body()
 
     def save() -> OwnPlanView:
-        plan = _parsed(content)
-        version = OwnPlans(flows.own_floorplans).add(plan)
-        _log(parts, who.name, "floor plan saved", floorplan=plan.name, version=version)
-        return OwnPlanView(name=plan.name, title=plan.title, version=version)
+        saved = OwnPlans(flows.own_floorplans).add(_parsed(content), same_name, parts.replaced)
+        _log(parts, who.name, "floor plan saved", floorplan=saved.name, version=saved.version, **logged(same_name))
+        return OwnPlanView(**saved._asdict())
 
     return await asyncio.to_thread(save)
 

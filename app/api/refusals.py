@@ -10,6 +10,7 @@ from starlette.exceptions import HTTPException
 
 from app.sentences import sentence_of
 from app.session.refusals import NO_ROOM, Conflict, Full, NotFound, Refusal, Unavailable
+from app.session.same_name import NameTaken
 
 STATUS: dict[type[Exception], int] = {NotFound: 404, Conflict: 409, Unavailable: 503, Full: 507}
 WHERE = {"body": "What was sent", "query": "The address", "path": "The address", "header": "A header"}
@@ -33,6 +34,11 @@ async def _broken(request: Request, error: Exception) -> JSONResponse:
 
 def install_refusals(app: FastAPI) -> None:
     """Let every exception of the application become one sentence."""
+
+    @app.exception_handler(NameTaken)
+    async def _taken(_request: Request, error: NameTaken) -> JSONResponse:
+        choice = {"proposed": error.proposed, "may_replace": error.may_replace}
+        return JSONResponse({"detail": str(error), "choice": choice}, 409)
 
     @app.exception_handler(Refusal)
     async def _refused(_request: Request, error: Refusal) -> JSONResponse:
