@@ -1,5 +1,6 @@
 """Files that people bring: a size, a type, a harmless name, and content that can be read."""
 
+import csv
 import os
 import re
 from io import BytesIO
@@ -10,6 +11,7 @@ import pyarrow
 import pyarrow.parquet
 from fastapi import HTTPException
 
+from app.csv_dialect import cells_of, separator_of
 from app.quantities import Document
 from app.session.replaced import ReplacedFiles
 from app.session.same_name import SameName
@@ -110,7 +112,11 @@ def _columns(suffix: str, opened: BinaryIO) -> list[str] | None:
             return None
     head = opened.read(HEADER)
     line = head.partition(b"\n")[0]
-    return [column.strip().strip('"') for column in line.decode("utf-8-sig", "replace").split(",")]
+    header = line.decode("utf-8-sig", "replace").rstrip("\r")
+    try:
+        return cells_of(header, separator_of(header))
+    except csv.Error:
+        return None
 
 
 def _kind(columns: list[str]) -> FileKind:
