@@ -14,6 +14,7 @@ from drills.cuts import cuts
 from drills.relay import FAIR, Weather
 from drills.results import Result
 from drills.rig import AFTER, PARAMETERS, rig
+from drills.uploads import upload_bombs
 from processes.running_control import tick_with
 
 from app.clock import monotonic
@@ -390,5 +391,6 @@ DRILLS = {
     "weather": (weather, 60, 1),
     "forgeries": (forgeries, 20, 1),
     "clock": (wall_clock, 20, 1),
+    "uploads": (upload_bombs, 34, 2),
 }
 """Name: the drill, its runs in full, its runs in the short form."""

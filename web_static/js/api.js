@@ -6,10 +6,11 @@ const NOT_SIGNED_IN = 401;
 
 /** A refusal, or no answer; the message is for people. */
 export class ApiError extends Error {
-  /** @param {string} sentence @param {number} status 0 when nothing answered */
-  constructor(sentence, status) {
+  /** @param {string} sentence @param {number} status 0 when nothing answered @param {any} [choice] what could be done */
+  constructor(sentence, status, choice = null) {
     super(sentence);
     this.status = status;
+    this.choice = choice;
   }
 }
 
@@ -65,7 +66,7 @@ export class Api {
     const content = await answer.json().catch(() => null);
     if (answer.ok) return content;
     if (answer.status === NOT_SIGNED_IN && !path.startsWith("/auth/")) this.onSignedOut();
-    throw new ApiError(sentence(content, answer.status), answer.status);
+    throw new ApiError(sentence(content, answer.status), answer.status, content?.choice);
   }
 }
 

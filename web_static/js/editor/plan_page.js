@@ -1,5 +1,6 @@
 /** The page round the workbench: what is saved under which name, and what happens to it when one leaves. */
 import { h, put, write } from "../parts/dom.js";
+import { questionPlace, sendUnderName } from "../parts/same_name.js";
 import { t } from "../texts.js";
 import { nameFrom } from "./document.js";
 import { keepDraft, keptDraft } from "./draft_store.js";
@@ -14,6 +15,7 @@ export function showPlan(app, root, { plans, models, signal }) {
   const title = h("h1", { tabindex: "-1" }, draft.document.title);
   const saved = h("span", { class: "tag plain", role: "status" });
   const ask = h("div", { class: "card ask", role: "alertdialog", hidden: true, tabindex: "-1" });
+  const question = questionPlace();
   const save = h("button", { type: "button", class: "btn go", onclick: () => saveVersion() }, t("plan.save"));
   const saveNew = h("button", { type: "button", class: "btn", onclick: () => saveAsNew() }, t("plan.save-new"));
   const drive = h("a", { class: "btn", href: "#/drive", onclick: () => chooseToDrive() }, t("plan.drive"));
@@ -39,6 +41,7 @@ export function showPlan(app, root, { plans, models, signal }) {
     plan: draft.document,
     models,
     signal,
+    question,
     onChange: (document) => keep({ ...draft, document, dirty: true }),
   });
 
@@ -47,6 +50,7 @@ export function showPlan(app, root, { plans, models, signal }) {
     try {
       const document = bench.plan();
       const answer = await run(document);
+      if (!answer) return false;
       keep({ document: { ...document, name: answer.name }, name: answer.name, version: answer.version, dirty: false });
       taken = [...taken, answer.name];
       app.toasts.show(t("plan.saved.toast", { title: answer.title }));
@@ -63,7 +67,10 @@ export function showPlan(app, root, { plans, models, signal }) {
       app.api.put(`/floorplans/${draft.name}?version=${draft.version}`, { ...document, name: draft.name }),
     );
   const saveAsNew = () =>
-    sent((document) => app.api.post("/floorplans", { ...document, name: nameFrom(document.title, taken) }));
+    sent((document) => {
+      const named = { ...document, name: nameFrom(document.title, taken) };
+      return sendUnderName(question, (sameName) => app.api.post(`/floorplans?same_name=${sameName}`, named));
+    });
 
   function chooseToDrive() {
     localStorage.setItem(CHOSEN, `${draft.name}/${draft.document.paths[0].name}`);
@@ -119,6 +126,7 @@ export function showPlan(app, root, { plans, models, signal }) {
       h("a", { class: "btn small bare", href: "#/plans" }, t("plan.all")),
     ),
     ask,
+    question,
     bench.element,
     h("div", { class: "foot" }, h("span", { class: "grow" }, t("plan.note")), drive, save, saveNew),
   );

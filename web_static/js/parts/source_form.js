@@ -3,6 +3,7 @@ import { t } from "../texts.js";
 import { h, put } from "./dom.js";
 import { choices, field, segments, selection, stepper, toggle } from "./fields.js";
 import { size } from "./format.js";
+import { questionPlace, sendUnderName } from "./same_name.js";
 
 const RATES = [50, 100, 200, 500, 1000]; // Hz; 100 is the rate of the shirts that there are
 const PORT = 5252;
@@ -184,13 +185,19 @@ export function addFile(app) {
     tabindex: "-1",
     "aria-hidden": "true",
   });
+  const question = questionPlace();
   input.addEventListener("change", async () => {
     const [file] = input.files;
     if (!file) return;
     app.toasts.show(t("source.adding", { file: file.name }));
     try {
-      app.dispatchEvent(new CustomEvent("equipment", { detail: await app.api.upload("/equipment/files", file) }));
-      app.toasts.show(t("source.added", { file: file.name }));
+      const equipment = await sendUnderName(question, (sameName) =>
+        app.api.upload(`/equipment/files?same_name=${sameName}`, file),
+      );
+      if (equipment) {
+        app.dispatchEvent(new CustomEvent("equipment", { detail: equipment }));
+        app.toasts.show(t("source.added", { file: file.name }));
+      }
     } catch (error) {
       app.toasts.show(error.message);
     }
@@ -198,9 +205,14 @@ export function addFile(app) {
   });
   return h(
     "div",
-    { class: "spread" },
-    h("button", { type: "button", class: "btn", onclick: () => input.click() }, t("source.add")),
-    input,
-    h("span", { class: "quiet small" }, t("source.add.hint")),
+    { class: "stack" },
+    h(
+      "div",
+      { class: "spread" },
+      h("button", { type: "button", class: "btn", onclick: () => input.click() }, t("source.add")),
+      input,
+      h("span", { class: "quiet small" }, t("source.add.hint")),
+    ),
+    question,
   );
 }
