@@ -17,6 +17,7 @@ from app.session.store_log import write_log
 from app.world.floorplan import FloorPlan, TooNear
 
 WHERE = "The floor plan"
+MOST_PARTS = 250_000  # lists and objects; the largest plan that is taken has about half as many
 
 router = APIRouter(tags=["floor plans"])
 
@@ -47,8 +48,17 @@ class DraftView(Document):
     taken: list[str]
 
 
+def _too_many(content: bytes) -> str:
+    """Return why a document is not even taken apart, which would keep the process from all other work; or nothing."""
+    if content.count(b"[") + content.count(b"{") > MOST_PARTS:
+        return f"{WHERE}: it has more than {MOST_PARTS:,} points and things: make it simpler."
+    return ""
+
+
 def _parsed(content: bytes) -> FloorPlan:
     """Return the floor plan of a request's body; 422 with the place in the document."""
+    if words := _too_many(content):
+        raise HTTPException(422, words)
     try:
         return FloorPlan.model_validate_json(content)
     except ValidationError as error:
@@ -56,6 +66,8 @@ def _parsed(content: bytes) -> FloorPlan:
 
 
 def _checked(content: bytes) -> CheckView:
+    if words := _too_many(content):
+        return CheckView(good=False, sentence=words, place=[], at=None)
     try:
         FloorPlan.model_validate_json(content)
     except ValidationError as error:

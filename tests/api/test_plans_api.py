@@ -160,6 +160,9 @@ def test_more_than_a_plan_can_hold_is_not_taken(signed_in: Any) -> None:
     walls = [[[0.0, 3.0 + y / 10], [1.0, 3.0 + y / 10]] for y in range(4000)]
     answer = signed_in.good("POST", "/floorplans/check", json=plan(walls=walls, paths=[{**PATH, "points": many}]))
     assert "too many points" in answer["sentence"]
+    crowd = b'{"walls": [' + b"[]," * 260_000 + b"[]]}"
+    assert "more than 250,000 points" in signed_in.good("POST", "/floorplans/check", content=crowd)["sentence"]
+    assert "more than 250,000 points" in sentence(signed_in("POST", "/floorplans", content=crowd), 422)
 
 
 def dxf(unit: int = 6) -> bytes:
