@@ -17,7 +17,7 @@ from app.session.store_log import write_log
 from app.world.floorplan import FloorPlan, TooNear
 
 WHERE = "The floor plan"
-MOST_PARTS = 250_000  # lists and objects; the largest plan that is taken has about half as many
+MOST_PARTS = 250_000  # lists and objects of a document: far more than a building needs
 
 router = APIRouter(tags=["floor plans"])
 

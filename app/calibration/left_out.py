@@ -55,7 +55,8 @@ def channels_left_out(
         resting = None if rest is None else _held(rest)
         second = _quality(groups, sample_rate, _held(free), resting, moving, full_scale)
         for i in poor:
-            quality[i] = second[i]
+            if second[i].condition != "nan":
+                quality[i] = second[i]
     left_out: dict[str, str] = {}
     for indices in groups.values():
         best_left = any(quality[i].condition == "good" and names[i] not in unused for i in indices)
