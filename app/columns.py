@@ -17,6 +17,7 @@ Table = dict[str, NDArray[np.generic]]
 
 NOT_A_NUMBER = ("", "NaN", "nan", "NA", "N/A", "null", "NULL")  # cells that stand for a missing number
 LONGEST_QUOTE = 30
+MOST_NUMBERS = 200_000_000  # ten hours of 52 channels at 100 Hz
 NO_ROWS = "{}: there is no row below the header, record again or name another file"
 NOT_TEXT = "{}: this is not a CSV file but something binary or not in UTF-8, save it as CSV in UTF-8 or as Parquet"
 
@@ -81,12 +82,16 @@ def _is_parquet(path: Path) -> bool:
 
 def _read_parquet(path: Path, only: Collection[str] | None) -> pa.Table:
     try:
-        names = pa_parquet.read_schema(path).names
+        described = pa_parquet.read_metadata(path)
+        names = described.schema.to_arrow_schema().names
     except pa.ArrowException as error:
         raise ValueError(f"{path}: this is not a Parquet file, save it as one or give it the name of a CSV") from error
     _refuse_twins(str(path), names)
+    wanted = [name for name in names if only is None or name in only]
+    if described.num_rows * len(wanted) > MOST_NUMBERS:  # equal values are packed: a small file may hold any number
+        raise ValueError(f"{path}: this holds more than {MOST_NUMBERS:,} numbers, cut it into shorter recordings")
     try:
-        return pa_parquet.read_table(path, columns=[name for name in names if only is None or name in only])
+        return pa_parquet.read_table(path, columns=wanted)
     except pa.ArrowException as error:
         raise ValueError(f"{path}: this Parquet file was cut or changed and cannot be read, save it anew") from error
 

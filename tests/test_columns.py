@@ -4,6 +4,8 @@ import csv
 import io
 
 import numpy as np
+import pyarrow as pa
+import pyarrow.parquet as pq
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -55,6 +57,16 @@ def test_words_with_commas_do_not_make_decimal_commas(tmp_path):
     found, told = read_columns_and_dialect(file, only=("t", "a"))
     assert (float(found["t"][0]), float(found["a"][0])) == (0.5, 1.25)
     assert told == Dialect(";", ".")
+
+
+def test_a_small_file_that_holds_very_many_numbers_is_not_unpacked(tmp_path):
+    file = tmp_path / "table.parquet"
+    zeros = pa.array([0.0]).take(pa.array(np.zeros(1_000_000, np.int8)))
+    with pq.ParquetWriter(file, pa.schema({"t": pa.float64()}), compression="zstd") as writer:
+        for _ in range(201):
+            writer.write_table(pa.table({"t": zeros}))
+    with pytest.raises(ValueError, match="more than 200,000,000 numbers"):
+        read_columns(file)
 
 
 @pytest.mark.parametrize(

@@ -10,7 +10,6 @@ from pydantic import Field
 
 from app.api.deps import Anyone, Clinician, PeopleParts
 from app.api.flows import FlowParts, Flows
-from app.api.foreign_files import in_turn
 from app.api.uploads import FileView, keep_upload, list_files
 from app.hardware.configs import BodyConfig, HeadConfig, ShirtConfig
 from app.layout import MAX_CHANNELS, ShirtLayout
@@ -195,6 +194,6 @@ async def bring_file(
     file: UploadFile, who: Clinician, parts: PeopleParts, flows: FlowParts, same_name: SameName = "ask"
 ) -> EquipmentView:
     """Take in a file of recorded signals or of a recorded body; `same_name` says what becomes of one of this name."""
-    kept = await in_turn(keep_upload, parts.replaced, file.filename or "", file.file, same_name)
+    kept = await asyncio.to_thread(keep_upload, parts.replaced, file.filename or "", file.file, same_name)
     flows.live.tell("equipment")
     return await _noted(parts, flows, who.name, "file added", kind=kept.kind, size=kept.size, **logged(same_name))

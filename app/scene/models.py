@@ -17,7 +17,7 @@ from app.scene.meshes import Mesh, Part, Vector
 THINNEST: Final = 1e-6  # m
 READINGS: Final = ".readings"  # folder beside the objects, one file for each content
 READER: Final = "app.scene.model_import"
-REMEMBERED: Final = 16  # objects in memory
+REMEMBERED: Final = 4  # objects in memory, at most 10 MB each
 REFUSED: Final = ".refused"
 READ: Final = ".npz"
 
