@@ -13,7 +13,7 @@ import threading
 from contextlib import suppress
 from typing import Any, Final
 
-MOST_MEMORY: Final = 2_000_000_000  # bytes of addresses
+MOST_MEMORY: Final = 3_000_000_000  # bytes of addresses
 LONGEST: Final = 60  # s of computing
 WAITED_FOR: Final = 120.0  # s
 LARGEST_ANSWER: Final = 50_000_000  # bytes of one file that the reader writes

@@ -26,7 +26,7 @@ def test_an_answer_comes_back(module):
     ("body", "words"),
     [
         ("raise ValueError('hall.png: this is damaged')", "hall.png: this is damaged"),
-        ("return {'size': len(bytearray(3_000_000_000))}", "needs too much memory"),
+        ("return {'size': len(bytearray(4_000_000_000))}", "needs too much memory"),
         ("import os; os.abort()", "could not be read"),
         ("raise KeyError('x')", "could not be read"),
         ("import resource; resource.setrlimit(resource.RLIMIT_CPU, (1, 1))\n    while True: pass", "could not be read"),
