@@ -2,10 +2,11 @@
 
 import hashlib
 import io
-import logging
+from contextlib import suppress
 from functools import lru_cache
 from pathlib import Path
 from typing import Final, NamedTuple
+from zipfile import BadZipFile
 
 import numpy as np
 
@@ -20,8 +21,7 @@ READER: Final = "app.scene.model_import"
 REMEMBERED: Final = 4  # objects in memory, at most 10 MB each
 REFUSED: Final = ".refused"
 READ: Final = ".npz"
-
-logger = logging.getLogger(__name__)
+NO_READING: Final = (OSError, ValueError, KeyError, EOFError, BadZipFile)  # none yet, or a damaged one
 
 
 class Model(NamedTuple):
@@ -59,17 +59,18 @@ def stored_model(file: Path) -> Model:
 @lru_cache(maxsize=REMEMBERED)
 def _stored(file: Path, _changed_at: int) -> Model:
     reading = _reading_of(file, file.parent / READINGS)
+    with suppress(*NO_READING):
+        return _read_reading(reading)
     refused = reading.with_suffix(REFUSED)
-    if not reading.exists():
-        if refused.exists():
-            raise ValueError(refused.read_text(encoding="utf-8"))
-        try:
-            read_apart(READER, {"file": str(file), "reading": str(reading)})
-        except ReadingTimeoutError:
-            raise
-        except ValueError as error:
-            write_atomically(refused, str(error).encode())  # a file of an older version; it is not read again
-            raise
+    if refused.exists():
+        raise ValueError(refused.read_text(encoding="utf-8"))
+    try:
+        read_apart(READER, {"file": str(file), "reading": str(reading)})
+    except ReadingTimeoutError:
+        raise
+    except ValueError as error:
+        write_atomically(refused, str(error).encode())  # a file of an older version; it is not read again
+        raise
     return _read_reading(reading)
 
 
@@ -97,7 +98,7 @@ def write_reading(model: Model, file: Path) -> None:
 
 
 def _read_reading(file: Path) -> Model:
-    with np.load(file, allow_pickle=False) as arrays:
+    with file.open("rb") as opened, np.load(opened, allow_pickle=False) as arrays:
         length, width, height = map(float, arrays["size"])
         parts = [
             Part(Mesh(arrays[f"vertices{i}"], arrays[f"faces{i}"]), (int(red), int(green), int(blue)))

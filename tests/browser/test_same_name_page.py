@@ -11,7 +11,7 @@ pytestmark = [pytest.mark.browser, pytest.mark.timeout(300)]
 
 SCREENSHOTS = Path(__file__).resolve().parents[2] / "var" / "screenshots"
 SIZES = {"768x1024": (768, 1024), "1280x800": (1280, 800), "390x844": (390, 844)}
-PATIENCE = 60_000  # ms
+PATIENCE = 30_000  # ms
 TAKEN = "409 (Conflict)"  # what a browser writes by itself when a name is taken
 
 
@@ -44,8 +44,9 @@ def test_a_taken_name_is_asked_about(browser, page_log, demo, size):
     page.goto(demo)
     expect(page.get_by_role("heading", name="Where to?")).to_be_visible(timeout=PATIENCE)
     page.goto(f"{demo.split('#')[0]}#/shirt")
-    page.get_by_text("Source", exact=True).first.click()
-    page.get_by_text("Replay of a file").first.click()
+    source = page.locator("section.card").filter(has=page.get_by_role("heading", name="Source", exact=True))
+    source.locator("summary").first.click()
+    source.get_by_text("Replay of a file").click()
     bring(1)
     expect(page.get_by_text(f"{name} was added.")).to_be_visible(timeout=PATIENCE)
     bring(2)
