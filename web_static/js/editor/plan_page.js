@@ -1,6 +1,6 @@
 /** The page round the workbench: what is saved under which name, and what happens to it when one leaves. */
 import { h, put, write } from "../parts/dom.js";
-import { questionPlace, sendUnderName } from "../parts/same_name.js";
+import { sendUnderName } from "../parts/same_name.js";
 import { t } from "../texts.js";
 import { nameFrom } from "./document.js";
 import { keepDraft, keptDraft } from "./draft_store.js";
@@ -15,7 +15,6 @@ export function showPlan(app, root, { plans, models, signal }) {
   const title = h("h1", { tabindex: "-1" }, draft.document.title);
   const saved = h("span", { class: "tag plain", role: "status" });
   const ask = h("div", { class: "card ask", role: "alertdialog", hidden: true, tabindex: "-1" });
-  const question = questionPlace();
   const save = h("button", { type: "button", class: "btn go", onclick: () => saveVersion() }, t("plan.save"));
   const saveNew = h("button", { type: "button", class: "btn", onclick: () => saveAsNew() }, t("plan.save-new"));
   const drive = h("a", { class: "btn", href: "#/drive", onclick: () => chooseToDrive() }, t("plan.drive"));
@@ -41,7 +40,6 @@ export function showPlan(app, root, { plans, models, signal }) {
     plan: draft.document,
     models,
     signal,
-    question,
     onChange: (document) => keep({ ...draft, document, dirty: true }),
   });
 
@@ -69,7 +67,7 @@ export function showPlan(app, root, { plans, models, signal }) {
   const saveAsNew = () =>
     sent((document) => {
       const named = { ...document, name: nameFrom(document.title, taken) };
-      return sendUnderName(question, (sameName) => app.api.post(`/floorplans?same_name=${sameName}`, named));
+      return sendUnderName(app.question, (sameName) => app.api.post(`/floorplans?same_name=${sameName}`, named));
     });
 
   function chooseToDrive() {
@@ -126,7 +124,6 @@ export function showPlan(app, root, { plans, models, signal }) {
       h("a", { class: "btn small bare", href: "#/plans" }, t("plan.all")),
     ),
     ask,
-    question,
     bench.element,
     h("div", { class: "foot" }, h("span", { class: "grow" }, t("plan.note")), drive, save, saveNew),
   );

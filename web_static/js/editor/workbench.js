@@ -23,9 +23,9 @@ const FINE = 0.01; // m of an arrow key without the grid
 
 /**
  * @param {import("../main.js").App} app
- * @param {{plan: any, models: any[], signal: AbortSignal, onChange: (plan: any) => void, question: HTMLElement}} given
+ * @param {{plan: any, models: any[], signal: AbortSignal, onChange: (plan: any) => void}} given
  */
-export function workbench(app, { plan, models, signal, onChange, question }) {
+export function workbench(app, { plan, models, signal, onChange }) {
   let history = begun(plan);
   let state = { plan, tool: "move", pending: [], chosen: null, doorWidth: DOOR };
   let [view, size] = [
@@ -150,7 +150,7 @@ export function workbench(app, { plan, models, signal, onChange, question }) {
     ...actsOn(() => state, take, become),
     model: async (file) => {
       try {
-        const listed = await sendUnderName(question, (sameName) =>
+        const listed = await sendUnderName(app.question, (sameName) =>
           app.api.upload(`/models?same_name=${sameName}`, file),
         );
         if (!listed) return;

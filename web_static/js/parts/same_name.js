@@ -2,15 +2,15 @@
 import { t } from "../texts.js";
 import { h, put } from "./dom.js";
 
-/** An empty place in which the question appears. @returns {HTMLElement} */
+/** An empty place, beside the pages that are drawn again, in which the question appears. @returns {HTMLElement} */
 export function questionPlace() {
-  return h("div", { class: "card ask", role: "alertdialog", hidden: true, tabindex: "-1" });
+  return h("div", { class: "card ask question", role: "alertdialog", hidden: true, tabindex: "-1" });
 }
 
 /**
  * Send something, and when its name is taken, ask and send it again. The page round the question stays in reach, Stop
  * above all.
- * @param {HTMLElement} place as of `questionPlace`
+ * @param {HTMLElement} place the page frame's, as of `questionPlace`
  * @param {(sameName: "ask" | "keep-both" | "replace") => Promise<any>} send
  * @returns {Promise<any>} what was answered; null when nothing was brought
  */
@@ -32,10 +32,12 @@ function asked(place, error) {
     const choose = (sameName) => {
       place.hidden = true;
       place.onkeydown = null;
+      removeEventListener("hashchange", leave);
       put(place);
       before?.focus?.();
       resolve(sameName);
     };
+    const leave = () => choose(null);
     const button = (sameName, words, kind = "btn") =>
       h("button", { type: "button", class: kind, onclick: () => choose(sameName) }, words);
     put(
@@ -52,8 +54,8 @@ function asked(place, error) {
     );
     place.onkeydown = (event) => event.key === "Escape" && choose(null);
     place.setAttribute("aria-label", error.message);
+    addEventListener("hashchange", leave);
     place.hidden = false;
-    place.scrollIntoView({ block: "nearest" });
     place.focus();
   });
 }

@@ -3,7 +3,7 @@ import { t } from "../texts.js";
 import { h, put } from "./dom.js";
 import { choices, field, segments, selection, stepper, toggle } from "./fields.js";
 import { size } from "./format.js";
-import { questionPlace, sendUnderName } from "./same_name.js";
+import { sendUnderName } from "./same_name.js";
 
 const RATES = [50, 100, 200, 500, 1000]; // Hz; 100 is the rate of the shirts that there are
 const PORT = 5252;
@@ -185,13 +185,12 @@ export function addFile(app) {
     tabindex: "-1",
     "aria-hidden": "true",
   });
-  const question = questionPlace();
   input.addEventListener("change", async () => {
     const [file] = input.files;
     if (!file) return;
     app.toasts.show(t("source.adding", { file: file.name }));
     try {
-      const equipment = await sendUnderName(question, (sameName) =>
+      const equipment = await sendUnderName(app.question, (sameName) =>
         app.api.upload(`/equipment/files?same_name=${sameName}`, file),
       );
       if (equipment) {
@@ -205,14 +204,9 @@ export function addFile(app) {
   });
   return h(
     "div",
-    { class: "stack" },
-    h(
-      "div",
-      { class: "spread" },
-      h("button", { type: "button", class: "btn", onclick: () => input.click() }, t("source.add")),
-      input,
-      h("span", { class: "quiet small" }, t("source.add.hint")),
-    ),
-    question,
+    { class: "spread" },
+    h("button", { type: "button", class: "btn", onclick: () => input.click() }, t("source.add")),
+    input,
+    h("span", { class: "quiet small" }, t("source.add.hint")),
   );
 }
