@@ -1,11 +1,14 @@
-"""The number types of everything that a person can set: strict, finite, bounded.
+"""The number and text types of everything that a person can set: strict, finite, bounded, and fully visible.
 
-A plain pydantic `float` takes NaN, Infinity, 1e999, `true` and `"3"`; these do not.
+A plain pydantic `float` takes NaN, Infinity, 1e999, `true` and `"3"`; these do not. A plain `str` takes characters that
+are not seen and change what is: these do not either.
 """
 
 from typing import Annotated
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field
+
+from app.visible_text import visible_line, visible_lines
 
 Metres = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=-1000, le=1000)]
 Length = Annotated[float, Field(strict=True, allow_inf_nan=False, gt=0, le=1000)]  # m
@@ -19,8 +22,10 @@ Fraction = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0, le=1)]
 Finite = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=-1e12, le=1e12)]
 Count = Annotated[int, Field(strict=True, ge=0, le=2**31)]
 Port = Annotated[int, Field(strict=True, ge=0, le=65_535)]
+Line = Annotated[str, AfterValidator(visible_line)]  # to be bounded with Field where it is used
+Note = Annotated[str, AfterValidator(visible_lines)]
 Name = Annotated[str, Field(min_length=1, max_length=64, pattern=r"^[A-Za-z0-9][A-Za-z0-9_.-]*$")]
-Title = Annotated[str, Field(min_length=1, max_length=80)]
+Title = Annotated[Line, Field(min_length=1, max_length=80)]
 
 
 class Document(BaseModel):

@@ -75,7 +75,7 @@ class Settings:
 
     @property
     def floorplans(self) -> Path:
-        """Return the folder of the floor plans that people draw."""
+        """Return the folder of the clinic's own floor plans."""
         return self.state / "floorplans"
 
     @property

@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import ValidationError
 
-from app.columns import Table, read_columns, require_column, row_words
+from app.columns import Table, read_columns_and_dialect, require_column, row_words
+from app.csv_dialect import Dialect
 from app.layout import MAX_CHANNELS, ShirtLayout
 from app.recording_reader import Run, read_run
 from app.sentences import one_sentence
@@ -32,6 +33,7 @@ class Signals:
     sample_rate: float  # Hz
     t_device: NDArray[np.float64] | None = None  # (n,) s, the shirt's own clock where a recording has it
     words: str = ""  # what is wrong with the recording, in one sentence
+    dialect: Dialect | None = None  # of a CSV file
 
     def between(self, start: float | None, end: float | None) -> slice:
         """Return the rows with `start` <= t < `end` (s); None stands for the recording's own start or end."""
@@ -52,7 +54,7 @@ def read_signals(path: str | Path, layout: ShirtLayout | None = None) -> Signals
     if path.is_dir():
         return signals_of_run(read_run(path), path, layout)
     only = None if layout is None else {"t", *layout.channel_names}
-    table = read_columns(path, only=only)
+    table, dialect = read_columns_and_dialect(path, only=only)
     t = require_column(table, path, "t")
     names = [name for name in table if name != "t"] if layout is None else layout.channel_names
     if not names:
@@ -65,7 +67,9 @@ def read_signals(path: str | Path, layout: ShirtLayout | None = None) -> Signals
         raise ValueError(_missing(path, missing, layout))
     if len(t) < SHORTEST:
         raise ValueError(f"{path}: {len(t)} samples are too few for a signal, record at least a few seconds")
-    return make_signals(t, _stacked(table, names), names, path)
+    signals = make_signals(t, _stacked(table, names), names, path)
+    signals.dialect = dialect
+    return signals
 
 
 def signals_of_run(run: Run, path: Path, layout: ShirtLayout | None = None) -> Signals:

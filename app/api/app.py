@@ -26,6 +26,7 @@ from app.api import (
     patients,
     plans,
     quality,
+    replaced,
     replay_view,
     review,
     screen,
@@ -70,6 +71,7 @@ from app.session.log_chain import warn_of_changed_log
 from app.session.patient_screens import PairingCodes
 from app.session.readings import Readings
 from app.session.real_drive import RealDriveFlow
+from app.session.replaced import replaced_files
 from app.session.runs import Runs
 from app.session.store_calibration import fail_interrupted_steps
 from app.session.store_drives import close_interrupted_drives
@@ -95,6 +97,7 @@ ROUTES = (
     replay_view,
     plans,
     models,
+    replaced,
     drives,
     review,
     quality,
@@ -131,6 +134,7 @@ def create_app(
             limits=SignInLimits(),
             set_up=SetUp(settings.setup_code),
             sockets=OpenSockets(settings, database),
+            replaced=replaced_files(settings),
         )
         flows = _flows(settings, database, open_link, readings, open_scene)
         app.state.people, app.state.flows = people, flows

@@ -12,7 +12,7 @@ from app.api.deps import ForEveryone, People, PeopleParts
 from app.api.passwords import BROWSER_COOKIE, hashed, require_password, weakness
 from app.api.sign_in_limits import address_of
 from app.api.signed_in import COOKIE, find_signed_in
-from app.quantities import Document
+from app.quantities import Document, Line
 from app.session.refusals import Conflict
 from app.session.store_browsers import KNOWN_FOR, remember_browser
 from app.session.store_people import (
@@ -30,7 +30,7 @@ router = APIRouter(prefix="/auth", tags=["sign-in"], dependencies=[ForEveryone])
 DEMO_PERSON = "Demo clinician"
 
 Code = Annotated[str, Field(min_length=1, max_length=200)]
-PersonName = Annotated[str, Field(min_length=1, max_length=80, pattern=r"^\S(.*\S)?$")]
+PersonName = Annotated[Line, Field(min_length=1, max_length=80, pattern=r"^\S(.*\S)?$")]
 Password = Annotated[str, Field(max_length=1000)]
 
 

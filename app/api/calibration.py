@@ -13,7 +13,7 @@ from app.calibration.discovery import Discovery
 from app.calibration.fit import joints_without_map
 from app.calibration.profile import CalibrationProfile, GuidedMap, MapKind
 from app.calibration.vocabulary import standard_parameters
-from app.quantities import Document, Name
+from app.quantities import Document, Line, Name
 from app.session.calibration_flow import RESULT, Progress
 from app.session.gesture_discovery import of_result
 from app.session.map_choice import choose_map
@@ -31,7 +31,7 @@ StepName = Annotated[str, Path(min_length=1, max_length=80)]
 class Look(Document):
     """Which step to look at."""
 
-    step: Annotated[str, Field(min_length=1, max_length=80)]
+    step: Annotated[Line, Field(min_length=1, max_length=80)]
 
 
 class ChosenMap(Document):

@@ -13,6 +13,7 @@ from app.api.signed_in import PairedScreen, SignedIn, find_signed_in, find_viewe
 from app.api.sockets import OpenSockets
 from app.scene.servers import Role
 from app.session.database import Database
+from app.session.replaced import ReplacedFiles
 from app.settings import Settings
 
 RowId = Annotated[int, Path(ge=1, le=2**31)]
@@ -31,6 +32,7 @@ class People:
     limits: SignInLimits
     set_up: SetUp
     sockets: OpenSockets
+    replaced: ReplacedFiles
 
 
 def people(connection: HTTPConnection) -> People:

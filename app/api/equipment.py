@@ -15,6 +15,7 @@ from app.quantities import Document, Name
 from app.session.control import Control
 from app.session.disk import disk_room
 from app.session.refusals import Refusal
+from app.session.same_name import SameName, logged
 from app.session.store_log import write_log
 
 router = APIRouter(prefix="/equipment", tags=["equipment"])
@@ -206,8 +207,10 @@ async def mark_unused(body: Unused, who: Clinician, parts: PeopleParts, flows: F
 
 
 @router.post("/files", status_code=201)
-async def bring_file(file: UploadFile, who: Clinician, parts: PeopleParts, flows: FlowParts) -> EquipmentView:
-    """Take in a file of recorded signals or of a recorded body."""
-    kept = await asyncio.to_thread(keep_upload, parts.settings.files, file.filename or "", file.file)
+async def bring_file(
+    file: UploadFile, who: Clinician, parts: PeopleParts, flows: FlowParts, same_name: SameName = "ask"
+) -> EquipmentView:
+    """Take in a file of recorded signals or of a recorded body; `same_name` says what becomes of one of this name."""
+    kept = await asyncio.to_thread(keep_upload, parts.replaced, file.filename or "", file.file, same_name)
     flows.live.tell("equipment")
-    return await _noted(parts, flows, who.name, "file added", kind=kept.kind, size=kept.size)
+    return await _noted(parts, flows, who.name, "file added", kind=kept.kind, size=kept.size, **logged(same_name))

@@ -1,19 +1,20 @@
 """3D objects that people bring, to be drawn instead of boxes."""
 
-import asyncio
+import shutil
 import tempfile
 from functools import lru_cache
 from pathlib import Path
 
 from fastapi import APIRouter, HTTPException, UploadFile
 
-from app.api.deps import Clinician, PeopleParts
-from app.api.flows import FlowParts
+from app.api.deps import Clinician, People, PeopleParts
+from app.api.foreign_files import in_turn, refusal
 from app.api.uploads import harmless_name
-from app.files import write_atomically
 from app.quantities import Document
 from app.scene.glb import MOST_BYTES
-from app.scene.models import read_model
+from app.scene.models import read_apart_into, stored_model
+from app.session.replaced import ReplacedFiles
+from app.session.same_name import SameName, logged
 from app.session.store_log import write_log
 
 SUFFIX = ".glb"
@@ -33,7 +34,7 @@ class ModelView(Document):
 
 @lru_cache(maxsize=MOST_MODELS)
 def _looked_at(file: Path, _changed_at: int) -> ModelView:
-    model = read_model(file)
+    model = stored_model(file)
     length, width, height = (round(side, 3) for side in model.size)
     return ModelView(name=file.stem, bytes=file.stat().st_size, size=(length, width, height), faces=model.faces)
 
@@ -48,29 +49,25 @@ def _listed(folder: Path) -> list[ModelView]:
     return found
 
 
-def _keep(folder: Path, file: UploadFile) -> str:
+def _keep(folder: Path, shelf: ReplacedFiles, file: UploadFile, same_name: SameName) -> str:
     """Store an object, whole or not at all, and return its name."""
     safe = harmless_name(file.filename or "")
     if Path(safe).suffix != SUFFIX:
         raise HTTPException(415, f"'{safe}' is no GLB file: export the object as glTF binary (.glb).")
-    content = file.file.read(MOST_BYTES + 1)
-    if len(content) > MOST_BYTES:
+    if (file.size or 0) > MOST_BYTES:
         raise HTTPException(413, f"'{safe}' is larger than {MOST_BYTES // 1_000_000} MB: make the object simpler.")
-    name = Path(safe).stem
-    standing = [one.stem.lower() for one in folder.glob(f"*{SUFFIX}")]
-    if name.lower() in standing:
-        raise HTTPException(409, f"There is an object '{name}' already: rename the file, then add it again.")
-    if len(standing) >= MOST_MODELS:
+    shelf.check_name("model", safe, same_name)
+    if len(list(folder.glob(f"*{SUFFIX}"))) >= MOST_MODELS:
         raise HTTPException(409, f"There are {MOST_MODELS} objects already: delete some in the folder 'models'.")
     with tempfile.TemporaryDirectory(prefix="bodydrive-model-") as apart:
         tried = Path(apart) / safe
-        tried.write_bytes(content)
+        with tried.open("wb") as opened:
+            shutil.copyfileobj(file.file, opened)
         try:
-            read_model(tried)
+            read_apart_into(folder, tried)
         except ValueError as error:
-            raise HTTPException(422, f"{error}.") from error
-    write_atomically(folder / safe, content)
-    return name
+            raise refusal(error) from error
+        return Path(shelf.put("model", safe, tried.read_bytes(), same_name)).stem
 
 
 @router.get("")
@@ -80,15 +77,19 @@ def list_models(_who: Clinician, parts: PeopleParts) -> list[ModelView]:
 
 
 @router.post("", status_code=201)
-async def bring_model(file: UploadFile, who: Clinician, parts: PeopleParts, flows: FlowParts) -> list[ModelView]:
-    """Take in an object, and list them all."""
-    folder = parts.settings.models
+async def bring_model(
+    file: UploadFile, who: Clinician, parts: PeopleParts, same_name: SameName = "ask"
+) -> list[ModelView]:
+    """Take in an object, and list them all; `same_name` says what becomes of an object that has this name."""
 
     def keep() -> list[ModelView]:
-        name = _keep(folder, file)
-        with parts.database.transaction() as db:
-            write_log(db, who.name, "object added", model=name)
-        return _listed(folder)
+        name = _keep(parts.settings.models, parts.replaced, file, same_name)
+        _log(parts, who.name, name, same_name)
+        return _listed(parts.settings.models)
 
-    async with flows.visit.undisturbed("add an object"):
-        return await asyncio.to_thread(keep)
+    return await in_turn(keep)
+
+
+def _log(parts: People, person: str, name: str, same_name: SameName) -> None:
+    with parts.database.transaction() as db:
+        write_log(db, person, "object added", model=name, **logged(same_name))

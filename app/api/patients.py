@@ -8,7 +8,7 @@ from pydantic import Field
 
 from app.api.deps import Anyone, Clinician, PeopleParts, RowId
 from app.api.flows import FlowParts, show_visit
-from app.quantities import Count, Document, Name, Title
+from app.quantities import Count, Document, Name, Note, Title
 from app.session.database import Transaction
 from app.session.store_log import write_log
 from app.session.store_patients import (
@@ -33,7 +33,7 @@ class NewPatient(Document):
 
     code: Name
     pseudonym: Title
-    note: Annotated[str, Field(max_length=2000)] = ""
+    note: Annotated[Note, Field(max_length=2000)] = ""
 
 
 class PatientView(Document):

@@ -3,23 +3,20 @@
 import asyncio
 import json
 import shutil
-import sys
 import tempfile
 from pathlib import Path
 from typing import Any
 
 from fastapi import HTTPException, UploadFile
 
+from app.api.foreign_files import in_turn, read_or_refuse
 from app.api.uploads import harmless_name
-from app.world.plan_import import IMAGES, LONGEST, MAPS, SUFFIXES
+from app.world.plan_import import IMAGES, MAPS, SUFFIXES
 
 LARGEST = 20_000_000  # bytes
 LARGEST_MAP = 100_000  # bytes: a map's YAML file has six lines
 PICTURES = (*IMAGES, ".pgm")
-WAITED_FOR = 2.0 * LONGEST  # s
-READER = (sys.executable, "-m", "app.world.plan_import")
-
-_one_at_a_time = asyncio.Semaphore(1)
+READER = "app.world.plan_import"
 
 
 async def draft_of_uploads(files: list[UploadFile], options: str) -> dict[str, Any]:
@@ -39,17 +36,9 @@ async def draft_of_uploads(files: list[UploadFile], options: str) -> dict[str, A
         kept = [await asyncio.to_thread(_keep, folder, number, file) for number, file in enumerate(files)]
         plan, image = _plan_and_image(kept)
         question = {"file": str(plan), "image": None if image is None else str(image), "options": chosen}
-        async with _one_at_a_time:
-            answer = await _asked(question)
+        return await in_turn(read_or_refuse, READER, question, [f"{file.parent}/" for file in kept])
     finally:
         await asyncio.to_thread(shutil.rmtree, folder, ignore_errors=True)
-    if "problem" in answer:
-        sentence = str(answer["problem"])
-        for file in kept:
-            sentence = sentence.replace(f"{file.parent}/", "")
-        raise HTTPException(422, sentence + ".")
-    draft: dict[str, Any] = answer["draft"]
-    return draft
 
 
 def _keep(folder: Path, number: int, file: UploadFile) -> Path:
@@ -82,21 +71,3 @@ def _plan_and_image(files: list[Path]) -> tuple[Path, Path | None]:
     if others[0].suffix == ".pgm":
         raise HTTPException(422, "A .pgm picture belongs to a map: choose its .yaml file as well.")
     return others[0], None
-
-
-async def _asked(question: dict[str, Any]) -> dict[str, Any]:
-    reader = await asyncio.create_subprocess_exec(
-        *READER, stdin=asyncio.subprocess.PIPE, stdout=asyncio.subprocess.PIPE, stderr=asyncio.subprocess.DEVNULL
-    )
-    try:
-        out, _ = await asyncio.wait_for(reader.communicate(json.dumps(question).encode()), WAITED_FOR)
-    except TimeoutError as error:
-        raise HTTPException(503, "Reading this file takes too long: make it smaller, then add it again.") from error
-    finally:
-        if reader.returncode is None:  # nobody waits for the answer any more
-            reader.kill()
-            await reader.wait()
-    if reader.returncode != 0:
-        raise HTTPException(422, "This file could not be read, or takes too long: save it anew or make it smaller.")
-    answer: dict[str, Any] = json.loads(out)
-    return answer

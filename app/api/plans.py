@@ -12,10 +12,12 @@ from app.api.plan_files import draft_of_uploads
 from app.quantities import Document, Name
 from app.sentences import one_sentence
 from app.session.own_plans import OwnPlans
+from app.session.same_name import SameName, logged
 from app.session.store_log import write_log
 from app.world.floorplan import FloorPlan, TooNear
 
 WHERE = "The floor plan"
+MOST_PARTS = 250_000  # lists and objects of a document: far more than a building needs
 
 router = APIRouter(tags=["floor plans"])
 
@@ -46,8 +48,17 @@ class DraftView(Document):
     taken: list[str]
 
 
+def _too_many(content: bytes) -> str:
+    """Return why a document is not even taken apart, which would keep the process from all other work; or nothing."""
+    if content.count(b"[") + content.count(b"{") > MOST_PARTS:
+        return f"{WHERE}: it has more than {MOST_PARTS:,} points and things: make it simpler."
+    return ""
+
+
 def _parsed(content: bytes) -> FloorPlan:
     """Return the floor plan of a request's body; 422 with the place in the document."""
+    if words := _too_many(content):
+        raise HTTPException(422, words)
     try:
         return FloorPlan.model_validate_json(content)
     except ValidationError as error:
@@ -55,6 +66,8 @@ def _parsed(content: bytes) -> FloorPlan:
 
 
 def _checked(content: bytes) -> CheckView:
+    if words := _too_many(content):
+        return CheckView(good=False, sentence=words, place=[], at=None)
     try:
         FloorPlan.model_validate_json(content)
     except ValidationError as error:
@@ -99,15 +112,16 @@ async def import_files(
 
 
 @router.post("/floorplans", status_code=201)
-async def save_new(request: Request, who: Clinician, parts: PeopleParts, flows: FlowParts) -> OwnPlanView:
-    """Save a document as a new floor plan of one's own."""
+async def save_new(
+    request: Request, who: Clinician, parts: PeopleParts, flows: FlowParts, same_name: SameName = "ask"
+) -> OwnPlanView:
+    """Save a document as a new floor plan of one's own; `same_name` says what becomes of a plan of this name."""
     content = await request.body()
 
     def save() -> OwnPlanView:
-        plan = _parsed(content)
-        version = OwnPlans(flows.own_floorplans).add(plan)
-        _log(parts, who.name, "floor plan saved", floorplan=plan.name, version=version)
-        return OwnPlanView(name=plan.name, title=plan.title, version=version)
+        saved = OwnPlans(flows.own_floorplans).add(_parsed(content), same_name, parts.replaced)
+        _log(parts, who.name, "floor plan saved", floorplan=saved.name, version=saved.version, **logged(same_name))
+        return OwnPlanView(**saved._asdict())
 
     return await asyncio.to_thread(save)
 

@@ -13,6 +13,7 @@ from app.api.deps import People
 from app.api.signed_in import find_signed_in
 from app.sentences import sentence_of
 from app.session.refusals import NO_ROOM, AnotherClinics, Conflict, Full, NotFound, Refusal, Unavailable
+from app.session.same_name import NameTaken
 from app.session.store_log import write_log
 
 STATUS: dict[type[Exception], int] = {
@@ -54,6 +55,11 @@ def _note(request: Request, error: AnotherClinics) -> None:
 
 def install_refusals(app: FastAPI) -> None:
     """Let every exception of the application become one sentence."""
+
+    @app.exception_handler(NameTaken)
+    async def _taken(_request: Request, error: NameTaken) -> JSONResponse:
+        choice = {"proposed": error.proposed, "may_replace": error.may_replace}
+        return JSONResponse({"detail": str(error), "choice": choice}, 409)
 
     @app.exception_handler(Refusal)
     async def _refused(request: Request, error: Refusal) -> JSONResponse:

@@ -13,7 +13,7 @@ from app.api.pictures import NO_PICTURE, Picture
 from app.api.screen import ScreenWord
 from app.api.screens import Screen
 from app.api.signed_in import SignedIn
-from app.quantities import Document, Name
+from app.quantities import Document, Line, Name
 from app.session.control_quality import ControlQuality
 from app.session.refusals import Conflict, NotFound
 from app.session.store_log import write_log
@@ -81,7 +81,7 @@ class EndTrial(Document):
 class Discard(Document):
     """Why a trial does not count."""
 
-    reason: Annotated[str, Field(min_length=1, max_length=200)]
+    reason: Annotated[Line, Field(min_length=1, max_length=200)]
 
 
 class TrialView(Document):

@@ -1,23 +1,34 @@
 """Files that people bring: a size, a type, a harmless name, and content that can be read."""
 
+import csv
+import os
 import re
 from io import BytesIO
 from pathlib import Path
+from threading import Lock
 from typing import BinaryIO, Literal
 
 import pyarrow
 import pyarrow.parquet
 from fastapi import HTTPException
 
-from app.files import write_atomically
+from app.csv_dialect import cells_of, separator_of
 from app.quantities import Document
+from app.session.replaced import ReplacedFiles
+from app.session.same_name import SameName
 
 LARGEST = 64_000_000  # bytes
 HEADER = 65_536  # bytes of a CSV in which its first row must end
 KINDS = (".csv", ".parquet")
+MOST_NUMBERS = 40_000_000  # as many as a CSV file of the largest size can hold; Parquet packs equal values
+MOST_COLUMNS = 1000
+LONGEST_SCHEMA = 1_000_000  # bytes of a Parquet file's description
+PARQUET_END = 8  # bytes: u32 little-endian length of the description, then a magic word (Parquet format, File Format)
 
 FileKind = Literal["signals", "body", "head", "recording"]
 HEAD_COLUMNS = {"yaw_deg", "pitch_deg", "roll_deg"}
+
+_one_at_a_time = Lock()
 
 
 class FileView(Document):
@@ -45,38 +56,44 @@ def list_files(folder: Path) -> list[FileView]:
     return found
 
 
-def keep_upload(folder: Path, name: str, content: BinaryIO) -> FileView:
+def keep_upload(shelf: ReplacedFiles, name: str, content: BinaryIO, same_name: SameName) -> FileView:
     """Store a brought file under a harmless name, whole or not at all.
 
     Raises
     ------
     HTTPException
         With one sentence: 413 when it is too large, 415 when it is of another type, 422 when it cannot be read.
+    NameTaken
+        When something has this name, and nobody chose.
     """
     safe = harmless_name(name)
     if Path(safe).suffix not in KINDS:
         raise HTTPException(415, f"'{safe}' is not a CSV or Parquet file: save it as one of these, then add it again.")
+    with _one_at_a_time:  # each is in memory as a whole
+        return _kept(shelf, safe, content, same_name)
+
+
+def _kept(shelf: ReplacedFiles, safe: str, content: BinaryIO, same_name: SameName) -> FileView:
     whole = content.read(LARGEST + 1)
     if len(whole) > LARGEST:
         raise HTTPException(413, f"'{safe}' is larger than {LARGEST // 1_000_000} MB: cut it, or save it as Parquet.")
     if not whole:
         raise HTTPException(422, f"'{safe}' is empty: choose another file.")
-    file = folder / safe
-    if file.is_dir():
-        raise HTTPException(409, f"There is a recording called '{safe}' already: rename the file, then add it again.")
     # Looked at before it is written: a file of this name that is here already must outlive a bad one.
-    columns = _columns(file.suffix, BytesIO(whole))
+    columns = _columns(Path(safe).suffix, BytesIO(whole))
     if columns is None or "t" not in columns or len(columns) < 2:
         raise HTTPException(
-            422, f"'{safe}' has no column t with channels beside it: the first row must name t and each channel."
+            422,
+            f"'{safe}' has no column t with channels beside it, or more than {MOST_NUMBERS:,} numbers: "
+            f"the first row must name t and each channel.",
         )
     try:
-        write_atomically(file, whole)
+        kept = shelf.put("file", safe, whole, same_name)
     except OSError as error:
         raise HTTPException(
             409, f"'{safe}' cannot be kept ({error.strerror or error}): free some disk space, then add it again."
         ) from error
-    return FileView(name=safe, kind=_kind(columns), size=len(whole))
+    return FileView(name=kept, kind=_kind(columns), size=len(whole))
 
 
 def harmless_name(name: str) -> str:
@@ -89,15 +106,25 @@ def harmless_name(name: str) -> str:
 
 
 def _columns(suffix: str, opened: BinaryIO) -> list[str] | None:
-    """Return the names of the columns, reading no more than needed; None when the file cannot be read."""
+    """Return the names of the columns, reading no more than needed; None for what cannot be read or is too large."""
     if suffix == ".parquet":
+        opened.seek(0, os.SEEK_END)
+        opened.seek(max(opened.tell() - PARQUET_END, 0))
+        if int.from_bytes(opened.read(4), "little") > LONGEST_SCHEMA:
+            return None
         try:
-            return list(pyarrow.parquet.read_schema(opened).names)
+            described = pyarrow.parquet.read_metadata(opened)
+            many = described.num_columns > MOST_COLUMNS or described.num_rows * described.num_columns > MOST_NUMBERS
+            return None if many else list(described.schema.to_arrow_schema().names)
         except (ValueError, OSError, pyarrow.ArrowException):
             return None
     head = opened.read(HEADER)
     line = head.partition(b"\n")[0]
-    return [column.strip().strip('"') for column in line.decode("utf-8-sig", "replace").split(",")]
+    header = line.decode("utf-8-sig", "replace").rstrip("\r")
+    try:
+        return cells_of(header, separator_of(header))
+    except csv.Error:
+        return None
 
 
 def _kind(columns: list[str]) -> FileKind:

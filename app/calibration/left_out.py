@@ -4,6 +4,7 @@ from collections.abc import Collection, Mapping, Sequence
 
 import numpy as np
 
+from app.calibration.gaps import bridged, why_missing
 from app.calibration.pieces import Frames, held
 from app.calibration.quality import ChannelQuality, channel_quality, worst
 from app.calibration.repetitions import Repetition
@@ -11,7 +12,7 @@ from app.layout import ShirtLayout
 
 # What the short stretches of the prompts can show; noise is judged on the long free movement.
 SEEN_IN_PROMPTS = {"near", "railed", "flat", "nan"}
-FEW_MISSING = 0.05  # of a channel's samples: they are bridged rather than that a joint is lost
+FEW_MISSING = 0.05  # of a channel's samples: the one before is held rather than that a joint is lost
 
 
 def channels_left_out(
@@ -25,19 +26,37 @@ def channels_left_out(
 ) -> dict[str, str]:
     """Return why channels are left out of the map.
 
-    One near its rails, or with a few samples missing, is left out only where the joint keeps a better one.
+    Gaps of at most 0.2 s, and at most 1 % of a channel within what its joint is fitted to, leave nothing out. One near
+    its rails, or with somewhat more missing, is left out only where the joint keeps a better one.
     """
     groups = layout.channels_of_joint
-    quality = _quality(groups, sample_rate, free, rest, repetitions, full_scale)
+    pieces = [free] if rest is None else [free, rest]
+    missing = {
+        i: words
+        for joint, indices in groups.items()
+        for i in indices
+        if (words := why_missing([*pieces, *_of(joint, repetitions)], i, sample_rate))
+    }
+    quality = _quality(
+        groups,
+        sample_rate,
+        bridged(free, sample_rate),
+        None if rest is None else bridged(rest, sample_rate),
+        [Repetition(one.joint, bridged(one.values, sample_rate), one.moving) for one in repetitions],
+        full_scale,
+    )
+    for i, words in missing.items():
+        quality[i] = ChannelQuality("nan", words)
     names = layout.channel_names
     good = {i for i, one in enumerate(quality) if one.condition == "good" and names[i] not in unused}
     poor = [i for group in groups.values() if not good.intersection(group) for i in group]
     if any(quality[i].condition == "nan" for i in poor):
-        bridged = [Repetition(one.joint, _bridged(one.values), one.moving) for one in repetitions]
-        resting = None if rest is None else _bridged(rest)
-        second = _quality(groups, sample_rate, _bridged(free), resting, bridged, full_scale)
+        moving = [Repetition(one.joint, _held(one.values), one.moving) for one in repetitions]
+        resting = None if rest is None else _held(rest)
+        second = _quality(groups, sample_rate, _held(free), resting, moving, full_scale)
         for i in poor:
-            quality[i] = second[i]
+            if second[i].condition != "nan":
+                quality[i] = second[i]
     left_out: dict[str, str] = {}
     for indices in groups.values():
         best_left = any(quality[i].condition == "good" and names[i] not in unused for i in indices)
@@ -64,7 +83,7 @@ def _quality(
         at_rest = channel_quality(rest, list(groups.values()), sample_rate, full_scale, moving=False)
         quality = [worst(one, other) for one, other in zip(quality, at_rest, strict=True)]
     for joint, indices in groups.items():
-        own = [one.values for one in repetitions if one.joint == joint]
+        own = _of(joint, repetitions)
         if own:
             prompted = channel_quality(np.concatenate(own), [indices], sample_rate, full_scale)
             findings = {i: prompted[i] for i in indices if prompted[i].condition in SEEN_IN_PROMPTS}
@@ -74,7 +93,11 @@ def _quality(
     return quality
 
 
-def _bridged(values: Frames) -> Frames:
+def _of(joint: str, repetitions: Sequence[Repetition]) -> list[Frames]:
+    return [one.values for one in repetitions if one.joint == joint]
+
+
+def _held(values: Frames) -> Frames:
     """Return frames in which channels that miss few samples hold the one before; frames that were lost stay so."""
     missing = np.isnan(values)
     lost = missing.all(axis=1, keepdims=True)

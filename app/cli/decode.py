@@ -13,12 +13,12 @@ from pydantic import ValidationError
 from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import DriveParameters, recorded_parameters, standard_parameters
 from app.cli.errors import InputError
-from app.cli.output import warn, write_output
+from app.cli.output import dialect_told, tell_dialect, warn, write_output
 from app.pipeline.batch import Decoded, decode_block
 from app.pipeline.rerun import decode_run
 from app.recording_reader import read_run
 from app.sentences import one_sentence
-from app.signals import read_signals
+from app.signals import Signals, read_signals
 
 SUFFIXES = (".parquet", ".csv")
 LARGEST_THRESHOLD = 100.0  # FS/s, as `app.quantities.Threshold`
@@ -38,24 +38,26 @@ def decode(
         raise InputError(f"--out {out}: its name must end in {' or '.join(SUFFIXES)}")
     parameters = overridden(read_parameters(profile), dead_zone, cutoff)
     try:
-        t, sample_rate, decoded = decode_file(signals, parameters)
+        recorded, decoded = decode_file(signals, parameters)
     except ValueError as error:
         raise InputError(str(error)) from error
+    t = recorded.t
     write_output(out, content_of(out, columns(parameters, t, decoded)), signals, profile)
     summary = {
         "frames": len(t),
         "seconds": float(t[-1] - t[0]),
-        "sample_rate": sample_rate,
+        "sample_rate": recorded.sample_rate,
         "out": str(out),
     }
     if as_json:
-        typer.echo(json.dumps(summary))
+        typer.echo(json.dumps(summary | dialect_told(recorded)))
     else:
         typer.echo(f"{summary['frames']} frames, {summary['seconds']:.1f} s, decoded into {out}")
+        tell_dialect(recorded, signals)
 
 
-def decode_file(signals: Path, parameters: DriveParameters) -> tuple[NDArray[np.float64], float, Decoded]:
-    """Return time (n,) in s, sample rate in Hz, and what was decoded; a recording of ours is driven again."""
+def decode_file(signals: Path, parameters: DriveParameters) -> tuple[Signals, Decoded]:
+    """Return the signals and what was decoded; a recording of ours is driven again, at the times of its frames."""
     recorded = read_signals(signals, parameters.profile.layout)
     if signals.is_dir():
         run = read_run(signals)
@@ -64,9 +66,10 @@ def decode_file(signals: Path, parameters: DriveParameters) -> tuple[NDArray[np.
         except ValueError as error:
             raise InputError(f"{signals}: {error}") from error
         warn(recorded.words)
-        return run.frames()["t"], recorded.sample_rate, decoded
+        recorded.t = run.frames()["t"]
+        return recorded, decoded
     values = recorded.values.astype(np.float32, copy=False)
-    return recorded.t, recorded.sample_rate, decode_block(parameters, recorded.sample_rate, recorded.t, values)
+    return recorded, decode_block(parameters, recorded.sample_rate, recorded.t, values)
 
 
 def read_parameters(file: Path) -> DriveParameters:

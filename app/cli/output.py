@@ -7,6 +7,7 @@ import typer
 
 from app.cli.errors import InputError
 from app.files import write_atomically
+from app.signals import Signals
 
 
 def write_output(out: Path, content: bytes, *sources: Path) -> None:
@@ -36,3 +37,14 @@ def check_new_folder(folder: Path) -> None:
         raise InputError(f"--out {folder}: {standing} is a file and not a folder, choose another place")
     if not os.access(standing, os.W_OK | os.X_OK):
         raise InputError(f"--out {folder}: nothing may be written in {standing}, choose another place")
+
+
+def dialect_told(recorded: Signals) -> dict[str, dict[str, str]]:
+    """Return what `--json` says of the signs that a CSV file uses; nothing for other files."""
+    return {} if recorded.dialect is None else {"dialect": recorded.dialect._asdict()}
+
+
+def tell_dialect(recorded: Signals, file: Path) -> None:
+    """Say on stdout with which signs a CSV file was read, where they are not the usual ones."""
+    if recorded.dialect is not None and recorded.dialect.words:
+        typer.echo(f"{file}: {recorded.dialect.words}")

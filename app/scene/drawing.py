@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Final
 
 from app.scene.building import building_parts
-from app.scene.models import Model, read_model
+from app.scene.models import Model, stored_model
 from app.scene.movers import mover_parts
 from app.scene.world_view import Drawing
 from app.world.floorplan import FloorPlan, PrescribedPath
@@ -34,7 +34,7 @@ def _model(models: Path | None, name: str) -> Model | None:
     if models is None:
         return None
     try:
-        return read_model(models / f"{name}.glb")
+        return stored_model(models / f"{name}.glb")
     except ValueError as error:
         logger.warning("an object is drawn as a plain box: %s", error)
         return None

@@ -6,6 +6,8 @@ from typing import NamedTuple
 
 from app.files import write_atomically
 from app.session.refusals import Conflict, NotFound
+from app.session.replaced import ReplacedFiles
+from app.session.same_name import SameName, name_for
 from app.world.floorplan import FloorPlan, bundled_floorplans, load_floorplan
 from app.world.scene import bundled_scenes
 
@@ -47,19 +49,20 @@ class OwnPlans:
         foreign = file.is_file() and (not kept or kept[-1].read_bytes() != file.read_bytes())
         return len(kept) + foreign
 
-    def add(self, plan: FloorPlan) -> int:
-        """Save a new plan and return its version; Conflict when the name is taken."""
+    def add(self, plan: FloorPlan, same_name: SameName, shelf: ReplacedFiles) -> OwnPlan:
+        """Save a plan; one that it replaces goes on the shelf. NameTaken when the name is taken and nobody chose."""
         with _saving:
             if is_bundled(plan.name):
                 raise Conflict(
                     f"The name '{plan.name}' belongs to a plan that comes with the software: choose another."
                 )
-            names = [file.stem.lower() for file in self._folder.glob("*.json")]
-            if plan.name.lower() in names:
-                raise Conflict(f"There is a floor plan '{plan.name}' already: choose another name.")
-            if len(names) >= MOST_PLANS:
+            taken = [file.stem for file in self._folder.glob("*.json")]
+            name = name_for(plan.name, taken, same_name)
+            if name not in taken and len(taken) >= MOST_PLANS:
                 raise Conflict(f"There are {MOST_PLANS} floor plans of your own already: delete some first.")
-            return self._save(plan)
+            shelf.keep("floorplan", self._file(name))
+            saved = plan.model_copy(update={"name": name})
+            return OwnPlan(name, saved.title, self._save(saved))
 
     def replace(self, plan: FloorPlan, version: int) -> int:
         """Save the next version of a plan that is at `version`; Conflict when somebody saved it meanwhile."""

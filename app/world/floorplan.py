@@ -8,10 +8,10 @@ from typing import Annotated, Self
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import Field, ValidationError, model_validator
+from pydantic import FailFast, Field, ValidationError, model_validator
 
 from app.geometry import Pose, wrap_angle
-from app.quantities import Document, Length, Name, Radians, Seconds, Title
+from app.quantities import Document, Length, Line, Name, Radians, Seconds, Title
 from app.sentences import one_sentence
 from app.settings import data_folder
 from app.world.clearance import Clearance
@@ -25,7 +25,8 @@ MAX_WALLS = 5000
 MAX_BYTES = 8_000_000  # a document larger than this is not a floor plan
 MOST_LOOKS = 20_000_000  # pieces of paths times pieces of walls: each is held against each
 
-Polyline = Annotated[tuple[Point, ...], Field(min_length=2, max_length=MAX_WALLS)]
+# Of a long list the first fault is told: to collect a million of them takes seconds in which nothing else is answered.
+Polyline = Annotated[tuple[Point, ...], Field(min_length=2, max_length=MAX_WALLS), FailFast()]
 
 
 class TooNear(ValueError):  # noqa: N818
@@ -59,7 +60,7 @@ class PrescribedPath(Document):
     points: Polyline
     goal_radius: Length = 0.5  # m around the last point
     time_limit: Seconds = 180.0
-    instruction: Annotated[str, Field(min_length=1, max_length=200)]
+    instruction: Annotated[Line, Field(min_length=1, max_length=200)]
     start_heading: Radians | None = None  # along the path when not given
     task: Task = FollowPath()
 
@@ -82,7 +83,7 @@ class FloorPlan(Document):
 
     name: Name
     title: Title
-    walls: Annotated[tuple[Polyline, ...], Field(max_length=MAX_WALLS)]
+    walls: Annotated[tuple[Polyline, ...], Field(max_length=MAX_WALLS), FailFast()]
     obstacles: Annotated[tuple[Obstacle, ...], Field(max_length=1000)] = ()
     rooms: Annotated[tuple[Room, ...], Field(max_length=200)] = ()
     doors: Annotated[tuple[Door, ...], Field(max_length=200)] = ()

@@ -14,6 +14,7 @@ from app.quantities import Fraction, Metres
 from app.sentences import one_sentence
 
 MOST_CELLS = 40_000_000
+FORMATS = ("PPM", "PNG", "BMP", "JPEG")  # others can hold many pictures, or need a reader of their own
 Resolution = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0.005, le=1.0)]  # m per cell
 Yaw = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=-6.2832, le=6.2832)]  # rad
 
@@ -69,12 +70,18 @@ def read_occupancy_map(file: Path, image_file: Path | None = None) -> OccupancyM
 
 def _read_document(file: Path) -> MapDocument:
     try:
-        content = yaml.safe_load(file.read_text(encoding="utf-8"))
+        text = file.read_text(encoding="utf-8")
+        # A few aliases of aliases stand for thousands of millions of words, and no map needs one.
+        if any(isinstance(event, yaml.AliasEvent) for event in yaml.parse(text, Loader=yaml.SafeLoader)):
+            raise ValueError(f"{file}: a map's document has no aliases (*name), write the values themselves")
+        content = yaml.safe_load(text)
     except FileNotFoundError as error:
         raise ValueError(f"{file}: there is no such file, check its name") from error
     except OSError as error:
         raise ValueError(f"{file}: this file cannot be read ({error.strerror or error}), check it") from error
     except (yaml.YAMLError, ValueError, RecursionError) as error:
+        if str(error).startswith(f"{file}: "):
+            raise
         raise ValueError(f"{file}: this is not a YAML document, name the .yaml file of a map_server map") from error
     if not isinstance(content, dict):
         raise ValueError(f"{file}: this is not a map's document (image, resolution, origin), name another file")
@@ -84,12 +91,12 @@ def _read_document(file: Path) -> MapDocument:
         raise ValueError(one_sentence(error, str(file))) from error
 
 
-def _read_image(image_file: Path, named_in: Path) -> NDArray[np.float64]:
+def _read_image(image_file: Path, named_in: Path) -> NDArray[np.float32]:
     """Return the grey values (rows, columns), 0..255."""
     try:
-        with Image.open(image_file) as image:
+        with Image.open(image_file, formats=FORMATS) as image:
             too_large = image.width * image.height > MOST_CELLS
-            grey = None if too_large else np.asarray(image.convert("L"), dtype=np.float64)
+            grey = None if too_large else np.asarray(image.convert("L"), dtype=np.float32)
     except FileNotFoundError as error:
         raise ValueError(f"{image_file}: there is no such image, put it where {named_in.name} names it") from error
     except (UnidentifiedImageError, Image.DecompressionBombError, Image.DecompressionBombWarning) as error:

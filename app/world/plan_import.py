@@ -1,19 +1,12 @@
-"""Makes a floor plan of a file from elsewhere: a ROS map, a DXF drawing or a picture.
-
-`python -m app.world.plan_import` does it for the web process, in a process of its own: foreign files may take long,
-and whatever they do to their reader must not keep a moving chair waiting.
-"""
+"""Makes a floor plan of a file from elsewhere: a ROS map, a DXF drawing or a picture."""
 
 import json
-import os
-import sys
-from contextlib import suppress
 from pathlib import Path
 from typing import Annotated, Any, Final, Literal
 
 from pydantic import Field, ValidationError
 
-from app.quantities import Document, Name, Title
+from app.quantities import Document, Line, Name, Title
 from app.sentences import one_sentence
 from app.world.draft import Draft
 from app.world.dxf_import import import_dxf
@@ -25,9 +18,6 @@ MAPS: Final = (".yaml", ".yml")
 IMAGES: Final = (".png", ".jpg", ".jpeg")
 DRAWINGS: Final = (".dxf",)
 SUFFIXES: Final = (*MAPS, *IMAGES, *DRAWINGS)
-MOST_MEMORY: Final = 3_000_000_000  # bytes
-LONGEST: Final = 60  # s of computing
-NICE: Final = 10
 
 Scale = Annotated[float, Field(strict=True, allow_inf_nan=False, gt=0, le=1000)]
 
@@ -36,7 +26,7 @@ class Options(Document):
     """What a file does not say about itself."""
 
     unit: Literal["mm", "cm", "m", "inch", "foot"] | None = None
-    layers: Annotated[tuple[str, ...], Field(max_length=1000)] | None = None
+    layers: Annotated[tuple[Line, ...], Field(max_length=1000)] | None = None
     metres_per_pixel: Scale | None = None
     width: Scale | None = None  # m, of the whole picture
     threshold: Annotated[float, Field(strict=True, allow_inf_nan=False, gt=0, lt=1)] = THRESHOLD
@@ -65,31 +55,21 @@ def import_plan(file: Path, options: Options, image: Path | None = None) -> Draf
 
 
 def answer(question: dict[str, Any]) -> dict[str, Any]:
-    """Return `{"draft": ...}` or `{"problem": sentence}` for `{"file", "image", "options"}`."""
+    """Return a draft's fields for `{"file", "image", "options"}`; asked by `app.reading_apart`.
+
+    Raises
+    ------
+    ValueError
+        One sentence that names the file without its place, and what to do.
+    """
     file, image = Path(question["file"]), question["image"]
     try:
         options = Options.model_validate_json(json.dumps(question["options"]))
     except ValidationError as error:
-        return {"problem": one_sentence(error, "the import")}
+        raise ValueError(one_sentence(error, "the import")) from error
     try:
-        draft = import_plan(file, options, None if image is None else Path(image))
+        return import_plan(file, options, None if image is None else Path(image))._asdict()
     except ValueError as error:
-        return {"problem": str(error).replace(f"{file.parent}/", "")}
-    except MemoryError:
-        return {"problem": f"{file.name}: this needs too much memory, make it smaller"}
-    return {"draft": draft._asdict()}
-
-
-def main() -> None:
-    """Answer one question from standard input on standard output."""
-    import resource  # noqa: PLC0415  (not on every system on which the command line runs)
-
-    os.nice(NICE)
-    with suppress(ValueError, OSError):  # some systems do not limit memory
-        resource.setrlimit(resource.RLIMIT_AS, (MOST_MEMORY, MOST_MEMORY))
-    resource.setrlimit(resource.RLIMIT_CPU, (LONGEST, LONGEST + 1))
-    json.dump(answer(json.load(sys.stdin)), sys.stdout)
-
-
-if __name__ == "__main__":
-    main()
+        raise ValueError(str(error).replace(f"{file.parent}/", "")) from error
+    except MemoryError as error:
+        raise ValueError(f"{file.name}: this needs too much memory, make it smaller") from error

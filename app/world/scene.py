@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal, NamedTuple, get_args
 
 from pydantic import Field, ValidationError
 
-from app.quantities import Document, Name, Title
+from app.quantities import Document, Line, Name, Title
 from app.sentences import one_sentence
 from app.settings import data_folder
 from app.world.floorplan import MAX_BYTES, FloorPlan, bundled_floorplans, load_floorplan
@@ -30,7 +30,7 @@ class SceneHead(Document):
 
     name: Name
     title: Title
-    about: Annotated[str, Field(min_length=1, max_length=300)]
+    about: Annotated[Line, Field(min_length=1, max_length=300)]
     levels: Annotated[tuple[Level, ...], Field(min_length=1, max_length=3)] | None = None
     floorplan: Name | None = None  # a bundled one, whose walls, obstacles, rooms and doors stand here too
 

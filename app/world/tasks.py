@@ -4,7 +4,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from app.quantities import Document, Length, Metres, Name, Radians, Seconds, Title
+from app.quantities import Document, Length, Line, Metres, Name, Radians, Seconds, Title
 
 Points = Annotated[tuple[tuple[Metres, Metres], ...], Field(min_length=2, max_length=5000)]
 
@@ -45,7 +45,7 @@ class Stage(Document):
     """One part of a course."""
 
     title: Title
-    instruction: Annotated[str, Field(min_length=1, max_length=200)]
+    instruction: Annotated[Line, Field(min_length=1, max_length=200)]
     points: Points
     goal_radius: Length = 0.5  # m
     task: SimpleTask = FollowPath()

@@ -11,7 +11,7 @@ import pytest
 import trimesh
 from PIL import Image
 
-from app.api import plan_files
+from app import reading_apart
 from app.world.floorplan import load_floorplan
 
 ROOM = [[[0.0, 0.0], [6.0, 0.0], [6.0, 4.0], [0.0, 4.0], [0.0, 0.0]]]
@@ -160,6 +160,9 @@ def test_more_than_a_plan_can_hold_is_not_taken(signed_in: Any) -> None:
     walls = [[[0.0, 3.0 + y / 10], [1.0, 3.0 + y / 10]] for y in range(4000)]
     answer = signed_in.good("POST", "/floorplans/check", json=plan(walls=walls, paths=[{**PATH, "points": many}]))
     assert "too many points" in answer["sentence"]
+    crowd = b'{"walls": [' + b"[]," * 260_000 + b"[]]}"
+    assert "more than 250,000 points" in signed_in.good("POST", "/floorplans/check", content=crowd)["sentence"]
+    assert "more than 250,000 points" in sentence(signed_in("POST", "/floorplans", content=crowd), 422)
 
 
 def dxf(unit: int = 6) -> bytes:
@@ -224,10 +227,10 @@ def test_bad_files_are_refused_in_one_sentence(signed_in: Any) -> None:
 
 
 def test_a_reader_that_dies_or_hangs_is_said(signed_in: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(plan_files, "READER", ("false",))
+    monkeypatch.setattr(reading_apart, "COMMAND", ("false",))
     assert "could not be read" in sentence(bring(signed_in, ("hall.dxf", dxf())), 422)
-    monkeypatch.setattr(plan_files, "READER", ("sleep", "60"))
-    monkeypatch.setattr(plan_files, "WAITED_FOR", 0.05)
+    monkeypatch.setattr(reading_apart, "COMMAND", ("sh", "-c", "sleep 60", "-"))
+    monkeypatch.setattr(reading_apart, "WAITED_FOR", 0.05)
     assert "too long" in sentence(bring(signed_in, ("hall.dxf", dxf())), 503)
 
 

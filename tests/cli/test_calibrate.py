@@ -47,7 +47,8 @@ def test_json_is_one_object_with_the_names_that_others_rely_on(files):
     result = run(files, "--prompts", str(files / "prompts.csv"), "--rest-from", "0", "--rest-to", "3", "--json")
     assert result.exit_code == 0, result.output
     answer = json.loads(result.stdout)
-    assert set(answer) == {"joints", "maps", "profile"}
+    assert set(answer) == {"dialect", "joints", "maps", "profile"}
+    assert answer["dialect"] == {"separator": ",", "decimal": "."}
     profile = CalibrationProfile.model_validate_json((files / "profile.json").read_bytes())
     assert answer["profile"] == str(files / "profile.json")
     for joint in profile.joints:
@@ -110,3 +111,17 @@ def test_bad_input_is_one_sentence_and_nothing_is_written(files, changes, words)
         calibrate(given.pop("signals"), **given)
     assert "\n" not in str(refusal.value)
     assert sorted(file.name for file in files.iterdir()) == ["layout.json", "prompts.csv", "signals.csv"]
+
+
+def test_what_a_spreadsheet_writes_is_read_and_told(files):
+    plain = json.loads(run(files, "--prompts", str(files / "prompts.csv"), "--json").stdout)
+    for name in ("signals.csv", "prompts.csv"):
+        written = (files / name).read_text()
+        (files / name).write_text(written.replace(",", ";").replace(".", ","))
+    result = run(files, "--prompts", str(files / "prompts.csv"), "--json")
+    assert result.exit_code == 0, result.output
+    found = json.loads(result.stdout)
+    assert found.pop("dialect") == {"separator": ";", "decimal": ","}
+    assert plain.pop("dialect") == {"separator": ",", "decimal": "."}
+    assert found == plain
+    assert "read with semicolons between columns and decimal commas" in run(files).output

@@ -18,6 +18,7 @@ from drills.rig import AFTER, PARAMETERS, rig
 from drills.second_socket import second_socket
 from drills.session_end import session_end
 from drills.strangers import odd_names, second_sender
+from drills.uploads import upload_bombs
 from processes.running_control import tick_with
 
 from app.clock import monotonic
@@ -412,5 +413,6 @@ DRILLS = {
     "clock": (wall_clock, 20, 1),
     "names": (odd_names, 20, 1),
     "second-sender": (second_sender, 20, 1),
+    "uploads": (upload_bombs, 34, 2),
 }
 """Name: the drill, its runs in full, its runs in the short form."""

@@ -1,4 +1,5 @@
 import json
+import os
 import struct
 
 import numpy as np
@@ -9,8 +10,10 @@ from hypothesis import strategies as st
 from PIL import Image
 from trimesh.visual.material import PBRMaterial
 
+from app import reading_apart
 from app.scene import glb
-from app.scene.models import MOST_COLOURS, read_model
+from app.scene.model_import import MOST_COLOURS, read_model
+from app.scene.models import READINGS, stored_model
 
 
 def coloured_box(size, colour, at=(0, 0, 0)):
@@ -136,7 +139,7 @@ def test_what_cannot_be_drawn_is_refused_in_one_sentence(write, content, words):
 def test_too_large_a_file_and_none_are_refused(write, tmp_path, monkeypatch):
     with pytest.raises(ValueError, match="cannot be read"):
         read_model(tmp_path / "none.glb")
-    monkeypatch.setattr("app.scene.models.MOST_BYTES", 100)
+    monkeypatch.setattr("app.scene.model_import.MOST_BYTES", 100)
     monkeypatch.setattr(glb, "MOST_BYTES", 100)
     with pytest.raises(ValueError, match="larger than"):
         read_model(write(chair_like().export(file_type="glb")))
@@ -164,3 +167,35 @@ def test_a_file_cut_off_is_refused(tmp_path_factory, end):
     file.write_bytes(WHOLE[:end])
     with pytest.raises(ValueError, match=r"damaged|no GLB file|cut off|nothing with faces"):
         read_model(file)
+
+
+def touched(file, later):
+    """Let a file look changed, so that it is not taken from memory."""
+    os.utime(file, ns=(later, later))
+    return file
+
+
+def same(one, other):
+    assert one.size == other.size
+    for part, twin in zip(one.parts, other.parts, strict=True):
+        assert part.colour == twin.colour
+        np.testing.assert_array_equal(part.mesh.vertices, twin.mesh.vertices)
+        np.testing.assert_array_equal(part.mesh.faces, twin.mesh.faces)
+
+
+def test_what_is_stored_is_read_apart_once(write, monkeypatch):
+    file = write(WHOLE)
+    same(stored_model(file), read_model(file))
+    (reading,) = (file.parent / READINGS).iterdir()
+    reading.write_bytes(reading.read_bytes()[:100])
+    same(stored_model(touched(file, 1)), read_model(file))
+    monkeypatch.setattr(reading_apart, "COMMAND", ("false",))
+    same(stored_model(touched(file, 2)), read_model(file))
+
+
+def test_what_is_refused_is_not_read_again(write, monkeypatch):
+    file = write(binary({}))
+    for later in (1, 2):
+        with pytest.raises(ValueError, match="nothing with faces"):
+            stored_model(touched(file, later))
+        monkeypatch.setattr(reading_apart, "COMMAND", ("false",))

@@ -3,6 +3,7 @@ import math
 from itertools import pairwise
 
 import pytest
+from pydantic import ValidationError
 from storey import storey
 
 from app.world.floorplan import FloorPlan, bundled_floorplans, load_floorplan
@@ -135,3 +136,11 @@ def test_a_bundled_door_stands_in_a_gap_of_its_width(name):
                 door.position[1] + door.width / 2 * math.sin(across),
             )
             assert min(math.dist(post, end) for end in ends) < 0.01, door
+
+
+@pytest.mark.parametrize("walls", [["x"] * 100_000, [[[0, "x"]] * 1000] * 100])
+def test_of_a_long_list_the_first_fault_is_told(walls):
+    """To collect every one of them would keep the web process from all other work."""
+    with pytest.raises(ValidationError) as refused:
+        FloorPlan.model_validate_json(json.dumps({"name": "a", "title": "A", "walls": walls, "paths": []}))
+    assert refused.value.error_count() <= 3

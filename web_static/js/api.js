@@ -7,10 +7,11 @@ const STOP = "/control/stop";
 
 /** A refusal, or no answer; the message is for people. */
 export class ApiError extends Error {
-  /** @param {string} sentence @param {number} status 0 when nothing answered */
-  constructor(sentence, status) {
+  /** @param {string} sentence @param {number} status 0 when nothing answered @param {any} [choice] what could be done */
+  constructor(sentence, status, choice = null) {
     super(sentence);
     this.status = status;
+    this.choice = choice;
   }
 }
 
@@ -87,7 +88,7 @@ export class Api {
     }
     const content = await answer.json().catch(() => null);
     if (answer.ok) return content;
-    throw new ApiError(sentence(content, answer.status), answer.status);
+    throw new ApiError(sentence(content, answer.status), answer.status, content?.choice);
   }
 }
 

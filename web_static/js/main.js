@@ -7,6 +7,7 @@ import { notices } from "./parts/notices.js";
 import { PAGES, rail } from "./parts/rail.js";
 import { stopOnSpace } from "./parts/stop.js";
 import { followSystem } from "./parts/theme.js";
+import { questionPlace } from "./parts/same_name.js";
 import { Toasts } from "./parts/toast.js";
 import { Screen } from "./screen.js";
 import { t } from "./texts.js";
@@ -21,6 +22,7 @@ export class App extends EventTarget {
   live = new Live();
   screen = new Screen();
   toasts = new Toasts();
+  question = questionPlace();
   /** @type {any} */
   me = null;
   /** @type {any} */
@@ -38,7 +40,7 @@ export class App extends EventTarget {
     this.root = h("main", { class: "page", tabindex: "-1" });
     this.rail = rail(this);
     this.frame = h("div", { class: "app alone" }, header(this), this.rail, notices(this), this.root);
-    document.body.replaceChildren(this.frame, this.toasts.element, this.toasts.voice, this.toasts.urgent);
+    document.body.replaceChildren(this.frame, this.question, this.toasts.element, this.toasts.voice, this.toasts.urgent);
     stopOnSpace(this, window);
     this.live.addEventListener("changed", (event) => this.#changed(event.detail));
     this.live.addEventListener("connection", () => this.#connectionChanged());
@@ -86,6 +88,8 @@ export class App extends EventTarget {
     this.visit = null;
     put(this.root);
     this.toasts.clear();
+    put(this.question);
+    this.question.hidden = true;
     if (words) this.toasts.show(words);
     this.dispatchEvent(new Event("me"));
     this.show();

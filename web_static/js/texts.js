@@ -20,6 +20,7 @@ import settings from "./texts/en/settings.js";
 import shell from "./texts/en/shell.js";
 import shirt from "./texts/en/shirt.js";
 import stereo from "./texts/en/stereo.js";
+import uploads from "./texts/en/uploads.js";
 
 export const LANGUAGE = "en";
 
@@ -42,6 +43,7 @@ const CATALOGUE = Object.freeze({
   ...settings,
   ...patient_screen,
   ...stereo,
+  ...uploads,
 });
 const PLURALS = new Intl.PluralRules(LANGUAGE);
 

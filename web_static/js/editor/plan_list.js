@@ -1,6 +1,7 @@
 /** Where one begins: an empty plan, one's own plans, those that come with the software, a file. */
 import { h, put } from "../parts/dom.js";
 import { icon } from "../parts/icons.js";
+import { replacedList } from "../parts/replaced_list.js";
 import { t } from "../texts.js";
 import { emptyPlan } from "./document.js";
 import { keepDraft, keptDraft } from "./draft_store.js";
@@ -131,6 +132,7 @@ export function showPlanList(app, root, { plans, own }) {
       ),
     );
   const kept = keptDraft();
+  const replaced = replacedList(app, ["floorplan", "model"], async () => show(await app.api.get("/own-floorplans")));
   show(own);
   const brought = (draft) =>
     openSafely(() => {
@@ -169,6 +171,7 @@ export function showPlanList(app, root, { plans, own }) {
             ),
           ),
           mine,
+          replaced.element,
           h(
             "details",
             {},

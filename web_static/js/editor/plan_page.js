@@ -1,5 +1,6 @@
 /** The page round the workbench: what is saved under which name, and what happens to it when one leaves. */
 import { h, put, write } from "../parts/dom.js";
+import { sendUnderName } from "../parts/same_name.js";
 import { t } from "../texts.js";
 import { nameFrom } from "./document.js";
 import { keepDraft, keptDraft } from "./draft_store.js";
@@ -47,6 +48,7 @@ export function showPlan(app, root, { plans, models, signal }) {
     try {
       const document = bench.plan();
       const answer = await run(document);
+      if (!answer) return false;
       keep({ document: { ...document, name: answer.name }, name: answer.name, version: answer.version, dirty: false });
       taken = [...taken, answer.name];
       app.toasts.show(t("plan.saved.toast", { title: answer.title }));
@@ -63,7 +65,10 @@ export function showPlan(app, root, { plans, models, signal }) {
       app.api.put(`/floorplans/${draft.name}?version=${draft.version}`, { ...document, name: draft.name }),
     );
   const saveAsNew = () =>
-    sent((document) => app.api.post("/floorplans", { ...document, name: nameFrom(document.title, taken) }));
+    sent((document) => {
+      const named = { ...document, name: nameFrom(document.title, taken) };
+      return sendUnderName(app.question, (sameName) => app.api.post(`/floorplans?same_name=${sameName}`, named));
+    });
 
   function chooseToDrive() {
     localStorage.setItem(CHOSEN, `${draft.name}/${draft.document.paths[0].name}`);

@@ -2,6 +2,7 @@
 import { h, put, set, write } from "../parts/dom.js";
 import { toggle } from "../parts/fields.js";
 import { icon } from "../parts/icons.js";
+import { sendUnderName } from "../parts/same_name.js";
 import { t } from "../texts.js";
 import { actsOn } from "./acts.js";
 import { checker, refOf } from "./check.js";
@@ -149,7 +150,11 @@ export function workbench(app, { plan, models, signal, onChange }) {
     ...actsOn(() => state, take, become),
     model: async (file) => {
       try {
-        known = await app.api.upload("/models", file);
+        const listed = await sendUnderName(app.question, (sameName) =>
+          app.api.upload(`/models?same_name=${sameName}`, file),
+        );
+        if (!listed) return;
+        known = listed;
         app.toasts.show(t("editor.model.added", { file: file.name }));
         show();
       } catch (error) {

@@ -5,6 +5,7 @@ import { headActions, headForm, headWords } from "../parts/head_card.js";
 import { jointStrips } from "../parts/joint_strips.js";
 import { bodyLamps, lampSign, QUALITIES } from "../parts/lamps.js";
 import { pads } from "../parts/pads.js";
+import { replacedList } from "../parts/replaced_list.js";
 import { sensorCard } from "../parts/sensor_card.js";
 import { shirtSender } from "../parts/shirt_sender.js";
 import { sourceForm, sourceWords } from "../parts/source_form.js";
@@ -22,6 +23,8 @@ export async function show(app, root, { signal }) {
   let picked = "";
   /** @type {Map<string, string>} cards whose form is open, with the choice it shows */
   const open = new Map();
+
+  const replaced = replacedList(app, ["file"], async () => take(await app.api.get("/equipment")));
 
   const draw = () => {
     drawn.abort();
@@ -41,6 +44,7 @@ export async function show(app, root, { signal }) {
   const take = (answer) => {
     const isSame = keyOf(answer) === keyOf(equipment);
     equipment = answer;
+    replaced.show().catch((error) => app.toasts.show(error.message));
     if (!isSame) draw();
     else drawRight(); // only the files to choose from may be others
   };
@@ -70,7 +74,7 @@ export async function show(app, root, { signal }) {
     sensorShown.abort();
     sensorShown = new AbortController();
     drawn.signal.addEventListener("abort", () => sensorShown.abort(), { signal: sensorShown.signal });
-    put(right, pickedSensor(sensorShown.signal), sourceCard(), equipment.shirt.kind === "simulator" && bodyCard(), headCard());
+    put(right, pickedSensor(sensorShown.signal), sourceCard(), equipment.shirt.kind === "simulator" && bodyCard(), headCard(), replaced.element);
   };
   const pickedSensor = (until) => {
     const index = equipment.layout?.channels.findIndex(({ name }) => name === picked) ?? -1;

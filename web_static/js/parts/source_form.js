@@ -3,6 +3,7 @@ import { t } from "../texts.js";
 import { h, put } from "./dom.js";
 import { choices, field, segments, selection, stepper, toggle } from "./fields.js";
 import { size } from "./format.js";
+import { sendUnderName } from "./same_name.js";
 
 const RATES = [50, 100, 200, 500, 1000]; // Hz; 100 is the rate of the shirts that there are
 const PORT = 5252;
@@ -200,8 +201,13 @@ export function addFile(app) {
     if (!file) return;
     app.toasts.show(t("source.adding", { file: file.name }));
     try {
-      app.dispatchEvent(new CustomEvent("equipment", { detail: await app.api.upload("/equipment/files", file) }));
-      app.toasts.show(t("source.added", { file: file.name }));
+      const equipment = await sendUnderName(app.question, (sameName) =>
+        app.api.upload(`/equipment/files?same_name=${sameName}`, file),
+      );
+      if (equipment) {
+        app.dispatchEvent(new CustomEvent("equipment", { detail: equipment }));
+        app.toasts.show(t("source.added", { file: file.name }));
+      }
     } catch (error) {
       app.toasts.show(error.message);
     }

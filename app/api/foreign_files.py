@@ -1,0 +1,39 @@
+"""Foreign files on their way to the process that reads them: in turn, and every refusal with its status."""
+
+import asyncio
+from collections.abc import Callable, Sequence
+from typing import Any, ParamSpec, TypeVar
+
+from fastapi import HTTPException
+
+from app.reading_apart import ReadingTimeoutError, read_apart
+
+Given = ParamSpec("Given")
+Answer = TypeVar("Answer")
+
+# Those who wait hold no thread: there are few, and other requests need them.
+_turn = asyncio.Semaphore(1)
+
+
+async def in_turn(work: Callable[Given, Answer], *given: Given.args, **named: Given.kwargs) -> Answer:
+    """Do something with a foreign file in a thread, one at a time."""
+    async with _turn:
+        return await asyncio.to_thread(work, *given, **named)
+
+
+def refusal(error: ValueError, places: Sequence[str] = ()) -> HTTPException:
+    """Return the answer to what a reader refused: 422, or 503 when it took too long; no sentence tells `places`."""
+    sentence = str(error).removesuffix(".")
+    for place in places:
+        sentence = sentence.replace(place, "")
+    if sentence.startswith("this "):
+        sentence = sentence[:1].upper() + sentence[1:]
+    return HTTPException(503 if isinstance(error, ReadingTimeoutError) else 422, f"{sentence}.")
+
+
+def read_or_refuse(module: str, question: dict[str, Any], places: Sequence[str] = ()) -> dict[str, Any]:
+    """Return what `read_apart` answers, or raise what `refusal` makes of its error."""
+    try:
+        return read_apart(module, question)
+    except ValueError as error:
+        raise refusal(error, places) from error

@@ -1,0 +1,88 @@
+"""Reads a foreign file in a process of its own, with limits of memory and time: pictures, 3D objects, drawings.
+
+A foreign file may ask its reader for any amount of both. The web process must not pay that, since a moving chair waits
+for it. `read_apart` asks; `python -m app.reading_apart MODULE` answers with `MODULE.answer(question)`.
+"""
+
+import importlib
+import json
+import os
+import subprocess
+import sys
+import threading
+from contextlib import suppress
+from typing import Any, Final
+
+MOST_MEMORY: Final = 3_000_000_000  # bytes of addresses
+LONGEST: Final = 60  # s of computing
+WAITED_FOR: Final = 120.0  # s
+LARGEST_ANSWER: Final = 50_000_000  # bytes of one file that the reader writes
+NICE: Final = 10
+COMMAND: Final = (sys.executable, "-m", "app.reading_apart")
+ONE_THREAD: Final = {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}  # each thread reserves addresses
+
+_one_at_a_time = threading.Lock()
+
+
+class ReadingTimeoutError(ValueError):
+    """Nothing was answered in time."""
+
+
+def read_apart(module: str, question: dict[str, Any]) -> dict[str, Any]:
+    """Return the answer of a module's `answer` to a question; both go through JSON. One question at a time.
+
+    Raises
+    ------
+    ValueError
+        One sentence: what is wrong with the file, and what to do.
+    ReadingTimeoutError
+        The same, after 120 s.
+    """
+    with _one_at_a_time:
+        try:
+            reader = subprocess.run(
+                [*COMMAND, module],
+                input=json.dumps(question).encode(),
+                stdout=subprocess.PIPE,
+                stderr=subprocess.DEVNULL,
+                timeout=WAITED_FOR,
+                env=os.environ | ONE_THREAD,
+                check=False,
+            )
+        except subprocess.TimeoutExpired as error:
+            raise ReadingTimeoutError("reading this file takes too long: make it smaller, then add it again") from error
+    if reader.returncode != 0:
+        raise ValueError("this file could not be read, or takes too long: save it anew or make it smaller")
+    answer: dict[str, Any] = json.loads(reader.stdout)
+    if "problem" in answer:
+        raise ValueError(str(answer["problem"]))
+    return answer
+
+
+def limit_this_process() -> None:
+    """Let this process have no more than its share of memory and time."""
+    import resource  # noqa: PLC0415  (not on every system on which the command line runs)
+
+    os.nice(NICE)
+    with suppress(ValueError, OSError):  # some systems do not limit memory
+        resource.setrlimit(resource.RLIMIT_AS, (MOST_MEMORY, MOST_MEMORY))
+    resource.setrlimit(resource.RLIMIT_CPU, (LONGEST, LONGEST + 1))
+    resource.setrlimit(resource.RLIMIT_FSIZE, (LARGEST_ANSWER, LARGEST_ANSWER))
+    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+
+
+def main(module: str) -> None:
+    """Answer one question from standard input on standard output."""
+    limit_this_process()
+    answer: dict[str, Any]
+    try:
+        answer = importlib.import_module(module).answer(json.load(sys.stdin))
+    except ValueError as error:
+        answer = {"problem": str(error)}
+    except MemoryError:
+        answer = {"problem": "this needs too much memory, make it smaller"}
+    json.dump(answer, sys.stdout)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1])

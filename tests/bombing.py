@@ -1,0 +1,72 @@
+"""Sends bombs to a served demonstration and measures what its web process does meanwhile."""
+
+import threading
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import httpx
+from bombs import Bomb
+from drills.results import Watcher
+from processes.served_demo import Demo
+
+from app.clock import monotonic
+
+MOST_GROWTH = 150_000_000  # bytes
+LONGEST_ANSWER = 0.2  # s
+RESET_PEAK = "5"  # proc(5), clear_refs
+
+
+@dataclass
+class Harm:
+    """What one bomb did: the answer, and how the web process was meanwhile."""
+
+    status: int
+    detail: str
+    growth: int  # bytes by which the web process was larger at its peak than before
+    answers: list[float] = field(default_factory=list)  # s that each other request took, without the machine's delay
+
+
+def memory(pid: int, what: str) -> int:
+    """Return VmRSS or VmHWM (bytes) of a process."""
+    lines = Path(f"/proc/{pid}/status").read_text().splitlines()
+    return next(int(line.split()[1]) * 1024 for line in lines if line.startswith(what))
+
+
+class OtherRequests:
+    """Somebody else's page, which asks again and again while a file is read."""
+
+    def __init__(self, demo: Demo, watcher: Watcher) -> None:
+        self._client = httpx.Client(base_url=demo.client.base_url, cookies=demo.client.cookies, timeout=60)
+        self._watcher = watcher
+        self._ended = threading.Event()
+        self._thread = threading.Thread(target=self._ask)
+        self.answers: list[float] = []
+
+    def __enter__(self) -> "OtherRequests":
+        self._client.get("/limits").raise_for_status()
+        self._thread.start()
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._ended.set()
+        self._thread.join()
+        self._client.close()
+
+    def _ask(self) -> None:
+        while not self._ended.is_set():
+            begun = monotonic()
+            self._client.get("/limits").raise_for_status()
+            ended = monotonic()
+            self.answers.append(ended - begun - self._watcher.late(begun, ended))
+            self._ended.wait(0.01)
+
+
+def throw(demo: Demo, bomb: Bomb, watcher: Watcher, before: int) -> Harm:
+    """Send a bomb; `before` (bytes) is what the web process had when nothing was sent yet."""
+    pid = demo.process.pid
+    Path(f"/proc/{pid}/clear_refs").write_text(RESET_PEAK)
+    with OtherRequests(demo, watcher) as others:
+        answer = demo.client.post(bomb.address, files=bomb.files, data=bomb.form, timeout=180)
+    grown = memory(pid, "VmHWM") - before
+    said = answer.json()
+    return Harm(answer.status_code, dict(said)["detail"] if answer.is_error else "", grown, others.answers)

@@ -1,0 +1,71 @@
+"""A file whose name is taken: the page asks, keeps both, replaces, and puts back; Stop stays in reach meanwhile."""
+
+import signal
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import expect
+from processes.test_demo_process import bodydrive, printed_link
+
+pytestmark = [pytest.mark.browser, pytest.mark.timeout(300)]
+
+SCREENSHOTS = Path(__file__).resolve().parents[2] / "var" / "screenshots"
+SIZES = {"768x1024": (768, 1024), "1280x800": (1280, 800), "390x844": (390, 844)}
+PATIENCE = 30_000  # ms
+TAKEN = "409 (Conflict)"  # what a browser writes by itself when a name is taken
+
+
+@pytest.fixture(scope="module")
+def demo():
+    with bodydrive("demo", "--port", "0") as process:
+        try:
+            yield printed_link(process)
+        finally:
+            process.send_signal(signal.SIGINT)
+            assert process.wait(20) == 0
+
+
+@pytest.mark.parametrize("size", SIZES)
+def test_a_taken_name_is_asked_about(browser, page_log, demo, size):
+    width, height = SIZES[size]
+    context = browser.new_context(viewport={"width": width, "height": height}, has_touch=True)
+    page = context.new_page()
+    page.set_default_timeout(PATIENCE)
+    log = page_log(demo)
+    log.watch(page)
+    SCREENSHOTS.mkdir(parents=True, exist_ok=True)
+    name = f"walk-{size}.csv"
+
+    def bring(number):
+        rows = "".join(f"{i / 100},{number}\n" for i in range(20))
+        file = {"name": name, "mimeType": "text/csv", "buffer": f"t,a\n{rows}".encode()}
+        page.locator("input[type=file][accept='.csv,.parquet']").first.set_input_files(file)
+
+    page.goto(demo)
+    expect(page.get_by_role("heading", name="Where to?")).to_be_visible(timeout=PATIENCE)
+    page.goto(f"{demo.split('#')[0]}#/shirt")
+    source = page.locator("section.card").filter(has=page.get_by_role("heading", name="Source", exact=True))
+    source.locator("summary").first.click()
+    source.get_by_text("Replay of a file").click()
+    bring(1)
+    expect(page.get_by_text(f"{name} was added.")).to_be_visible(timeout=PATIENCE)
+    bring(2)
+    question = page.get_by_role("alertdialog").filter(has_text=f"There is '{name}' already")
+    expect(question).to_be_visible(timeout=PATIENCE)
+    for button in question.get_by_role("button").all():
+        assert button.bounding_box()["height"] >= 44
+    assert page.evaluate("document.scrollingElement.scrollWidth") <= width
+    page.screenshot(path=SCREENSHOTS / f"{size}-same-name.png")
+    page.keyboard.press("Escape")
+    expect(question).to_be_hidden()
+    bring(2)
+    question.get_by_role("button", name="Replace it").click()
+    expect(page.get_by_text(f"{name} was added.")).to_be_visible(timeout=PATIENCE)
+    page.get_by_text("Replaced in the last 30 days").click()
+    page.get_by_role("button", name=f"Put back {name}").scroll_into_view_if_needed()
+    page.screenshot(path=SCREENSHOTS / f"{size}-replaced.png")
+    page.get_by_role("button", name=f"Put back {name}").click()
+    expect(page.get_by_text(f"{name.removesuffix('.csv')}-2.csv is back.")).to_be_visible(timeout=PATIENCE)
+    log.errors = [error for error in log.errors if TAKEN not in error]
+    log.assert_clean()
+    context.close()

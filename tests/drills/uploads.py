@@ -1,0 +1,47 @@
+"""The drill of files that ask for far more memory or time than their size lets expect."""
+
+import asyncio
+import tempfile
+
+from bombing import LONGEST_ANSWER, MOST_GROWTH, memory, throw
+from bombs import BOMBS
+from drills.results import Result, Watcher
+from processes.served_demo import Demo, bodydrive
+
+
+async def upload_bombs(runs, dice):
+    """C26: files that are bombs, while somebody else uses the pages."""
+    result = Result("uploads that are bombs (pictures, objects, drawings, recordings)", None)
+    names = dice.sample(list(BOMBS), len(BOMBS))
+    await asyncio.to_thread(_throw, [names[run % len(names)] for run in range(runs)], result)
+    return result
+
+
+def _throw(names, result):
+    watcher = Watcher()
+    with tempfile.TemporaryDirectory(prefix="bodydrive-drill-") as folder:
+        process = bodydrive("demo", "--port", "0", TMPDIR=folder)
+        try:
+            demo = Demo(process)
+            before = memory(process.pid, "VmRSS")
+            slowest = growth = 0.0
+            for name in names:
+                harm = throw(demo, BOMBS[name](), watcher, before)
+                slowest, growth = max(slowest, *harm.answers), max(growth, harm.growth)
+                if harm.status not in {413, 415, 422}:
+                    result.violations.append(f"{name}: answered with {harm.status}")
+                if max(harm.answers) > LONGEST_ANSWER:
+                    result.violations.append(f"{name}: another answer took {1e3 * max(harm.answers):.0f} ms")
+                if harm.growth >= MOST_GROWTH:
+                    result.violations.append(f"{name}: the web process grew by {harm.growth / 1e6:.0f} MB")
+                result.add(None)
+            demo.client.close()
+        finally:
+            process.kill()
+            process.communicate()
+            watcher.close()
+    result.remark = (
+        f"{len(set(names))} kinds, all refused and none kept; other answers took at most {1e3 * slowest:.0f} ms "
+        f"(limit {1e3 * LONGEST_ANSWER:.0f}), "
+        f"the web process grew by {growth / 1e6:.0f} MB (limit {MOST_GROWTH / 1e6:.0f})"
+    )

@@ -1,0 +1,71 @@
+"""Files that ask for far more than they hold, sent to a served web process: refused, not kept, and nobody waits."""
+
+import os
+from collections.abc import Iterator
+from pathlib import Path
+
+import psutil
+import pytest
+from bombing import LONGEST_ANSWER, MOST_GROWTH, memory, throw
+from bombs import BOMBS, glb_with_pictures, png
+from drills.results import Watcher
+from processes.served_demo import Demo, bodydrive
+
+
+@pytest.fixture(scope="module")
+def demo(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Demo]:
+    folder = tmp_path_factory.mktemp("served")
+    process = bodydrive("demo", "--port", "0", TMPDIR=str(folder))
+    try:
+        running = Demo(process)
+        running.state = next(folder.glob("bodydrive-demo-*"))
+        yield running
+        running.client.close()
+    finally:
+        process.kill()
+        process.communicate()
+
+
+@pytest.fixture(scope="module")
+def before(demo: Demo) -> int:
+    demo.client.get("/models").raise_for_status()
+    return memory(demo.process.pid, "VmRSS")
+
+
+@pytest.fixture(scope="module")
+def watcher() -> Iterator[Watcher]:
+    made = Watcher()
+    yield made
+    made.close()
+
+
+def kept(state: Path) -> list[Path]:
+    return [file for part in ("models", "floorplans", "files", "replaced") for file in (state / part).rglob("*")]
+
+
+@pytest.mark.parametrize("name", list(BOMBS))
+def test_a_bomb_is_refused_and_nobody_waits(demo: Demo, before: int, watcher: Watcher, name: str) -> None:
+    harm = throw(demo, BOMBS[name](), watcher, before)
+    assert harm.status in {413, 415, 422}
+    assert harm.detail.endswith(".")
+    assert str(demo.state) not in harm.detail
+    assert harm.growth < MOST_GROWTH
+    assert max(harm.answers) <= LONGEST_ANSWER
+    assert [file for file in kept(demo.state) if file.is_file()] == []
+
+
+def test_an_object_that_an_older_version_stored_is_not_unpacked(demo: Demo, before: int) -> None:
+    stored = demo.state / "models" / "old.glb"
+    stored.parent.mkdir(exist_ok=True)
+    stored.write_bytes(glb_with_pictures(png(13_000)))
+    for _ in range(2):
+        assert demo.client.get("/models").json() == []
+    assert memory(demo.process.pid, "VmHWM") - before < MOST_GROWTH
+    assert stored.exists()
+    stored.unlink()
+
+
+def test_no_reader_stays(demo: Demo) -> None:
+    children = psutil.Process(demo.process.pid).children(recursive=True)
+    assert [child for child in children if "app.reading_apart" in child.cmdline()] == []
+    assert os.path.exists(f"/proc/{demo.process.pid}")

@@ -1,0 +1,53 @@
+/** What was replaced in the last 30 days, each with a button that puts it back under a free name. */
+import { t } from "../texts.js";
+import { h, put } from "./dom.js";
+import { day } from "./format.js";
+
+/**
+ * @param {import("../main.js").App} app
+ * @param {string[]} kinds of those that are listed: file, model, floorplan
+ * @param {() => any} onBack called when something was put back
+ * @returns {{element: HTMLElement, show: () => Promise<void>}} hidden while there is nothing
+ */
+export function replacedList(app, kinds, onBack) {
+  const rows = h("div", { class: "plan-rows" });
+  const element = h("details", { hidden: true }, h("summary", {}, t("replaced.title")), rows);
+  const show = async () => {
+    const list = (await app.api.get("/replaced")).filter(({ kind }) => kinds.includes(kind));
+    put(rows, list.map(row));
+    element.hidden = !list.length;
+  };
+  const putBack = async (one) => {
+    try {
+      const { name } = await app.api.post(`/replaced/${one.kind}/${encodeURIComponent(one.id)}/restore`);
+      app.toasts.show(t("replaced.back", { name }));
+      await onBack();
+      await show();
+    } catch (error) {
+      app.toasts.show(error.message);
+    }
+  };
+  const row = (one) =>
+    h(
+      "div",
+      { class: "card plan-row" },
+      h(
+        "div",
+        { class: "grow" },
+        h("b", {}, one.name),
+        h("span", { class: "quiet small" }, t("replaced.when", { day: day(one.replaced), until: day(one.until) })),
+      ),
+      h(
+        "button",
+        {
+          type: "button",
+          class: "btn small",
+          "aria-label": t("replaced.put-back.label", { name: one.name }),
+          onclick: () => putBack(one),
+        },
+        t("replaced.put-back"),
+      ),
+    );
+  show().catch((error) => app.toasts.show(error.message));
+  return { element, show };
+}

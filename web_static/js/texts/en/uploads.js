@@ -1,0 +1,11 @@
+/** What is brought to the machine: names that are taken, and what was replaced. */
+export default {
+  "same-name.keep-both": "Keep both, as {name}",
+  "same-name.replace": "Replace it",
+  "same-name.kept": "What is replaced can be put back for 30 days.",
+  "replaced.title": "Replaced in the last 30 days",
+  "replaced.when": "Replaced on {day}; removed for good on {until}.",
+  "replaced.put-back": "Put back",
+  "replaced.put-back.label": "Put back {name}",
+  "replaced.back": "{name} is back.",
+};
