@@ -79,6 +79,11 @@ class Settings:
         return self.state / "floorplans"
 
     @property
+    def replaced(self) -> Path:
+        """Return the folder of what uploads have replaced."""
+        return self.state / "replaced"
+
+    @property
     def keys(self) -> Path:
         """Return the folder of the keys that are shared with real chairs, one file each."""
         return self.state / "keys"
@@ -92,7 +97,8 @@ class Settings:
     def places(self) -> list[Path]:
         """Return everything that the program keeps in the folder of the state, and the folder when it keeps it all."""
         beside = sorted(self.state.glob(f"*{self.database.name}*"))  # the log's head, the ballast, copies
-        own = [*beside, self.files, self.runs, self.models, self.keys, self.floorplans, self.state / IN_USE]
+        folders = [self.files, self.runs, self.models, self.keys, self.floorplans, self.replaced]
+        own = [*beside, *folders, self.state / IN_USE]
         foreign = set(self.state.glob("*")) - set(own)
         return own if foreign or not self.state.exists() else [self.state, *own]
 

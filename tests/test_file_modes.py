@@ -10,7 +10,15 @@ from app.cli.server import keep_private
 from app.file_modes import restrict
 from app.settings import Settings
 
-OPEN_FILES = ("bodydrive.sqlite", "bodydrive.sqlite-wal", "runs/a/run.json", "files/b.csv", "keys/1.key", "in-use")
+OPEN_FILES = (
+    "bodydrive.sqlite",
+    "bodydrive.sqlite-wal",
+    "runs/a/run.json",
+    "files/b.csv",
+    "keys/1.key",
+    "replaced/b.csv",
+    "in-use",
+)
 
 
 @pytest.fixture(autouse=True)
@@ -36,7 +44,7 @@ def readable_by_others(folder: Path) -> list[Path]:
 
 
 def test_an_older_installation_is_tightened_and_new_files_are_private(state):
-    assert len(readable_by_others(state)) == len(OPEN_FILES) + 5
+    assert len(readable_by_others(state)) == len(OPEN_FILES) + 6
     assert keep_private(Settings(state=state)) == []
     (state / "runs" / "new").mkdir()
     (state / "runs" / "new" / "run.json").touch()
@@ -68,7 +76,7 @@ def test_what_cannot_be_tightened_is_said_in_a_sentence(state, monkeypatch):
 
     monkeypatch.setattr(Path, "chmod", refuse)
     (sentence,) = keep_private(Settings(state=state))
-    assert f"can read {len(OPEN_FILES) + 5} files" in sentence
+    assert f"can read {len(OPEN_FILES) + 6} files" in sentence
     assert restrict([state / "nowhere"]) == []
 
 

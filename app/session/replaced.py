@@ -120,7 +120,7 @@ class ReplacedFiles:
 def replaced_files(settings: Settings) -> ReplacedFiles:
     """Return where a clinic's files lie, and the shelf beside them; what is too old is removed at once."""
     folders: dict[Kind, Path] = {"file": settings.files, "model": settings.models, "floorplan": settings.floorplans}
-    found = ReplacedFiles(settings.state / "replaced", folders)
+    found = ReplacedFiles(settings.replaced, folders)
     found.purge()
     return found
 
