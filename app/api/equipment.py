@@ -11,7 +11,7 @@ from app.api.flows import FlowParts, Flows
 from app.api.uploads import FileView, keep_upload, list_files
 from app.hardware.configs import BodyConfig, HeadConfig, ShirtConfig
 from app.layout import MAX_CHANNELS, ShirtLayout
-from app.quantities import Document, Name
+from app.quantities import Document, Line, Name
 from app.session.control import Control
 from app.session.disk import disk_room
 from app.session.refusals import Refusal
@@ -75,7 +75,7 @@ class SendersView(Document):
 class OtherSender(Document):
     """The sender that is the shirt from now on."""
 
-    sender: Annotated[str, Field(min_length=1, max_length=100)]
+    sender: Annotated[Line, Field(min_length=1, max_length=100)]
 
 
 class EquipmentView(Document):
