@@ -6,6 +6,7 @@ from typing import Any
 import pytest
 from fake_clinic import BASE, WORD
 
+from app.api.screens import Screen
 from app.world.scene import find_place
 
 LIVE = f"{BASE.replace('http', 'ws')}/api/v1/patient/live"
@@ -68,7 +69,8 @@ def test_a_picture_lost_in_a_trial_halts_it_until_there_is_one_again(ready: Any)
         stops = ready.link.stops
         says(socket, "none")
         says(socket, "plan")
-        while ready.flows.pictures.refusal(ready.flows.driving_screen):
+        trial = ready.flows.drive.trial
+        while ready.flows.pictures.refusal(Screen(trial.person_id, trial.screen)):
             time.sleep(0.002)
         assert ready.link.stops == stops  # what stands is not stopped again
         assert ready.good("POST", "/control/clear", json={"stops": stops})["state"] == "armed"
