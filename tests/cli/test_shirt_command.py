@@ -6,6 +6,7 @@ import sqlite3
 import stat
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
@@ -16,6 +17,7 @@ from app.hardware.shirt.packet import decode_signed
 from app.session.database import Database
 from app.session.tables import LogEntry
 
+ROOT = Path(__file__).resolve().parents[2]
 PAIR = ("shirt", "pair", "--state", "clinic")
 
 
@@ -106,7 +108,7 @@ def test_it_needs_nothing_but_python(key_file, listening):
     """As on a shirt's own computer: `-S` leaves out every library that was installed."""
     end, to = listening
     command = [sys.executable, "-S", "-m", "app.hardware.shirt.sender", "--key-file", str(key_file), "--to", to]
-    said = subprocess.run([*command, "--frames", "1"], capture_output=True, text=True, check=True)
+    said = subprocess.run([*command, "--frames", "1"], cwd=ROOT, capture_output=True, text=True, check=True)
     assert "1 frames sent" in said.stderr
     content = end.recv(4096)
     assert decode_signed(content, len(content), 52, read_key(key_file)) is not None
