@@ -45,6 +45,7 @@ def record_trial(
     without_frame=(),
     stop_at=None,
     values=None,
+    source=None,
 ):
     """Record a trial into `folder` and return its meta.
 
@@ -59,6 +60,7 @@ def record_trial(
     chain = Chain(rate, parameters, chair)
     layout = parameters.profile.layout
     meta = {
+        **({} if source is None else {"source": source}),
         "run_id": "trial",
         "kind": "drive",
         "software": "test",

@@ -25,6 +25,7 @@ PURE_HARDWARE = (
     "app.hardware.chair.key",
     "app.hardware.chair.reasons",
     "app.hardware.base",
+    "app.hardware.registry",
 )
 API_HARDWARE = ("app.hardware.configs", "app.hardware.places", "app.hardware.chair.key")
 

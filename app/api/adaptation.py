@@ -126,11 +126,12 @@ def _view(db: Transaction, flows: Flows, patient_id: int) -> AdaptationView:
         held, why = None, STALE
     elif held.adapted.proposal.parameters is None:
         why = held.adapted.proposal.reason
+    practice = flow.practised.practice(db, patient_id, parameters.hash, simulated=flows.visit.simulated)
     labels = {joint.name: joint.label for joint in parameters.profile.layout.joints}
     changed = {
         "version": profile.version,
         "origin": profile.origin,
-        "practised": flow.practised.practice(db, patient_id, parameters.hash).trials,
+        "practised": practice.trials,
         "back_to": version_before(db, patient_id),
         "proposal": None if held is None else _proposal(held, labels),
         "why": why,

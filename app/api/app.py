@@ -46,6 +46,7 @@ from app.api.refusals import install_refusals
 from app.api.replays import Replays
 from app.api.screens import Screens
 from app.api.set_up import SetUp
+from app.api.shown_session import NamesSession
 from app.api.sign_in_limits import SignInLimits
 from app.api.sockets import OpenSockets
 from app.api.timelines import Timelines
@@ -163,7 +164,7 @@ def create_app(
         return flows_of(app).view.port(role)
 
     install_refusals(app)
-    api = APIRouter(prefix=PREFIX)
+    api = APIRouter(prefix=PREFIX, dependencies=[NamesSession])
     for module in ROUTES:
         api.include_router(module.router)
     api.include_router(view_controls(scene_now, clinician))
@@ -191,7 +192,7 @@ def _flows(
 
     link = Control(open_link)
     runs = Runs(database, link, settings.runs)
-    worn = Equipment(database, link, settings.files, settings.keys, tell)
+    worn = Equipment(database, link, settings.files, settings.keys, tell, demonstration=settings.demo)
     seats = Chairs(database, link, settings.keys, tell)
     allowed = ClinicLimits(database, link, tell)
     wizard = CalibrationFlow(database, link, worn, runs, tell, readings)
@@ -252,7 +253,7 @@ async def _start(database: Database, flows: Flows) -> None:
     await flows.chairs.open()
     await flows.equipment.open()
     await flows.head.open()
-    await flows.visit.try_load_parameters()
+    await flows.visit.visit_changed()
     flows.live.start()
     flows.patient_live.start()
     flows.faults.start()

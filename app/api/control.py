@@ -10,6 +10,7 @@ from pydantic import Field
 from app.api.deps import Clinician, ForEveryone, People, PeopleParts
 from app.api.driving import require_hand_on_chair, require_picture
 from app.api.flows import FlowParts
+from app.api.shown_session import require_named
 from app.faults import Fault, State
 from app.quantities import Count, Document
 from app.session.control import Control
@@ -76,6 +77,9 @@ async def clear(body: SeenStops, request: Request, who: Clinician, flows: FlowPa
 async def turn_dial(body: Dial, request: Request, who: Clinician, parts: PeopleParts, flows: FlowParts) -> Dial:
     """Turn the speed dial: down at once, up only while the chair stands and the patient is at rest."""
     require_hand_on_chair(flows, who, request)
+    tick = flows.control.newest()
+    if tick is not None and body.share > float(tick["dial"]):
+        await require_named(request, parts)
     answer = await flows.control.load("dial", share=body.share)
     share = float(answer.get("share", body.share))
     await asyncio.to_thread(_note, parts, who.name, share)

@@ -104,7 +104,7 @@ def _view(db: Transaction, flows: Flows, patient_id: int, suggestion: SuggestedV
         suggested=Suggested(bindings=suggestion.bindings, reason=suggestion.reason),
         limits=LIMITS,
         held=flows.arming.held(parameters.speeds),
-        obstacle=flows.visit.obstacle(parameters),
+        obstacle=flows.visit.obstacle(parameters, simulated=profile.simulated),
     )
 
 

@@ -13,6 +13,7 @@ from app.api.flows import FlowParts
 from app.api.nearby import require_nearby
 from app.api.screen import ScreenWord
 from app.api.screens import Screen
+from app.api.source_view import SourceView
 from app.calibration.vocabulary import ControlMode
 from app.clock import monotonic
 from app.quantities import Document
@@ -91,6 +92,7 @@ class DriveView(Document):
     hash: str
     distance: float | None  # m, None when it never moved
     end: str | None
+    source: SourceView
 
 
 def _drive_view(drive: Drive) -> DriveView:
@@ -101,6 +103,7 @@ def _drive_view(drive: Drive) -> DriveView:
         hash=drive.hash,
         distance=drive.distance,
         end=drive.end,
+        source=SourceView.of(drive.run.source),
     )
 
 

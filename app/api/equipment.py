@@ -6,7 +6,7 @@ from typing import Annotated, Any
 from fastapi import APIRouter, UploadFile
 from pydantic import Field
 
-from app.api.deps import Anyone, Clinician, PeopleParts
+from app.api.deps import Anyone, Clinician, ForEveryone, PeopleParts
 from app.api.flows import FlowParts, Flows
 from app.api.uploads import FileView, keep_upload, list_files
 from app.hardware.configs import BodyConfig, HeadConfig, ShirtConfig
@@ -14,6 +14,7 @@ from app.layout import MAX_CHANNELS, ShirtLayout
 from app.quantities import Document, Line, Name
 from app.session.control import Control
 from app.session.disk import disk_room
+from app.session.equipment import shirt_kinds
 from app.session.refusals import Refusal
 from app.session.same_name import SameName, logged
 from app.session.store_log import write_log
@@ -78,10 +79,25 @@ class OtherSender(Document):
     sender: Annotated[Line, Field(min_length=1, max_length=100)]
 
 
+class ShirtKind(Document):
+    """A kind of shirt to choose, and whether nobody wears it."""
+
+    kind: str
+    simulated: bool
+
+
+class Practice(Document):
+    """The kind of the shirt in use when nobody wears it, None when somebody does or when there is none."""
+
+    kind: str | None
+
+
 class EquipmentView(Document):
     """Everything that is connected."""
 
-    shirt: dict[str, Any]
+    shirt: dict[str, Any] | None  # None: nobody has chosen one yet
+    simulated: bool | None  # whether nobody wears the chosen shirt: then it is for practice only
+    shirts: list[ShirtKind]
     body: dict[str, Any] | None
     layout: ShirtLayout | None
     unused: list[str]
@@ -119,6 +135,8 @@ async def _view(parts: PeopleParts, flows: Flows) -> EquipmentView:
     room = await asyncio.to_thread(disk_room, parts.settings.state)
     return EquipmentView(
         shirt=worn.shirt,
+        simulated=worn.simulated,
+        shirts=[ShirtKind(kind=kind, simulated=simulated) for kind, simulated in shirt_kinds().items()],
         body=worn.body,
         layout=worn.layout,
         unused=worn.unused,
@@ -135,6 +153,12 @@ async def _view(parts: PeopleParts, flows: Flows) -> EquipmentView:
 async def look(_who: Anyone, parts: PeopleParts, flows: FlowParts) -> EquipmentView:
     """Return everything that is connected."""
     return await _view(parts, flows)
+
+
+@router.get("/practice", dependencies=[ForEveryone])
+def practice(flows: FlowParts) -> Practice:
+    """Tell any page, signed in or not, whether it has to carry the mark of practice."""
+    return Practice(kind=flows.equipment.practice)
 
 
 async def _noted(parts: PeopleParts, flows: Flows, person: str, what: str, **details: Any) -> EquipmentView:

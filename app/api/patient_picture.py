@@ -11,7 +11,7 @@ from app.session.patient_words import patient_words
 from app.session.runs import Runs
 from app.session.store_patient_screens import Wishes
 
-SAID = ("tick", "t", "state", "control", "v", "pose", "contacts", "stops")
+SAID = ("tick", "t", "state", "control", "v", "pose", "contacts", "stops", "practice")
 SAID_OF_TRIAL = ("id", "t", "done", "length", "stage", "stages", "instruction", "target", "movers")
 
 

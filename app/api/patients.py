@@ -61,6 +61,7 @@ class SessionView(Document):
     id: int
     number: int
     started: str
+    opened_by: str | None  # a person's name
 
 
 class VisitView(Document):
@@ -128,7 +129,12 @@ def _visit(parts: PeopleParts, clinic_id: int) -> VisitView:
         has_profile, done = session_progress(db, session)
         return VisitView(
             patient=_view(db, find_patient(db, clinic_id, session.patient_id)),
-            session=SessionView(id=session.id, number=session.number, started=session.started.isoformat()),
+            session=SessionView(
+                id=session.id,
+                number=session.number,
+                started=session.started.isoformat(),
+                opened_by=session.opened_by,
+            ),
             has_profile=has_profile,
             steps_done=done,
         )
@@ -146,7 +152,7 @@ async def open_visit(body: OpenVisit, who: Clinician, parts: PeopleParts, flows:
 
     def _open() -> VisitView:
         with parts.database.transaction() as db:
-            session = start_session(db, who.clinic_id, body.patient_id)
+            session = start_session(db, who.clinic_id, body.patient_id, who.name)
             write_log(db, who.name, "visit opened", patient=body.patient_id, session=session.id)
         return _visit(parts, who.clinic_id)
 

@@ -78,6 +78,7 @@ class LivePicture:
             **{name: [_number(value, 4) for value in tick[name][:n]] for name in ("score", "rate", "activation")},
             "values": self._values(),
             "shirt": {
+                "chosen": self._equipment.shirt is not None,
                 "alive": age is not None and age < SILENT,
                 "sample_rate": self._equipment.sample_rate,
                 "lost": int(tick["lost"]),
@@ -89,6 +90,7 @@ class LivePicture:
             "run": self._run(tick),
             "trial": self._trial(),
             "drive": self._real_drive(),
+            **self._who_and_what(),
         }
 
     def quality(self) -> dict[str, Any]:
@@ -190,13 +192,27 @@ class LivePicture:
             "gestures": [],
             **{name: [] for name in ("score", "rate", "activation")},
             "values": None,
-            "shirt": {"alive": False, "sample_rate": self._equipment.sample_rate, "lost": 0, "age": None},
+            "shirt": {
+                "chosen": self._equipment.shirt is not None,
+                "alive": False,
+                "sample_rate": self._equipment.sample_rate,
+                "lost": 0,
+                "age": None,
+            },
             "stops": 0,
             "dial": 1.0,
             "chair": None if self._chairs.chosen is None else chair_not_open("The control process is being restarted."),
             "run": None,
             "trial": self._trial(),
             "drive": self._real_drive(),
+            **self._who_and_what(),
+        }
+
+    def _who_and_what(self) -> dict[str, Any]:
+        """Return the id of the open session, and the kind of the chosen shirt when nobody wears it."""
+        return {
+            "session": self._visit.session_id,
+            "practice": self._equipment.practice,
         }
 
 

@@ -6,6 +6,7 @@ from fastapi import APIRouter, Query
 
 from app.api.deps import Anyone, PeopleParts, RowId
 from app.api.flows import FlowParts
+from app.api.source_view import LookedAt
 from app.quantities import Document
 from app.session.judged_trial import ControlWarning, JudgedTrial
 from app.session.store_controls import newest_profile
@@ -13,6 +14,7 @@ from app.session.store_log import write_log
 from app.session.store_patients import find_patient
 from app.session.store_runs import trials_of
 from app.session.warnings_of_control import warnings_of_control
+from app.source import SourceGroup
 
 router = APIRouter(tags=["review"])
 
@@ -34,6 +36,7 @@ class QualityRow(Document):
 class QualityView(Document):
     """All trials that count, in the order driven, what to look at, and how far trends can be told yet."""
 
+    source: SourceGroup  # of all trials here
     trials: list[QualityRow]
     labels: dict[str, str]  # joint -> what people call it
     warnings: list[ControlWarning]
@@ -46,6 +49,7 @@ def quality(
     who: Anyone,
     parts: PeopleParts,
     flows: FlowParts,
+    source: LookedAt,
     floorplan: Annotated[str | None, Query(max_length=64)] = None,
     path: Annotated[str | None, Query(max_length=64)] = None,
 ) -> QualityView:
@@ -55,9 +59,10 @@ def quality(
         trials = trials_of(db, who.clinic_id, patient_id, floorplan, path)
         newest = newest_profile(db, patient_id)
         write_log(db, who.name, "patient viewed", patient=patient_id)
-    judged = flows.qualities.judged(trials)
+    judged = flows.qualities.judged([trial for trial in trials if trial.run.source.group == source])
     found = warnings_of_control(judged, None if newest is None else newest.version)
     return QualityView(
+        source=source,
         trials=[_row(one) for one in judged],
         labels={joint.name: joint.label for one in judged for joint in one.quality.joints},
         warnings=found.warnings,

@@ -1,16 +1,19 @@
 """What a patient has learnt over trials."""
 
+from collections import Counter
 from typing import Annotated, Any
 
 from fastapi import APIRouter, Query
 
 from app.api.deps import Anyone, PeopleParts, RowId
 from app.api.flows import FlowParts
+from app.api.source_view import LookedAt
 from app.quantities import Document
 from app.session.learning import learning_curves
 from app.session.store_learning import counted_trials
 from app.session.store_log import write_log
 from app.session.store_patients import find_patient
+from app.source import SourceGroup
 
 router = APIRouter(tags=["review"])
 
@@ -26,8 +29,10 @@ class DrivenLine(Document):
 
 
 class LearningView(Document):
-    """Kept trials on one path over all visits, what can be said of them, and all trajectories over the path."""
+    """Kept trials of one source on one path over all visits, what can be said of them, and their trajectories."""
 
+    source: SourceGroup  # of all that is shown; trials of another one are in no curve with these
+    others: dict[SourceGroup, int]  # how many kept trials there are of the other sources
     trials: list[dict[str, Any]]
     curves: dict[str, Any]
     trajectories: list[DrivenLine]
@@ -39,6 +44,7 @@ def learning(
     patient_id: RowId,
     floorplan: Annotated[str, Query(max_length=64)],
     path: Annotated[str, Query(max_length=64)],
+    source: LookedAt,
     who: Anyone,
     parts: PeopleParts,
     flows: FlowParts,
@@ -46,8 +52,9 @@ def learning(
     """Return the learning curve of a patient on one path."""
     with parts.database.transaction(closing=True) as db:
         find_patient(db, who.clinic_id, patient_id)
-        counted = counted_trials(db, who.clinic_id, patient_id, floorplan, path)
+        every = counted_trials(db, who.clinic_id, patient_id, floorplan, path)
         write_log(db, who.name, "patient viewed", patient=patient_id)
+    counted = [one for one in every if one.group == source]
     rows = [one.row() for one in counted]
     lines = []
     for trial, *_ in counted[-MOST_TRAJECTORIES:]:
@@ -55,6 +62,8 @@ def learning(
         if found is not None:
             lines.append(DrivenLine(number=trial.number, x=found.x, y=found.y))
     return LearningView(
+        source=source,
+        others=dict(Counter(one.group for one in every if one.group != source)),
         trials=rows,
         curves=learning_curves(rows, every_model=True),
         trajectories=lines,

@@ -13,6 +13,7 @@ from app.api.pictures import NO_PICTURE, Picture
 from app.api.screen import ScreenWord
 from app.api.screens import Screen
 from app.api.signed_in import SignedIn
+from app.api.source_view import SourceView
 from app.quantities import Document, Line, Name
 from app.session.control_quality import ControlQuality
 from app.session.refusals import Conflict, NotFound
@@ -98,6 +99,7 @@ class TrialView(Document):
     end: str | None
     kept: bool
     discard_reason: str | None
+    source: SourceView
     measures: dict[str, Any] | None
 
 
@@ -124,6 +126,7 @@ class TrialDetail(Document):
     end: str | None
     kept: bool
     discard_reason: str | None
+    source: SourceView
     measures: dict[str, Any] | None
     trajectory: TrajectoryView | None
     quality: ControlQuality | None  # None where the recording does not tell
@@ -143,6 +146,7 @@ def trial_view(trial: Trial) -> TrialView:
         end=trial.end,
         kept=trial.kept,
         discard_reason=trial.discard_reason,
+        source=SourceView.of(trial.run.source),
         measures=trial.measures,
     )
 

@@ -19,6 +19,7 @@ from app.pipeline.rerun import decode_run
 from app.recording_reader import read_run
 from app.sentences import one_sentence
 from app.signals import Signals, read_signals
+from app.source import UNKNOWN_SOURCE, Source, source_of_header, source_words
 
 SUFFIXES = (".parquet", ".csv")
 LARGEST_THRESHOLD = 100.0  # FS/s, as `app.quantities.Threshold`
@@ -41,19 +42,21 @@ def decode(
         recorded, decoded = decode_file(signals, parameters)
     except ValueError as error:
         raise InputError(str(error)) from error
-    t = recorded.t
-    write_output(out, content_of(out, columns(parameters, t, decoded)), signals, profile)
+    t, source = recorded.t, source_of(signals)
+    write_output(out, content_of(out, columns(parameters, t, decoded), source), signals, profile)
     summary = {
         "frames": len(t),
         "seconds": float(t[-1] - t[0]),
         "sample_rate": recorded.sample_rate,
         "out": str(out),
+        "source": {**source.model_dump(mode="json"), "words": source_words(source)},
     }
     if as_json:
         typer.echo(json.dumps(summary | dialect_told(recorded)))
     else:
         typer.echo(f"{summary['frames']} frames, {summary['seconds']:.1f} s, decoded into {out}")
         tell_dialect(recorded, signals)
+        typer.echo(f"Source: {source_words(source)}")
 
 
 def decode_file(signals: Path, parameters: DriveParameters) -> tuple[Signals, Decoded]:
@@ -70,6 +73,11 @@ def decode_file(signals: Path, parameters: DriveParameters) -> tuple[Signals, De
         return recorded, decoded
     values = recorded.values.astype(np.float32, copy=False)
     return recorded, decode_block(parameters, recorded.sample_rate, recorded.t, values)
+
+
+def source_of(signals: Path) -> Source:
+    """Return where the signals came from: a recording of ours tells, any other file does not."""
+    return source_of_header(read_run(signals).meta) if signals.is_dir() else UNKNOWN_SOURCE
 
 
 def read_parameters(file: Path) -> DriveParameters:
@@ -128,13 +136,20 @@ def columns(parameters: DriveParameters, t: NDArray[np.float64], decoded: Decode
     return named
 
 
-def content_of(file: Path, named: dict[str, NDArray[np.float64]]) -> bytes:
-    """Return what columns of equal length are as a .parquet or .csv file, by the name of the file."""
+def content_of(file: Path, named: dict[str, NDArray[np.float64]], source: Source) -> bytes:
+    """Return what columns of equal length are as a .parquet or .csv file, by the name of the file.
+
+    Both have a column `simulated`: 1 where nobody wore the shirt, 0 where somebody did, NaN where that is unknown.
+    Parquet's own metadata carry the whole source in words (key `source`).
+    """
     import pyarrow as pa  # noqa: PLC0415  (keeps the start of the other commands quick)
     import pyarrow.csv  # noqa: PLC0415
     import pyarrow.parquet  # noqa: PLC0415
 
-    table = pa.table(named)
+    simulated = np.nan if source.simulated is None else float(source.simulated)
+    rows = len(next(iter(named.values())))
+    table = pa.table({**named, "simulated": np.full(rows, simulated)})
+    table = table.replace_schema_metadata({"source": source_words(source)})
     content = io.BytesIO()
     if file.suffix == ".csv":
         pyarrow.csv.write_csv(table, content)

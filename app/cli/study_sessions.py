@@ -14,6 +14,7 @@ from app.cli.errors import InputError
 from app.clock import stopwatch
 from app.session.study_comparison import compare, table
 from app.session.study_sessions import Mode, SessionTrial, WhoAdapts, dressed, run_sessions
+from app.source import STUDY_SOURCE, source_words
 from app.world.floorplan import FloorPlan, PrescribedPath
 
 ROWS, TABLE, SUMMARY = "sessions.csv", "table.txt", "adaptation.json"
@@ -50,6 +51,7 @@ def study_sessions(
                 rows += run_sessions(mode, first, sessions, trials, floorplan, path, progress)
             _write_rows(out, rows)  # after each person: an hour's work is not lost to the last one
         asked = {
+            "source": source_words(STUDY_SOURCE),
             "adapt": adapt,
             "person": person,
             "sessions": sessions,

@@ -5,6 +5,7 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from app.hardware.places import FilePlace, Host, SerialLine
+from app.hardware.shirt.standard import standard_layout
 from app.layout import ShirtLayout
 from app.quantities import Count, Document, Hertz, Name, Port, Title
 from app.speeds import Speeds
@@ -36,7 +37,7 @@ class UdpConfig(Document):
     kind: Literal["udp"]
     host: Host = "127.0.0.1"  # the address of this machine on which the shirt is listened for
     port: Port = 5252  # 0: any free one
-    layout: ShirtLayout
+    layout: ShirtLayout = Field(default_factory=standard_layout)
     sample_rate: ShirtRate = 100.0
     key_file: FilePlace | None = None  # None: frames of anybody are taken, so that no real chair is armed
 

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from enum import Enum
 from importlib import import_module
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 from pydantic import TypeAdapter, ValidationError
 
@@ -15,12 +15,21 @@ from app.sentences import one_sentence
 if TYPE_CHECKING:
     from app.hardware.chair.link import ChairLink
 
-Table = Mapping[str, tuple[str, str]]
 
-SHIRTS: Table = {
-    "simulator": ("app.hardware.shirt.simulator", "SimulatedShirt"),
-    "replay": ("app.hardware.shirt.replay", "ReplayedShirt"),
-    "udp": ("app.hardware.shirt.udp", "UdpShirt"),
+class ShirtDriver(NamedTuple):
+    """Where the class of a shirt is, and what this kind of shirt declares of itself."""
+
+    module: str
+    name: str
+    simulated: bool  # nobody wears it: what it drives is practice, and every record says so
+
+
+Table = Mapping[str, tuple[str, str] | ShirtDriver]
+
+SHIRTS: Mapping[str, ShirtDriver] = {
+    "simulator": ShirtDriver("app.hardware.shirt.simulator", "SimulatedShirt", simulated=True),
+    "replay": ShirtDriver("app.hardware.shirt.replay", "ReplayedShirt", simulated=True),
+    "udp": ShirtDriver("app.hardware.shirt.udp", "UdpShirt", simulated=False),
 }
 
 
@@ -76,7 +85,7 @@ def driver_class(what: str, word: str, table: Table) -> Any:
     """
     if word not in table:
         raise HardwareError(f"there is no {what} of the kind '{word}': use one of {', '.join(table)}")
-    module, name = table[word]
+    module, name = table[word][:2]
     try:
         found = import_module(module)
     except ModuleNotFoundError as error:

@@ -194,7 +194,7 @@ class Commands:
 
     def _run(self, fields: documents.Run, _id: int) -> Answer:
         self._require_no_run()
-        return {"run": self._runs.begin(fields)}
+        return {"run": self._runs.begin(fields), "source": self._setup.source.model_dump(mode="json")}
 
     def _end_run(self, _fields: documents.Nothing, command_id: int) -> None:
         self._runs.end(command_id)

@@ -116,6 +116,7 @@ class Runs:
             "path": setup.path.name if setup.path else None,
             "dynamics": setup.dynamics,
             "clinic": setup.chain.clinic.model_dump(mode="json"),
+            "source": setup.source.model_dump(mode="json"),
             "meta": fields.meta,
         }
         folder = Path(fields.folder)

@@ -11,10 +11,11 @@ from app.hardware.chair.link import ChairLink
 from app.hardware.chair.packet import DIGEST_BYTES
 from app.hardware.chair.simulator import Dynamics, VirtualChair
 from app.hardware.configs import BodyConfig, ChairConfig, RealChairConfig, ShirtConfig
-from app.hardware.registry import make_body, make_real_chair, make_shirt, mistrust
+from app.hardware.registry import SHIRTS, make_body, make_real_chair, make_shirt, mistrust
 from app.pipeline.chain import Chain
 from app.pipeline.looking import Looking
 from app.pipeline.opening import Change, close_quietly, one_line, opened_device
+from app.source import UNKNOWN, Source
 from app.speeds import NO_FURTHER, Speeds
 from app.world.floorplan import FloorPlan, PrescribedPath
 from app.world.scenery import Track
@@ -45,6 +46,7 @@ class Setup:
         self.shirt_kind = ""
         self.mistrust = NO_SHIRT  # why the shirt in use arms no real chair, empty when it may
         self._shirt_failed = ""  # why the shirt in use had to be let go
+        self.body_kind: str | None = None  # of the body inside the simulated shirt
         self.dressed: DressedShirt | None = None  # the same shirt, when it is the simulated one
         self.parameters: DriveParameters | None = None
         self.hash: str | None = None
@@ -82,6 +84,17 @@ class Setup:
     def shirt_words(self) -> str:
         """The shirt's state in words."""
         return self.shirt.words() if self.shirt else self._shirt_failed or NO_SHIRT
+
+    @property
+    def source(self) -> Source:
+        """What is connected, as every record of a run names it; "unknown" without a shirt."""
+        driver = SHIRTS.get(self.shirt_kind)
+        return Source(
+            shirt=self.shirt_kind or UNKNOWN,
+            body=self.body_kind,
+            chair="virtual" if self.link is None else "udp",
+            simulated=None if driver is None else driver.simulated,
+        )
 
     @property
     def chair_words(self) -> str:
@@ -134,7 +147,7 @@ class Setup:
         self.require_still()
         if self.dressed is None:
             raise Refused("Only the simulated shirt has a body to choose: choose the simulated shirt first.")
-        return Change("body", lambda: make_body(config), self._let_in)
+        return Change("body", lambda: make_body(config), lambda body: self._let_in(body, config.kind))
 
     def change_chair(self, config: ChairConfig) -> Change:
         """Return how this chair is opened and put to use; until then, and when it fails, the one in use stays."""
@@ -200,15 +213,15 @@ class Setup:
 
     def _take_off_shirt(self) -> Shirt | None:
         """Do without a shirt, and return the one that was in use, still open."""
-        before, self.shirt, self.dressed = self.shirt, None, None
+        before, self.shirt, self.dressed, self.body_kind = self.shirt, None, None, None
         self.shirt_kind = self._shirt_failed = ""
         self.mistrust = NO_SHIRT
         self._link_chain()
         return before
 
-    def _let_in(self, body: Body) -> None:
+    def _let_in(self, body: Body, kind: str) -> None:
         if self.dressed is not None:
-            self.dressed.body = body
+            self.dressed.body, self.body_kind = body, kind
             self._show_path()
 
     def _take_real_chair(self, link: ChairLink) -> None:

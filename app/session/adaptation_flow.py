@@ -213,7 +213,7 @@ class AdaptationFlow:
 
     def _propose(self, patient_id: int, session_id: int) -> None:
         with self._database.transaction() as db:
-            shown = material_for(db, patient_id, session_id)
+            shown = material_for(db, patient_id, session_id, simulated=self._visit.simulated)
         folders = [self._runs.folder_of(run_id) for run_id in shown.run_ids]
         self._held, adapted = None, None
         if shown.fresh:

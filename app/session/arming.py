@@ -52,6 +52,7 @@ class _Set:
     session: PatientSession | None = None
     parameters_id: int | None = None
     parameters: DriveParameters | None = None
+    simulated: bool | None = None  # whether nobody wore the shirt in which they were calibrated
     practice: Practice = NO_PRACTICE
     last_practised: DriveParameters | None = None
 
@@ -111,7 +112,7 @@ class RealArming:
         if found.parameters is None:
             return [NOT_CALIBRATED]
         refusals = []
-        obstacle = self._visit.obstacle(found.parameters)
+        obstacle = self._visit.obstacle(found.parameters, simulated=found.simulated)
         if obstacle is not None:
             refusals.append(obstacle)
         if self._equipment.mistrust:
@@ -145,6 +146,7 @@ class RealArming:
         return why_not(int(tick["chair_fault"])) if int(tick["chair_state"]) == CHAIR_FAULT else ""
 
     def _read(self, clinic_id: int) -> _Set:
+        worn = self._equipment.simulated
         with self._database.transaction() as db:
             session = open_session(db, clinic_id)
             if session is None or newest_profile(db, session.patient_id) is None:
@@ -155,6 +157,7 @@ class RealArming:
                 session,
                 row.id,
                 parameters,
-                self._practised.practice(db, session.patient_id, parameters.hash),
-                self._practised.newest(db, session.patient_id),
+                profile.simulated,
+                self._practised.practice(db, session.patient_id, parameters.hash, simulated=worn),
+                self._practised.newest(db, session.patient_id, simulated=worn),
             )

@@ -23,5 +23,5 @@ def furnish(database: Database) -> None:
         clinic = add_clinic(db, "Demonstration")
         patient = add_patient(db, clinic.id, *PATIENT)
         session = start_session(db, clinic.id, patient.id)
-        row = save_profile(db, patient.id, session.id, profile)
+        row = save_profile(db, patient.id, session.id, profile, simulated=True)
         save_parameters(db, row, standard_parameters(profile))

@@ -7,6 +7,7 @@ from typing import Any, Literal
 
 from pydantic import ValidationError
 
+from app.hardware.registry import SHIRTS
 from app.layout import ShirtLayout
 from app.session.control import Control
 from app.session.database import Database
@@ -21,23 +22,38 @@ STANDARD_SHIRT: dict[str, Any] = {
     "layout": None,
     "dead_channels": [],
 }
-NO_SHIRT = "There is no shirt: choose one on the Shirt page."
 STANDARD_BODY: dict[str, Any] = {"kind": "person", "skill": "practised", "seed": 1}
+NO_SHIRT = "No shirt yet: choose one on the Shirt page."
+
+
+def shirt_kinds() -> dict[str, bool]:
+    """Return the kinds of shirts that can be chosen, each with whether nobody wears it."""
+    return {kind: driver.simulated for kind, driver in SHIRTS.items()}
 
 
 class Equipment:
-    """What is connected; chosen by people, kept in the database, opened by the control process."""
+    """What is connected; chosen by people, kept in the database, opened by the control process.
+
+    Until somebody has chosen a shirt there is none, except in a demonstration, which starts with the simulated one.
+    """
 
     def __init__(
-        self, database: Database, control: Control, files: Path, keys: Path, tell: Callable[[str], None]
+        self,
+        database: Database,
+        control: Control,
+        files: Path,
+        keys: Path,
+        tell: Callable[[str], None],
+        *,
+        demonstration: bool,
     ) -> None:
         self._database = database
         self._control = control
         self._files = files
         self._keys = keys
         self._tell = tell
-        self.shirt: dict[str, Any] = STANDARD_SHIRT
-        self.body: dict[str, Any] | None = STANDARD_BODY
+        self.shirt: dict[str, Any] | None = STANDARD_SHIRT if demonstration else None
+        self.body: dict[str, Any] | None = STANDARD_BODY if demonstration else None
         self.unused: list[str] = []
         self.layout: ShirtLayout | None = None
         self.sample_rate = 0.0
@@ -47,12 +63,30 @@ class Equipment:
     async def open(self) -> None:
         """Open what was in use last; what does not open is said in words, and nothing takes its place."""
         await asyncio.to_thread(self._read)
+        if self.shirt is None:
+            self.words = NO_SHIRT
+            return
         try:
             await self._open_shirt(self.shirt)
-            if self.body is not None and self.shirt["kind"] == "simulator":
+            if self.body is not None and self.kind == "simulator":
                 await self._open_body(self.body)
         except Refusal as refusal:
             self.words = str(refusal)
+
+    @property
+    def kind(self) -> str | None:
+        """Return the kind of the chosen shirt, None before the first choice."""
+        return None if self.shirt is None else str(self.shirt["kind"])
+
+    @property
+    def simulated(self) -> bool | None:
+        """Return whether nobody wears the chosen shirt, None before the first choice."""
+        return None if self.kind is None else SHIRTS[self.kind].simulated
+
+    @property
+    def practice(self) -> str | None:
+        """Return the kind of the chosen shirt when nobody wears it: every page then says that this is practice."""
+        return self.kind if self.simulated else None
 
     async def use_shirt(self, config: dict[str, Any]) -> None:
         """Open another shirt; when it does not open, the one before is opened again and the reason is raised."""
@@ -78,7 +112,7 @@ class Equipment:
 
     async def use_body(self, config: dict[str, Any]) -> None:
         """Let somebody else move inside the simulated shirt."""
-        if self.shirt["kind"] != "simulator":
+        if self.kind != "simulator":
             raise Conflict("Only the simulated shirt has a body to choose: choose the simulated shirt first.")
         await self._open_body(config)
         self.body = config

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from app.source import STUDY_SOURCE, source_words
 from app.world.floorplan import FloorPlan, PrescribedPath
 from app.world.obstacles import Cylinder
 
@@ -26,6 +27,7 @@ PATH = "#1f5fbf"
 TRAJECTORY = "#c8281e"
 INK = "#22262b"
 DOTS_PER_INCH = 200
+MARK_SIZE = 6.0  # points
 STYLE = {
     "font.family": "sans-serif",
     "font.size": 9.0,
@@ -139,9 +141,10 @@ def dress_axes(axes: Axes, numbers: Sequence[int]) -> None:
 
 
 def save_figure(figure: Figure, file: FilePath, file_format: FigureFormat) -> None:
-    """Write a figure; the same figure gives the same bytes."""
+    """Write a figure of a study, which says below that its person is simulated; the same figure, the same bytes."""
     metadata = {"Date": None} if file_format == "svg" else {"Software": None}
     with paper_style():
+        figure.text(0.995, 0.005, source_words(STUDY_SOURCE), ha="right", va="bottom", size=MARK_SIZE, color="0.4")
         figure.savefig(file, format=file_format, dpi=DOTS_PER_INCH, metadata=metadata)
 
 

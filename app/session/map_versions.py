@@ -35,7 +35,14 @@ def save_adapted(
     """Make an adapted set the current one, on the next version of the patient's map."""
     _row, now = current_parameters(db, patient_id)
     profile = save_profile(
-        db, patient_id, session_id, adapted.profile, origin="adaptation", parent=now.version, difference=difference
+        db,
+        patient_id,
+        session_id,
+        adapted.profile,
+        simulated=now.simulated,
+        origin="adaptation",
+        parent=now.version,
+        difference=difference,
     )
     save_parameters(db, profile, adapted)
     return profile
@@ -66,6 +73,7 @@ def go_back(db: Session, patient_id: int, session_id: int) -> Profile:
         patient_id,
         session_id,
         CalibrationProfile.model_validate(before.document),
+        simulated=before.simulated,
         origin="back",
         parent=now.version,
         difference={BACK_TO: before.version},

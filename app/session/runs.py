@@ -13,6 +13,7 @@ from app.session.control import Control
 from app.session.database import Database
 from app.session.refusals import Conflict, Refusal
 from app.session.store_runs import add_run, close_run
+from app.source import Source
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,7 +63,7 @@ class Runs:
             meta=meta,
         )
         try:
-            await asyncio.to_thread(self._note, run_id, session_id, kind)
+            await asyncio.to_thread(self._note, run_id, session_id, kind, Source.model_validate(answer["source"]))
         except BaseException:
             with suppress(Refusal):  # nobody would know of this run, so nobody would ever end it
                 await self._control.call("end_run")
@@ -85,9 +86,9 @@ class Runs:
         await asyncio.to_thread(self._close, run.id, rows, dropped)
         return run
 
-    def _note(self, run_id: str, session_id: int, kind: str) -> None:
+    def _note(self, run_id: str, session_id: int, kind: str, source: Source) -> None:
         with self._database.transaction() as db:
-            add_run(db, run_id, session_id, kind, run_id)
+            add_run(db, run_id, session_id, kind, run_id, source)
 
     def _close(self, run_id: str, rows: int | None, dropped: int | None) -> None:
         with self._database.transaction(closing=True) as db:

@@ -11,7 +11,7 @@ from app.calibration.vocabulary import DriveParameters
 from app.session.map_versions import family, version_row
 from app.session.practised import PRACTISED_ENDS
 from app.session.store_controls import as_document, current_parameters
-from app.session.tables import Parameters, Patient, Profile, Trial
+from app.session.tables import Parameters, Patient, Profile, Run, Trial
 
 LAST_TRIALS = 6  # what a person did long ago says little of today
 
@@ -26,10 +26,11 @@ class Material(NamedTuple):
     fresh: int  # how many of them were driven with the map of now
 
 
-def material_for(db: Session, patient_id: int, session_id: int) -> Material:
+def material_for(db: Session, patient_id: int, session_id: int, *, simulated: bool | None) -> Material:
     """Return the last trials of a visit that count, and were driven with a map of the same calibration.
 
-    Those of earlier visits tell nothing: the shirt was put on again since.
+    Those of earlier visits tell nothing: the shirt was put on again since. `simulated` says of the shirt in use
+    whether nobody wears it: a simulated movement never changes the map of a person, nor the other way round.
     """
     row, profile = current_parameters(db, patient_id)
     versions = family(db, patient_id, profile.version)
@@ -37,7 +38,9 @@ def material_for(db: Session, patient_id: int, session_id: int) -> Material:
         select(Trial, Profile.version)
         .join(Parameters, Parameters.id == Trial.parameters_id)
         .join(Profile, Profile.id == Parameters.profile_id)
+        .join(Run, Run.id == Trial.run_id)
         .where(
+            Run.simulated.is_(simulated),
             Trial.session_id == session_id,
             Trial.kept.is_(True),
             Trial.end.in_(PRACTISED_ENDS),

@@ -5,7 +5,13 @@ from typing import Any
 from sqlalchemy import delete, select
 from sqlalchemy.orm import Session
 
+from app.session.refusals import Conflict
 from app.session.tables import CalibrationStep, PatientSession, Run
+
+MIXED = (
+    "Some steps were recorded in a shirt that nobody wears, others in a worn one: begin the calibration anew, "
+    "in one of them."
+)
 
 
 def begin_calibration(db: Session, session: PatientSession, script: dict[str, Any], steps: list[str]) -> None:
@@ -41,6 +47,20 @@ def recordings_of(db: Session, session_id: int) -> dict[str, str]:
         .where(CalibrationStep.session_id == session_id, CalibrationStep.status == "done")
     )
     return {row.step: row.folder for row in rows}
+
+
+def calibrated_simulated(db: Session, session_id: int) -> bool | None:
+    """Return whether nobody wore the shirt of the done steps, None when unknown; refuse a mixture of both."""
+    sources = set(
+        db.scalars(
+            select(Run.simulated)
+            .join(CalibrationStep, CalibrationStep.run_id == Run.id)
+            .where(CalibrationStep.session_id == session_id, CalibrationStep.status == "done")
+        )
+    )
+    if len(sources) > 1:
+        raise Conflict(MIXED)
+    return next(iter(sources), None)
 
 
 def fail_interrupted_steps(db: Session) -> None:

@@ -19,11 +19,15 @@ def save_profile(
     session_id: int,
     profile: CalibrationProfile,
     *,
+    simulated: bool | None = None,
     origin: str = "calibration",
     parent: int | None = None,
     difference: dict[str, Any] | None = None,
 ) -> Profile:
-    """Keep an accepted map as the patient's next version; `parent` is the version that it was made from."""
+    """Keep an accepted map as the patient's next version; `parent` is the version that it was made from.
+
+    `simulated` says whether nobody wore the shirt in which it was calibrated, None where that is unknown.
+    """
     last = db.scalar(select(func.max(Profile.version)).where(Profile.patient_id == patient_id)) or 0
     row = Profile(
         patient_id=patient_id,
@@ -34,6 +38,7 @@ def save_profile(
         difference=difference,
         document=profile.model_dump(mode="json"),
         created=utc_now(),
+        simulated=simulated,
     )
     db.add(row)
     db.flush()

@@ -16,7 +16,7 @@ def add_drive(
         clinic_id=clinic_id,
         patient_id=patient_id,
         session_id=run.session_id,
-        run_id=run.id,
+        run=run,
         chair_id=chair_id,
         parameters_id=parameters_id,
         hash=digest,

@@ -6,6 +6,7 @@ from sqlalchemy import JSON, select
 from sqlalchemy.orm import Session
 
 from app.session.tables import Parameters, PatientSession, Profile, Trial
+from app.source import SourceGroup, source_words
 
 
 class CountedTrial(NamedTuple):
@@ -16,6 +17,11 @@ class CountedTrial(NamedTuple):
     profile_version: int
     origin: str  # of that version: calibration, adaptation, back
 
+    @property
+    def group(self) -> SourceGroup:
+        """Return the group of trials that it belongs to."""
+        return self.trial.run.source.group
+
     def row(self) -> dict[str, Any]:
         """Return its measures, and what it is, by name."""
         return {
@@ -25,11 +31,13 @@ class CountedTrial(NamedTuple):
             "session": self.session,
             "profile_version": self.profile_version,
             "origin": self.origin,
+            "simulated": self.trial.run.simulated,
+            "source": source_words(self.trial.run.source),
         }
 
 
 def counted_trials(db: Session, clinic_id: int, patient_id: int, floorplan: str, path: str) -> list[CountedTrial]:
-    """Return a patient's trials on one path over all visits, the newest last."""
+    """Return a patient's trials on one path over all visits, of every source, the newest last."""
     found = db.execute(
         select(Trial, PatientSession.number, Profile.version, Profile.origin)
         .join(PatientSession, PatientSession.id == Trial.session_id)

@@ -70,8 +70,11 @@ def open_session(db: Session, clinic_id: int) -> PatientSession | None:
     )
 
 
-def start_session(db: Session, clinic_id: int, patient_id: int) -> PatientSession:
-    """Open a visit; the one that was open is ended. For the patient who is here already it simply goes on."""
+def start_session(db: Session, clinic_id: int, patient_id: int, person: str | None = None) -> PatientSession:
+    """Open a visit; the one that was open is ended. For the patient who is here already it simply goes on.
+
+    `person` is the name of who opens it, which other screens show.
+    """
     find_patient(db, clinic_id, patient_id)
     session = open_session(db, clinic_id)
     if session is not None and session.patient_id == patient_id:
@@ -83,6 +86,7 @@ def start_session(db: Session, clinic_id: int, patient_id: int) -> PatientSessio
         patient_id=patient_id,
         number=last + 1,
         started=utc_now(),
+        opened_by=person,
         ended=None,
         script=None,
         current_step=None,

@@ -10,10 +10,11 @@ from app.clock import utc_now
 from app.session.own_rows import own_row
 from app.session.refusals import Conflict
 from app.session.tables import Run, Trial
+from app.source import UNKNOWN_SOURCE, Source
 
 
-def add_run(db: Session, run_id: str, session_id: int, kind: str, folder: str) -> Run:
-    """Note that a recording begins in `folder` (below the folder of all runs)."""
+def add_run(db: Session, run_id: str, session_id: int, kind: str, folder: str, source: Source = UNKNOWN_SOURCE) -> Run:
+    """Note that a recording begins in `folder` (below the folder of all runs), and where its signals come from."""
     run = Run(
         id=run_id,
         session_id=session_id,
@@ -23,6 +24,7 @@ def add_run(db: Session, run_id: str, session_id: int, kind: str, folder: str) -
         ended=None,
         rows=None,
         dropped=None,
+        **source.model_dump(),
     )
     db.add(run)
     db.flush()
@@ -58,7 +60,7 @@ def add_trial(
         patient_id=patient_id,
         session_id=run.session_id,
         parameters_id=parameters_id,
-        run_id=run.id,
+        run=run,
         number=(last or 0) + 1,
         floorplan=floorplan,
         floorplan_title=floorplan_title,

@@ -19,8 +19,9 @@ from app import __version__
 from app.hardware.body.person_parameters import PersonParameters, Practised
 from app.session.figures import FigureFormat, errors_figure, save_figure, trajectories_figure
 from app.session.study import StudyResult
+from app.source import STUDY_SOURCE, source_words
 
-TRIAL_COLUMNS = ("trial", "dist", "e_diff", "time", "cross_track_rms", "collisions", "reached")
+TRIAL_COLUMNS = ("trial", "dist", "e_diff", "time", "cross_track_rms", "collisions", "reached", "simulated")
 TRAJECTORY_COLUMNS = ("t", "x", "y", "theta", "v", "omega")
 
 
@@ -87,7 +88,7 @@ def trials_csv(result: StudyResult) -> str:
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(TRIAL_COLUMNS)
     for trial in result.trials:
-        row = {"trial": trial.number, **trial.measures}
+        row = {"trial": trial.number, "simulated": STUDY_SOURCE.simulated, **trial.measures}
         writer.writerow([cell(row[column]) for column in TRIAL_COLUMNS])
     return text.getvalue()
 
@@ -100,13 +101,14 @@ def trajectories_table(result: StudyResult) -> pa.Table:
     }
     for name in TRAJECTORY_COLUMNS:
         columns[name] = np.concatenate([getattr(trial, name) for trial in trials])
-    return pa.table(columns)
+    return pa.table(columns).replace_schema_metadata({"source": source_words(STUDY_SOURCE)})
 
 
 def summary(result: StudyResult) -> dict[str, Any]:
     """Return what was asked, what was calibrated, what came of each trial, and the learning curves, ready for JSON."""
     return {
         "software": f"bodydrive {__version__}",
+        "source": source_words(STUDY_SOURCE),
         "seed": result.seed,
         "floorplan": result.floorplan.name,
         "path": result.path.name,

@@ -25,6 +25,7 @@ from app.session.study_files import (
     whole_folder,
 )
 from app.session.study_seeds import EARLY, MEASURES, OverSeeds, comparable_table, over_seeds, thinned
+from app.source import STUDY_SOURCE, source_words
 
 WORDS = {"dist": ("Dist", "m"), "e_diff": ("E_diff", "m²")}
 
@@ -57,7 +58,7 @@ def seeds_csv(results: Sequence[StudyResult]) -> str:
     writer.writerow(("seed", *TRIAL_COLUMNS))
     for result in results:
         for trial in result.trials:
-            row = {"trial": trial.number, **trial.measures}
+            row = {"trial": trial.number, "simulated": STUDY_SOURCE.simulated, **trial.measures}
             writer.writerow([result.seed, *(cell(row[column]) for column in TRIAL_COLUMNS)])
     return text.getvalue()
 
@@ -67,6 +68,7 @@ def seeds_summary(results: Sequence[StudyResult]) -> dict[str, Any]:
     first = results[0]
     return {
         "software": f"bodydrive {__version__}",
+        "source": source_words(STUDY_SOURCE),
         "seeds": [result.seed for result in results],
         "trials_per_seed": len(first.trials),
         "floorplan": first.floorplan.name,

@@ -5,8 +5,10 @@ from typing import Any
 
 from sqlalchemy import JSON, DateTime, Float, ForeignKey, Index, MetaData, String, UniqueConstraint, text
 from sqlalchemy.engine import Dialect
-from sqlalchemy.orm import DeclarativeBase, Mapped, mapped_column
+from sqlalchemy.orm import DeclarativeBase, Mapped, mapped_column, relationship
 from sqlalchemy.types import TypeDecorator
+
+from app.source import Source
 
 
 class Moment(TypeDecorator[datetime]):
@@ -118,6 +120,7 @@ class PatientSession(Table):
     patient_id: Mapped[int] = mapped_column(ForeignKey("patient.id"))
     number: Mapped[int]  # 1, 2, 3 ... per patient
     started: Mapped[datetime]
+    opened_by: Mapped[str | None] = mapped_column(String(80))  # a person's name; None: not recorded
     ended: Mapped[datetime | None]
     script: Mapped[dict[str, Any] | None]  # the calibration under way: layout and cues, so that a reload finds it
     current_step: Mapped[str | None] = mapped_column(String(64))
@@ -163,6 +166,16 @@ class Run(Table):
     ended: Mapped[datetime | None]
     rows: Mapped[int | None]
     dropped: Mapped[int | None]
+    # The source (app/source.py), as the control process named it when the run began; never changed afterwards.
+    shirt: Mapped[str] = mapped_column(String(32), server_default="unknown")
+    body: Mapped[str | None] = mapped_column(String(32))
+    chair: Mapped[str] = mapped_column(String(32), server_default="unknown")
+    simulated: Mapped[bool | None]  # None: unknown
+
+    @property
+    def source(self) -> Source:
+        """Return where the signals of this run came from."""
+        return Source(shirt=self.shirt, body=self.body, chair=self.chair, simulated=self.simulated)
 
 
 class Profile(Table):
@@ -179,6 +192,7 @@ class Profile(Table):
     difference: Mapped[dict[str, Any] | None]  # what was changed against the parent
     document: Mapped[dict[str, Any]]
     created: Mapped[datetime]
+    simulated: Mapped[bool | None]  # whether nobody wore the shirt in which it was calibrated; None: unknown
 
 
 class Parameters(Table):
@@ -206,6 +220,7 @@ class Trial(Table):
     session_id: Mapped[int] = mapped_column(ForeignKey("session.id"))
     parameters_id: Mapped[int] = mapped_column(ForeignKey("parameters.id"))
     run_id: Mapped[str] = mapped_column(ForeignKey("run.id"))
+    run: Mapped[Run] = relationship(lazy="joined", innerjoin=True)
     number: Mapped[int]
     floorplan: Mapped[str] = mapped_column(String(64))
     floorplan_title: Mapped[str] = mapped_column(String(80))
@@ -245,6 +260,7 @@ class Drive(Table):
     patient_id: Mapped[int] = mapped_column(ForeignKey("patient.id"), index=True)
     session_id: Mapped[int] = mapped_column(ForeignKey("session.id"))
     run_id: Mapped[str] = mapped_column(ForeignKey("run.id"))
+    run: Mapped[Run] = relationship(lazy="joined", innerjoin=True)
     chair_id: Mapped[int] = mapped_column(ForeignKey("chair.id"))
     parameters_id: Mapped[int] = mapped_column(ForeignKey("parameters.id"))
     hash: Mapped[str] = mapped_column(String(64))  # of the parameter set as it was armed

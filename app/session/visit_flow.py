@@ -10,9 +10,10 @@ from app.session.calibration_flow import CalibrationFlow
 from app.session.control import Control
 from app.session.database import Database
 from app.session.drive_flow import DriveFlow
-from app.session.equipment import Equipment
+from app.session.equipment import NO_SHIRT, Equipment
 from app.session.real_drive import RealDriveFlow
 from app.session.refusals import Conflict, Refusal
+from app.session.shown_session import require_shown
 from app.session.store_controls import as_document, current_parameters, newest_profile
 from app.session.store_patients import open_session
 from app.session.store_people import the_clinic
@@ -41,6 +42,7 @@ class VisitFlow:
         self._tell = tell
         self._one_at_a_time = asyncio.Lock()
         self.loaded: DriveParameters | None = None  # what the control process drives with
+        self.session_id: int | None = None  # of the open session; from any thread
 
     @asynccontextmanager
     async def undisturbed(self, what: str) -> AsyncIterator[None]:
@@ -49,13 +51,23 @@ class VisitFlow:
         Two screens may ask at the same moment: a visit must not change under a trial that is just being started.
         """
         async with self._one_at_a_time:
+            await asyncio.to_thread(self._require_shown)  # the request may have waited while the session changed
             self.refuse_while_busy(what)
             yield
+
+    def _require_shown(self) -> None:
+        with self._database.transaction() as db:
+            require_shown(db)
 
     @property
     def driving(self) -> bool:
         """Whether a trial or a drive is going on; from any thread."""
         return self._drive.running or self._real.running
+
+    @property
+    def simulated(self) -> bool | None:
+        """Whether nobody wears the shirt in use, None while there is none; from any thread."""
+        return self._equipment.simulated
 
     def refuse_while_busy(self, what: str) -> None:
         """Refuse what must not happen during a step, a trial or a drive."""
@@ -71,6 +83,7 @@ class VisitFlow:
 
         def _read() -> PatientSession | None:
             with self._database.transaction() as db:
+                require_shown(db)
                 return open_session(db, clinic_id)
 
         session = await asyncio.to_thread(_read)
@@ -80,6 +93,7 @@ class VisitFlow:
 
     async def visit_changed(self) -> None:
         """Load what the patient who is here now drives with, or nothing."""
+        self.session_id = await asyncio.to_thread(self._open_id)
         await self.try_load_parameters()
         self._tell("visit")
 
@@ -88,27 +102,33 @@ class VisitFlow:
         # What was loaded for somebody else must not come back with a new control process.
         self._control.forget("parameters")
         self.loaded = None
-        document = await asyncio.to_thread(self._current)
-        if document is not None:
-            words = self.misfit(document)
+        found = await asyncio.to_thread(self._current)
+        if found is not None:
+            document, simulated = found
+            words = self.misfit(document, simulated=simulated)
             if words is None:
                 await self._control.load("parameters", parameters=document.model_dump(mode="json"))
                 self.loaded = document
-                return self.obstacle(document)
+                return self.obstacle(document, simulated=simulated)
         else:
             words = None
         await self._control.load("parameters", parameters=None)
         return words
 
-    def obstacle(self, parameters: DriveParameters) -> str | None:
+    def obstacle(self, parameters: DriveParameters, *, simulated: bool | None) -> str | None:
         """Return in one sentence why parameters cannot drive: not in this shirt, or not so that a person can stop."""
-        return self.misfit(parameters) or missing_brake(parameters) or None
+        return self.misfit(parameters, simulated=simulated) or missing_brake(parameters) or None
 
-    def misfit(self, parameters: DriveParameters) -> str | None:
-        """Return in one sentence why parameters do not fit the shirt in use, None when they do."""
+    def misfit(self, parameters: DriveParameters, *, simulated: bool | None) -> str | None:
+        """Return in one sentence why parameters do not fit the shirt in use, None when they do.
+
+        `simulated` says whether nobody wore the shirt in which they were calibrated, None where that is unknown.
+        """
         layout = self._equipment.layout
         if layout is None:
-            return self._equipment.words or "There is no shirt: choose one on the Shirt page."
+            return self._equipment.words or NO_SHIRT
+        if simulated and not self._equipment.simulated:
+            return "The patient's calibration is one of a shirt that nobody wore: calibrate in the worn shirt first."
         if layout.channel_names != parameters.profile.layout.channel_names:
             return "The patient was calibrated in another shirt: calibrate in this one first."
         if abs(self._equipment.sample_rate - parameters.profile.sample_rate) > 0.01 * parameters.profile.sample_rate:
@@ -120,10 +140,17 @@ class VisitFlow:
         with suppress(Refusal):
             await self.load_parameters()
 
-    def _current(self) -> DriveParameters | None:
+    def _open_id(self) -> int | None:
+        with self._database.transaction() as db:
+            clinic = the_clinic(db)
+            session = None if clinic is None else open_session(db, clinic.id)
+            return None if session is None else session.id
+
+    def _current(self) -> tuple[DriveParameters, bool | None] | None:
         with self._database.transaction() as db:
             clinic = the_clinic(db)
             session = None if clinic is None else open_session(db, clinic.id)
             if session is None or newest_profile(db, session.patient_id) is None:
                 return None
-            return as_document(*current_parameters(db, session.patient_id))
+            row, profile = current_parameters(db, session.patient_id)
+            return as_document(row, profile), profile.simulated

@@ -17,6 +17,7 @@ from app.calibration.profile import CalibrationProfile, JointMap
 from app.calibration.script import Step
 from app.clock import monotonic
 from app.faults import Fault, State
+from app.hardware.registry import SHIRTS
 from app.layout import Channel, Joint, ShirtLayout
 from app.link import LinkLost, LinkRefused
 from app.messages import NO_CUE, TICK
@@ -94,6 +95,7 @@ class FakeLink:
         self.switch_seen = False
         self.mistrust = ""  # why the shirt arms no real chair
         self.senders: dict[str, Any] | None = None  # of a shirt over the network
+        self.shirt, self.body = "", None
 
     async def call(self, do: str, **fields: Any) -> dict[str, Any]:
         if self.dead.is_set():
@@ -101,14 +103,19 @@ class FakeLink:
         self.calls.append((do, fields))
         if do in self.refuse:
             raise LinkRefused(self.refuse[do])
+        if do == "body":
+            self.body = fields["config"]["kind"]
         if do == "shirt":
+            self.shirt, self.body = fields["config"]["kind"], None
             return {"layout": LAYOUT.model_dump(mode="json"), "sample_rate": 100.0, "mistrust": self.mistrust}
         if do == "parameters":
             self.parameters = fields["parameters"]
         if do == "run":
             self.runs += 1
             self.run, self.run_t, self.state = self.runs, 0.0, State.DISARMED
-            return {"run": self.run}
+            simulated = SHIRTS[self.shirt].simulated
+            source = {"shirt": self.shirt, "body": self.body, "chair": self.chair, "simulated": simulated}
+            return {"run": self.run, "source": source}
         if do == "end_run":
             self.run, self.state = 0, State.DISARMED
             return {"rows": 500, "dropped": 0}
@@ -199,7 +206,7 @@ class Clinic:
         return self.links[-1]
 
     def __call__(self, method: str, path: str, **more: Any) -> Any:
-        headers = {"Origin": BASE, **more.pop("headers", {})}
+        headers = {"Origin": BASE, "Patient-Session": self.session, **more.pop("headers", {})}
         return self.client.request(method, f"/api/v1{path}", headers=headers, **more)
 
     def good(self, method: str, path: str, **more: Any) -> Any:
@@ -228,6 +235,11 @@ class Clinic:
     @property
     def flows(self) -> Any:
         return self.client.app.state.flows  # type: ignore[attr-defined]
+
+    @property
+    def session(self) -> str:
+        """What a page that shows who is here now names as its session."""
+        return str(self.flows.visit.session_id or "none")
 
     def log(self) -> list[LogEntry]:
         """Return the rows of the log, the newest last."""

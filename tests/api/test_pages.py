@@ -16,6 +16,7 @@ OPEN = {
     ("POST", "/api/v1/control/stop"),
     ("POST", "/api/v1/patient-screen/pair"),
     ("GET", "/api/v1/patient-screen/me"),
+    ("GET", "/api/v1/equipment/practice"),
     ("GET", "/vendor/plotly.min.js"),
 }
 

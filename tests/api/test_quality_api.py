@@ -51,7 +51,13 @@ def drive(clinic: Any) -> Any:
 
 
 def test_without_trials_there_is_nothing_to_say(ready: Any) -> None:
-    assert ready.good("GET", ready.page) == {"trials": [], "labels": {}, "warnings": [], "note": ""}
+    assert ready.good("GET", ready.page) == {
+        "source": "simulated",  # a demonstration
+        "trials": [],
+        "labels": {},
+        "warnings": [],
+        "note": "",
+    }
     assert ready("GET", "/patients/999/quality").status_code == 404
 
 

@@ -27,6 +27,7 @@ FOR_EVERYONE = {
     "POST /control/stop",
     "POST /patient-screen/pair",
     "GET /patient-screen/me",
+    "GET /equipment/practice",
 }
 FOR_PATIENTS_SCREENS = {"GET /view/{role}/", "GET /view/{role}/plan"}  # the patient's only
 FOR_OWNERS = {"POST /chairs", "DELETE /chairs/{chair_id}", "PUT /limits", "GET /log/check", "GET /openapi.json"}

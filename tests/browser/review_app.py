@@ -21,6 +21,7 @@ from app.session.store_patients import add_patient, start_session
 from app.session.store_people import add_clinic
 from app.session.store_runs import add_run, add_trial, finish_trial
 from app.settings import Settings
+from app.source import Source
 from app.world.floorplan import FloorPlan
 from app.world.scene import find_place
 from building import make_parameters
@@ -28,6 +29,7 @@ from building import make_parameters
 CODE = "the-code-of-the-link"
 PLAN = "follow_me.easy"  # somebody walks ahead
 SECONDS = 24.0
+SIMULATED = Source(shirt="simulator", body="person", chair="virtual", simulated=True)
 
 
 def furnish(settings: Settings) -> list[int]:
@@ -50,7 +52,7 @@ def furnish(settings: Settings) -> list[int]:
             record_trial(folder, parameters, seconds=SECONDS, seed=number, plan=plan, stop_at=15.0)
             trial = add_trial(
                 db,
-                run=add_run(db, run, session.id, "drive", run),
+                run=add_run(db, run, session.id, "drive", run, SIMULATED),
                 clinic_id=clinic.id,
                 patient_id=patient.id,
                 parameters_id=row.id,

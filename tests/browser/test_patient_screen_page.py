@@ -7,11 +7,10 @@ import socket
 from pathlib import Path
 from urllib.parse import urlsplit
 
-import httpx
 import pytest
 from browser.driving import HIDE, SHOW, go_on_until
 from playwright.sync_api import expect
-from processes.served_demo import bodydrive, printed_link
+from processes.served_demo import SessionClient, bodydrive, printed_link
 
 pytestmark = [pytest.mark.browser, pytest.mark.long, pytest.mark.timeout(420)]
 
@@ -138,13 +137,19 @@ def is_told_that_the_clinician_s_page_is_hidden(clinician, patient, keep):
 def is_readable_in_the_dark_and_large(clinician, patient, keep):
     calls, base = clinician.context.request, clinician.url.split("/#")[0].rstrip("/")
     wishes = {"arrow": True, "sounds": True, "large": True}
-    assert calls.post(f"{base}/api/v1/patient-screen/settings", data=wishes, headers={"Origin": base}).ok
+    assert calls.post(f"{base}/api/v1/patient-screen/settings", data=wishes, headers=headers_of(calls, base)).ok
     patient.emulate_media(color_scheme="dark", reduced_motion="reduce")
     expect(patient.locator("html.large")).to_have_count(1)
     go_on_until(clinician, patient.locator(".instruction").is_visible, "what is asked")
     patient.wait_for_timeout(500)
     assert patient.evaluate(OUTSIDE) == []
     keep(patient, "patient-large-dark")
+
+
+def headers_of(calls, base):
+    """Return what a page of ours sends with a change: its origin, and the session that it shows."""
+    session = calls.get(f"{base}/api/v1/visit").json()["session"]
+    return {"Origin": base, "Patient-Session": str(session["id"])}
 
 
 def changes_nothing(clinician, patient, base):
@@ -165,7 +170,7 @@ def changes_nothing(clinician, patient, base):
 
 
 def is_prompted(clinician, patient, keep, base):
-    calls, ours = clinician.context.request, {"Origin": base}
+    calls, ours = clinician.context.request, headers_of(clinician.context.request, base)
     steps = calls.get(f"{base}/api/v1/calibration").json()["steps"]
     step = next(step["id"] for step in steps if step["joint"] == "right_elbow")
     assert calls.post(f"{base}/api/v1/calibration/steps/{step}/start", headers=ours).ok
@@ -187,7 +192,8 @@ def test_a_screen_is_paired_shown_the_drive_and_thanked(screens, demo):
     is_shown_the_stop(clinician, patient, keep)
     changes_nothing(clinician, patient, base)
     is_prompted(clinician, patient, keep, base)
-    assert clinician.context.request.delete(f"{base}/api/v1/visit", headers={"Origin": base}).ok
+    calls = clinician.context.request
+    assert calls.delete(f"{base}/api/v1/visit", headers=headers_of(calls, base)).ok
     expect(patient.get_by_role("heading", name="Thank you")).to_be_visible()
     keep(patient, "patient-thanks")
 
@@ -207,7 +213,7 @@ def test_it_comes_back_when_the_program_was_away(browser, tmp_path, page_log):
     process = served(port, state)
     try:
         base, code = printed_link(process).split("/#setup=")
-        with httpx.Client(base_url=f"{base}/api/v1", headers={"Origin": base}, timeout=60) as client:
+        with SessionClient(base) as client:
             client.post("/auth/setup", json={"code": code, "name": "Ada", "password": "correct horse battery"})
             patient_id = client.post("/patients", json={"code": "P-1", "pseudonym": "Heron"}).json()["id"]
             assert client.post("/visit", json={"patient_id": patient_id}).is_success

@@ -6,12 +6,11 @@ import signal
 import socket
 from pathlib import Path
 
-import httpx
 import numpy as np
 import pytest
 from PIL import Image
 from playwright.sync_api import expect
-from processes.served_demo import bodydrive, printed_link
+from processes.served_demo import SessionClient, bodydrive, printed_link
 from view_app import Running
 
 from app.api.pages import Pages
@@ -244,7 +243,7 @@ def test_a_paired_screen_sees_it_and_it_comes_back_by_itself(browser, tmp_path, 
         page = page_log(base).watch(browser.new_page(viewport={"width": 640, "height": 360}))
         page.goto(f"{base}/stereo.html")
         expect(page.get_by_role("heading", name="may not see")).to_be_visible(timeout=PATIENCE)
-        with httpx.Client(base_url=f"{base}/api/v1", headers={"Origin": base}, timeout=60) as client:
+        with SessionClient(base) as client:
             client.post("/auth/setup", json={"code": code, "name": "Ada", "password": "correct horse battery"})
             patient_id = client.post("/patients", json={"code": "P-1", "pseudonym": "Heron"}).json()["id"]
             assert client.post("/visit", json={"patient_id": patient_id}).is_success

@@ -7,6 +7,7 @@ import numpy as np
 import pyarrow.csv
 import pyarrow.parquet
 import pytest
+from recorded_trial import record_trial
 
 from app.calibration.fit import fit_profile
 from app.calibration.repetitions import Prompt, repetitions_of_prompts
@@ -36,13 +37,32 @@ def test_a_file_decodes_to_the_numbers_of_the_chain(tmp_path, capsys):
     values = make_signals(make_parameters(), 800)
     t = write_signals(tmp_path / "signals.csv", profile, values)
     decode(tmp_path / "signals.csv", tmp_path / "profile.json", tmp_path / "out.parquet", None, None, True)
-    assert json.loads(capsys.readouterr().out)["frames"] == 800
+    summary = json.loads(capsys.readouterr().out)
+    assert (summary["frames"], summary["source"]["words"]) == (800, "Shirt not recorded, chair not recorded")
     table = pyarrow.parquet.read_table(tmp_path / "out.parquet")
     expected = decode_block(make_parameters(), 100.0, t, values)
     np.testing.assert_allclose(table["right_elbow_score"], expected.score[:, 0], atol=1e-6)
     np.testing.assert_allclose(table["left_shoulder_activation"], expected.activation[:, 3], atol=1e-6)
     np.testing.assert_allclose(table["x"], expected.x, atol=1e-6)
-    assert table.column_names[-7:] == ["u1", "u2", "v", "omega", "x", "y", "theta"]
+    assert table.column_names[-8:] == ["u1", "u2", "v", "omega", "x", "y", "theta", "simulated"]
+    assert np.isnan(table["simulated"]).all()  # a file of signals does not tell who wore the shirt
+
+
+def test_a_decoded_recording_carries_its_source_in_each_form(tmp_path, capsys):
+    parameters, run = make_parameters(), tmp_path / "run"
+    source = {"shirt": "simulator", "body": "person", "chair": "virtual", "simulated": True}
+    record_trial(run, parameters, seconds=3.0, seed=1, source=source)
+    (tmp_path / "parameters.json").write_text(parameters.model_dump_json())
+    words = "Simulated shirt (simulated person), virtual chair: practice only"
+    for name in ("out.parquet", "out.csv"):
+        decode(run, tmp_path / "parameters.json", tmp_path / name, None, None, True)
+        assert json.loads(capsys.readouterr().out)["source"] == {**source, "words": words}
+    decode(run, tmp_path / "parameters.json", tmp_path / "out.csv", None, None, False)
+    assert words in capsys.readouterr().out
+    table = pyarrow.parquet.read_table(tmp_path / "out.parquet")
+    assert table.schema.metadata[b"source"].decode() == words
+    for read in (table, pyarrow.csv.read_csv(tmp_path / "out.csv")):
+        assert set(read["simulated"].to_pylist()) == {1.0}
 
 
 def test_dead_zone_and_cutoff_override_all_gestures(tmp_path):

@@ -36,8 +36,8 @@ from app.hardware.registry import (
 
 @pytest.mark.parametrize(("what", "table"), [("shirt", SHIRTS), ("body", BODIES), ("chair", CHAIRS)])
 def test_every_word_of_the_tables_has_its_class(what, table):
-    for word, (_module, name) in table.items():
-        assert driver_class(what, word, table).__name__ == name
+    for word, driver in table.items():
+        assert driver_class(what, word, table).__name__ == driver[1]
 
 
 def test_each_reason_for_having_no_driver_has_its_own_sentence(tmp_path, monkeypatch):
@@ -100,6 +100,7 @@ def test_the_documents_of_the_protocol_are_understood():
     assert parse_shirt({"kind": "replay", "file": "runs/7", "loop": True}).loop
     udp = {"kind": "udp", "host": "127.0.0.1", "port": 5252, "layout": layout, "sample_rate": 100}
     assert parse_shirt(udp).layout == small_layout()
+    assert len(parse_shirt({"kind": "udp"}).layout.channels) == 52  # the standard shirt's
     assert parse_body({"kind": "person", "skill": "novice", "seed": 1}) == PersonConfig(kind="person", skill="novice")
     assert parse_body({"kind": "visitor"}) == VisitorConfig(kind="visitor")
     assert parse_body({"kind": "recorded", "file": "body.csv"}).file == "body.csv"
@@ -123,7 +124,7 @@ def test_the_documents_of_the_protocol_are_understood():
         ({"kind": "replay"}, "file"),
         ({"kind": "udp", "port": 70_000, "layout": small_layout().model_dump()}, "port"),
         ({"kind": "udp", "host": "a host", "layout": small_layout().model_dump()}, "host"),
-        ({"kind": "udp"}, "layout"),
+        ({"kind": "udp", "layout": None}, "layout"),
     ],
 )
 def test_a_configuration_that_is_none_is_one_sentence_that_names_the_place(document, words):

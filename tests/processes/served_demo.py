@@ -31,6 +31,20 @@ def printed_link(process: "subprocess.Popen[str]") -> str:
     raise AssertionError(process.communicate()[1])
 
 
+class SessionClient(httpx.Client):
+    """A browser whose page shows who is here now: it names that session with every change."""
+
+    def __init__(self, base: str) -> None:
+        super().__init__(base_url=f"{base}/api/v1", headers={"Origin": base}, timeout=60)
+
+    def request(self, method: str, url: Any, **more: Any) -> httpx.Response:
+        if method != "GET":
+            visit = super().request("GET", "/visit")
+            session = (visit.json()["session"] or {}).get("id") if visit.is_success else None
+            more["headers"] = {"Patient-Session": str(session or "none"), **(more.get("headers") or {})}
+        return super().request(method, url, **more)
+
+
 class Demo:
     """A running demonstration and somebody who is signed in to it."""
 
@@ -38,7 +52,7 @@ class Demo:
         self.process = process
         base, self.code = printed_link(process).split("/#demo=")
         self.base = base
-        self.client = httpx.Client(base_url=f"{base}/api/v1", headers={"Origin": base}, timeout=60)
+        self.client = SessionClient(base)
         assert self.client.post("/auth/demo", json={"code": self.code}).json()["signed_in"]
 
     def socket(self, name: str) -> ClientConnection:

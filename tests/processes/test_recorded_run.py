@@ -13,6 +13,8 @@ from app.pipeline.rerun import decode_run
 from app.recording_reader import read_run
 from building import make_parameters
 
+SOURCE = {"shirt": "simulator", "body": "person", "chair": "virtual", "simulated": True}
+
 
 def test_a_run_with_cues_is_recorded(tmp_path):
     cues = [
@@ -27,9 +29,9 @@ def test_a_run_with_cues_is_recorded(tmp_path):
             channels = len(answer["layout"]["channels"])
             await control.call("body", config={"kind": "person", "skill": "practised", "seed": 1})
             folder = str(tmp_path / "run")
-            number = (
-                await control.call("run", run_id="r1", folder=folder, kind="prompt", cues=cues, meta={"step": "x"})
-            )["run"]
+            begun = await control.call("run", run_id="r1", folder=folder, kind="prompt", cues=cues, meta={"step": "x"})
+            number = begun["run"]
+            assert begun["source"] == SOURCE
             await tick_with(control, lambda tick: tick["run_t"] > 0.8)
             status = await control.call("status")
             assert status["recording"]["run_id"] == "r1"
@@ -46,6 +48,7 @@ def test_a_run_with_cues_is_recorded(tmp_path):
     assert (run.words, run.rows, run.dropped) == ("", ended["rows"], ended["dropped"])
     assert ended["dropped"] == 0
     assert run.meta["meta"] == {"step": "x"}
+    assert run.meta["source"] == SOURCE
     assert [cue["kind"] for cue in run.meta["cues"]] == ["rest", "move"]
     run_t, cue = run.columns["run_t"], run.columns["cue"]
     expected = np.select([(run_t >= 0.1) & (run_t < 0.3), (run_t >= 0.3) & (run_t < 0.6)], [0, 1], -1)
@@ -98,6 +101,7 @@ def test_a_drive_is_recorded_and_decoding_the_recording_gives_the_same_drive(tmp
     asyncio.run(story())
     run = read_run(tmp_path / "run")
     assert (run.words, run.meta["dynamics"]) == ("", dynamics)
+    assert run.meta["source"] == {"shirt": "udp", "body": None, "chair": "virtual", "simulated": False}
     exact = replay_run(run, parameters)
     for name in Replayed.__slots__:
         np.testing.assert_array_equal(run.columns[name], getattr(exact, name), err_msg=name)

@@ -15,6 +15,7 @@ from app.session.runs import Runs
 from app.session.store_patients import add_patient, start_session
 from app.session.store_people import add_clinic
 from app.session.tables import Run
+from app.source import UNKNOWN_SOURCE
 
 
 class Asked:
@@ -25,7 +26,7 @@ class Asked:
 
     async def call(self, do: str, **_fields: Any) -> dict[str, Any]:
         self.asked.append(do)
-        return {"run": 1, "rows": 0, "dropped": 0}
+        return {"run": 1, "source": UNKNOWN_SOURCE.model_dump(), "rows": 0, "dropped": 0}
 
 
 class Gone:

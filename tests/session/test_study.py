@@ -90,6 +90,7 @@ def test_a_study_on_disk(short, tmp_path) -> None:
     with (folder / "trials.csv").open(encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
     assert tuple(rows[0]) == TRIAL_COLUMNS
+    assert {row["simulated"] for row in rows} == {"true"}
     assert [float(row["dist"]) for row in rows] == [trial.measures["dist"] for trial in short.trials]
     table = pyarrow.parquet.read_table(folder / "trajectories.parquet")
     assert table.column_names == ["trial", "t", "x", "y", "theta", "v", "omega"]

@@ -3,7 +3,9 @@ import { t } from "./texts.js";
 
 const BASE = "/api/v1";
 const NOT_SIGNED_IN = 401;
+const CONFLICT = 409;
 const STOP = "/control/stop";
+const ALWAYS = new Set([STOP, "/auth/sign-out"]);
 
 /** A refusal, or no answer; the message is for people. */
 export class ApiError extends Error {
@@ -18,13 +20,23 @@ export class ApiError extends Error {
 /** What belongs to no sign-in. @param {string} path */
 const isForEveryone = (path) => path === STOP || path.startsWith("/auth/");
 
-/** The calls by method; `onSignedOut` is told when a sign-in has run out. */
-export class Api {
-  #signIn = 0; // counts up with each sign-in that ends
+let signIns = 0; // counts up with each sign-in that ends, for the calls of every page
 
-  /** @param {() => void} onSignedOut */
-  constructor(onSignedOut) {
+/**
+ * The calls by method; `onSignedOut` is told when a sign-in has run out. Each change names the session that the page
+ * shows (docs/protocols.md, section 4), so that nothing meant for one patient reaches another one.
+ */
+export class Api {
+  /** @param {() => void} onSignedOut @param {number | null} [session] id of the session that the page shows, null: nobody is here */
+  constructor(onSignedOut, session = null) {
     this.onSignedOut = onSignedOut;
+    this.session = session;
+    this.isOver = false;
+  }
+
+  /** Send no further change: the session of this page is open no more. Stop and sign-out are sent all the same. */
+  end() {
+    this.isOver = true;
   }
 
   /** @param {string} path @returns {Promise<any>} */
@@ -56,29 +68,32 @@ export class Api {
 
   /** A sign-in has ended: what was asked under it is answered to nobody, because the answer may name a patient. */
   forget() {
-    this.#signIn += 1;
+    signIns += 1;
   }
 
   /** @param {string} method @param {string} path @param {any} [body] @returns {Promise<any>} */
   async call(method, path, body) {
-    const signIn = this.#signIn;
+    const signIn = signIns;
     const answer = this.#call(method, path, body);
     const error = await answer.then(
       () => null,
       (refusal) => refusal,
     );
     if (isForEveryone(path)) return answer;
-    if (error?.status === NOT_SIGNED_IN && signIn === this.#signIn) this.onSignedOut();
-    return signIn === this.#signIn ? answer : new Promise(() => {});
+    if (error?.status === NOT_SIGNED_IN && signIn === signIns) this.onSignedOut();
+    return signIn === signIns ? answer : new Promise(() => {});
   }
 
   async #call(method, path, body) {
+    if (this.isOver && method !== "GET" && !ALWAYS.has(path)) throw new ApiError(t("session.over"), CONFLICT);
     const isForm = body instanceof FormData;
+    const headers = method === "GET" ? {} : { "Patient-Session": String(this.session ?? "none") };
+    if (body !== undefined && !isForm) headers["Content-Type"] = "application/json";
     let answer;
     try {
       answer = await fetch(BASE + path, {
         method,
-        headers: body === undefined || isForm ? {} : { "Content-Type": "application/json" },
+        headers,
         body: body === undefined || isForm ? body : JSON.stringify(body),
         // A stop must leave even when the page is being closed.
         keepalive: path === STOP,

@@ -2,6 +2,7 @@
 import { Api } from "./api.js";
 import { Live } from "./live.js";
 import { h, put } from "./parts/dom.js";
+import { practiceMark, readPractice } from "./parts/practice_mark.js";
 import { followSystem } from "./parts/theme.js";
 import { showScreen } from "./patient/screen.js";
 import { stayAwake } from "./patient/wake.js";
@@ -16,17 +17,19 @@ class PatientPage {
   #live = new Live("/api/v1/patient/live");
   #shown = new AbortController();
   #root = h("main", { class: "patient" });
+  #practice = practiceMark();
   #isShowing = false;
   #pause = FIRST_PAUSE;
   #timer = 0;
 
   async start() {
     document.title = t("patient.title");
-    document.body.replaceChildren(this.#root);
+    document.body.replaceChildren(this.#root, this.#practice.element);
     stayAwake();
     // Both say that the pairing may have ended: then the page asks how it stands.
     this.#live.addEventListener("changed", ({ detail }) => detail === "sign-in" && this.#ask());
     this.#live.addEventListener("connection", () => !this.#live.connected && this.#ask());
+    this.#live.addEventListener("tick", ({ detail }) => this.#practice.show(detail.practice));
     window.addEventListener("hashchange", () => this.enter());
     await this.enter();
   }
@@ -51,6 +54,7 @@ class PatientPage {
     clearTimeout(this.#timer);
     try {
       const { state } = await this.#api.get("/patient-screen/me");
+      this.#practice.show(await readPractice(this.#api));
       this.#pause = FIRST_PAUSE;
       if (state === "paired") this.#show();
       else this.#leave(state, words);

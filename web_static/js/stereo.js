@@ -1,5 +1,7 @@
 /** The stereo page: the patient's view for two eyes, shown to whoever may see it, and back by itself when it was lost. */
+import { Api } from "./api.js";
 import { h, put, write } from "./parts/dom.js";
+import { practiceMark, readPractice } from "./parts/practice_mark.js";
 import { followSystem } from "./parts/theme.js";
 import { stayAwake } from "./patient/wake.js";
 import { controlBar } from "./stereo/bar.js";
@@ -14,6 +16,8 @@ const PATIENCE = 15; // s for the first picture; after that somebody should know
 
 class StereoPage {
   #root = h("main", { class: "stereo" });
+  #api = new Api(() => {});
+  #practice = practiceMark();
   #words = h("div", { class: "said", role: "status", hidden: true });
   /** @type {Eyes | null} */
   #eyes = null;
@@ -24,7 +28,7 @@ class StereoPage {
 
   start() {
     document.title = t("stereo.title");
-    document.body.replaceChildren(this.#root);
+    document.body.replaceChildren(this.#root, this.#practice.element);
     stayAwake();
     this.#look();
   }
@@ -32,6 +36,7 @@ class StereoPage {
   /** Look after the picture, again and again: one question at a time, and none while there is a picture. */
   async #look() {
     if (document.visibilityState === "visible") {
+      readPractice(this.#api).then((kind) => this.#practice.show(kind), () => null); // lost: the picture says so
       if (this.#eyes?.age() < OLD) this.#liveAt = performance.now();
       if (!this.#eyes || this.#waited > OLD) await this.#ask();
       else this.#say("");

@@ -2,7 +2,7 @@
 import { calibrateStep } from "../parts/calibrate_step.js";
 import { discoveryCard } from "../parts/discovery_card.js";
 import { h, put } from "../parts/dom.js";
-import { nobodyIsHere } from "../parts/nobody.js";
+import { emptyPage, nobodyIsHere } from "../parts/nobody.js";
 import { leftOutWords, resultView } from "../parts/result_view.js";
 import { stepBar } from "../parts/step_bar.js";
 import { t } from "../texts.js";
@@ -14,6 +14,10 @@ const PAUSE = 1500; // ms between two steps that follow by themselves: time to b
 export async function show(app, root, { signal }) {
   if (nobodyIsHere(app, root)) return;
   let [calibration, equipment] = await Promise.all([app.api.get("/calibration"), app.api.get("/equipment")]);
+  if (!equipment.shirt && calibration.steps.length === 1) {
+    emptyPage(root, t("calibrate.no-shirt"), t("calibrate.no-shirt.lead"), "#/shirt", t("calibrate.no-shirt.go"));
+    return;
+  }
   let watched = null; // the step that ran while we looked: only after it does the next one follow by itself
   let timer = 0;
   let drawn = new AbortController();

@@ -3,6 +3,7 @@ import { compareReplay } from "../parts/compare_replay.js";
 import { compareTable } from "../parts/compare_table.js";
 import { h, put } from "../parts/dom.js";
 import { moment } from "../parts/format.js";
+import { groupMark, groupOf } from "../parts/source_group.js";
 import { t } from "../texts.js";
 
 /** @param {import("../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal, rest: string[]}} page */
@@ -14,13 +15,14 @@ export async function show(app, root, { signal, rest: [patient, , ...ids] }) {
   if (signal.aborted) return;
   const link = (trial) =>
     h("a", { href: `#/review/${patient}/trial/${trial.id}` }, t("compare.trial", trial), ` (${moment(trial.started)})`);
+  const named = (trial) => [link(trial), " ", groupMark(groupOf(trial))];
   put(
     root,
     h(
       "div",
       { class: "body" },
       h("h1", { tabindex: "-1" }, t("compare.title")),
-      h("p", { class: "lead compare-lead" }, trials[0].floorplan_title, ": ", link(trials[0]), " · ", link(trials[1])),
+      h("p", { class: "lead compare-lead" }, trials[0].floorplan_title, ": ", named(trials[0]), " · ", named(trials[1])),
       above,
       compareTable(trials),
     ),

@@ -8,6 +8,7 @@ import { signed } from "../parts/format.js";
 import { jointLabels, withLabels } from "../parts/gestures.js";
 import { icon } from "../parts/icons.js";
 import { emptyPage, nobodyIsHere } from "../parts/nobody.js";
+import { OTHER_SESSION } from "../parts/other_session.js";
 import { pads } from "../parts/pads.js";
 import { setsCard } from "../parts/sets_card.js";
 import { modesCard, speedsCard } from "../parts/speeds_card.js";
@@ -91,7 +92,8 @@ export async function show(app, root, { signal }) {
     ({ detail }) => ["controls", "everything"].includes(detail) && draft.readAgain().catch(() => null),
     { signal },
   );
-  signal.addEventListener("abort", () => draft.flush());
+  app.addEventListener("drafts", ({ detail }) => draft.isUnsent && detail.push(t("controls.draft")), { signal });
+  signal.addEventListener("abort", () => (signal.reason === OTHER_SESSION ? draft.drop() : draft.flush()));
 
   put(
     root,

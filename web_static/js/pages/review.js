@@ -5,6 +5,7 @@ import { driven, inOrder, keyOf, pathWords } from "../parts/driven_paths.js";
 import { field, selection } from "../parts/fields.js";
 import { MEASURES, mostTelling } from "../parts/measures.js";
 import { emptyPage } from "../parts/nobody.js";
+import { groupChoice, groupMark } from "../parts/source_group.js";
 import { qualitySection } from "../parts/quality_section.js";
 import { trajectoriesChart } from "../parts/trajectories_chart.js";
 import { trialList } from "../parts/trial_list.js";
@@ -43,13 +44,16 @@ export async function show(app, root, { signal, rest }) {
   let measure = sessionStorage.getItem(MEASURE_PLACE) ?? "e_diff";
   const place = h("div", { class: "stack" });
   const measurePlace = h("div", {});
+  const groupPlace = h("div", {});
+  let group = app.me.demo ? "simulated" : "worn";
   let drawn = new AbortController();
   const draw = async () => {
     drawn.abort();
     const until = (drawn = new AbortController()).signal;
     signal.addEventListener("abort", () => drawn.abort(), { signal: until });
     chooseMeasure();
-    const where = `floorplan=${encodeURIComponent(path.floorplan)}&path=${encodeURIComponent(path.name)}`;
+    const where = `floorplan=${encodeURIComponent(path.floorplan)}&path=${encodeURIComponent(path.name)}&source=${group}`;
+    chooseGroup();
     const known = plans.some(({ name }) => name === path.floorplan);
     const [learning, plan] = await Promise.all([
       app.api.get(`/patients/${patient.id}/learning?${where}`),
@@ -70,9 +74,9 @@ export async function show(app, root, { signal, rest }) {
           "div",
           { class: learning.trials.length > WIDE ? "charts wide" : "charts" },
           charts[0],
-          h("section", { class: "card" }, h("h2", {}, t("review.trajectories")), charts[1]),
+          h("section", { class: "card" }, h("h2", {}, t("review.trajectories"), " ", groupMark(learning.source)), charts[1]),
         ),
-      !counts && h("p", { class: "card quiet" }, t("review.no-kept")),
+      !counts && h("p", { class: "card quiet" }, t(Object.keys(learning.others).length ? "review.other-source" : "review.no-kept")),
       quality,
       trialList(
         patient,
@@ -88,6 +92,13 @@ export async function show(app, root, { signal, rest }) {
       draw().catch((error) => app.toasts.show(error.message));
     },
   );
+  const chooseGroup = () => {
+    const choice = groupChoice(trials.filter((trial) => keyOf(trial) === path.key), group, (chosen) => {
+      group = chosen;
+      draw().catch((error) => app.toasts.show(error.message));
+    });
+    put(groupPlace, choice);
+  };
   /** Only what the task has: a turn on the spot has no distance driven. */
   const chooseMeasure = () => {
     const measured = trials.filter((trial) => keyOf(trial) === path.key && trial.measures).map(({ measures }) => measures);
@@ -117,6 +128,7 @@ export async function show(app, root, { signal, rest }) {
         patients.length > 1 && who,
         field(t("review.path"), choosePath),
         measurePlace,
+        groupPlace,
       ),
       place,
     ),

@@ -11,6 +11,8 @@ import { shirtSender } from "../parts/shirt_sender.js";
 import { sourceForm, sourceWords } from "../parts/source_form.js";
 import { t } from "../texts.js";
 
+const NO_LAYOUT = { channels: [], joints: [] }; // before a shirt was chosen: a body without lamps
+
 /** @param {import("../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal}} page */
 export async function show(app, root, { signal }) {
   let equipment = await app.api.get("/equipment");
@@ -31,7 +33,7 @@ export async function show(app, root, { signal }) {
     drawn = new AbortController();
     signal.addEventListener("abort", () => drawn.abort(), { signal: drawn.signal });
     const { layout } = equipment;
-    put(left, layout && lampsCard(layout));
+    put(left, lampsCard(layout ?? NO_LAYOUT));
     put(
       below,
       equipment.body?.kind === "visitor" && h("div", { class: "card pad-card" }, pads(app, drawn.signal).element),
@@ -74,7 +76,7 @@ export async function show(app, root, { signal }) {
     sensorShown.abort();
     sensorShown = new AbortController();
     drawn.signal.addEventListener("abort", () => sensorShown.abort(), { signal: sensorShown.signal });
-    put(right, pickedSensor(sensorShown.signal), sourceCard(), equipment.shirt.kind === "simulator" && bodyCard(), headCard(), replaced.element);
+    put(right, pickedSensor(sensorShown.signal), sourceCard(), equipment.shirt?.kind === "simulator" && bodyCard(), headCard(), replaced.element);
   };
   const pickedSensor = (until) => {
     const index = equipment.layout?.channels.findIndex(({ name }) => name === picked) ?? -1;
@@ -109,11 +111,12 @@ export async function show(app, root, { signal }) {
       },
       () => makeForm({ kind: open.get(name) ?? first, onKind: (kind) => open.set(name, kind) }),
     );
+  if (!equipment.shirt) open.set("source", ""); // it is what there is to do here
   const sourceCard = () => {
-    const element = card("source", sourceWords(equipment.shirt), equipment.shirt.kind, (shown) =>
+    const element = card("source", sourceWords(equipment.shirt), equipment.shirt?.kind ?? "", (shown) =>
       sourceForm(app, equipment, (config) => use(app.api.put("/equipment/shirt", config), "source"), shown),
     );
-    if (equipment.shirt.kind === "udp") element.append(shirtSender(app, sensorShown.signal));
+    if (equipment.shirt?.kind === "udp") element.append(shirtSender(app, sensorShown.signal));
     return element;
   };
   const bodyCard = () =>

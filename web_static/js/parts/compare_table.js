@@ -2,12 +2,14 @@
 import { t } from "../texts.js";
 import { h } from "./dom.js";
 import { change, MEASURES, withUnit } from "./measures.js";
+import { groupOf } from "./source_group.js";
 
 /** @param {any[]} trials two of them, as GET /trials/ID answered */
 export function compareTable(trials) {
   const [first, second] = trials.map(({ measures }) => measures ?? {});
+  const isMixed = groupOf(trials[0]) !== groupOf(trials[1]); // then neither is better than the other
   const row = (name) => {
-    const difference = change(name, second, first);
+    const difference = isMixed ? null : change(name, second, first);
     const isBetter = difference?.tone && trials[difference.tone === "good" ? 1 : 0];
     return h(
       "tr",
@@ -29,6 +31,7 @@ export function compareTable(trials) {
     "section",
     { class: "card" },
     h("h2", {}, t("compare.measures")),
+    isMixed && h("p", { class: "quiet" }, t("compare.mixed")),
     names.length === 0 && h("p", { class: "quiet" }, t("compare.no-measures")),
     names.length > 0 &&
       h(

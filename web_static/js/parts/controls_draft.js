@@ -100,6 +100,17 @@ export class ControlsDraft extends EventTarget {
     return this.#sending;
   }
 
+  /** Whether a change waits to be sent. */
+  get isUnsent() {
+    return this.#timer !== 0;
+  }
+
+  /** Send nothing of what waits: the session that it belongs to is open no more. */
+  drop() {
+    clearTimeout(this.#timer);
+    this.#timer = 0;
+  }
+
   /** Undo, redo, suggest or load: what the server makes of it is taken. @param {string} path @param {any} [body] */
   async ask(path, body) {
     await this.flush();

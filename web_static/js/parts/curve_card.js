@@ -4,6 +4,7 @@ import { curveChart } from "./curve_chart.js";
 import { h, put, write } from "./dom.js";
 import { segments } from "./fields.js";
 import { number } from "./format.js";
+import { groupMark } from "./source_group.js";
 
 const CLEARLY_WORSE = 2; // of AICc; below it two curves describe the trials about as well
 
@@ -31,7 +32,7 @@ export async function curveCard(learning, measure, opens, signal) {
   return h(
     "section",
     { class: "card" },
-    h("h2", {}, t("review.curve")),
+    h("h2", {}, t("review.curve"), " ", groupMark(learning.source)),
     place,
     models.length > 1 &&
       segments(

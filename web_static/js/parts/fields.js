@@ -66,28 +66,32 @@ export function segments(label, options, chosen, onChange) {
 }
 
 /**
- * Choices with an explanation each, one below the other.
- * @param {string} label @param {{value: string, label: string, hint?: string}[]} options @param {string} chosen @param {(value: string) => void} onChange
+ * Choices with an explanation each, one below the other; those of one group stand together, under its words.
+ * @typedef {{value: string, label: string, hint?: string}} Choice
+ * @param {string} label @param {(Choice | {words: string, options: Choice[]})[]} options @param {string} chosen
+ * @param {(value: string) => void} onChange
  */
 export function choices(label, options, chosen, onChange) {
   const name = `choices-${++made}`;
+  const one = (option) =>
+    h(
+      "label",
+      { class: "choice" },
+      h("input", {
+        type: "radio",
+        name,
+        value: option.value,
+        checked: option.value === chosen,
+        onchange: () => onChange(option.value),
+      }),
+      h("span", { class: "grow" }, h("b", {}, option.label), option.hint && h("span", {}, option.hint)),
+    );
+  const group = ({ words, options: members }) =>
+    h("div", { class: "stack", role: "group", "aria-label": words }, h("h3", {}, words), members.map(one));
   return h(
     "div",
     { class: "stack", role: "radiogroup", "aria-label": label },
-    options.map((option) =>
-      h(
-        "label",
-        { class: "choice" },
-        h("input", {
-          type: "radio",
-          name,
-          value: option.value,
-          checked: option.value === chosen,
-          onchange: () => onChange(option.value),
-        }),
-        h("span", { class: "grow" }, h("b", {}, option.label), option.hint && h("span", {}, option.hint)),
-      ),
-    ),
+    options.map((option) => ("options" in option ? group(option) : one(option))),
   );
 }
 

@@ -10,6 +10,7 @@ const MOMENT = new Intl.DateTimeFormat(LANGUAGE, {
   minute: "2-digit",
 });
 const TIME = new Intl.DateTimeFormat(LANGUAGE, { timeStyle: "medium", hourCycle: "h23" });
+const MINUTE = new Intl.DateTimeFormat(LANGUAGE, { hour: "2-digit", minute: "2-digit", hourCycle: "h23" });
 
 /** @param {number | null | undefined} value @param {number} digits after the point */
 export function number(value, digits) {
@@ -48,6 +49,11 @@ export function moment(iso) {
 /** Hours, minutes and seconds of the day. @param {number} at ms of the wall clock */
 export function timeOfDay(at) {
   return TIME.format(at);
+}
+
+/** Hours and minutes of the day. @param {string} iso */
+export function minuteOfDay(iso) {
+  return MINUTE.format(new Date(iso));
 }
 
 /** @param {number} bytes */

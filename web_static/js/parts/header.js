@@ -3,6 +3,7 @@ import { t } from "../texts.js";
 import { chairState } from "./chair_card.js";
 import { h, set, write } from "./dom.js";
 import { icon } from "./icons.js";
+import { practiceMark } from "./practice_mark.js";
 import { stopButton } from "./stop.js";
 import { chosenTheme, nextTheme } from "./theme.js";
 
@@ -12,6 +13,7 @@ const THEME_ICONS = { system: "sun", light: "sun", dark: "moon", contrast: "cont
 export function header(app) {
   const who = h("span", { class: "who" });
   const demo = h("span", { class: "tag calm", title: t("demo.explained") }, t("demo.tag"));
+  const practice = practiceMark();
   const shirt = h("span", { class: "lamp" });
   const chair = h("span", { class: "lamp" });
   const lamps = h("div", { class: "lamps" }, shirt, chair);
@@ -32,6 +34,7 @@ export function header(app) {
     { class: "head" },
     h("span", { class: "brand" }, t("app.name")),
     demo,
+    practice.element,
     who,
     lamps,
     h("div", { class: "tools" }, theme, leave),
@@ -52,6 +55,10 @@ export function header(app) {
     const alive = app.live.present.shirt.alive;
     const all = app.live.quality.length;
     const good = app.live.quality.filter((quality) => quality === "good").length;
+    if (app.live.present.shirt.chosen === false) {
+      shirt.className = "lamp off";
+      return write(shirt, t("lamp.shirt.none"));
+    }
     shirt.className = alive ? (good < all * 0.75 ? "lamp att" : "lamp") : "lamp att";
     write(shirt, alive && all ? t("lamp.shirt", { good, all }) : t("lamp.shirt.silent"));
   };
@@ -65,6 +72,9 @@ export function header(app) {
     chair.className = `lamp${isBad ? " att" : armed ? "" : " off"}${state ? "" : " wide"}`;
     write(chair, state ? t("lamp.real", { state: t(`lamp.real.${state}`) }) : armed ? t("lamp.armed") : t("lamp.chair"));
   };
+  // A demonstration says of itself that nothing in it is real.
+  const showPractice = () => practice.show(app.me?.demo ? null : app.practice);
+  for (const event of ["me", "practice"]) app.addEventListener(event, showPractice);
   app.addEventListener("me", showWho);
   app.addEventListener("visit", showWho);
   app.live.addEventListener("quality", showShirt);

@@ -4,6 +4,7 @@ import { controlWarnings } from "./control_warnings.js";
 import { h, put } from "./dom.js";
 import { field, selection } from "./fields.js";
 import { chart, faint } from "./plotly.js";
+import { groupMark } from "./source_group.js";
 import { OF_JOINT, QUALITIES } from "./quality_card.js";
 
 const OF_ALL = ["map_angle_deg", "evr", "null_space_share", "cross_talk", "activations_per_metre", "activations"];
@@ -71,7 +72,7 @@ export async function qualitySection(app, patient, where, signal) {
     h(
       "section",
       { class: "card" },
-      h("h2", {}, t("quality.over")),
+      h("h2", {}, t("quality.over"), " ", groupMark(found.source)),
       found.trials.length ? [fields, place] : h("p", { class: "quiet" }, t("quality.empty")),
       found.note && h("p", { class: "quiet small" }, found.note),
     ),

@@ -11,6 +11,7 @@ const REPLAYED = new Set(["signals", "recording"]);
 
 /** In one line what is in use. @param {any} shirt */
 export function sourceWords(shirt) {
+  if (!shirt) return t("source.none");
   return t(`source.${shirt.kind}.now`, { rate: shirt.sample_rate, file: shirt.file, port: shirt.port });
 }
 
@@ -20,14 +21,19 @@ export function sourceWords(shirt) {
  * @param {{kind: string, onKind: (kind: string) => void}} shown the kind whose settings are shown
  */
 export function sourceForm(app, equipment, onUse, { kind: first, onKind }) {
-  const kinds = ["simulator", "replay", "udp"];
+  const made = { simulator, replay, udp };
+  const kinds = (simulated) =>
+    equipment.shirts
+      .filter((one) => one.simulated === simulated && one.kind in made)
+      .map(({ kind }) => ({ value: kind, label: t(`source.${kind}`), hint: t(`source.${kind}.hint`) }));
   const settings = h("div", { class: "stack settings" });
   const problem = h("p", { class: "problem", role: "alert" });
   let parts = null;
   const choose = (kind) => {
     onKind(kind);
-    parts = { simulator, replay, udp }[kind](app, equipment);
+    parts = made[kind](app, equipment);
     put(settings, parts.fields);
+    use.hidden = false;
   };
   const submit = async (event) => {
     event.preventDefault();
@@ -38,24 +44,28 @@ export function sourceForm(app, equipment, onUse, { kind: first, onKind }) {
       problem.textContent = error.message;
     }
   };
-  choose(first);
+  const use = h("button", { class: "btn go", hidden: true }, t("source.use"));
+  if (first) choose(first);
   return h(
     "form",
     { class: "stack", onsubmit: submit },
     choices(
       t("source.title"),
-      kinds.map((kind) => ({ value: kind, label: t(`source.${kind}`), hint: t(`source.${kind}.hint`) })),
+      [
+        { words: t("source.worn"), options: kinds(false) },
+        { words: t("source.practice"), options: kinds(true) },
+      ],
       first,
       choose,
     ),
     settings,
     problem,
-    h("button", { class: "btn go" }, t("source.use")),
+    use,
   );
 }
 
 function simulator(_app, { shirt, layout }) {
-  const now = shirt.kind === "simulator" ? shirt : { sample_rate: 100, seed: 1, dead_channels: [], layout: null };
+  const now = shirt?.kind === "simulator" ? shirt : { sample_rate: 100, seed: 1, dead_channels: [], layout: null };
   const config = {
     kind: "simulator",
     sample_rate: now.sample_rate,
@@ -64,7 +74,7 @@ function simulator(_app, { shirt, layout }) {
     dead_channels: now.dead_channels,
   };
   const rates = [...new Set([...RATES, now.sample_rate])].sort((a, b) => a - b);
-  const names = shirt.kind === "simulator" ? (layout?.channels ?? []).map(({ name }) => name) : [];
+  const names = shirt?.kind === "simulator" ? (layout?.channels ?? []).map(({ name }) => name) : [];
   // Two sensors of different joints, so that the demonstration shows what left-out sensors do without spoiling a joint.
   const broken =
     names.length > 2 ? [names[Math.floor(names.length / 3)], names[Math.floor((3 * names.length) / 4)]] : [];
@@ -112,7 +122,7 @@ function simulator(_app, { shirt, layout }) {
 }
 
 function replay(app, { shirt, files }) {
-  const config = { kind: "replay", file: shirt.file, loop: shirt.loop ?? true };
+  const config = { kind: "replay", file: shirt?.file, loop: shirt?.loop ?? true };
   return {
     fields: [
       fileField(
@@ -127,7 +137,7 @@ function replay(app, { shirt, files }) {
 }
 
 function udp(_app, { shirt, layout, shirt_keys: keys }) {
-  const now = shirt.kind === "udp" ? shirt : { host: "127.0.0.1", port: PORT, sample_rate: 100 };
+  const now = shirt?.kind === "udp" ? shirt : { host: "127.0.0.1", port: PORT, sample_rate: 100 };
   const host = h("input", { type: "text", value: now.host, required: true, autocomplete: "off" });
   const port = h("input", { type: "number", value: now.port, min: 1, max: 65535, required: true });
   const rate = h("input", { type: "number", value: now.sample_rate, min: 1, max: 5000, required: true });
@@ -138,7 +148,7 @@ function udp(_app, { shirt, layout, shirt_keys: keys }) {
     host: host.value.trim(),
     port: Number(port.value),
     sample_rate: Number(rate.value),
-    layout: file.files[0] ? await readDocument(file.files[0]) : layout,
+    layout: file.files[0] ? await readDocument(file.files[0]) : (layout ?? undefined), // without one: the standard shirt
     key_file: key || null,
   });
   return {

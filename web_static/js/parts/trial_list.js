@@ -4,6 +4,7 @@ import { compareChoice } from "./compare_choice.js";
 import { h } from "./dom.js";
 import { moment } from "./format.js";
 import { mostTelling, withUnit } from "./measures.js";
+import { groupMark, groupOf } from "./source_group.js";
 
 /** @param {{id: number}} patient @param {any[]} trials the newest last */
 export function trialList(patient, trials) {
@@ -29,6 +30,7 @@ export function trialList(patient, trials) {
       h("td", {}, moment(trial.started)),
       h("td", {}, t(`review.end.${trial.end}`)),
       listed.map((name) => h("td", {}, trial.measures ? withUnit(name, trial.measures[name]) : "–")),
+      h("td", { title: trial.source.words }, groupMark(groupOf(trial)) ?? t("source.group.worn")),
       h("td", {}, trial.kept ? t("review.kept") : trial.discard_reason),
       h("td", {}, compare.box(trial)),
     );
@@ -37,6 +39,7 @@ export function trialList(patient, trials) {
     t("review.column.when"),
     t("review.column.end"),
     ...listed.map((name) => t(`measure.${name}`)),
+    t("review.column.source"),
     t("review.column.kept"),
     t("compare.column"),
   ];

@@ -4,6 +4,7 @@ import { discardForm } from "./discard.js";
 import { h, put } from "./dom.js";
 import { moment } from "./format.js";
 import { qualityCard } from "./quality_card.js";
+import { groupMark, groupOf } from "./source_group.js";
 import { trialSummary } from "./trial_summary.js";
 
 /**
@@ -66,6 +67,7 @@ export function showTrialOver(app, root, read, actions, above) {
         { class: "lead" },
         t("over.lead", { number: trial.number, plan: trial.floorplan_title, path, when: moment(trial.started) }),
       ),
+      h("p", { class: "quiet small" }, groupMark(groupOf(trial)), " ", t("over.source", { source: trial.source.words })),
       above,
       trialSummary(trial, trials, plan),
       qualityCard(trial),

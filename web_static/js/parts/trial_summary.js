@@ -4,13 +4,14 @@ import { h } from "./dom.js";
 import { number } from "./format.js";
 import { best, change, MEASURES, mostTelling, unitOf, withUnit } from "./measures.js";
 import { planPicture } from "./plan_svg.js";
+import { groupOf } from "./source_group.js";
 
-/** The trials before this one on the same path that count and were measured. @param {any} trial @param {any[]} trials */
+/** The trials before this one of the same source, on the same path, that count and were measured. @param {any} trial @param {any[]} trials */
 export function earlierTrials(trial, trials) {
   const pathName = trial.path_name ?? trial.path;
   return trials.filter(
     (one) =>
-      one.id < trial.id && one.floorplan === trial.floorplan && one.path === pathName && one.kept && one.measures,
+      one.id < trial.id && groupOf(one) === groupOf(trial) && one.floorplan === trial.floorplan && one.path === pathName && one.kept && one.measures,
   );
 }
 

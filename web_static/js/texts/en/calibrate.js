@@ -1,5 +1,8 @@
 /** Texts of the calibration: steps, cues, result. */
 export default {
+  "calibrate.no-shirt": "No shirt yet",
+  "calibrate.no-shirt.lead": "The calibration learns from the signals of the shirt: choose the shirt first.",
+  "calibrate.no-shirt.go": "Choose a shirt",
   "calibrate.step": "Step {step} of {steps}",
   "calibrate.repetition": "repetition {repetition} of {all}",
   "calibrate.steps": "The steps of the calibration",

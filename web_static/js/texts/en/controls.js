@@ -1,5 +1,6 @@
 /** Texts of the controls page. */
 export default {
+  "controls.draft": "The last change of the controls",
   "controls.title": "Which movement does what",
   "controls.lead": "Set “{title}”",
   "controls.saving": "saving…",

@@ -1,5 +1,14 @@
 /** Texts of the review page. */
 export default {
+  "compare.mixed": "These trials have different sources, so neither is called better.",
+  "source.group": "Trials",
+  "source.group.worn": "Worn shirt",
+  "source.group.simulated": "Simulated",
+  "source.group.unknown": "Source not recorded",
+  "source.group.count": "{group} ({count})",
+  "over.source": "Source: {source}.",
+  "review.column.source": "Source",
+  "review.other-source": "No trial of this source was kept on this path: choose other trials above.",
   "review.title": "What was learnt",
   "review.patient": "Patient",
   "review.path": "Task",

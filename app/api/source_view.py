@@ -1,0 +1,29 @@
+"""The source of a trial or drive, as every answer shows it, and which trials a review looks at."""
+
+from typing import Annotated
+
+from fastapi import Depends, Query
+
+from app.api.deps import PeopleParts
+from app.source import Source, SourceGroup, source_words
+
+
+class SourceView(Source):
+    """Where the signals came from, with the words for it."""
+
+    words: str
+
+    @classmethod
+    def of(cls, source: Source) -> "SourceView":
+        """Return what is shown of a source."""
+        return cls(**source.model_dump(), words=source_words(source))
+
+
+def looked_at(parts: PeopleParts, source: Annotated[SourceGroup | None, Query()] = None) -> SourceGroup:
+    """Return the group of trials that is asked for: worn ones when none is named, in a demonstration simulated ones."""
+    if source is not None:
+        return source
+    return "simulated" if parts.settings.demo else "worn"
+
+
+LookedAt = Annotated[SourceGroup, Depends(looked_at)]

@@ -1,0 +1,64 @@
+"""The source of a recording: which shirt, which body inside a simulated one, which chair; one wording for all pages."""
+
+from collections.abc import Mapping
+from typing import Annotated, Any, Literal
+
+from pydantic import Field, ValidationError
+
+from app.quantities import Document
+
+UNKNOWN = "unknown"
+
+Kind = Annotated[str, Field(min_length=1, max_length=32)]
+SourceGroup = Literal["worn", "simulated", "unknown"]
+"""Trials of different groups are never put into one curve, one verdict or one warning."""
+
+SHIRT_WORDS = {"simulator": "Simulated shirt", "replay": "Recorded signals", "udp": "Worn shirt"}
+BODY_WORDS = {"person": "simulated person", "visitor": "moved on the screen", "recorded": "recorded body"}
+CHAIR_WORDS = {"virtual": "virtual chair", "udp": "real chair", UNKNOWN: "chair not recorded"}
+
+
+class Source(Document):
+    """Where the signals of a recording came from, and what they drove."""
+
+    shirt: Kind  # a shirt's kind (docs/protocols.md, section 2), or "unknown"
+    body: Kind | None  # kind of the body inside the simulated shirt; None: no simulated body
+    chair: Kind  # "virtual", "udp" (a real one), or "unknown"
+    simulated: bool | None  # whether nobody wore the shirt; None: unknown
+
+    @property
+    def group(self) -> SourceGroup:
+        """Return the group of trials that a trial of this source is compared with."""
+        if self.simulated is None:
+            return "unknown"
+        return "simulated" if self.simulated else "worn"
+
+
+def source_words(source: Source) -> str:
+    """Return a source in words: for pages, reports and exports, so that all of them say it alike."""
+    if source.shirt == UNKNOWN:
+        shirt = "Shirt not recorded"
+    else:
+        shirt = SHIRT_WORDS.get(source.shirt, f"Shirt of the kind '{source.shirt}'")
+    body = "" if source.body is None else f" ({BODY_WORDS.get(source.body, source.body)})"
+    chair = CHAIR_WORDS.get(source.chair, f"chair of the kind '{source.chair}'")
+    practice = ": practice only" if source.simulated else ""
+    return f"{shirt}{body}, {chair}{practice}"
+
+
+STUDY_SOURCE = Source(shirt="simulator", body="person", chair="virtual", simulated=True)  # of all studies
+UNKNOWN_SOURCE = Source(shirt=UNKNOWN, body=None, chair=UNKNOWN, simulated=None)
+
+
+def source_of_header(header: Mapping[str, Any]) -> Source:
+    """Return the source that the header of a recording (`run.json`) names.
+
+    Recordings from before the field `source` tell their chair only: `dynamics` is null for a real one.
+    """
+    try:
+        return Source.model_validate(header["source"])
+    except (KeyError, ValidationError):
+        if "dynamics" not in header:
+            return UNKNOWN_SOURCE
+        chair = "udp" if header["dynamics"] is None else "virtual"
+        return Source(shirt=UNKNOWN, body=None, chair=chair, simulated=None)

@@ -1,0 +1,129 @@
+"""No mix-up of patients: a change names the session that its page shows, and that session has to be the open one."""
+
+from typing import Any
+
+import pytest
+from fake_clinic import Clinic
+from fastapi.routing import APIRoute
+from test_roles import contexts
+
+from app.api.shown_session import READS, WITHOUT_SESSION
+from app.session.refusals import Conflict
+from app.session.shown_session import SHOWN, ShownSession
+from app.session.store_people import find_person, sign_in
+
+OTHER = "can no longer be sent"
+UNNAMED = "does not name the session"
+VALUES = {
+    "chair_id": "1",
+    "patient_id": "1",
+    "trial_id": "1",
+    "screen_id": "1",
+    "name": "nowhere",
+    "step": "rest",
+    "role": "clinician",
+    "word": "no-such-word",
+}
+
+
+def changing(clinic: Clinic) -> list[str]:
+    """Return method and path of every route of the API that may change something."""
+    return [
+        f"{method} {context.path.removeprefix('/api/v1')}"
+        for context in contexts(clinic.client.app, APIRoute)  # type: ignore[arg-type]
+        for method in sorted(context.methods - READS)
+    ]
+
+
+def second_patient(clinic: Any) -> Any:
+    """Open another patient's session on another screen; return the session that the first page still shows."""
+    before = clinic.session
+    patient = clinic.good("POST", "/patients", json={"code": "B-12", "pseudonym": "Otter"})
+    clinic.good("POST", "/visit", json={"patient_id": patient["id"]})
+    return before
+
+
+def asked(clinic: Any, route: str, session: str | None) -> Any:
+    method, path = route.split()
+    headers = {} if session is None else {"Patient-Session": session}
+    return clinic.client.request(
+        method, f"/api/v1{path.format(**VALUES)}", headers={"Origin": str(clinic.client.base_url), **headers}
+    )
+
+
+def test_every_changing_route_refuses_another_session_and_none_or_is_listed_with_its_reason(visited: Any) -> None:
+    database = visited.client.app.state.people.database
+    name = visited.good("GET", "/auth/me")["name"]
+    before = second_patient(visited)
+    routes = changing(visited)
+    assert len(routes) >= 50
+    assert set(WITHOUT_SESSION) <= set(routes)
+    assert all(WITHOUT_SESSION.values())
+    wrong = []
+    for route in routes:
+        refused = {}
+        for named in (before, "none", "999999", None, "B-12", "0", "-1"):
+            with database.transaction() as db:  # anew: one of the routes signs out
+                visited.client.cookies["bodydrive_session"] = sign_in(db, find_person(db, name), "test")
+            answer = asked(visited, route, named)
+            refused[named] = (
+                (answer.status_code == 409 and OTHER in answer.text),
+                (answer.status_code == 422 and UNNAMED in answer.text),
+            )
+        stale = [refused[name] == (True, False) for name in (before, "none", "999999")]
+        nameless = [refused[name] == (False, True) for name in (None, "B-12", "0", "-1")]
+        expected = route not in WITHOUT_SESSION
+        if {*stale, *nameless} != {expected}:
+            wrong.append((route, refused))
+    assert wrong == []
+    assert visited.good("GET", "/visit")["patient"]["code"] == "B-12"
+
+
+def test_the_refusal_says_who_is_open_who_opened_it_when_and_whose_page_this_is(visited: Any) -> None:
+    before = second_patient(visited)
+    session = visited.good("GET", "/visit")["session"]
+    answer = visited("PUT", "/adaptation", json={"mode": "suggest"}, headers={"Patient-Session": before})
+    assert answer.status_code == 409
+    sentence = answer.json()["detail"]
+    assert sentence.startswith(f"B-12 was opened on another screen by {session['opened_by']} at ")
+    assert "What this page shows belongs to P-1 and can no longer be sent" in sentence
+    assert visited.good("GET", "/adaptation")["mode"] == "off"
+    visited.good("DELETE", "/visit")
+    ended = visited("POST", "/adaptation/propose", headers={"Patient-Session": before})
+    assert "was ended on another screen, and nobody is here now" in ended.json()["detail"]
+
+
+def test_a_change_that_waited_while_the_session_changed_does_nothing(visited: Any) -> None:
+    """The check is made again where the change is made: a request may have waited for the one that opened B."""
+    before = int(second_patient(visited))
+
+    async def late(what: str) -> None:
+        SHOWN.set(ShownSession(before))
+        if what == "undisturbed":
+            async with visited.flows.visit.undisturbed("change the controls"):
+                raise AssertionError("it was done")
+        await visited.flows.visit.needed_session(1)
+
+    for what in ("undisturbed", "needed"):
+        with pytest.raises(Conflict, match="B-12 was opened"):
+            visited.client.portal.call(late, what)
+
+
+def test_the_dial_goes_down_from_any_page_and_up_from_the_right_one_only(visited: Any) -> None:
+    before = second_patient(visited)
+    stale = {"headers": {"Patient-Session": before}}
+    assert visited("POST", "/control/dial", json={"share": 0.5}, **stale).json() == {"share": 0.5}
+    up = visited("POST", "/control/dial", json={"share": 0.9}, **stale)
+    assert (up.status_code, OTHER in up.json()["detail"]) == (409, True)
+    assert visited("POST", "/control/dial", json={"share": 0.9}, headers={"Patient-Session": ""}).status_code == 422
+    assert visited.good("POST", "/control/dial", json={"share": 0.9}) == {"share": 0.9}
+    assert visited("POST", "/control/stop", **stale).status_code == 200
+
+
+def test_the_live_picture_names_the_open_session(visited: Any) -> None:
+    picture = visited.flows.live._picture
+    assert picture()["session"] == visited.good("GET", "/visit")["session"]["id"]
+    before = second_patient(visited)
+    assert picture()["session"] == visited.good("GET", "/visit")["session"]["id"] != int(before)
+    visited.good("DELETE", "/visit")
+    assert picture()["session"] is None

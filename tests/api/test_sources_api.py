@@ -1,0 +1,135 @@
+"""What was simulated says so for ever: in each answer, and never in one curve or verdict with what was worn."""
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from fake_clinic import WORD, Clinic, running
+
+from app.session.store_calibration import MIXED
+from app.session.tables import Run, Trial
+from app.settings import Settings
+
+OWNER = {"code": "the-set-up-code", "name": "Ada", "password": "correct horse battery"}
+SIMULATED = {"kind": "simulator", "seed": 1}
+WORN = {"kind": "udp", "port": 0}
+WORDS = {
+    "simulator": "Simulated shirt (simulated person), virtual chair: practice only",
+    "udp": "Worn shirt, virtual chair",
+}
+
+
+@pytest.fixture
+def real_settings(tmp_path: Path) -> Settings:
+    return Settings(state=tmp_path / "state", setup_code=OWNER["code"])
+
+
+@pytest.fixture
+def clinic_for_real(real_settings: Settings) -> Iterator[Clinic]:
+    """A clinic as `serve` opens it, its first owner signed in."""
+    for clinic in running(real_settings):
+        clinic.good("POST", "/auth/setup", json=OWNER)
+        yield clinic
+
+
+def drive(clinic: Any) -> Any:
+    plan = clinic.good("GET", "/floorplans/apartment")
+    where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"]}
+    clinic.good("POST", "/trials", json={**where, "screen": WORD})
+    return where, clinic.good("POST", "/trials/current/end", json={"reason": "by hand"})
+
+
+def test_a_real_clinic_begins_without_a_shirt_and_keeps_the_one_that_was_chosen(
+    clinic_for_real: Clinic, real_settings: Settings
+) -> None:
+    clinic = clinic_for_real
+    equipment = clinic.good("GET", "/equipment")
+    assert (equipment["shirt"], equipment["simulated"], equipment["body"], equipment["layout"]) == (None,) * 4
+    assert equipment["status"]["words"] == "No shirt yet: choose one on the Shirt page."
+    assert {one["kind"]: one["simulated"] for one in equipment["shirts"]}["simulator"] is True
+    assert "shirt" not in [do for do, _ in clinic.link.calls]
+    assert clinic.flows.live._picture()["shirt"]["chosen"] is False
+    clinic.visit()
+    refused = clinic("POST", "/calibration/steps/rest/start")
+    assert refused.status_code in {404, 409}
+    clinic.good("PUT", "/equipment/shirt", json=SIMULATED)
+    token = clinic.client.cookies["bodydrive_session"]
+    for again in running(real_settings):
+        again.client.cookies["bodydrive_session"] = token
+        assert again.good("GET", "/equipment")["shirt"]["kind"] == "simulator"
+        assert [do for do, _ in again.link.calls].count("shirt") == 1
+
+
+def test_a_demonstration_begins_with_the_simulated_shirt(signed_in: Clinic) -> None:
+    equipment = signed_in.good("GET", "/equipment")
+    assert (equipment["shirt"]["kind"], equipment["body"]["kind"], equipment["simulated"]) == (
+        "simulator",
+        "person",
+        True,
+    )
+
+
+def test_anybody_may_ask_whether_a_page_is_to_be_marked(clinic_for_real: Clinic) -> None:
+    clinic = clinic_for_real
+    for config, kind in ((None, None), (SIMULATED, "simulator"), (WORN, None)):
+        if config is not None:
+            clinic.good("PUT", "/equipment/shirt", json=config)
+        assert clinic.good("GET", "/equipment/practice") == {"kind": kind}
+        assert clinic.flows.live._picture()["practice"] == clinic.flows.patient.picture()["practice"] == kind
+    clinic.client.cookies.clear()
+    assert clinic.good("GET", "/equipment/practice") == {"kind": None}
+
+
+def test_trials_say_their_source_and_worn_and_simulated_ones_are_never_mixed(clinic_for_real: Clinic) -> None:
+    clinic = clinic_for_real
+    patient = clinic.visit()["id"]
+    made: dict[str, list[int]] = {}
+    for config in (WORN, SIMULATED, WORN):
+        clinic.good("PUT", "/equipment/shirt", json=config)
+        if config is WORN and not made:
+            clinic.calibrate()
+        where, trial = drive(clinic)
+        made.setdefault(config["kind"], []).append(trial["id"])
+        assert trial["source"]["words"] == WORDS[config["kind"]]
+        assert trial["source"]["simulated"] is (config is SIMULATED)
+        detail = clinic.good("GET", f"/trials/{trial['id']}")
+        assert detail["source"] == trial["source"]
+    listed = clinic.good("GET", f"/trials?patient={patient}")
+    assert [one["source"]["simulated"] for one in listed] == [False, True, False]
+    query = f"floorplan={where['floorplan']}&path={where['path']}"
+    for page in ("learning", "quality"):
+        for asked, source in (("", "worn"), ("&source=worn", "worn"), ("&source=simulated", "simulated")):
+            found = clinic.good("GET", f"/patients/{patient}/{page}?{query}{asked}")
+            assert found["source"] == source
+            if page == "learning":
+                kind = "udp" if source == "worn" else "simulator"
+                assert [row["id"] for row in found["trials"]] == made[kind]
+                assert {row["source"] for row in found["trials"]} == {WORDS[kind]}
+                assert found["others"] == ({"simulated": 1} if source == "worn" else {"worn": 2})
+        assert clinic.good("GET", f"/patients/{patient}/{page}?{query}&source=unknown")["trials"] == []
+        assert clinic("GET", f"/patients/{patient}/{page}?{query}&source=nonsense").status_code == 422
+    # Practice with this very set: two worn trials, whatever was simulated in between.
+    assert clinic.good("GET", "/drives/summary")["practised"]["trials"] == 2
+    assert clinic.good("GET", "/adaptation")["practised"] == 2
+    with clinic.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
+        runs = {trial.id: db.get_one(Run, trial.run_id).source.shirt for trial in db.query(Trial)}
+    assert runs == {**dict.fromkeys(made["udp"], "udp"), **dict.fromkeys(made["simulator"], "simulator")}
+
+
+def test_a_simulated_calibration_drives_no_worn_shirt_and_no_calibration_mixes_both(clinic_for_real: Clinic) -> None:
+    clinic = clinic_for_real
+    clinic.visit()
+    clinic.good("PUT", "/equipment/shirt", json=SIMULATED)
+    clinic.calibrate()
+    assert clinic.link.parameters is not None
+    clinic.good("PUT", "/equipment/shirt", json=WORN)
+    assert "calibration is one of a shirt that nobody wore" in clinic.good("GET", "/controls")["obstacle"]
+    assert clinic.link.parameters is None
+    plan = clinic.good("GET", "/floorplans/apartment")
+    where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}
+    assert "nobody wore" in clinic("POST", "/trials", json=where).json()["detail"]
+    clinic.good("POST", "/calibration/steps/rest/start")  # again, in the worn shirt, the others being simulated
+    clinic.link.run_t = 1000.0
+    wizard = clinic.until("/calibration", lambda c: c["running"] is None)
+    assert (wizard["steps"][-1]["status"], wizard["steps"][-1]["words"]) == ("failed", MIXED)

@@ -1,0 +1,104 @@
+"""A real clinic (no demonstration) with its pages and no control process behind it, for tests of what pages say."""
+
+import socket
+import threading
+import time
+from pathlib import Path
+from typing import Any
+
+import uvicorn
+from api.fake_clinic import LAYOUT, FakeLink, profile_for
+from processes.served_demo import SessionClient
+
+from app.api.app import create_app
+from app.calibration.vocabulary import standard_parameters
+from app.session.database import Database
+from app.session.recordings import recorded_readings
+from app.session.store_controls import save_parameters, save_profile
+from app.session.store_patients import add_patient, end_session, start_session
+from app.session.store_people import add_clinic
+from app.settings import Settings
+
+CODE = "the-set-up-code-of-the-tests"
+OWNER = {"code": CODE, "name": "Ada", "password": "correct horse battery"}
+PATIENTS = ("A-03", "B-12")
+
+
+def assert_quiet(log: Any) -> None:
+    """Fail when a page threw an error or asked another machine; what the server refuses, it may report."""
+    assert [error for error in log.errors if error.startswith("uncaught")] == []
+    assert log.outside == []
+
+
+def furnish(settings: Settings) -> dict[str, int]:
+    """Make two calibrated patients; return their ids by code."""
+    database = Database(settings.database)
+    ids = {}
+    with database.transaction() as db:
+        clinic = add_clinic(db, "A clinic")
+        for code in PATIENTS:
+            patient = add_patient(db, clinic.id, code, f"Bird {code}", "")
+            session = start_session(db, clinic.id, patient.id)
+            profile = profile_for(LAYOUT)
+            save_parameters(db, save_profile(db, patient.id, session.id, profile), standard_parameters(profile))
+            end_session(db, clinic.id)
+            ids[code] = patient.id
+    database.close()
+    return ids
+
+
+class ClinicApp:
+    """The application in a thread of this process, and its owner's own browser (`client`)."""
+
+    def __init__(self, folder: Path) -> None:
+        settings = Settings(state=folder, setup_code=CODE)
+        self.patients = furnish(settings)
+        self._files = settings.files
+
+        async def open_link() -> FakeLink:
+            return FakeLink()
+
+        self._socket = socket.create_server(("127.0.0.1", 0))
+        app = create_app(settings, open_link, recorded_readings())
+        self._server = uvicorn.Server(uvicorn.Config(app, log_level="error", ws_per_message_deflate=False))
+        self._thread = threading.Thread(target=self._server.run, args=([self._socket],), daemon=True)
+        self.address = f"http://127.0.0.1:{self._socket.getsockname()[1]}"
+        self.client = SessionClient(self.address)
+
+    def start(self) -> None:
+        """Return when it serves and its owner is signed in."""
+        self._thread.start()
+        while not self._server.started:
+            assert self._thread.is_alive()
+            time.sleep(0.02)
+        self.good("POST", "/auth/setup", OWNER)
+
+    def stop(self) -> None:
+        """End it and wait for that."""
+        self.client.close()
+        self._server.should_exit = True
+        self._thread.join(20)
+
+    def good(self, method: str, path: str, body: Any = None) -> Any:
+        """Send a request that must be answered well, from the owner's own browser."""
+        answer = self.client.request(method, path, json=body)
+        assert answer.is_success, answer.text
+        return answer.json()
+
+    def recording(self) -> str:
+        """Return the name of a file of recorded signals that lies on the machine."""
+        file = self._files / "signals.csv"
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text("t,right_elbow_1\n0.0,1.0\n0.01,1.0\n")
+        return file.name
+
+    def open_session(self, code: str) -> None:
+        """Open a patient's session in the owner's own browser."""
+        self.good("POST", "/visit", {"patient_id": self.patients[code]})
+
+    def sign_in(self, page: Any) -> None:
+        """Sign a page in as the owner."""
+        page.goto(self.address)
+        page.get_by_label("Name").fill(OWNER["name"])
+        page.get_by_label("Password").fill(OWNER["password"])
+        page.get_by_role("button", name="Sign in").click()

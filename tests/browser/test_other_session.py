@@ -1,0 +1,144 @@
+"""Two tablets, two patients: what a page shows of one patient is never sent for another one."""
+
+import re
+from pathlib import Path
+
+import pytest
+from browser.clinic_app import ClinicApp, assert_quiet
+from playwright.sync_api import expect
+
+pytestmark = [pytest.mark.browser, pytest.mark.timeout(300)]
+
+SCREENSHOTS = Path(__file__).resolve().parents[2] / "var" / "screenshots"
+SIZES = {"768x1024": (768, 1024), "1280x800": (1280, 800), "390x844": (390, 844)}
+PATIENCE = 60_000  # ms
+COVER = ".other-session"
+CHANGES = {"POST", "PUT", "DELETE"}
+
+
+@pytest.fixture(scope="module")
+def served(tmp_path_factory):
+    app = ClinicApp(tmp_path_factory.mktemp("clinic"))
+    app.start()
+    app.good("PUT", "/equipment/shirt", {"kind": "simulator", "seed": 1})
+    yield app
+    app.stop()
+
+
+@pytest.fixture
+def tablets(browser, page_log, served):
+    """Yield two browsers of their own, both signed in while A-03 is here."""
+    expect.set_options(timeout=PATIENCE)
+    SCREENSHOTS.mkdir(parents=True, exist_ok=True)
+    served.open_session("A-03")
+    pages, logs = [], []
+    for _ in range(2):
+        log = page_log(served.address)
+        page = log.watch(browser.new_context(viewport={"width": 768, "height": 1024}).new_page())
+        page.set_default_timeout(PATIENCE)
+        served.sign_in(page)
+        expect(page.locator(".who")).to_contain_text("A-03")
+        pages.append(page)
+        logs.append(log)
+    yield pages
+    for page, log in zip(pages, logs, strict=True):
+        assert_quiet(log)
+        page.context.close()
+    expect.set_options(timeout=5000)
+
+
+def go(page, where):
+    page.evaluate("(hash) => { location.hash = hash; }", f"#/{where}")
+
+
+def opens(page, code):
+    go(page, "patients")
+    row = page.get_by_role("listitem").filter(has_text=code)
+    row.get_by_role("button", name=re.compile("Start|Open|Visit", re.IGNORECASE)).click()
+    expect(page.locator(".who")).to_contain_text(code)
+
+
+def changes_of(page):
+    """Return the list that the changes this page sends from now on are added to, with the session each names."""
+    sent = []
+
+    def keep(request):
+        if request.method in CHANGES:
+            sent.append((request.url, request.headers.get("patient-session")))
+
+    page.on("request", keep)
+    return sent
+
+
+def test_a_page_of_another_patient_is_covered_and_sends_nothing(tablets, served):
+    first, second = tablets
+    go(first, "controls")
+    handle = first.get_by_role("slider").first
+    handle.focus()
+    first.keyboard.press("ArrowRight")
+    expect(first.get_by_role("status").filter(has_text="Saved")).to_be_visible()
+    before = served.good("GET", "/controls")["hash"]
+    sent = changes_of(first)
+    opens(second, "B-12")
+
+    cover = first.locator(COVER)
+    expect(cover).to_be_visible()
+    expect(cover).to_contain_text(
+        re.compile(
+            r"Patient B-12 was opened on another screen by Ada at \d\d:\d\d\. "
+            r"What this page shows belongs to A-03 and can no longer be sent\."
+        )
+    )
+    expect(cover.get_by_role("heading")).to_be_focused()
+    for name, (width, height) in SIZES.items():
+        first.set_viewport_size({"width": width, "height": height})
+        first.wait_for_timeout(200)
+        first.screenshot(path=SCREENSHOTS / f"{name}-other-session.png")
+        stop = first.locator("#stop").bounding_box()
+        assert stop["x"] + stop["width"] <= width
+    handle.evaluate("(one) => one.dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowRight', bubbles: true }))")
+    first.wait_for_timeout(900)  # twice as long as a change waits before it is sent
+    assert sent == []
+    assert served.good("GET", "/controls")["hash"] != before  # B-12's own set, untouched
+
+    first.get_by_role("button", name="Go on with B-12").click()
+    expect(cover).to_have_count(0)
+    expect(first.get_by_role("heading", name="Which movement does what")).to_be_visible()
+    first.get_by_role("slider").first.focus()
+    first.keyboard.press("ArrowRight")
+    expect(first.get_by_role("status").filter(has_text="Saved")).to_be_visible()
+    assert {session for _, session in sent} == {str(served.good("GET", "/visit")["session"]["id"])}
+
+
+def test_what_was_entered_and_not_sent_is_named(tablets, served):
+    first, second = tablets
+    go(first, "shirt")
+    card = first.locator("section.card", has=first.get_by_role("heading", name="Source"))
+    card.locator("summary").click()
+    card.get_by_role("radio", name="A shirt over the network").check(force=True)
+    card.get_by_label("Port").fill("6001")
+    sent = changes_of(first)
+    opens(second, "B-12")
+    cover = first.locator(COVER)
+    expect(cover).to_contain_text("Entered here and not sent")
+    expect(cover.get_by_role("listitem")).to_have_text(["Port: 6001"])
+    card.locator("form").evaluate("(form) => form.requestSubmit()")
+    first.wait_for_timeout(500)
+    assert served.good("GET", "/equipment")["shirt"]["kind"] == "simulator"
+    cover.get_by_role("link", name="Go to the patients").click()
+    expect(cover).to_have_count(0)
+    assert sent == []
+
+
+def test_a_page_that_belongs_to_no_session_is_left_alone_and_names_the_new_one(tablets, served):
+    first, second = tablets
+    go(first, "settings")
+    expect(first.get_by_role("heading", name="Settings")).to_be_visible()
+    opens(second, "B-12")
+    expect(first.locator(".who")).to_contain_text("B-12")
+    expect(first.locator(COVER)).to_have_count(0)
+    go(second, "controls")
+    served.good("DELETE", "/visit")
+    cover = second.locator(COVER)
+    expect(cover).to_contain_text("The session of patient B-12 was ended on another screen, and nobody is here now.")
+    expect(first.locator(".who")).to_contain_text("Nobody is here")

@@ -1,0 +1,117 @@
+"""In a real clinic no shirt is chosen at first, and while nobody wears the one in use every page says so."""
+
+import re
+from pathlib import Path
+
+import pytest
+from browser.clinic_app import ClinicApp, assert_quiet
+from playwright.sync_api import expect
+
+pytestmark = [pytest.mark.browser, pytest.mark.timeout(300)]
+
+STATIC = Path(__file__).resolve().parents[2] / "web_static"
+SCREENSHOTS = Path(__file__).resolve().parents[2] / "var" / "screenshots"
+SIZES = {"768x1024": (768, 1024), "1280x800": (1280, 800), "390x844": (390, 844)}
+PATIENCE = 60_000  # ms
+PAGES = """() => import("/js/parts/rail.js").then(({ PAGES }) => PAGES)"""
+DOCUMENTS = sorted(file.name for file in STATIC.glob("*.html"))
+IN_VIEW = """(one) => {
+  const { left, top, right, bottom } = one.getBoundingClientRect();
+  return left >= 0 && top >= 0 && right <= innerWidth && bottom <= innerHeight && right > left;
+}"""
+
+
+@pytest.fixture(scope="module")
+def served(tmp_path_factory):
+    app = ClinicApp(tmp_path_factory.mktemp("clinic"))
+    app.start()
+    yield app
+    app.stop()
+
+
+@pytest.fixture
+def page(browser, page_log, served):
+    expect.set_options(timeout=PATIENCE)
+    SCREENSHOTS.mkdir(parents=True, exist_ok=True)
+    log = page_log(served.address)
+    page = log.watch(browser.new_context(viewport={"width": 768, "height": 1024}).new_page())
+    page.set_default_timeout(PATIENCE)
+    served.open_session("A-03")
+    served.sign_in(page)
+    expect(page.locator(".who")).to_contain_text("A-03")
+    yield page
+    assert_quiet(log)
+    page.context.close()
+    expect.set_options(timeout=5000)
+
+
+def go(page, where):
+    page.evaluate("(hash) => { location.hash = hash; }", f"#/{where}")
+
+
+def assert_marked(page, words):
+    mark = page.locator(".practice")
+    expect(mark).to_be_visible()
+    expect(mark).to_have_text(re.compile(rf"{words}:\s*practice only"))
+    assert mark.evaluate(IN_VIEW), page.url
+
+
+def test_no_shirt_is_chosen_at_first_and_the_lamps_are_grey(page, served):
+    equipment = served.good("GET", "/equipment")
+    assert (equipment["shirt"], equipment["simulated"], equipment["body"]) == (None, None, None)
+    go(page, "shirt")
+    expect(page.get_by_text("No shirt yet: choose one").first).to_be_visible()
+    expect(page.locator(".lamps .lamp").first).to_have_text("No shirt yet")
+    expect(page.locator(".lamps .lamp").first).to_have_class(re.compile(r"\boff\b"))
+    expect(page.locator(".practice")).to_be_hidden()
+    expect(page.locator(".bodies .sensor")).to_have_count(0)
+    practice = page.get_by_role("group", name="Practice only (simulated)")
+    offered = {one["kind"] for one in equipment["shirts"] if one["simulated"]}
+    assert {radio.get_attribute("value") for radio in practice.get_by_role("radio").all()} == offered
+    for name, (width, height) in SIZES.items():
+        page.set_viewport_size({"width": width, "height": height})
+        page.wait_for_timeout(200)
+        page.screenshot(path=SCREENSHOTS / f"{name}-no-shirt.png")
+    page.set_viewport_size({"width": 768, "height": 1024})
+    go(page, "calibrate")
+    page.get_by_role("link", name="Choose a shirt").click()
+    worn = page.get_by_role("group", name="A shirt that somebody wears")
+    worn.get_by_role("radio", name="A shirt over the network").check(force=True)
+    page.get_by_role("button", name="Use this").click()  # without a layout: the standard one
+    expect(page.get_by_text("Network shirt on port 5252")).to_be_visible()
+    assert served.good("GET", "/equipment")["simulated"] is False
+    expect(page.locator(".practice")).to_be_hidden()
+
+
+def test_every_page_carries_the_mark_while_nobody_wears_the_shirt(page, served):
+    served.good("PUT", "/equipment/shirt", {"kind": "simulator", "seed": 1})
+    names = page.evaluate(PAGES)
+    assert len(names) >= 9
+    for name in names:
+        go(page, name)
+        expect(page.locator("main h1").first).to_be_visible()
+        for size, (width, height) in SIZES.items():
+            page.set_viewport_size({"width": width, "height": height})
+            assert_marked(page, "Simulated shirt")
+            assert page.locator("#stop").evaluate(IN_VIEW), (name, size)
+            if name in {"shirt", "drive"}:
+                page.screenshot(path=SCREENSHOTS / f"{size}-practice-{name}.png")
+    page.set_viewport_size({"width": 768, "height": 1024})
+    link = served.good("POST", "/patient-screen/pairing")["url"]
+    page.get_by_role("button", name="Sign out").click()
+    expect(page.get_by_role("heading", name="Sign in")).to_be_visible()
+    assert_marked(page, "Simulated shirt")
+    assert DOCUMENTS == ["index.html", "patient.html", "stereo.html"]  # each is looked at here
+    for address in ("", "patient.html", "stereo.html", link[link.index("patient.html") :]):
+        page.goto("about:blank")
+        page.goto(f"{served.address}/{address}")
+        assert_marked(page, "Simulated shirt")
+        page.screenshot(path=SCREENSHOTS / f"768x1024-practice-{address.split('.')[0].split('#')[0] or 'sign-in'}.png")
+    expect(page.get_by_text("All is ready")).to_be_visible()
+
+
+def test_the_mark_follows_the_shirt_on_pages_that_are_open(page, served):
+    served.good("PUT", "/equipment/shirt", {"kind": "replay", "file": served.recording()})
+    assert_marked(page, "Recorded signals")
+    served.good("PUT", "/equipment/shirt", {"kind": "udp", "port": 0})
+    expect(page.locator(".practice")).to_be_hidden()
