@@ -82,6 +82,16 @@ def calibrated_as_worn(database: Path) -> None:
         connection.execute("UPDATE profile SET simulated = 0")
 
 
+def wear(demo: Demo, live: Any, shirt: WornShirt, database: Path) -> None:
+    """Put on a worn shirt in place of the simulated one; each refusal of the simulated one is looked at first."""
+    refusals = good(demo, "GET", "/drives/summary")["refusals"]
+    assert any("nobody wears it" in sentence for sentence in refusals)
+    good(demo, "PUT", "/equipment/shirt", shirt.config)
+    assert "that nobody wore" in good(demo, "GET", "/controls")["obstacle"]
+    calibrated_as_worn(database)
+    until(live, lambda m: m["values"] is not None)
+
+
 def test_the_story_of_a_real_chair(demo: Demo, tmp_path: Path) -> None:
     port = free_port()
     chair = {"name": "Blue", "host": "127.0.0.1", "port": port, "speeds": Speeds(forward=0.5).model_dump()}
@@ -95,12 +105,7 @@ def test_the_story_of_a_real_chair(demo: Demo, tmp_path: Path) -> None:
     try:
         with demo.socket("live") as live:
             until(live, lambda m: m["values"] is not None)
-            refusals = good(demo, "GET", "/drives/summary")["refusals"]
-            assert any("nobody wears it" in sentence for sentence in refusals)
-            good(demo, "PUT", "/equipment/shirt", shirt.config)
-            assert "that nobody wore" in good(demo, "GET", "/controls")["obstacle"]
-            calibrated_as_worn(database)
-            until(live, lambda m: m["values"] is not None)
+            wear(demo, live, shirt, database)
             plan = good(demo, "GET", "/floorplans/apartment")
             where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}
             good(demo, "POST", "/trials", where)
