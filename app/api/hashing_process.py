@@ -7,6 +7,7 @@ false. Ends with stdin.
 
 import argparse
 import json
+import os
 import signal
 import sys
 from typing import Any
@@ -23,9 +24,12 @@ def main() -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the web process, which then ends this one
     give_way()
     hasher = PasswordHasher(time_cost=given.time, memory_cost=given.memory, parallelism=given.lanes)
-    for line in sys.stdin:
-        sys.stdout.write(f"{json.dumps(answer(hasher, json.loads(line)))}\n")
-        sys.stdout.flush()
+    try:
+        for line in sys.stdin:
+            sys.stdout.write(f"{json.dumps(answer(hasher, json.loads(line)))}\n")
+            sys.stdout.flush()
+    except BrokenPipeError:  # the web process is gone, and nobody waits for the answer
+        os._exit(0)  # an ordinary end would try to write the answer once more
 
 
 def answer(hasher: PasswordHasher, asked: dict[str, Any]) -> dict[str, Any]:

@@ -106,3 +106,15 @@ def test_there_are_only_so_many_places(monkeypatch):
             return True
 
     assert with_hashing(story)
+
+
+def test_it_ends_without_a_word_when_the_web_process_is_gone(capfd):
+    async def story(made):
+        await made.hash("a password")
+        made._process.stdin.write(b'{"do": "hash", "password": "another"}\n')
+        made._process._transport.get_pipe_transport(1).close()  # as when the one that reads is killed
+        made._process.stdin.close()
+        return await made._process.wait()
+
+    assert with_hashing(story) == 0
+    assert capfd.readouterr().err == ""

@@ -78,7 +78,6 @@ class Rig:
         self.beats = True
         self._heart = None
         self._runs = 0
-        self.web_port = None
 
     async def start_control(self):
         """Start a control process and give it everything it needs to arm."""
@@ -131,21 +130,13 @@ class Rig:
                     control.tell("heartbeat", screen_age=self.screen_age, screen=self.screen)
                 await asyncio.sleep(0.05)
 
-    async def start_web(self, module="drills.web"):
-        """Start a process that starts a control process and arms the chair, and return when the chair cruises.
-
-        `web_port` is then where it serves, when it does.
-        """
+    async def start_web(self):
+        """Start a process that starts a control process and arms the chair, and return when the chair cruises."""
         self._runs += 1
-        given = {
-            "shirt": self.shirt_config,
-            "chair": self.receiver.config(port=self.relay.port),
-            "folder": str(self._folder / f"run{self._runs}"),
-            "state": str(self._folder / f"state{self._runs}"),
-        }
+        given = self._given()
         self.wearer.rest()
         web = await asyncio.create_subprocess_exec(
-            sys.executable, "-m", module, json.dumps(given), stdout=subprocess.PIPE, env=environment()
+            sys.executable, "-m", "drills.web", json.dumps(given), stdout=subprocess.PIPE, env=environment()
         )
         await asyncio.sleep(1.0)
         for _ in range(TRIES):
@@ -153,15 +144,46 @@ class Rig:
             await asyncio.sleep(0.4)
             self.receiver.press(False)
             try:
-                _, *port = (await asyncio.wait_for(web.stdout.readline(), 5.0)).split()
-                self.web_port = int(port[0]) if port else None
+                await asyncio.wait_for(web.stdout.readline(), 5.0)
             except TimeoutError:
                 continue
             break
+        await self._stroke_and_cruise()
+        return web
+
+    async def start_served_web(self):
+        """Start the real web process, which arms the chair; return it and its port when the chair cruises."""
+        self._runs += 1
+        self.wearer.rest()
+        web = await asyncio.create_subprocess_exec(
+            *(sys.executable, "-m", "drills.served_web", json.dumps(self._given())),
+            stdout=subprocess.PIPE,
+            env=environment(),
+        )
+        try:
+            port = int((await web.stdout.readline()).split()[1])
+            self.receiver.press(True)
+            await web.stdout.readline()
+            self.receiver.press(False)
+            await web.stdout.readline()
+            await self._stroke_and_cruise()
+        except BaseException:
+            web.kill()
+            raise
+        return web, port
+
+    def _given(self):
+        return {
+            "shirt": self.shirt_config,
+            "chair": self.receiver.config(port=self.relay.port),
+            "folder": str(self._folder / f"run{self._runs}"),
+            "state": str(self._folder / f"state{self._runs}"),
+        }
+
+    async def _stroke_and_cruise(self):
         self.wearer.stroke()
         await asyncio.to_thread(self.receiver.wait_for, lambda line: line["v"] > CRUISE)
         await asyncio.sleep(0.45)
-        return web
 
     async def end_control(self):
         if self._heart is not None:

@@ -1,7 +1,8 @@
 """The real web process of a drill: serves the application, whose control process arms a real chair and keeps it armed.
 
 Argument: a JSON object with the shirt's and the chair's configuration, the folder of the recording, and one for the
-application's own state. Prints `armed PORT` when the chair may move, PORT being the one that it serves.
+application's own state. Prints `open PORT` when the chair is open, PORT being the one that it serves, `pressed` when
+the chair's stop switch was seen pressed, and, when it was let go of, `armed` as soon as the chair may move.
 """
 
 import asyncio
@@ -11,6 +12,7 @@ import sys
 from pathlib import Path
 
 import uvicorn
+from processes.running_control import tick_with
 
 from app.api.app import create_app
 from app.api.flows import flows_of
@@ -38,11 +40,19 @@ async def main(given):
         await control.call("shirt", config=given["shirt"])
         await control.call("parameters", parameters=parameters.model_dump(mode="json"))
         await control.call("chair", config=given["chair"])
+        say(f"open {port}")
+        await tick_with(control, lambda tick: tick["stop_input"] == 1)
+        say("pressed")
+        await tick_with(control, lambda tick: tick["stop_input"] == 0 and tick["chair_state"] == 0)
         await control.call("run", run_id="w", folder=given["folder"], kind="drive", cues=[], meta={})
         await armed(control, parameters)
-        sys.stdout.write(f"armed {port}\n")
-        sys.stdout.flush()
+        say("armed")
         await serving
+
+
+def say(line):
+    sys.stdout.write(f"{line}\n")
+    sys.stdout.flush()
 
 
 async def armed(control, parameters):
