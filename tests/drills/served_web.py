@@ -18,6 +18,7 @@ from app.api.app import create_app
 from app.api.flows import flows_of
 from app.faults import State
 from app.realtime import tidy
+from app.session.control import ScreenSign
 from app.session.recordings import recorded_readings
 from app.session.refusals import Refusal
 from app.settings import Settings
@@ -35,7 +36,7 @@ async def main(given):
             await asyncio.sleep(0.01)
         tidy()
         control = flows_of(app).control
-        control.screen_age = lambda: 0.0  # a screen that is in view all the time
+        control.screen_sign = lambda: ScreenSign(0.0)  # a screen that is in view all the time
         parameters = make_parameters()
         await control.call("shirt", config=given["shirt"])
         await control.call("parameters", parameters=parameters.model_dump(mode="json"))
