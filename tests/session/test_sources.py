@@ -8,7 +8,8 @@ import pytest
 from sqlalchemy import text
 
 from app.hardware.registry import BODIES, CHAIRS, SHIRTS
-from app.session.database import Database, make_engine, migrate
+from app.session.database import Database, make_engine
+from app.session.schema import migrate
 from app.session.tables import Profile, Run, Trial
 from app.source import BODY_WORDS, CHAIR_WORDS, SHIRT_WORDS, UNKNOWN_SOURCE, Source, source_of_header, source_words
 
