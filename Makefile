@@ -40,7 +40,7 @@ safety: $(VENV)/.installed-test
 	$(BIN)/python tests/mutation.py
 
 drills: $(VENV)/.installed-test
-	PYTHONPATH=tests $(BIN)/python -m drills --out docs/drills.md
+	PYTHONPATH=tests $(BIN)/python -m drills --jobs 2 --out docs/drills.md
 
 soak: $(VENV)/.installed-test
 	PYTHONPATH=tests $(BIN)/python -m soak --out docs/viewers.md

@@ -1,14 +1,14 @@
 """`python -m drills`: all fault drills on real processes and sockets, and their table; `make drills`."""
 
 import argparse
-import asyncio
 import os
 import platform
-import random
 import sys
+from concurrent.futures import ProcessPoolExecutor
+from multiprocessing import get_context
 from pathlib import Path
 
-from drills.drills import DRILLS
+from drills.drills import DRILLS, run_drill
 from drills.results import HEAD
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "drills.md"
@@ -21,30 +21,34 @@ def main():
     parser.add_argument("--share", type=float, default=1.0, help="of the runs, 0 to 1")
     parser.add_argument("--short", action="store_true", help="the few runs that `make test` does")
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--jobs", type=int, default=1, help="how many drills run side by side")
     parser.add_argument("--out", type=Path, help=f"write the page here, as {PAGE.name}")
     given = parser.parse_args()
-    rows, violations = [], 0
-    for name in given.only:
-        drill, full, short = DRILLS[name]
-        runs = short if given.short else max(1, round(full * given.share))
-        result = asyncio.run(drill(runs, random.Random(given.seed)))
-        rows.append(result.row())
-        violations += len(result.violations)
-        sys.stdout.write("\n".join([HEAD, rows[-1], *result.violations[:5], ""]))
-        sys.stdout.flush()
-    table = "\n".join([HEAD, *rows])
+    asked = [(name, _runs(name, given), given.seed) for name in given.only]
+    results = []
+    with ProcessPoolExecutor(given.jobs, get_context("spawn")) as pool:
+        for result in pool.map(run_drill, *zip(*asked, strict=True)):
+            results.append(result)
+            sys.stdout.write("\n".join([HEAD, result.row(), *result.violations[:5], ""]))
+            sys.stdout.flush()
+    table = "\n".join([HEAD, *(result.row() for result in results)])
     sys.stdout.write(f"\n{table}\n")
     if given.out:
-        given.out.write_text(_page(table))
-    return 1 if violations else 0
+        given.out.write_text(_page(table, given.jobs))
+    return 1 if any(result.violations for result in results) else 0
 
 
-def _page(table):
+def _runs(name, given):
+    _drill, full, short = DRILLS[name]
+    return short if given.short else max(1, round(full * given.share))
+
+
+def _page(table, jobs):
     machine = f"{platform.machine()}, {os.cpu_count()} cores, {platform.system()} {platform.release()}"
     return f"""# Fault drills
 
 Made by `make drills`: real processes and sockets, injured at random moments while the chair cruises.
-{machine}, Python {platform.python_version()}.
+{machine}, Python {platform.python_version()}; drills side by side: {jobs}.
 
 Times run from the injury, by one monotonic clock, as the receiver's own lines say them. A limit is what safety.md asks
 of the part, and a tick or a command period where one stands between. "Machine late" is the longest time for which an

@@ -416,3 +416,9 @@ DRILLS = {
     "uploads": (upload_bombs, 34, 2),
 }
 """Name: the drill, its runs in full, its runs in the short form."""
+
+
+def run_drill(name, runs, seed):
+    """Run one drill in this process; return its result."""
+    drill, *_ = DRILLS[name]
+    return asyncio.run(drill(runs, random.Random(seed)))
