@@ -1,18 +1,14 @@
 """How long Stop on the tablet takes while 40 people sign in, against the same without them, on one machine."""
 
 import random
-import tempfile
 from collections.abc import Callable
-from pathlib import Path
 
 import numpy as np
 
-from app.bench.listening import ListeningChair
-from app.bench.parts import ask, next_line, started
+from app.bench.parts import ask, started
 from app.bench.row import Row
-from app.bench.stop import request
+from app.bench.stop import request, served
 from app.clock import MonotonicClock, monotonic
-from app.hardware.chair.key import new_key, write_key
 
 SIGN_INS = 40  # under way at once
 ROUNDS, STOPS = 10, 40  # in turn without them and with them; stops in each
@@ -23,22 +19,12 @@ PAUSE = (0.005, 0.03)  # s between two stops, at random, so that they meet every
 
 def measure_flood(rounds: int = ROUNDS, stops: int = STOPS, sign_ins: int = SIGN_INS) -> list[Row]:
     """Return the p99 of `POST /control/stop` until its answer with sign-ins under way, over the p99 without."""
-    clock = MonotonicClock()
-    key = new_key(1)
-    with tempfile.TemporaryDirectory() as folder, ListeningChair(key) as chair:
-        key_file = Path(folder) / "1.key"
-        write_key(key_file, key)
-        with started("app.bench.stop_served", str(chair.port), str(key_file), folder) as web:
-            try:
-                port = int(next_line(web))
-                with started("app.bench.sign_ins", str(port), str(sign_ins)) as flood:
-                    try:
-                        times = _in_turn(clock, rounds, stops, port, lambda word: ask(flood, word))
-                        answers = ask(flood, "off")
-                    finally:
-                        flood.communicate()
-            finally:
-                web.communicate()
+    with served() as (_, _, port), started("app.bench.sign_ins", str(port), str(sign_ins)) as flood:
+        try:
+            times = _in_turn(MonotonicClock(), rounds, stops, port, lambda word: ask(flood, word))
+            answers = ask(flood, "off")
+        finally:
+            flood.communicate()
     quiet, flooded = (1e3 * np.array(times[word]) for word in ("off", "on"))
     p99 = [float(np.percentile(found, 99)) for found in (quiet, flooded)]
     details = (

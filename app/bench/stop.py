@@ -4,7 +4,8 @@ import http.client
 import random
 import subprocess
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import numpy as np
@@ -27,9 +28,25 @@ LOOK_EVERY = 0.002  # s
 def measure_stop(stops: int = STOPS) -> list[Row]:
     """Return the p99 from sending the command to the frame, and from `POST /control/stop` to the frame."""
     clock, pause = MonotonicClock(), random.Random(1)
-    key = new_key(1)
     over_link: list[float] = []
     over_http: list[float] = []
+    with served() as (web, chair, port):
+        address = ("127.0.0.1", port)
+        request(address, "GET", "/")  # the page that has the button was loaded before
+        for times, stop in [(over_link, _by_link), (over_http, _by_http)] * stops:
+            ask(web, "arm")
+            clock.sleep_until(clock.now() + pause.uniform(0.0, DRIVING))
+            times.append(_stopped(chair, clock, lambda stop=stop: stop(web, address)))  # type: ignore[misc]
+    return [
+        _row("tablet stop to the first stop frame, from the command on the link: p99", over_link),
+        _row("tablet stop to the first stop frame, from POST /control/stop: p99", over_http),
+    ]
+
+
+@contextmanager
+def served() -> Iterator[tuple[subprocess.Popen[str], ListeningChair, int]]:
+    """Yield the web process of `stop_served`, the chair that it drives, and the port that it serves."""
+    key = new_key(1)
     with tempfile.TemporaryDirectory() as folder, ListeningChair(key) as chair:
         key_file = Path(folder) / "1.key"
         write_key(key_file, key)
@@ -40,19 +57,10 @@ def measure_stop(stops: int = STOPS) -> list[Row]:
             started("app.hardware.shirt.sender", "--key-file", shirt_key, "--to", f"127.0.0.1:{shirt_port}") as shirt,
         ):
             try:
-                address = ("127.0.0.1", int(next_line(web)))
-                request(address, "GET", "/")  # the page that has the button was loaded before
-                for times, stop in [(over_link, _by_link), (over_http, _by_http)] * stops:
-                    ask(web, "arm")
-                    clock.sleep_until(clock.now() + pause.uniform(0.0, DRIVING))
-                    times.append(_stopped(chair, clock, lambda stop=stop: stop(web, address)))  # type: ignore[misc]
+                yield web, chair, int(next_line(web))
             finally:
                 web.communicate()
                 shirt.terminate()
-    return [
-        _row("tablet stop to the first stop frame, from the command on the link: p99", over_link),
-        _row("tablet stop to the first stop frame, from POST /control/stop: p99", over_http),
-    ]
 
 
 def _by_link(web: subprocess.Popen[str], _address: tuple[str, int]) -> float:
