@@ -14,7 +14,7 @@ from app.link import CommandServer
 from app.pipeline import documents
 from app.pipeline.arming import real_chair_refusal, refusal
 from app.pipeline.loop import ControlLoop
-from app.pipeline.opening import Change, Openings
+from app.pipeline.opening import Change, Openings, defect
 from app.pipeline.runs import Runs
 from app.pipeline.setup import Refused
 from app.pipeline.status import status
@@ -100,6 +100,8 @@ class Commands:
             self._server.refuse(command_id, f"{one_sentence(error, word)}.")
         except (Refused, HardwareError) as refusal:
             self._server.refuse(command_id, str(refusal))
+        except Exception as error:  # a defect of a command must not end the process that holds the chair
+            self._server.refuse(command_id, defect(word, error))
         else:
             if answer is not None:
                 self._server.answer(command_id, **answer)

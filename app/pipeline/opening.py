@@ -69,9 +69,7 @@ class Openings:
         if attempt is None or change is None:
             return
         if attempt.ended.is_set():
-            why = attempt.why
-            if not why:
-                change.take(attempt.device)
+            why = attempt.why or _take(change, attempt.device)
         elif self._clock.now() > self._until:
             attempt.give_up()
             self._stuck.append(attempt)
@@ -80,6 +78,15 @@ class Openings:
             return
         self._attempt = self._change = None
         self._finish(why)
+
+
+def _take(change: Change, device: Any) -> str:
+    """Put a device to use; return why that failed, which is a defect, or an empty string."""
+    try:
+        change.take(device)
+    except Exception as error:
+        return defect(change.what, error)
+    return ""
 
 
 class _Attempt(threading.Thread):
@@ -132,6 +139,12 @@ def reason(error: Exception, what: str) -> str:
     words = one_line(str(error))[:LONGEST_REASON]
     why = f"{type(error).__name__}: {words}" if words else type(error).__name__
     return f"The {what} cannot be opened ({why}): check its settings."
+
+
+def defect(what: str, error: Exception) -> str:
+    """Return the sentence for an exception that nobody foresaw."""
+    words = one_line(str(error))[:LONGEST_REASON]
+    return f"The program has a fault, and '{what}' was not done ({type(error).__name__}: {words}): please report it."
 
 
 def one_line(text: str) -> str:

@@ -123,7 +123,7 @@ class Setup:
         def take(shirt: Shirt) -> None:
             self.shirt, self.shirt_kind, self.mistrust = shirt, config.kind, mistrust(config)
             self.dressed = cast(DressedShirt, shirt) if config.kind == "simulator" else None
-            if self.parameters is not None and not self._fits(self.parameters):
+            if self.parameters is not None and self._misfit(self.parameters):
                 self.parameters = self.hash = None
             self._link_chain()
 
@@ -178,8 +178,9 @@ class Setup:
     def use_parameters(self, parameters: DriveParameters | None) -> None:
         """Drive with these from now on."""
         self.require_still()
-        if parameters is not None and not self._fits(parameters):
-            raise Refused("These controls were made for a shirt with other channels: calibrate with this shirt.")
+        misfit = self._misfit(parameters) if parameters is not None else ""
+        if misfit:
+            raise Refused(misfit)
         if parameters is not None and parameters.turn_cruise_time is None:
             raise Refused("These controls have no time-out of turning: open the Controls page and save them anew.")
         self.parameters = parameters
@@ -236,9 +237,18 @@ class Setup:
         self.chair = VirtualChair(self.floorplan, self.path.start if self.path else ORIGIN, dynamics)
         self._link_chain()
 
-    def _fits(self, parameters: DriveParameters) -> bool:
-        """Return whether the frames of the shirt are what these parameters were made for."""
-        return self.shirt is None or self.shirt.layout.channel_names == parameters.profile.layout.channel_names
+    def _misfit(self, parameters: DriveParameters) -> str:
+        """Return in a sentence why parameters cannot decode the frames of the shirt, empty when they can."""
+        if self.shirt is None:
+            return ""
+        if self.shirt.layout.channel_names != parameters.profile.layout.channel_names:
+            return "These controls were made for a shirt with other channels: calibrate with this shirt."
+        if self.sample_rate <= 2.0 * parameters.cutoff:  # no filter has a cutoff above half the sample rate
+            return (
+                f"Tremor damping of {parameters.cutoff:g} Hz needs more than {2 * parameters.cutoff:g} frames a "
+                f"second, and this shirt sends {self.sample_rate:g}: set a lower one on the Controls page."
+            )
+        return ""
 
     def _link_chain(self) -> None:
         """Make a new chain; a latched fault, the count of stops and the limits are carried over."""

@@ -256,6 +256,25 @@ def test_room_is_looked_for_where_the_folder_will_be(tmp_path, monkeypatch):
     assert asked == [tmp_path]
 
 
+def test_a_shirt_too_slow_for_the_tremor_damping_takes_no_controls_and_ends_nothing(office):
+    layout = office.parameters.profile.layout.model_dump(mode="json")
+    quick = office.parameters.model_copy(update={"cutoff": 8.0})
+    office.done("parameters", parameters=quick.model_dump(mode="json"))
+    answer = office.done("shirt", config={"kind": "simulator", "layout": layout, "sample_rate": 16.0})
+    assert answer["hash"] is None
+    assert "Tremor damping of 8 Hz" in office.refused("parameters", parameters=quick.model_dump(mode="json"))
+    office.done("parameters", parameters=office.parameters.model_dump(mode="json"))
+
+
+def test_a_defect_of_a_command_is_a_sentence_and_ends_nothing(office, monkeypatch):
+    def fails(_speeds):
+        raise KeyError("nobody\nforesaw this")
+
+    monkeypatch.setattr(office.setup, "use_clinic", fails)
+    assert "report it" in office.refused("limits", clinic=limits())
+    office.done("status")
+
+
 def test_what_nobody_could_stop_is_not_armed(office):
     parameters = office.parameters.model_copy(update={"mode_u2": "acceleration", "bindings": ONE_WAY})
     office.done("parameters", parameters=parameters.model_dump(mode="json"))

@@ -56,6 +56,16 @@ def test_what_opened_is_put_to_use_on_the_loop(story):
     assert opened_by != [threading.current_thread()]
 
 
+def test_a_device_that_cannot_be_put_to_use_is_a_sentence(story):
+    def fails(_device):
+        raise ValueError("nobody foresaw this")
+
+    story.openings.begin(Change("shirt", Device, fails), story.ended.append)
+    story.finish()
+    assert "report it" in story.ended[0]
+    assert not story.openings.busy
+
+
 @pytest.mark.parametrize(
     ("trouble", "sentence"),
     [
