@@ -52,6 +52,7 @@ WITHOUT_SESSION = {
     "POST /floorplans/import": _CLINIC,
     "POST /models": _CLINIC,
     "POST /equipment/files": _CLINIC,
+    "POST /replaced/{kind}/{identity}/restore": _CLINIC,
     "POST /chairs": _CLINIC,
     "DELETE /chairs/{chair_id}": _CLINIC,
     "PUT /limits": _CLINIC,

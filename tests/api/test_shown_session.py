@@ -22,6 +22,8 @@ VALUES = {
     "name": "nowhere",
     "step": "rest",
     "role": "clinician",
+    "kind": "floorplan",
+    "identity": "20260101T000000Z--nowhere",
     "word": "no-such-word",
 }
 

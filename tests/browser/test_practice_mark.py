@@ -107,7 +107,7 @@ def test_every_page_carries_the_mark_while_nobody_wears_the_shirt(page, served):
         page.goto(f"{served.address}/{address}")
         assert_marked(page, "Simulated shirt")
         page.screenshot(path=SCREENSHOTS / f"768x1024-practice-{address.split('.')[0].split('#')[0] or 'sign-in'}.png")
-    expect(page.get_by_text("All is ready")).to_be_visible()
+    expect(page.get_by_text("We wait for your clinician")).to_be_visible()
 
 
 def test_the_mark_follows_the_shirt_on_pages_that_are_open(page, served):

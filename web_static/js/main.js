@@ -4,7 +4,6 @@ import { Live } from "./live.js";
 import { h, put } from "./parts/dom.js";
 import { header } from "./parts/header.js";
 import { notices } from "./parts/notices.js";
-import { changedFields, OTHER_SESSION, otherSession, SESSION_PAGES } from "./parts/other_session.js";
 import { readPractice } from "./parts/practice_mark.js";
 import { PAGES, rail } from "./parts/rail.js";
 import { stopOnSpace } from "./parts/stop.js";
@@ -12,6 +11,7 @@ import { followSystem } from "./parts/theme.js";
 import { questionPlace } from "./parts/same_name.js";
 import { Toasts } from "./parts/toast.js";
 import { Screen } from "./screen.js";
+import { ShownSession } from "./shown_session.js";
 import { t } from "./texts.js";
 
 const DEMO_LINK = /^#demo=(.+)$/;
@@ -21,7 +21,7 @@ const WITHOUT_PROGRAM = new Set(["plans"]); // pages that work while it is not h
 /** Events: `me`, `visit`, `route`, `trial-view`, `disk`, `practice`, `drafts` (detail: a list to add to, of what was not sent). */
 export class App extends EventTarget {
   /** Names the session that the page shows; a page that is left keeps the one it was made with. */
-  api = this.#apiOf(null);
+  api = new Api(() => this.signedOut());
   live = new Live();
   screen = new Screen();
   toasts = new Toasts();
@@ -30,8 +30,7 @@ export class App extends EventTarget {
   me = null;
   /** @type {any} */
   visit = null;
-  /** The visit that the page shows, which may be open no more. @type {any} */
-  shown = null;
+  #shown = new ShownSession(this);
   /** Kind of the shirt in use when nobody wears it. @type {string | null} */
   practice = null;
   route = { page: "", rest: [] };
@@ -40,8 +39,6 @@ export class App extends EventTarget {
   /** Whether the drive page shows a running trial or drive: then it shows faults itself. */
   showsTrial = false;
   #leave = new AbortController();
-  #cover = null;
-  #isAsking = false;
   /** @type {{floorplan: string, path: string} | null} the trial that the drive page shall start */
   #wanted = null;
 
@@ -54,7 +51,10 @@ export class App extends EventTarget {
     this.live.addEventListener("changed", (event) => this.#changed(event.detail));
     this.live.addEventListener("connection", () => this.#connectionChanged());
     this.addEventListener("route", () => this.#showWhetherOffline());
-    this.live.addEventListener("tick", ({ detail }) => this.#live(detail));
+    this.live.addEventListener("tick", ({ detail }) => {
+      this.#setPractice(detail.practice);
+      this.#shown.follow(detail.session);
+    });
     window.addEventListener("hashchange", () => this.show());
     setInterval(() => this.#lookAtDisk(), LOOK_AT_DISK_EVERY);
     await this.enter();
@@ -147,8 +147,7 @@ export class App extends EventTarget {
   /** Show the page that the address names; without one, the page that comes next in this visit. */
   async show() {
     this.#leave.abort();
-    this.#uncover();
-    this.#adopt();
+    this.#shown.adopt();
     const leave = (this.#leave = new AbortController());
     this.setShowsTrial(false);
     const name = this.#page();
@@ -241,21 +240,14 @@ export class App extends EventTarget {
     if (me && !me.signed_in) this.signedOut();
   }
 
-  #apiOf(visit) {
-    return new Api(() => this.signedOut(), visit?.session?.id ?? null);
+  /** Let the changes of the page name this session. @param {number | null} id */
+  useSession(id) {
+    this.api = new Api(() => this.signedOut(), id);
   }
 
-  /** From here on the page shows, and names, the session that is open. */
-  #adopt() {
-    const isOther = idOf(this.visit) !== idOf(this.shown);
-    this.shown = this.visit;
-    if (isOther) this.toasts.clear(); // what they offer was meant for the session before
-    this.api = this.#apiOf(this.visit);
-  }
-
-  #live({ session, practice }) {
-    this.#setPractice(practice);
-    if (session !== idOf(this.shown) && !this.#cover) this.#otherSession();
+  /** End what the page does. @param {string} [why] */
+  leavePage(why) {
+    this.#leave.abort(why);
   }
 
   #setPractice(kind) {
@@ -264,51 +256,11 @@ export class App extends EventTarget {
     this.dispatchEvent(new Event("practice"));
   }
 
-  /** Another session was opened, here or elsewhere: cover what belongs to the one before, and send none of it. */
-  async #otherSession() {
-    if (this.#isAsking || !this.me?.signed_in) return;
-    this.#isAsking = true;
-    try {
-      await this.readVisit();
-    } catch {
-      return; // the next tick asks again
-    } finally {
-      this.#isAsking = false;
-    }
-    if (this.#cover || idOf(this.visit) === idOf(this.shown)) return;
-    if (!this.shown?.session || !SESSION_PAGES.has(this.route.page)) {
-      this.#adopt();
-      if (this.root.querySelector(".body.empty")) this.show(); // it said that nobody is here
-      return;
-    }
-    const drafts = changedFields(this.root);
-    this.dispatchEvent(new CustomEvent("drafts", { detail: drafts }));
-    this.toasts.clear();
-    this.api.end();
-    this.#leave.abort(OTHER_SESSION);
-    this.root.inert = true;
-    const cover = otherSession(this.shown, this.visit, drafts, { onGo: () => this.show() });
-    this.#cover = cover.element;
-    this.root.after(cover.element);
-    cover.focus();
-  }
-
-  #uncover() {
-    this.#cover?.remove();
-    this.#cover = null;
-    this.root.inert = false;
-  }
-
   #changed(what) {
     if (what === "sign-in") this.#whoAmI();
     else if (what !== "controls" && this.me?.signed_in) this.readVisit().catch(() => null);
     if (what === "equipment" || what === "trial" || what === "disk") this.#lookAtDisk();
   }
-}
-
-/** @param {any} visit @returns {number | null} */
-function idOf(visit) {
-  return visit?.session?.id ?? null;
 }
 
 followSystem();
