@@ -1,7 +1,9 @@
 """A paired shirt over the network that a body wears: the frames of the simulated shirt, signed, from a thread."""
 
 import socket
+import sqlite3
 import threading
+from contextlib import closing
 
 from app.clock import MonotonicClock
 from app.hardware.body.visitor import Visitor
@@ -16,6 +18,12 @@ def free_port():
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
         probe.bind(("127.0.0.1", 0))
         return probe.getsockname()[1]
+
+
+def calibrated_as_worn(database):
+    """Let the maps in a database file count as ones of a worn shirt: a calibration takes minutes."""
+    with closing(sqlite3.connect(database, timeout=10)) as connection, connection:
+        connection.execute("UPDATE profile SET simulated = 0")
 
 
 class WornShirt:

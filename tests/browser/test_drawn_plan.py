@@ -176,7 +176,10 @@ def test_the_patients_screen_falls_back_on_the_drawn_plan_once_the_chair_stands(
     page = opened(demo, webgl=False)
     choose_straight_ahead(page)
     base = demo.split("/#")[0]
-    offer = page.context.request.post(f"{base}/api/v1/patient-screen/pairing", headers={"Origin": base}).json()
+    calls = page.context.request
+    session = calls.get(f"{base}/api/v1/visit").json()["session"]["id"]
+    headers = {"Origin": base, "Patient-Session": str(session)}
+    offer = calls.post(f"{base}/api/v1/patient-screen/pairing", headers=headers).json()
     patient = opened(offer["url"], "dark")
     tag = page.locator(".patient-screens .tag", has_text="3D view")
     expect(tag).to_be_visible()

@@ -65,7 +65,7 @@ def test_another_sender_is_named_and_becomes_the_shirt_by_a_tap(browser, page_lo
     port = free_port()
     card = page.locator("section.card", has=page.get_by_role("heading", name="Source"))
     card.locator("summary").click()
-    card.get_by_role("radio", name="A shirt over the network").check(force=True)
+    card.get_by_text("A shirt over the network", exact=True).click()
     card.get_by_label("Port").fill(str(port))
     card.get_by_role("button", name="Use this").click()
     expect(card.get_by_text(f"Network shirt on port {port}")).to_be_visible()

@@ -1,10 +1,8 @@
 """A real chair through the whole application: paired, practised for, armed, stopped by a hidden screen, ended."""
 
 import json
-import sqlite3
 import threading
 from collections.abc import Iterator
-from contextlib import closing
 from pathlib import Path
 from typing import Any
 
@@ -12,7 +10,7 @@ import pytest
 from processes.chair_process import ReceiverProcess
 from processes.served_demo import Demo, bodydrive, until
 from processes.wearer import free_port
-from worn_shirt import WornShirt
+from worn_shirt import WornShirt, calibrated_as_worn
 
 from app.hardware.chair.key import Key, write_key
 from app.speeds import Speeds
@@ -74,12 +72,6 @@ def armed(demo: Demo, live: Any) -> Any:
             return message
         good(demo, "POST", "/control/clear", {"stops": message["stops"]})
     raise AssertionError(f"it could not be armed: {message['fault']}")
-
-
-def calibrated_as_worn(database: Path) -> None:
-    """Let the demonstration's map count as one of a worn shirt: a calibration takes minutes."""
-    with closing(sqlite3.connect(database, timeout=10)) as connection, connection:
-        connection.execute("UPDATE profile SET simulated = 0")
 
 
 def wear(demo: Demo, live: Any, shirt: WornShirt, database: Path) -> None:
