@@ -1,0 +1,44 @@
+"""One injury of a chair that cruises, and the search for a jerk of the chair, for all drills."""
+
+import asyncio
+from itertools import pairwise
+
+from drills.rig import AFTER
+
+from app.clock import monotonic
+
+A_TICK = 0.02  # s: the longest wait of the control loop, or a step of the receiver and its line
+HEARTBEAT = 0.05  # s between two heartbeats of the drill
+COMMAND = 0.02  # s between two commands
+LATE_MACHINE = 0.05  # s: a machine this late sends commands late; the chair then slows, and rightly speeds up again
+
+
+async def injure_at_random(made, result, dice, injury, recover, after=AFTER):
+    """Bring the chair to cruise, injure something at a random moment, look on, and mend it."""
+    await made.cruise()
+    await asyncio.sleep(dice.uniform(0.0, 0.1))
+    injured = monotonic()
+    await injury()
+    await asyncio.sleep(after)
+    begun, disarmed = made.chair_stopped(injured)
+    late = made.watcher.late(injured, injured + after)
+    if begun is None or disarmed is None:
+        result.violations.append(f"run {result.runs + 1}: the chair went on")
+    elif made.went_on(injured, begun) and late < LATE_MACHINE:
+        result.violations.append(f"run {result.runs + 1}: the chair went on after it had begun to stop")
+    result.add(begun, disarmed, late)
+    await recover()
+
+
+async def nothing():
+    """Injure or mend nothing."""
+
+
+def look_for_jerks(made, since, result):
+    """Add a violation when the speed of the chair changed faster than the firmest stop since the time `since` (s)."""
+    lines = made.receiver.since(since)
+    for before, after in pairwise(lines):
+        change = abs(after["v"] - before["v"])
+        if change > 6.0 * (after["t"] - before["t"] + 0.012):  # the firmest stop: 1.5 m/s in 0.25 s, a step's slack
+            result.violations.append(f"run {result.runs + 1}: a jerk of {change:.2f} m/s")
+            return

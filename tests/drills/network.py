@@ -1,0 +1,94 @@
+"""Drills of the network between control process and receiver: datagrams are lost, late or forged."""
+
+import asyncio
+import random
+import struct
+
+from drills.injury import look_for_jerks
+from drills.relay import FAIR, Weather
+from drills.results import Result
+from drills.rig import rig
+
+from app.clock import monotonic
+from app.faults import Fault, State
+
+WEATHERS = {
+    "drop 10 %": Weather(drop=0.1),
+    "duplicate 30 %, reorder within 30 ms": Weather(duplicate=0.3, delay=0.03),
+    "corrupt 20 %": Weather(corrupt=0.2),
+    "bursts up to 0.4 s": Weather(burst=0.02, burst_time=0.4),
+    "all of it": Weather(drop=0.05, duplicate=0.1, corrupt=0.1, delay=0.05, burst=0.01, burst_time=0.4),
+    "delayed by up to 250 ms": Weather(delay=0.25),
+}
+
+
+async def weather(runs, dice):
+    """S3, S8: a bad network. It may stop the chair; nothing but a valid, newest command drives it."""
+    result = Result("lossy network: " + "; ".join(WEATHERS), None)
+    stops = 0
+    async with rig(seed=dice.randrange(1000)) as made:
+        for run in range(runs):
+            made.relay.weather = FAIR
+            await made.cruise()
+            made.relay.weather = list(WEATHERS.values())[run % len(WEATHERS)]
+            began = monotonic()
+            for _ in range(6):
+                made.wearer.stroke()
+                await asyncio.sleep(0.5)
+            made.relay.weather = FAIR
+            stops += made.receiver.newest["state"] != "armed"
+            look_for_jerks(made, began, result)
+            _look_for_freedom(made, began, result)
+            result.add(None, late=made.watcher.late(began, monotonic()))
+    result.remark = f"3 s each; {stops} of them stopped the chair; never faster than the commands of the last 100 ms"
+    return result
+
+
+def _look_for_freedom(made, since, result):
+    """Find a moment in which the chair went faster than any command that had reached it just before."""
+    commands = [
+        (t, abs(struct.unpack_from("<f", datagram, 28)[0])) for t, datagram in made.relay.commands_since(since - 0.5)
+    ]
+    for line in made.receiver.since(since):
+        recent = [v for t, v in commands if line["t"] - 0.25 <= t <= line["t"] + 0.005 and v < 10]
+        if line["v"] and line["state"] == "armed" and recent and line["v"] > max(recent) + 0.02:
+            result.violations.append(f"run {result.runs + 1}: {line['v']:.2f} m/s that nobody commanded")
+            return
+
+
+async def forgeries(runs, dice):
+    """S13: thousands of forged, replayed and broken commands a second, while the chair drives."""
+    result = Result("forged, replayed, old and broken commands while driving", None)
+    sent = 0
+    async with rig() as made:
+        for _ in range(runs):
+            await made.cruise()
+            began = monotonic()
+            captured = [datagram for _, datagram in made.relay.passed[-3000:]]
+            while monotonic() - began < 2.0:
+                for _ in range(40):
+                    made.relay.inject(_forged(dice, dice.choice(captured)))
+                    sent += 1
+                await asyncio.sleep(0.01)
+            if made.control.newest()["state"] != State.ARMED or made.receiver.newest["state"] != "armed":
+                fault = Fault(int(made.control.newest()["fault"])).name
+                result.violations.append(f"run {result.runs + 1}: the drive ended ({fault})")
+            _look_for_freedom(made, began, result)
+            look_for_jerks(made, began, result)
+            result.add(None, late=made.watcher.late(began, monotonic()))
+    result.remark = f"{sent} of them, none had an effect; 12,000 by themselves: test_receiver_forgeries.py"
+    return result
+
+
+def _forged(dice, datagram):
+    kind = dice.randrange(4)
+    if kind == 0:
+        return datagram  # a replay
+    if kind == 1:
+        return datagram[: dice.randrange(len(datagram))]
+    changed = bytearray(datagram)
+    if kind == 2:
+        changed[dice.randrange(len(changed))] ^= 1 << dice.randrange(8)
+    else:
+        changed[28:36] = random.Random(dice.random()).randbytes(8)
+    return bytes(changed)

@@ -1,0 +1,52 @@
+"""Drills of the shirt: no frame comes, or sensors break."""
+
+import asyncio
+
+from drills.injury import A_TICK, COMMAND, injure_at_random
+from drills.results import Result
+from drills.rig import PARAMETERS, rig
+
+
+async def shirt_stalls(runs, dice):
+    """S4: no frame comes any more."""
+    result = Result("the shirt stalls", 0.21 + A_TICK + COMMAND)
+    async with rig() as made:
+
+        async def stall():
+            made.wearer.stalled = True
+
+        async def go_on():
+            made.wearer.stalled = False
+            await asyncio.sleep(1.2)  # so long the frames that were lost count
+
+        for _ in range(runs):
+            await injure_at_random(made, result, dice, stall, go_on)
+    result.remark = "at 100 Hz"
+    return result
+
+
+async def sensors_break(runs, dice):
+    """S5: a channel of each of two gestures rails, goes flat, or is no number."""
+    result = Result("sensors of two gestures rail, go flat, send NaN", 0.2 + 0.02 + A_TICK + COMMAND)
+    joints = PARAMETERS.profile.joints
+    async with rig() as made:
+
+        async def heal():
+            made.wearer.broken = {}
+            await asyncio.sleep(0.3)
+
+        for run in range(runs):
+            kind = ("rail", "flat", "nan")[run % 3]
+            pair = dice.sample(range(len(joints)), 2)
+
+            async def break_(kind=kind, pair=pair):
+                broken = {}
+                for joint in (joints[i] for i in pair):
+                    place = dice.randrange(len(joint.channels))
+                    value = {"rail": 1e4, "flat": joint.mean[place], "nan": float("nan")}[kind]
+                    broken[joint.channels[place]] = value
+                made.wearer.broken = broken
+
+            await injure_at_random(made, result, dice, break_, heal)
+    result.remark = "flat counts after 200 ms; every channel and kind by itself: test_drive_modes.py"
+    return result
