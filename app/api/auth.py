@@ -9,10 +9,11 @@ from pydantic import Field
 
 from app import __version__
 from app.api.deps import ForEveryone, People, PeopleParts
-from app.api.passwords import BROWSER_COOKIE, hashed, require_password, weakness
+from app.api.passwords import BROWSER_COOKIE, hash_of, require_password, weakness
 from app.api.sign_in_limits import address_of
 from app.api.signed_in import COOKIE, find_signed_in
 from app.quantities import Document, Line
+from app.session.database import Transaction
 from app.session.refusals import Conflict
 from app.session.store_browsers import KNOWN_FOR, remember_browser
 from app.session.store_people import (
@@ -131,20 +132,22 @@ async def enter_demonstration(body: DemoCode, request: Request, response: Respon
 async def make_first_owner(body: FirstOwner, request: Request, response: Response, parts: PeopleParts) -> Me:
     """Make the first owner with the code from the console, and sign in."""
 
-    def _refuse_second() -> None:
+    def _require_no_owner(db: Transaction) -> None:
+        if parts.settings.demo or count_people(db):
+            raise Conflict("This clinic is set up already: sign in with your name and password.")
+
+    def _check() -> None:
         with parts.database.transaction() as db:
-            if parts.settings.demo or count_people(db):
-                raise Conflict("This clinic is set up already: sign in with your name and password.")
+            _require_no_owner(db)
 
     def _make(password_hash: str) -> Me:
         with parts.database.transaction() as db:
-            if count_people(db):
-                raise Conflict("This clinic is set up already: sign in with your name and password.")
+            _require_no_owner(db)
             add_person(db, the_clinic(db) or add_clinic(db, "Clinic"), body.name, "owner", password_hash)
         parts.set_up.used()
         return _let_in(parts, request, response, body.name, "set-up")
 
-    await run_in_threadpool(_refuse_second)
+    await run_in_threadpool(_check)
     attempt = await parts.limits.code(address_of(request))
     if not parts.set_up.opens(body.code):
         raise HTTPException(
@@ -154,7 +157,7 @@ async def make_first_owner(body: FirstOwner, request: Request, response: Respons
     weak = weakness(body.name, body.password)
     if weak is not None:
         raise HTTPException(422, weak)
-    return await run_in_threadpool(_make, await hashed(parts, body.password))
+    return await run_in_threadpool(_make, await hash_of(parts, body.password))
 
 
 @router.post("/sign-in")

@@ -18,7 +18,7 @@ from app.session.calibration_flow import RESULT, Progress
 from app.session.gesture_discovery import of_result
 from app.session.map_choice import choose_map
 from app.session.refusals import Conflict
-from app.session.store_calibration import calibrated_simulated
+from app.session.store_calibration import is_calibration_simulated
 from app.session.store_controls import save_parameters, save_profile
 from app.session.store_log import write_log
 from app.session.tables import PatientSession
@@ -235,7 +235,7 @@ async def _accept(who: SignedIn, parts: People, flows: Flows, session: PatientSe
 
     def _save() -> None:
         with parts.database.transaction() as db:
-            simulated = calibrated_simulated(db, session.id)
+            simulated = is_calibration_simulated(db, session.id)
             row = save_profile(db, session.patient_id, session.id, profile, simulated=simulated)
             save_parameters(db, row, standard_parameters(profile))
             db.get_one(PatientSession, session.id).accepted = True

@@ -16,7 +16,7 @@ from app.session.control import Control
 from app.session.disk import disk_room
 from app.session.equipment import shirt_kinds
 from app.session.refusals import Refusal
-from app.session.same_name import SameName, logged
+from app.session.same_name import SameName, log_details
 from app.session.store_log import write_log
 
 router = APIRouter(prefix="/equipment", tags=["equipment"])
@@ -237,4 +237,4 @@ async def bring_file(
     """Take in a file of recorded signals or of a recorded body; `same_name` says what becomes of one of this name."""
     kept = await asyncio.to_thread(keep_upload, parts.replaced, file.filename or "", file.file, same_name)
     flows.live.tell("equipment")
-    return await _noted(parts, flows, who.name, "file added", kind=kept.kind, size=kept.size, **logged(same_name))
+    return await _noted(parts, flows, who.name, "file added", kind=kept.kind, size=kept.size, **log_details(same_name))

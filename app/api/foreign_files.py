@@ -6,7 +6,7 @@ from typing import Any, ParamSpec, TypeVar
 
 from fastapi import HTTPException
 
-from app.reading_apart import ReadingTimeoutError, read_apart
+from app.isolated_reader import ReadingTimeoutError, read_isolated
 
 Given = ParamSpec("Given")
 Answer = TypeVar("Answer")
@@ -32,8 +32,8 @@ def refusal(error: ValueError, places: Sequence[str] = ()) -> HTTPException:
 
 
 def read_or_refuse(module: str, question: dict[str, Any], places: Sequence[str] = ()) -> dict[str, Any]:
-    """Return what `read_apart` answers, or raise what `refusal` makes of its error."""
+    """Return what `read_isolated` answers, or raise what `refusal` makes of its error."""
     try:
-        return read_apart(module, question)
+        return read_isolated(module, question)
     except ValueError as error:
         raise refusal(error, places) from error

@@ -12,9 +12,9 @@ from app.api.foreign_files import in_turn, refusal
 from app.api.uploads import harmless_name
 from app.quantities import Document
 from app.scene.glb import MOST_BYTES
-from app.scene.models import read_apart_into, stored_model
+from app.scene.models import read_isolated_into, stored_model
 from app.session.replaced import ReplacedFiles
-from app.session.same_name import SameName, logged
+from app.session.same_name import SameName, log_details
 from app.session.store_log import write_log
 
 SUFFIX = ".glb"
@@ -64,7 +64,7 @@ def _keep(folder: Path, shelf: ReplacedFiles, file: UploadFile, same_name: SameN
         with tried.open("wb") as opened:
             shutil.copyfileobj(file.file, opened)
         try:
-            read_apart_into(folder, tried)
+            read_isolated_into(folder, tried)
         except ValueError as error:
             raise refusal(error) from error
         return Path(shelf.put("model", safe, tried.read_bytes(), same_name)).stem
@@ -92,4 +92,4 @@ async def bring_model(
 
 def _log(parts: People, person: str, name: str, same_name: SameName) -> None:
     with parts.database.transaction() as db:
-        write_log(db, person, "object added", model=name, **logged(same_name))
+        write_log(db, person, "object added", model=name, **log_details(same_name))

@@ -36,7 +36,7 @@ def weakness(name: str, password: str) -> str | None:
     return None
 
 
-async def hashed(parts: People, password: str) -> str:
+async def hash_of(parts: People, password: str) -> str:
     """Return the hash of a new password; 503 when too many are being hashed."""
     try:
         async with parts.hashing.place():
@@ -69,18 +69,18 @@ async def require_password(parts: People, request: Request, name: str, password:
     attempt.take_back()
 
 
-class _Found(NamedTuple):
+class _StoredCredentials(NamedTuple):
     stored: str | None  # the hash of the password
     browser: int | None  # the known browser that asks
 
 
-def _look_up(parts: People, request: Request, name: str) -> _Found:
+def _look_up(parts: People, request: Request, name: str) -> _StoredCredentials:
     with parts.database.transaction() as db:
         person = find_person(db, name)
         if person is None or person.disabled is not None:
-            return _Found(None, None)
+            return _StoredCredentials(None, None)
         browser = find_browser(db, person, request.cookies.get(f"{BROWSER_COOKIE}{person.id}"))
-        return _Found(person.password_hash, None if browser is None else browser.id)
+        return _StoredCredentials(person.password_hash, None if browser is None else browser.id)
 
 
 def _note_refusal(parts: People) -> None:

@@ -21,10 +21,10 @@ router = APIRouter()
 FLOOD = 20  # messages within ...
 WITHIN = 10.0  # s; our page sends one when its picture changes
 MESSAGE_LIMIT = 300  # characters
-NOT_HEARD = 1008  # close code: a page that talks so much is none of ours
+TOO_MANY_MESSAGES = 1008  # close code: a page that talks so much is none of ours
 
 
-class Upward(Document):
+class PictureReport(Document):
     """What the patient's screen says: what it shows to drive by."""
 
     picture: Picture
@@ -70,19 +70,19 @@ async def _take(websocket: WebSocket, screen_id: int, flows: Flows) -> None:
             count, since = 0, monotonic()
         count += 1
         if count > FLOOD:
-            await websocket.close(NOT_HEARD)
+            await websocket.close(TOO_MANY_MESSAGES)
             return
         said = _read(message)
         if said is not None and flows.pictures.of_patient(screen_id, said.picture, websocket):
             flows.live.tell("screens")
 
 
-def _read(message: Mapping[str, Any]) -> Upward | None:
+def _read(message: Mapping[str, Any]) -> PictureReport | None:
     """Return what was said; None for what cannot be read, which changes nothing."""
     text = message.get("text")
     if text is None or len(text) > MESSAGE_LIMIT:
         return None
     try:
-        return Upward.model_validate_json(text)
+        return PictureReport.model_validate_json(text)
     except ValidationError:
         return None

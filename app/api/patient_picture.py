@@ -39,7 +39,7 @@ class PatientPicture:
         return {
             **{name: shown[name] for name in SAID},
             "fault": fault and {"name": fault["name"], "words": words.happened},
-            "waits": {"for": words.awaited, "words": words.wait},
+            "waits": {"for": words.actor, "words": words.wait},
             "trial": trial and {name: trial[name] for name in SAID_OF_TRIAL},
             "drives": drives,
             "cue": self._cue(shown["run"]),

@@ -257,7 +257,7 @@ def noise_of(frames: NDArray[np.float64], channels: int) -> NDArray[np.float64]:
 
 def _waits(halt: Halt) -> float | None:
     """Return for how much longer (s) what is halted waits for Continue, None when it is not halted."""
-    return None if halt.waits is None else _number(halt.waits, 1)
+    return None if halt.remaining is None else _number(halt.remaining, 1)
 
 
 def _number(value: Any, digits: int) -> float | None:

@@ -12,7 +12,7 @@ from app.api.plan_files import draft_of_uploads
 from app.quantities import Document, Name
 from app.sentences import one_sentence
 from app.session.own_plans import OwnPlans
-from app.session.same_name import SameName, logged
+from app.session.same_name import SameName, log_details
 from app.session.store_log import write_log
 from app.world.floorplan import FloorPlan, TooNear
 
@@ -120,7 +120,7 @@ async def save_new(
 
     def save() -> OwnPlanView:
         saved = OwnPlans(flows.own_floorplans).add(_parsed(content), same_name, parts.replaced)
-        _log(parts, who.name, "floor plan saved", floorplan=saved.name, version=saved.version, **logged(same_name))
+        _log(parts, who.name, "floor plan saved", floorplan=saved.name, version=saved.version, **log_details(same_name))
         return OwnPlanView(**saved._asdict())
 
     return await asyncio.to_thread(save)

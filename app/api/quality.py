@@ -6,7 +6,7 @@ from fastapi import APIRouter, Query
 
 from app.api.deps import Anyone, PeopleParts, RowId
 from app.api.flows import FlowParts
-from app.api.source_view import LookedAt
+from app.api.source_view import RequestedGroup
 from app.quantities import Document
 from app.session.judged_trial import ControlWarning, JudgedTrial
 from app.session.store_controls import newest_profile
@@ -49,7 +49,7 @@ def quality(
     who: Anyone,
     parts: PeopleParts,
     flows: FlowParts,
-    source: LookedAt,
+    source: RequestedGroup,
     floorplan: Annotated[str | None, Query(max_length=64)] = None,
     path: Annotated[str | None, Query(max_length=64)] = None,
 ) -> QualityView:

@@ -7,7 +7,7 @@ from fastapi import APIRouter, Query
 
 from app.api.deps import Anyone, PeopleParts, RowId
 from app.api.flows import FlowParts
-from app.api.source_view import LookedAt
+from app.api.source_view import RequestedGroup
 from app.quantities import Document
 from app.session.learning import learning_curves
 from app.session.store_learning import counted_trials
@@ -44,7 +44,7 @@ def learning(
     patient_id: RowId,
     floorplan: Annotated[str, Query(max_length=64)],
     path: Annotated[str, Query(max_length=64)],
-    source: LookedAt,
+    source: RequestedGroup,
     who: Anyone,
     parts: PeopleParts,
     flows: FlowParts,

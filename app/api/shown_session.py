@@ -11,7 +11,7 @@ from starlette.requests import HTTPConnection
 
 from app.api.deps import DRIVERS, People, PeopleParts
 from app.api.signed_in import find_signed_in
-from app.session.shown_session import SHOWN, ShownSession, require_shown
+from app.session.shown_session import SHOWN_SESSION, ShownSession, require_shown
 
 HEADER = "Patient-Session"
 NOBODY = "none"
@@ -72,7 +72,7 @@ async def session_named(connection: HTTPConnection, parts: PeopleParts) -> None:
 
 async def require_named(connection: HTTPConnection, parts: People) -> None:
     """Read which session the page of a request shows, and refuse when another one is open."""
-    SHOWN.set(_shown(connection.headers.get(HEADER, "")))
+    SHOWN_SESSION.set(_shown(connection.headers.get(HEADER, "")))
 
     def _check() -> None:
         with parts.database.transaction() as db:

@@ -49,18 +49,18 @@ class SignInLimits:
 
     def password(self, name: str, address: str) -> Attempt:
         """Count a password that is tried for a name."""
-        return _counted((self._names, name, NAME), (self._addresses, address, HERE))
+        return _count((self._names, name, NAME), (self._addresses, address, HERE))
 
     def password_in(self, browser: int) -> Attempt:
         """Count a password that is tried for its person in a known browser: neither name nor address counts there.
 
         Whoever tries many passwords elsewhere locks nobody out of the browser that they use every day.
         """
-        return _counted((self._browsers, str(browser), HERE))
+        return _count((self._browsers, str(browser), HERE))
 
     async def code(self, address: str) -> Attempt:
         """Count a code of a link, and refuse it when there were too many wrong ones."""
-        attempt = _counted((self._codes, address, CODES))
+        attempt = _count((self._codes, address, CODES))
         await self.require(attempt)
         return attempt
 
@@ -82,7 +82,7 @@ def address_of(connection: HTTPConnection) -> str:
     return connection.client.host if connection.client else ""
 
 
-def _counted(*keys: tuple[Tries, str, str]) -> Attempt:
+def _count(*keys: tuple[Tries, str, str]) -> Attempt:
     """Count a try under every key, or under none of them."""
     attempt = Attempt()
     for tries, key, words in keys:

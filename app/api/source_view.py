@@ -19,11 +19,11 @@ class SourceView(Source):
         return cls(**source.model_dump(), words=source_words(source))
 
 
-def looked_at(parts: PeopleParts, source: Annotated[SourceGroup | None, Query()] = None) -> SourceGroup:
+def requested_group(parts: PeopleParts, source: Annotated[SourceGroup | None, Query()] = None) -> SourceGroup:
     """Return the group of trials that is asked for: worn ones when none is named, in a demonstration simulated ones."""
     if source is not None:
         return source
     return "simulated" if parts.settings.demo else "worn"
 
 
-LookedAt = Annotated[SourceGroup, Depends(looked_at)]
+RequestedGroup = Annotated[SourceGroup, Depends(requested_group)]

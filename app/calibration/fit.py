@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import app
-from app.calibration.gaps import bridged
+from app.calibration.gaps import bridge_gaps
 from app.calibration.grades import Findings, grade
 from app.calibration.joint_fit import FittedJoint, fit_joint
 from app.calibration.left_out import channels_left_out
@@ -57,9 +57,9 @@ def fit_profile(
     low, high = value_range(
         [moved, *([] if resting is None else [resting]), *(repetition.values for repetition in repetitions)]
     )
-    moved = held(bridged(moved, sample_rate))
-    resting = None if resting is None else held(bridged(resting, sample_rate))
-    repetitions = [Repetition(one.joint, held(bridged(one.values, sample_rate)), one.moving) for one in repetitions]
+    moved = held(bridge_gaps(moved, sample_rate))
+    resting = None if resting is None else held(bridge_gaps(resting, sample_rate))
+    repetitions = [Repetition(one.joint, held(bridge_gaps(one.values, sample_rate)), one.moving) for one in repetitions]
     channels = {
         joint: tuple(i for i in indices if layout.channels[i].name not in left_out)
         for joint, indices in layout.channels_of_joint.items()

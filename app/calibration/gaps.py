@@ -14,7 +14,7 @@ MOST = 0.01  # of a channel's samples that may be missing within what is fitted
 Frames = NDArray[np.float64]
 
 
-def bridged(values: Frames, sample_rate: float) -> Frames:
+def bridge_gaps(values: Frames, sample_rate: float) -> Frames:
     """Return frames (n, n_channels) in which gaps of at most 0.2 s are straight lines; longer ones stay NaN.
 
     A gap at either end of the recording takes the nearest sample. Frames that were lost altogether do not make the
@@ -23,9 +23,9 @@ def bridged(values: Frames, sample_rate: float) -> Frames:
     if not np.isnan(values).any():
         return values
     filled = values.copy()
-    heard = ~np.isnan(values).all(axis=1)
-    filled[heard] = _filled(values[heard], sample_rate)
-    return _filled(filled, sample_rate)
+    has_values = ~np.isnan(values).all(axis=1)
+    filled[has_values] = _fill_short_gaps(values[has_values], sample_rate)
+    return _fill_short_gaps(filled, sample_rate)
 
 
 def why_missing(pieces: Sequence[Frames], channel: int, sample_rate: float) -> str:
@@ -46,7 +46,7 @@ def why_missing(pieces: Sequence[Frames], channel: int, sample_rate: float) -> s
     return ""
 
 
-def _filled(values: Frames, sample_rate: float) -> Frames:
+def _fill_short_gaps(values: Frames, sample_rate: float) -> Frames:
     missing = np.isnan(values)
     filled = values.copy()
     for column in np.flatnonzero(missing.any(axis=0) & ~missing.all(axis=0)):

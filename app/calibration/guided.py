@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from app.calibration.gaps import bridged
+from app.calibration.gaps import bridge_gaps
 from app.calibration.guided_check import SHORTEST_REST, check, dead_zone_of
 from app.calibration.guided_labels import Asked, labels, lags_of
 from app.calibration.joint_fit import LARGEST_THRESHOLD, LEAST_RANGE, REST_NOISE_FACTOR, SMALLEST_DEAD_ZONE
@@ -79,7 +79,7 @@ def with_guided_maps(
         Frames of the recording at rest.
     """
     joints, reasons = [], {}
-    resting = None if rest is None else held(bridged(np.asarray(rest, np.float64), profile.sample_rate))
+    resting = None if rest is None else held(bridge_gaps(np.asarray(rest, np.float64), profile.sample_rate))
     for joint in profile.joints:
         own = [one for one in stretches if one.joint == joint.name]
         try:
@@ -137,7 +137,7 @@ def _guided_map(joint: JointMap, stretches: Sequence[Stretch], rest: Array | Non
 
 
 def _piece(joint: JointMap, stretch: Stretch, sample_rate: float) -> _Piece:
-    values = held(bridged(stretch.values, sample_rate))[:, list(joint.channels)]
+    values = held(bridge_gaps(stretch.values, sample_rate))[:, list(joint.channels)]
     place = (values - np.array(joint.mean)) @ np.array(joint.weights) * (joint.sign / joint.span)
     smoothed = smooth(place, CUTOFF, sample_rate)
     return _Piece(

@@ -4,7 +4,7 @@ from collections.abc import Collection, Mapping, Sequence
 
 import numpy as np
 
-from app.calibration.gaps import bridged, why_missing
+from app.calibration.gaps import bridge_gaps, why_missing
 from app.calibration.pieces import Frames, held
 from app.calibration.quality import ChannelQuality, channel_quality, worst
 from app.calibration.repetitions import Repetition
@@ -35,14 +35,14 @@ def channels_left_out(
         i: words
         for joint, indices in groups.items()
         for i in indices
-        if (words := why_missing([*pieces, *_of(joint, repetitions)], i, sample_rate))
+        if (words := why_missing([*pieces, *_values_of(joint, repetitions)], i, sample_rate))
     }
     quality = _quality(
         groups,
         sample_rate,
-        bridged(free, sample_rate),
-        None if rest is None else bridged(rest, sample_rate),
-        [Repetition(one.joint, bridged(one.values, sample_rate), one.moving) for one in repetitions],
+        bridge_gaps(free, sample_rate),
+        None if rest is None else bridge_gaps(rest, sample_rate),
+        [Repetition(one.joint, bridge_gaps(one.values, sample_rate), one.moving) for one in repetitions],
         full_scale,
     )
     for i, words in missing.items():
@@ -51,9 +51,9 @@ def channels_left_out(
     good = {i for i, one in enumerate(quality) if one.condition == "good" and names[i] not in unused}
     poor = [i for group in groups.values() if not good.intersection(group) for i in group]
     if any(quality[i].condition == "nan" for i in poor):
-        moving = [Repetition(one.joint, _held(one.values), one.moving) for one in repetitions]
-        resting = None if rest is None else _held(rest)
-        second = _quality(groups, sample_rate, _held(free), resting, moving, full_scale)
+        moving = [Repetition(one.joint, _hold_few_missing(one.values), one.moving) for one in repetitions]
+        resting = None if rest is None else _hold_few_missing(rest)
+        second = _quality(groups, sample_rate, _hold_few_missing(free), resting, moving, full_scale)
         for i in poor:
             if second[i].condition != "nan":
                 quality[i] = second[i]
@@ -83,7 +83,7 @@ def _quality(
         at_rest = channel_quality(rest, list(groups.values()), sample_rate, full_scale, moving=False)
         quality = [worst(one, other) for one, other in zip(quality, at_rest, strict=True)]
     for joint, indices in groups.items():
-        own = _of(joint, repetitions)
+        own = _values_of(joint, repetitions)
         if own:
             prompted = channel_quality(np.concatenate(own), [indices], sample_rate, full_scale)
             findings = {i: prompted[i] for i in indices if prompted[i].condition in SEEN_IN_PROMPTS}
@@ -93,11 +93,11 @@ def _quality(
     return quality
 
 
-def _of(joint: str, repetitions: Sequence[Repetition]) -> list[Frames]:
+def _values_of(joint: str, repetitions: Sequence[Repetition]) -> list[Frames]:
     return [one.values for one in repetitions if one.joint == joint]
 
 
-def _held(values: Frames) -> Frames:
+def _hold_few_missing(values: Frames) -> Frames:
     """Return frames in which channels that miss few samples hold the one before; frames that were lost stay so."""
     missing = np.isnan(values)
     lost = missing.all(axis=1, keepdims=True)

@@ -17,7 +17,7 @@ from app.calibration.repetitions import repetitions_of_prompts, stretches_of_pro
 from app.cli.errors import InputError
 from app.cli.gestures_found import gestures_report
 from app.cli.map_choice import MapChoice, checks, choose, comparison
-from app.cli.output import dialect_told, tell_dialect, warn, write_output
+from app.cli.output import dialect_summary, print_dialect, warn, write_output
 from app.signals import Signals, read_layout, read_signals
 
 PRINTED = ("evr", "span", "sign", "grade", "reason", "dead_zone", "full")
@@ -83,10 +83,12 @@ def calibrate(
     found = discover(profile, [run_of_prompts(recorded.t, recorded.values, rows, free, rest)]) if gestures else None
     if as_json:
         more = {} if found is None else {"gestures": found.model_dump(mode="json")}
-        typer.echo(json.dumps(summary(profile, fitted.reasons, out) | dialect_told(recorded) | more, allow_nan=False))
+        typer.echo(
+            json.dumps(summary(profile, fitted.reasons, out) | dialect_summary(recorded) | more, allow_nan=False)
+        )
     else:
         typer.echo(report(profile, fitted.reasons, out))
-        tell_dialect(recorded, signals)
+        print_dialect(recorded, signals)
         if found is not None:
             typer.echo(f"\n{gestures_report(found)}")
 

@@ -13,7 +13,7 @@ from pydantic import ValidationError
 from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import DriveParameters, recorded_parameters, standard_parameters
 from app.cli.errors import InputError
-from app.cli.output import dialect_told, tell_dialect, warn, write_output
+from app.cli.output import dialect_summary, print_dialect, warn, write_output
 from app.pipeline.batch import Decoded, decode_block
 from app.pipeline.rerun import decode_run
 from app.recording_reader import read_run
@@ -52,10 +52,10 @@ def decode(
         "source": {**source.model_dump(mode="json"), "words": source_words(source)},
     }
     if as_json:
-        typer.echo(json.dumps(summary | dialect_told(recorded)))
+        typer.echo(json.dumps(summary | dialect_summary(recorded)))
     else:
         typer.echo(f"{summary['frames']} frames, {summary['seconds']:.1f} s, decoded into {out}")
-        tell_dialect(recorded, signals)
+        print_dialect(recorded, signals)
         typer.echo(f"Source: {source_words(source)}")
 
 

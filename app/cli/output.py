@@ -39,12 +39,12 @@ def check_new_folder(folder: Path) -> None:
         raise InputError(f"--out {folder}: nothing may be written in {standing}, choose another place")
 
 
-def dialect_told(recorded: Signals) -> dict[str, dict[str, str]]:
+def dialect_summary(recorded: Signals) -> dict[str, dict[str, str]]:
     """Return what `--json` says of the signs that a CSV file uses; nothing for other files."""
     return {} if recorded.dialect is None else {"dialect": recorded.dialect._asdict()}
 
 
-def tell_dialect(recorded: Signals, file: Path) -> None:
+def print_dialect(recorded: Signals, file: Path) -> None:
     """Say on stdout with which signs a CSV file was read, where they are not the usual ones."""
     if recorded.dialect is not None and recorded.dialect.words:
         typer.echo(f"{file}: {recorded.dialect.words}")

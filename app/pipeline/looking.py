@@ -8,7 +8,7 @@ from app.hardware.base import HeadTracker
 from app.hardware.configs import HeadConfig
 from app.hardware.registry import make_head
 from app.messages import HeadPose, Tick
-from app.pipeline.opening import Change, close_quietly, one_line, opened_device
+from app.pipeline.opening import Change, close_quietly, one_line, open_device
 
 NOBODY = "No head tracker is connected: the view looks straight ahead."
 
@@ -30,11 +30,11 @@ class Looking:
 
     def change(self, config: HeadConfig | None) -> Change:
         """Do without a head tracker from now on, and return how this one is opened and put to use."""
-        before = self._let_go()
+        before = self._release_tracker()
 
         def opened() -> HeadTracker | None:
             close_quietly(before)
-            return None if config is None else opened_device(make_head(config, self._clock))
+            return None if config is None else open_device(make_head(config, self._clock))
 
         def take(tracker: HeadTracker | None) -> None:
             self._tracker, self.kind = tracker, config.kind if config else ""
@@ -43,7 +43,7 @@ class Looking:
 
     def close(self) -> None:
         """Do without a head tracker."""
-        close_quietly(self._let_go())
+        close_quietly(self._release_tracker())
 
     def look(self, yaw: float, pitch: float, roll: float) -> bool:
         """Hand on what a tablet tells of itself (rad); False when none is listened to."""
@@ -71,7 +71,7 @@ class Looking:
         tick.head_pitch, tick.head_roll = wrap_angle(pose.pitch - pitch), wrap_angle(pose.roll - roll)
         tick.head_age = max(0.0, t - pose.t)
 
-    def _let_go(self) -> HeadTracker | None:
+    def _release_tracker(self) -> HeadTracker | None:
         """Do without a head tracker, and return the one that was in use, still open."""
         before, self._tracker = self._tracker, None
         self.kind = self._failed = ""

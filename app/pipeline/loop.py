@@ -103,7 +103,7 @@ class ControlLoop:
         try:
             return shirt.read(wait), shirt.lost
         except Exception as error:  # whatever a device does, the loop turns on
-            self.setup.lose_shirt(error)
+            self.setup.release_failed_shirt(error)
             return None, 0
 
     def tell_chair(self) -> None:

@@ -122,7 +122,7 @@ class _Attempt(threading.Thread):
             close_quietly(self.device)
 
 
-def opened_device(device: Device) -> Device:
+def open_device(device: Device) -> Device:
     """Open a device and return it; one that fails is closed, and what it raised goes on."""
     try:
         device.open()

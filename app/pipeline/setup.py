@@ -14,7 +14,7 @@ from app.hardware.configs import BodyConfig, ChairConfig, RealChairConfig, Shirt
 from app.hardware.registry import SHIRTS, make_body, make_real_chair, make_shirt, mistrust
 from app.pipeline.chain import Chain
 from app.pipeline.looking import Looking
-from app.pipeline.opening import Change, close_quietly, one_line, opened_device
+from app.pipeline.opening import Change, close_quietly, one_line, open_device
 from app.source import UNKNOWN, Source
 from app.speeds import NO_FURTHER, Speeds
 from app.world.floorplan import FloorPlan, PrescribedPath
@@ -114,11 +114,11 @@ class Setup:
     def change_shirt(self, config: ShirtConfig) -> Change:
         """Do without a shirt from now on, and return how this one is opened and put to use."""
         self.require_still()
-        before = self._take_off_shirt()
+        before = self._release_shirt()
 
         def opened() -> Shirt:
             close_quietly(before)  # first: the next one may want the same port
-            return opened_device(make_shirt(config, self._clock))
+            return open_device(make_shirt(config, self._clock))
 
         def take(shirt: Shirt) -> None:
             self.shirt, self.shirt_kind, self.mistrust = shirt, config.kind, mistrust(config)
@@ -129,7 +129,7 @@ class Setup:
 
         return Change("shirt", opened, take)
 
-    def lose_shirt(self, error: Exception) -> None:
+    def release_failed_shirt(self, error: Exception) -> None:
         """Let go of a shirt whose driver failed; without frames the gate stops the chair as for a silent one."""
         failed, self.shirt, self.dressed = self.shirt, None, None
         self.mistrust = NO_SHIRT
@@ -147,13 +147,13 @@ class Setup:
         self.require_still()
         if self.dressed is None:
             raise Refused("Only the simulated shirt has a body to choose: choose the simulated shirt first.")
-        return Change("body", lambda: make_body(config), lambda body: self._let_in(body, config.kind))
+        return Change("body", lambda: make_body(config), lambda body: self._take_body(body, config.kind))
 
     def change_chair(self, config: ChairConfig) -> Change:
         """Return how this chair is opened and put to use; until then, and when it fails, the one in use stays."""
         self.require_still()
         if isinstance(config, RealChairConfig):
-            return Change("chair", lambda: opened_device(make_real_chair(config)), self._take_real_chair)
+            return Change("chair", lambda: open_device(make_real_chair(config)), self._take_real_chair)
         dynamics = config.dynamics
         return Change("chair", lambda: None, lambda _: self._take_virtual_chair(dynamics))
 
@@ -212,7 +212,7 @@ class Setup:
         """Put the virtual chair on the start, and reckon a real one's way from where it stands."""
         self.chair.place(self.path.start if self.path else ORIGIN)
 
-    def _take_off_shirt(self) -> Shirt | None:
+    def _release_shirt(self) -> Shirt | None:
         """Do without a shirt, and return the one that was in use, still open."""
         before, self.shirt, self.dressed, self.body_kind = self.shirt, None, None, None
         self.shirt_kind = self._shirt_failed = ""
@@ -220,7 +220,7 @@ class Setup:
         self._link_chain()
         return before
 
-    def _let_in(self, body: Body, kind: str) -> None:
+    def _take_body(self, body: Body, kind: str) -> None:
         if self.dressed is not None:
             self.dressed.body, self.body_kind = body, kind
             self._show_path()

@@ -32,7 +32,7 @@ _guarded: weakref.WeakSet[threading.Thread] = weakref.WeakSet()  # of viser's se
 def guard_viser() -> None:
     """Let every server that viser opens from now on ask for the secret, before it answers a page or a websocket."""
     # viser 1.1.1 gives no way to look at a request: it calls `websockets.asyncio.server.serve` by this name.
-    _infra.websockets = _Guarded()  # type: ignore[assignment, attr-defined]
+    _infra.websockets = _GuardedWebsockets()  # type: ignore[assignment, attr-defined]
 
 
 def require_guarded(server: viser.ViserServer) -> None:
@@ -42,7 +42,7 @@ def require_guarded(server: viser.ViserServer) -> None:
         raise RuntimeError("viser opened a port that everybody may read: install viser 1.1.1")
 
 
-class _Guarded:
+class _GuardedWebsockets:
     """The websockets library as viser sees it: the same, but its servers ask for the secret."""
 
     def __init__(self) -> None:

@@ -1,6 +1,6 @@
 """Makes an object of a GLB file: a few coloured meshes that stand on the floor, x ahead, as long as the file says.
 
-`app.reading_apart` asks it in a process of its own.
+`app.isolated_reader` asks it in a process of its own.
 """
 
 import io

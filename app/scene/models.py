@@ -11,16 +11,16 @@ from zipfile import BadZipFile
 import numpy as np
 
 from app.files import write_atomically
-from app.reading_apart import ReadingTimeoutError, read_apart
+from app.isolated_reader import ReadingTimeoutError, read_isolated
 from app.scene.glb import MOST_BYTES
 from app.scene.meshes import Mesh, Part, Vector
 
 THINNEST: Final = 1e-6  # m
 READINGS: Final = ".readings"  # folder beside the objects, one file for each content
 READER: Final = "app.scene.model_import"
-REMEMBERED: Final = 4  # objects in memory, at most 10 MB each
-REFUSED: Final = ".refused"
-READ: Final = ".npz"
+MOST_IN_MEMORY: Final = 4  # objects in memory, at most 10 MB each
+REFUSAL_SUFFIX: Final = ".refused"
+READING_SUFFIX: Final = ".npz"
 NO_READING: Final = (OSError, ValueError, KeyError, EOFError, BadZipFile)  # none yet, or a damaged one
 
 
@@ -56,16 +56,16 @@ def stored_model(file: Path) -> Model:
     return _stored(file, changed_at)
 
 
-@lru_cache(maxsize=REMEMBERED)
+@lru_cache(maxsize=MOST_IN_MEMORY)
 def _stored(file: Path, _changed_at: int) -> Model:
     reading = _reading_of(file, file.parent / READINGS)
     with suppress(*NO_READING):
         return _read_reading(reading)
-    refused = reading.with_suffix(REFUSED)
+    refused = reading.with_suffix(REFUSAL_SUFFIX)
     if refused.exists():
         raise ValueError(refused.read_text(encoding="utf-8"))
     try:
-        read_apart(READER, {"file": str(file), "reading": str(reading)})
+        read_isolated(READER, {"file": str(file), "reading": str(reading)})
     except ReadingTimeoutError:
         raise
     except ValueError as error:
@@ -74,7 +74,7 @@ def _stored(file: Path, _changed_at: int) -> Model:
     return _read_reading(reading)
 
 
-def read_apart_into(folder: Path, file: Path) -> None:
+def read_isolated_into(folder: Path, file: Path) -> None:
     """Read an object that is about to be stored in a folder; one that is refused leaves nothing there.
 
     Raises
@@ -84,7 +84,7 @@ def read_apart_into(folder: Path, file: Path) -> None:
     """
     reading = _reading_of(file, folder / READINGS)
     if not reading.exists():
-        read_apart(READER, {"file": str(file), "reading": str(reading)})
+        read_isolated(READER, {"file": str(file), "reading": str(reading)})
 
 
 def write_reading(model: Model, file: Path) -> None:
@@ -114,4 +114,4 @@ def _reading_of(file: Path, readings: Path) -> Path:
             content = opened.read(MOST_BYTES + 1)
     except OSError as error:
         raise ValueError(f"{file.name}: this file cannot be read ({error.strerror or error}), check it") from error
-    return readings / f"{hashlib.sha256(content).hexdigest()}{READ}"
+    return readings / f"{hashlib.sha256(content).hexdigest()}{READING_SUFFIX}"

@@ -17,8 +17,8 @@ from app.session.refusals import Conflict, NotFound, Refusal
 from app.session.runs import Runs
 from app.session.store_calibration import (
     begin_calibration,
-    calibrated_simulated,
     calibration_steps,
+    is_calibration_simulated,
     recordings_of,
     set_step,
 )
@@ -225,7 +225,7 @@ class CalibrationFlow:
             raise Conflict("There is no shirt: choose one on the Shirt page, then begin the calibration anew.")
         with self._database.transaction() as db:
             folders = recordings_of(db, session_id)
-            calibrated_simulated(db, session_id)  # refuses a mixture before the fit
+            is_calibration_simulated(db, session_id)  # refuses a mixture before the fit
         done = [step for step in progress.steps if progress.status[step.id][0] == "done"]
         recorded = [(step, self._runs.folder_of(folders[step.id])) for step in done]
         profile = self._readings.fit(progress.layout, recorded, self._equipment.unused)

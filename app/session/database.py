@@ -17,7 +17,7 @@ from app.session.ballast import Ballast
 from app.session.log_chain import HEAD_BEGUN, Head, HeadFile, advance
 from app.session.refusals import NO_ROOM, Full, Unavailable
 from app.session.schema import bring_up_to_date
-from app.session.store_log import LOGGED, write_log
+from app.session.store_log import HAS_NEW_ROWS, write_log
 
 # What SQLite also says of a full disk: its index cannot grow, a quota is used up, a file cannot be made.
 NO_ROOM_PERHAPS = {sqlite3.SQLITE_IOERR, sqlite3.SQLITE_CANTOPEN}
@@ -92,7 +92,7 @@ class Database:
         with self._in_words(), self._one_at_a_time:
             with Session(self._engine, expire_on_commit=False) as session, session.begin():
                 yield session
-                head = self._head_file.after(session) if LOGGED in session.info else None
+                head = self._head_file.after(session) if HAS_NEW_ROWS in session.info else None
             if head is not None:
                 self._write_head(head)
 

@@ -6,7 +6,7 @@ from typing import NamedTuple
 from app.faults import Fault, State
 
 
-class Awaited(StrEnum):
+class Actor(StrEnum):
     """Who has to do something before the chair moves."""
 
     CLINICIAN = "clinician"
@@ -19,7 +19,7 @@ class PatientWords(NamedTuple):
     """Plain sentences; nothing technical, which is for the clinician."""
 
     happened: str  # why the chair was stopped; empty when it was not
-    awaited: Awaited
+    actor: Actor
     wait: str  # who is waited for
 
 
@@ -48,35 +48,35 @@ _HAPPENED: dict[Fault, str] = {
 }
 _STOPPED = "The chair was stopped."
 _AFTER_STOP = {
-    Awaited.CLINICIAN: "We wait for your clinician, who looks and goes on.",
-    Awaited.PROGRAM: "We wait for the program: it starts again by itself.",
-    Awaited.SHIRT: "We wait for the shirt: your clinician looks after it.",
+    Actor.CLINICIAN: "We wait for your clinician, who looks and goes on.",
+    Actor.PROGRAM: "We wait for the program: it starts again by itself.",
+    Actor.SHIRT: "We wait for the shirt: your clinician looks after it.",
 }
 
 
 def patient_words(state: State, fault: Fault, *, drives: bool, shirt_alive: bool) -> PatientWords:
     """Return what the patient reads; `drives`: a trial or a drive goes on, `shirt_alive`: the shirt sends."""
     if state is State.FAULT:
-        awaited = _awaited_after(fault, shirt_alive)
-        return PatientWords(_HAPPENED.get(fault, _STOPPED), awaited, _AFTER_STOP[awaited])
-    return PatientWords("", *_moving_on(state, drives, shirt_alive))
+        actor = _actor_after(fault, shirt_alive)
+        return PatientWords(_HAPPENED.get(fault, _STOPPED), actor, _AFTER_STOP[actor])
+    return PatientWords("", *_actor_without_stop(state, drives, shirt_alive))
 
 
-def _awaited_after(fault: Fault, shirt_alive: bool) -> Awaited:
+def _actor_after(fault: Fault, shirt_alive: bool) -> Actor:
     if fault is Fault.CONTROL_LOST:
-        return Awaited.PROGRAM
+        return Actor.PROGRAM
     if fault in {Fault.SHIRT_SILENT, Fault.SHIRT_LOSSY} and not shirt_alive:
-        return Awaited.SHIRT
-    return Awaited.CLINICIAN  # nothing but Continue takes a stop back
+        return Actor.SHIRT
+    return Actor.CLINICIAN  # nothing but Continue takes a stop back
 
 
-def _moving_on(state: State, drives: bool, shirt_alive: bool) -> tuple[Awaited, str]:
+def _actor_without_stop(state: State, drives: bool, shirt_alive: bool) -> tuple[Actor, str]:
     if state is State.ARMED:
-        return Awaited.PATIENT, "You drive: the chair waits for your movements."
+        return Actor.PATIENT, "You drive: the chair waits for your movements."
     if state is State.CHECKING:
-        return Awaited.PATIENT, "Let your arms hang: the chair waits until your body is at rest."
+        return Actor.PATIENT, "Let your arms hang: the chair waits until your body is at rest."
     if drives:
-        return Awaited.PROGRAM, "We wait for the program: it needs a moment."
+        return Actor.PROGRAM, "We wait for the program: it needs a moment."
     if not shirt_alive:
-        return Awaited.SHIRT, _AFTER_STOP[Awaited.SHIRT]
-    return Awaited.CLINICIAN, "We wait for your clinician, who begins."
+        return Actor.SHIRT, _AFTER_STOP[Actor.SHIRT]
+    return Actor.CLINICIAN, "We wait for your clinician, who begins."

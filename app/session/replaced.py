@@ -21,7 +21,7 @@ Kind = Literal["file", "model", "floorplan"]
 KINDS: Final[tuple[Kind, ...]] = get_args(Kind)
 
 
-class Replaced(NamedTuple):
+class ReplacedFile(NamedTuple):
     """One file that was replaced; `id` is its name on the shelf."""
 
     kind: Kind
@@ -70,12 +70,12 @@ class ReplacedFiles:
         except OSError:  # a disk without links
             shutil.copy2(file, place)
 
-    def listed(self) -> list[Replaced]:
+    def listed(self) -> list[ReplacedFile]:
         """Return what can be put back, newest first."""
         self.purge()
         return sorted(self._all(), key=lambda one: one.id, reverse=True)
 
-    def content(self, kind: Kind, identity: str) -> tuple[Replaced, bytes]:
+    def content(self, kind: Kind, identity: str) -> tuple[ReplacedFile, bytes]:
         """Return a file of the shelf; NotFound when it is not there, or no longer."""
         for one in self._all():
             if (one.kind, one.id) == (kind, identity):
@@ -92,7 +92,7 @@ class ReplacedFiles:
             self.drop(found)
         return name
 
-    def drop(self, one: Replaced) -> None:
+    def drop(self, one: ReplacedFile) -> None:
         """Take a file off the shelf."""
         (self._shelf / one.kind / one.id).unlink(missing_ok=True)
 
@@ -108,9 +108,9 @@ class ReplacedFiles:
         # A folder is a recording of this program: none that is brought takes its place.
         return name_for(name, taken, same_name, may_replace=standing is None or standing.is_file())
 
-    def _all(self) -> list[Replaced]:
+    def _all(self) -> list[ReplacedFile]:
         return [
-            Replaced(kind, file.name, name, file.stat().st_size, _time_of(stamp))
+            ReplacedFile(kind, file.name, name, file.stat().st_size, _time_of(stamp))
             for kind in KINDS
             for file in (self._shelf / kind).glob(f"*{BETWEEN}*")
             for stamp, _, name in [file.name.partition(BETWEEN)]

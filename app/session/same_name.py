@@ -21,7 +21,7 @@ class NameTaken(Conflict):
         self.may_replace = may_replace
 
 
-def logged(same_name: SameName) -> dict[str, str]:
+def log_details(same_name: SameName) -> dict[str, str]:
     """Return what the log says of a choice, nothing when none was made."""
     return {} if same_name == "ask" else {"same_name": same_name}
 

@@ -17,13 +17,13 @@ class ShownSession(NamedTuple):
     id: int | None  # of the session; None: the page shows that nobody is here
 
 
-SHOWN: ContextVar[ShownSession | None] = ContextVar("shown session", default=None)
+SHOWN_SESSION: ContextVar[ShownSession | None] = ContextVar("shown session", default=None)
 """Of the request under way; None outside of requests, and in those that need not name a session."""
 
 
 def require_shown(db: Transaction) -> None:
     """Raise Conflict, with who is open now, when the request under way names another session than the open one."""
-    shown, clinic = SHOWN.get(), the_clinic(db)
+    shown, clinic = SHOWN_SESSION.get(), the_clinic(db)
     if shown is None or clinic is None:
         return
     now = open_session(db, clinic.id)

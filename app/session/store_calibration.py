@@ -49,7 +49,7 @@ def recordings_of(db: Session, session_id: int) -> dict[str, str]:
     return {row.step: row.folder for row in rows}
 
 
-def calibrated_simulated(db: Session, session_id: int) -> bool | None:
+def is_calibration_simulated(db: Session, session_id: int) -> bool | None:
     """Return whether nobody wore the shirt of the done steps, None when unknown; refuse a mixture of both."""
     sources = set(
         db.scalars(

@@ -9,7 +9,7 @@ from app.clock import utc_now
 from app.session.log_chain import FIRST, entry_hash
 from app.session.tables import LogEntry
 
-LOGGED = "logged"  # in `Session.info`: rows were added, so the log's head has to follow
+HAS_NEW_ROWS = "logged"  # in `Session.info`: rows were added, so the log's head has to follow
 
 
 def write_log(db: Session, person: str | None, what: str, **details: Any) -> None:
@@ -27,4 +27,4 @@ def write_log(db: Session, person: str | None, what: str, **details: Any) -> Non
         )
     )
     db.flush()
-    db.info[LOGGED] = True
+    db.info[HAS_NEW_ROWS] = True

@@ -7,7 +7,7 @@ from collections import deque
 from app.clock import monotonic
 
 WITHIN = 60.0  # s: the tries of so long count
-KEYS_WATCHED = 4096  # more than can be tried within that time: a hash alone takes 0.1 s
+MOST_KEYS = 4096  # more than can be tried within that time: a hash alone takes 0.1 s
 
 
 class Tries:
@@ -32,7 +32,7 @@ class Tries:
             if len(times) >= self._most:
                 return times[0] + WITHIN - now
             times.append(now)
-            if len(self._times) > KEYS_WATCHED:
+            if len(self._times) > MOST_KEYS:
                 self._times.pop(next(iter(self._times)))
             return 0.0
 

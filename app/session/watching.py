@@ -36,14 +36,14 @@ class Halt:
 
     Attributes
     ----------
-    waits : float or None
+    remaining : float or None
         For how much longer (s); None while it is not halted.
     total : float
         s of all halts so far.
     """
 
     def __init__(self) -> None:
-        self.waits: float | None = None
+        self.remaining: float | None = None
         self.total = 0.0
         self._since: float | None = None
         self._before = 0.0  # s of the halts before this one
@@ -51,12 +51,12 @@ class Halt:
     def take(self, t: float, state: State) -> bool:
         """Take the state at `t` (s); return whether nobody has gone on for too long."""
         if state is not State.FAULT:
-            self._since, self._before, self.waits = None, self.total, None
+            self._since, self._before, self.remaining = None, self.total, None
             return False
         self._since = t if self._since is None else self._since
         self.total = self._before + t - self._since
-        self.waits = max(0.0, HALT_LIMIT - (t - self._since))
-        return self.waits == 0.0
+        self.remaining = max(0.0, HALT_LIMIT - (t - self._since))
+        return self.remaining == 0.0
 
 
 async def watched(

@@ -55,7 +55,7 @@ def import_plan(file: Path, options: Options, image: Path | None = None) -> Draf
 
 
 def answer(question: dict[str, Any]) -> dict[str, Any]:
-    """Return a draft's fields for `{"file", "image", "options"}`; asked by `app.reading_apart`.
+    """Return a draft's fields for `{"file", "image", "options"}`; asked by `app.isolated_reader`.
 
     Raises
     ------

@@ -11,7 +11,7 @@ import pytest
 import trimesh
 from PIL import Image
 
-from app import reading_apart
+from app import isolated_reader
 from app.world.floorplan import load_floorplan
 
 ROOM = [[[0.0, 0.0], [6.0, 0.0], [6.0, 4.0], [0.0, 4.0], [0.0, 0.0]]]
@@ -227,10 +227,10 @@ def test_bad_files_are_refused_in_one_sentence(signed_in: Any) -> None:
 
 
 def test_a_reader_that_dies_or_hangs_is_said(signed_in: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(reading_apart, "COMMAND", ("false",))
+    monkeypatch.setattr(isolated_reader, "COMMAND", ("false",))
     assert "could not be read" in sentence(bring(signed_in, ("hall.dxf", dxf())), 422)
-    monkeypatch.setattr(reading_apart, "COMMAND", ("sh", "-c", "sleep 60", "-"))
-    monkeypatch.setattr(reading_apart, "WAITED_FOR", 0.05)
+    monkeypatch.setattr(isolated_reader, "COMMAND", ("sh", "-c", "sleep 60", "-"))
+    monkeypatch.setattr(isolated_reader, "LONGEST_WAIT", 0.05)
     assert "too long" in sentence(bring(signed_in, ("hall.dxf", dxf())), 503)
 
 

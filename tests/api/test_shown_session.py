@@ -9,7 +9,7 @@ from test_roles import contexts
 
 from app.api.shown_session import READS, WITHOUT_SESSION
 from app.session.refusals import Conflict
-from app.session.shown_session import SHOWN, ShownSession
+from app.session.shown_session import SHOWN_SESSION, ShownSession
 from app.session.store_people import find_person, sign_in
 
 OTHER = "can no longer be sent"
@@ -100,7 +100,7 @@ def test_a_change_that_waited_while_the_session_changed_does_nothing(visited: An
     before = int(second_patient(visited))
 
     async def late(what: str) -> None:
-        SHOWN.set(ShownSession(before))
+        SHOWN_SESSION.set(ShownSession(before))
         if what == "undisturbed":
             async with visited.flows.visit.undisturbed("change the controls"):
                 raise AssertionError("it was done")

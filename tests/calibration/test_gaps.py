@@ -8,7 +8,7 @@ from test_guided_knit import Knit
 from test_knit_shirt import FOLDER
 from wearing import Wearer, calibrate, layout_of
 
-from app.calibration.gaps import bridged, why_missing
+from app.calibration.gaps import bridge_gaps, why_missing
 
 RATE = 100.0
 SHIRT = layout_of()
@@ -22,7 +22,7 @@ def test_short_gaps_become_straight_lines_and_long_ones_stay(gaps, offset, slope
     values = np.stack([line, line], axis=1)
     for start, length in gaps:
         values[start : start + length, 0] = np.nan
-    filled = bridged(values, RATE)
+    filled = bridge_gaps(values, RATE)
     missing = np.isnan(values[:, 0])
     edges = np.flatnonzero(np.diff(np.concatenate(([0], missing, [0]))))
     for start, end in zip(edges[::2], edges[1::2], strict=True):

@@ -4,7 +4,7 @@ import pytest
 
 from app.hardware.base import HardwareError
 from app.hardware.shirt import newest as newest_module
-from app.hardware.shirt.newest import LARGEST_SEQ, Newest, read_newest, write_newest
+from app.hardware.shirt.newest import LARGEST_SEQ, NewestFrame, read_newest, write_newest
 
 AHEAD = 10
 
@@ -21,7 +21,7 @@ def opened(file):
     made = []
 
     def open_one():
-        made.append(Newest(file, AHEAD))
+        made.append(NewestFrame(file, AHEAD))
         made[-1].open()
         return made[-1]
 
@@ -104,4 +104,4 @@ def test_a_note_that_says_nothing_opens_nothing(file, content):
     if content is not None:
         file.write_text(content)
     with pytest.raises(HardwareError, match="pair the shirt anew"):
-        Newest(file, AHEAD).open()
+        NewestFrame(file, AHEAD).open()

@@ -1,4 +1,4 @@
-from app.hardware.shirt.senders import MOST, Senders, named
+from app.hardware.shirt.senders import MOST, Senders, address_text
 
 SHIRT, FORGER = ("10.0.0.2", 4000), ("10.0.0.3", 4000)
 
@@ -45,4 +45,4 @@ def test_a_thousand_senders_fill_no_memory():
 
 
 def test_addresses_are_written_as_people_write_them():
-    assert named(("::1", 5252, 0, 0)) == "[::1]:5252"
+    assert address_text(("::1", 5252, 0, 0)) == "[::1]:5252"

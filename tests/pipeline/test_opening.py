@@ -4,7 +4,7 @@ import pytest
 
 from app.clock import FakeClock
 from app.hardware.base import HardwareError
-from app.pipeline.opening import MOST_STUCK, OPENING_LIMIT, Change, Openings, opened_device
+from app.pipeline.opening import MOST_STUCK, OPENING_LIMIT, Change, Openings, open_device
 
 WAIT = 10.0  # s
 
@@ -47,7 +47,7 @@ def test_what_opened_is_put_to_use_on_the_loop(story):
 
     def open_():
         opened_by.append(threading.current_thread())
-        return opened_device(device)
+        return open_device(device)
 
     story.begin(open_)
     assert story.openings.busy
@@ -79,7 +79,7 @@ def test_a_device_that_cannot_be_put_to_use_is_a_sentence(story):
 )
 def test_whatever_a_driver_raises_is_one_sentence(story, trouble, sentence):
     device = Device(trouble)
-    story.begin(lambda: opened_device(device))
+    story.begin(lambda: open_device(device))
     story.finish()
     assert story.taken == []
     assert sentence in story.ended[0]

@@ -71,5 +71,5 @@ def test_an_object_that_an_older_version_stored_is_not_unpacked(demo: Demo, befo
 
 def test_no_reader_stays(demo: Demo) -> None:
     children = psutil.Process(demo.process.pid).children(recursive=True)
-    assert [child for child in children if "app.reading_apart" in child.cmdline()] == []
+    assert [child for child in children if "app.isolated_reader" in child.cmdline()] == []
     assert os.path.exists(f"/proc/{demo.process.pid}")

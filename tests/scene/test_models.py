@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from PIL import Image
 from trimesh.visual.material import PBRMaterial
 
-from app import reading_apart
+from app import isolated_reader
 from app.scene import glb
 from app.scene.model_import import MOST_COLOURS, read_model
 from app.scene.models import READINGS, stored_model
@@ -189,7 +189,7 @@ def test_what_is_stored_is_read_apart_once(write, monkeypatch):
     (reading,) = (file.parent / READINGS).iterdir()
     reading.write_bytes(reading.read_bytes()[:100])
     same(stored_model(touched(file, 1)), read_model(file))
-    monkeypatch.setattr(reading_apart, "COMMAND", ("false",))
+    monkeypatch.setattr(isolated_reader, "COMMAND", ("false",))
     same(stored_model(touched(file, 2)), read_model(file))
 
 
@@ -198,4 +198,4 @@ def test_what_is_refused_is_not_read_again(write, monkeypatch):
     for later in (1, 2):
         with pytest.raises(ValueError, match="nothing with faces"):
             stored_model(touched(file, later))
-        monkeypatch.setattr(reading_apart, "COMMAND", ("false",))
+        monkeypatch.setattr(isolated_reader, "COMMAND", ("false",))

@@ -6,14 +6,14 @@ from itertools import product
 import pytest
 
 from app.faults import Fault, State
-from app.session.patient_words import Awaited, patient_words
+from app.session.patient_words import Actor, patient_words
 
 TECHNICAL = re.compile(r"process|tablet|recording|disk|loop|telemetry|control|network|command|number", re.IGNORECASE)
 NAMES = {
-    Awaited.CLINICIAN: "We wait for your clinician,",
-    Awaited.PROGRAM: "We wait for the program:",
-    Awaited.SHIRT: "We wait for the shirt:",
-    Awaited.PATIENT: "the chair waits",
+    Actor.CLINICIAN: "We wait for your clinician,",
+    Actor.PROGRAM: "We wait for the program:",
+    Actor.SHIRT: "We wait for the shirt:",
+    Actor.PATIENT: "the chair waits",
 }
 FAULTS = [fault for fault in Fault if fault is not Fault.NONE]
 OF_THE_SHIRT = {Fault.SHIRT_SILENT, Fault.SHIRT_LOSSY}
@@ -23,7 +23,7 @@ OF_THE_SHIRT = {Fault.SHIRT_SILENT, Fault.SHIRT_LOSSY}
 def test_in_every_state_and_fault_a_sentence_names_who_is_waited_for(state: State, fault: Fault) -> None:
     for drives, shirt_alive in product([True, False], repeat=2):
         words = patient_words(state, fault, drives=drives, shirt_alive=shirt_alive)
-        assert NAMES[words.awaited] in words.wait
+        assert NAMES[words.actor] in words.wait
         assert sum(name in words.wait for name in NAMES.values()) == 1
         assert bool(words.happened) == (state is State.FAULT)
         for sentence in filter(None, words):
@@ -34,27 +34,27 @@ def test_in_every_state_and_fault_a_sentence_names_who_is_waited_for(state: Stat
 
 @pytest.mark.parametrize("fault", FAULTS)
 def test_after_a_stop_the_clinician_goes_on_or_something_comes_back_first(fault: Fault) -> None:
-    def awaited(shirt_alive: bool) -> Awaited:
-        return patient_words(State.FAULT, fault, drives=True, shirt_alive=shirt_alive).awaited
+    def actor(shirt_alive: bool) -> Actor:
+        return patient_words(State.FAULT, fault, drives=True, shirt_alive=shirt_alive).actor
 
-    first = Awaited.PROGRAM if fault is Fault.CONTROL_LOST else Awaited.CLINICIAN
-    assert awaited(True) is first
-    assert awaited(False) is (Awaited.SHIRT if fault in OF_THE_SHIRT else first)
+    first = Actor.PROGRAM if fault is Fault.CONTROL_LOST else Actor.CLINICIAN
+    assert actor(True) is first
+    assert actor(False) is (Actor.SHIRT if fault in OF_THE_SHIRT else first)
 
 
 @pytest.mark.parametrize(
-    ("state", "drives", "shirt_alive", "awaited"),
+    ("state", "drives", "shirt_alive", "actor"),
     [
-        (State.CHECKING, True, True, Awaited.PATIENT),
-        (State.ARMED, True, True, Awaited.PATIENT),
-        (State.DISARMED, True, True, Awaited.PROGRAM),
-        (State.DISARMED, False, True, Awaited.CLINICIAN),
-        (State.DISARMED, False, False, Awaited.SHIRT),
+        (State.CHECKING, True, True, Actor.PATIENT),
+        (State.ARMED, True, True, Actor.PATIENT),
+        (State.DISARMED, True, True, Actor.PROGRAM),
+        (State.DISARMED, False, True, Actor.CLINICIAN),
+        (State.DISARMED, False, False, Actor.SHIRT),
     ],
 )
-def test_without_a_stop(state: State, drives: bool, shirt_alive: bool, awaited: Awaited) -> None:
+def test_without_a_stop(state: State, drives: bool, shirt_alive: bool, actor: Actor) -> None:
     words = patient_words(state, Fault.NONE, drives=drives, shirt_alive=shirt_alive)
-    assert words.awaited is awaited
+    assert words.actor is actor
 
 
 def test_who_stopped_the_chair_is_told_right() -> None:

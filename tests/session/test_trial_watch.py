@@ -54,14 +54,14 @@ def test_time_runs_from_the_first_permitted_motion():
 def test_a_stop_halts_for_five_minutes_says_so_and_then_ends_it(watch):
     assert HALT_LIMIT >= 180.0
     assert watch.take(ticks([0.0], [0.0], [0.0])) is None
-    assert watch.halt.waits is None
+    assert watch.halt.remaining is None
     assert watch.take(ticks([1.0, 60.0], [0.0, 0.0], [0.0, 0.0], State.FAULT)) is None
-    assert watch.halt.waits == 241.0
+    assert watch.halt.remaining == 241.0
     assert watch.take(ticks([300.9], [0.0], [0.0], State.FAULT)) is None
     assert watch.take(ticks([301.0], [0.0], [0.0], State.CHECKING)) is None  # a person went on
-    assert watch.halt.waits is None
+    assert watch.halt.remaining is None
     assert watch.take(ticks([302.0, 601.9], [0.0, 0.0], [0.0, 0.0], State.FAULT)) is None
-    assert watch.halt.waits == pytest.approx(0.1)
+    assert watch.halt.remaining == pytest.approx(0.1)
     assert watch.take(ticks([602.0], [0.0], [0.0], State.FAULT)) == "fault"
 
 

@@ -46,7 +46,7 @@ def test_a_try_that_succeeded_does_not_count(monkeypatch):
 
 
 def test_what_is_remembered_is_bounded(monkeypatch):
-    monkeypatch.setattr(tries, "KEYS_WATCHED", 10)
+    monkeypatch.setattr(tries, "MOST_KEYS", 10)
     counted = Tries(1)
     for i in range(100):
         counted.count(f"name {i}")

@@ -8,7 +8,7 @@ from app.files import write_atomically
 from app.hardware.base import HardwareError
 
 LARGEST_SEQ = 0xFFFFFFFF  # u32
-Place = tuple[int, int]
+FrameNumber = tuple[int, int]
 """Boot counter and seq of a frame."""
 
 _LINE = re.compile(r"(\d{1,20}) (\d{1,10})")
@@ -19,12 +19,12 @@ def newest_file(key_file: Path) -> Path:
     return key_file.with_suffix(".newest")
 
 
-def write_newest(file: Path, place: Place) -> None:
+def write_newest(file: Path, number: FrameNumber) -> None:
     """Write it, whole or not at all; raise OSError when it cannot be written."""
-    write_atomically(file, f"{place[0]} {place[1]}\n".encode())
+    write_atomically(file, f"{number[0]} {number[1]}\n".encode())
 
 
-def read_newest(file: Path) -> Place:
+def read_newest(file: Path) -> FrameNumber:
     """Return what is written in `file`; HardwareError when that is not known: then any frame could be an old one."""
     try:
         found = _LINE.fullmatch(file.read_text(encoding="ascii").strip()) if file.is_file() else None
@@ -38,7 +38,7 @@ def read_newest(file: Path) -> Place:
     return int(found[1]), int(found[2])
 
 
-class Newest:
+class NewestFrame:
     """Takes each frame of a key once, also after this process has died; the disk is never waited for.
 
     The file is written ahead, by a thread: it names a frame `ahead` frames later than the newest, and only frames up to
@@ -49,9 +49,9 @@ class Newest:
         """`ahead` is the number of frames that one writing allows."""
         self._file = file
         self._ahead = ahead
-        self._newest: Place = (0, 0)
-        self._allowed: Place = (0, 0)  # what is on the disk
-        self._wanted: Place | None = None
+        self._newest: FrameNumber = (0, 0)
+        self._allowed: FrameNumber = (0, 0)  # what is on the disk
+        self._wanted: FrameNumber | None = None
         self._wake = threading.Event()
         self._ended = False
         self._thread: threading.Thread | None = None
@@ -98,9 +98,9 @@ class Newest:
             if wanted is not None and wanted > self._allowed and self._try_to_write(wanted):
                 self._allowed = wanted
 
-    def _try_to_write(self, place: Place) -> bool:
+    def _try_to_write(self, number: FrameNumber) -> bool:
         try:
-            write_newest(self._file, place)
+            write_newest(self._file, number)
         except OSError as error:
             self.trouble = f"the newest frame cannot be noted ({error.strerror or error}): free some disk space"
             return False

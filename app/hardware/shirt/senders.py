@@ -28,12 +28,12 @@ class Senders:
     @property
     def name(self) -> str:
         """The shirt's address, empty before its first frame."""
-        return "" if self._current is None else named(self._current)
+        return "" if self._current is None else address_text(self._current)
 
     @property
     def other(self) -> str:
         """The address of the other sender that sent most, empty when there is none."""
-        return named(max(self._frames, key=lambda address: self._frames[address])) if self._frames else ""
+        return address_text(max(self._frames, key=lambda address: self._frames[address])) if self._frames else ""
 
     def takes(self, address: Address, boot: int, silent: bool) -> bool:
         """Return whether a good frame from `address` is the shirt's.
@@ -52,7 +52,7 @@ class Senders:
     def use(self, name: str) -> bool:
         """Take another sender as the shirt, by its name; False when none of this name sent good frames."""
         for address in self._frames:
-            if named(address) == name:
+            if address_text(address) == name:
                 self._current, self._boot = address, 0
                 self._frames.clear()
                 self.others = 0
@@ -60,7 +60,7 @@ class Senders:
         return False
 
 
-def named(address: Address) -> str:
+def address_text(address: Address) -> str:
     """Return an address as people write it."""
     host, port = address[:2]
     return f"[{host}]:{port}" if ":" in host else f"{host}:{port}"

@@ -10,7 +10,7 @@ from app.clock import Clock
 from app.hardware.base import HardwareError
 from app.hardware.chair.key import Key, KeyRefused, read_key
 from app.hardware.configs import UdpConfig
-from app.hardware.shirt.newest import Newest, newest_file
+from app.hardware.shirt.newest import NewestFrame, newest_file
 from app.hardware.shirt.packet import LONGEST, Packet, decode, decode_signed, refusal
 from app.hardware.shirt.senders import Address, Senders
 from app.hardware.shirt.sequence import Sequence
@@ -20,7 +20,7 @@ BUFFER = 2 * LONGEST  # bytes: a longer datagram shows by its size
 KERNEL_BUFFER = 1 << 20  # bytes: a second at 1 kHz, should the loop be held up
 SILENCE = 2.0  # s without a frame: longer than any shirt may be silent while something is armed (S4)
 ALIVE = 0.5  # s without a frame after which the words say so
-NOTED_AHEAD = 10.0  # s of frames for which the newest one is written to the disk at once
+WRITE_AHEAD = 10.0  # s of frames for which the newest one is written to the disk at once
 _TIME = struct.Struct("@ll")  # struct timeval
 
 
@@ -41,7 +41,7 @@ class UdpShirt:
         self.repeated = 0  # signed frames that came again, or after a newer one
         self._key_file = None if config.key_file is None else Path(config.key_file)
         self._key: Key | None = None
-        self._newest: Newest | None = None
+        self._newest: NewestFrame | None = None
         self._clock = clock
         self._channels = len(config.layout.channels)
         self._sequence = Sequence()
@@ -209,7 +209,7 @@ class UdpShirt:
             self._key = read_key(file)
         except KeyRefused as error:
             raise HardwareError(f"the shirt is not opened: {error}") from error
-        newest = Newest(newest_file(file), math.ceil(NOTED_AHEAD * self.sample_rate))
+        newest = NewestFrame(newest_file(file), math.ceil(WRITE_AHEAD * self.sample_rate))
         newest.open()
         self._newest = newest
 

@@ -19,8 +19,8 @@ depends_on = None
 NOT_WORN = {"simulator", "replay"}  # the shirts of that time that nobody wears
 
 
-class Worn(NamedTuple):
-    """What was in use from a moment on."""
+class Choice(NamedTuple):
+    """The shirt and the body that were in use from the moment `since` on."""
 
     since: datetime
     shirt: str
@@ -41,13 +41,13 @@ def upgrade() -> None:
     op.add_column("profile", sa.Column("simulated", sa.Boolean(), nullable=True))
     op.add_column("session", sa.Column("opened_by", sa.String(length=80), nullable=True))
     database = op.get_bind()
-    worn = _choices(database)
+    choices = _choices(database)
     for row in database.execute(sa.select(RUN.c.id, RUN.c.started)).all():
-        known = _at(worn, row.started)
+        known = _at(choices, row.started)
         found = {"shirt": known.shirt, "body": known.body, "simulated": known.shirt in NOT_WORN}
         database.execute(sa.update(RUN).where(RUN.c.id == row.id).values(**found))
     for row in database.execute(sa.select(PROFILE.c.id, PROFILE.c.created)).all():
-        simulated = _at(worn, row.created).shirt in NOT_WORN
+        simulated = _at(choices, row.created).shirt in NOT_WORN
         database.execute(sa.update(PROFILE).where(PROFILE.c.id == row.id).values(simulated=simulated))
     for table, chair in (("trial", "virtual"), ("drive", "udp")):
         named = sa.select(sa.table(table, sa.column("run_id")).c.run_id)
@@ -62,18 +62,18 @@ def downgrade() -> None:
         op.drop_column("run", name)
 
 
-def _choices(database: Any) -> list[Worn]:
+def _choices(database: Any) -> list[Choice]:
     """Return which shirt and body were in use from when on, the oldest first."""
-    choices = [Worn(datetime.min, "simulator", "person")]  # noqa: DTZ901  (SQLite's moments have no zone)
+    choices = [Choice(datetime.min, "simulator", "person")]  # noqa: DTZ901  (SQLite's moments have no zone)
     wanted = sa.select(LOG).where(LOG.c.what.in_(("shirt chosen", "body chosen"))).order_by(LOG.c.id)
     for row in database.execute(wanted).all():
         kind, now = str(row.details.get("kind", "unknown")), choices[-1]
         if row.what == "body chosen":
-            choices.append(Worn(row.at, now.shirt, kind))
+            choices.append(Choice(row.at, now.shirt, kind))
         else:
-            choices.append(Worn(row.at, kind, (now.body or "person") if kind == "simulator" else None))
+            choices.append(Choice(row.at, kind, (now.body or "person") if kind == "simulator" else None))
     return choices
 
 
-def _at(choices: list[Worn], moment: datetime) -> Worn:
+def _at(choices: list[Choice], moment: datetime) -> Choice:
     return [choice for choice in choices if choice.since <= moment][-1]

@@ -1,7 +1,7 @@
 """Reads a foreign file in a process of its own, with limits of memory and time: pictures, 3D objects, drawings.
 
 A foreign file may ask its reader for any amount of both. The web process must not pay that, since a moving chair waits
-for it. `read_apart` asks; `python -m app.reading_apart MODULE` answers with `MODULE.answer(question)`.
+for it. `read_isolated` asks; `python -m app.isolated_reader MODULE` answers with `MODULE.answer(question)`.
 """
 
 import importlib
@@ -14,11 +14,11 @@ from contextlib import suppress
 from typing import Any, Final
 
 MOST_MEMORY: Final = 3_000_000_000  # bytes of addresses
-LONGEST: Final = 60  # s of computing
-WAITED_FOR: Final = 120.0  # s
+LONGEST_COMPUTING: Final = 60  # s of computing
+LONGEST_WAIT: Final = 120.0  # s
 LARGEST_ANSWER: Final = 50_000_000  # bytes of one file that the reader writes
 NICE: Final = 10
-COMMAND: Final = (sys.executable, "-m", "app.reading_apart")
+COMMAND: Final = (sys.executable, "-m", "app.isolated_reader")
 ONE_THREAD: Final = {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}  # each thread reserves addresses
 
 _one_at_a_time = threading.Lock()
@@ -28,7 +28,7 @@ class ReadingTimeoutError(ValueError):
     """Nothing was answered in time."""
 
 
-def read_apart(module: str, question: dict[str, Any]) -> dict[str, Any]:
+def read_isolated(module: str, question: dict[str, Any]) -> dict[str, Any]:
     """Return the answer of a module's `answer` to a question; both go through JSON. One question at a time.
 
     Raises
@@ -45,7 +45,7 @@ def read_apart(module: str, question: dict[str, Any]) -> dict[str, Any]:
                 input=json.dumps(question).encode(),
                 stdout=subprocess.PIPE,
                 stderr=subprocess.DEVNULL,
-                timeout=WAITED_FOR,
+                timeout=LONGEST_WAIT,
                 env=os.environ | ONE_THREAD,
                 check=False,
             )
@@ -66,7 +66,7 @@ def limit_this_process() -> None:
     os.nice(NICE)
     with suppress(ValueError, OSError):  # some systems do not limit memory
         resource.setrlimit(resource.RLIMIT_AS, (MOST_MEMORY, MOST_MEMORY))
-    resource.setrlimit(resource.RLIMIT_CPU, (LONGEST, LONGEST + 1))
+    resource.setrlimit(resource.RLIMIT_CPU, (LONGEST_COMPUTING, LONGEST_COMPUTING + 1))
     resource.setrlimit(resource.RLIMIT_FSIZE, (LARGEST_ANSWER, LARGEST_ANSWER))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 

@@ -2,8 +2,8 @@
 
 import pytest
 
-from app import reading_apart
-from app.reading_apart import ReadingTimeoutError, read_apart
+from app import isolated_reader
+from app.isolated_reader import ReadingTimeoutError, read_isolated
 
 
 @pytest.fixture
@@ -19,7 +19,7 @@ def module(tmp_path, monkeypatch):
 
 
 def test_an_answer_comes_back(module):
-    assert read_apart(module("return {'double': 2 * question['number']}"), {"number": 21}) == {"double": 42}
+    assert read_isolated(module("return {'double': 2 * question['number']}"), {"number": 21}) == {"double": 42}
 
 
 @pytest.mark.parametrize(
@@ -35,10 +35,10 @@ def test_an_answer_comes_back(module):
 )
 def test_a_file_that_cannot_be_read_is_one_sentence(module, tmp_path, body, words):
     with pytest.raises(ValueError, match=words):
-        read_apart(module(body), {"place": str(tmp_path / "large")})
+        read_isolated(module(body), {"place": str(tmp_path / "large")})
 
 
 def test_a_reader_that_hangs_is_ended(module, monkeypatch):
-    monkeypatch.setattr(reading_apart, "WAITED_FOR", 0.5)
+    monkeypatch.setattr(isolated_reader, "LONGEST_WAIT", 0.5)
     with pytest.raises(ReadingTimeoutError, match="too long"):
-        read_apart(module("import time; time.sleep(60)"), {})
+        read_isolated(module("import time; time.sleep(60)"), {})
