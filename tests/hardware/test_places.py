@@ -4,8 +4,9 @@ import socket
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from pydantic import TypeAdapter
 
-from app.hardware.places import checked_file, checked_host, checked_line
+from app.hardware.places import FilePlace, checked_host, checked_line
 
 HOSTS = [
     "localhost",
@@ -65,7 +66,8 @@ def test_serial_lines_and_files():
     for other in ("/dev/zero", "/dev/watchdog", "/dev/ttyS0/../zero", "/dev/tty\n", "ttyUSB0", "loop://", "COM1000"):
         with pytest.raises(ValueError, match="is no serial line"):
             checked_line(other)
-    assert checked_file("var/runs/größe 1.csv") == "var/runs/größe 1.csv"
+    file = TypeAdapter(FilePlace)
+    assert file.validate_python("var/runs/größe 1.csv") == "var/runs/größe 1.csv"
     for other in ("a\0b", "a\nb", "a\u202eb", "\ud800"):
-        with pytest.raises(ValueError, match="letters that cannot be seen"):
-            checked_file(other)
+        with pytest.raises(ValueError, match="which nobody sees"):
+            file.validate_python(other)
