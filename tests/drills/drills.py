@@ -7,12 +7,13 @@ from drills.cuts import cuts
 from drills.flood import sign_ins
 from drills.machine import disk_full, wall_clock
 from drills.network import forgeries, weather
+from drills.odd_names import odd_names
 from drills.processes import hold_control, kill_control, kill_receiver, kill_web, web_silent
+from drills.second_sender import second_sender
 from drills.second_socket import second_socket
 from drills.session_end import session_end
 from drills.shirt import sensors_break, shirt_stalls
 from drills.stops import SCREENS, chair_switch, screen_gone, tablet_stop
-from drills.strangers import odd_names, second_sender
 from drills.uploads import upload_bombs
 
 DRILLS = {

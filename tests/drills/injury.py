@@ -1,4 +1,4 @@
-"""One injury of a chair that cruises, and the search for a jerk of the chair, for all drills."""
+"""One injury of a chair that cruises, and what all drills look for: jerks, and drives that ended."""
 
 import asyncio
 from itertools import pairwise
@@ -6,6 +6,7 @@ from itertools import pairwise
 from drills.rig import AFTER
 
 from app.clock import monotonic
+from app.faults import Fault, State
 
 A_TICK = 0.02  # s: the longest wait of the control loop, or a step of the receiver and its line
 HEARTBEAT = 0.05  # s between two heartbeats of the drill
@@ -34,6 +35,9 @@ async def nothing():
     """Injure or mend nothing."""
 
 
+LATE = 0.1  # s: the gate stops for a shirt that is silent for 0.2 s
+
+
 def look_for_jerks(made, since, result):
     """Add a violation when the speed of the chair changed faster than the firmest stop since the time `since` (s)."""
     lines = made.receiver.since(since)
@@ -42,3 +46,15 @@ def look_for_jerks(made, since, result):
         if change > 6.0 * (after["t"] - before["t"] + 0.012):  # the firmest stop: 1.5 m/s in 0.25 s, a step's slack
             result.violations.append(f"run {result.runs + 1}: a jerk of {change:.2f} m/s")
             return
+
+
+def look_whether_it_drives(made, result, late):
+    """Add a violation when the chair does not drive any more.
+
+    A machine that was `late` (s) for longer than LATE kept the shirt from sending, so the gate was right to stop.
+    """
+    if late > LATE:
+        return
+    if made.control.newest()["state"] != State.ARMED or made.receiver.newest["state"] != "armed":
+        fault = Fault(int(made.control.newest()["fault"])).name
+        result.violations.append(f"run {result.runs + 1}: the drive ended ({fault})")

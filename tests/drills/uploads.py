@@ -3,7 +3,7 @@
 import asyncio
 import tempfile
 
-from bombing import LONGEST_ANSWER, MOST_GROWTH, memory, throw
+from bomb_effects import LONGEST_ANSWER, MOST_GROWTH, memory, send_bomb
 from bombs import BOMBS
 from drills.results import Result, Watcher
 from processes.served_demo import Demo, bodydrive
@@ -13,11 +13,11 @@ async def upload_bombs(runs, dice):
     """C26: files that are bombs, while somebody else uses the pages."""
     result = Result("uploads that are bombs (pictures, objects, drawings, recordings)", None)
     names = dice.sample(list(BOMBS), len(BOMBS))
-    await asyncio.to_thread(_throw, [names[run % len(names)] for run in range(runs)], result)
+    await asyncio.to_thread(_send_bombs, [names[run % len(names)] for run in range(runs)], result)
     return result
 
 
-def _throw(names, result):
+def _send_bombs(names, result):
     watcher = Watcher()
     with tempfile.TemporaryDirectory(prefix="bodydrive-drill-") as folder:
         process = bodydrive("demo", "--port", "0", TMPDIR=folder)
@@ -26,14 +26,14 @@ def _throw(names, result):
             before = memory(process.pid, "VmRSS")
             slowest = growth = 0.0
             for name in names:
-                harm = throw(demo, BOMBS[name](), watcher, before)
-                slowest, growth = max(slowest, *harm.answers), max(growth, harm.growth)
-                if harm.status not in {413, 415, 422}:
-                    result.violations.append(f"{name}: answered with {harm.status}")
-                if max(harm.answers) > LONGEST_ANSWER:
-                    result.violations.append(f"{name}: another answer took {1e3 * max(harm.answers):.0f} ms")
-                if harm.growth >= MOST_GROWTH:
-                    result.violations.append(f"{name}: the web process grew by {harm.growth / 1e6:.0f} MB")
+                effect = send_bomb(demo, BOMBS[name](), watcher, before)
+                slowest, growth = max(slowest, *effect.answers), max(growth, effect.growth)
+                if effect.status not in {413, 415, 422}:
+                    result.violations.append(f"{name}: answered with {effect.status}")
+                if max(effect.answers) > LONGEST_ANSWER:
+                    result.violations.append(f"{name}: another answer took {1e3 * max(effect.answers):.0f} ms")
+                if effect.growth >= MOST_GROWTH:
+                    result.violations.append(f"{name}: the web process grew by {effect.growth / 1e6:.0f} MB")
                 result.add(None)
             demo.client.close()
         finally:

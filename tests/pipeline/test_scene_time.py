@@ -1,7 +1,7 @@
 """The scene's time in the loop: it goes on while the chair is armed, and what it moves is before the body's eyes."""
 
 import pytest
-from test_commands import Office
+from office import Office
 
 from app.faults import State
 from app.hardware.base import BodyView, LeaderView

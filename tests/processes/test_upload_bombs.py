@@ -7,7 +7,7 @@ from statistics import median
 
 import psutil
 import pytest
-from bombing import LONGEST_ANSWER, MOST_GROWTH, memory, throw
+from bomb_effects import LONGEST_ANSWER, MOST_GROWTH, memory, send_bomb
 from bombs import BOMBS, glb_with_pictures, png
 from drills.results import Watcher
 from processes.served_demo import Demo, bodydrive
@@ -48,13 +48,13 @@ def kept(state: Path) -> list[Path]:
 
 @pytest.mark.parametrize("name", list(BOMBS))
 def test_a_bomb_is_refused_and_nobody_waits(demo: Demo, before: int, watcher: Watcher, name: str) -> None:
-    harm = throw(demo, BOMBS[name](), watcher, before)
-    assert harm.status in {413, 415, 422}
-    assert harm.detail.endswith(".")
-    assert str(demo.state) not in harm.detail
-    assert harm.growth < MOST_GROWTH
-    assert median(harm.answers) <= LONGEST_ANSWER  # `make drills` holds each of them to it, on a quiet machine
-    assert max(harm.answers) <= HELD_UP
+    effect = send_bomb(demo, BOMBS[name](), watcher, before)
+    assert effect.status in {413, 415, 422}
+    assert effect.detail.endswith(".")
+    assert str(demo.state) not in effect.detail
+    assert effect.growth < MOST_GROWTH
+    assert median(effect.answers) <= LONGEST_ANSWER  # `make drills` holds each of them to it, on a quiet machine
+    assert max(effect.answers) <= HELD_UP
     assert [file for file in kept(demo.state) if file.is_file()] == []
 
 

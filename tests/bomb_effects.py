@@ -17,8 +17,8 @@ RESET_PEAK = "5"  # proc(5), clear_refs
 
 
 @dataclass
-class Harm:
-    """What one bomb did: the answer, and how the web process was meanwhile."""
+class Effect:
+    """The effect of one bomb: its answer, and the memory and the answers of the web process meanwhile."""
 
     status: int
     detail: str
@@ -33,7 +33,7 @@ def memory(pid: int, what: str) -> int:
 
 
 class OtherRequests:
-    """Somebody else's page, which asks again and again while a file is read."""
+    """The requests of another page, one after the other, while the web process reads a file."""
 
     def __init__(self, demo: Demo, watcher: Watcher) -> None:
         self._client = httpx.Client(base_url=demo.client.base_url, cookies=demo.client.cookies, timeout=60)
@@ -61,12 +61,12 @@ class OtherRequests:
             self._ended.wait(0.01)
 
 
-def throw(demo: Demo, bomb: Bomb, watcher: Watcher, before: int) -> Harm:
-    """Send a bomb; `before` (bytes) is what the web process had when nothing was sent yet."""
+def send_bomb(demo: Demo, bomb: Bomb, watcher: Watcher, before: int) -> Effect:
+    """Send a bomb; `before` is the memory (bytes) of the web process before the first bomb."""
     pid = demo.process.pid
     Path(f"/proc/{pid}/clear_refs").write_text(RESET_PEAK)
     with OtherRequests(demo, watcher) as others:
         answer = demo.client.post(bomb.address, files=bomb.files, data=bomb.form, timeout=180)
     grown = memory(pid, "VmHWM") - before
     said = answer.json()
-    return Harm(answer.status_code, dict(said)["detail"] if answer.is_error else "", grown, others.answers)
+    return Effect(answer.status_code, dict(said)["detail"] if answer.is_error else "", grown, others.answers)

@@ -1,0 +1,78 @@
+"""The commands of a control loop that runs on a fake clock in the process of the test."""
+
+import json
+import select
+import socket
+import uuid
+
+from scripted_shirt import ScriptedShirt
+
+from app.clock import FakeClock
+from app.link import NO_ANSWER, CommandServer
+from app.pipeline.commands import Commands
+from app.pipeline.loop import ControlLoop
+from app.pipeline.setup import Setup
+from app.ring import TickRing
+from building import make_parameters, make_signals
+
+
+class Office:
+    """Commands and their answers, the shirt's frames, and the heartbeat."""
+
+    def __init__(self):
+        self.parameters = make_parameters()
+        signals = make_signals(self.parameters, 2000, strokes=False)
+        self.clock = FakeClock()
+        self.ring = TickRing.create(f"bodydrive-test-{uuid.uuid4().hex}")
+        self.ring.unlink()
+        self.setup = Setup(self.clock)
+        layout = self.parameters.profile.layout
+        self.setup.shirt = ScriptedShirt(self.clock, [i / 100 for i in range(2000)], signals, layout=layout)
+        self.setup.mistrust = ""  # as of a shirt with a key
+        self.setup.use_parameters(self.parameters)
+        self.loop = ControlLoop(self.setup, self.ring, None, self.clock)
+        self._ours, theirs = socket.socketpair()
+        self._ours.settimeout(10.0)
+        self.commands = Commands(self.loop, CommandServer(theirs), [], self.clock)
+        self._count = 0
+
+    def ask(self, do, **fields):
+        self._count += 1
+        self._ours.sendall(json.dumps({"id": self._count, "do": do, **fields}).encode() + b"\n")
+        return self.answer()
+
+    def answer(self):
+        """Poll until there is an answer: a device is opened in a thread."""
+        for _ in range(1000):
+            self.commands.poll()
+            if select.select([self._ours], [], [], 0.01)[0]:
+                return json.loads(self._ours.recv(1 << 16))
+        raise AssertionError("there is no answer")
+
+    def tell(self, do, **fields):
+        """Send what wants no answer."""
+        self._ours.sendall(json.dumps({"id": NO_ANSWER, "do": do, **fields}).encode() + b"\n")
+        self.commands.poll()
+
+    def refused(self, do, **fields):
+        answer = self.ask(do, **fields)
+        assert not answer["ok"]
+        assert "\n" not in answer["error"]
+        return answer["error"]
+
+    def done(self, do, **fields):
+        answer = self.ask(do, **fields)
+        assert answer["ok"], answer
+        return answer
+
+    def live(self, seconds):
+        until = self.clock.now() + seconds
+        while self.clock.now() < until:
+            self.loop.heard = self.loop.screen_seen = self.clock.now()
+            self.loop.turn()
+
+    def close(self):
+        self.commands.close()
+        self.setup.close_chair()
+        self._ours.close()
+        self.ring.close()
