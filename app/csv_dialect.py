@@ -17,7 +17,7 @@ class Dialect(NamedTuple):
 
     @property
     def words(self) -> str:
-        """Return it in words; nothing for what most programs write."""
+        """Return the dialect in a sentence; an empty string for commas between columns and decimal points."""
         if self == Dialect():
             return ""
         return f"It was read with {SEPARATORS[self.separator]} between columns and decimal {DECIMALS[self.decimal]}."

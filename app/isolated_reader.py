@@ -1,7 +1,8 @@
 """Reads a foreign file in a process of its own, with limits of memory and time: pictures, 3D objects, drawings.
 
 A foreign file may ask its reader for any amount of both. The web process must not pay that, since a moving chair waits
-for it. `read_isolated` asks; `python -m app.isolated_reader MODULE` answers with `MODULE.answer(question)`.
+for it. `read_isolated` asks; `python -m app.isolated_reader MODULE` is the process, which answers with
+`MODULE.answer(question)`.
 """
 
 import importlib
@@ -25,7 +26,7 @@ _one_at_a_time = threading.Lock()
 
 
 class ReadingTimeoutError(ValueError):
-    """Nothing was answered in time."""
+    """The reader gave no answer in time."""
 
 
 def read_isolated(module: str, question: dict[str, Any]) -> dict[str, Any]:
@@ -36,7 +37,7 @@ def read_isolated(module: str, question: dict[str, Any]) -> dict[str, Any]:
     ValueError
         One sentence: what is wrong with the file, and what to do.
     ReadingTimeoutError
-        The same, after 120 s.
+        When the reader gave no answer within 120 s.
     """
     with _one_at_a_time:
         try:

@@ -1,7 +1,7 @@
 """The number and text types of everything that a person can set: strict, finite, bounded, and fully visible.
 
-A plain pydantic `float` takes NaN, Infinity, 1e999, `true` and `"3"`; these do not. A plain `str` takes characters that
-are not seen and change what is: these do not either.
+A plain pydantic `float` takes NaN, Infinity, 1e999, `true` and `"3"`; these do not. A plain `str` takes invisible
+characters, which change how other text looks; these types do not.
 """
 
 from typing import Annotated

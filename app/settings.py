@@ -95,7 +95,7 @@ class Settings:
 
     @property
     def places(self) -> list[Path]:
-        """Return everything that the program keeps in the folder of the state, and the folder when it keeps it all."""
+        """Return the files of the program in the state folder, and that folder itself when nothing else lies in it."""
         beside = sorted(self.state.glob(f"*{self.database.name}*"))  # the log's head, the ballast, copies
         folders = [self.files, self.runs, self.models, self.keys, self.floorplans, self.replaced]
         own = [*beside, *folders, self.state / IN_USE]

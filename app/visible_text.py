@@ -1,4 +1,4 @@
-"""Refuses characters that nobody sees and that change what others see: in names, and in text of several lines."""
+"""Refuses invisible characters in names and in text of several lines: they change how other text looks."""
 
 import unicodedata
 from collections.abc import Collection

@@ -1,4 +1,4 @@
-"""The OpenAPI document of all routes, for owners: it says where to look for weak places."""
+"""The OpenAPI document of all routes, for owners only: it would show an attacker where to look."""
 
 from typing import Any
 
@@ -11,6 +11,6 @@ router = APIRouter()
 
 @router.get("/openapi.json", include_in_schema=False)
 def describe(_who: Owner, request: Request) -> dict[str, Any]:
-    """Return the document."""
+    """Return the OpenAPI document."""
     document: dict[str, Any] = request.app.openapi()
     return document

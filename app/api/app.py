@@ -46,7 +46,7 @@ from app.api.refusals import install_refusals
 from app.api.replays import Replays
 from app.api.screens import Screens
 from app.api.set_up import SetUp
-from app.api.shown_session import NamesSession
+from app.api.shown_session import SessionRequired
 from app.api.sign_in_limits import SignInLimits
 from app.api.sockets import OpenSockets
 from app.api.timelines import Timelines
@@ -154,7 +154,7 @@ def create_app(
         title="bodydrive",
         version=__version__,
         lifespan=lifespan,
-        openapi_url=None,  # api_document.py serves it, to owners; the pages that show it would fetch foreign scripts
+        openapi_url=None,  # api_document.py serves it, to owners; FastAPI's pages for it load foreign scripts
     )
 
     def scene_now() -> Scene | None:
@@ -164,7 +164,7 @@ def create_app(
         return flows_of(app).view.port(role)
 
     install_refusals(app)
-    api = APIRouter(prefix=PREFIX, dependencies=[NamesSession])
+    api = APIRouter(prefix=PREFIX, dependencies=[SessionRequired])
     for module in ROUTES:
         api.include_router(module.router)
     api.include_router(view_controls(scene_now, clinician))

@@ -66,11 +66,11 @@ class DiskView(Document):
 
 
 class SendersView(Document):
-    """Who sends frames to the shirt's port; all empty where nobody could but the shirt."""
+    """The senders of frames to the port of the shirt; every field is empty for a shirt that is not on the network."""
 
     shirt: str  # HOST:PORT of the sender that is the shirt, empty before its first frame
-    other: str  # of another one that sends good frames, empty when there is none
-    others: int  # frames of others that were left out
+    other: str  # HOST:PORT of another sender of good frames, empty when there is none
+    others: int  # number of frames of other senders that were left out
 
 
 class OtherSender(Document):
@@ -87,7 +87,7 @@ class ShirtKind(Document):
 
 
 class Practice(Document):
-    """The kind of the shirt in use when nobody wears it, None when somebody does or when there is none."""
+    """The kind of the shirt in use when nobody wears that shirt; None when somebody wears it, or without a shirt."""
 
     kind: str | None
 
@@ -157,7 +157,7 @@ async def look(_who: Anyone, parts: PeopleParts, flows: FlowParts) -> EquipmentV
 
 @router.get("/practice", dependencies=[ForEveryone])
 def practice(flows: FlowParts) -> Practice:
-    """Tell any page, signed in or not, whether it has to carry the mark of practice."""
+    """Return whether pages have to show the mark "practice only"; also for pages without a sign-in."""
     return Practice(kind=flows.equipment.practice)
 
 
@@ -234,7 +234,7 @@ async def mark_unused(body: Unused, who: Clinician, parts: PeopleParts, flows: F
 async def bring_file(
     file: UploadFile, who: Clinician, parts: PeopleParts, flows: FlowParts, same_name: SameName = "ask"
 ) -> EquipmentView:
-    """Take in a file of recorded signals or of a recorded body; `same_name` says what becomes of one of this name."""
+    """Store a file of recorded signals or of a recorded body; `same_name`: what to do when its name is taken."""
     kept = await asyncio.to_thread(keep_upload, parts.replaced, file.filename or "", file.file, same_name)
     flows.live.tell("equipment")
     return await _noted(parts, flows, who.name, "file added", kind=kept.kind, size=kept.size, **log_details(same_name))

@@ -70,8 +70,8 @@ class Flows:
     own_floorplans: Path
 
     def driving_sign(self) -> ScreenSign:
-        """Return what the screen said last that armed what is driven now; from any thread."""
-        drive, trial = self.real.drive, self.drive.trial  # looked at once each: they may end meanwhile
+        """Return the last sign of the screen that started the trial or drive; may be called from any thread."""
+        drive, trial = self.real.drive, self.drive.trial  # read once each: they may end meanwhile
         going_on = drive or trial
         if going_on is None:
             return ScreenSign()
@@ -79,9 +79,9 @@ class Flows:
         return self.screens.sign(Screen(going_on.person_id, going_on.screen), monotonic(), limit)
 
     def take_sign(self, screen: Screen, sign: PageSign) -> bool:
-        """Take what a screen says, unless another socket speaks for it; return whether it was taken.
+        """Store the sign of a screen, unless another socket speaks for that screen; return whether it was stored.
 
-        When the one that drives does not count any more, this very message stops the chair.
+        When the screen that drives is not in view any more, this message stops the chair.
         """
         before = self.driving_sign()
         is_taken = self.screens.take(screen, sign)

@@ -1,4 +1,4 @@
-"""Foreign files on their way to the process that reads them: in turn, and every refusal with its status."""
+"""Hands foreign files to the isolated reader, one at a time, and turns its refusals into answers of the API."""
 
 import asyncio
 from collections.abc import Callable, Sequence
@@ -11,18 +11,18 @@ from app.isolated_reader import ReadingTimeoutError, read_isolated
 Given = ParamSpec("Given")
 Answer = TypeVar("Answer")
 
-# Those who wait hold no thread: there are few, and other requests need them.
+# A request that waits holds no thread: threads are few, and other requests need them.
 _turn = asyncio.Semaphore(1)
 
 
 async def in_turn(work: Callable[Given, Answer], *given: Given.args, **named: Given.kwargs) -> Answer:
-    """Do something with a foreign file in a thread, one at a time."""
+    """Run `work`, which reads a foreign file, in a thread; one file at a time."""
     async with _turn:
         return await asyncio.to_thread(work, *given, **named)
 
 
 def refusal(error: ValueError, places: Sequence[str] = ()) -> HTTPException:
-    """Return the answer to what a reader refused: 422, or 503 when it took too long; no sentence tells `places`."""
+    """Return the answer for an error of a reader: 422, or 503 when it took too long; without the folders `places`."""
     sentence = str(error).removesuffix(".")
     for place in places:
         sentence = sentence.replace(place, "")

@@ -1,4 +1,4 @@
-"""Password hashes: made one at a time, by a process of low priority, for a few people who wait at most.
+"""Asks a process of low priority for password hashes, one at a time; at most eight requests are under way.
 
 A hash takes 64 MiB and 0.1 s of a core. In the web process, even in a thread of it, a flood of sign-ins would make
 Stop late; a process of its own gives way to everything else on this machine.
@@ -38,33 +38,33 @@ class Hashing:
     """Asks the hashing process, which is started by the first password and again when it has ended."""
 
     def __init__(self) -> None:
-        self._places = MOST_AT_ONCE
+        self._free_slots = MOST_AT_ONCE
         self._one_at_a_time = asyncio.Lock()
         self._process: asyncio.subprocess.Process | None = None
 
     @asynccontextmanager
-    async def place(self) -> AsyncIterator[None]:
-        """Take one of the few places, at once; what is hashed is hashed inside.
+    async def slot(self) -> AsyncIterator[None]:
+        """Take one of the `MOST_AT_ONCE` slots without waiting, for the hashes that are made inside.
 
         Raises
         ------
         Busy
-            When there is none left.
+            When no slot is free.
         """
-        if not self._places:
+        if not self._free_slots:
             raise Busy
-        self._places -= 1
+        self._free_slots -= 1
         try:
             yield
         finally:
-            self._places += 1
+            self._free_slots += 1
 
     async def hash(self, password: str) -> str:
         """Return the hash to store."""
         return str((await self._ask({"do": "hash", "password": password}))["hash"])
 
     async def matches(self, stored: str | None, password: str) -> bool:
-        """Tell whether `password` is the one that was stored; for None it takes as long, and is not."""
+        """Return whether `password` belongs to the hash `stored`; None takes as long as a hash and gives False."""
         return bool((await self._ask({"do": "verify", "stored": stored, "password": password}))["matches"])
 
     async def close(self) -> None:
@@ -84,7 +84,7 @@ class Hashing:
                 await self.close()
                 raise Unavailable(ENDED) from error
             except asyncio.CancelledError:
-                await self.close()  # or the next one would get this one's answer
+                await self.close()  # otherwise the next request would read the answer of this one
                 raise
 
 
@@ -102,7 +102,9 @@ async def _answer(process: asyncio.subprocess.Process, message: dict[str, Any]) 
         raise OSError("the hashing process was started without pipes")
     process.stdin.write(json.dumps(message).encode() + b"\n")
     await process.stdin.drain()
-    found: dict[str, Any] = json.loads(await process.stdout.readline())  # nothing, when it has ended: ValueError
+    found: dict[str, Any] = json.loads(
+        await process.stdout.readline()
+    )  # an ended process gives an empty line: ValueError
     return found
 
 

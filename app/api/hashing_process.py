@@ -1,7 +1,7 @@
 """The process that hashes passwords: `python -m app.api.hashing_process --time T --memory KIB --lanes N`.
 
 For each line on stdin, a JSON object, one line on stdout: `{"do": "hash", "password"}` is answered by `{"hash"}`;
-`{"do": "verify", "stored": hash or null, "password"}` by `{"matches": bool}`, which takes as long for null, and is
+`{"do": "verify", "stored": hash or null, "password"}` by `{"matches": bool}`; null takes as long as a hash and gives
 false. Ends with stdin.
 """
 
@@ -33,12 +33,12 @@ def main() -> None:
 
 
 def answer(hasher: PasswordHasher, asked: dict[str, Any]) -> dict[str, Any]:
-    """Return what a line is answered by."""
+    """Return the answer to one line."""
     stored, password = asked.get("stored"), asked["password"]
     if asked["do"] == "hash":
         return {"hash": hasher.hash(password)}
     if stored is None:
-        hasher.hash(password)  # as long as for somebody who is known
+        hasher.hash(password)  # takes as long as for a known person
         return {"matches": False}
     try:
         return {"matches": hasher.verify(stored, password)}

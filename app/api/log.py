@@ -1,4 +1,4 @@
-"""The log: whether anybody changed it."""
+"""The check of the log, for owners: whether anybody changed it."""
 
 from fastapi import APIRouter
 

@@ -80,7 +80,7 @@ def list_models(_who: Clinician, parts: PeopleParts) -> list[ModelView]:
 async def bring_model(
     file: UploadFile, who: Clinician, parts: PeopleParts, same_name: SameName = "ask"
 ) -> list[ModelView]:
-    """Take in an object, and list them all; `same_name` says what becomes of an object that has this name."""
+    """Store an object and return the list of all; `same_name`: what to do when its name is taken."""
 
     def keep() -> list[ModelView]:
         name = _keep(parts.settings.models, parts.replaced, file, same_name)

@@ -1,4 +1,4 @@
-"""Passwords: which ones are refused as new ones, and whether the one that somebody gives is theirs."""
+"""The rules for new passwords, and the check of the password of a person."""
 
 from typing import NamedTuple
 
@@ -18,7 +18,7 @@ COMMON = """
     abcd1234 abc12345 qwertyui qwertyuiop qwerty123 1q2w3e4r asdfghjk iloveyou sunshine princess football baseball
     superman starwars letmein1 welcome1 whatever trustno1 computer internet changeme bodydrive wheelchair
 """
-BROWSER_COOKIE = "bodydrive_browser_"  # and the person's id: several people share a tablet
+BROWSER_COOKIE = "bodydrive_browser_"  # followed by the person's id: several people share a tablet
 
 WRONG = "Name or password is wrong: try again, or ask an owner for a new password."
 BUSY = "Too many people are signing in at this moment: wait a few seconds, then try again."
@@ -37,16 +37,16 @@ def weakness(name: str, password: str) -> str | None:
 
 
 async def hash_of(parts: People, password: str) -> str:
-    """Return the hash of a new password; 503 when too many are being hashed."""
+    """Return the hash of a new password; 503 when too many passwords are being hashed."""
     try:
-        async with parts.hashing.place():
+        async with parts.hashing.slot():
             return await parts.hashing.hash(password)
     except Busy:
         await parts.limits.refuse(503, BUSY, BUSY_FOR)
 
 
 async def require_password(parts: People, request: Request, name: str, password: str) -> None:
-    """Refuse a password that is not this person's: 401; one too many: 429; more than can be looked at: 503.
+    """Refuse a wrong password (401), a try too many (429), and more tries at once than can be checked (503).
 
     The try is counted before anything is looked up or hashed, so that tries side by side all count.
     """
@@ -54,7 +54,7 @@ async def require_password(parts: People, request: Request, name: str, password:
     if not any(cookie.startswith(BROWSER_COOKIE) for cookie in request.cookies):
         await parts.limits.require(attempt)
     try:
-        async with parts.hashing.place():
+        async with parts.hashing.slot():
             found = await run_in_threadpool(_look_up, parts, request, name)
             if attempt.wait and found.browser is not None:
                 attempt = parts.limits.password_in(found.browser)

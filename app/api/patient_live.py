@@ -1,4 +1,4 @@
-"""The live websocket of the patient's screen: it shows, and hears only which picture that screen has."""
+"""The live websocket of the patient's screen: sends the newest moment, receives the kind of picture on that screen."""
 
 import asyncio
 from collections.abc import Mapping
@@ -21,11 +21,11 @@ router = APIRouter()
 FLOOD = 20  # messages within ...
 WITHIN = 10.0  # s; our page sends one when its picture changes
 MESSAGE_LIMIT = 300  # characters
-TOO_MANY_MESSAGES = 1008  # close code: a page that talks so much is none of ours
+TOO_MANY_MESSAGES = 1008  # close code: our own page never sends so many
 
 
 class PictureReport(Document):
-    """What the patient's screen says: what it shows to drive by."""
+    """The picture that the patient's screen shows to drive by."""
 
     picture: Picture
 
@@ -56,14 +56,14 @@ async def patient_live(websocket: WebSocket) -> None:
             pass  # closed by us
         finally:
             flows.patient_live.forget(viewer)
-            flows.pictures.gone(websocket)
+            flows.pictures.forget(websocket)
             sending.cancel()
             await asyncio.gather(sending, return_exceptions=True)
     flows.live.tell("screens")
 
 
 async def _take(websocket: WebSocket, screen_id: int, flows: Flows) -> None:
-    """Take what a page says of its picture, until it goes or sends more than a slip can explain."""
+    """Receive picture reports until the page leaves, or has sent more than `FLOOD` messages within 10 s."""
     count, since = 0, monotonic()
     while (message := await websocket.receive())["type"] != "websocket.disconnect":
         if monotonic() - since > WITHIN:
@@ -78,7 +78,7 @@ async def _take(websocket: WebSocket, screen_id: int, flows: Flows) -> None:
 
 
 def _read(message: Mapping[str, Any]) -> PictureReport | None:
-    """Return what was said; None for what cannot be read, which changes nothing."""
+    """Return the report; None for a message that cannot be read, which changes nothing."""
     text = message.get("text")
     if text is None or len(text) > MESSAGE_LIMIT:
         return None

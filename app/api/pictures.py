@@ -20,9 +20,9 @@ NO_PICTURE_FOR_PATIENT = (
 
 
 class Pictures:
-    """Keeps what the screens last said, by the link over which they said it, and halts a trial without a picture.
+    """Keeps the last picture report of each screen, by its socket, and halts a trial without a picture.
 
-    A screen that never said anything, as a program that drives over the API, is not asked.
+    A screen without any report counts as one with a picture: a program may drive over the API.
     """
 
     def __init__(self, control: Control, drive: DriveFlow) -> None:
@@ -32,19 +32,19 @@ class Pictures:
         self._patients: dict[object, tuple[int, Picture]] = {}
 
     def of_screen(self, screen: Screen, picture: Picture, link: object) -> None:
-        """Take what the screen of somebody who is signed in shows."""
+        """Store the report of the screen of a person who is signed in."""
         self._screens[link] = (screen, picture)
         self._halt_if_blind()
 
     def of_patient(self, screen_id: int, picture: Picture, link: object) -> bool:
-        """Take what one of the patient's screens shows; return whether that is news."""
+        """Store the report of one of the patient's screens; return whether it differs from the last one."""
         is_news = self._patients.get(link) != (screen_id, picture)
         self._patients[link] = (screen_id, picture)
         self._halt_if_blind()
         return is_news
 
-    def gone(self, link: object) -> None:
-        """Take out a screen whose link has ended; a trial that the patient drove by it halts."""
+    def forget(self, link: object) -> None:
+        """Forget the screen of a socket that has ended; a screen of the patient halts the trial by that."""
         self._screens.pop(link, None)
         if self._patients.pop(link, None) is not None and self._drive.trial is not None:
             self._halt()

@@ -49,7 +49,7 @@ class DraftView(Document):
 
 
 def _too_many(content: bytes) -> str:
-    """Return why a document is not even taken apart, which would keep the process from all other work; or nothing."""
+    """Return why a document is too large to be parsed, which would block all other requests; or an empty string."""
     if content.count(b"[") + content.count(b"{") > MOST_PARTS:
         return f"{WHERE}: it has more than {MOST_PARTS:,} points and things: make it simpler."
     return ""
@@ -115,7 +115,7 @@ async def import_files(
 async def save_new(
     request: Request, who: Clinician, parts: PeopleParts, flows: FlowParts, same_name: SameName = "ask"
 ) -> OwnPlanView:
-    """Save a document as a new floor plan of one's own; `same_name` says what becomes of a plan of this name."""
+    """Save a document as a new floor plan of the clinic; `same_name`: what to do when its name is taken."""
     content = await request.body()
 
     def save() -> OwnPlanView:

@@ -1,4 +1,4 @@
-"""What another file took the place of: listed for 30 days, and put back under a name that is free."""
+"""Files that uploads have replaced: listed for 30 days, and restored under a free name."""
 
 import asyncio
 from typing import Annotated
@@ -47,7 +47,7 @@ def list_replaced(_who: Clinician, parts: PeopleParts) -> list[ReplacedView]:
 
 @router.post("/{kind}/{identity}/restore")
 async def restore(kind: Kind, identity: Identity, who: Clinician, parts: PeopleParts) -> PutBackView:
-    """Put a file back; when its name is taken by now, under a free one."""
+    """Restore a replaced file, under a free name when its own is taken."""
 
     def put_back() -> PutBackView:
         name = _restored_plan(parts, identity) if kind == "floorplan" else parts.replaced.restore(kind, identity)

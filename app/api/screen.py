@@ -64,7 +64,7 @@ async def screen_socket(websocket: WebSocket) -> None:
         except KeyError:
             await websocket.close(NOT_TEXT)
         finally:
-            flows.pictures.gone(websocket)
+            flows.pictures.forget(websocket)
             if screen is not None:
                 flows.lost(screen, websocket)
 

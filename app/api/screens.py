@@ -6,7 +6,7 @@ from app.session.control import ScreenSign
 
 SILENCE_LIMIT = 1.0  # s for which a page may stand still before the chair stops: nobody can press Stop on it meanwhile
 VIRTUAL_SILENCE_LIMIT = 3.0  # s on the virtual chair, where nobody sits, and a slow screen draws a whole building
-LINK_LIMIT = 2.0  # s without a word, then a link that never ended gives way; the chair stops after 0.3 s of them
+LINK_LIMIT = 2.0  # s of silence, after which a socket that was never closed gives way; the chair stops after 0.3 s
 
 
 class Screen(NamedTuple):
@@ -22,7 +22,7 @@ class PageSign(NamedTuple):
     t: float  # monotonic s
     visible: bool
     silence: float  # s for which the page's own thread has said nothing
-    link: object  # over which it was said
+    link: object  # the socket of the message
 
 
 class Screens:
@@ -32,10 +32,10 @@ class Screens:
         self._signs: dict[Screen, PageSign] = {}
 
     def take(self, screen: Screen, sign: PageSign) -> bool:
-        """Take what a screen says; return False, and change nothing, while another link speaks for it.
+        """Store the sign of a screen; return False, and change nothing, while another socket speaks for it.
 
-        Another link takes over when the first has ended, or said nothing for LINK_LIMIT: one that is dead and was
-        never closed would otherwise keep the page out for ever when it is loaded again.
+        Another socket takes over when the first has ended, or was silent for LINK_LIMIT. Otherwise a dead socket that
+        was never closed would keep out a page that is loaded again.
         """
         before = self._signs.get(screen)
         if before is not None and before.link is not sign.link and sign.t - before.t < LINK_LIMIT:
@@ -44,12 +44,12 @@ class Screens:
         return True
 
     def gone(self, screen: Screen, link: object) -> None:
-        """Take a screen out whose link has ended, unless it speaks over another one."""
+        """Forget a screen whose socket has ended, unless another socket speaks for it."""
         if screen in self._signs and self._signs[screen].link is link:
             del self._signs[screen]
 
     def sign(self, screen: Screen, t: float, silence_limit: float) -> ScreenSign:
-        """Return how long (s) before `t` a screen said something, and whether it counts.
+        """Return the age (s) at `t` of the last sign of a screen, and whether its page is in view, hidden or slow.
 
         Its page may stand still for `silence_limit` s.
         """

@@ -1,6 +1,6 @@
-"""Each request that changes something names the session that its page shows (header `Patient-Session`).
+"""Refuses a change whose page shows another session than the open one (header `Patient-Session`).
 
-This holds for every route of the API that is not listed here: a new one has to name the session, too.
+This holds for every route of the API that is not in `WITHOUT_SESSION`, so a new route has to name the session, too.
 """
 
 import asyncio
@@ -24,7 +24,7 @@ UNNAMED = (
 )
 
 _SIGN_IN = "It decides who uses this browser, whoever the patient is."
-_OWN_NAME = "It names what it changes in its address, whoever is here."
+_OWN_NAME = "Its address names what it changes, so the open session does not matter."
 _CLINIC = "It belongs to the clinic and to no patient."
 _LOOKS = "It changes what one person looks at, and nothing else."
 
@@ -57,10 +57,10 @@ WITHOUT_SESSION = {
     "DELETE /chairs/{chair_id}": _CLINIC,
     "PUT /limits": _CLINIC,
 }
-"""Changing routes that name no session, each with the reason."""
+"""The changing routes that name no session, each with its reason."""
 
 
-async def session_named(connection: HTTPConnection, parts: PeopleParts) -> None:
+async def require_session(connection: HTTPConnection, parts: PeopleParts) -> None:
     """Refuse a change that names no session (422), or another one than is open now (409)."""
     method = connection.scope.get("method", "GET")  # a websocket has none, and opening one changes nothing
     if method in READS or f"{method} {_path(connection)}" in WITHOUT_SESSION:
@@ -95,4 +95,4 @@ def _path(connection: HTTPConnection) -> str:
     return path.removeprefix("/api/v1")
 
 
-NamesSession = Depends(session_named)
+SessionRequired = Depends(require_session)

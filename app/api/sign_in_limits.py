@@ -15,7 +15,7 @@ PASSWORDS_PER_NAME = 5
 PASSWORDS_PER_ADDRESS = 10
 PASSWORDS_PER_BROWSER = 5
 CODES_PER_ADDRESS = 10
-REFUSALS_EVERY = 0.01  # s: who asks again and again waits a little for each refusal, and the chair's Stop does not
+REFUSALS_EVERY = 0.01  # s between two refusals: a flood waits for its refusals, and Stop does not wait behind them
 
 NAME = "Too many wrong passwords for this name: wait {wait}, or sign in where you have signed in before."
 HERE = "Too many wrong passwords came from here: wait {wait}, then try again."
@@ -31,14 +31,14 @@ class Attempt:
     words: str = ""
 
     def take_back(self) -> None:
-        """Count it no more: it succeeded, or nobody looked at it."""
+        """Take the try out of the count: it succeeded, or nobody looked at it."""
         while self.counted:
             tries, key = self.counted.pop()
             tries.take_back(key)
 
 
 class SignInLimits:
-    """Counts the tries, of which the right ones are taken back, and refuses those that are too many."""
+    """Counts tries at passwords and codes, takes the right ones back, and refuses too many."""
 
     def __init__(self) -> None:
         self._names = Tries(PASSWORDS_PER_NAME)

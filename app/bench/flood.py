@@ -1,4 +1,4 @@
-"""How long Stop on the tablet takes while 40 people sign in, against the same without them, on one machine."""
+"""Measures Stop on the tablet while 40 people sign in, and without them, on one machine."""
 
 import random
 from collections.abc import Callable
@@ -10,9 +10,9 @@ from app.bench.row import Row
 from app.bench.stop import request, served
 from app.clock import MonotonicClock, monotonic
 
-SIGN_INS = 40  # under way at once
+SIGN_INS = 40  # at once
 ROUNDS, STOPS = 10, 40  # in turn without them and with them; stops in each
-REACH = 2.0  # times as long
+REACH = 2.0  # the largest ratio of the two p99
 SETTLING = 0.5  # s after the flood began or ended
 PAUSE = (0.005, 0.03)  # s between two stops, at random, so that they meet every phase of what goes on
 

@@ -12,7 +12,7 @@ from app.layout import ShirtLayout
 
 # What the short stretches of the prompts can show; noise is judged on the long free movement.
 SEEN_IN_PROMPTS = {"near", "railed", "flat", "nan"}
-FEW_MISSING = 0.05  # of a channel's samples: the one before is held rather than that a joint is lost
+FEW_MISSING = 0.05  # of a channel's samples: so many may repeat the sample before, where a joint has no better channel
 
 
 def channels_left_out(
@@ -26,8 +26,8 @@ def channels_left_out(
 ) -> dict[str, str]:
     """Return why channels are left out of the map.
 
-    Gaps of at most 0.2 s, and at most 1 % of a channel within what its joint is fitted to, leave nothing out. One near
-    its rails, or with somewhat more missing, is left out only where the joint keeps a better one.
+    Gaps of at most 0.2 s, and at most 1 % of a channel within what its joint is fitted to, leave nothing out. A channel
+    near its rails, or with at most 5 % missing, is left out only where the joint keeps a better channel.
     """
     groups = layout.channels_of_joint
     pieces = [free] if rest is None else [free, rest]

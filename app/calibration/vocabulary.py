@@ -62,7 +62,7 @@ class DriveParameters(Document):
     cutoff: Cutoff = 3.0  # Hz: tremor damping
     speeds: Speeds = Speeds()
     cruise_time: CruiseTime = 10.0  # s: a chair that cruises without being asked to for so long slows to standstill
-    turn_cruise_time: TurnCruiseTime | None = 3.0  # s: the same for turning; None only in sets from before it
+    turn_cruise_time: TurnCruiseTime | None = 3.0  # s: the time-out of turning; None only in sets older than this field
 
     @model_validator(mode="after")
     def _names_fit_together(self) -> Self:
@@ -96,9 +96,10 @@ class DriveParameters(Document):
 
 
 def recorded_parameters(document: Any) -> DriveParameters:
-    """Return the parameter set in the header of a recording, which drives again exactly as it did then.
+    """Return the parameter set in the header of a recording.
 
-    A set from before there was a time-out of turning has none. Raise pydantic's ValidationError for anything else.
+    A set that is older than the time-out of turning gets none, so that a replay drives as the recording did. Raise
+    pydantic's ValidationError for anything else.
     """
     if isinstance(document, dict):
         document = {"turn_cruise_time": None, **document}

@@ -1,4 +1,4 @@
-"""`bodydrive log`: whether anybody changed the log of a clinic."""
+"""`bodydrive log`: checks whether anybody changed the log of a clinic."""
 
 import json
 import sqlite3
@@ -23,7 +23,7 @@ log_app = typer.Typer(
 
 @log_app.callback()
 def _log() -> None:
-    """Keep `verify` a word of its own while it is the only one."""
+    """Make typer keep the sub-command `verify`, although it is the only one."""
 
 
 @log_app.command("verify")

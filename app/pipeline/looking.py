@@ -29,7 +29,7 @@ class Looking:
         return self._failed or (self._tracker.words() if self._tracker else NOBODY)
 
     def change(self, config: HeadConfig | None) -> Change:
-        """Do without a head tracker from now on, and return how this one is opened and put to use."""
+        """Release the head tracker in use, and return the change that opens another one."""
         before = self._release_tracker()
 
         def opened() -> HeadTracker | None:
@@ -72,7 +72,7 @@ class Looking:
         tick.head_age = max(0.0, t - pose.t)
 
     def _release_tracker(self) -> HeadTracker | None:
-        """Do without a head tracker, and return the one that was in use, still open."""
+        """Release the head tracker in use and return it, still open."""
         before, self._tracker = self._tracker, None
         self.kind = self._failed = ""
         self._ahead = (0.0, 0.0, 0.0)

@@ -17,7 +17,7 @@ class Openable(Protocol):
     """What shirts, head trackers and real chairs have in common."""
 
     def open(self) -> None:
-        """Begin."""
+        """Open the device."""
         ...
 
 
@@ -115,10 +115,10 @@ class _Attempt(threading.Thread):
         close_quietly(device)
 
     def give_up(self) -> None:
-        """Want the device no more."""
+        """Give the device up: it is closed when it opens after all."""
         with self._lock:
             self._given_up = not self.ended.is_set()
-        if not self._given_up:  # it came at the last moment
+        if not self._given_up:  # the device opened just before
             close_quietly(self.device)
 
 

@@ -77,7 +77,7 @@ class Setup:
 
     @property
     def network_shirt(self) -> FromNetwork | None:
-        """The shirt, when somebody else's frames could reach it."""
+        """The shirt in use when it is one over the network, else None."""
         return self.shirt if isinstance(self.shirt, FromNetwork) else None
 
     @property
@@ -112,7 +112,7 @@ class Setup:
             raise Refused("The chair is armed: end the drive first.")
 
     def change_shirt(self, config: ShirtConfig) -> Change:
-        """Do without a shirt from now on, and return how this one is opened and put to use."""
+        """Release the shirt in use, and return the change that opens another one."""
         self.require_still()
         before = self._release_shirt()
 
@@ -143,14 +143,14 @@ class Setup:
         close_quietly(self.shirt)
 
     def change_body(self, config: BodyConfig) -> Change:
-        """Return how somebody else gets into the simulated shirt."""
+        """Return the change to another body inside the simulated shirt."""
         self.require_still()
         if self.dressed is None:
             raise Refused("Only the simulated shirt has a body to choose: choose the simulated shirt first.")
         return Change("body", lambda: make_body(config), lambda body: self._take_body(body, config.kind))
 
     def change_chair(self, config: ChairConfig) -> Change:
-        """Return how this chair is opened and put to use; until then, and when it fails, the one in use stays."""
+        """Return the change that opens another chair; until then, and when that fails, the chair in use stays."""
         self.require_still()
         if isinstance(config, RealChairConfig):
             return Change("chair", lambda: open_device(make_real_chair(config)), self._take_real_chair)
@@ -213,7 +213,7 @@ class Setup:
         self.chair.place(self.path.start if self.path else ORIGIN)
 
     def _release_shirt(self) -> Shirt | None:
-        """Do without a shirt, and return the one that was in use, still open."""
+        """Release the shirt in use and return it, still open."""
         before, self.shirt, self.dressed, self.body_kind = self.shirt, None, None, None
         self.shirt_kind = self._shirt_failed = ""
         self.mistrust = NO_SHIRT

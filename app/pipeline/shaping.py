@@ -22,7 +22,7 @@ def turn_ramp(speeds: Speeds) -> Ramp:
 
 
 class Cruise:
-    """How long nobody has asked an axis that keeps its speed for anything; safety S10.
+    """The time-out of an axis that keeps its speed: for how long no control was asked of it (safety S10).
 
     `longest` is the time-out (s), None where speed is kept for ever.
     """

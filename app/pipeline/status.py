@@ -1,4 +1,4 @@
-"""What the control process tells of itself when it is asked (docs/protocols.md, section 1, `status`)."""
+"""The status report of the control process (docs/protocols.md, section 1, `status`)."""
 
 from typing import Any
 
@@ -7,7 +7,7 @@ from app.pipeline.loop import ControlLoop
 
 
 def status(loop: ControlLoop) -> dict[str, Any]:
-    """Return how shirt, chair and head tracker are, in words and numbers."""
+    """Return the condition of shirt, chair and head tracker, in words and numbers."""
     setup = loop.setup
     return {
         "shirt": {

@@ -43,7 +43,7 @@ def require_guarded(server: viser.ViserServer) -> None:
 
 
 class _GuardedWebsockets:
-    """The websockets library as viser sees it: the same, but its servers ask for the secret."""
+    """Stands in for the websockets library inside viser: its servers ask for the secret."""
 
     def __init__(self) -> None:
         self.asyncio = SimpleNamespace(server=SimpleNamespace(serve=_serve))

@@ -1,4 +1,4 @@
-"""What a GLB file says about itself, measured before anything is made of it: foreign files may ask for anything."""
+"""Checks what a GLB file claims about itself before anything is unpacked: a foreign file may claim any size."""
 
 import struct
 from collections.abc import Iterator

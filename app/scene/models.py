@@ -1,4 +1,4 @@
-"""3D objects to be drawn: what was read of a GLB file, kept beside it, so that the file is read once and elsewhere."""
+"""3D objects to be drawn. The reading of a GLB file is kept beside the file: a process of its own reads it once."""
 
 import hashlib
 import io

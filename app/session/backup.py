@@ -30,7 +30,7 @@ class Backup:
 def back_up(database: Path, folder: Path, label: str) -> Backup:
     """Copy `database` into `folder` with SQLite's own means, and return the copy when it was found whole.
 
-    The copy is one file, `NAME.LABEL.DATE.backup`, and takes the place of the database as it is. It appears under
+    The copy is one file, `NAME.LABEL.DATE.backup`, and can take the place of the database unchanged. It appears under
     this name only when its integrity check passed and each of its tables has as many rows as the original.
 
     Raises

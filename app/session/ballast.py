@@ -73,7 +73,7 @@ def _allocate(descriptor: int, size: int) -> None:
     """Let a file take `size` bytes on the disk, in blocks that are really its own; raise OSError where it cannot."""
     if hasattr(os, "posix_fallocate"):
         os.posix_fallocate(descriptor, 0, size)
-    if os.fstat(descriptor).st_blocks * BLOCK < size:  # zeros may take no room: written out, noise does
+    if os.fstat(descriptor).st_blocks * BLOCK < size:  # a file of zeros may take no room on this disk; noise does
         os.lseek(descriptor, 0, os.SEEK_SET)
         for _ in range(0, size, NEEDED):
             noise = memoryview(secrets.token_bytes(NEEDED))

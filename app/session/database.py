@@ -124,11 +124,11 @@ class Database:
 
     @contextmanager
     def _in_words(self) -> Iterator[None]:
-        """Say in a sentence what people can do something about."""
+        """Turn the errors that a person can mend into refusals with a sentence."""
         try:
             yield
         except (DatabaseError, sqlite3.DatabaseError) as error:
-            code = getattr(getattr(error, "orig", error), "sqlite_errorcode", 0) & 0xFF  # the rest says how it happened
+            code = getattr(getattr(error, "orig", error), "sqlite_errorcode", 0) & 0xFF  # the upper bits hold details
             if code == sqlite3.SQLITE_FULL or (code in NO_ROOM_PERHAPS and not self.ballast.has_room()):
                 raise Full(NO_ROOM) from error
             if code in {sqlite3.SQLITE_BUSY, sqlite3.SQLITE_LOCKED}:

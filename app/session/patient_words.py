@@ -16,7 +16,7 @@ class Actor(StrEnum):
 
 
 class PatientWords(NamedTuple):
-    """Plain sentences; nothing technical, which is for the clinician."""
+    """Plain sentences for the patient, without technical details."""
 
     happened: str  # why the chair was stopped; empty when it was not
     actor: Actor

@@ -1,4 +1,4 @@
-"""Files that a person let another one replace: kept for 30 days, and put back on request."""
+"""Files that a person replaced by another one: kept for 30 days, and restored on request."""
 
 import os
 import shutil
@@ -15,7 +15,7 @@ from app.settings import Settings
 
 KEPT_FOR: Final = timedelta(days=30)
 STAMP: Final = "%Y%m%dT%H%M%S.%fZ"  # UTC, ISO 8601
-BETWEEN: Final = "--"  # when it was replaced, and its name
+BETWEEN: Final = "--"  # stands between the time of the replacement and the name
 
 Kind = Literal["file", "model", "floorplan"]
 KINDS: Final[tuple[Kind, ...]] = get_args(Kind)

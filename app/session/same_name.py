@@ -1,4 +1,4 @@
-"""What is brought under a name that something has already: nothing is replaced unless a person says so."""
+"""The rule for an upload whose name is taken: nothing is replaced unless a person says so."""
 
 from collections.abc import Collection
 from itertools import count
@@ -22,7 +22,7 @@ class NameTaken(Conflict):
 
 
 def log_details(same_name: SameName) -> dict[str, str]:
-    """Return what the log says of a choice, nothing when none was made."""
+    """Return the details for the log: the choice of a person, or nothing when there was none."""
     return {} if same_name == "ask" else {"same_name": same_name}
 
 

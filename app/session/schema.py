@@ -1,4 +1,4 @@
-"""The schema of a database file: which revision it has, and how it comes to that of this program."""
+"""The schema of a database file: which revision it has, and how it is brought to the revision of this program."""
 
 import sqlite3
 from contextlib import closing

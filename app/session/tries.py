@@ -6,7 +6,7 @@ from collections import deque
 
 from app.clock import monotonic
 
-WITHIN = 60.0  # s: the tries of so long count
+WITHIN = 60.0  # s: only tries within this time count
 MOST_KEYS = 4096  # more than can be tried within that time: a hash alone takes 0.1 s
 
 

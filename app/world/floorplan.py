@@ -25,7 +25,7 @@ MAX_WALLS = 5000
 MAX_BYTES = 8_000_000  # a document larger than this is not a floor plan
 MOST_LOOKS = 20_000_000  # pieces of paths times pieces of walls: each is held against each
 
-# Of a long list the first fault is told: to collect a million of them takes seconds in which nothing else is answered.
+# FailFast reports the first fault only: to collect a million faults would block the process for seconds.
 Polyline = Annotated[tuple[Point, ...], Field(min_length=2, max_length=MAX_WALLS), FailFast()]
 
 

@@ -94,15 +94,15 @@ def test_whoever_gives_up_leaves_no_answer_for_the_next():
     assert not with_hashing(story)
 
 
-def test_there_are_only_so_many_places(monkeypatch):
+def test_there_are_only_so_many_slots(monkeypatch):
     monkeypatch.setattr(hashing, "MOST_AT_ONCE", 1)
 
     async def story(made):
-        async with made.place():
+        async with made.slot():
             with pytest.raises(Busy):
-                async with made.place():
+                async with made.slot():
                     pass
-        async with made.place():
+        async with made.slot():
             return True
 
     assert with_hashing(story)

@@ -99,7 +99,7 @@ def test_beyond_a_few_at_once_nobody_waits_and_no_try_is_lost(real: Clinic, monk
     monkeypatch.setattr(Hashing, "matches", slowly)
     with ThreadPoolExecutor(MOST_AT_ONCE) as browsers:
         under_way = [browsers.submit(attempt, real, f"name {i}", "wrong password") for i in range(MOST_AT_ONCE)]
-        while real.client.app.state.people.hashing._places:  # type: ignore[attr-defined]
+        while real.client.app.state.people.hashing._free_slots:  # type: ignore[attr-defined]
             pass
         refused = [attempt(real, "Ada", RIGHT) for _ in range(6)]
         assert {answer.status_code for answer in refused} == {503}

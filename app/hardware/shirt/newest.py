@@ -20,12 +20,12 @@ def newest_file(key_file: Path) -> Path:
 
 
 def write_newest(file: Path, number: FrameNumber) -> None:
-    """Write it, whole or not at all; raise OSError when it cannot be written."""
+    """Write the number of the newest frame, whole or not at all; raise OSError when that fails."""
     write_atomically(file, f"{number[0]} {number[1]}\n".encode())
 
 
 def read_newest(file: Path) -> FrameNumber:
-    """Return what is written in `file`; HardwareError when that is not known: then any frame could be an old one."""
+    """Return the number of the newest frame; HardwareError without a readable file: any frame could be old then."""
     try:
         found = _LINE.fullmatch(file.read_text(encoding="ascii").strip()) if file.is_file() else None
     except (OSError, ValueError):

@@ -1,4 +1,4 @@
-"""Who is the shirt: the first sender of a good frame, until a person takes another one (safety S23)."""
+"""Which sender is the shirt: the first one of a good frame, until a person takes another one (safety S23)."""
 
 from typing import Any
 

@@ -33,7 +33,7 @@ LOG = sa.table("log", sa.column("id"), sa.column("at", sa.DateTime), sa.column("
 
 
 def upgrade() -> None:
-    """Add them, and fill in what the log and the tables tell."""
+    """Add the columns, and fill them from the log and the tables."""
     op.add_column("run", sa.Column("shirt", sa.String(length=32), nullable=False, server_default="unknown"))
     op.add_column("run", sa.Column("body", sa.String(length=32), nullable=True))
     op.add_column("run", sa.Column("chair", sa.String(length=32), nullable=False, server_default="unknown"))
@@ -55,7 +55,7 @@ def upgrade() -> None:
 
 
 def downgrade() -> None:
-    """Forget them."""
+    """Drop the columns."""
     op.drop_column("session", "opened_by")
     op.drop_column("profile", "simulated")
     for name in ("simulated", "chair", "body", "shirt"):
