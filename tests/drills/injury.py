@@ -12,6 +12,7 @@ A_TICK = 0.02  # s: the longest wait of the control loop, or a step of the recei
 HEARTBEAT = 0.05  # s between two heartbeats of the drill
 COMMAND = 0.02  # s between two commands
 LATE_MACHINE = 0.05  # s: a machine this late sends commands late; the chair then slows, and rightly speeds up again
+STARVED_SHIRT = 0.1  # s: a machine this late keeps the shirt from sending, and the gate rightly stops after 0.2 s
 
 
 async def injure_at_random(made, result, dice, injury, recover, after=AFTER):
@@ -35,9 +36,6 @@ async def nothing():
     """Injure or mend nothing."""
 
 
-LATE = 0.1  # s: the gate stops for a shirt that is silent for 0.2 s
-
-
 def look_for_jerks(made, since, result):
     """Add a violation when the speed of the chair changed faster than the firmest stop since the time `since` (s)."""
     lines = made.receiver.since(since)
@@ -49,11 +47,8 @@ def look_for_jerks(made, since, result):
 
 
 def look_whether_it_drives(made, result, late):
-    """Add a violation when the chair does not drive any more.
-
-    A machine that was `late` (s) for longer than LATE kept the shirt from sending, so the gate was right to stop.
-    """
-    if late > LATE:
+    """Add a violation when the chair does not drive any more, unless the machine was `late` (s) for too long."""
+    if late > STARVED_SHIRT:
         return
     if made.control.newest()["state"] != State.ARMED or made.receiver.newest["state"] != "armed":
         fault = Fault(int(made.control.newest()["fault"])).name
