@@ -1,27 +1,37 @@
 """Whether the person can still stop what moves now (safety S5 and S22)."""
 
-from collections.abc import Sequence
+import itertools
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from app.calibration.vocabulary import DriveParameters
 from app.geometry import STANDSTILL, Twist
 
+LEAST_BRAKE = 0.1  # gain: a gesture that slows less than a tenth as much as an ordinary one brakes nothing in time
 
-class _Axis(NamedTuple):
-    """One axis of the twist that keeps its speed while nobody makes a gesture."""
 
-    raises: tuple[int, ...]  # indices of the gestures that drive towards positive speed
-    lowers: tuple[int, ...]  # towards negative speed
+class _Push(NamedTuple):
+    """What a movement does to the speed of an axis: the lowest and the highest sum of gains that it can reach.
 
-    def can_stop(self, speed: float, bad: Sequence[bool]) -> bool:
-        """Return whether a believable gesture slows `speed`, and at rest, whatever believable gestures can begin."""
-        raises = any(not bad[i] for i in self.raises)
-        lowers = any(not bad[i] for i in self.lowers)
-        if speed > 0.0:
-            return lowers
-        if speed < 0.0:
-            return raises
-        return raises == lowers
+    A movement that several gestures read, each from another strength on, can do several things. Nobody makes the one
+    without the other.
+    """
+
+    low: float = 0.0
+    high: float = 0.0
+
+    def along(self, sign: int) -> bool:
+        """Return whether it may change the speed towards `sign`, 1 or -1; never for 0."""
+        return self.high > 0.0 if sign > 0 else sign < 0 and self.low < 0.0
+
+    def brakes(self, sign: int) -> bool:
+        """Return whether it slows a speed of this sign, and never the opposite."""
+        strength = -self.low if sign > 0 else self.high
+        return strength >= LEAST_BRAKE and not self.along(sign)
+
+
+_Signs = tuple[int, int]
+"""In which direction each axis moves that keeps its speed: 1, -1, or 0."""
 
 
 class Brakes:
@@ -29,12 +39,13 @@ class Brakes:
 
     An axis in velocity mode needs none of them: it slows down by itself as soon as the person rests, or as soon as its
     gestures cannot be believed. An axis in acceleration mode keeps its speed. It needs a gesture against the direction
-    in which it moves, or a stop gesture whose parts are all believable. A time-out is no substitute for either.
+    in which it moves, one that does not drive the other axis further, or a stop gesture whose parts are all believable.
+    A time-out is no substitute for either.
     """
 
     def __init__(self, parameters: DriveParameters) -> None:
-        self._forward = _axis(parameters, "u1") if parameters.mode_u1 == "acceleration" else None
-        self._turn = _axis(parameters, "u2") if parameters.mode_u2 == "acceleration" else None
+        self._keeps = parameters.mode_u1 == "acceleration", parameters.mode_u2 == "acceleration"
+        self._pushes = list(zip(_pushes(parameters, "u1"), _pushes(parameters, "u2"), strict=True))
         self._stops = _possible_stops(parameters)
         self._all_bad = [True] * len(parameters.gestures)
         self.are_complete = self.suffice(STANDSTILL, [False] * len(parameters.gestures))
@@ -47,15 +58,29 @@ class Brakes:
         """
         if any(not any(bad[i] for i in stop) for stop in self._stops):
             return True
-        stands = twist == STANDSTILL
-        for axis, speed in ((self._forward, twist.v), (self._turn, twist.omega)):
-            if axis and (speed or stands) and not axis.can_stop(speed, bad):
-                return False
-        return True
+        believable = [push for push, is_bad in zip(self._pushes, bad, strict=True) if not is_bad]
+        if twist == STANDSTILL:
+            return all(_can_stop(signs, believable) for signs in self._can_begin(believable))
+        return _can_stop((self._sign(0, twist.v), self._sign(1, twist.omega)), believable)
 
     def are_needed(self, twist: Twist) -> bool:
         """Return whether `twist` goes on while no gesture is believable."""
         return not self.suffice(twist, self._all_bad)
+
+    def _sign(self, axis: int, speed: float) -> int:
+        return ((speed > 0.0) - (speed < 0.0)) if self._keeps[axis] else 0
+
+    def _can_begin(self, believable: Sequence[tuple[_Push, _Push]]) -> Iterator[_Signs]:
+        """Yield each pair of directions that the axes can come to have."""
+        directions = [
+            [
+                sign
+                for sign in (-1, 0, 1)
+                if not sign or any(push[axis].along(self._sign(axis, sign)) for push in believable)
+            ]
+            for axis in (0, 1)
+        ]
+        yield from itertools.product(*directions)
 
 
 def missing_brake(parameters: DriveParameters) -> str:
@@ -68,8 +93,17 @@ def missing_brake(parameters: DriveParameters) -> str:
     )
 
 
-def _axis(parameters: DriveParameters, name: str) -> _Axis:
-    """Return the gestures that change the speed of the axis `name`, "u1" or "u2".
+def _can_stop(signs: _Signs, believable: Sequence[tuple[_Push, _Push]]) -> bool:
+    """Return whether each axis that moves has a brake that does not drive the other one further."""
+    return all(
+        not signs[axis]
+        or any(push[axis].brakes(signs[axis]) and not push[1 - axis].along(signs[1 - axis]) for push in believable)
+        for axis in (0, 1)
+    )
+
+
+def _pushes(parameters: DriveParameters, name: str) -> list[_Push]:
+    """Return what the movement of each gesture does to the axis `name`, "u1" or "u2".
 
     Only the sum of a gesture's gains counts: a gesture bound to both directions with equal gains changes nothing.
     """
@@ -78,10 +112,9 @@ def _axis(parameters: DriveParameters, name: str) -> _Axis:
     for binding in parameters.bindings:
         for gesture in binding.gestures if binding.control.startswith(name) else ():
             gains[places[gesture]] += binding.gain if binding.control.endswith("+") else -binding.gain
-    return _Axis(
-        raises=tuple(i for i, gain in enumerate(gains) if gain > 0.0),
-        lowers=tuple(i for i, gain in enumerate(gains) if gain < 0.0),
-    )
+    movements = [(gesture.joint, gesture.feature, gesture.direction) for gesture in parameters.gestures]
+    reached = [[gain for gain, other in zip(gains, movements, strict=True) if other == own] for own in movements]
+    return [_Push(min(0.0, *those), max(0.0, *those)) for those in reached]
 
 
 def _possible_stops(parameters: DriveParameters) -> list[list[int]]:

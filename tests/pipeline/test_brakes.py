@@ -148,3 +148,59 @@ def test_a_set_without_a_brake_says_what_to_do():
         "With these controls the chair would keep a speed that no movement can slow: on the Controls page, bind a "
         "movement to the opposite direction or to Stop, or choose “Follows the movement”."
     )
+
+
+def gestures_of(*thresholds, direction=1, joint="right_elbow"):
+    """Return gestures of one joint and direction that begin at these dead-zones, by the names a, b ..."""
+    return tuple(
+        Gesture(name=name, joint=joint, direction=direction, dead_zone=dead_zone, full=dead_zone + 0.5)
+        for name, dead_zone in zip("ab", thresholds, strict=True)
+    )
+
+
+@pytest.mark.parametrize("gains", [(1.0, 1.0), (1.0, 2.0), (2.0, 0.5)])
+def test_a_movement_that_both_speeds_up_and_slows_is_no_brake(gains):
+    """Whoever moves weakly drives on, and only beyond some strength slows down: no person can rely on that."""
+    bindings = tuple(
+        Binding(control=control, gestures=(name,), gain=gain)
+        for control, name, gain in zip(("u1+", "u1-"), "ab", gains, strict=True)
+    )
+    parameters = DriveParameters(profile=make_profile(), gestures=gestures_of(0.2, 1.0), bindings=bindings)
+    assert not Brakes(parameters).suffice(FORWARD, [False, False])
+    assert not Brakes(parameters).are_complete
+    back = parameters.gestures[1].model_copy(update={"direction": -1})
+    assert Brakes(parameters.model_copy(update={"gestures": (parameters.gestures[0], back)})).are_complete
+
+
+@pytest.mark.parametrize(("gain", "is_brake"), [(0.0, False), (1e-9, False), (0.09, False), (0.1, True), (1.0, True)])
+@pytest.mark.parametrize(("control", "other", "twist"), [("u1-", "u1+", FORWARD), ("u1+", "u1-", BACK)])
+def test_a_gesture_with_hardly_any_gain_is_no_brake(gain, is_brake, control, other, twist):
+    bindings = (
+        Binding(control=other, gestures=("right_elbow",)),
+        Binding(control=control, gestures=("left_elbow",), gain=gain),
+    )
+    assert brakes(bindings=bindings).suffice(twist, bad()) == is_brake
+    assert brakes(bindings=bindings).are_complete == is_brake
+
+
+def test_what_is_no_brake_for_its_little_gain_can_still_begin_a_motion():
+    bindings = (Binding(control="u1+", gestures=("right_elbow",), gain=1e-9),)
+    assert not brakes(bindings=bindings).are_complete
+
+
+def test_a_brake_that_drives_the_other_axis_further_is_none():
+    """By turns the two brakes would only hand the speed to one another."""
+    bindings = (
+        Binding(control="u1+", gestures=("right_elbow", "right_shoulder")),
+        Binding(control="u1-", gestures=("left_elbow",)),
+        Binding(control="u2+", gestures=("right_elbow", "left_elbow")),
+        Binding(control="u2-", gestures=("right_shoulder",)),
+    )
+    coupled = brakes(bindings=bindings)
+    assert not coupled.are_complete
+    assert coupled.suffice(FORWARD, bad())
+    assert coupled.suffice(TURN_LEFT, bad())
+    assert not coupled.suffice(Twist(0.3, 0.3), bad())
+    assert coupled.suffice(Twist(0.3, -0.3), bad())
+    assert brakes(bindings=bindings, mode_u2="velocity").are_complete
+    assert brakes(bindings=(*bindings, Binding(control="stop", gestures=("left_shoulder",)))).are_complete
