@@ -35,8 +35,8 @@ class People:
     replaced: ReplacedFiles
 
 
-def people(connection: HTTPConnection) -> People:
-    """Return the parts that decide who comes in."""
+async def people(connection: HTTPConnection) -> People:
+    """Return the parts that decide who comes in; like `everyone` and `flows` without a thread, for Stop needs them."""
     found: People = connection.app.state.people
     return found
 
@@ -74,7 +74,7 @@ def owner(who: Annotated[SignedIn, Depends(anyone_signed_in)]) -> SignedIn:
     return who
 
 
-def everyone() -> None:
+async def everyone() -> None:
     """Mark a route that asks nobody who they are; each route says whom it is for (tests/api/test_roles.py)."""
 
 

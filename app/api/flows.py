@@ -137,8 +137,8 @@ def flows_of(app: FastAPI) -> Flows:
     return found
 
 
-def flows(connection: HTTPConnection) -> Flows:
-    """Return the long-lived parts."""
+async def flows(connection: HTTPConnection) -> Flows:
+    """Return the long-lived parts; without a thread, for Stop needs them."""
     return flows_of(connection.app)
 
 

@@ -1,8 +1,11 @@
 """Trials as a page starts, sees and ends them; Stop from anywhere."""
 
 import time
+from concurrent.futures import ThreadPoolExecutor, wait
 from typing import Any
 
+import anyio
+import anyio.to_thread
 import pytest
 from fake_clinic import WORD
 
@@ -105,6 +108,31 @@ def test_stop_is_for_anyone_and_twice_and_clear_is_not(ready: Any) -> None:
     assert seen_before.status_code == 409
     assert ready.good("POST", "/control/clear", json={"stops": 3}) == {"state": "armed", "fault": None}
     assert [do for do, _ in ready.link.calls].count("stop") == 3
+
+
+def test_stop_waits_for_no_thread(ready: Any) -> None:
+    """Every thread may hang in a slow file or a database that somebody holds; whoever stops must not wait for one."""
+    ready.good("POST", "/trials", json=ready.where)
+    hanging = [object() for _ in range(200)]
+
+    async def take_all_threads() -> None:
+        limiter = anyio.to_thread.current_default_thread_limiter()
+        for borrower in hanging[: int(limiter.available_tokens)]:
+            limiter.acquire_on_behalf_of_nowait(borrower)
+
+    async def give_them_back() -> None:
+        limiter = anyio.to_thread.current_default_thread_limiter()
+        for borrower in list(limiter.statistics().borrowers):
+            if borrower in hanging:
+                limiter.release_on_behalf_of(borrower)
+
+    ready.client.portal.call(take_all_threads)
+    with ThreadPoolExecutor(1) as another:
+        stopping = another.submit(ready, "POST", "/control/stop")
+        done, _ = wait([stopping], timeout=5.0)
+        ready.client.portal.call(give_them_back)
+        assert done, "Stop waited for a thread"
+        assert stopping.result().status_code == 200
 
 
 def test_stop_answers_even_when_nothing_is_left_to_stop(ready: Any) -> None:
