@@ -217,6 +217,11 @@ def test_a_recorded_body_goes_round_without_a_jump(tmp_path):
         ("t,right_elbow_x,right_elbow_y,right_elbow_z\n0,1,2,3\n0,1,2,3\n", "do not rise"),
         ("t,right_elbow_x,right_elbow_y,right_elbow_z\n0,1,2,3\n1,1,2,3\n", "too short"),
         ("t,right_elbow_x,right_elbow_y,right_elbow_z\n0,1,2,3\n9,1,,3\n", "line 3"),
+        ("t,right_elbow_x,right_elbow_y,right_elbow_z\n0,1,2,3\n9,2,3,4\n", "at least 10 rows a second"),
+        (  # filled up evenly, a few rows would be a million, and a few more would be more than any memory holds
+            "t,right_elbow_x,right_elbow_y,right_elbow_z\n0,1,2,3\n0.00001,1,2,4\n0.00002,2,2,4\n10,1,2,3\n",
+            "too uneven",
+        ),
     ],
 )
 def test_a_body_file_that_cannot_be_used_is_one_sentence(tmp_path, content, words):

@@ -14,6 +14,8 @@ from app.hardware.body.minimum_jerk import minimum_jerk
 AXES = ("x", "y", "z")
 BLEND = 1.0  # s in which the end of the recording passes into its beginning
 SHORTEST = 4.0  # s of recording: less has no beginning and end to blend
+SLOWEST = 10.0  # rows a second: fewer say nothing of a movement
+MOST_FILLED = 10  # times as many rows as there are, when the gaps between them are filled up evenly
 STILL = 1e-3  # rad: a joint that moves less has not moved
 PERCENTILES = (1.0, 99.0)  # of the movement: what counts as rest and as all the way
 
@@ -106,6 +108,10 @@ def _postures(file: Path, joints: tuple[str, ...]) -> tuple[float, NDArray[np.fl
             f"{file}: {t[-1] - t[0]:g} s of movement are too short to go round, give at least {SHORTEST:g} s"
         )
     dt = float(np.median(steps))
+    if dt > 1.0 / SLOWEST:
+        raise HardwareError(f"{file}: a movement needs at least {SLOWEST:g} rows a second, record it again")
+    if t[-1] - t[0] > MOST_FILLED * len(t) * dt:
+        raise HardwareError(f"{file}: the times in column 't' are too uneven, record it again without long gaps")
     even = t[0] + dt * np.arange(round((t[-1] - t[0]) / dt) + 1)
     postures = np.zeros((len(even), len(joints)))
     for joint, vectors in rotations.items():
