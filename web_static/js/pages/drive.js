@@ -78,7 +78,7 @@ async function choose(app, root, signal) {
         { class: "grow" },
         bodyNote(equipment),
         " ",
-        equipment.shirt.kind === "simulator" &&
+        (!equipment.shirt || equipment.shirt.kind === "simulator") &&
           h("a", { class: "btn bare small", href: "#/shirt" }, t("drive.body.change")),
       ),
       chosenWords,
@@ -88,6 +88,7 @@ async function choose(app, root, signal) {
 }
 
 function bodyNote({ shirt, body }) {
+  if (!shirt) return t("lamp.shirt.none");
   if (shirt.kind !== "simulator" || !body) return t("drive.body.patient");
   return t(body.kind === "person" ? `drive.body.person.${body.skill}` : `drive.body.${body.kind}`);
 }
@@ -99,7 +100,7 @@ async function drive(app, root, running, where, signal) {
   if (signal.aborted) return;
   let trial = running;
   const path = plan.paths.find((one) => one.name === (running?.path ?? where.path));
-  const isVisitor = equipment.shirt.kind === "simulator" && equipment.body?.kind === "visitor";
+  const isVisitor = equipment.shirt?.kind === "simulator" && equipment.body?.kind === "visitor";
   const lookWhetherOver = async ({ detail }) => {
     if (!trial || (detail !== "trial" && detail !== "everything")) return;
     const now = (await app.api.get(`/trials?patient=${trial.patient_id}`).catch(() => [])).find(

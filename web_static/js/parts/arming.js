@@ -22,7 +22,7 @@ export async function readArming(api) {
 
 /** Whether a demonstration lets a body that nobody has drive the chair. @param {import("../main.js").App} app @param {any} read */
 export function isSimulated(app, { equipment }) {
-  return app.me.demo && NOT_A_BODY.has(equipment.shirt.kind);
+  return app.me.demo && NOT_A_BODY.has(equipment.shirt?.kind);
 }
 
 /**

@@ -42,7 +42,7 @@ export function calibrateStep(app, calibration, equipment, actions, signal) {
     signal,
     onCue: (cue) => showLead(cue.repetition),
   });
-  const isVisitor = equipment.body?.kind === "visitor" && equipment.shirt.kind === "simulator";
+  const isVisitor = equipment.body?.kind === "visitor" && equipment.shirt?.kind === "simulator";
   const body = h(
     "div",
     { class: "step-body" },
