@@ -13,7 +13,8 @@ const PAUSE = 1500; // ms between two steps that follow by themselves: time to b
 /** @param {import("../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal}} page */
 export async function show(app, root, { signal }) {
   if (nobodyIsHere(app, root)) return;
-  let [calibration, equipment] = await Promise.all([app.api.get("/calibration"), app.api.get("/equipment")]);
+  const { api } = app; // names this page's session for as long as anything of the page is left
+  let [calibration, equipment] = await Promise.all([api.get("/calibration"), api.get("/equipment")]);
   if (!equipment.shirt && calibration.steps.length === 1) {
     emptyPage(root, t("calibrate.no-shirt"), t("calibrate.no-shirt.lead"), "#/shirt", t("calibrate.no-shirt.go"));
     return;
@@ -33,14 +34,16 @@ export async function show(app, root, { signal }) {
     clearTimeout(timer);
     timer = 0;
     try {
-      take(await app.api.post(path, body));
+      const answer = await api.post(path, body);
+      if (!signal.aborted) take(answer);
     } catch (error) {
+      if (signal.aborted) return;
       app.toasts.show(error.message);
       await readAgain();
     }
   };
   const readAgain = async () => {
-    const [fresh, worn] = await Promise.all([app.api.get("/calibration"), app.api.get("/equipment")]).catch(() => [
+    const [fresh, worn] = await Promise.all([api.get("/calibration"), api.get("/equipment")]).catch(() => [
       calibration,
       equipment,
     ]);
@@ -77,7 +80,7 @@ export async function show(app, root, { signal }) {
   };
   const accept = async () => {
     try {
-      await app.api.post("/calibration/accept");
+      await api.post("/calibration/accept");
       await app.readVisit();
       app.go("#/controls");
     } catch (error) {
