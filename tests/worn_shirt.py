@@ -5,6 +5,8 @@ import sqlite3
 import threading
 from contextlib import closing
 
+from processes.wearer import free_port
+
 from app.clock import MonotonicClock
 from app.hardware.body.visitor import Visitor
 from app.hardware.chair.key import read_key
@@ -12,12 +14,6 @@ from app.hardware.configs import SimulatorConfig
 from app.hardware.shirt.sender import signed_frame
 from app.hardware.shirt.simulator import SimulatedShirt
 from app.session.pairing import pair_shirt, shirt_key_file
-
-
-def free_port():
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
-        probe.bind(("127.0.0.1", 0))
-        return probe.getsockname()[1]
 
 
 def calibrated_as_worn(database):

@@ -1,19 +1,14 @@
 """A real clinic (no demonstration) with its pages and no control process behind it, for tests of what pages say."""
 
-import socket
-import threading
-import time
 from pathlib import Path
 from typing import Any
 
-import uvicorn
-from api.fake_clinic import LAYOUT, FakeLink, profile_for
+from api.fake_clinic import LAYOUT, profile_for
+from browser.served_clinic import ServedClinic
 from processes.served_demo import SessionClient
 
-from app.api.app import create_app
 from app.calibration.vocabulary import standard_parameters
 from app.session.database import Database
-from app.session.recordings import recorded_readings
 from app.session.store_controls import save_parameters, save_profile
 from app.session.store_patients import add_patient, end_session, start_session
 from app.session.store_people import add_clinic
@@ -47,37 +42,30 @@ def furnish(settings: Settings) -> dict[str, int]:
     return ids
 
 
-class ClinicApp:
-    """The application in a thread of this process, and its owner's own browser (`client`)."""
+def go(page: Any, where: str) -> None:
+    """Go to another page of the application, without loading it again."""
+    page.evaluate("(hash) => { location.hash = hash; }", f"#/{where}")
+
+
+class ClinicApp(ServedClinic):
+    """The application of this clinic in a thread of this process, and its owner's own browser (`client`)."""
 
     def __init__(self, folder: Path) -> None:
         settings = Settings(state=folder, setup_code=CODE)
         self.patients = furnish(settings)
         self._files = settings.files
-
-        async def open_link() -> FakeLink:
-            return FakeLink()
-
-        self._socket = socket.create_server(("127.0.0.1", 0))
-        app = create_app(settings, open_link, recorded_readings())
-        self._server = uvicorn.Server(uvicorn.Config(app, log_level="error", ws_per_message_deflate=False))
-        self._thread = threading.Thread(target=self._server.run, args=([self._socket],), daemon=True)
-        self.address = f"http://127.0.0.1:{self._socket.getsockname()[1]}"
+        super().__init__(settings)
         self.client = SessionClient(self.address)
 
     def start(self) -> None:
         """Return when it serves and its owner is signed in."""
-        self._thread.start()
-        while not self._server.started:
-            assert self._thread.is_alive()
-            time.sleep(0.02)
+        super().start()
         self.good("POST", "/auth/setup", OWNER)
 
     def stop(self) -> None:
         """End it and wait for that."""
         self.client.close()
-        self._server.should_exit = True
-        self._thread.join(20)
+        super().stop()
 
     def good(self, method: str, path: str, body: Any = None) -> Any:
         """Send a request that must be answered well, from the owner's own browser."""

@@ -1,13 +1,12 @@
 """The map learns the person, on a tablet: suggested after a trial, looked at, applied, taken back."""
 
 import re
-import signal
 from pathlib import Path
 
 import pytest
 from browser.driving import go_on_until
 from playwright.sync_api import expect
-from processes.test_demo_process import bodydrive, printed_link
+from processes.served_demo import running_demo
 
 pytestmark = [pytest.mark.browser, pytest.mark.long, pytest.mark.timeout(420)]
 
@@ -21,12 +20,8 @@ TITLE = "What would change, and why"
 @pytest.fixture
 def demo():
     """Yield the link of a running demonstration."""
-    with bodydrive("demo", "--port", "0") as process:
-        try:
-            yield printed_link(process)
-        finally:
-            process.send_signal(signal.SIGINT)
-            assert process.wait(20) == 0
+    with running_demo() as link:
+        yield link
 
 
 @pytest.fixture(params=list(TABLETS))

@@ -5,7 +5,6 @@ The chair is the receiver's own process with its simulated output; everything be
 
 import os
 import re
-import signal
 import socket
 import subprocess
 import sys
@@ -15,7 +14,7 @@ from pathlib import Path
 import pytest
 from browser.driving import HIDE, SHOW, bend_until, go_on_until
 from playwright.sync_api import expect
-from processes.test_demo_process import bodydrive, printed_link
+from processes.served_demo import running_demo
 from worn_shirt import WornShirt, calibrated_as_worn
 
 pytestmark = [pytest.mark.browser, pytest.mark.timeout(420)]
@@ -34,12 +33,8 @@ FREEZE = "() => { const since = performance.now(); while (performance.now() - si
 @pytest.fixture
 def demo(tmp_path):
     """Yield the link of a running demonstration, whose state lies in the test's folder."""
-    with bodydrive("demo", "--port", "0", TMPDIR=str(tmp_path)) as process:
-        try:
-            yield printed_link(process)
-        finally:
-            process.send_signal(signal.SIGINT)
-            assert process.wait(20) == 0
+    with running_demo(TMPDIR=str(tmp_path)) as link:
+        yield link
 
 
 @pytest.fixture(params=["1024x768", pytest.param("768x1024", marks=pytest.mark.long)])

@@ -1,12 +1,11 @@
 """Nobody drives blind: what a browser does that cannot draw in 3D, or loses its picture while somebody drives (S24)."""
 
-import signal
 from pathlib import Path
 
 import pytest
 from browser.driving import go_on_until
 from playwright.sync_api import expect
-from processes.served_demo import bodydrive, printed_link
+from processes.served_demo import running_demo
 
 pytestmark = [pytest.mark.browser, pytest.mark.timeout(420)]
 
@@ -38,13 +37,9 @@ def demo():
     """Yield the link of a running demonstration."""
     expect.set_options(timeout=PATIENCE)
     SCREENSHOTS.mkdir(parents=True, exist_ok=True)
-    with bodydrive("demo", "--port", "0") as process:
-        try:
-            yield printed_link(process)
-        finally:
-            process.send_signal(signal.SIGINT)
-            assert process.wait(20) == 0
-            expect.set_options(timeout=5000)
+    with running_demo() as link:
+        yield link
+    expect.set_options(timeout=5000)
 
 
 @pytest.fixture

@@ -3,14 +3,13 @@
 import io
 import json
 import re
-import signal
 from pathlib import Path
 
 import ezdxf
 import pytest
 from browser.driving import go_on_until
 from playwright.sync_api import expect
-from processes.test_demo_process import bodydrive, printed_link
+from processes.served_demo import running_demo
 
 pytestmark = [pytest.mark.browser, pytest.mark.long, pytest.mark.timeout(420)]
 
@@ -24,12 +23,8 @@ DRAFT = "JSON.parse(localStorage.getItem('bodydrive-plan-draft'))"
 @pytest.fixture(scope="module")
 def demo():
     """Yield the link of a running demonstration."""
-    with bodydrive("demo", "--port", "0") as process:
-        try:
-            yield printed_link(process)
-        finally:
-            process.send_signal(signal.SIGINT)
-            assert process.wait(20) == 0
+    with running_demo() as link:
+        yield link
 
 
 @pytest.fixture(params=TABLETS)

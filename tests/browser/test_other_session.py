@@ -4,7 +4,7 @@ import re
 from pathlib import Path
 
 import pytest
-from browser.clinic_app import ClinicApp, assert_quiet
+from browser.clinic_app import ClinicApp, assert_quiet, go
 from playwright.sync_api import expect
 
 pytestmark = [pytest.mark.browser, pytest.mark.timeout(300)]
@@ -45,10 +45,6 @@ def tablets(browser, page_log, served):
         assert_quiet(log)
         page.context.close()
     expect.set_options(timeout=5000)
-
-
-def go(page, where):
-    page.evaluate("(hash) => { location.hash = hash; }", f"#/{where}")
 
 
 def opens(page, code):

@@ -3,14 +3,13 @@
 import math
 import re
 import signal
-import socket
 from pathlib import Path
 from urllib.parse import urlsplit
 
 import pytest
 from browser.driving import HIDE, SHOW, go_on_until
 from playwright.sync_api import expect
-from processes.served_demo import SessionClient, bodydrive, printed_link
+from processes.served_demo import SessionClient, bodydrive, free_port, printed_link, running_demo
 
 pytestmark = [pytest.mark.browser, pytest.mark.long, pytest.mark.timeout(420)]
 
@@ -36,12 +35,8 @@ OUTSIDE = """() => {
 @pytest.fixture
 def demo():
     """Yield the link of a running demonstration."""
-    with bodydrive("demo", "--port", "0") as process:
-        try:
-            yield printed_link(process)
-        finally:
-            process.send_signal(signal.SIGINT)
-            assert process.wait(20) == 0
+    with running_demo() as link:
+        yield link
 
 
 @pytest.fixture(params=SIZES)
@@ -196,12 +191,6 @@ def test_a_screen_is_paired_shown_the_drive_and_thanked(screens, demo):
     assert calls.delete(f"{base}/api/v1/visit", headers=headers_of(calls, base)).ok
     expect(patient.get_by_role("heading", name="Thank you")).to_be_visible()
     keep(patient, "patient-thanks")
-
-
-def free_port():
-    with socket.socket() as free:
-        free.bind(("127.0.0.1", 0))
-        return free.getsockname()[1]
 
 
 def served(port, state):

@@ -1,11 +1,10 @@
 """A file whose name is taken: the page asks, keeps both, replaces, and puts back; Stop stays in reach meanwhile."""
 
-import signal
 from pathlib import Path
 
 import pytest
 from playwright.sync_api import expect
-from processes.test_demo_process import bodydrive, printed_link
+from processes.served_demo import running_demo
 
 pytestmark = [pytest.mark.browser, pytest.mark.long, pytest.mark.timeout(300)]
 
@@ -17,12 +16,8 @@ TAKEN = "409 (Conflict)"  # what a browser writes by itself when a name is taken
 
 @pytest.fixture(scope="module")
 def demo():
-    with bodydrive("demo", "--port", "0") as process:
-        try:
-            yield printed_link(process)
-        finally:
-            process.send_signal(signal.SIGINT)
-            assert process.wait(20) == 0
+    with running_demo() as link:
+        yield link
 
 
 @pytest.mark.parametrize("size", SIZES)

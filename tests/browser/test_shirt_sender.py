@@ -1,6 +1,5 @@
 """A second sender of the shirt's frames on the Shirt page: named, left out, and taken by a tap."""
 
-import signal
 import socket
 import threading
 from pathlib import Path
@@ -8,8 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 from playwright.sync_api import expect
-from processes.test_demo_process import bodydrive, printed_link
-from worn_shirt import free_port
+from processes.served_demo import running_demo
+from processes.wearer import free_port
 
 from app.hardware.shirt.packet import encode
 from app.hardware.shirt.sender import waves
@@ -22,12 +21,8 @@ SIZES = {"768x1024": (768, 1024), "1280x800": (1280, 800), "390x844": (390, 844)
 
 @pytest.fixture
 def demo(tmp_path):
-    with bodydrive("demo", "--port", "0", TMPDIR=str(tmp_path)) as process:
-        try:
-            yield printed_link(process)
-        finally:
-            process.send_signal(signal.SIGINT)
-            assert process.wait(20) == 0
+    with running_demo(TMPDIR=str(tmp_path)) as link:
+        yield link
 
 
 class Sender:

@@ -3,14 +3,13 @@
 import io
 import math
 import signal
-import socket
 from pathlib import Path
 
 import numpy as np
 import pytest
 from PIL import Image
 from playwright.sync_api import expect
-from processes.served_demo import SessionClient, bodydrive, printed_link
+from processes.served_demo import SessionClient, bodydrive, free_port, printed_link
 from view_app import Running
 
 from app.api.pages import Pages
@@ -223,12 +222,6 @@ def test_without_a_distance_both_pictures_are_equal_and_it_is_remembered(page, u
     assert abs(parallax(shot)) < 0.5
     assert np.abs(shot[:, : WIDTH // 2] - shot[:, WIDTH // 2 :]).mean() < 1.0
     assert page.evaluate(CAMERAS) == [pytest.approx([0, 0]), pytest.approx([0, 0])]
-
-
-def free_port():
-    with socket.socket() as free:
-        free.bind(("127.0.0.1", 0))
-        return free.getsockname()[1]
 
 
 def served(port, state):

@@ -2,9 +2,12 @@
 
 import json
 import os
+import signal
+import socket
 import subprocess
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -29,6 +32,24 @@ def printed_link(process: "subprocess.Popen[str]") -> str:
         if line.startswith("http"):
             return line.strip()
     raise AssertionError(process.communicate()[1])
+
+
+@contextmanager
+def running_demo(**environment: str) -> Iterator[str]:
+    """Yield the link of a demonstration that runs meanwhile, and that has to end well."""
+    with bodydrive("demo", "--port", "0", **environment) as process:
+        try:
+            yield printed_link(process)
+        finally:
+            process.send_signal(signal.SIGINT)
+            assert process.wait(20) == 0
+
+
+def free_port() -> int:
+    """Return a TCP port of this machine that is free now."""
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return int(probe.getsockname()[1])
 
 
 class SessionClient(httpx.Client):
