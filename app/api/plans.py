@@ -51,7 +51,7 @@ class DraftView(Document):
 def _too_many(content: bytes) -> str:
     """Return why a document is too large to be parsed, which would block all other requests; or an empty string."""
     if content.count(b"[") + content.count(b"{") > MOST_PARTS:
-        return f"{WHERE}: it has more than {MOST_PARTS:,} points and things: make it simpler."
+        return f"{WHERE}: it has more than {MOST_PARTS:,} points and objects: make it simpler."
     return ""
 
 

@@ -143,7 +143,7 @@ def _check_tree(document: _Document) -> None:
         level = {child for number in level for child in below.get(number, ())}
         if not level:
             return
-    raise ValueError(f"its parts lie in each other more than {DEEPEST} deep: export it again")
+    raise ValueError(f"its parts are nested more than {DEEPEST} deep: export it again")
 
 
 def _check_lists(document: _Document) -> None:

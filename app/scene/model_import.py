@@ -76,7 +76,7 @@ def _model(content: bytes) -> Model:
     if len(whole.faces) > MOST_FACES:
         raise ValueError(f"it has {len(whole.faces):,} faces and at most {MOST_FACES:,} are drawn: make it simpler")
     if not np.isfinite(whole.vertices).all() or np.abs(whole.vertices).max() > 1e6:
-        raise ValueError("some of its points lie nowhere: export it again")
+        raise ValueError("some of its points are infinite or too far away: export it again")
     low, high = whole.vertices.min(axis=0), whole.vertices.max(axis=0)
     middle = np.array([(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, low[2]])
     length, width, height = (max(float(side), THINNEST) for side in high - low)

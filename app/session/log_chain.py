@@ -174,10 +174,12 @@ def _check(head: Head | None, rows: Iterable[RawRow]) -> LogCheck:
         what = f"its newest rows were removed, {count} of {head.rows} are left"
         return LogCheck(False, count, f"The log was changed: {what}.")
     if head.hash != hash_at_head:
-        what = f"its rows up to {head.rows} are others than those that were written"
+        what = f"its first {head.rows} rows are not the rows that were written"
         return LogCheck(False, count, f"The log was changed: {what}.")
     late = count - head.rows
-    after = f" The newest {late} came after its head: the program ended just then, or it writes now." if late else ""
+    after = (
+        f" The newest {late} are not in its head yet: the program ended just then, or it writes now." if late else ""
+    )
     return LogCheck(
         True, count, f"The log is whole: {count} rows, none edited, moved, put in or removed.{after}{begun}"
     )

@@ -17,7 +17,7 @@ export class ApiError extends Error {
   }
 }
 
-/** What belongs to no sign-in. @param {string} path */
+/** Whether a path belongs to no sign-in. @param {string} path */
 const isForEveryone = (path) => path === STOP || path.startsWith("/auth/");
 
 let signIns = 0; // counts up with each sign-in that ends, for the calls of every page
@@ -34,7 +34,7 @@ export class Api {
     this.isOver = false;
   }
 
-  /** Send no further change: the session of this page is open no more. Stop and sign-out are sent all the same. */
+  /** Send no further change: the session of this page is no longer open. Stop and sign-out are still sent. */
   end() {
     this.isOver = true;
   }
@@ -66,7 +66,7 @@ export class Api {
     return this.call("POST", path, form);
   }
 
-  /** A sign-in has ended: what was asked under it is answered to nobody, because the answer may name a patient. */
+  /** A sign-in has ended: drop the answers to its requests, because they may name a patient. */
   forget() {
     signIns += 1;
   }

@@ -63,7 +63,7 @@ export class Live extends EventTarget {
     if (this.#socket?.readyState === WebSocket.OPEN) this.#socket.send(JSON.stringify(message));
   }
 
-  /** What is so now: the newest message, null while the link is down or nothing has come yet. */
+  /** The newest message; null while the socket is down, or before the first message. */
   get present() {
     return this.connected ? this.latest : null;
   }

@@ -16,11 +16,11 @@ import { t } from "./texts.js";
 
 const DEMO_LINK = /^#demo=(.+)$/;
 const LOOK_AT_DISK_EVERY = 60_000; // ms
-const WITHOUT_PROGRAM = new Set(["plans"]); // pages that work while it is not heard: drawings are kept in this browser
+const WITHOUT_PROGRAM = new Set(["plans"]); // pages that work without the program: drawings are kept in this browser
 
 /** Events: `me`, `visit`, `route`, `trial-view`, `disk`, `practice`, `drafts` (detail: a list to add to, of what was not sent). */
 export class App extends EventTarget {
-  /** Names the session that the page shows; a page that is left keeps the one it was made with. */
+  /** The calls of the API, which name the session of the page; a page that is left keeps its own instance. */
   api = new Api(() => this.signedOut());
   live = new Live();
   screen = new Screen();
@@ -89,7 +89,7 @@ export class App extends EventTarget {
     this.signedOut(words);
   }
 
-  /** Nobody is signed in any more: whatever may name a patient goes at once. @param {string} [words] to say then */
+  /** Nobody is signed in any more: remove at once what may name a patient. @param {string} [words] what to say then */
   signedOut(words = t("note.signed-out")) {
     if (!this.me?.signed_in) return;
     this.live.close();
@@ -221,13 +221,13 @@ export class App extends EventTarget {
 
   #connectionChanged() {
     this.#showWhetherOffline();
-    // A page that does not hear what the chair does must not keep it driving.
+    // A page without the live socket does not see the chair, so its screen socket must not keep the chair driving.
     if (this.live.connected) return this.screen.open();
     this.screen.close();
     this.#whoAmI();
   }
 
-  /** While the program is not heard, nothing shall look like the present, and only what works without it is offered. */
+  /** Without the program nothing may look like the present, and only pages that work without it are offered. */
   #showWhetherOffline() {
     const isOffline = Boolean(this.me?.signed_in) && !this.live.connected;
     this.frame.classList.toggle("offline", isOffline);

@@ -16,7 +16,7 @@ export class Screen {
 
   constructor() {
     this.#worker.onmessage = () => {
-      this.word = keptWord(randomWord()); // another page speaks with this one's
+      this.word = keptWord(randomWord()); // another page has the word of this one
       this.#tell();
     };
     document.addEventListener("visibilitychange", () => this.#tell());

@@ -7,9 +7,9 @@ const SAY_EVERY = 50; // ms: twice the ten a second that are needed, because a b
 const FIRST_PAUSE = 50; // ms before the socket is opened again; doubled with each failure, up to ...
 const LONGEST_PAUSE = 800; // ms
 const OPENING_LIMIT = 2000; // ms for a socket to open
-const TAKEN = 4409; // close code: another socket speaks with this page's word
-const TAKEN_LIMIT = 5000; // ms of it: the server gives up a dead socket after 2 s, so this one belongs to another page
-const KEPT_AFTER = 500; // ms: a socket that is open for so long was not refused
+const TAKEN = 4409; // close code: another socket has the word of this page
+const TAKEN_LIMIT = 5000; // ms of refusals: the server gives up a dead socket after 2 s, so the other socket belongs to a page that lives
+const KEPT_AFTER = 500; // ms after which an open socket counts as accepted
 
 /** What the page said last. */
 let page = { screen: "", visible: false, picture: "none", isWanted: false };
@@ -63,7 +63,7 @@ function connect(now) {
   };
 }
 
-/** Another page has this one's word: this one needs a word of its own. */
+/** Another page has the word of this one: ask for a new word. */
 function refused(now) {
   refusedAt ||= now;
   if (now - refusedAt < TAKEN_LIMIT) return;

@@ -13,10 +13,10 @@ export class ShownSession {
     this.#app = app;
   }
 
-  /** From here on the page shows, and names, the session that is open. */
+  /** Show the open session from now on, and name it with each change. */
   adopt() {
     const app = this.#app;
-    if (idOf(app.visit) !== idOf(this.#visit)) app.toasts.clear(); // what they offer was meant for the session before
+    if (idOf(app.visit) !== idOf(this.#visit)) app.toasts.clear(); // their buttons were meant for the session before
     this.#visit = app.visit;
     app.useSession(idOf(app.visit));
     this.#cover?.remove();
@@ -39,10 +39,10 @@ export class ShownSession {
     if (this.#cover || idOf(app.visit) === idOf(this.#visit)) return;
     if (this.#visit?.session && SESSION_PAGES.has(app.route.page)) return this.#coverPage();
     this.adopt();
-    if (app.root.querySelector(".body.empty")) app.show(); // it said that nobody is here
+    if (app.root.querySelector(".body.empty")) app.show(); // the page said that nobody is here
   }
 
-  /** Cover what belongs to the session before, name what was not sent, and send none of it. */
+  /** Cover the page of the session before, list what was entered and not sent, and send nothing of it. */
   #coverPage() {
     const app = this.#app;
     const drafts = changedFields(app.root);

@@ -111,7 +111,7 @@ export async function show(app, root, { signal }) {
       },
       () => makeForm({ kind: open.get(name) ?? first, onKind: (kind) => open.set(name, kind) }),
     );
-  if (!equipment.shirt) open.set("source", ""); // it is what there is to do here
+  if (!equipment.shirt) open.set("source", ""); // choosing a shirt is the next step
   const sourceCard = () => {
     const element = card("source", sourceWords(equipment.shirt), equipment.shirt?.kind ?? "", (shown) =>
       sourceForm(app, equipment, (config) => use(app.api.put("/equipment/shirt", config), "source"), shown),

@@ -105,7 +105,7 @@ export class ControlsDraft extends EventTarget {
     return this.#timer !== 0;
   }
 
-  /** Send nothing of what waits: the session that it belongs to is open no more. */
+  /** Drop the changes that wait: their session is no longer open. */
   drop() {
     clearTimeout(this.#timer);
     this.#timer = 0;

@@ -1,13 +1,13 @@
-/** The drawn plan: the floor from above around the chair, drawn by this page itself, so that it needs no WebGL. */
+/** The drawn plan: the floor from above around the chair, drawn by this page without WebGL. */
 import { t } from "../texts.js";
 import { h, set } from "./dom.js";
 import { repeatWhileHeld } from "./fields.js";
 import { planPicture } from "./plan_svg.js";
 
 const STEP = 0.05; // m between two points of the driven line
-const NEARER = 0.87; // of the metres that are shown, by a tap
+const NEARER = 0.87; // ratio of the metres that are shown after and before a tap
 const [NEAREST, FARTHEST, USUAL] = [4, 60, 9]; // m that are shown across the shorter side
-const MIDDLE = { heading: 0.62, north: 0.5 }; // of the height at which the chair is: heading up, one looks ahead
+const MIDDLE = { heading: 0.62, north: 0.5 }; // share of the height at which the chair is drawn; heading up leaves more room ahead
 const PLACE = "bodydrive-drawn-plan";
 
 /**

@@ -7,13 +7,13 @@ import { viewFrame } from "./view_frame.js";
 
 const READY_AFTER = 400; // ms with a picture: by then the server has heard of it from this screen
 
-/** Event: `change` when `shows` or `why` is another one. */
+/** Event: `change` when `shows` or `why` has changed. */
 export class DrivePicture extends EventTarget {
-  /** What there is to drive by now. @type {"view" | "plan" | "none"} */
+  /** The picture to drive by now. @type {"view" | "plan" | "none"} */
   shows = "none";
-  /** Why there is nothing; empty when there is. @type {import("./view_frame.js").Why} */
+  /** Why there is no picture; empty when there is one. @type {import("./view_frame.js").Why} */
   why = "coming";
-  /** Comes true once there is a picture: nobody is to drive before. @type {Promise<void>} */
+  /** Resolves once there is a picture: no trial begins before. @type {Promise<void>} */
   ready;
   #live;
   #chosen;
@@ -52,7 +52,7 @@ export class DrivePicture extends EventTarget {
 
   /** @param {number} limit s */
   #look(limit) {
-    if (!this.view) return; // not yet: it tells while it is being made
+    if (!this.view) return; // the view calls back while it is being made
     const viewWhy = this.view.why();
     // The plan stays until the 3D view that was chosen is there.
     const isPlan = this.#chosen === "plan" || (this.shows === "plan" && viewWhy !== "");

@@ -1,4 +1,4 @@
-/** What covers a page whose session is open no more: who is here now, whose page this is, and where to go. */
+/** The card over a page whose session is no longer open: who is here now, whose page this is, and where to go. */
 import { t } from "../texts.js";
 import { h } from "./dom.js";
 import { minuteOfDay } from "./format.js";
@@ -7,7 +7,7 @@ import { icon } from "./icons.js";
 /** Pages that show, or change, what belongs to the open session. */
 export const SESSION_PAGES = new Set(["shirt", "calibrate", "controls", "adapt", "drive"]);
 
-/** Why such a page ends; what it did not send is not sent any more. */
+/** The reason with which such a page ends: it sends nothing more. */
 export const OTHER_SESSION = "other session";
 
 const FIELDS = "form :is(input:not([type=radio], [type=hidden], [type=file]), textarea)";

@@ -8,7 +8,7 @@ const SLOW_FOR = 3000; // ms after a late look
 export const LOOK_EVERY = 250; // ms
 
 /**
- * Make what tells, at each look, whether the page was on time and how old its picture may be (s).
+ * Return a function that tells at each look whether the page was on time, and how old its picture may be (s).
  * @returns {() => {onTime: boolean, limit: number}} to be called every `LOOK_EVERY`
  */
 export function ageLimit() {

@@ -6,7 +6,7 @@ import { day } from "./format.js";
 /**
  * @param {import("../main.js").App} app
  * @param {string[]} kinds of those that are listed: file, model, floorplan
- * @param {() => any} onBack called when something was put back
+ * @param {() => any} onBack called after a file was put back
  * @returns {{element: HTMLElement, show: () => Promise<void>}} hidden while there is nothing
  */
 export function replacedList(app, kinds, onBack) {

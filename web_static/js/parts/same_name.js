@@ -1,4 +1,4 @@
-/** What is brought under a name that something has already: a person keeps both, replaces it, or brings nothing. */
+/** The question about an upload whose name is taken: a person keeps both, replaces the old one, or cancels. */
 import { t } from "../texts.js";
 import { h, put } from "./dom.js";
 
@@ -8,11 +8,11 @@ export function questionPlace() {
 }
 
 /**
- * Send something, and when its name is taken, ask and send it again. The page round the question stays in reach, Stop
- * above all.
+ * Send an upload; when its name is taken, ask and send it again. The page around the question stays usable, Stop above
+ * all.
  * @param {HTMLElement} place the page frame's, as of `questionPlace`
  * @param {(sameName: "ask" | "keep-both" | "replace") => Promise<any>} send
- * @returns {Promise<any>} what was answered; null when nothing was brought
+ * @returns {Promise<any>} the answer; null when the person cancelled
  */
 export async function sendUnderName(place, send) {
   try {

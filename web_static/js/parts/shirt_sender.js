@@ -1,11 +1,11 @@
-/** Who sends the frames of a shirt over the network; another sender becomes the shirt by a tap, and only so. */
+/** The sender of the frames of a shirt over the network; only a tap makes another sender the shirt. */
 import { t } from "../texts.js";
 import { h, put } from "./dom.js";
 
 const LOOK_EVERY = 2000; // ms
 
 /**
- * A place that says who sends, and asks when somebody else does too. It looks again until `signal` ends it.
+ * An element that names the sender, and offers another sender when there is one. It is refreshed until `signal` aborts.
  * @param {import("../main.js").App} app @param {AbortSignal} signal
  */
 export function shirtSender(app, signal) {

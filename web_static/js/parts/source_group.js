@@ -1,4 +1,4 @@
-/** Trials by their source: worn, simulated, or not recorded; never two of them in one curve or comparison. */
+/** Groups of trials by their source: worn, simulated, or not recorded; a curve or comparison has one group only. */
 import { t } from "../texts.js";
 import { h } from "./dom.js";
 import { field, selection } from "./fields.js";

@@ -1,4 +1,4 @@
-/** What stands over the picture: the starting cue, what to do after a stop or fault, and what to do without a picture. */
+/** The card over the picture: the starting cue, what to do after a stop or fault, and what to do without a picture. */
 import { t } from "../texts.js";
 import { h, put, write } from "./dom.js";
 import { clock } from "./format.js";
@@ -62,7 +62,7 @@ function overView(app, fault, missing, waits, onEnd, onPlan) {
   return card(fault.happened, t(`picture.${missing}`), waits, planButton("picture.plan.show", onPlan), end);
 }
 
-/** Nothing to drive by yet. */
+/** The card while there is no picture to drive by. */
 function withoutPicture(why, onPlan) {
   const back = h("a", { class: "btn", href: "#/drive" }, t("picture.back"));
   return card(t("picture.none"), t(`picture.${why}`), null, planButton("picture.plan.start", onPlan), back);

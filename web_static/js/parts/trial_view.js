@@ -51,7 +51,7 @@ export function showTrial(app, root, { plan, path, isVisitor }, signal) {
   };
   app.live.addEventListener("tick", show, { signal });
   picture.addEventListener("change", tell, { signal });
-  signal.addEventListener("abort", () => app.screen.show("none")); // whoever goes elsewhere in the program drives blind
+  signal.addEventListener("abort", () => app.screen.show("none")); // a page that is left shows no picture
   root.className = "page filled";
   put(
     root,

@@ -133,14 +133,14 @@ export function viewFrame(signal, role = "clinician", onChange = () => {}) {
 }
 
 /**
- * What the page in the frame tells of its picture; `otherwise` while it does not tell.
+ * Return what the page in the frame tells of its picture; `otherwise` while it tells nothing.
  * @template T @param {HTMLIFrameElement} frame @param {"age" | "lag" | "draws"} what @param {T} otherwise
  */
 function ask(frame, what, otherwise) {
   try {
     return frame.contentWindow?.bodydriveView?.[what]() ?? otherwise;
   } catch {
-    return otherwise; // a frame that shows an error page belongs to nobody
+    return otherwise; // a frame with an error page cannot be read
   }
 }
 

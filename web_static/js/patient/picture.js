@@ -1,4 +1,4 @@
-/** The patient's picture: the 3D view, or the drawn plan where there is none; it tells the server which of them there is. */
+/** The patient's picture: the 3D view, or else the drawn plan; the page tells the server which one it shows. */
 import { Api } from "../api.js";
 import { h, put, write } from "../parts/dom.js";
 import { drawnPlan } from "../parts/drawn_plan.js";
@@ -21,7 +21,7 @@ export function patientPicture(live, signal) {
   let wasAskedForPlan = false;
 
   const wanted = (asks) => (!asks.plan && view.why() === "" ? "view" : "plan");
-  /** A picture that is lost while the chair may move is not replaced unseen: first the chair must have stopped. */
+  /** When the 3D view is lost while the chair may move, the drawn plan appears only after the chair has stopped. */
   const next = (now) => {
     const which = wanted(now.asks);
     if (live.age > limit().limit || (which === "plan" && !plan.isThere(now.trial))) return "none";
@@ -73,12 +73,12 @@ function renewedView(live, signal) {
   return { element, why: () => frame?.why() ?? "coming", setWanted: (is) => frame.setWanted(is) };
 }
 
-/** The drawn plan of the trial that is driven; the last one's stays until there is another. */
+/** The drawn plan of the trial that is driven; the plan of the last trial stays until another trial begins. */
 function planOfTrial() {
   const api = new Api(() => {});
   const element = h("div", { class: "drawn-place", hidden: true });
   let drawn = null;
-  let trial = null; // the one whose plan is drawn, asked for, or could not be had
+  let trial = null; // the id of the trial whose plan is drawn, requested, or failed to load
   let isAsking = false;
   let hasFailed = false;
   const read = async (id) => {
@@ -95,7 +95,7 @@ function planOfTrial() {
   return {
     element,
     has: () => drawn !== null,
-    /** Whether there is nothing to draw, or it is drawn or on its way. */
+    /** Whether the plan is drawn, requested, or not needed. */
     isThere: (now) => !now || !hasFailed,
     show: (now) => {
       if (now.trial && now.trial.id !== trial && !isAsking) read(now.trial.id);

@@ -1,4 +1,4 @@
-/** What is brought to the machine: names that are taken, and what was replaced. */
+/** Texts of uploads: names that are taken, and files that were replaced. */
 export default {
   "same-name.keep-both": "Keep both, as {name}",
   "same-name.replace": "Replace it",
