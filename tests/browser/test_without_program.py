@@ -109,7 +109,7 @@ def test_without_the_program_no_page_shows_a_present_or_offers_what_needs_it(pag
 
 
 def test_a_page_that_does_not_hear_the_chair_does_not_keep_it_driving(pages):
-    """Only the live socket is cut; the worker's socket would go on. Either of its two signs may stop the chair first."""
+    """Only the live socket is cut; the worker's would go on. Either of two signs may stop the chair first."""
     _, driven, other = pages
     passed = []
 
