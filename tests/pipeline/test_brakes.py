@@ -204,3 +204,15 @@ def test_a_brake_that_drives_the_other_axis_further_is_none():
     assert coupled.suffice(Twist(0.3, -0.3), bad())
     assert brakes(bindings=bindings, mode_u2="velocity").are_complete
     assert brakes(bindings=(*bindings, Binding(control="stop", gestures=("left_shoulder",)))).are_complete
+
+
+@pytest.mark.parametrize("turn", ["u2+", "u2-"])
+def test_a_brake_may_turn_a_chair_that_goes_straight_when_the_turn_can_be_stopped(turn):
+    bindings = (
+        Binding(control="u1+", gestures=("right_elbow",)),
+        Binding(control="u1-", gestures=("left_elbow",)),
+        Binding(control=turn, gestures=("left_elbow", "left_shoulder")),
+    )
+    back = Binding(control="u2-" if turn == "u2+" else "u2+", gestures=("right_shoulder",))
+    assert brakes(bindings=(*bindings, back)).suffice(FORWARD, bad())
+    assert not brakes(bindings=(*bindings, back)).suffice(FORWARD, bad(SLOWER))

@@ -193,6 +193,45 @@ def test_the_cases_know_every_control():
     assert {control for bound in VOCABULARIES.values() for control in bound} == set(get_args(Control))
 
 
+SEEMING_BRAKES = {
+    "the same movement, only stronger": [("u1+", "right_elbow", 0.2, 1.0), ("u1-", "right_elbow", 0.8, 1.0)],
+    "hardly any gain": [("u1+", "right_elbow", 0.2, 1.0), ("u1-", "left_elbow", 0.2, 1e-6)],
+    "drives the other axis further": [
+        ("u1+", "right_elbow", 0.2, 1.0),
+        ("u2+", "right_elbow", 0.2, 1.0),
+        ("u1-", "left_elbow", 0.2, 1.0),
+        ("u2+", "left_elbow", 0.2, 1.0),
+        ("u1+", "right_shoulder", 0.2, 1.0),
+        ("u2-", "right_shoulder", 0.2, 1.0),
+    ],
+}
+
+
+@pytest.mark.parametrize("terms", SEEMING_BRAKES.values(), ids=SEEMING_BRAKES)
+def test_what_only_seems_to_be_a_brake_lets_no_motion_begin(terms):
+    gestures = {f"{joint}.{dead_zone}": (joint, dead_zone) for _, joint, dead_zone, _ in terms}
+    parameters = DriveParameters(
+        profile=PROFILE,
+        gestures=tuple(
+            Gesture(name=name, joint=joint, dead_zone=dead_zone, full=dead_zone + 0.6)
+            for name, (joint, dead_zone) in gestures.items()
+        ),
+        bindings=tuple(
+            Binding(control=control, gestures=(f"{joint}.{dead_zone}",), gain=gain)
+            for control, joint, dead_zone, gain in terms
+        ),
+        mode_u1="acceleration",
+        mode_u2="acceleration",
+        **NEVER,
+    )
+    person = Person(parameters)
+    person.chain.arm()
+    person.for_seconds(0.7)
+    tick = person.for_seconds(0.5, "right_elbow.0.2")
+    assert tick.state is State.FAULT
+    assert speeds(person.chain) == (0.0, 0.0)
+
+
 def test_a_broken_accelerator_leaves_the_brake_to_the_person():
     parameters = parameters_of(VOCABULARIES["paper"], "rate", ("acceleration", "velocity"))
     person = moving_along("u1+", VOCABULARIES["paper"], parameters)
