@@ -8,7 +8,7 @@ from pydantic import Field, model_validator
 
 from app.calibration.profile import CalibrationProfile
 from app.messages import MAX_GESTURES
-from app.quantities import Cutoff, Document, Gain, Name, Threshold, Title
+from app.quantities import Cutoff, Document, Gain, Name, Threshold
 from app.speeds import Speeds
 
 Control = Literal["u1+", "u1-", "u2+", "u2-", "stop"]
@@ -16,6 +16,7 @@ Feature = Literal["rate", "displacement"]
 ControlMode = Literal["velocity", "acceleration"]
 
 CruiseTime = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=1, le=30)]  # s
+SetTitle = Annotated[str, Field(min_length=1, max_length=80)]  # checked where it is typed: sets of before stay readable
 TurnCruiseTime = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=1, le=10)]  # s
 
 
@@ -53,7 +54,7 @@ class Binding(Document):
 class DriveParameters(Document):
     """Everything that decides how a body's movement becomes a twist. What was practised is what drives."""
 
-    title: Title = "Standard"
+    title: SetTitle = "Standard"
     profile: CalibrationProfile
     gestures: Annotated[tuple[Gesture, ...], Field(min_length=1, max_length=MAX_GESTURES)]
     bindings: Annotated[tuple[Binding, ...], Field(max_length=16)]

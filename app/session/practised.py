@@ -4,11 +4,11 @@ from collections.abc import Iterator
 from datetime import datetime
 from typing import NamedTuple
 
-from pydantic import ValidationError
 from sqlalchemy import select
 from sqlalchemy.orm import Session
 
 from app.calibration.vocabulary import DriveParameters
+from app.session.refusals import Conflict
 from app.session.store_controls import as_document
 from app.session.tables import Parameters, Profile, Run, Trial
 
@@ -70,5 +70,5 @@ def _driven(db: Session, patient_id: int, simulated: bool | None) -> Iterator[tu
 def _document(row: Parameters, profile: Profile) -> DriveParameters | None:
     try:
         return as_document(row, profile)
-    except ValidationError:  # of a program that knew other fields
+    except Conflict:  # of a program that knew other fields
         return None

@@ -98,8 +98,14 @@ def current_parameters(db: Session, patient_id: int) -> tuple[Parameters, Profil
 
 
 def as_document(row: Parameters, profile: Profile) -> DriveParameters:
-    """Return the whole parameter set, profile included."""
-    return DriveParameters.model_validate({**row.settings, "profile": profile.document})
+    """Return the whole parameter set, profile included; Conflict when this program cannot read it."""
+    try:
+        return DriveParameters.model_validate({**row.settings, "profile": profile.document})
+    except ValidationError as error:
+        raise Conflict(
+            "These controls were saved by another version of the program, and this one cannot read them: calibrate "
+            "again, or start that version."
+        ) from error
 
 
 def parameters_of_trial(db: Session, trial_id: int) -> DriveParameters:

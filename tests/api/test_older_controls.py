@@ -1,0 +1,35 @@
+"""Controls that an earlier version of the program saved: they are read, or refused in a sentence."""
+
+from typing import Any
+
+from sqlalchemy import select
+
+from app.session.tables import Parameters
+
+WITH_A_JOINER = "\U0001f469\u200d\U0001f9bd slow"  # a woman in a wheelchair: names of before could hold any character
+
+
+def change_saved(clinic: Any, **settings: Any) -> None:
+    clinic.visit()
+    clinic.calibrate()
+    clinic.good("GET", "/controls")
+    with clinic.client.app.state.people.database.transaction() as db:
+        for row in db.scalars(select(Parameters)):
+            row.settings = {**row.settings, **settings}
+
+
+def test_a_title_that_could_not_be_typed_any_more_is_still_read(signed_in: Any) -> None:
+    change_saved(signed_in, title=WITH_A_JOINER)
+    controls = signed_in.good("GET", "/controls")
+    assert controls["parameters"]["title"] == WITH_A_JOINER
+    signed_in.good("PUT", "/equipment/unused", json={"channels": []})
+
+
+def test_a_set_that_cannot_be_read_is_a_sentence_and_keeps_nobody_from_anything_else(signed_in: Any) -> None:
+    change_saved(signed_in, of_another_program=1)
+    refused = signed_in("GET", "/controls")
+    assert (refused.status_code, "another version" in refused.json()["detail"]) == (409, True)
+    signed_in.good("PUT", "/equipment/unused", json={"channels": []})
+    flows = signed_in.client.app.state.flows
+    signed_in.client.portal.call(flows.visit.visit_changed)  # as at the start of the program
+    assert flows.visit.loaded is None
