@@ -32,7 +32,9 @@ class Pictures:
         self._patients: dict[object, tuple[int, Picture]] = {}
 
     def of_screen(self, screen: Screen, picture: Picture, link: object) -> None:
-        """Store the report of the screen of a person who is signed in."""
+        """Store the report of the screen of a person who is signed in; one link at a time speaks for a screen."""
+        for other in [one for one, (said, _) in self._screens.items() if said == screen and one is not link]:
+            del self._screens[other]  # a dead link that was never closed: its last report holds no more
         self._screens[link] = (screen, picture)
         self._halt_if_blind()
 

@@ -55,6 +55,21 @@ def test_a_screen_without_a_picture_starts_no_trial(ready: Any) -> None:
     assert ready("POST", "/trials", json={**ready.where, "picture": "eye"}).status_code == 422
 
 
+def test_what_a_dead_socket_said_last_does_not_count_when_another_speaks_for_the_screen(ready: Any) -> None:
+    pictures = ready.flows.pictures
+    screen = Screen(1, WORD)
+    ready.client.portal.call(pictures.of_screen, screen, "none", "dead")
+    assert pictures.refusal(screen)
+    ready.client.portal.call(pictures.of_screen, screen, "view", "alive")
+    assert pictures.refusal(screen) == ""
+    ready.client.portal.call(pictures.of_screen, Screen(1, "another-screen"), "none", "other")
+    ready.client.portal.call(pictures.gone, "dead")
+    assert pictures.refusal(screen) == ""
+    ready.client.portal.call(pictures.gone, "other")
+    ready.client.portal.call(pictures.of_screen, screen, "none", "alive")
+    assert pictures.refusal(screen)
+
+
 def test_a_picture_lost_in_a_trial_halts_it_until_there_is_one_again(ready: Any) -> None:
     with ready.screen() as socket, ready.screen("of-somebody-who-looks") as other:
         says(socket, "view")
