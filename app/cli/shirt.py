@@ -7,6 +7,7 @@ import typer
 
 from app.cli.errors import InputError
 from app.cli.qr import terminal_code
+from app.file_modes import keep_new_files_private
 from app.hardware.shirt import sender
 from app.session.refusals import Refusal
 from app.settings import Settings, state_folder
@@ -53,6 +54,7 @@ def _paired(settings: Settings) -> "Key":
     from app.session.store_log import write_log  # noqa: PLC0415
     from app.session.store_people import add_clinic, the_clinic  # noqa: PLC0415
 
+    keep_new_files_private()
     database, key = Database(settings.database), None
     try:
         with database.transaction() as db:

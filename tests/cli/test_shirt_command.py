@@ -1,5 +1,6 @@
 """`bodydrive shirt`: a key for a shirt, and a sender that sends as a shirt with that key does."""
 
+import os
 import shlex
 import socket
 import sqlite3
@@ -10,6 +11,7 @@ from pathlib import Path
 
 import pytest
 
+from app.file_modes import OTHERS
 from app.hardware.chair.key import read_key
 from app.hardware.shirt import sender
 from app.hardware.shirt.newest import newest_file, read_newest
@@ -59,6 +61,18 @@ def test_pairing_keeps_a_key_and_says_what_to_do_with_it(bodydrive, tmp_path):
     with database.transaction() as db:
         assert [(row.what, row.details) for row in db.query(LogEntry)] == [("shirt paired", {"key_id": 1})]
     database.close()
+
+
+def test_a_pairing_writes_nothing_that_others_can_read(bodydrive, tmp_path):
+    before = os.umask(0o022)
+    try:
+        assert bodydrive(*PAIR)[0] == 0
+    finally:
+        os.umask(before)
+    open_to_others = [
+        file.name for file in (tmp_path / "clinic").rglob("*") if stat.S_IMODE(file.stat().st_mode) & OTHERS
+    ]
+    assert open_to_others == []
 
 
 def test_a_number_of_a_key_is_never_used_again(bodydrive, key_file):
