@@ -75,9 +75,9 @@ class Hashing:
 
     async def _ask(self, message: dict[str, Any]) -> dict[str, Any]:
         async with self._one_at_a_time:
-            if self._process is None:
-                self._process = await _start()
             try:
+                if self._process is None:
+                    self._process = await _start()
                 async with asyncio.timeout(ANSWER_LIMIT):
                     return await _answer(self._process, message)
             except (OSError, ValueError, TimeoutError) as error:

@@ -66,6 +66,20 @@ def test_one_that_died_is_started_again():
     assert with_hashing(story)
 
 
+def test_a_machine_without_room_for_another_process_is_a_sentence(monkeypatch):
+    async def no_room():
+        raise BlockingIOError(11, "Resource temporarily unavailable")
+
+    async def story(made):
+        with monkeypatch.context() as full:
+            full.setattr(hashing, "_start", no_room)
+            with pytest.raises(Unavailable, match="try again"):
+                await made.hash("a password")
+        assert await made.hash("a password")
+
+    with_hashing(story)
+
+
 def test_one_that_does_not_answer_is_ended(monkeypatch):
     monkeypatch.setattr(hashing, "ANSWER_LIMIT", 0.2)
     monkeypatch.setattr(hashing, "END_LIMIT", 0.1)
