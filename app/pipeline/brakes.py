@@ -4,10 +4,14 @@ import itertools
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from app.calibration.vocabulary import DriveParameters
+from app.calibration.vocabulary import DriveParameters, Feature, Gesture
 from app.geometry import STANDSTILL, Twist
 
 LEAST_BRAKE = 0.1  # gain: a gesture that slows less than a tenth as much as an ordinary one brakes nothing in time
+REACH: dict[Feature, float] = {
+    "rate": 10.0,  # FS/s: the whole movement within about a fifth of a second, with a smooth beginning and end
+    "displacement": 1.0,  # FS: the whole movement
+}
 
 
 class _Push(NamedTuple):
@@ -46,6 +50,7 @@ class Brakes:
     def __init__(self, parameters: DriveParameters) -> None:
         self._keeps = parameters.mode_u1 == "acceleration", parameters.mode_u2 == "acceleration"
         self._pushes = list(zip(_pushes(parameters, "u1"), _pushes(parameters, "u2"), strict=True))
+        self._within_reach = [_is_within_reach(gesture) for gesture in parameters.gestures]
         self._stops = _possible_stops(parameters)
         self._all_bad = [True] * len(parameters.gestures)
         self.are_complete = self.suffice(STANDSTILL, [False] * len(parameters.gestures))
@@ -58,10 +63,12 @@ class Brakes:
         """
         if any(not any(bad[i] for i in stop) for stop in self._stops):
             return True
-        believable = [push for push, is_bad in zip(self._pushes, bad, strict=True) if not is_bad]
+        believable = [i for i, is_bad in enumerate(bad) if not is_bad]
+        brakes = [self._pushes[i] for i in believable if self._within_reach[i]]
         if twist == STANDSTILL:
-            return all(_can_stop(signs, believable) for signs in self._can_begin(believable))
-        return _can_stop((self._sign(0, twist.v), self._sign(1, twist.omega)), believable)
+            begun = self._can_begin([self._pushes[i] for i in believable])
+            return all(_can_stop(signs, brakes) for signs in begun)
+        return _can_stop((self._sign(0, twist.v), self._sign(1, twist.omega)), brakes)
 
     def are_needed(self, twist: Twist) -> bool:
         """Return whether `twist` goes on while no gesture is believable."""
@@ -93,11 +100,16 @@ def missing_brake(parameters: DriveParameters) -> str:
     )
 
 
-def _can_stop(signs: _Signs, believable: Sequence[tuple[_Push, _Push]]) -> bool:
+def _is_within_reach(gesture: Gesture) -> bool:
+    """Return whether a body can make half of a gesture, which a stop asks for."""
+    return (gesture.dead_zone + gesture.full) / 2.0 <= REACH[gesture.feature]
+
+
+def _can_stop(signs: _Signs, brakes: Sequence[tuple[_Push, _Push]]) -> bool:
     """Return whether each axis that moves has a brake that does not drive the other one further."""
     return all(
         not signs[axis]
-        or any(push[axis].brakes(signs[axis]) and not push[1 - axis].along(signs[1 - axis]) for push in believable)
+        or any(push[axis].brakes(signs[axis]) and not push[1 - axis].along(signs[1 - axis]) for push in brakes)
         for axis in (0, 1)
     )
 
@@ -118,13 +130,16 @@ def _pushes(parameters: DriveParameters, name: str) -> list[_Push]:
 
 
 def _possible_stops(parameters: DriveParameters) -> list[list[int]]:
-    """Return the gestures of each stop, without the stops that ask one joint for both directions at once."""
+    """Return the gestures of each stop, without the stops that no body can make."""
     places = {gesture.name: i for i, gesture in enumerate(parameters.gestures)}
     stops = [[places[name] for name in one.gestures] for one in parameters.bindings if one.control == "stop"]
     return [stop for stop in stops if stop and _can_be_together(parameters, stop)]
 
 
 def _can_be_together(parameters: DriveParameters, indices: Sequence[int]) -> bool:
+    """Return whether each gesture is within reach, and none asks a joint for the opposite of another one."""
     gestures = [parameters.gestures[i] for i in indices]
+    if not all(map(_is_within_reach, gestures)):
+        return False
     directions = {(gesture.joint, gesture.feature): gesture.direction for gesture in gestures}
     return all(directions[gesture.joint, gesture.feature] == gesture.direction for gesture in gestures)

@@ -136,6 +136,7 @@ class Commands:
         return {}
 
     def _body(self, fields: documents.Device, command_id: int) -> None:
+        self._require_no_drive()
         self._open(self._setup.change_body(parse_body(fields.config)), command_id, dict)
 
     def _move(self, fields: documents.Move, _id: int) -> Answer:

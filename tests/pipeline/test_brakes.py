@@ -188,6 +188,35 @@ def test_what_is_no_brake_for_its_little_gain_can_still_begin_a_motion():
     assert not brakes(bindings=bindings).are_complete
 
 
+@pytest.mark.parametrize(
+    ("feature", "dead_zone", "full", "is_brake"),
+    [
+        ("rate", 9.0, 11.0, True),
+        ("rate", 9.0, 11.1, False),
+        ("rate", 99.0, 100.0, False),
+        ("displacement", 0.9, 1.1, True),
+        ("displacement", 0.9, 1.11, False),
+    ],
+)
+def test_a_gesture_that_no_body_reaches_brakes_nothing_and_is_no_part_of_a_stop(feature, dead_zone, full, is_brake):
+    parameters = make_parameters()
+    far = parameters.gestures[SLOWER].model_copy(update={"feature": feature, "dead_zone": dead_zone, "full": full})
+    gestures = (parameters.gestures[FASTER], far, *parameters.gestures[2:])
+    for bindings in (ELBOWS, (ELBOWS[0], ("stop", "left_elbow"))):
+        bound = tuple(Binding(control=control, gestures=(name,)) for control, name in bindings)
+        made = Brakes(parameters.model_copy(update={"gestures": gestures, "bindings": bound}))
+        assert made.suffice(FORWARD, bad()) == is_brake
+        assert made.are_complete == is_brake
+
+
+def test_a_gesture_that_no_body_reaches_can_still_begin_a_motion():
+    parameters = make_parameters()
+    far = parameters.gestures[FASTER].model_copy(update={"dead_zone": 50.0, "full": 60.0})
+    bound = (Binding(control="u1+", gestures=("right_elbow",)),)
+    one_way = parameters.model_copy(update={"gestures": (far, *parameters.gestures[1:]), "bindings": bound})
+    assert not Brakes(one_way).are_complete
+
+
 def test_a_brake_that_drives_the_other_axis_further_is_none():
     """By turns the two brakes would only hand the speed to one another."""
     bindings = (
