@@ -19,6 +19,7 @@ from app.session.store_people import add_clinic
 from app.settings import Settings
 from app.speeds import Speeds
 from app.supervisor import ControlProcess
+from app.visible_text import visible_line
 from building import make_layout
 
 with warnings.catch_warnings():
@@ -113,8 +114,16 @@ def badness(answer):
     if answer.status_code >= 500:
         return f"{answer.status_code} {answer.text[:200]}"
     sentence = answer.json()["detail"] if answer.status_code >= 400 else "It was taken."
-    is_one = sentence.endswith(".") and len(sentence) <= MOST and sentence.isprintable()
-    return "" if is_one else sentence
+    is_one = sentence.endswith(".") and len(sentence) <= MOST
+    return "" if is_one and is_visible(sentence) else sentence
+
+
+def is_visible(sentence):
+    """Return whether nothing in a sentence is invisible, which would change how its other letters look."""
+    try:
+        return visible_line(sentence) == sentence
+    except ValueError:
+        return False
 
 
 @pytest.mark.timeout(500)
