@@ -40,6 +40,12 @@ SAME = {
     "_stop_turn_rate = 1.0": "set anew before it is read",
     "self._unasked < self._longest": "a tick more or less of ten seconds; the tests that count ticks see the rest",
     "self._unasked + dt >= self._longest": "a tick more or less of ten seconds",
+    '(parameters, "u2"), ': "both lists have one entry for each gesture",
+    "in zip(gains, movements, ": "both lists have one entry for each gesture",
+    "if sign >= 0 else self.high": "no axis that stands is asked for its brakes",
+    "for sign in (-2, 0, 1)": "only its sign counts",
+    "for sign in (-1, 0, 2)": "only its sign counts",
+    "_Push(min(1.0, *those)": "a lowest sum above 0 lowers nothing, as 0 does",
 }
 
 

@@ -133,3 +133,8 @@ def test_reach_spends_the_headroom_and_no_more(headroom, jerk, dt):
     rate = reach(headroom, jerk, dt)
     assert rate * dt + rate * rate / (2 * jerk) == pytest.approx(headroom, abs=1e-9)
     assert reach(-headroom, jerk, dt) == -rate or headroom == 0
+
+
+def test_towards_a_target_speeding_up_and_slowing_down_have_limits_of_their_own():
+    assert FORWARD.towards(0.2, 0.8, 0.8, 0.01) == pytest.approx(0.2 + 0.8 * 0.01)
+    assert FORWARD.towards(0.6, -1.2, 0.0, 0.01) == pytest.approx(0.6 - 1.2 * 0.01)
