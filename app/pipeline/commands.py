@@ -262,9 +262,14 @@ class Commands:
         def finish(why: str) -> None:
             if why:
                 self._server.refuse(command_id, why)
-            else:
+                return
+            try:
                 self._settle()
-                self._server.answer(command_id, **answer())
+                fields = answer()
+            except Exception as error:  # as of any other command
+                self._server.refuse(command_id, defect(change.what, error))
+            else:
+                self._server.answer(command_id, **fields)
 
         self._openings.begin(change, finish)
 

@@ -204,6 +204,15 @@ def test_a_defect_of_a_command_is_a_sentence_and_ends_nothing(office, monkeypatc
     office.done("status")
 
 
+def test_a_defect_after_a_device_was_opened_is_a_sentence_and_ends_nothing(office, monkeypatch):
+    def fails():
+        raise KeyError("nobody foresaw this")
+
+    monkeypatch.setattr(office.loop, "new_chair", fails)
+    assert "report it" in office.refused("chair", config={"kind": "virtual"})
+    office.done("status")
+
+
 def test_what_nobody_could_stop_is_not_armed(office):
     parameters = office.parameters.model_copy(update={"mode_u2": "acceleration", "bindings": ONE_WAY})
     office.done("parameters", parameters=parameters.model_dump(mode="json"))
