@@ -18,8 +18,9 @@ from app.session.store_patient_screens import wishes_of
 
 router = APIRouter()
 
-FLOOD = 20  # messages within ...
-WITHIN = 10.0  # s; our page sends one when its picture changes
+FLOOD = 40  # messages within ...
+WITHIN = 10.0  # s; our page sends one each second, and one when its picture changes
+SILENCE = 3.0  # s without a report: the screen has lost its network or stands still, and shows nothing of the present
 MESSAGE_LIMIT = 300  # characters
 TOO_MANY_MESSAGES = 1008  # close code: our own page never sends so many
 
@@ -63,9 +64,23 @@ async def patient_live(websocket: WebSocket) -> None:
 
 
 async def _take(websocket: WebSocket, screen_id: int, flows: Flows) -> None:
-    """Receive picture reports until the page leaves, or has sent more than `FLOOD` messages within 10 s."""
+    """Receive picture reports until the page leaves, or has sent more than `FLOOD` messages within 10 s.
+
+    A page that has reported once must go on: after `SILENCE` it counts as gone, which halts the trial.
+    """
     count, since = 0, monotonic()
-    while (message := await websocket.receive())["type"] != "websocket.disconnect":
+    limit: float | None = None
+    while True:
+        try:
+            async with asyncio.timeout(limit):
+                message = await websocket.receive()
+        except TimeoutError:
+            flows.pictures.forget(websocket)
+            flows.live.tell("screens")
+            limit = None
+            continue
+        if message["type"] == "websocket.disconnect":
+            return
         if monotonic() - since > WITHIN:
             count, since = 0, monotonic()
         count += 1
@@ -73,7 +88,10 @@ async def _take(websocket: WebSocket, screen_id: int, flows: Flows) -> None:
             await websocket.close(TOO_MANY_MESSAGES)
             return
         said = _read(message)
-        if said is not None and flows.pictures.of_patient(screen_id, said.picture, websocket):
+        if said is None:
+            continue
+        limit = SILENCE
+        if flows.pictures.of_patient(screen_id, said.picture, websocket):
             flows.live.tell("screens")
 
 

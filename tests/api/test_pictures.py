@@ -6,6 +6,7 @@ from typing import Any
 import pytest
 from fake_clinic import BASE, WORD
 
+from app.api import patient_live
 from app.api.screens import Screen
 from app.world.scene import find_place
 
@@ -126,6 +127,14 @@ def test_the_patients_screen_tells_the_clinicians_page_and_halts_too(ready: Any)
         ready.good("POST", "/control/clear", json={"stops": ready.link.stops})
     assert until_state(ready, "fault") == "PICTURE_LOST"  # it is gone, and the patient sees nothing any more
     assert ready.good("POST", "/control/clear", json={"stops": ready.link.stops})["state"] == "armed"
+
+
+def test_a_patients_screen_that_falls_silent_halts_the_trial(ready: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(patient_live, "SILENCE", 0.2)
+    with ready.client.websocket_connect(LIVE, headers={"Origin": BASE}) as socket:
+        ready.good("POST", "/trials", json=ready.where)
+        socket.send_json({"picture": "view"})  # and nothing after it
+        assert until_state(ready, "fault") == "PICTURE_LOST"  # though the socket is open
 
 
 def test_the_patients_page_is_given_what_it_needs_to_draw_the_plan(ready: Any) -> None:

@@ -7,6 +7,7 @@ import { viewFrame } from "../parts/view_frame.js";
 import { t } from "../texts.js";
 
 const ASK_AGAIN_AFTER = 1000; // ms after a plan could not be read
+const SAY_EVERY = 1000; // ms: the server halts a trial after 3 s without a word of this screen
 const MAY_MOVE = new Set(["checking", "armed"]);
 
 /** @param {import("../live.js").Live} live @param {AbortSignal} signal */
@@ -49,8 +50,8 @@ export function patientPicture(live, signal) {
     look();
   };
   live.addEventListener("open", say, { signal });
-  const timer = setInterval(look, LOOK_EVERY);
-  signal.addEventListener("abort", () => clearInterval(timer));
+  const timers = [setInterval(look, LOOK_EVERY), setInterval(say, SAY_EVERY)];
+  signal.addEventListener("abort", () => timers.forEach(clearInterval));
   return { element, show };
 }
 
