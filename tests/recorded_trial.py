@@ -10,8 +10,8 @@ from app.hardware.chair.simulator import VirtualChair
 from app.messages import NO_CUE, SensorFrame
 from app.pipeline.chain import Chain
 from app.pipeline.safety import Conditions
-from app.recording import RunWriter
-from app.ring import RING_SLOTS, TickRing
+from app.process.ring import RING_SLOTS, TickRing
+from app.recording.writer import RunWriter
 from app.world.floorplan import FloorPlan
 from building import make_signals
 

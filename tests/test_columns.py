@@ -10,8 +10,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.columns import read_columns, read_columns_and_dialect
-from app.csv_dialect import Dialect
+from app.signals.columns import read_columns, read_columns_and_dialect
+from app.signals.csv_dialect import Dialect
 
 NUMBERS = st.floats(-1e6, 1e6, allow_nan=False).map(lambda value: round(value, 6)) | st.just(float("nan"))
 ROWS = st.integers(1, 5).map(lambda width: st.lists(NUMBERS, min_size=width, max_size=width))

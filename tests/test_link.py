@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from app.link import LONGEST_LINE, CommandServer, ControlClient, LinkLost, LinkRefused
+from app.process.command_channel import LONGEST_LINE, CommandServer, ControlClient, LinkLost, LinkRefused
 
 
 @pytest.fixture

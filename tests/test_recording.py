@@ -9,14 +9,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-import app.recording as recording_module
-from app import recording_arrow, recording_format
+import app.recording.writer as recording_module
 from app.faults import State
 from app.messages import Tick
-from app.recording import RunWriter
-from app.recording_format import LATER, SCALARS
-from app.recording_reader import read_run
-from app.ring import RING_SLOTS, TickRing
+from app.process.ring import RING_SLOTS, TickRing
+from app.recording import arrow as recording_arrow
+from app.recording import format as recording_format
+from app.recording.format import LATER, SCALARS
+from app.recording.reader import read_run
+from app.recording.writer import RunWriter
 from building import make_layout
 
 CHANNELS, GESTURES = 6, 2

@@ -8,15 +8,15 @@ from pathlib import Path
 
 from test_recording import assert_rows_begin
 
-from app.recording_reader import read_run
+from app.recording.reader import read_run
 
 KILLED = """
 import sys, uuid
 from pathlib import Path
 sys.path[:0] = sys.argv[2:]
 from test_recording import CHANNELS, GESTURES, META, write_ticks
-from app.recording import RunWriter
-from app.ring import TickRing
+from app.recording.writer import RunWriter
+from app.process.ring import TickRing
 
 ring = TickRing.create(f"bodydrive-test-{uuid.uuid4().hex}")
 ring.unlink()

@@ -12,13 +12,13 @@ from hypothesis import strategies as st
 
 from app.faults import Fault, State
 from app.messages import MAX_GESTURES, TICK, Tick
-from app.ring import RING_SLOTS, TickRing, ring_file
+from app.process.ring import RING_SLOTS, TickRing, ring_file
 
 WRITER = """
 import sys
 import numpy as np
 from app.messages import Tick
-from app.ring import TickRing
+from app.process.ring import TickRing
 
 ring = TickRing.create(sys.argv[1])
 print("ready", flush=True)
@@ -216,7 +216,7 @@ def is_whole(ticks):
 
 def test_a_reader_that_ends_takes_nothing_away_and_says_nothing(ring, name):
     ring.write(Tick(t=5.0), 0, math.nan, -1, 0, 0)
-    code = "import sys; from app.ring import TickRing; print(TickRing.attach(sys.argv[1]).newest()['t'])"
+    code = "import sys; from app.process.ring import TickRing; print(TickRing.attach(sys.argv[1]).newest()['t'])"
     for _ in range(2):
         seen = subprocess.run([sys.executable, "-c", code, name], capture_output=True, text=True, check=True)
         assert (seen.stdout, seen.stderr) == ("5.0\n", "")

@@ -6,8 +6,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from app.layout import Channel, Joint, ShirtLayout
-from app.recording_reader import Run
-from app.signals import make_signals, read_layout, read_signals, signals_of_run
+from app.recording.reader import Run
+from app.signals.signals import make_signals, read_layout, read_signals, signals_of_run
 
 ROWS = "".join(f"{i * 0.01:.2f},{i},{-i}\n" for i in range(20))
 LAYOUT = ShirtLayout(

@@ -13,7 +13,7 @@ from app.hardware.chair.key import read_key
 from app.hardware.configs import SimulatorConfig
 from app.hardware.shirt.sender import signed_frame
 from app.hardware.shirt.simulator import SimulatedShirt
-from app.session.pairing import pair_shirt, shirt_key_file
+from app.session.equipment.pairing import pair_shirt, shirt_key_file
 
 
 def calibrated_as_worn(database):

@@ -7,81 +7,79 @@ from contextlib import asynccontextmanager
 from fastapi import APIRouter, FastAPI
 
 from app import __version__
-from app.api import (
+from app.api import document
+from app.api.deps import People, clinician, viewer
+from app.api.live import live_socket, screen
+from app.api.live.hub import LiveHub
+from app.api.live.picture import LivePicture
+from app.api.live.pictures import Pictures
+from app.api.live.screens import Screens
+from app.api.page_session import SessionRequired
+from app.api.pages import install_pages
+from app.api.parts import Flows, flows_of, show_visit
+from app.api.patient_screen import patient_socket
+from app.api.patient_screen import routes as patient_screen
+from app.api.patient_screen.patient_picture import PatientPicture
+from app.api.refusals import install_refusals
+from app.api.replay import replay_view, trial_replay
+from app.api.replay.replays import Replays
+from app.api.replay.timelines import Timelines
+from app.api.replay.trajectories import Trajectories
+from app.api.routes import (
     adaptation,
-    api_document,
-    auth,
     calibration,
     chairs,
     control,
+    control_quality,
     controls,
     drives,
     equipment,
     limits,
-    live,
     log,
     models,
-    patient_live,
-    patient_screen,
     patients,
     plans,
-    quality,
-    replaced,
-    replay_view,
+    replacements,
     review,
-    screen,
     shown_plan,
-    trial_replay,
     trials,
 )
-from app.api.deps import People, clinician, viewer
-from app.api.flows import Flows, flows_of, show_visit
-from app.api.hashing import Hashing
-from app.api.live_hub import LiveHub
-from app.api.pages import install_pages
-from app.api.patient_picture import PatientPicture
-from app.api.picture import LivePicture
-from app.api.pictures import Pictures
-from app.api.refusals import install_refusals
-from app.api.replays import Replays
-from app.api.screens import Screens
-from app.api.set_up import SetUp
-from app.api.shown_session import SessionRequired
-from app.api.sign_in_limits import SignInLimits
+from app.api.sign_in import auth
+from app.api.sign_in.hashing import Hashing
+from app.api.sign_in.set_up import SetUp
+from app.api.sign_in.sign_in_limits import SignInLimits
 from app.api.sockets import OpenSockets
-from app.api.timelines import Timelines
-from app.api.trajectories import Trajectories
-from app.api.view_bridge import view_router
-from app.api.view_controls import view_controls
-from app.api.view_keeper import OpenScene, ViewKeeper, may_view
-from app.scene.scene import Scene
+from app.api.view.view_bridge import view_router
+from app.api.view.view_controls import view_controls
+from app.api.view.view_keeper import OpenScene, ViewKeeper, may_view
 from app.scene.servers import Role
-from app.session.adaptation_flow import AdaptationFlow
+from app.scene.session_scene import Scene
+from app.session.adaptation import AdaptationFlow
 from app.session.arming import RealArming
-from app.session.calibration_flow import CalibrationFlow
-from app.session.chairs import Chairs
-from app.session.control import Control, Link
-from app.session.database import Database
-from app.session.disk import DiskWatch
-from app.session.drive_flow import DriveFlow
-from app.session.equipment import Equipment
+from app.session.calibration import CalibrationFlow
+from app.session.control_link import Control, Link
+from app.session.equipment.chairs import Chairs
+from app.session.equipment.head import HeadChoice
+from app.session.equipment.limits import ClinicLimits
+from app.session.equipment.shirt import Equipment
 from app.session.fault_log import FaultLog
-from app.session.head import HeadChoice
-from app.session.limits import ClinicLimits
-from app.session.log_chain import warn_of_changed_log
-from app.session.patient_screens import PairingCodes
+from app.session.open_session import VisitFlow
 from app.session.readings import Readings
 from app.session.real_drive import RealDriveFlow
-from app.session.replaced import replaced_files
 from app.session.runs import Runs
-from app.session.store_calibration import fail_interrupted_steps
-from app.session.store_drives import close_interrupted_drives
-from app.session.store_patients import open_session
-from app.session.store_people import the_clinic
-from app.session.store_quality import TrialQualities
-from app.session.store_runs import close_interrupted_trials
-from app.session.visit_flow import VisitFlow
+from app.session.screen_codes import PairingCodes
+from app.session.trial import DriveFlow
 from app.settings import Settings
+from app.store.calibrations import fail_interrupted_steps
+from app.store.control_quality import TrialQualities
+from app.store.database import Database
+from app.store.drives import close_interrupted_drives
+from app.store.files.disk import DiskWatch
+from app.store.files.replacements import replaced_files
+from app.store.log_chain import warn_of_changed_log
+from app.store.patients import open_session
+from app.store.people import the_clinic
+from app.store.runs import close_interrupted_trials
 
 PREFIX = "/api/v1"
 ROUTES = (
@@ -98,17 +96,17 @@ ROUTES = (
     replay_view,
     plans,
     models,
-    replaced,
+    replacements,
     drives,
     review,
-    quality,
+    control_quality,
     log,
     control,
-    live,
+    live_socket,
     screen,
     patient_screen,
-    patient_live,
-    api_document,
+    patient_socket,
+    document,
     shown_plan,
 )
 
@@ -154,7 +152,7 @@ def create_app(
         title="bodydrive",
         version=__version__,
         lifespan=lifespan,
-        openapi_url=None,  # api_document.py serves it, to owners; FastAPI's pages for it load foreign scripts
+        openapi_url=None,  # document.py serves it, to owners; FastAPI's pages for it load foreign scripts
     )
 
     def scene_now() -> Scene | None:

@@ -6,15 +6,15 @@ from typing import Annotated
 from fastapi import Depends, HTTPException, Path
 from starlette.requests import HTTPConnection
 
-from app.api.hashing import Hashing
-from app.api.set_up import SetUp
-from app.api.sign_in_limits import SignInLimits
-from app.api.signed_in import PairedScreen, SignedIn, find_signed_in, find_viewer
+from app.api.sign_in.hashing import Hashing
+from app.api.sign_in.set_up import SetUp
+from app.api.sign_in.sign_in_limits import SignInLimits
+from app.api.sign_in.signed_in import PairedScreen, SignedIn, find_signed_in, find_viewer
 from app.api.sockets import OpenSockets
 from app.scene.servers import Role
-from app.session.database import Database
-from app.session.replaced import ReplacedFiles
 from app.settings import Settings
+from app.store.database import Database
+from app.store.files.replacements import ReplacedFiles
 
 RowId = Annotated[int, Path(ge=1, le=2**31)]
 

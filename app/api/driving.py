@@ -5,10 +5,10 @@ from dataclasses import dataclass
 from fastapi import HTTPException
 from starlette.requests import HTTPConnection
 
-from app.api.flows import Flows
+from app.api.live.screens import Screen
 from app.api.nearby import require_nearby
-from app.api.screens import Screen
-from app.api.signed_in import SignedIn
+from app.api.parts import Flows
+from app.api.sign_in.signed_in import SignedIn
 
 ANOTHER = "Somebody else started this drive, and only they go on or end it here: you can stop it, and ask them."
 

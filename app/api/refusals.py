@@ -10,11 +10,11 @@ from fastapi.responses import JSONResponse
 from starlette.exceptions import HTTPException
 
 from app.api.deps import People
-from app.api.signed_in import find_signed_in
+from app.api.sign_in.signed_in import find_signed_in
+from app.refusals import NO_ROOM, AnotherClinics, Conflict, Full, NotFound, Refusal, Unavailable
 from app.sentences import sentence_of
-from app.session.refusals import NO_ROOM, AnotherClinics, Conflict, Full, NotFound, Refusal, Unavailable
-from app.session.same_name import NameTaken
-from app.session.store_log import write_log
+from app.store.files.taken_names import NameTaken
+from app.store.log import write_log
 
 STATUS: dict[type[Exception], int] = {
     NotFound: 404,

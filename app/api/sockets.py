@@ -8,9 +8,9 @@ from typing import TypeVar
 from fastapi import WebSocket, WebSocketDisconnect
 
 from app.api.origin import host_is_ours, origin_is_ours
-from app.api.signed_in import PairedScreen, SignedIn, find_paired_screen, find_signed_in, find_viewer
-from app.session.database import Database
+from app.api.sign_in.signed_in import PairedScreen, SignedIn, find_paired_screen, find_signed_in, find_viewer
 from app.settings import Settings
+from app.store.database import Database
 
 SIGNED_OUT = 4401  # close code: sign in again
 CHECK_EVERY = 2.0  # s: an ended or disabled sign-in is found out within this, a sign-out at once

@@ -12,11 +12,11 @@ import typer
 from numpy.typing import NDArray
 
 from app.calibration.cued_runs import CuedRun, run_of_cues
-from app.calibration.discovery import discover
-from app.calibration.gesture_ability import Ability, abilities
-from app.calibration.gesture_evidence import Evidence, gather
-from app.calibration.gesture_prediction import answered_from
-from app.calibration.prediction import false_per_minute, passes, quiet_of
+from app.calibration.gestures.ability import Ability, abilities
+from app.calibration.gestures.cross_check import answered_from
+from app.calibration.gestures.discovery import discover
+from app.calibration.gestures.evidence import Evidence, gather
+from app.calibration.gestures.prediction import false_per_minute, passes, quiet_of
 from app.calibration.profile import CalibrationProfile
 from app.calibration.script import MOVE, PAUSE, RETURN, Step, calibration_script
 from app.cues import Cue
@@ -24,8 +24,8 @@ from app.hardware.base import BodyView
 from app.hardware.body.person import Person
 from app.hardware.body.person_parameters import PRACTISED
 from app.hardware.shirt.standard import standard_layout
-from app.session.study_calibration import fit_recorded, record_step
-from app.session.wearer import Wearer
+from app.study.simulated_calibration import fit_recorded, record_step
+from app.study.simulated_person import Wearer
 
 SAMPLE_RATE = 100.0  # Hz
 REST = 60.0  # s, held out

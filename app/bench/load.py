@@ -21,8 +21,8 @@ import numpy as np
 from app.bench.subject import CHANNELS, bench_chair, bench_floorplan, bench_parameters
 from app.clock import monotonic
 from app.faults import State
-from app.link import LinkRefused
-from app.supervisor import ControlProcess
+from app.process.command_channel import LinkRefused
+from app.process.supervisor import ControlProcess
 
 VIEWERS = 2
 SAMPLE_RATE = 1000.0  # Hz, of the shirt

@@ -13,7 +13,7 @@ from app.bench.junk import KEY_ID
 from app.bench.parts import ask, free_ports, next_line, started
 from app.bench.row import Row
 from app.hardware.chair.key import new_key, write_key
-from app.session.pairing import pair_shirt, shirt_key_file
+from app.session.equipment.pairing import pair_shirt, shirt_key_file
 
 SECONDS = 15.0
 RUNS = 3

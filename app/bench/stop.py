@@ -16,7 +16,7 @@ from app.bench.row import Row
 from app.clock import MonotonicClock, monotonic
 from app.hardware.chair.key import new_key, write_key
 from app.hardware.chair.packet import STOP
-from app.session.pairing import pair_shirt, shirt_key_file
+from app.session.equipment.pairing import pair_shirt, shirt_key_file
 
 STOPS = 100  # of each kind
 REACH = 25.0  # ms

@@ -14,16 +14,16 @@ from typing import Any
 import uvicorn
 
 from app.api.app import create_app
-from app.api.flows import flows_of
+from app.api.parts import flows_of
 from app.bench.subject import bench_chair, bench_floorplan, bench_parameters
 from app.clock import monotonic
 from app.faults import EXPLANATIONS, Fault, State
+from app.process.supervisor import ControlProcess
 from app.realtime import tidy
-from app.session.control import Control, ScreenSign
+from app.refusals import Conflict
+from app.session.control_link import Control, ScreenSign
 from app.session.recordings import recorded_readings
-from app.session.refusals import Conflict
 from app.settings import Settings
-from app.supervisor import ControlProcess
 
 SAMPLE_RATE = 100.0  # Hz
 LOOK_EVERY = 0.005  # s

@@ -13,7 +13,7 @@ from contextlib import asynccontextmanager
 import uvicorn
 from fastapi import FastAPI, WebSocket
 
-from app.api.view_bridge import view_router
+from app.api.view.view_bridge import view_router
 from app.bench.circle import driving
 from app.bench.subject import bench_floorplan
 from app.clock import monotonic

@@ -7,8 +7,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from app.calibration.pieces import Frames, held
-from app.calibration.repetitions import Prompt
+from app.calibration.fit.pieces import Frames, held
+from app.calibration.fit.repetitions import Prompt
 from app.cues import Cue, CueKind
 
 WAY_BACK = 1.5  # of a prompt's length: how long the way back may take where nothing says how long it was

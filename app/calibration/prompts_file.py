@@ -2,9 +2,9 @@
 
 from pathlib import Path
 
-from app.calibration.repetitions import Prompt
-from app.columns import read_columns, require_column, row_words
+from app.calibration.fit.repetitions import Prompt
 from app.layout import ShirtLayout
+from app.signals.columns import read_columns, require_column, row_words
 
 
 def read_prompts(path: Path, layout: ShirtLayout, first: float, last: float) -> list[Prompt]:

@@ -8,17 +8,17 @@ from typing import Annotated
 import typer
 
 from app.calibration.cued_runs import run_of_prompts
-from app.calibration.discovery import discover
-from app.calibration.fit import fit_profile, joints_without_map
-from app.calibration.guided import with_guided_maps
+from app.calibration.fit.profile_fit import fit_profile, joints_without_map
+from app.calibration.fit.repetitions import repetitions_of_prompts, stretches_of_prompts
+from app.calibration.gestures.discovery import discover
+from app.calibration.guided.guided_map import with_guided_maps
 from app.calibration.profile import CalibrationProfile
 from app.calibration.prompts_file import read_prompts
-from app.calibration.repetitions import repetitions_of_prompts, stretches_of_prompts
 from app.cli.errors import InputError
 from app.cli.gestures_found import gestures_report
 from app.cli.map_choice import MapChoice, checks, choose, comparison
 from app.cli.output import dialect_summary, print_dialect, warn, write_output
-from app.signals import Signals, read_layout, read_signals
+from app.signals.signals import Signals, read_layout, read_signals
 
 PRINTED = ("evr", "span", "sign", "grade", "reason", "dead_zone", "full")
 

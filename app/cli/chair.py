@@ -9,7 +9,7 @@ from app.cli.errors import InputError
 from app.cli.qr import terminal_code
 from app.file_modes import keep_new_files_private
 from app.hardware.chair import receive as receiver
-from app.session.refusals import Refusal
+from app.refusals import Refusal
 from app.settings import Settings, state_folder
 
 if TYPE_CHECKING:
@@ -92,10 +92,10 @@ def _described(fields: dict[str, object], keys: Path) -> "RealChairConfig":
 
 def _paired(chair: "RealChairConfig", settings: Settings) -> "Key":
     """Note the chair and write its key; neither stays when one of them fails. The clinic may be served meanwhile."""
-    from app.session.database import Database  # noqa: PLC0415
-    from app.session.pairing import key_file, pair_chair  # noqa: PLC0415
-    from app.session.store_log import write_log  # noqa: PLC0415
-    from app.session.store_people import add_clinic, the_clinic  # noqa: PLC0415
+    from app.session.equipment.pairing import key_file, pair_chair  # noqa: PLC0415
+    from app.store.database import Database  # noqa: PLC0415
+    from app.store.log import write_log  # noqa: PLC0415
+    from app.store.people import add_clinic, the_clinic  # noqa: PLC0415
 
     keep_new_files_private()
     database, key = Database(settings.database), None

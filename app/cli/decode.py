@@ -14,11 +14,11 @@ from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import DriveParameters, recorded_parameters, standard_parameters
 from app.cli.errors import InputError
 from app.cli.output import dialect_summary, print_dialect, warn, write_output
-from app.pipeline.batch import Decoded, decode_block
-from app.pipeline.rerun import decode_run
-from app.recording_reader import read_run
+from app.pipeline.replay.batch import Decoded, decode_block
+from app.pipeline.replay.rerun import decode_run
+from app.recording.reader import read_run
 from app.sentences import one_sentence
-from app.signals import Signals, read_signals
+from app.signals.signals import Signals, read_signals
 from app.source import UNKNOWN_SOURCE, Source, source_of_header, source_words
 
 SUFFIXES = (".parquet", ".csv")

@@ -10,10 +10,10 @@ from pydantic import ValidationError
 from app.cli.errors import InputError
 from app.cli.output import write_output
 from app.sentences import one_sentence
-from app.world.draft import plan_of
 from app.world.floorplan import load_floorplan
-from app.world.image_import import THRESHOLD
-from app.world.plan_import import Options, import_plan
+from app.world.imports.draft import plan_of
+from app.world.imports.image import THRESHOLD
+from app.world.imports.plan_files import Options, import_plan
 from app.world.scene import bundled_places, is_scene, offers_in
 
 floorplan_app = typer.Typer(

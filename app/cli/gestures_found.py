@@ -1,7 +1,7 @@
 """The ranking of `calibrate --gestures`, as a table for people."""
 
-from app.calibration.discovery import Discovery
-from app.calibration.gesture_numbers import FoundGesture
+from app.calibration.gestures.discovery import Discovery
+from app.calibration.gestures.numbers import FoundGesture
 
 HEAD = ("score", "S/N", "spread", "x-talk", "effort", "false/min", "hits")
 

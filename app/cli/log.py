@@ -9,8 +9,8 @@ from typing import Annotated
 import typer
 
 from app.cli.errors import InputError
-from app.session.log_chain import verify_log
 from app.settings import Settings, state_folder
+from app.store.log_chain import verify_log
 
 CHANGED = 1  # exit code
 

@@ -7,7 +7,7 @@ import typer
 
 from app.cli.errors import InputError
 from app.files import write_atomically
-from app.signals import Signals
+from app.signals.signals import Signals
 
 
 def write_output(out: Path, content: bytes, *sources: Path) -> None:

@@ -9,8 +9,8 @@ import typer
 from numpy.typing import NDArray
 
 from app.cli.errors import InputError
-from app.columns import read_columns, require_column
-from app.session.metrics import Measures, path_measures
+from app.scoring.path_measures import Measures, path_measures
+from app.signals.columns import read_columns, require_column
 from app.world.path import Path as Line
 
 EXTRAS = ("in_contact", "contacts", "u1", "u2")  # columns that give further measures when the trajectory has them

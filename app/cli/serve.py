@@ -12,16 +12,16 @@ from typing import Annotated
 import typer
 
 from app.api.app import WebApp, create_app
-from app.api.view_keeper import ServedScene
+from app.api.view.view_keeper import ServedScene
 from app.cli.errors import InputError
 from app.cli.server import WebServer, bind, held, keep_private, link_to
 from app.files import write_atomically
-from app.session.database import Database
+from app.process.supervisor import ControlProcess
+from app.refusals import Refusal
 from app.session.recordings import recorded_readings
-from app.session.refusals import Refusal
-from app.session.store_people import count_people
 from app.settings import Settings, new_code, state_folder
-from app.supervisor import ControlProcess
+from app.store.database import Database
+from app.store.people import count_people
 from app.world.floorplan import FloorPlan, load_floorplan
 
 Port = Annotated[int, typer.Option(min=0, max=65_535, help="The port to listen on; 0 takes any free one.")]
@@ -87,7 +87,7 @@ def _floorplan(file: Path) -> FloorPlan:
 
 
 def _furnish_demonstration(settings: Settings, plans: list[FloorPlan]) -> None:
-    from app.session.demonstration import furnish  # noqa: PLC0415  (only here, because it loads what fits calibrations)
+    from app.cli.demonstration import furnish  # noqa: PLC0415  (only here, because it loads what fits calibrations)
 
     for plan in plans:
         write_atomically(settings.floorplans / f"{plan.name}.json", plan.model_dump_json().encode())

@@ -14,14 +14,14 @@ from app.cli.errors import InputError
 from app.cli.output import check_new_folder
 from app.cli.study_sessions import study_sessions
 from app.clock import stopwatch
+from app.figures.paper import FigureFormat
 from app.hardware.body.person_parameters import NOVICE
-from app.session.figures import FigureFormat
-from app.session.study import StudyResult, run_study
-from app.session.study_files import check_folder, summary, write_study
-from app.session.study_seeds import MEASURES, run_seeds
-from app.session.study_seeds_files import seeds_summary, sentences, write_seeds
-from app.session.study_sessions import Mode, WhoAdapts
-from app.session.study_trial import StudyTrial
+from app.study.experiment import StudyResult, run_study
+from app.study.seeds import MEASURES, run_seeds
+from app.study.seeds_files import seeds_summary, sentences, write_seeds
+from app.study.sessions import Mode, WhoAdapts
+from app.study.simulated_trial import StudyTrial
+from app.study.study_files import check_folder, summary, write_study
 from app.world.floorplan import FloorPlan, load_floorplan
 from app.world.scene import bundled_places, find_place
 

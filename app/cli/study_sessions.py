@@ -12,9 +12,9 @@ import typer
 
 from app.cli.errors import InputError
 from app.clock import stopwatch
-from app.session.study_comparison import compare, table
-from app.session.study_sessions import Mode, SessionTrial, WhoAdapts, dressed, run_sessions
 from app.source import STUDY_SOURCE, source_words
+from app.study.comparison import compare, table
+from app.study.sessions import Mode, SessionTrial, WhoAdapts, dressed, run_sessions
 from app.world.floorplan import FloorPlan, PrescribedPath
 
 ROWS, TABLE, SUMMARY = "sessions.csv", "table.txt", "adaptation.json"

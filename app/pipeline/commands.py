@@ -10,14 +10,14 @@ from app.clock import Clock
 from app.faults import Fault, State
 from app.hardware.base import HardwareError
 from app.hardware.registry import parse_body, parse_chair, parse_head, parse_shirt
-from app.link import CommandServer
-from app.pipeline import documents
+from app.pipeline import command_fields
 from app.pipeline.arming import real_chair_refusal, refusal
 from app.pipeline.loop import ControlLoop
 from app.pipeline.opening import Change, Openings, defect
 from app.pipeline.runs import Runs
 from app.pipeline.setup import Refused
 from app.pipeline.status import status
+from app.process.command_channel import CommandServer
 from app.quantities import Document
 from app.realtime import tidy
 from app.sentences import one_sentence
@@ -51,27 +51,27 @@ class Commands:
         self._runs = Runs(loop, server, clock)
         self._openings = Openings(clock)
         self._commands = {
-            "heartbeat": Command(documents.Heartbeat, self._heartbeat),
-            "shirt": Command(documents.Device, self._shirt),
-            "sender": Command(documents.Sender, self._sender),
-            "body": Command(documents.Device, self._body),
-            "move": Command(documents.Move, self._move),
-            "head": Command(documents.Head, self._head),
-            "look": Command(documents.Look, self._look),
-            "head_ahead": Command(documents.Nothing, self._head_ahead),
-            "parameters": Command(documents.Parameters, self._parameters),
-            "world": Command(documents.World, self._world),
-            "chair": Command(documents.Device, self._chair),
-            "limits": Command(documents.Limits, self._limits),
-            "dial": Command(documents.Dial, self._dial),
-            "run": Command(documents.Run, self._run),
-            "end_run": Command(documents.Nothing, self._end_run),
-            "arm": Command(documents.Arm, self._arm),
-            "disarm": Command(documents.Nothing, self._disarm),
-            "stop": Command(documents.Stop, self._stop),
-            "clear": Command(documents.Clear, self._clear),
-            "status": Command(documents.Nothing, self._status),
-            "quit": Command(documents.Nothing, self._quit),
+            "heartbeat": Command(command_fields.Heartbeat, self._heartbeat),
+            "shirt": Command(command_fields.Device, self._shirt),
+            "sender": Command(command_fields.Sender, self._sender),
+            "body": Command(command_fields.Device, self._body),
+            "move": Command(command_fields.Move, self._move),
+            "head": Command(command_fields.Head, self._head),
+            "look": Command(command_fields.Look, self._look),
+            "head_ahead": Command(command_fields.Nothing, self._head_ahead),
+            "parameters": Command(command_fields.Parameters, self._parameters),
+            "world": Command(command_fields.World, self._world),
+            "chair": Command(command_fields.Device, self._chair),
+            "limits": Command(command_fields.Limits, self._limits),
+            "dial": Command(command_fields.Dial, self._dial),
+            "run": Command(command_fields.Run, self._run),
+            "end_run": Command(command_fields.Nothing, self._end_run),
+            "arm": Command(command_fields.Arm, self._arm),
+            "disarm": Command(command_fields.Nothing, self._disarm),
+            "stop": Command(command_fields.Stop, self._stop),
+            "clear": Command(command_fields.Clear, self._clear),
+            "status": Command(command_fields.Nothing, self._status),
+            "quit": Command(command_fields.Nothing, self._quit),
         }
 
     def poll(self) -> None:
@@ -106,13 +106,13 @@ class Commands:
             if answer is not None:
                 self._server.answer(command_id, **answer)
 
-    def _heartbeat(self, fields: documents.Heartbeat, _id: int) -> Answer:
+    def _heartbeat(self, fields: command_fields.Heartbeat, _id: int) -> Answer:
         self._loop.heard = self._clock.now()
         self._loop.screen_seen = -math.inf if fields.screen_age is None else self._clock.now() - fields.screen_age
         self._loop.conditions.screen = SCREEN_FAULTS[fields.screen]
         return {}
 
-    def _shirt(self, fields: documents.Device, command_id: int) -> None:
+    def _shirt(self, fields: command_fields.Device, command_id: int) -> None:
         self._require_no_run()
         change = self._setup.change_shirt(parse_shirt(fields.config))
         self._loop.new_shirt()
@@ -128,18 +128,18 @@ class Commands:
 
         self._open(change, command_id, answer)
 
-    def _sender(self, fields: documents.Sender, _id: int) -> Answer:
+    def _sender(self, fields: command_fields.Sender, _id: int) -> Answer:
         self._require_no_drive()
         shirt = self._setup.network_shirt
         if shirt is None or not shirt.use_sender(fields.sender):
             raise Refused("This sender sends no frames of this shirt: look again who does.")
         return {}
 
-    def _body(self, fields: documents.Device, command_id: int) -> None:
+    def _body(self, fields: command_fields.Device, command_id: int) -> None:
         self._require_no_drive()
         self._open(self._setup.change_body(parse_body(fields.config)), command_id, dict)
 
-    def _move(self, fields: documents.Move, _id: int) -> Answer:
+    def _move(self, fields: command_fields.Move, _id: int) -> Answer:
         body = self._setup.dressed.body if self._setup.dressed else None
         move = getattr(body, "move", None)
         if move is None:
@@ -150,35 +150,35 @@ class Commands:
             raise Refused(f"{error}.") from error
         return {}
 
-    def _head(self, fields: documents.Head, command_id: int) -> None:
+    def _head(self, fields: command_fields.Head, command_id: int) -> None:
         self._require_no_drive()
         looking = self._setup.looking
         change = looking.change(None if fields.config is None else parse_head(fields.config))
         self._open(change, command_id, lambda: {"words": looking.words})
 
-    def _look(self, fields: documents.Look, _id: int) -> Answer:
+    def _look(self, fields: command_fields.Look, _id: int) -> Answer:
         if not self._setup.looking.look(fields.yaw, fields.pitch, fields.roll):
             raise Refused("No tablet is used as the head tracker: choose it on the Shirt page first.")
         return {}
 
-    def _head_ahead(self, _fields: documents.Nothing, _id: int) -> Answer:
+    def _head_ahead(self, _fields: command_fields.Nothing, _id: int) -> Answer:
         if not self._setup.looking.set_ahead():
             raise Refused("The head tracker has not said where the head looks: wait for its first pose.")
         return {}
 
-    def _parameters(self, fields: documents.Parameters, _id: int) -> Answer:
+    def _parameters(self, fields: command_fields.Parameters, _id: int) -> Answer:
         self._require_no_drive()
         self._setup.use_parameters(fields.parameters)
         self._settle()
         return {"hash": self._setup.hash}
 
-    def _world(self, fields: documents.World, _id: int) -> Answer:
+    def _world(self, fields: command_fields.World, _id: int) -> Answer:
         self._require_no_drive()
         self._setup.use_world(fields.floorplan, fields.path)
         self._settle()
         return {}
 
-    def _chair(self, fields: documents.Device, command_id: int) -> None:
+    def _chair(self, fields: command_fields.Device, command_id: int) -> None:
         self._require_no_drive()
 
         def answer() -> Answer:
@@ -187,22 +187,22 @@ class Commands:
 
         self._open(self._setup.change_chair(parse_chair(fields.config)), command_id, answer)
 
-    def _limits(self, fields: documents.Limits, _id: int) -> Answer:
+    def _limits(self, fields: command_fields.Limits, _id: int) -> Answer:
         self._setup.use_clinic(fields.clinic)
         return {}
 
-    def _dial(self, fields: documents.Dial, _id: int) -> Answer:
+    def _dial(self, fields: command_fields.Dial, _id: int) -> Answer:
         self._setup.use_dial(fields.share)
         return {"share": self._setup.chain.dial}
 
-    def _run(self, fields: documents.Run, _id: int) -> Answer:
+    def _run(self, fields: command_fields.Run, _id: int) -> Answer:
         self._require_no_run()
         return {"run": self._runs.begin(fields), "source": self._setup.source.model_dump(mode="json")}
 
-    def _end_run(self, _fields: documents.Nothing, command_id: int) -> None:
+    def _end_run(self, _fields: command_fields.Nothing, command_id: int) -> None:
         self._runs.end(command_id)
 
-    def _arm(self, fields: documents.Arm, _id: int) -> Answer:
+    def _arm(self, fields: command_fields.Arm, _id: int) -> Answer:
         if self._runs.ending:
             raise Refused("The run is being ended: begin a new one first.")
         _refuse(refusal(self._loop, fields.hash))
@@ -217,17 +217,17 @@ class Commands:
         if self._loop.run is not None:
             self._loop.run.was_armed = True
 
-    def _disarm(self, _fields: documents.Nothing, _id: int) -> Answer:
+    def _disarm(self, _fields: command_fields.Nothing, _id: int) -> Answer:
         self._setup.chain.gate.disarm()
         if self._loop.run is not None:
             self._loop.run.was_armed = False
         return {}
 
-    def _stop(self, fields: documents.Stop, _id: int) -> Answer:
+    def _stop(self, fields: command_fields.Stop, _id: int) -> Answer:
         self._setup.chain.gate.stop(STOPPED_BY[fields.by])
         return {}
 
-    def _clear(self, fields: documents.Clear, _id: int) -> Answer:
+    def _clear(self, fields: command_fields.Clear, _id: int) -> Answer:
         gate, run = self._setup.chain.gate, self._loop.run
         if gate.state is not State.FAULT:
             return {}
@@ -240,10 +240,10 @@ class Commands:
             self._begin_neutral_check()
         return {}
 
-    def _status(self, _fields: documents.Nothing, _id: int) -> Answer:
+    def _status(self, _fields: command_fields.Nothing, _id: int) -> Answer:
         return {**status(self._loop), "realtime": self._real_time, "recording": self._runs.status()}
 
-    def _quit(self, _fields: documents.Nothing, _id: int) -> Answer:
+    def _quit(self, _fields: command_fields.Nothing, _id: int) -> Answer:
         self.quit = True
         return {}
 

@@ -12,7 +12,7 @@ from app.messages import NO_CUE, SensorFrame, Tick
 from app.pipeline.open_run import OpenRun
 from app.pipeline.safety import ChairCondition, Conditions
 from app.pipeline.setup import Setup
-from app.ring import TickRing
+from app.process.ring import TickRing
 
 LONGEST_WAIT = 0.02  # s without a frame, then a tick is made without one
 WAIT_PERIODS = 2.0  # the same for a fast shirt, so that its jitter makes no ticks of its own

@@ -6,7 +6,7 @@ from typing import Literal
 
 from app.cues import Cue, cue_index
 from app.messages import NO_CUE
-from app.recording import RunWriter
+from app.recording.writer import RunWriter
 
 RunKind = Literal["rest", "free", "prompt", "drive"]
 

@@ -10,12 +10,12 @@ from app.faults import Fault
 from app.file_modes import keep_new_files_private
 from app.hardware.base import HardwareError
 from app.hardware.chair.report import ChairReport
-from app.link import CommandServer
 from app.pipeline.commands import Commands
 from app.pipeline.loop import ControlLoop
 from app.pipeline.setup import Setup
+from app.process.command_channel import CommandServer
+from app.process.ring import TickRing
 from app.realtime import go_real_time
-from app.ring import TickRing
 
 POLL_EVERY = 0.004  # s between two looks at the link
 LAST_TURNS = 0.5  # s: the chair stands before that (the gate's STOP_TIME)

@@ -6,13 +6,13 @@ from typing import Any
 
 from app import __version__
 from app.clock import Clock, utc_now
-from app.link import NO_ANSWER, CommandServer
-from app.pipeline import documents
+from app.pipeline import command_fields
 from app.pipeline.loop import ControlLoop
 from app.pipeline.open_run import OpenRun
 from app.pipeline.setup import Refused
+from app.process.command_channel import NO_ANSWER, CommandServer
 from app.realtime import tidy
-from app.recording import RunWriter
+from app.recording.writer import RunWriter
 
 LEAST_FREE = 500_000_000  # bytes on the disk of the recordings: a drive of 20 minutes with the largest shirt
 
@@ -33,7 +33,7 @@ class Runs:
         """Whether the run waits for the chair to stand."""
         return self._ending is not None
 
-    def begin(self, fields: documents.Run) -> int:
+    def begin(self, fields: command_fields.Run) -> int:
         """Disarm and begin a run; return its number in ticks, or raise Refused."""
         loop, setup = self._loop, self._loop.setup
         if setup.shirt is None:
@@ -96,7 +96,7 @@ class Runs:
             writer = run.writer
             self._server.answer(command_id, rows=writer.rows, dropped=writer.dropped, words=writer.words)
 
-    def _new_writer(self, fields: documents.Run) -> RunWriter:
+    def _new_writer(self, fields: command_fields.Run) -> RunWriter:
         setup = self._loop.setup
         shirt, parameters, floorplan = setup.shirt, setup.parameters, setup.floorplan
         if shirt is None:

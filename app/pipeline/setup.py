@@ -13,7 +13,7 @@ from app.hardware.chair.simulator import Dynamics, VirtualChair
 from app.hardware.configs import BodyConfig, ChairConfig, RealChairConfig, ShirtConfig
 from app.hardware.registry import SHIRTS, make_body, make_real_chair, make_shirt, mistrust
 from app.pipeline.chain import Chain
-from app.pipeline.looking import Looking
+from app.pipeline.head_pose import Looking
 from app.pipeline.opening import Change, close_quietly, one_line, open_device
 from app.source import UNKNOWN, Source
 from app.speeds import NO_FURTHER, Speeds

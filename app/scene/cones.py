@@ -4,8 +4,8 @@ import math
 from typing import Final
 
 from app.geometry import Pose
-from app.scene import palette
-from app.scene.meshes import Mesh, Part, merged, standing_box, tube
+from app.scene.meshes import palette
+from app.scene.meshes.bodies import Mesh, Part, merged, standing_box, tube
 from app.world.kinematics import CHAIR_RADIUS
 from app.world.scenery import Cone
 

@@ -4,9 +4,9 @@ import logging
 from pathlib import Path
 from typing import Final
 
-from app.scene.building import building_parts
-from app.scene.models import Model, stored_model
-from app.scene.movers import mover_parts
+from app.scene.meshes.building import building_parts
+from app.scene.meshes.movers import mover_parts
+from app.scene.models.objects import Model, stored_model
 from app.scene.world_view import Drawing
 from app.world.floorplan import FloorPlan, PrescribedPath
 

@@ -5,7 +5,7 @@ from collections.abc import ItemsView, Mapping, ValuesView
 import numpy as np
 import viser
 
-from app.scene.meshes import Part
+from app.scene.meshes.bodies import Part
 from app.scene.views import Placement
 
 MeshNode = viser.MeshHandle

@@ -2,7 +2,7 @@
 
 from app.geometry import Pose
 from app.scene.cones import Cones
-from app.scene.meshes import Part
+from app.scene.meshes.bodies import Part
 from app.scene.task_marks import later_parts, task_parts
 from app.world.floorplan import FloorPlan, PrescribedPath
 from app.world.scenery import Track

@@ -6,8 +6,8 @@ from typing import Any, Final
 import viser
 
 from app.geometry import Pose
-from app.scene import palette
-from app.scene.driven import ERROR_SHOWN, SPAN, Driven, Range, Samples, trajectory_ranges, trajectory_samples
+from app.scene.meshes import palette
+from app.scene.plot_points import ERROR_SHOWN, SPAN, Driven, Range, Samples, trajectory_ranges, trajectory_samples
 from app.world.floorplan import FloorPlan
 
 SEND_EVERY = 0.2  # s

@@ -8,8 +8,8 @@ from typing import Final
 import numpy as np
 
 from app.clock import MonotonicClock
-from app.scene.scene import Scene
 from app.scene.servers import RoleServers
+from app.scene.session_scene import Scene
 
 RATE: Final = 60.0  # Hz
 STAMP_EVERY: Final = 0.1  # s

@@ -5,8 +5,8 @@ from typing import Final
 
 import numpy as np
 
-from app.scene import palette
-from app.scene.meshes import Mesh, Part, ball, merged, quads, ring, strip, tube
+from app.scene.meshes import palette
+from app.scene.meshes.bodies import Mesh, Part, ball, merged, quads, ring, strip, tube
 from app.world.floorplan import PrescribedPath
 from app.world.scenery import Gap
 from app.world.tasks import Back, Course, Turn

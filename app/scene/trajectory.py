@@ -8,7 +8,7 @@ import viser
 from numpy.typing import NDArray
 
 from app.geometry import Pose, wrap_angle
-from app.scene import palette
+from app.scene.meshes import palette
 
 STEP = 0.05  # m; a point is kept when the chair has moved or turned this far
 TURN = math.radians(5)

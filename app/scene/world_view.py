@@ -8,11 +8,12 @@ from typing import Final
 import viser
 
 from app.geometry import Pose
-from app.scene.building import FURNITURE, WALLS
 from app.scene.group import Group, numbered, put
 from app.scene.head_view import AHEAD, Angles, HeadView
 from app.scene.lighting import Lighting
-from app.scene.meshes import Part
+from app.scene.meshes.bodies import Part
+from app.scene.meshes.building import FURNITURE, WALLS
+from app.scene.meshes.wheelchair import chair_parts, person_parts
 from app.scene.play import Play
 from app.scene.views import (
     FIELD_OF_VIEW,
@@ -30,7 +31,6 @@ from app.scene.views import (
     top_camera,
     world_placement,
 )
-from app.scene.wheelchair import chair_parts, person_parts
 from app.world.scenery import Lights
 
 WALLS_SHOWN: Final[dict[View, float]] = {"eye": math.inf, "chase": 1.1, "top": 0.5, "free": 1.1}

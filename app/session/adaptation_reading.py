@@ -5,12 +5,12 @@ from pathlib import Path
 
 import numpy as np
 
-from app.calibration.adaptation import STANDARD_LIMITS, Movement, Proposal, propose
+from app.calibration.adaptation.proposal import STANDARD_LIMITS, Movement, Proposal, propose
 from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import DriveParameters
 from app.faults import State
-from app.recording_reader import read_run
-from app.session.predicted import Effect, predicted_effect
+from app.recording.reader import read_run
+from app.scoring.trial_forecast import Effect, predicted_effect
 from app.session.readings import Adapted
 
 

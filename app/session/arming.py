@@ -6,20 +6,20 @@ from dataclasses import dataclass
 import numpy as np
 
 from app.calibration.vocabulary import DriveParameters
-from app.session.chair_said import CHAIR_FAULT, is_silent, why_not
-from app.session.chairs import Chairs
-from app.session.control import Control
-from app.session.database import Database
+from app.refusals import Refusal
+from app.session.chair_words import CHAIR_FAULT, is_silent, why_not
+from app.session.control_link import Control
 from app.session.differences import differences
-from app.session.equipment import Equipment
-from app.session.limits import ClinicLimits
-from app.session.practised import NO_PRACTICE, Practice, Practised
-from app.session.refusals import Refusal
-from app.session.store_controls import as_document, current_parameters, newest_profile
-from app.session.store_patients import open_session
-from app.session.tables import PatientSession
-from app.session.visit_flow import VisitFlow
+from app.session.equipment.chairs import Chairs
+from app.session.equipment.limits import ClinicLimits
+from app.session.equipment.shirt import Equipment
+from app.session.open_session import VisitFlow
 from app.speeds import NO_FURTHER, Speeds, dialled, most_restrictive
+from app.store.database import Database
+from app.store.parameters import as_document, current_parameters, newest_profile
+from app.store.patients import open_session
+from app.store.practice import NO_PRACTICE, Practice, Practised
+from app.store.tables import PatientSession
 
 NOBODY = "Nobody is here: choose a patient on the Patients page first."
 NOT_CALIBRATED = "Nothing is calibrated yet: go to Calibrate and accept a result first."

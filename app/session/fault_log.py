@@ -6,9 +6,9 @@ from collections.abc import Callable
 from typing import Any
 
 from app.faults import Fault
-from app.session.control import Control, ControlState
-from app.session.database import Database
-from app.session.store_log import write_log
+from app.session.control_link import Control, ControlState
+from app.store.database import Database
+from app.store.log import write_log
 
 LOOK_EVERY = 0.1  # s
 

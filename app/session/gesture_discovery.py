@@ -8,16 +8,16 @@ from sqlalchemy import select
 from sqlalchemy.orm import Session
 
 from app.calibration.cued_runs import CuedRun, run_of_cues
-from app.calibration.discovery import Discovery, discover, known_of
+from app.calibration.gestures.discovery import Discovery, discover, known_of
 from app.calibration.profile import CalibrationProfile
 from app.calibration.script import Step, calibration_script
-from app.recording_reader import read_run
-from app.session.database import Database
-from app.session.map_versions import family
-from app.session.refusals import Conflict
-from app.session.store_calibration import recordings_of
-from app.session.store_controls import newest_profile
-from app.session.tables import PatientSession, Profile
+from app.recording.reader import read_run
+from app.refusals import Conflict
+from app.store.calibrations import recordings_of
+from app.store.database import Database
+from app.store.map_versions import family
+from app.store.parameters import newest_profile
+from app.store.tables import PatientSession, Profile
 
 KEPT = 8  # results: the controls ask again with every change
 NOTHING = "Nothing is calibrated yet: go to Calibrate and accept a result first."

@@ -1,9 +1,9 @@
 """Which map decodes a joint: chosen on the result of a calibration, before it is accepted."""
 
 from app.calibration.profile import CalibrationProfile, MapKind
-from app.session.database import Database
-from app.session.refusals import Conflict, NotFound
-from app.session.tables import PatientSession
+from app.refusals import Conflict, NotFound
+from app.store.database import Database
+from app.store.tables import PatientSession
 
 
 def choose_map(database: Database, session_id: int, joint: str, kind: MapKind) -> None:

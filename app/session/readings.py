@@ -8,13 +8,13 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from app.calibration.adaptation import Proposal
+from app.calibration.adaptation.proposal import Proposal
 from app.calibration.profile import CalibrationProfile
 from app.calibration.script import Step
 from app.calibration.vocabulary import DriveParameters
 from app.layout import ShirtLayout
-from app.session.control_quality import ControlQuality
-from app.session.predicted import Effect
+from app.scoring.control_quality import ControlQuality
+from app.scoring.trial_forecast import Effect
 from app.world.floorplan import FloorPlan, PrescribedPath
 
 

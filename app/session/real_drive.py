@@ -9,15 +9,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.faults import State
-from app.session.control import Control
-from app.session.database import Database
+from app.refusals import Conflict
+from app.session.control_link import Control
 from app.session.readings import Readings
-from app.session.refusals import Conflict
+from app.session.run_watch import Halt, RunLost, Starter, watched
 from app.session.runs import OpenRun, Runs
-from app.session.store_drives import add_drive, finish_drive
-from app.session.store_log import write_log
-from app.session.tables import Chair, Drive, PatientSession, Run
-from app.session.watching import Halt, RunLost, Starter, watched
+from app.store.database import Database
+from app.store.drives import add_drive, finish_drive
+from app.store.log import write_log
+from app.store.tables import Chair, Drive, PatientSession, Run
 
 STOP_LIMIT = 1.5  # s for closing a drive when the application ends
 END_LIMIT = 30.0  # s for closing the recording, before a caller is told to look later

@@ -6,20 +6,20 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from app.calibration.fit import fit_profile
-from app.calibration.guided import with_guided_maps
+from app.calibration.fit.profile_fit import fit_profile
+from app.calibration.fit.repetitions import Repetition, Stretch, repetitions_of_run, stretch_of_run
+from app.calibration.guided.guided_map import with_guided_maps
 from app.calibration.profile import CalibrationProfile
-from app.calibration.repetitions import Repetition, Stretch, repetitions_of_run, stretch_of_run
 from app.calibration.script import Step
 from app.calibration.vocabulary import recorded_parameters
 from app.faults import State
 from app.layout import ShirtLayout
-from app.recording_reader import Columns, read_run
+from app.recording.reader import Columns, read_run
+from app.scoring.control_quality import ControlQuality, control_quality
+from app.scoring.task_measures import task_measures
 from app.session.adaptation_reading import adapt_from_recordings
-from app.session.calibration_judge import judge_frames
-from app.session.control_quality import ControlQuality, control_quality
 from app.session.readings import Driven, Readings
-from app.session.task_measures import task_measures
+from app.session.step_check import judge_frames
 from app.world.floorplan import FloorPlan, PrescribedPath
 
 

@@ -9,11 +9,11 @@ from pathlib import Path
 from typing import Any
 
 from app.cues import Cue
-from app.session.control import Control
-from app.session.database import Database
-from app.session.refusals import Conflict, Refusal
-from app.session.store_runs import add_run, close_run
+from app.refusals import Conflict, Refusal
+from app.session.control_link import Control
 from app.source import Source
+from app.store.database import Database
+from app.store.runs import add_run, close_run
 
 
 @dataclass(frozen=True, slots=True)

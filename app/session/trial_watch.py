@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from app.faults import State
 from app.geometry import Pose
-from app.session.watching import Halt
+from app.session.run_watch import Halt
 from app.world.floorplan import FloorPlan, PrescribedPath
 from app.world.scenery import Track
 from app.world.task_progress import leader_of, progress_of

@@ -7,11 +7,12 @@ import pytest
 from fake_clinic import Clinic, running
 from pairing import code_of, only, pair
 
-from app.api import hashing
-from app.session import ballast, calibration_flow, watching
-from app.session.database import Database
-from app.session.store_people import add_clinic
+from app.api.sign_in import hashing
+from app.session import calibration, run_watch
 from app.settings import Settings
+from app.store.database import Database
+from app.store.files import ballast
+from app.store.people import add_clinic
 
 
 @pytest.fixture
@@ -31,8 +32,8 @@ def _little_ballast(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.fixture(autouse=True)
 def _quick_looks(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(calibration_flow, "LOOK_EVERY", 0.002)
-    monkeypatch.setattr(watching, "LOOK_EVERY", 0.002)
+    monkeypatch.setattr(calibration, "LOOK_EVERY", 0.002)
+    monkeypatch.setattr(run_watch, "LOOK_EVERY", 0.002)
 
 
 @pytest.fixture

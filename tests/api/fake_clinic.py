@@ -12,20 +12,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.api.app import create_app
-from app.api.screens import Screen
+from app.api.live.screens import Screen
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.calibration.script import Step
 from app.clock import monotonic
 from app.faults import Fault, State
 from app.hardware.registry import SHIRTS
 from app.layout import Channel, Joint, ShirtLayout
-from app.link import LinkLost, LinkRefused
 from app.messages import NO_CUE, TICK
 from app.pipeline.commands import STOPPED_BY
-from app.session.control_quality import ControlQuality
+from app.process.command_channel import LinkLost, LinkRefused
+from app.scoring.control_quality import ControlQuality
 from app.session.readings import Driven, Readings
-from app.session.tables import LogEntry
 from app.settings import Settings
+from app.store.tables import LogEntry
 
 with warnings.catch_warnings():
     # Starlette announces the successor of httpx, which is not needed here.

@@ -8,14 +8,14 @@ from typing import Any
 import pytest
 from fake_clinic import WORD, Clinic
 
-from app.api import drives
-from app.calibration.adaptation import JointChange, Proposal
+from app.api.routes import drives
+from app.calibration.adaptation.proposal import JointChange, Proposal
 from app.calibration.vocabulary import DriveParameters
 from app.faults import Fault, State
-from app.session.predicted import Effect
+from app.scoring.trial_forecast import Effect
 from app.session.readings import Adapted
-from app.session.store_people import add_person, sign_in, the_clinic
 from app.speeds import Speeds
+from app.store.people import add_person, sign_in, the_clinic
 
 UP = 0.01
 EFFECT = Effect(

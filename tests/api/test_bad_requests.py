@@ -9,8 +9,8 @@ import pytest
 from fake_clinic import BASE, LAYOUT, WORD
 from starlette.websockets import WebSocketDisconnect
 
-from app.session.calibration_flow import CalibrationFlow
-from app.session.drive_flow import DriveFlow
+from app.session.calibration import CalibrationFlow
+from app.session.trial import DriveFlow
 
 LONG = "k" * 100_000
 ORIGIN = {"Origin": BASE}

@@ -142,7 +142,7 @@ def test_the_dial_is_turned_logged_and_given_to_the_next_control_process(signed_
 
 def test_the_disk_is_told_before_it_is_full(signed_in: Clinic, monkeypatch: pytest.MonkeyPatch) -> None:
     usage = type("Usage", (), {"free": 3_000_000_000})()
-    monkeypatch.setattr("app.session.disk.shutil.disk_usage", lambda _folder: usage)
+    monkeypatch.setattr("app.store.files.disk.shutil.disk_usage", lambda _folder: usage)
     assert signed_in.good("GET", "/equipment")["disk"] == {"free": 3_000_000_000, "words": ""}
     usage.free = 1_400_000_000
     assert "1.4 GB" in signed_in.good("GET", "/equipment")["disk"]["words"]
@@ -152,7 +152,7 @@ def test_a_full_disk_is_a_sentence(signed_in: Clinic, monkeypatch: pytest.Monkey
     def full(_file: Path, *_given: Any) -> None:
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr("app.session.pairing.write_key", full)
+    monkeypatch.setattr("app.session.equipment.pairing.write_key", full)
     answer = signed_in("POST", "/chairs", json=CHAIR)
     assert answer.status_code == 507
     assert "make room" in answer.json()["detail"]

@@ -6,13 +6,13 @@ from typing import Any
 import pytest
 from fake_clinic import WORD, Clinic
 
-from app.api import drives
+from app.api.routes import drives
 from app.faults import Fault, State
 from app.hardware.chair.reasons import WORDS, Reason
 from app.hardware.registry import NO_KEY
-from app.session.store_people import add_person, sign_in, the_clinic
-from app.session.tables import Parameters
 from app.speeds import Speeds
+from app.store.people import add_person, sign_in, the_clinic
+from app.store.tables import Parameters
 
 SLOW = {**Speeds().model_dump(), "forward": 0.5}
 ARMED, FAULT = 2, 3  # of a chair's telemetry
@@ -235,7 +235,7 @@ def test_an_arming_that_the_control_process_refuses_leaves_no_drive(ready: Any) 
 def test_a_fault_that_nobody_clears_ends_the_drive_and_is_in_the_log(
     ready: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("app.session.watching.HALT_LIMIT", 0.5)
+    monkeypatch.setattr("app.session.run_watch.HALT_LIMIT", 0.5)
     with ready.screen():
         drive = arm(ready).json()
         ready.link.state, ready.link.fault = State.FAULT, Fault.CHAIR_SILENT

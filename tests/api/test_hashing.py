@@ -6,9 +6,9 @@ import os
 import psutil
 import pytest
 
-from app.api import hashing
-from app.api.hashing import Busy, Hashing
-from app.session.refusals import Unavailable
+from app.api.sign_in import hashing
+from app.api.sign_in.hashing import Busy, Hashing
+from app.refusals import Unavailable
 
 
 def with_hashing(story):
@@ -24,7 +24,7 @@ def with_hashing(story):
 
 def children():
     found = psutil.Process().children(recursive=True)
-    return [child for child in found if "app.api.hashing_process" in child.cmdline()]
+    return [child for child in found if "app.api.sign_in.hashing_process" in child.cmdline()]
 
 
 def test_a_password_is_its_own_and_no_others():

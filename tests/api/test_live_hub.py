@@ -5,7 +5,7 @@ from typing import Any
 
 from starlette.websockets import WebSocketState
 
-from app.api.live_hub import LiveHub, Viewer
+from app.api.live.hub import LiveHub, Viewer
 
 
 class Page:

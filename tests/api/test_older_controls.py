@@ -4,7 +4,7 @@ from typing import Any
 
 from sqlalchemy import select
 
-from app.session.tables import Parameters
+from app.store.tables import Parameters
 
 WITH_A_JOINER = "\U0001f469\u200d\U0001f9bd slow"  # a woman in a wheelchair: names of before could hold any character
 

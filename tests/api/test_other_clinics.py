@@ -9,14 +9,14 @@ from fake_clinic import Clinic
 
 from app.api import refusals
 from app.clock import utc_now
-from app.session import tables
-from app.session.refusals import Full
-from app.session.store_chairs import add_chair
-from app.session.store_patient_screens import add_screen
-from app.session.store_patients import add_patient, start_session
-from app.session.store_people import add_clinic
-from app.session.store_runs import add_run, add_trial
+from app.refusals import Full
 from app.speeds import NO_FURTHER
+from app.store import tables
+from app.store.chairs import add_chair
+from app.store.patient_screens import add_screen
+from app.store.patients import add_patient, start_session
+from app.store.people import add_clinic
+from app.store.runs import add_run, add_trial
 
 IDS = {  # names of whole numbers that are ids, and of which table
     "patient_id": "patient",

@@ -5,7 +5,7 @@ from typing import Any
 
 import pytest
 
-from app.api.uploads import harmless_name
+from app.api.routes.uploads import harmless_name
 
 OPEN = {
     ("POST", "/api/v1/auth/demo"),

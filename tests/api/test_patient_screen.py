@@ -10,9 +10,10 @@ from test_roles import FOR_EVERYONE, FOR_PATIENTS_SCREENS, table
 
 from app.api import sockets
 from app.scene.wire import SUBPROTOCOL
-from app.session import patient_screens, store_patient_screens
-from app.session.store_people import find_person, sign_in
-from app.session.tables import PatientScreen
+from app.session import screen_codes
+from app.store import patient_screens as store_patient_screens
+from app.store.people import find_person, sign_in
+from app.store.tables import PatientScreen
 
 ORIGIN = {"Origin": BASE}
 WS = BASE.replace("http", "ws")
@@ -55,8 +56,8 @@ def test_only_the_newest_code_pairs_and_not_for_long(visited: Clinic, monkeypatc
     first, second = code_of(visited), code_of(visited)
     assert first != second
     assert pair(visited, first).status_code == 409
-    now = patient_screens.monotonic()
-    monkeypatch.setattr(patient_screens, "monotonic", lambda: now + 601.0)
+    now = screen_codes.monotonic()
+    monkeypatch.setattr(screen_codes, "monotonic", lambda: now + 601.0)
     assert pair(visited, second).status_code == 409
 
 

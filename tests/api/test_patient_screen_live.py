@@ -6,8 +6,8 @@ import pytest
 from fake_clinic import BASE, WORD, Clinic
 from pairing import closing
 
-from app.api import patient_live
-from app.session.store_patient_screens import Wishes
+from app.api.patient_screen import patient_socket
+from app.store.patient_screens import Wishes
 
 ORIGIN = {"Origin": BASE}
 LIVE = f"{BASE.replace('http', 'ws')}/api/v1/patient/live"
@@ -104,15 +104,15 @@ def test_nothing_it_says_is_acted_on_and_a_flood_is_cut_off(screen: Clinic, monk
         socket.send_bytes(b"\x00" * 100)
         for _ in range(5):
             assert socket.receive_json()["state"] == "disarmed"
-        for _ in range(patient_live.FLOOD):
+        for _ in range(patient_socket.FLOOD):
             socket.send_text("x")
         assert closing(socket) == 1008
     done = [do for do, _ in screen.link.calls[before:]]
     assert "stop" not in done
     assert [do for do, _ in screen.link.told if do in {"move", "look"}] == []
-    monkeypatch.setattr(patient_live, "WITHIN", -1.0)
+    monkeypatch.setattr(patient_socket, "WITHIN", -1.0)
     with screen.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
-        for _ in range(2 * patient_live.FLOOD):
+        for _ in range(2 * patient_socket.FLOOD):
             socket.send_text("x")  # slow enough to be no flood
         for _ in range(3):
             socket.receive_json()

@@ -6,8 +6,8 @@ from typing import Any
 import pytest
 from fake_clinic import BASE, WORD
 
-from app.api import patient_live
-from app.api.screens import Screen
+from app.api.live.screens import Screen
+from app.api.patient_screen import patient_socket
 from app.world.scene import find_place
 
 LIVE = f"{BASE.replace('http', 'ws')}/api/v1/patient/live"
@@ -130,7 +130,7 @@ def test_the_patients_screen_tells_the_clinicians_page_and_halts_too(ready: Any)
 
 
 def test_a_patients_screen_that_falls_silent_halts_the_trial(ready: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(patient_live, "SILENCE", 0.2)
+    monkeypatch.setattr(patient_socket, "SILENCE", 0.2)
     with ready.client.websocket_connect(LIVE, headers={"Origin": BASE}) as socket:
         ready.good("POST", "/trials", json=ready.where)
         socket.send_json({"picture": "view"})  # and nothing after it

@@ -5,7 +5,7 @@ from typing import Any
 import pytest
 from fake_clinic import WORD
 
-from app.session.tables import Trial
+from app.store.tables import Trial
 
 QUALITY = {
     "map_angle_deg": 12.0,

@@ -11,7 +11,7 @@ from fastapi.routing import APIRoute, APIWebSocketRoute, RouteContext, iter_rout
 from starlette.websockets import WebSocketDisconnect
 
 from app.api.deps import anyone_signed_in, clinician, everyone, owner, viewer
-from app.session.store_people import add_person, find_person, sign_in, the_clinic
+from app.store.people import add_person, find_person, sign_in, the_clinic
 
 RIGHTS = {everyone: 0, anyone_signed_in: 1, viewer: 1, clinician: 2, owner: 3}
 ROLES = {"anonymous": 0, "reviewer": 1, "clinician": 2, "owner": 3}

@@ -7,8 +7,9 @@ import pytest
 from fake_clinic import BASE, WORD
 from starlette.websockets import WebSocketDisconnect
 
-from app.api import flows, screens
-from app.session.control import ScreenSign
+from app.api import parts
+from app.api.live import screens
+from app.session.control_link import ScreenSign
 
 URL = f"{BASE.replace('http', 'ws')}/api/v1/screen"
 ORIGIN = {"Origin": BASE}
@@ -83,7 +84,7 @@ def test_hiding_standing_still_and_closing_are_told_apart_with_the_very_message(
         for _ in range(2):
             socket.send_json(saying(visible=False))
         tells_at_once("hidden")
-        socket.send_json(saying(silence=flows.VIRTUAL_SILENCE_LIMIT))
+        socket.send_json(saying(silence=parts.VIRTUAL_SILENCE_LIMIT))
         until_told(driving, "in view")  # nobody sits in the virtual chair: a slow screen may draw for so long
         for silence in (3.1, 3.2):
             socket.send_json(saying(silence=silence))

@@ -7,10 +7,10 @@ from fake_clinic import Clinic
 from fastapi.routing import APIRoute
 from test_roles import contexts
 
-from app.api.shown_session import READS, WITHOUT_SESSION
-from app.session.refusals import Conflict
-from app.session.shown_session import SHOWN_SESSION, ShownSession
-from app.session.store_people import find_person, sign_in
+from app.api.page_session import READS, WITHOUT_SESSION
+from app.refusals import Conflict
+from app.session.page_session import SHOWN_SESSION, ShownSession
+from app.store.people import find_person, sign_in
 
 OTHER = "can no longer be sent"
 UNNAMED = "does not name the session"

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 from fake_clinic import BASE, Clinic, running
 
-from app.api import set_up
+from app.api.sign_in import set_up
 from app.settings import Settings
 
 

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 from fake_clinic import BASE, Clinic, running
 
-from app.api.hashing import MOST_AT_ONCE, Hashing
+from app.api.sign_in.hashing import MOST_AT_ONCE, Hashing
 from app.settings import Settings
 
 RIGHT = "correct horse battery"

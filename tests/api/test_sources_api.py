@@ -7,9 +7,9 @@ from typing import Any
 import pytest
 from fake_clinic import WORD, Clinic, running
 
-from app.session.store_calibration import MIXED
-from app.session.tables import Run, Trial
 from app.settings import Settings
+from app.store.calibrations import MIXED
+from app.store.tables import Run, Trial
 
 OWNER = {"code": "the-set-up-code", "name": "Ada", "password": "correct horse battery"}
 SIMULATED = {"kind": "simulator", "seed": 1}

@@ -15,9 +15,9 @@ from fastapi import FastAPI, HTTPException
 from fastapi.testclient import TestClient
 from starlette.websockets import WebSocketDisconnect
 
-from app.api import view_bridge
-from app.api.view_bridge import page_headers, view_router
-from app.api.view_controls import view_controls
+from app.api.view import view_bridge
+from app.api.view.view_bridge import page_headers, view_router
+from app.api.view.view_controls import view_controls
 from app.scene.wire import SUBPROTOCOL
 from app.world.floorplan import bundled_floorplans, load_floorplan
 

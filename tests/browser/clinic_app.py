@@ -8,11 +8,11 @@ from browser.served_clinic import ServedClinic
 from processes.served_demo import SessionClient
 
 from app.calibration.vocabulary import standard_parameters
-from app.session.database import Database
-from app.session.store_controls import save_parameters, save_profile
-from app.session.store_patients import add_patient, end_session, start_session
-from app.session.store_people import add_clinic
 from app.settings import Settings
+from app.store.database import Database
+from app.store.parameters import save_parameters, save_profile
+from app.store.patients import add_patient, end_session, start_session
+from app.store.people import add_clinic
 
 CODE = "the-set-up-code-of-the-tests"
 OWNER = {"code": CODE, "name": "Ada", "password": "correct horse battery"}

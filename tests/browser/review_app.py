@@ -14,14 +14,14 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # for its own star
 from browser.served_clinic import ServedClinic
 from recorded_trial import record_trial
 
-from app.session.database import Database
 from app.session.recordings import recorded_readings
-from app.session.store_controls import current_parameters, save_parameters, save_profile
-from app.session.store_patients import add_patient, start_session
-from app.session.store_people import add_clinic
-from app.session.store_runs import add_run, add_trial, finish_trial
 from app.settings import Settings
 from app.source import Source
+from app.store.database import Database
+from app.store.parameters import current_parameters, save_parameters, save_profile
+from app.store.patients import add_patient, start_session
+from app.store.people import add_clinic
+from app.store.runs import add_run, add_trial, finish_trial
 from app.world.floorplan import FloorPlan
 from app.world.scene import find_place
 from building import make_parameters

@@ -15,8 +15,8 @@ import numpy as np
 import uvicorn
 from fastapi import FastAPI, WebSocket
 
-from app.api.view_bridge import view_router
-from app.api.view_controls import view_controls
+from app.api.view.view_bridge import view_router
+from app.api.view.view_controls import view_controls
 from app.clock import MonotonicClock, monotonic
 from app.geometry import Pose
 from app.messages import TICK

@@ -7,8 +7,8 @@ from app.calibration.script import calibration_script
 from app.hardware.body.person import Person
 from app.hardware.body.person_parameters import PRACTISED
 from app.hardware.shirt.standard import standard_layout
-from app.session.study_calibration import fit_recorded, record_step
-from app.session.wearer import Wearer
+from app.study.simulated_calibration import fit_recorded, record_step
+from app.study.simulated_person import Wearer
 
 RATE = 100.0
 

@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from wearing import JOINTS, Wearer, calibrate, layout_of
 
-from app.calibration.adaptation import Movement, propose
+from app.calibration.adaptation.proposal import Movement, propose
 from app.calibration.vocabulary import standard_parameters
 
 ALL = ("map", "dead_zones", "full")

@@ -8,7 +8,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from app.calibration.adaptation_map import (
+from app.calibration.adaptation.direction import (
     angle,
     exponential_covariance,
     felt_change,

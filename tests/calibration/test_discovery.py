@@ -7,8 +7,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from app.calibration.cued_runs import CuedRun
-from app.calibration.discovery import discover, known_of
-from app.calibration.gesture_numbers import ratios, score_of
+from app.calibration.gestures.discovery import discover, known_of
+from app.calibration.gestures.numbers import ratios, score_of
 from app.calibration.profile import GuidedMap, MapCheck
 from app.layout import ShirtLayout
 

@@ -5,15 +5,15 @@ import pytest
 from test_knit_shirt import FOLDER, JOINTS, LAYOUT, RISING
 
 from app.calibration.cued_runs import run_of_prompts
-from app.calibration.discovery import discover
-from app.calibration.fit import fit_profile
-from app.calibration.gesture_ability import abilities
-from app.calibration.gesture_evidence import gather
-from app.calibration.gesture_prediction import answered_from
-from app.calibration.repetitions import Prompt, repetitions_of_prompts
-from app.columns import read_columns
-from app.signals import read_signals
-from app.smoothing import smooth
+from app.calibration.fit.profile_fit import fit_profile
+from app.calibration.fit.repetitions import Prompt, repetitions_of_prompts
+from app.calibration.gestures.ability import abilities
+from app.calibration.gestures.cross_check import answered_from
+from app.calibration.gestures.discovery import discover
+from app.calibration.gestures.evidence import gather
+from app.signals.columns import read_columns
+from app.signals.signals import read_signals
+from app.signals.smoothing import smooth
 
 SEEN = 20.0  # s
 LARGE = 0.2  # of the angle's range: smaller rises are no repetitions of the movement

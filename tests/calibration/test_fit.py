@@ -5,9 +5,9 @@ from hypothesis import strategies as st
 from sklearn.decomposition import PCA
 from wearing import JOINTS, Wearer, calibrate, layout_of
 
-from app.calibration.fit import fit_profile
+from app.calibration.fit.profile_fit import fit_profile
+from app.calibration.fit.repetitions import Repetition
 from app.calibration.profile import CalibrationProfile
-from app.calibration.repetitions import Repetition
 from app.calibration.vocabulary import standard_parameters
 from app.layout import Channel, Joint, ShirtLayout
 

@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from wearing import Wearer, calibrate, layout_of
 
-from app.calibration.fit import fit_profile, joints_without_map
+from app.calibration.fit.profile_fit import fit_profile, joints_without_map
 
 LAYOUT = layout_of()
 

@@ -8,7 +8,7 @@ from test_guided_knit import Knit
 from test_knit_shirt import FOLDER
 from wearing import Wearer, calibrate, layout_of
 
-from app.calibration.gaps import bridge_gaps, why_missing
+from app.calibration.fit.gaps import bridge_gaps, why_missing
 
 RATE = 100.0
 SHIRT = layout_of()

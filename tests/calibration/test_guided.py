@@ -4,9 +4,8 @@ import numpy as np
 import pytest
 from wearing import Wearer, layout_of, stroke
 
-from app.calibration.fit import fit_profile
-from app.calibration.guided import features, with_guided_maps
-from app.calibration.repetitions import (
+from app.calibration.fit.profile_fit import fit_profile
+from app.calibration.fit.repetitions import (
     Prompt,
     Stretch,
     repetitions_of_prompts,
@@ -14,6 +13,7 @@ from app.calibration.repetitions import (
     stretch_of_run,
     stretches_of_prompts,
 )
+from app.calibration.guided.guided_map import features, with_guided_maps
 from app.calibration.script import calibration_script
 from app.cues import cue_index
 

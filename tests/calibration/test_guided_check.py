@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from app.calibration.guided_check import check, dead_zone_of
+from app.calibration.guided.check import check, dead_zone_of
 
 RATE = 100.0
 # 2 s rest, 1 s there, 1 s back, 2 s rest

@@ -4,14 +4,14 @@ import numpy as np
 import pytest
 from test_knit_shirt import FOLDER, JOINTS, LAYOUT, RISING
 
-from app.calibration.fit import fit_profile
-from app.calibration.guided import with_guided_maps
-from app.calibration.repetitions import Prompt, repetitions_of_prompts, stretches_of_prompts
+from app.calibration.fit.profile_fit import fit_profile
+from app.calibration.fit.repetitions import Prompt, repetitions_of_prompts, stretches_of_prompts
+from app.calibration.guided.guided_map import with_guided_maps
 from app.calibration.vocabulary import standard_parameters
-from app.columns import read_columns
-from app.pipeline.batch import decode_block
-from app.signals import read_signals
-from app.smoothing import smooth
+from app.pipeline.replay.batch import decode_block
+from app.signals.columns import read_columns
+from app.signals.signals import read_signals
+from app.signals.smoothing import smooth
 
 LARGE = 0.3  # of the angle's span: what is counted as a movement when hits are
 GAIN, LOSS = 0.05, 0.03

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from app.calibration.guided_labels import Asked, labels, lags_of
+from app.calibration.guided.labels import Asked, labels, lags_of
 
 RATE = 100.0
 

@@ -5,12 +5,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.calibration.fit import fit_profile
-from app.calibration.repetitions import Prompt, repetitions_of_prompts
-from app.columns import read_columns
+from app.calibration.fit.profile_fit import fit_profile
+from app.calibration.fit.repetitions import Prompt, repetitions_of_prompts
 from app.layout import Channel, Joint, ShirtLayout
-from app.signals import read_signals
-from app.smoothing import smooth
+from app.signals.columns import read_columns
+from app.signals.signals import read_signals
+from app.signals.smoothing import smooth
 
 FOLDER = Path(__file__).resolve().parents[2].parent / "shared" / "data" / "knit_shirt"
 JOINTS = ("right_elbow", "left_elbow", "right_shoulder", "left_shoulder")

@@ -4,7 +4,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from sklearn.decomposition import PCA
 
-from app.calibration.pca import JointPCA, angle_between
+from app.calibration.fit.pca import JointPCA, angle_between
 
 
 @given(seed=st.integers(0, 2**32 - 1), channels=st.integers(1, 9))

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from app.calibration.prediction import (
+from app.calibration.gestures.prediction import (
     at_least_share,
     at_most_per_minute,
     false_per_minute,
@@ -13,7 +13,7 @@ from app.calibration.prediction import (
     passes,
     quiet_of,
 )
-from app.smoothing import smooth
+from app.signals.smoothing import smooth
 
 RATE = 100.0
 

@@ -2,8 +2,8 @@ import numpy as np
 import pytest
 from wearing import layout_of
 
+from app.calibration.fit.repetitions import Prompt, repetitions_of_prompts, repetitions_of_run
 from app.calibration.prompts_file import read_prompts
-from app.calibration.repetitions import Prompt, repetitions_of_prompts, repetitions_of_run
 from app.calibration.script import calibration_script
 from app.cues import cue_index
 

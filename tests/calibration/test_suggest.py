@@ -1,7 +1,7 @@
 from wearing import JOINTS, Wearer, layout_of
 
-from app.calibration.discovery import known_of
-from app.calibration.fit import fit_profile
+from app.calibration.fit.profile_fit import fit_profile
+from app.calibration.gestures.discovery import known_of
 from app.calibration.vocabulary import PAPER_VOCABULARY, standard_parameters
 
 

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from app.calibration.fit import fit_profile
-from app.calibration.repetitions import Repetition
+from app.calibration.fit.profile_fit import fit_profile
+from app.calibration.fit.repetitions import Repetition
 from app.layout import Channel, Joint, ShirtLayout
 
 JOINTS = ("right_elbow", "left_elbow", "right_shoulder", "left_shoulder")

@@ -10,12 +10,12 @@ import pytest
 from app.cli.server import held
 from app.hardware.chair.key import LARGEST_ID, read_key
 from app.hardware.chair.receive import _parser
-from app.session import pairing
-from app.session.database import Database
-from app.session.store_chairs import chairs_of
-from app.session.store_people import add_clinic, add_person, the_clinic
-from app.session.tables import LogEntry
+from app.session.equipment import pairing
 from app.speeds import Speeds
+from app.store.chairs import chairs_of
+from app.store.database import Database
+from app.store.people import add_clinic, add_person, the_clinic
+from app.store.tables import LogEntry
 
 BLUE = ("chair", "pair", "--name", "Blue", "--host", "10.0.0.7", "--state", "clinic")
 
@@ -161,7 +161,7 @@ def test_a_database_that_keeps_nothing_leaves_no_key(bodydrive, tmp_path, monkey
     def fails(*_words, **_details):
         raise sqlite3.OperationalError("disk I/O error")
 
-    monkeypatch.setattr("app.session.store_log.write_log", fails)
+    monkeypatch.setattr("app.store.log.write_log", fails)
     with pytest.raises(sqlite3.OperationalError):
         bodydrive(*BLUE)
     assert kept_keys(tmp_path) == []
@@ -170,7 +170,7 @@ def test_a_database_that_keeps_nothing_leaves_no_key(bodydrive, tmp_path, monkey
 
 def test_a_database_that_another_program_holds_is_said_so(bodydrive, tmp_path, monkeypatch):
     bodydrive(*BLUE)
-    monkeypatch.setattr("app.session.database.BUSY_TIMEOUT", 50)
+    monkeypatch.setattr("app.store.database.BUSY_TIMEOUT", 50)
     holding = sqlite3.connect(tmp_path / "clinic" / "bodydrive.sqlite", isolation_level=None)
     holding.execute("BEGIN EXCLUSIVE")
     refused(bodydrive(*BLUE[:3], "Red", *BLUE[4:]), "Another program")

@@ -9,14 +9,14 @@ import pyarrow.parquet
 import pytest
 from recorded_trial import record_trial
 
-from app.calibration.fit import fit_profile
-from app.calibration.repetitions import Prompt, repetitions_of_prompts
+from app.calibration.fit.profile_fit import fit_profile
+from app.calibration.fit.repetitions import Prompt, repetitions_of_prompts
 from app.cli.decode import decode
 from app.cli.errors import InputError
 from app.layout import Channel, Joint, ShirtLayout
-from app.pipeline.batch import decode_block
-from app.signals import read_signals
-from app.smoothing import smooth
+from app.pipeline.replay.batch import decode_block
+from app.signals.signals import read_signals
+from app.signals.smoothing import smooth
 from building import make_parameters, make_profile, make_signals
 
 KNIT = Path(__file__).resolve().parents[3] / "shared" / "data" / "knit_shirt"

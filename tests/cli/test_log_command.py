@@ -6,8 +6,8 @@ from contextlib import closing
 
 import pytest
 
-from app.session.database import Database
-from app.session.store_log import write_log
+from app.store.database import Database
+from app.store.log import write_log
 
 
 @pytest.fixture

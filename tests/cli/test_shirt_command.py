@@ -16,8 +16,8 @@ from app.hardware.chair.key import read_key
 from app.hardware.shirt import sender
 from app.hardware.shirt.newest import newest_file, read_newest
 from app.hardware.shirt.packet import decode_signed
-from app.session.database import Database
-from app.session.tables import LogEntry
+from app.store.database import Database
+from app.store.tables import LogEntry
 
 ROOT = Path(__file__).resolve().parents[2]
 PAIR = ("shirt", "pair", "--state", "clinic")
@@ -85,7 +85,7 @@ def test_a_pairing_that_cannot_be_logged_leaves_no_key(bodydrive, tmp_path, monk
     def fails(*_words, **_details):
         raise sqlite3.OperationalError("disk I/O error")
 
-    monkeypatch.setattr("app.session.store_log.write_log", fails)
+    monkeypatch.setattr("app.store.log.write_log", fails)
     with pytest.raises(sqlite3.OperationalError):
         bodydrive(*PAIR)
     assert list((tmp_path / "clinic" / "keys").iterdir()) == []

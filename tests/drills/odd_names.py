@@ -11,7 +11,7 @@ from odd_values import odd_values
 from processes.running_control import tick_with
 
 from app.clock import monotonic
-from app.link import LinkRefused
+from app.process.command_channel import LinkRefused
 
 WHILE_DRIVING, WHILE_STANDING = 40, 20  # odd values in a run
 LONGEST_GAP = 0.04  # s between two commands to the chair (S14)

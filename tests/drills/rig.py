@@ -19,8 +19,8 @@ from processes.wearer import RATE, Wearer, free_port, paired_key_file, shirt_con
 
 from app.clock import MonotonicClock
 from app.faults import State
-from app.link import LinkLost, LinkRefused
-from app.supervisor import ControlProcess
+from app.process.command_channel import LinkLost, LinkRefused
+from app.process.supervisor import ControlProcess
 from building import make_parameters
 
 PARAMETERS = make_parameters()  # acceleration mode: after one stroke the chair cruises with the hands at rest

@@ -15,14 +15,14 @@ import uvicorn
 from processes.running_control import tick_with
 
 from app.api.app import create_app
-from app.api.flows import flows_of
+from app.api.parts import flows_of
 from app.faults import State
+from app.process.supervisor import ControlProcess
 from app.realtime import tidy
-from app.session.control import ScreenSign
+from app.refusals import Refusal
+from app.session.control_link import ScreenSign
 from app.session.recordings import recorded_readings
-from app.session.refusals import Refusal
 from app.settings import Settings
-from app.supervisor import ControlProcess
 from building import make_parameters
 
 

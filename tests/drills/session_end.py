@@ -14,9 +14,9 @@ from processes.served_demo import Demo, bodydrive, until
 from small_disk import fill, small_disk
 
 from app.clock import monotonic
-from app.recording_reader import read_run
-from app.session.ballast import SIZE
-from app.session.log_chain import verify_log
+from app.recording.reader import read_run
+from app.store.files.ballast import SIZE
+from app.store.log_chain import verify_log
 
 DISK = 640 << 20  # bytes: with less than 500 MB free nothing is recorded
 TOLD = 2.0  # s

@@ -9,8 +9,8 @@ import sys
 from contextlib import suppress
 
 from app.faults import State
-from app.link import LinkRefused
-from app.supervisor import ControlProcess
+from app.process.command_channel import LinkRefused
+from app.process.supervisor import ControlProcess
 from building import make_parameters
 
 

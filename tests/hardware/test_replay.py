@@ -12,8 +12,8 @@ from app.hardware.configs import ReplayConfig
 from app.hardware.shirt.played import Player, read_played
 from app.hardware.shirt.replay import ReplayedShirt
 from app.messages import Tick
-from app.recording import RunWriter
-from app.ring import TickRing
+from app.process.ring import TickRing
+from app.recording.writer import RunWriter
 
 KNIT = Path(__file__).resolve().parents[2].parent / "shared" / "data" / "knit_shirt" / "signals.csv"
 

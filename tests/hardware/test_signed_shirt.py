@@ -21,7 +21,7 @@ from app.hardware.shirt.newest import newest_file
 from app.hardware.shirt.packet import decode, decode_signed, encode, refusal
 from app.hardware.shirt.sender import signed_frame
 from app.hardware.shirt.udp import SILENCE, UdpShirt
-from app.session.pairing import pair_shirt, shirt_key_file
+from app.session.equipment.pairing import pair_shirt, shirt_key_file
 
 WAIT = 2.0  # s
 FORGED = 12_000

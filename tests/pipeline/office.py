@@ -8,11 +8,11 @@ import uuid
 from scripted_shirt import ScriptedShirt
 
 from app.clock import FakeClock
-from app.link import NO_ANSWER, CommandServer
 from app.pipeline.commands import Commands
 from app.pipeline.loop import ControlLoop
 from app.pipeline.setup import Setup
-from app.ring import TickRing
+from app.process.command_channel import NO_ANSWER, CommandServer
+from app.process.ring import TickRing
 from building import make_parameters, make_signals
 
 

@@ -8,8 +8,8 @@ from app.faults import State
 from app.geometry import Pose
 from app.hardware.chair.simulator import VirtualChair
 from app.messages import SensorFrame
-from app.pipeline.batch import decode_block
 from app.pipeline.chain import Chain
+from app.pipeline.replay.batch import decode_block
 from app.pipeline.safety import Conditions
 from building import make_parameters, make_signals
 

@@ -16,7 +16,7 @@ from app.geometry import Twist
 from app.hardware.shirt.packet import encode
 from app.pipeline.runs import LEAST_FREE, require_room
 from app.pipeline.setup import Refused
-from app.session.pairing import pair_shirt, shirt_key_file
+from app.session.equipment.pairing import pair_shirt, shirt_key_file
 from app.speeds import NO_FURTHER, Speeds
 
 ONE_WAY = (Binding(control="u2+", gestures=("left_shoulder",)),)

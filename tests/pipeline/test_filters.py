@@ -6,7 +6,7 @@ from scipy.signal import butter, freqz
 
 from app.butterworth import low_pass
 from app.pipeline.filters import LowPass
-from app.smoothing import smooth
+from app.signals.smoothing import smooth
 
 
 @pytest.mark.parametrize(("cutoff", "sample_rate"), [(3, 100), (1, 50), (8, 100), (3, 1000), (8, 20)])

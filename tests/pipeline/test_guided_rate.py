@@ -8,8 +8,8 @@ from scipy.signal import butter, lfilter
 
 from app.calibration.profile import MEMORIES, GuidedMap, MapCheck
 from app.calibration.vocabulary import DriveParameters
-from app.pipeline.batch import decode_block
 from app.pipeline.decoder import Decoder
+from app.pipeline.replay.batch import decode_block
 from building import make_parameters, make_signals
 
 CHECK = MapCheck(in_phase=0.9, hit_rate=0.8, false_per_minute=0.0, false_count=0)

@@ -6,7 +6,7 @@ from app.clock import FakeClock
 from app.hardware.base import HardwareError
 from app.hardware.configs import TabletHeadConfig
 from app.messages import Tick
-from app.pipeline.looking import NOBODY, Looking
+from app.pipeline.head_pose import NOBODY, Looking
 
 
 @pytest.fixture
@@ -73,7 +73,7 @@ class Broken:
 
 def test_a_tracker_that_fails_is_let_go_and_said(looking, monkeypatch):
     broken = Broken()
-    monkeypatch.setattr("app.pipeline.looking.make_head", lambda _config, _clock: broken)
+    monkeypatch.setattr("app.pipeline.head_pose.make_head", lambda _config, _clock: broken)
     use(looking)
     assert all(map(math.isnan, noted(looking)))
     assert broken.closed
@@ -89,7 +89,7 @@ def test_a_tracker_that_cannot_be_had_leaves_none(looking, monkeypatch):
     def refuse(_config, _clock):
         raise HardwareError("it is not there")
 
-    monkeypatch.setattr("app.pipeline.looking.make_head", refuse)
+    monkeypatch.setattr("app.pipeline.head_pose.make_head", refuse)
     with pytest.raises(HardwareError):
         use(looking)
     assert looking.words == NOBODY
@@ -100,7 +100,7 @@ def test_a_tracker_that_fails_even_to_close_is_let_go(looking, monkeypatch):
         def close(self):
             raise RuntimeError("not even that")
 
-    monkeypatch.setattr("app.pipeline.looking.make_head", lambda _config, _clock: Stuck())
+    monkeypatch.setattr("app.pipeline.head_pose.make_head", lambda _config, _clock: Stuck())
     use(looking)
     assert all(map(math.isnan, noted(looking)))
     assert "no more" in looking.words

@@ -16,7 +16,7 @@ from app.messages import NO_CUE
 from app.pipeline.loop import LONGEST_WAIT, ControlLoop
 from app.pipeline.open_run import OpenRun
 from app.pipeline.setup import Setup
-from app.ring import TickRing
+from app.process.ring import TickRing
 
 
 class Writer:

@@ -15,7 +15,7 @@ from app.hardware.configs import VirtualChairConfig
 from app.pipeline.loop import ControlLoop
 from app.pipeline.open_run import OpenRun
 from app.pipeline.setup import Setup
-from app.ring import TickRing
+from app.process.ring import TickRing
 from building import make_parameters, make_signals
 
 NEUTRAL = 0.5  # s

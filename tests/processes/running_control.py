@@ -6,8 +6,8 @@ from contextlib import asynccontextmanager, suppress
 import pytest
 
 from app.faults import Fault, State
-from app.link import LinkLost, LinkRefused
-from app.supervisor import ControlProcess
+from app.process.command_channel import LinkLost, LinkRefused
+from app.process.supervisor import ControlProcess
 
 PATIENCE = 20.0  # s
 

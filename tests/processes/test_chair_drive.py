@@ -13,7 +13,7 @@ from processes.wearer import Wearer, free_port, paired_key_file, shirt_config
 from app.clock import monotonic
 from app.faults import Fault, State
 from app.hardware.chair.reasons import WORDS, Reason
-from app.recording_reader import read_run
+from app.recording.reader import read_run
 from building import make_parameters
 
 CRUISING = make_parameters()  # acceleration mode: after one stroke the chair cruises, with the hands at rest

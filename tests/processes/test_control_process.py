@@ -14,11 +14,11 @@ from processes.running_control import PATIENCE, ROOM, SIMULATED, refusal, runnin
 from processes.wearer import RATE, Wearer, free_port, shirt_config
 
 from app.faults import Fault, State
-from app.link import LinkLost
 from app.pipeline.process import main
-from app.recording_reader import read_run
-from app.session.control import Control
-from app.supervisor import ControlProcess
+from app.process.command_channel import LinkLost
+from app.process.supervisor import ControlProcess
+from app.recording.reader import read_run
+from app.session.control_link import Control
 from building import make_parameters
 
 

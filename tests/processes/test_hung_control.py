@@ -10,10 +10,10 @@ from processes.running_control import SIMULATED
 
 from app.clock import monotonic
 from app.faults import State
-from app.session import control as control_module
-from app.session.control import HANG_LIMIT, STOP_LIMIT, Control
-from app.session.refusals import Unavailable
-from app.supervisor import ControlProcess
+from app.process.supervisor import ControlProcess
+from app.refusals import Unavailable
+from app.session import control_link as control_module
+from app.session.control_link import HANG_LIMIT, STOP_LIMIT, Control
 
 PATIENCE = 60.0  # s
 LOAD = 1.0  # s by which a busy machine may wake us late

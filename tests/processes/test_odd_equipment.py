@@ -13,12 +13,12 @@ from odd_values import odd_values
 from processes.running_control import SIMULATED, refusal, tick_with
 
 from app.api.app import create_app
-from app.session.database import Database
+from app.process.supervisor import ControlProcess
 from app.session.recordings import recorded_readings
-from app.session.store_people import add_clinic
 from app.settings import Settings
 from app.speeds import Speeds
-from app.supervisor import ControlProcess
+from app.store.database import Database
+from app.store.people import add_clinic
 from app.visible_text import visible_line
 from building import make_layout
 

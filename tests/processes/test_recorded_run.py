@@ -8,9 +8,9 @@ from processes.running_control import ROOM, SIMULATED, armed, refusal, running, 
 from processes.wearer import Wearer, free_port, shirt_config
 
 from app.faults import Fault, State
-from app.pipeline.exact_rerun import Replayed, replay_run
-from app.pipeline.rerun import decode_run
-from app.recording_reader import read_run
+from app.pipeline.replay.exact_rerun import Replayed, replay_run
+from app.pipeline.replay.rerun import decode_run
+from app.recording.reader import read_run
 from building import make_parameters
 
 SOURCE = {"shirt": "simulator", "body": "person", "chair": "virtual", "simulated": True}

@@ -9,7 +9,7 @@ from app.clock import MonotonicClock
 from app.hardware.chair.key import read_key
 from app.hardware.shirt.packet import encode
 from app.hardware.shirt.sender import signed_frame
-from app.session.pairing import pair_shirt, shirt_key_file
+from app.session.equipment.pairing import pair_shirt, shirt_key_file
 
 RATE = 100.0
 STROKE_TIME = 0.6  # s

@@ -12,7 +12,7 @@ sys.path.insert(0, sys.argv[1])
 from processes.wearer import shirt_config
 
 from app.faults import State
-from app.supervisor import ControlProcess
+from app.process.supervisor import ControlProcess
 from building import make_parameters
 
 

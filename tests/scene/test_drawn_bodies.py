@@ -9,11 +9,11 @@ from hypothesis import strategies as st
 
 from app.geometry import Pose
 from app.scene.cones import Cones
-from app.scene.furniture import furniture
-from app.scene.meshes import Part
-from app.scene.models import Model
-from app.scene.movers import mover_parts
-from app.scene.rock import rock
+from app.scene.meshes.bodies import Part
+from app.scene.meshes.furniture import furniture
+from app.scene.meshes.movers import mover_parts
+from app.scene.meshes.rock import rock
+from app.scene.models.objects import Model
 from app.world.kinematics import CHAIR_RADIUS
 from app.world.obstacles import Box, Cylinder
 from app.world.scenery import Cone, Mover

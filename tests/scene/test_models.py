@@ -11,9 +11,9 @@ from PIL import Image
 from trimesh.visual.material import PBRMaterial
 
 from app import isolated_reader
-from app.scene import glb
-from app.scene.model_import import MOST_COLOURS, read_model
-from app.scene.models import READINGS, stored_model
+from app.scene.models import glb
+from app.scene.models.glb_import import MOST_COLOURS, read_model
+from app.scene.models.objects import READINGS, stored_model
 
 
 def coloured_box(size, colour, at=(0, 0, 0)):
@@ -139,7 +139,7 @@ def test_what_cannot_be_drawn_is_refused_in_one_sentence(write, content, words):
 def test_too_large_a_file_and_none_are_refused(write, tmp_path, monkeypatch):
     with pytest.raises(ValueError, match="cannot be read"):
         read_model(tmp_path / "none.glb")
-    monkeypatch.setattr("app.scene.model_import.MOST_BYTES", 100)
+    monkeypatch.setattr("app.scene.models.glb_import.MOST_BYTES", 100)
     monkeypatch.setattr(glb, "MOST_BYTES", 100)
     with pytest.raises(ValueError, match="larger than"):
         read_model(write(chair_like().export(file_type="glb")))

@@ -8,7 +8,7 @@ from sqlalchemy.orm import Session
 
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.layout import Channel, Joint, ShirtLayout
-from app.session.database import Database
+from app.store.database import Database
 
 
 def small_profile(joints: tuple[str, ...] = ("right_elbow", "left_elbow")) -> CalibrationProfile:

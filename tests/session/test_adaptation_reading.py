@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from test_recordings import JOINTS, LAYOUT, RATE, record
 
-from app.calibration.adaptation import propose
+from app.calibration.adaptation.proposal import propose
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.calibration.vocabulary import DriveParameters, standard_parameters
 from app.faults import State

@@ -10,14 +10,14 @@ import pytest
 from small_disk import fill, small_disk
 from sqlalchemy import text
 
-from app.session import ballast as ballast_module
-from app.session.ballast import HEADROOM, PART, SIZE, Ballast
-from app.session.database import Database
-from app.session.log_chain import verify_log
-from app.session.refusals import Full
-from app.session.store_log import write_log
-from app.session.store_patients import add_patient, end_session, open_session, start_session
-from app.session.store_people import add_clinic, add_person, sign_in, sign_out, signed_in
+from app.refusals import Full
+from app.store.database import Database
+from app.store.files import ballast as ballast_module
+from app.store.files.ballast import HEADROOM, PART, SIZE, Ballast
+from app.store.log import write_log
+from app.store.log_chain import verify_log
+from app.store.patients import add_patient, end_session, open_session, start_session
+from app.store.people import add_clinic, add_person, sign_in, sign_out, signed_in
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -118,9 +118,9 @@ def test_where_zeros_take_no_room_it_is_filled_with_noise(tmp_path: Path, monkey
 QUOTA = """
 import resource, sys
 from pathlib import Path
-from app.session.database import Database
-from app.session.refusals import Full
-from app.session.store_log import write_log
+from app.store.database import Database
+from app.refusals import Full
+from app.store.log import write_log
 
 database = Database(Path(sys.argv[1]))
 with database.transaction() as db:

@@ -8,11 +8,11 @@ import pytest
 from numpy.typing import NDArray
 
 from app.clock import monotonic
-from app.link import LinkLost, LinkRefused
 from app.messages import TICK
-from app.session import control as control_module
-from app.session.control import Control
-from app.session.refusals import Conflict, Unavailable
+from app.process.command_channel import LinkLost, LinkRefused
+from app.refusals import Conflict, Unavailable
+from app.session import control_link as control_module
+from app.session.control_link import Control
 
 
 class Process:

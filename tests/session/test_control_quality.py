@@ -8,8 +8,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from session.known_strokes import COUNT, JOINTS, RATE, SECONDS, along, frames, parameters, strokes, turned
 
-from app.session.control_quality import control_quality, cross_talk
-from app.session.joint_quality import fit_of_movement, stillest, stretches
+from app.scoring.control_quality import control_quality, cross_talk
+from app.scoring.joint_quality import fit_of_movement, stillest, stretches
 
 
 def judged(values: np.ndarray, activation: np.ndarray | None = None, **more: object):

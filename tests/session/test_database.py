@@ -10,15 +10,15 @@ from sqlalchemy.exc import IntegrityError, OperationalError
 from sqlalchemy.orm import Session
 
 from app.clock import utc_now
-from app.session import database as database_module
-from app.session.database import Database, make_engine
-from app.session.refusals import Full, Unavailable
-from app.session.schema import MIGRATIONS, migrate
-from app.session.store_chairs import add_chair, limits_of
-from app.session.store_patients import add_patient
-from app.session.store_people import add_clinic
-from app.session.tables import Clinic, Patient, Table
+from app.refusals import Full, Unavailable
 from app.speeds import NO_FURTHER
+from app.store import database as database_module
+from app.store.chairs import add_chair, limits_of
+from app.store.database import Database, make_engine
+from app.store.patients import add_patient
+from app.store.people import add_clinic
+from app.store.schema import MIGRATIONS, migrate
+from app.store.tables import Clinic, Patient, Table
 
 
 def test_the_migrations_make_exactly_the_tables_of_the_code(tmp_path: Path) -> None:

@@ -4,7 +4,7 @@ import numpy as np
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from app.session.decimation import Decimation
+from app.scoring.decimation import Decimation
 
 lengths = st.integers(min_value=1, max_value=700)
 limits = st.integers(min_value=1, max_value=50).map(lambda half: 2 * half)

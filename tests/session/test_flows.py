@@ -6,16 +6,16 @@ from typing import Any
 
 import pytest
 
-from app.session.calibration_flow import CalibrationFlow
-from app.session.database import Database
-from app.session.drive_flow import DriveFlow
+from app.refusals import Conflict, Unavailable
+from app.session.calibration import CalibrationFlow
 from app.session.real_drive import RealDriveFlow
-from app.session.refusals import Conflict, Unavailable
 from app.session.runs import Runs
-from app.session.store_patients import add_patient, start_session
-from app.session.store_people import add_clinic
-from app.session.tables import Run
+from app.session.trial import DriveFlow
 from app.source import UNKNOWN_SOURCE
+from app.store.database import Database
+from app.store.patients import add_patient, start_session
+from app.store.people import add_clinic
+from app.store.tables import Run
 
 
 class Asked:

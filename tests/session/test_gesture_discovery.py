@@ -7,15 +7,15 @@ from test_recordings import LAYOUT, READINGS, record, step_ticks
 
 from app.calibration.script import calibration_script
 from app.calibration.vocabulary import standard_parameters
+from app.refusals import Conflict
 from app.session.gesture_discovery import of_newest, of_result
-from app.session.map_versions import save_adapted
-from app.session.refusals import Conflict
-from app.session.store_calibration import begin_calibration, set_step
-from app.session.store_controls import save_parameters, save_profile
-from app.session.store_patients import add_patient, start_session
-from app.session.store_people import add_clinic
-from app.session.store_runs import add_run
-from app.session.tables import PatientSession
+from app.store.calibrations import begin_calibration, set_step
+from app.store.map_versions import save_adapted
+from app.store.parameters import save_parameters, save_profile
+from app.store.patients import add_patient, start_session
+from app.store.people import add_clinic
+from app.store.runs import add_run
+from app.store.tables import PatientSession
 
 
 class Recorded:

@@ -5,10 +5,10 @@ from typing import Any
 
 import pytest
 
-from app.session.database import Database
-from app.session.head import HeadChoice
-from app.session.refusals import Conflict
-from app.session.store_people import add_clinic
+from app.refusals import Conflict
+from app.session.equipment.head import HeadChoice
+from app.store.database import Database
+from app.store.people import add_clinic
 
 SIMULATED = {"kind": "simulator", "seed": 1}
 

@@ -8,9 +8,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from app.session.learning import fit_learning_curve, learning_curves
-from app.session.learning_fit import fit_exponential, fit_level, fit_power
-from app.session.trend import mann_kendall, theil_sen
+from app.scoring.learning import fit_learning_curve, learning_curves
+from app.scoring.learning_fit import fit_exponential, fit_level, fit_power
+from app.scoring.trend import mann_kendall, theil_sen
 
 
 def trials_of(values: np.ndarray, measure: str = "e_diff") -> list[dict[str, object]]:

@@ -17,9 +17,9 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from app.session.database import Database
-from app.session.log_chain import FIRST, HeadFile, entry_hash, verify_log
-from app.session.store_log import write_log
+from app.store.database import Database
+from app.store.log import write_log
+from app.store.log_chain import FIRST, HeadFile, entry_hash, verify_log
 
 ROOT = Path(__file__).resolve().parents[2]
 ROWS = 6
@@ -155,9 +155,9 @@ def test_first_middle_newest_and_all_removed_rows_show_and_stay_shown(
 CRASHING = """
 import os, signal, sys
 from pathlib import Path
-from app.session.database import Database
-from app.session.log_chain import HeadFile
-from app.session.store_log import write_log
+from app.store.database import Database
+from app.store.log_chain import HeadFile
+from app.store.log import write_log
 
 database = Database(Path(sys.argv[1]))
 if sys.argv[2] == "before the head":

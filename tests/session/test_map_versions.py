@@ -7,13 +7,13 @@ from sqlalchemy.orm import Session
 
 from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import DriveParameters, standard_parameters
-from app.session.map_versions import family, go_back, save_adapted, version_before, versions_of
-from app.session.refusals import Conflict
-from app.session.store_controls import as_document, current_parameters, save_parameters, save_profile
-from app.session.store_patients import add_patient, start_session
-from app.session.store_people import add_clinic
-from app.session.store_runs import add_run, add_trial
-from app.session.tables import Parameters, Patient, PatientSession, Profile, Trial
+from app.refusals import Conflict
+from app.store.map_versions import family, go_back, save_adapted, version_before, versions_of
+from app.store.parameters import as_document, current_parameters, save_parameters, save_profile
+from app.store.patients import add_patient, start_session
+from app.store.people import add_clinic
+from app.store.runs import add_run, add_trial
+from app.store.tables import Parameters, Patient, PatientSession, Profile, Trial
 
 
 class Here:

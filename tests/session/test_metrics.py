@@ -6,9 +6,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from app.session.area import area_between, winding_numbers
-from app.session.metrics import path_measures
-from app.session.smoothness import log_dimensionless_jerk, sparc
+from app.scoring.area import area_between, winding_numbers
+from app.scoring.path_measures import path_measures
+from app.scoring.smoothness import log_dimensionless_jerk, sparc
 
 STRAIGHT = [(0.0, 0.0), (10.0, 0.0)]
 X = np.linspace(0, 10, 1001)

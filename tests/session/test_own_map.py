@@ -3,12 +3,12 @@
 import numpy as np
 from recorded_trial import record_trial
 
-from app.pipeline.exact_rerun import replay_run
-from app.recording_reader import read_run
-from app.session.store_controls import current_parameters, parameters_of_trial, save_parameters, save_profile
-from app.session.store_patients import add_patient, start_session
-from app.session.store_people import add_clinic
-from app.session.store_runs import add_run, add_trial, finish_trial
+from app.pipeline.replay.exact_rerun import replay_run
+from app.recording.reader import read_run
+from app.store.parameters import current_parameters, parameters_of_trial, save_parameters, save_profile
+from app.store.patients import add_patient, start_session
+from app.store.people import add_clinic
+from app.store.runs import add_run, add_trial, finish_trial
 from building import make_parameters
 
 COMMANDS = ("v", "omega", "u1", "u2")

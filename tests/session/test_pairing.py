@@ -7,13 +7,13 @@ import pytest
 from sqlalchemy.orm import Session
 
 from app.hardware.chair.key import read_key
-from app.session import store_chairs
-from app.session.pairing import key_file, pair_chair, unpair_chair
-from app.session.refusals import Conflict, NotFound
-from app.session.store_chairs import chairs_of, find_chair, limits_of
-from app.session.store_people import add_clinic
-from app.session.tables import Clinic
+from app.refusals import Conflict, NotFound
+from app.session.equipment.pairing import key_file, pair_chair, unpair_chair
 from app.speeds import NO_FURTHER, Speeds
+from app.store import chairs
+from app.store.chairs import chairs_of, find_chair, limits_of
+from app.store.people import add_clinic
+from app.store.tables import Clinic
 
 
 @pytest.fixture
@@ -60,7 +60,7 @@ def test_two_chairs_of_one_name_would_be_mixed_up(db: Session, clinic: Clinic, t
 def test_when_every_number_was_used_there_is_a_sentence(
     db: Session, clinic: Clinic, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(store_chairs, "LARGEST_KEY_ID", 1)
+    monkeypatch.setattr(chairs, "LARGEST_KEY_ID", 1)
     paired(db, clinic, tmp_path, "Blue")
     with pytest.raises(Conflict, match="Every number"):
         paired(db, clinic, tmp_path, "Red")

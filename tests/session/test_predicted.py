@@ -4,8 +4,8 @@ import pytest
 from test_adaptation_reading import AS_CALIBRATED, parameters, trial  # noqa: F401
 
 from app.faults import State
-from app.recording_reader import read_run
-from app.session.predicted import predicted_effect
+from app.recording.reader import read_run
+from app.scoring.trial_forecast import predicted_effect
 
 
 def test_the_same_set_makes_the_same_of_it(parameters, trial) -> None:  # noqa: F811

@@ -6,7 +6,7 @@ import pytest
 from recorded_trial import record_trial
 from session.known_strokes import RATE, along, frames, parameters, strokes, turned
 
-from app.recording_format import META_FILE
+from app.recording.format import META_FILE
 from app.session.recordings import recorded_readings
 
 READINGS = recorded_readings()

@@ -12,8 +12,8 @@ from app.cues import cue_index
 from app.faults import State
 from app.layout import Channel, Joint, ShirtLayout
 from app.messages import Tick
-from app.recording import RunWriter
-from app.ring import TickRing
+from app.process.ring import TickRing
+from app.recording.writer import RunWriter
 from app.session.recordings import recorded_readings
 from app.world.floorplan import FloorPlan, PrescribedPath
 

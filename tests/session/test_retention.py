@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from app.session.learning import learning_curves
-from app.session.retention import describe_retention, retention
+from app.scoring.learning import learning_curves
+from app.scoring.retention import describe_retention, retention
 
 
 def sawtooth(visits: int, trials: int, within: float, back: float, noise: float = 0.0) -> tuple[list[int], list[float]]:

@@ -12,13 +12,13 @@ from alembic.config import Config
 from alembic.script import ScriptDirectory
 from sqlalchemy import text
 
-from app.session.backup import back_up
-from app.session.database import Database, make_engine
-from app.session.migrations.versions import v0005_learning
-from app.session.refusals import Full, Refusal, Unavailable
-from app.session.schema import MIGRATIONS, migrate, newest_revision, revision_of
-from app.session.store_log import write_log
-from app.session.store_people import the_clinic
+from app.refusals import Full, Refusal, Unavailable
+from app.store.backup import back_up
+from app.store.database import Database, make_engine
+from app.store.log import write_log
+from app.store.migrations.versions import v0005_learning
+from app.store.people import the_clinic
+from app.store.schema import MIGRATIONS, migrate, newest_revision, revision_of
 
 CONFIG = Config()
 CONFIG.set_main_option("script_location", str(MIGRATIONS))
@@ -108,7 +108,7 @@ def test_a_newer_database_is_one_sentence_and_nothing_is_touched(tmp_path: Path)
 def test_without_room_for_the_copy_nothing_is_migrated(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     file = make_old(tmp_path / "clinic.sqlite", REVISIONS[0])
     before = contents(tmp_path)
-    monkeypatch.setattr("app.session.backup.shutil.disk_usage", lambda _folder: SimpleNamespace(free=4_000_000))
+    monkeypatch.setattr("app.store.backup.shutil.disk_usage", lambda _folder: SimpleNamespace(free=4_000_000))
     with pytest.raises(Full, match=r"no room for a copy .* free 4 MB .* Nothing was changed"):
         Database(file)
     assert contents(tmp_path) == before
@@ -159,7 +159,7 @@ def test_a_copy_that_is_not_equal_or_cannot_be_made_is_none(tmp_path: Path, monk
     folder.mkdir()
     counted = iter([{"patient": 3}, {"patient": 4}])
     with monkeypatch.context() as patch:
-        patch.setattr("app.session.backup._counts", lambda _connection: next(counted))
+        patch.setattr("app.store.backup._counts", lambda _connection: next(counted))
         with pytest.raises(Unavailable, match="not equal"):
             back_up(file, folder, "bad")
     assert list(folder.iterdir()) == []

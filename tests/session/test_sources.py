@@ -8,10 +8,10 @@ import pytest
 from sqlalchemy import text
 
 from app.hardware.registry import BODIES, CHAIRS, SHIRTS
-from app.session.database import Database, make_engine
-from app.session.schema import migrate
-from app.session.tables import Profile, Run, Trial
 from app.source import BODY_WORDS, CHAIR_WORDS, SHIRT_WORDS, UNKNOWN_SOURCE, Source, source_of_header, source_words
+from app.store.database import Database, make_engine
+from app.store.schema import migrate
+from app.store.tables import Profile, Run, Trial
 
 OLD_RUNS = {  # id: when it began, and what the log tells of that time
     "first": ("2025-01-01 10:00:00", ("simulator", "person", True)),

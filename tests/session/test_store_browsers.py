@@ -6,10 +6,10 @@ import pytest
 from sqlalchemy.orm import Session
 
 from app.clock import utc_now
-from app.session import store_browsers
-from app.session.store_browsers import KNOWN_FOR, find_browser, remember_browser
-from app.session.store_people import add_clinic, add_person
-from app.session.tables import KnownBrowser, Person
+from app.store import browsers
+from app.store.browsers import KNOWN_FOR, find_browser, remember_browser
+from app.store.people import add_clinic, add_person
+from app.store.tables import KnownBrowser, Person
 
 
 @pytest.fixture
@@ -27,7 +27,7 @@ def test_a_browser_is_known_for_its_person_only_and_its_token_is_not_in_the_data
 
 
 def ada_clinic(db: Session, person: Person):  # type: ignore[no-untyped-def]
-    from app.session.tables import Clinic
+    from app.store.tables import Clinic
 
     return db.get_one(Clinic, person.clinic_id)
 
@@ -57,6 +57,6 @@ def test_a_browser_stays_known_from_its_last_sign_in_on(db: Session, ada: Person
 def test_the_newest_few_browsers_of_a_person_are_known(
     db: Session, ada: Person, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(store_browsers, "MOST", 3)
+    monkeypatch.setattr(browsers, "MOST", 3)
     tokens = [remember_browser(db, ada, None) for _ in range(5)]
     assert [find_browser(db, ada, token) is not None for token in tokens] == [False, False, True, True, True]

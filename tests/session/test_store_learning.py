@@ -7,11 +7,11 @@ from sqlalchemy.orm import Session
 
 from app.calibration.profile import CalibrationProfile
 from app.clock import utc_now
-from app.session.store_controls import current_parameters, save_profile
-from app.session.store_learning import counted_trials
-from app.session.store_patients import add_patient
-from app.session.store_runs import add_run, add_trial, finish_trial, keep_trial
-from app.session.tables import Clinic, Patient, PatientSession
+from app.store.learning_trials import counted_trials
+from app.store.parameters import current_parameters, save_profile
+from app.store.patients import add_patient
+from app.store.runs import add_run, add_trial, finish_trial, keep_trial
+from app.store.tables import Clinic, Patient, PatientSession
 
 
 @pytest.fixture

@@ -7,15 +7,15 @@ from sqlalchemy.orm import Session
 
 from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import standard_parameters
-from app.session.refusals import Conflict, NotFound
-from app.session.store_calibration import (
+from app.refusals import Conflict, NotFound
+from app.store.calibrations import (
     begin_calibration,
     calibration_steps,
     fail_interrupted_steps,
     recordings_of,
     set_step,
 )
-from app.session.store_controls import (
+from app.store.parameters import (
     as_document,
     current_parameters,
     load_titled,
@@ -25,7 +25,7 @@ from app.session.store_controls import (
     step_parameters,
     undo_and_redo,
 )
-from app.session.store_patients import (
+from app.store.patients import (
     add_patient,
     all_patients,
     delete_patient,
@@ -37,9 +37,9 @@ from app.session.store_patients import (
     session_progress,
     start_session,
 )
-from app.session.store_people import add_clinic
-from app.session.store_runs import add_run, add_trial, close_interrupted_trials, find_trial, finish_trial, keep_trial
-from app.session.tables import Patient, Trial
+from app.store.people import add_clinic
+from app.store.runs import add_run, add_trial, close_interrupted_trials, find_trial, finish_trial, keep_trial
+from app.store.tables import Patient, Trial
 
 
 @pytest.fixture

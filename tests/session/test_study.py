@@ -11,9 +11,9 @@ import pytest
 from app.cli.errors import InputError
 from app.cli.study import find_floorplan, study
 from app.hardware.body.person_parameters import NOVICE, PRACTISED
-from app.session import study_files
-from app.session.study import run_study
-from app.session.study_files import TRIAL_COLUMNS, trials_csv, write_study
+from app.study import study_files
+from app.study.experiment import run_study
+from app.study.study_files import TRIAL_COLUMNS, trials_csv, write_study
 from app.world.floorplan import bundled_floorplans, load_floorplan
 
 CLINIC = load_floorplan(bundled_floorplans()["clinic"])

@@ -2,8 +2,8 @@
 
 import pytest
 
-from app.session.study_comparison import compare, table
-from app.session.study_sessions import SessionTrial
+from app.study.comparison import compare, table
+from app.study.sessions import SessionTrial
 
 
 def trial(seed, mode, session, e_diff, reached=True, felt=0.0, flips=0):

@@ -11,7 +11,7 @@ import pytest
 
 from app.hardware.body.person_parameters import NOVICE
 from app.hardware.body.person_ranges import RANGES, out_of_range
-from app.session.study_seeds import comparable_table, over_seeds, run_seeds
+from app.study.seeds import comparable_table, over_seeds, run_seeds
 from app.world.floorplan import FloorPlan
 
 SEEDS = (1, 2)

@@ -14,12 +14,12 @@ from hypothesis import strategies as st
 from app.cli.errors import InputError
 from app.cli.study import study
 from app.hardware.body.person_parameters import PRACTISED
-from app.session import study_files
-from app.session.learning import learning_curves
-from app.session.study import StudyResult, run_study
-from app.session.study_seeds import largest_step, over_seeds, run_seeds, thinned
-from app.session.study_seeds_files import seeds_summary, sentences, write_seeds
-from app.session.study_trial import StudyTrial
+from app.scoring.learning import learning_curves
+from app.study import study_files
+from app.study.experiment import StudyResult, run_study
+from app.study.seeds import largest_step, over_seeds, run_seeds, thinned
+from app.study.seeds_files import seeds_summary, sentences, write_seeds
+from app.study.simulated_trial import StudyTrial
 from app.world.floorplan import bundled_floorplans, load_floorplan
 
 CLINIC = load_floorplan(bundled_floorplans()["clinic"])
@@ -129,7 +129,7 @@ def test_seeds_that_cannot_be_drawn_leave_nothing(tmp_path, monkeypatch) -> None
         raise OSError("no space left on device")
 
     monkeypatch.setattr(study_files, "save_figure", broken)
-    monkeypatch.setattr("app.session.study_seeds_files.save_figure", broken)
+    monkeypatch.setattr("app.study.seeds_files.save_figure", broken)
     with pytest.raises(OSError, match="no space"):
         write_seeds([made(1, FALLING), made(2, LEVEL)], tmp_path / "out")
     assert list(tmp_path.iterdir()) == []

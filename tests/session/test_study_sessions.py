@@ -5,7 +5,7 @@ import json
 import pytest
 
 from app.cli.study import study
-from app.session.study_sessions import dressed, run_sessions
+from app.study.sessions import dressed, run_sessions
 from app.world.floorplan import bundled_floorplans, load_floorplan
 
 CLINIC = load_floorplan(bundled_floorplans()["clinic"])

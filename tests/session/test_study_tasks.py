@@ -5,10 +5,10 @@ import pytest
 from app.calibration.vocabulary import DriveParameters, standard_parameters
 from app.hardware.body.person import Person
 from app.hardware.body.person_parameters import PRACTISED
-from app.session.study import SAMPLE_RATE, shirt_layout
-from app.session.study_calibration import calibrate
-from app.session.study_trial import drive_trial
-from app.session.wearer import Wearer
+from app.study.experiment import SAMPLE_RATE, shirt_layout
+from app.study.simulated_calibration import calibrate
+from app.study.simulated_person import Wearer
+from app.study.simulated_trial import drive_trial
 from app.world.scene import bundled_scenes, load_scene
 
 

@@ -6,8 +6,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from app.session.metrics import path_measures
-from app.session.task_measures import task_measures
+from app.scoring.path_measures import path_measures
+from app.scoring.task_measures import task_measures
 from app.world.floorplan import FloorPlan
 from app.world.kinematics import CHAIR_RADIUS
 from app.world.scene import find_place

@@ -7,10 +7,10 @@ from hypothesis import strategies as st
 
 from app.faults import State
 from app.messages import TICK
-from app.session.calibration_judge import judge_frames
 from app.session.real_drive import DriveWatch
+from app.session.run_watch import HALT_LIMIT
+from app.session.step_check import judge_frames
 from app.session.trial_watch import TrialWatch
-from app.session.watching import HALT_LIMIT
 from app.world.floorplan import FloorPlan, PrescribedPath
 
 LINE = ((0.0, 0.0), (10.0, 0.0))

@@ -5,8 +5,8 @@ from threading import Barrier
 
 import pytest
 
-from app.session import tries
-from app.session.tries import WITHIN, Tries, seconds_in_words
+from app.api.sign_in import tries
+from app.api.sign_in.tries import WITHIN, Tries, seconds_in_words
 
 
 def test_of_sixty_tries_side_by_side_five_are_let_through():

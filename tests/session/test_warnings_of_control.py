@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 from session.warned_wearers import CONDITIONS, sessions_of, warned
 
-from app.session.control_quality import BadChannel, ControlQuality
-from app.session.joint_quality import JointQuality
-from app.session.judged_trial import JudgedTrial
-from app.session.warnings_of_control import warnings_of_control
+from app.scoring.control_quality import BadChannel, ControlQuality
+from app.scoring.control_warnings import warnings_of_control
+from app.scoring.joint_quality import JointQuality
+from app.scoring.trial_quality import JudgedTrial
 
 CHANNELS = ("e1", "e2", "e3")
 

@@ -16,14 +16,14 @@ from app.calibration.vocabulary import DriveParameters, standard_parameters
 from app.hardware.body.person import Person
 from app.hardware.body.person_parameters import DETERIORATING, IMPROVING, NOVICE, PRACTISED, PersonParameters
 from app.messages import SensorFrame
-from app.pipeline.batch import decode_block
-from app.session.control_quality import control_quality
-from app.session.judged_trial import ControlWarning, JudgedTrial
-from app.session.study import SAMPLE_RATE, SEEDS_APART, shirt_layout
-from app.session.study_calibration import calibrate
-from app.session.study_trial import drive_trial
-from app.session.warnings_of_control import warnings_of_control
-from app.session.wearer import Wearer
+from app.pipeline.replay.batch import decode_block
+from app.scoring.control_quality import control_quality
+from app.scoring.control_warnings import warnings_of_control
+from app.scoring.trial_quality import ControlWarning, JudgedTrial
+from app.study.experiment import SAMPLE_RATE, SEEDS_APART, shirt_layout
+from app.study.simulated_calibration import calibrate
+from app.study.simulated_person import Wearer
+from app.study.simulated_trial import drive_trial
 from app.world.scene import find_place
 
 PLACE, PATH = "apartment", "main"  # 13.6 m with two corners

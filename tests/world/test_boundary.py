@@ -3,7 +3,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from app.world.boundary import SIDES, TOLERANCE, _loops, outlines
+from app.world.imports.boundary import SIDES, TOLERANCE, _loops, outlines
 
 regions = arrays(np.bool_, st.tuples(st.integers(1, 12), st.integers(1, 12)))
 

@@ -9,9 +9,9 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from app.world import dxf_lines
-from app.world.draft import plan_of
-from app.world.dxf_import import import_dxf
+from app.world.imports import dxf_lines
+from app.world.imports.draft import plan_of
+from app.world.imports.dxf import import_dxf
 
 ROOM = [(0, 0), (8, 0), (8, 6), (0, 6), (0, 0)]
 

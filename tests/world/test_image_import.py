@@ -8,10 +8,10 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from PIL import Image
 
-from app.world import image_import
-from app.world.draft import plan_of
-from app.world.image_import import import_image
-from app.world.plan_import import Options, import_plan
+from app.world.imports import image
+from app.world.imports.draft import plan_of
+from app.world.imports.image import import_image
+from app.world.imports.plan_files import Options, import_plan
 
 WHITE, BLACK = 255, 0
 
@@ -142,7 +142,7 @@ def test_a_picture_that_would_fill_the_memory_is_not_unpacked(tmp_path, width, h
 
 
 def test_a_file_that_is_too_large_is_refused(save, monkeypatch):
-    monkeypatch.setattr(image_import, "MOST_BYTES", 100)
+    monkeypatch.setattr(image, "MOST_BYTES", 100)
     with pytest.raises(ValueError, match="larger than"):
         import_image(save(building()), width=10.0)
 

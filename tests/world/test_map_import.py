@@ -5,11 +5,11 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from app.world.clearance import Clearance
 from app.world.collision import Collision
 from app.world.floorplan import FloorPlan
-from app.world.map_import import import_ros_map
-from app.world.occupancy import read_occupancy_map
+from app.world.imports.clearance import Clearance
+from app.world.imports.occupancy import read_occupancy_map
+from app.world.imports.ros_map import import_ros_map
 
 MAPS = Path(__file__).resolve().parents[2].parent / "shared" / "data" / "maps"
 FREE, UNKNOWN, OCCUPIED = 254, 205, 0

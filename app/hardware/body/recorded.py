@@ -83,7 +83,7 @@ def principal_postures(rotations: NDArray[np.float64]) -> tuple[NDArray[np.float
 
 def _postures(file: Path, joints: tuple[str, ...]) -> tuple[float, NDArray[np.float64]]:
     """Return the time between samples (s) and the postures (n, n_joints) of a recording."""
-    from app.columns import read_columns, require_column  # noqa: PLC0415  (loads pyarrow, which other bodies do without)
+    from app.signals.columns import read_columns, require_column  # noqa: PLC0415  (loads pyarrow, which other bodies do without)
 
     try:
         table = read_columns(file)

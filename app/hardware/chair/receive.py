@@ -16,9 +16,9 @@ from typing import Any, NoReturn
 from app.clock import MonotonicClock
 from app.hardware.chair.inputs import Inputs
 from app.hardware.chair.key import KeyRefused, read_key
-from app.hardware.chair.loop import ReceiverLoop, slowness
 from app.hardware.chair.outputs import OUTPUTS, OutputRefused, open_output
 from app.hardware.chair.receiver import OMEGA_MAX, V_MAX, Receiver
+from app.hardware.chair.receiver_loop import ReceiverLoop, slowness
 from app.hardware.chair.telling import Telling
 from app.realtime import go_real_time
 

@@ -7,10 +7,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.clock import Clock
-from app.columns import read_columns, require_column
 from app.hardware.base import HardwareError
 from app.hardware.configs import RecordedHeadConfig
 from app.messages import HeadPose
+from app.signals.columns import read_columns, require_column
 
 COLUMNS = ("yaw_deg", "pitch_deg", "roll_deg")  # left, up and right positive
 BLEND = 1.0  # s in which the end passes into the beginning

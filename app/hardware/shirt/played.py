@@ -113,7 +113,7 @@ class Player:
 
 
 def _read_file(path: Path) -> Played:
-    from app.signals import read_layout, read_signals  # noqa: PLC0415  (loads pyarrow, which other shirts do not need)
+    from app.signals.signals import read_layout, read_signals  # noqa: PLC0415  (loads pyarrow, which other shirts do not need)
 
     beside = next((file for file in _layouts_beside(path) if file.exists()), None)
     if beside is not None and path.exists():
@@ -135,7 +135,7 @@ def _layouts_beside(path: Path) -> tuple[Path, Path]:
 
 
 def _read_recording(folder: Path) -> Played:
-    from app.recording_reader import read_run  # noqa: PLC0415  (loads pyarrow, which other shirts do not need)
+    from app.recording.reader import read_run  # noqa: PLC0415  (loads pyarrow, which other shirts do not need)
 
     run = read_run(folder)
     frames = run.frames()

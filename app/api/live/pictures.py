@@ -1,0 +1,73 @@
+"""What each screen shows to drive by: the 3D view, the drawn plan, or nothing. Nobody drives blind (S24)."""
+
+from typing import Literal
+
+from app.api.live.screens import Screen
+from app.faults import State
+from app.session.control_link import Control
+from app.session.trial import DriveFlow
+
+Picture = Literal["view", "plan", "none"]
+
+MAY_MOVE = frozenset({State.CHECKING, State.ARMED})
+NO_PICTURE = (
+    "This screen has no picture, and nobody drives blind: "
+    "wait until the 3D view is there, or choose the drawn plan on the Drive page."
+)
+NO_PICTURE_FOR_PATIENT = (
+    "The patient's screen has no picture, and nobody drives blind: wait until it has one, or unpair that screen."
+)
+
+
+class Pictures:
+    """Keeps the last picture report of each screen, by its socket, and halts a trial without a picture.
+
+    A screen without any report counts as one with a picture: a program may drive over the API.
+    """
+
+    def __init__(self, control: Control, drive: DriveFlow) -> None:
+        self._control = control
+        self._drive = drive
+        self._screens: dict[object, tuple[Screen, Picture]] = {}
+        self._patients: dict[object, tuple[int, Picture]] = {}
+
+    def of_screen(self, screen: Screen, picture: Picture, link: object) -> None:
+        """Store the report of the screen of a person who is signed in; one link at a time speaks for a screen."""
+        for other in [one for one, (said, _) in self._screens.items() if said == screen and one is not link]:
+            del self._screens[other]  # a dead link that was never closed: its last report holds no more
+        self._screens[link] = (screen, picture)
+        self._halt_if_blind()
+
+    def of_patient(self, screen_id: int, picture: Picture, link: object) -> bool:
+        """Store the report of one of the patient's screens; return whether it differs from the last one."""
+        is_news = self._patients.get(link) != (screen_id, picture)
+        self._patients[link] = (screen_id, picture)
+        self._halt_if_blind()
+        return is_news
+
+    def forget(self, link: object) -> None:
+        """Forget the screen of a socket that has ended; a screen of the patient halts the trial by that."""
+        self._screens.pop(link, None)
+        if self._patients.pop(link, None) is not None and self._drive.trial is not None:
+            self._halt()
+
+    def patients(self) -> dict[int, Picture]:
+        """Return what the patient's screens show, by their ids."""
+        return dict(self._patients.values())
+
+    def refusal(self, screen: Screen) -> str:
+        """Return why nobody may drive from this screen, in a sentence; empty when there is a picture."""
+        if (screen, "none") in self._screens.values():
+            return NO_PICTURE
+        return NO_PICTURE_FOR_PATIENT if "none" in self.patients().values() else ""
+
+    def _halt_if_blind(self) -> None:
+        # With each message, not only with the first: a trial may begin, or go on, between two of them.
+        trial = self._drive.trial
+        if trial is not None and self.refusal(Screen(trial.person_id, trial.screen)):
+            self._halt()
+
+    def _halt(self) -> None:
+        tick = self._control.newest()
+        if tick is not None and State(int(tick["state"])) in MAY_MOVE:
+            self._control.begin_stop("picture")

@@ -1,0 +1,98 @@
+"""Refuses a change whose page shows another session than the open one (header `Patient-Session`).
+
+This holds for every route of the API that is not in `WITHOUT_SESSION`, so a new route has to name the session, too.
+"""
+
+import asyncio
+import re
+
+from fastapi import Depends, HTTPException
+from starlette.requests import HTTPConnection
+
+from app.api.deps import DRIVERS, People, PeopleParts
+from app.api.sign_in.signed_in import find_signed_in
+from app.session.page_session import SHOWN_SESSION, ShownSession, require_shown
+
+HEADER = "Patient-Session"
+NOBODY = "none"
+READS = frozenset({"GET", "HEAD", "OPTIONS"})
+ID = re.compile(r"[1-9][0-9]{0,9}")
+
+UNNAMED = (
+    f"The request does not name the session that its page shows: send its id, or '{NOBODY}' while nobody is here, "
+    f"in the header {HEADER}."
+)
+
+_SIGN_IN = "It decides who uses this browser, whoever the patient is."
+_OWN_NAME = "Its address names what it changes, so the open session does not matter."
+_CLINIC = "It belongs to the clinic and to no patient."
+_LOOKS = "It changes what one person looks at, and nothing else."
+
+WITHOUT_SESSION = {
+    "POST /control/stop": "Stop works at any time, for anybody.",
+    "POST /control/dial": "Turning down works at any time; turning up is checked by the route itself.",
+    "POST /auth/setup": _SIGN_IN,
+    "POST /auth/demo": _SIGN_IN,
+    "POST /auth/sign-in": _SIGN_IN,
+    "POST /auth/sign-out": _SIGN_IN,
+    "POST /patient-screen/pair": "The code was made for one session; the patient's screen shows no other.",
+    "POST /patients": _OWN_NAME,
+    "DELETE /patients/{patient_id}": _OWN_NAME,
+    "POST /patients/{patient_id}/restore": _OWN_NAME,
+    "POST /trials/{trial_id}/discard": _OWN_NAME,
+    "POST /trials/{trial_id}/keep": _OWN_NAME,
+    "POST /replays": _LOOKS,
+    "POST /replays/{word}/at": _LOOKS,
+    "DELETE /replays/{word}": _LOOKS,
+    "POST /floorplans": _CLINIC,
+    "PUT /floorplans/{name}": _CLINIC,
+    "DELETE /floorplans/{name}": _CLINIC,
+    "POST /floorplans/{name}/restore": _CLINIC,
+    "POST /floorplans/check": _CLINIC,
+    "POST /floorplans/import": _CLINIC,
+    "POST /models": _CLINIC,
+    "POST /equipment/files": _CLINIC,
+    "POST /replaced/{kind}/{identity}/restore": _CLINIC,
+    "POST /chairs": _CLINIC,
+    "DELETE /chairs/{chair_id}": _CLINIC,
+    "PUT /limits": _CLINIC,
+}
+"""The changing routes that name no session, each with its reason."""
+
+
+async def require_session(connection: HTTPConnection, parts: PeopleParts) -> None:
+    """Refuse a change that names no session (422), or another one than is open now (409)."""
+    method = connection.scope.get("method", "GET")  # a websocket has none, and opening one changes nothing
+    if method in READS or f"{method} {_path(connection)}" in WITHOUT_SESSION:
+        return
+    who = await asyncio.to_thread(find_signed_in, parts.database, connection.cookies)
+    if who is not None and who.role in DRIVERS:  # the route refuses everybody else
+        await require_named(connection, parts)
+
+
+async def require_named(connection: HTTPConnection, parts: People) -> None:
+    """Read which session the page of a request shows, and refuse when another one is open."""
+    SHOWN_SESSION.set(_shown(connection.headers.get(HEADER, "")))
+
+    def _check() -> None:
+        with parts.database.transaction() as db:
+            require_shown(db)
+
+    await asyncio.to_thread(_check)
+
+
+def _shown(named: str) -> ShownSession:
+    if named == NOBODY:
+        return ShownSession(None)
+    if ID.fullmatch(named) is None:
+        raise HTTPException(422, UNNAMED)
+    return ShownSession(int(named))
+
+
+def _path(connection: HTTPConnection) -> str:
+    """Return the path of the route that a request reached, as in WITHOUT_SESSION."""
+    path: str = connection.scope["route"].path
+    return path.removeprefix("/api/v1")
+
+
+SessionRequired = Depends(require_session)

@@ -1,0 +1,145 @@
+"""The long-lived parts behind the routes: control, equipment, calibration, trials, the live picture."""
+
+import asyncio
+from contextlib import suppress
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated
+
+from fastapi import Depends, FastAPI
+from starlette.requests import HTTPConnection
+
+from app.api.live.hub import LiveHub
+from app.api.live.pictures import Pictures
+from app.api.live.screens import SILENCE_LIMIT, VIRTUAL_SILENCE_LIMIT, PageSign, Screen, Screens
+from app.api.patient_screen.patient_picture import PatientPicture
+from app.api.replay.replays import Replays
+from app.api.replay.timelines import Timelines
+from app.api.replay.trajectories import Trajectories
+from app.api.view.view_keeper import ViewKeeper
+from app.clock import monotonic
+from app.session.adaptation import AdaptationFlow
+from app.session.arming import RealArming
+from app.session.calibration import CalibrationFlow
+from app.session.control_link import Control, ScreenSign
+from app.session.equipment.chairs import Chairs
+from app.session.equipment.head import HeadChoice
+from app.session.equipment.limits import ClinicLimits
+from app.session.equipment.shirt import Equipment
+from app.session.fault_log import FaultLog
+from app.session.open_session import VisitFlow
+from app.session.real_drive import RealDriveFlow
+from app.session.runs import Runs
+from app.session.screen_codes import PairingCodes
+from app.session.trial import DriveFlow
+from app.store.control_quality import TrialQualities
+from app.store.files.disk import DiskWatch
+from app.world.floorplan import FloorPlan, bundled_floorplans, load_floorplan
+from app.world.scene import Offer, bundled_places, find_place
+
+
+@dataclass(slots=True)
+class Flows:
+    """What goes on, whether or not anybody looks."""
+
+    control: Control
+    equipment: Equipment
+    runs: Runs
+    calibration: CalibrationFlow
+    drive: DriveFlow
+    real: RealDriveFlow
+    chairs: Chairs
+    head: HeadChoice
+    limits: ClinicLimits
+    arming: RealArming
+    visit: VisitFlow
+    adaptation: AdaptationFlow
+    screens: Screens
+    pictures: Pictures
+    faults: FaultLog
+    disk: DiskWatch
+    live: LiveHub
+    pairing: PairingCodes
+    patient: PatientPicture
+    patient_live: LiveHub
+    trajectories: Trajectories
+    timelines: Timelines
+    qualities: TrialQualities
+    replays: Replays
+    view: ViewKeeper
+    own_floorplans: Path
+
+    def driving_sign(self) -> ScreenSign:
+        """Return the last sign of the screen that started the trial or drive; may be called from any thread."""
+        drive, trial = self.real.drive, self.drive.trial  # read once each: they may end meanwhile
+        going_on = drive or trial
+        if going_on is None:
+            return ScreenSign()
+        limit = VIRTUAL_SILENCE_LIMIT if drive is None else SILENCE_LIMIT
+        return self.screens.sign(Screen(going_on.person_id, going_on.screen), monotonic(), limit)
+
+    def take_sign(self, screen: Screen, sign: PageSign) -> bool:
+        """Store the sign of a screen, unless another socket speaks for that screen; return whether it was stored.
+
+        When the screen that drives is not in view any more, this message stops the chair.
+        """
+        before = self.driving_sign()
+        is_taken = self.screens.take(screen, sign)
+        if before.view == "in view" != self.driving_sign().view:
+            self.control.beat()
+        return is_taken
+
+    def lost(self, screen: Screen, link: object) -> None:
+        """Take a screen out whose socket has ended; when it is the one that drives, the chair stops."""
+        before = self.driving_sign()
+        self.screens.gone(screen, link)
+        if before.age is not None and self.driving_sign().age is None:
+            self.control.beat()
+
+    def places(self) -> dict[str, Offer]:
+        """Return all that can be driven in, by name: scenes, buildings, then the clinic's own that can be read."""
+        own: dict[str, Offer] = {}
+        for file in sorted(self.own_floorplans.glob("*.json")):
+            with suppress(ValueError):
+                own[file.stem] = Offer(load_floorplan(file))
+        bundled = bundled_places()
+        return bundled | {name: offer for name, offer in own.items() if name not in bundled}
+
+
+def load_plan(flows: Flows, name: str) -> FloorPlan | None:
+    """Return a floor plan by its name, None when there is none."""
+    bundled = find_place(name)
+    if bundled is not None:
+        return bundled
+    file = flows.own_floorplans / f"{name}.json"
+    return load_floorplan(file) if file.is_file() else None
+
+
+def plan_to_begin_with(flows: Flows) -> tuple[FloorPlan, str] | None:
+    """Return the first floor plan that can be read and its first path, for a view that has to show something."""
+    for name in bundled_floorplans():
+        with suppress(ValueError):
+            plan = load_plan(flows, name)
+            if plan is not None:
+                return plan, plan.paths[0].name
+    return None
+
+
+async def show_visit(flows: Flows) -> None:
+    """Open a 3D view for the visit that began."""
+    first = await asyncio.to_thread(plan_to_begin_with, flows)
+    await flows.view.open(*(first or (None, None)))
+
+
+def flows_of(app: FastAPI) -> Flows:
+    """Return the long-lived parts of an application that has started."""
+    found: Flows = app.state.flows
+    return found
+
+
+async def flows(connection: HTTPConnection) -> Flows:
+    """Return the long-lived parts; without a thread, for Stop needs them."""
+    return flows_of(connection.app)
+
+
+FlowParts = Annotated[Flows, Depends(flows)]

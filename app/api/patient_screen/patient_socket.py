@@ -1,0 +1,106 @@
+"""The live websocket of the patient's screen: sends the newest moment, receives the kind of picture on that screen."""
+
+import asyncio
+from collections.abc import Mapping
+from typing import Any
+
+from fastapi import APIRouter, WebSocket
+from fastapi.concurrency import run_in_threadpool
+from pydantic import ValidationError
+
+from app.api.deps import People
+from app.api.live.hub import Viewer
+from app.api.live.pictures import Picture
+from app.api.parts import Flows
+from app.clock import monotonic
+from app.quantities import Document
+from app.store.patient_screens import wishes_of
+
+router = APIRouter()
+
+FLOOD = 40  # messages within ...
+WITHIN = 10.0  # s; our page sends one each second, and one when its picture changes
+SILENCE = 3.0  # s without a report: the screen has lost its network or stands still, and shows nothing of the present
+MESSAGE_LIMIT = 300  # characters
+TOO_MANY_MESSAGES = 1008  # close code: our own page never sends so many
+
+
+class PictureReport(Document):
+    """The picture that the patient's screen shows to drive by."""
+
+    picture: Picture
+
+
+@router.websocket("/patient/live")
+async def patient_live(websocket: WebSocket) -> None:
+    """Show the newest moment 20 times a second."""
+    parts: People = websocket.app.state.people
+    flows: Flows = websocket.app.state.flows
+    who = await parts.sockets.admit_screen(websocket)
+    if who is None:
+        return
+    visit_id = who.visit_id
+
+    def _read() -> None:
+        with parts.database.transaction() as db:
+            flows.patient.wishes = wishes_of(db, visit_id)
+
+    await run_in_threadpool(_read)
+    await websocket.accept()
+    viewer = Viewer(websocket)
+    async with parts.sockets.guarded(websocket, who):
+        flows.live.tell("screens")
+        sending = asyncio.create_task(flows.patient_live.serve(viewer))
+        try:
+            await _take(websocket, who.screen_id, flows)
+        except RuntimeError:
+            pass  # closed by us
+        finally:
+            flows.patient_live.forget(viewer)
+            flows.pictures.forget(websocket)
+            sending.cancel()
+            await asyncio.gather(sending, return_exceptions=True)
+    flows.live.tell("screens")
+
+
+async def _take(websocket: WebSocket, screen_id: int, flows: Flows) -> None:
+    """Receive picture reports until the page leaves, or has sent more than `FLOOD` messages within 10 s.
+
+    A page that has reported once must go on: after `SILENCE` it counts as gone, which halts the trial.
+    """
+    count, since = 0, monotonic()
+    limit: float | None = None
+    while True:
+        try:
+            async with asyncio.timeout(limit):
+                message = await websocket.receive()
+        except TimeoutError:
+            flows.pictures.forget(websocket)
+            flows.live.tell("screens")
+            limit = None
+            continue
+        if message["type"] == "websocket.disconnect":
+            return
+        if monotonic() - since > WITHIN:
+            count, since = 0, monotonic()
+        count += 1
+        if count > FLOOD:
+            await websocket.close(TOO_MANY_MESSAGES)
+            return
+        said = _read(message)
+        if said is None:
+            continue
+        limit = SILENCE
+        if flows.pictures.of_patient(screen_id, said.picture, websocket):
+            flows.live.tell("screens")
+
+
+def _read(message: Mapping[str, Any]) -> PictureReport | None:
+    """Return the report; None for a message that cannot be read, which changes nothing."""
+    text = message.get("text")
+    if text is None or len(text) > MESSAGE_LIMIT:
+        return None
+    try:
+        return PictureReport.model_validate_json(text)
+    except ValidationError:
+        return None

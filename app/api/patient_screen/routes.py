@@ -1,0 +1,181 @@
+"""The patient's screen: paired by a code from the clinician's page, looked after and unpaired there."""
+
+import asyncio
+from typing import Annotated
+
+from fastapi import APIRouter, Request, Response
+from fastapi.concurrency import run_in_threadpool
+from pydantic import Field
+
+from app.api.deps import Clinician, ForEveryone, People, PeopleParts, RowId
+from app.api.live.pictures import Picture
+from app.api.own_address import own_address
+from app.api.parts import FlowParts, Flows
+from app.api.qr import qr_picture
+from app.api.sign_in.sign_in_limits import address_of
+from app.api.sign_in.signed_in import SCREEN_COOKIE, SignedIn
+from app.quantities import Document
+from app.store.patient_screens import (
+    PAIRED_FOR,
+    ScreenState,
+    Wishes,
+    add_screen,
+    find_screen,
+    screens_of,
+    set_wishes,
+    unpair_screen,
+    wishes_of,
+)
+from app.store.tables import PatientSession
+
+router = APIRouter(prefix="/patient-screen", tags=["patient's screen"])
+
+ONLY_HERE = (
+    "Only this machine can open the link, because the program listens to nobody else. For a screen of its own, "
+    "end the program and start it again with --host 0.0.0.0, in a network where everybody may see it."
+)
+
+
+class ScreenView(Document):
+    """A screen that is paired."""
+
+    id: int
+    number: int
+    paired: str
+    connected: bool
+    picture: Picture | None  # what it shows to drive by; None: it has not said
+
+
+class ScreensView(Document):
+    """The screens of this visit, and what they show."""
+
+    screens: list[ScreenView]
+    settings: Wishes
+
+
+class OfferView(Document):
+    """A link that pairs one screen."""
+
+    code: str
+    url: str
+    qr: str
+    expires: str
+    words: str
+
+
+class Code(Document):
+    """The code of a link."""
+
+    code: Annotated[str, Field(min_length=1, max_length=200)]
+
+
+class MyState(Document):
+    """What a page that asks is: a paired screen, one whose visit is over, one that was unpaired, or none of them."""
+
+    state: ScreenState
+
+
+async def _view(parts: People, flows: Flows, who: SignedIn) -> ScreensView:
+    session = await flows.visit.needed_session(who.clinic_id)
+    connected, pictures = parts.sockets.screens(), flows.pictures.patients()
+
+    def _read() -> ScreensView:
+        with parts.database.transaction() as db:
+            shown = [
+                ScreenView(
+                    id=screen.id,
+                    number=screen.number,
+                    paired=screen.paired.isoformat(),
+                    connected=screen.id in connected,
+                    picture=pictures.get(screen.id),
+                )
+                for screen in screens_of(db, session.id)
+            ]
+            return ScreensView(screens=shown, settings=wishes_of(db, session.id))
+
+    return await run_in_threadpool(_read)
+
+
+@router.get("")
+async def look(who: Clinician, parts: PeopleParts, flows: FlowParts) -> ScreensView:
+    """Return the screens of this visit."""
+    return await _view(parts, flows, who)
+
+
+@router.post("/pairing", status_code=201)
+async def offer(request: Request, who: Clinician, parts: PeopleParts, flows: FlowParts) -> OfferView:
+    """Make a link that pairs one screen within ten minutes; the one before is worthless from now on."""
+    session: PatientSession = await flows.visit.needed_session(who.clinic_id)
+    made = flows.pairing.offer(session.id, who.name)
+    address = await asyncio.to_thread(own_address, parts.settings, request)
+    # What stands behind # is not sent to a server, and so stands in nobody's log.
+    url = f"{address.base}patient.html#pair={made.code}"
+    return OfferView(
+        code=made.code,
+        url=url,
+        qr=qr_picture(url),
+        expires=made.expires.isoformat(),
+        words=ONLY_HERE if address.only_here else "",
+    )
+
+
+@router.post("/pair", dependencies=[ForEveryone])
+async def pair(body: Code, request: Request, response: Response, parts: PeopleParts, flows: FlowParts) -> MyState:
+    """Make the browser that asks a screen of the visit for which the code was made."""
+    attempt = await parts.limits.code(address_of(request))
+    offered = flows.pairing.redeem(body.code)
+    attempt.take_back()
+
+    def _pair() -> str:
+        with parts.database.transaction() as db:
+            return add_screen(db, offered.session_id, offered.person, request.cookies.get(SCREEN_COOKIE))
+
+    token = await run_in_threadpool(_pair)
+    response.set_cookie(
+        SCREEN_COOKIE,
+        token,
+        max_age=int(PAIRED_FOR.total_seconds()),
+        httponly=True,
+        samesite="lax",
+        secure=request.url.scheme == "https",
+        path="/",
+    )
+    await parts.sockets.close_ended_screens()
+    flows.live.tell("screens")
+    return MyState(state="paired")
+
+
+@router.get("/me", dependencies=[ForEveryone])
+def who_am_i(request: Request, parts: PeopleParts) -> MyState:
+    """Tell a page how its pairing stands."""
+    with parts.database.transaction() as db:
+        return MyState(state=find_screen(db, request.cookies.get(SCREEN_COOKIE, ""))[1])
+
+
+@router.post("/settings")
+async def choose(body: Wishes, who: Clinician, parts: PeopleParts, flows: FlowParts) -> ScreensView:
+    """Say what the screens of this visit show; it is kept until the visit ends."""
+    session = await flows.visit.needed_session(who.clinic_id)
+
+    def _write() -> None:
+        with parts.database.transaction() as db:
+            set_wishes(db, session.id, body)
+
+    await run_in_threadpool(_write)
+    flows.patient.wishes = body
+    flows.live.tell("screens")
+    return await _view(parts, flows, who)
+
+
+@router.delete("/{screen_id}")
+async def unpair(screen_id: RowId, who: Clinician, parts: PeopleParts, flows: FlowParts) -> ScreensView:
+    """Unpair a screen; what it had opened is closed."""
+
+    def _unpair() -> None:
+        with parts.database.transaction(closing=True) as db:
+            unpair_screen(db, who.clinic_id, screen_id, who.name)
+
+    await run_in_threadpool(_unpair)
+    await parts.sockets.close_ended_screens()
+    flows.live.tell("screens")
+    return await _view(parts, flows, who)

@@ -1,0 +1,117 @@
+"""A trial again in 3D: opened, moved to a moment, looked at in a frame, closed. Never while somebody drives."""
+
+from typing import Annotated
+
+from fastapi import APIRouter, Path, Request, Response, WebSocket
+from pydantic import Field
+
+from app.api.deps import Anyone, People, PeopleParts
+from app.api.parts import FlowParts, Flows, flows_of
+from app.api.replay.trial_replay import refuse_while_driving
+from app.api.sockets import OpenSockets
+from app.api.view.view_bridge import NO_VIEW, ViewPage, bridge
+from app.quantities import Count, Document
+from app.recording.reader import read_run
+from app.refusals import Conflict, NotFound
+from app.scene.page import client_page
+from app.scene.replay import Moments, Replay
+from app.scene.views import View
+from app.scene.wire import SUBPROTOCOL
+from app.scoring.timeline import plan_of, poses_of
+from app.store.log import write_log
+from app.store.runs import find_trial
+from app.store.tables import Trial
+
+MARK = "Replay"
+MOMENTS_PER_SECOND = 20.0
+
+Word = Annotated[str, Path(pattern=r"^[A-Za-z0-9_-]{8,64}$")]
+Moment = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=-86_400, le=86_400)]  # s
+
+router = APIRouter(tags=["review"])
+page_router = APIRouter()
+
+
+class NewReplay(Document):
+    """Which trial to show."""
+
+    trial: Count
+
+
+class ReplayView(Document):
+    """A replay that is open."""
+
+    id: str
+
+
+class Shown(Document):
+    """Which moment to show, and from where."""
+
+    t: Moment
+    view: View = "chase"
+
+
+@router.post("/replays", status_code=201)
+def open_replay(body: NewReplay, who: Anyone, parts: PeopleParts, flows: FlowParts) -> ReplayView:
+    """Open a trial in 3D, on a server of its own that shows nothing live."""
+    refuse_while_driving(flows)
+    with parts.database.transaction(closing=True) as db:
+        trial = find_trial(db, who.clinic_id, body.trial)
+        write_log(db, who.name, "trial viewed", trial=trial.id)
+    if trial.status != "done":
+        raise Conflict("This trial is still running: look at it when it has ended.")
+    return ReplayView(id=flows.replays.add(who.person_id, lambda: _made(parts, flows, trial)))
+
+
+@router.post("/replays/{word}/at", status_code=204)
+def show_moment(word: Word, body: Shown, who: Anyone, flows: FlowParts) -> None:
+    """Show another moment, or look from somewhere else."""
+    refuse_while_driving(flows)
+    flows.replays.find(word, who.person_id).show(body.t, body.view)
+
+
+@router.delete("/replays/{word}", status_code=204)
+def close_replay(word: Word, who: Anyone, flows: FlowParts) -> None:
+    """Close a replay; one that is closed already stays so."""
+    flows.replays.close(word, who.person_id)
+
+
+def _made(parts: People, flows: Flows, trial: Trial) -> Replay:
+    try:
+        run = read_run(flows.runs.folder_of(trial.run_id))
+        plan = plan_of(run)
+        if plan is None:
+            raise ValueError("it does not say where it was driven")
+        return Replay(plan, trial.path, Moments(*poses_of(run, MOMENTS_PER_SECOND)), parts.settings.models)
+    except (ValueError, OSError) as error:
+        raise NotFound("There is no picture of this trial: its recording cannot be read, or names no place.") from error
+
+
+page = ViewPage(client_page(MARK))
+
+
+@page_router.get("/view/replay/{word}/", include_in_schema=False)
+def replay_page(word: Word, who: Anyone, flows: FlowParts, request: Request) -> Response:
+    """Return the page that shows a replay."""
+    flows.replays.find(word, who.person_id)
+    return page.answer(request)
+
+
+@page_router.websocket("/view/replay/{word}")
+@page_router.websocket("/view/replay/{word}/")
+async def replay_socket(websocket: WebSocket, word: str) -> None:
+    """Join the page of a replay with its server, for the person who opened it."""
+    sockets: OpenSockets = websocket.app.state.people.sockets
+    who = await sockets.admit(websocket)
+    if who is None:
+        return
+    try:
+        port = flows_of(websocket.app).replays.find(word, who.person_id).port
+    except NotFound:
+        await websocket.close(NO_VIEW)
+        return
+    if SUBPROTOCOL not in websocket.scope.get("subprotocols", []):
+        await websocket.close(NO_VIEW)
+        return
+    async with sockets.guarded(websocket, who):
+        await bridge(websocket, "patient", port)  # as on the patient's screen: the browser may only tell its camera

@@ -1,0 +1,36 @@
+"""One trial on one time line, made once from its recording and kept as the bytes that are sent."""
+
+import gzip
+from pathlib import Path
+from typing import Any
+
+from app.scoring.timeline import timeline_of
+
+KEPT = 16  # time lines in memory: about a quarter of a megabyte each
+
+
+class Timelines:
+    """Makes each time line once; the recording of an ended trial never changes."""
+
+    def __init__(self) -> None:
+        self._packed: dict[Path, bytes] = {}
+
+    def has(self, folder: Path) -> bool:
+        """Return whether a time line is made already: making one takes the machine's time."""
+        return folder in self._packed
+
+    def of(self, folder: Path, path_points: list[Any], end: str | None) -> bytes:
+        """Return the time line of an ended trial as compressed JSON.
+
+        Raises
+        ------
+        ValueError
+            In one sentence, when there is no recording, or it holds nothing.
+        """
+        packed = self._packed.get(folder)
+        if packed is None:
+            packed = gzip.compress(timeline_of(folder, path_points, end).model_dump_json().encode(), 5, mtime=0)
+            if len(self._packed) >= KEPT:
+                self._packed.pop(next(iter(self._packed)), None)
+            self._packed[folder] = packed
+        return packed

@@ -1,0 +1,210 @@
+"""Adapting the map: what would change and why, applied at a standstill, and one tap back."""
+
+import asyncio
+from typing import Annotated, Any
+
+from fastapi import APIRouter
+from pydantic import Field
+
+from app.api.deps import Anyone, Clinician, PeopleParts, RowId
+from app.api.parts import FlowParts, Flows
+from app.calibration.adaptation.proposal import JointChange
+from app.quantities import Document
+from app.scoring.trial_forecast import Effect
+from app.session.adaptation import NOT_ASKED, STALE, Held, Mode
+from app.store.adaptation_material import mode_of, still_holds
+from app.store.database import Database, Transaction
+from app.store.log import write_log
+from app.store.map_versions import version_before, versions_of
+from app.store.parameters import as_document, current_parameters, newest_profile
+from app.store.patients import find_patient
+
+router = APIRouter(tags=["adaptation"])
+
+NOT_CALIBRATED = "Nothing is calibrated yet: go to Calibrate and accept a result first."
+
+
+class WantedMode(Document):
+    """Whether this patient's map is adapted, and by whom."""
+
+    mode: Mode
+
+
+class WhichProposal(Document):
+    """The proposal that a person has looked at."""
+
+    proposal: Annotated[str, Field(pattern=r"^[0-9a-f]{32}$")]
+
+
+class JointView(JointChange):
+    """What would change of a joint, which has a name for people."""
+
+    label: str
+
+
+class ProposalView(Document):
+    """What would change, or did: `applied` is the version that it became."""
+
+    id: str
+    trials: list[int]
+    felt_change: float
+    warns: bool  # the patient will feel it
+    reason: str
+    changes: bool  # whether there is anything to apply
+    joints: list[JointView]
+    effect: Effect | None  # predicted by replaying the last trial; None when that was not possible
+    applied: int | None
+    words: str  # why it was not applied by itself
+
+
+class AdaptationView(Document):
+    """How it stands with the map of the patient who is here."""
+
+    mode: Mode
+    version: int | None  # of the map in use
+    origin: str | None
+    practised: int  # kept trials on the virtual chair with exactly this set: a real one arms no other
+    back_to: int | None  # the version that going back restores
+    proposal: ProposalView | None
+    why: str  # there is none, or nothing of it can be applied
+    refusal: str | None  # why nothing may be applied at this moment
+    looking: bool  # a proposal is being made
+
+
+class MapView(Document):
+    """One version of a map."""
+
+    version: int
+    origin: str
+    parent: int | None
+    difference: dict[str, Any] | None
+    created: str
+    trials: list[int]
+
+
+def _proposal(held: Held, labels: dict[str, str]) -> ProposalView:
+    proposal = held.adapted.proposal
+    return ProposalView(
+        id=held.id,
+        trials=list(held.trials),
+        felt_change=proposal.felt_change,
+        warns=proposal.warns,
+        reason=proposal.reason,
+        changes=proposal.parameters is not None,
+        joints=[JointView(**dict(joint), label=labels.get(joint.name, joint.name)) for joint in proposal.joints],
+        effect=held.adapted.effect,
+        applied=held.applied,
+        words=held.words,
+    )
+
+
+def _view(db: Transaction, flows: Flows, patient_id: int) -> AdaptationView:
+    mode: Any = mode_of(db, patient_id)
+    flow = flows.adaptation
+    view = AdaptationView(
+        mode=mode,
+        version=None,
+        origin=None,
+        practised=0,
+        back_to=None,
+        proposal=None,
+        why=NOT_CALIBRATED,
+        refusal=flow.refusal(),
+        looking=flow.looking,
+    )
+    if newest_profile(db, patient_id) is None:
+        return view
+    row, profile = current_parameters(db, patient_id)
+    parameters = as_document(row, profile)
+    held, why = flow.held(patient_id), ""
+    if held is None:
+        why = flow.why(patient_id) or NOT_ASKED[mode]
+    elif held.applied is not None:
+        if held.applied != profile.version:
+            held, why = None, NOT_ASKED[mode]
+    elif not still_holds(db, patient_id, held.base, held.trials):
+        held, why = None, STALE
+    elif held.adapted.proposal.parameters is None:
+        why = held.adapted.proposal.reason
+    practice = flow.practised.practice(db, patient_id, parameters.hash, simulated=flows.visit.simulated)
+    labels = {joint.name: joint.label for joint in parameters.profile.layout.joints}
+    changed = {
+        "version": profile.version,
+        "origin": profile.origin,
+        "practised": practice.trials,
+        "back_to": version_before(db, patient_id),
+        "proposal": None if held is None else _proposal(held, labels),
+        "why": why,
+    }
+    return view.model_copy(update=changed)
+
+
+async def _look(database: Database, flows: Flows, clinic_id: int) -> AdaptationView:
+    session = await flows.visit.needed_session(clinic_id)
+
+    def _read() -> AdaptationView:
+        with database.transaction() as db:
+            return _view(db, flows, session.patient_id)
+
+    return await asyncio.to_thread(_read)
+
+
+@router.get("/adaptation")
+async def look(who: Anyone, parts: PeopleParts, flows: FlowParts) -> AdaptationView:
+    """Return what would change of the map, and why."""
+    return await _look(parts.database, flows, who.clinic_id)
+
+
+@router.put("/adaptation")
+async def choose_mode(body: WantedMode, who: Clinician, parts: PeopleParts, flows: FlowParts) -> AdaptationView:
+    """Choose whether this patient's map is adapted: off, suggest, or auto (by itself, between trials)."""
+    session = await flows.visit.needed_session(who.clinic_id)
+    await flows.adaptation.set_mode(session, body.mode, who.name)
+    return await _look(parts.database, flows, who.clinic_id)
+
+
+@router.post("/adaptation/propose")
+async def propose(who: Clinician, parts: PeopleParts, flows: FlowParts) -> AdaptationView:
+    """Look now what the last trials would change, whatever the mode is."""
+    await flows.adaptation.propose(await flows.visit.needed_session(who.clinic_id))
+    return await _look(parts.database, flows, who.clinic_id)
+
+
+@router.post("/adaptation/apply")
+async def apply(body: WhichProposal, who: Clinician, parts: PeopleParts, flows: FlowParts) -> AdaptationView:
+    """Make a proposal the next version of the map; only between trials, and never with a real chair."""
+    await flows.adaptation.apply(who.clinic_id, body.proposal, who.name)
+    return await _look(parts.database, flows, who.clinic_id)
+
+
+@router.post("/adaptation/dismiss")
+async def dismiss(body: WhichProposal, who: Clinician, parts: PeopleParts, flows: FlowParts) -> AdaptationView:
+    """Leave the map as it is for now."""
+    await flows.adaptation.dismiss(await flows.visit.needed_session(who.clinic_id), body.proposal)
+    return await _look(parts.database, flows, who.clinic_id)
+
+
+@router.post("/adaptation/back")
+async def back(who: Clinician, parts: PeopleParts, flows: FlowParts) -> AdaptationView:
+    """Go back to the map before; that is a new version, too."""
+    await flows.adaptation.back(who.clinic_id, who.name)
+    return await _look(parts.database, flows, who.clinic_id)
+
+
+@router.get("/patients/{patient_id}/maps")
+def list_maps(patient_id: RowId, who: Anyone, parts: PeopleParts) -> list[MapView]:
+    """List the versions of a patient's map, the newest first."""
+    with parts.database.transaction(closing=True) as db:
+        find_patient(db, who.clinic_id, patient_id)
+        write_log(db, who.name, "patient viewed", patient=patient_id)
+        return [
+            MapView(
+                version=one.version,
+                origin=one.origin,
+                parent=one.parent,
+                difference=one.difference,
+                created=one.created.isoformat(),
+                trials=one.trials,
+            )
+            for one in versions_of(db, patient_id)
+        ]

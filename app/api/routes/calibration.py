@@ -1,0 +1,245 @@
+"""The calibration wizard: its steps, its result."""
+
+import asyncio
+from typing import Annotated, Any
+
+from fastapi import APIRouter, Path
+from pydantic import Field
+
+from app.api.deps import Clinician, People, PeopleParts
+from app.api.parts import FlowParts, Flows
+from app.api.sign_in.signed_in import SignedIn
+from app.calibration.fit.profile_fit import joints_without_map
+from app.calibration.gestures.discovery import Discovery
+from app.calibration.profile import CalibrationProfile, GuidedMap, MapKind
+from app.calibration.vocabulary import standard_parameters
+from app.quantities import Document, Line, Name
+from app.refusals import Conflict
+from app.session.calibration import RESULT, Progress
+from app.session.gesture_discovery import of_result
+from app.session.map_choice import choose_map
+from app.store.calibrations import is_calibration_simulated
+from app.store.log import write_log
+from app.store.parameters import save_parameters, save_profile
+from app.store.tables import PatientSession
+
+router = APIRouter(prefix="/calibration", tags=["calibration"])
+
+
+StepName = Annotated[str, Path(min_length=1, max_length=80)]
+
+
+class Look(Document):
+    """Which step to look at."""
+
+    step: Annotated[Line, Field(min_length=1, max_length=80)]
+
+
+class ChosenMap(Document):
+    """Which map is to decode a joint."""
+
+    joint: Name
+    map: MapKind
+
+
+class RunningStep(Document):
+    """The step that is being recorded, and the number of its run in the ticks."""
+
+    step: str
+    started_run: int | None
+
+
+class CalibrationView(Document):
+    """The whole wizard."""
+
+    current: str
+    steps: list[dict[str, Any]]
+    running: RunningStep | None
+    result: dict[str, Any] | None
+
+
+def _steps(progress: Progress) -> list[dict[str, Any]]:
+    waiting = ("waiting", "")
+    steps: list[dict[str, Any]] = [
+        {
+            "id": step.id,
+            "kind": step.kind,
+            "joint": step.joint,
+            "title": step.title,
+            "instruction": step.instruction,
+            "duration": step.duration,
+            "cues": [cue.model_dump(mode="json") for cue in step.cues],
+        }
+        for step in progress.steps
+    ]
+    steps.append(
+        {
+            "id": RESULT,
+            "kind": "result",
+            "joint": None,
+            "title": "Result",
+            "instruction": "Look at each joint. Repeat what is not good enough, then accept.",
+            "duration": 0.0,
+            "cues": [],
+        }
+    )
+    for step in steps:
+        step["status"], step["words"] = progress.status.get(step["id"], waiting)
+    return steps
+
+
+def _guided(guided: GuidedMap | None) -> dict[str, Any] | None:
+    """Return how the map of the study and the guided map did on the held-out repetitions."""
+    if guided is None:
+        return None
+    checks = {"pca_check": guided.pca_check, "guided_check": guided.guided_check}
+    return {
+        "offered": guided.is_better,
+        "repetitions": guided.repetitions,
+        **{name: check.model_dump(mode="json") for name, check in checks.items()},
+    }
+
+
+def _result(progress: Progress, profile: CalibrationProfile) -> dict[str, Any]:
+    labels = {joint.name: joint.label for joint in profile.layout.joints}
+    steps = {step.joint: step.id for step in progress.steps if step.joint is not None}
+    shown = {"name", "evr", "span", "sign", "signal_to_noise", "repeatability", "angle_deg", "grade", "reason"}
+    joints = [
+        {
+            **joint.model_dump(mode="json", include=shown),
+            "dead_zone": joint.handles[0],
+            "full": joint.handles[1],
+            "map": joint.map,
+            "guided": _guided(joint.guided),
+            "label": labels[joint.name],
+            "step": steps.get(joint.name),
+        }
+        for joint in profile.joints
+    ]
+    missing = [
+        {
+            **dict.fromkeys(shown | {"dead_zone", "full", "map", "guided"}),
+            "name": name,
+            "label": labels[name],
+            "step": steps.get(name),
+            "grade": "repeat",
+            "reason": reason,
+        }
+        for name, reason in joints_without_map(profile).items()
+    ]
+    return {
+        "joints": joints + missing,
+        "cross_talk": profile.cross_talk,
+        "left_out": profile.left_out,
+        "accepted": progress.accepted,
+    }
+
+
+async def _view(flows: Flows, session: PatientSession) -> CalibrationView:
+    progress = await flows.calibration.progress(session.id)
+    running = progress.running
+    return CalibrationView(
+        current=progress.current,
+        steps=_steps(progress),
+        running=None if running is None else RunningStep(step=running, started_run=progress.started_run),
+        result=None if progress.profile is None else _result(progress, progress.profile),
+    )
+
+
+@router.get("")
+async def look(who: Clinician, flows: FlowParts) -> CalibrationView:
+    """Return the wizard as it stands."""
+    return await _view(flows, await flows.visit.needed_session(who.clinic_id))
+
+
+@router.get("/gestures")
+async def gestures(who: Clinician, parts: PeopleParts, flows: FlowParts) -> Discovery:
+    """Return all gestures that were found in the calibration under way, or else in the newest accepted one."""
+    session = await flows.visit.needed_session(who.clinic_id)
+    return await asyncio.to_thread(of_result, parts.database, flows.runs.folder_of, session.id)
+
+
+@router.post("/steps/{step}/start")
+async def start_step(step: StepName, who: Clinician, flows: FlowParts) -> CalibrationView:
+    """Record a step, for the first time or again."""
+    async with flows.visit.undisturbed("start a step"):
+        session = await flows.visit.needed_session(who.clinic_id)
+        await flows.calibration.start(session.id, step)
+    return await _view(flows, session)
+
+
+@router.post("/steps/{step}/cancel")
+async def cancel_step(step: StepName, who: Clinician, flows: FlowParts) -> CalibrationView:
+    """Stop recording a step."""
+    session = await flows.visit.needed_session(who.clinic_id)
+    await flows.calibration.cancel(session.id, step)
+    return await _view(flows, session)
+
+
+@router.post("/steps/{step}/skip")
+async def skip_step(step: StepName, who: Clinician, flows: FlowParts) -> CalibrationView:
+    """Go on without a prompted movement that this body cannot make."""
+    async with flows.visit.undisturbed("skip a step"):
+        session = await flows.visit.needed_session(who.clinic_id)
+        await flows.calibration.skip(session.id, step)
+    return await _view(flows, session)
+
+
+@router.post("/go")
+async def go_to_step(body: Look, who: Clinician, flows: FlowParts) -> CalibrationView:
+    """Look at another step."""
+    session = await flows.visit.needed_session(who.clinic_id)
+    await flows.calibration.go(session.id, body.step)
+    return await _view(flows, session)
+
+
+@router.post("/restart")
+async def begin_anew(who: Clinician, flows: FlowParts) -> CalibrationView:
+    """Forget the steps and begin anew."""
+    async with flows.visit.undisturbed("begin anew"):
+        session = await flows.visit.needed_session(who.clinic_id)
+        await flows.calibration.restart(session.id)
+    return await _view(flows, session)
+
+
+@router.post("/map")
+async def choose(body: ChosenMap, who: Clinician, parts: PeopleParts, flows: FlowParts) -> CalibrationView:
+    """Let a joint be decoded by the study's map or by its guided one; the result then waits to be accepted."""
+    async with flows.visit.undisturbed("choose a map"):
+        session = await flows.visit.needed_session(who.clinic_id)
+        if flows.calibration.running:
+            raise Conflict("A step is being recorded, or the map is being fitted: wait for its end.")
+        await asyncio.to_thread(choose_map, parts.database, session.id, body.joint, body.map)
+    flows.live.tell("calibration")
+    return await _view(flows, session)
+
+
+@router.post("/accept")
+async def accept(who: Clinician, parts: PeopleParts, flows: FlowParts) -> CalibrationView:
+    """Save the profile as the patient's newest, and load standard parameters on it."""
+    async with flows.visit.undisturbed("accept the result"):
+        session = await flows.visit.needed_session(who.clinic_id)
+        await _accept(who, parts, flows, session)
+    for event in ("calibration", "controls", "visit"):
+        flows.live.tell(event)
+    return await _view(flows, session)
+
+
+async def _accept(who: SignedIn, parts: People, flows: Flows, session: PatientSession) -> None:
+    progress = await flows.calibration.progress(session.id)
+    profile = progress.profile
+    if profile is None:
+        raise Conflict("There is no result yet: do every step first.")
+    if progress.accepted:
+        raise Conflict("This result is accepted already: go on to the gestures, or repeat a step.")
+
+    def _save() -> None:
+        with parts.database.transaction() as db:
+            simulated = is_calibration_simulated(db, session.id)
+            row = save_profile(db, session.patient_id, session.id, profile, simulated=simulated)
+            save_parameters(db, row, standard_parameters(profile))
+            db.get_one(PatientSession, session.id).accepted = True
+            write_log(db, who.name, "calibration accepted", patient=session.patient_id, version=row.version)
+
+    await asyncio.to_thread(_save)
+    await flows.visit.try_load_parameters()

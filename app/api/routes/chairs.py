@@ -1,0 +1,160 @@
+"""Real chairs: paired and unpaired by an owner, chosen by a clinician."""
+
+import asyncio
+from typing import Annotated
+
+from fastapi import APIRouter
+from pydantic import Field
+
+from app.api.deps import Anyone, Clinician, Owner, People, PeopleParts, RowId
+from app.api.parts import FlowParts, Flows
+from app.api.qr import qr_picture
+from app.api.sign_in.signed_in import SignedIn
+from app.hardware.chair.key import Key
+from app.hardware.places import Host
+from app.quantities import Document, Port, Title
+from app.session.equipment.chairs import Dynamics
+from app.session.equipment.pairing import pair_chair, unpair_chair
+from app.speeds import Speeds
+from app.store.chairs import chairs_of, find_chair
+from app.store.database import Transaction
+from app.store.log import write_log
+from app.store.tables import Chair, Clinic
+
+router = APIRouter(prefix="/chairs", tags=["chairs"])
+
+
+class NewChair(Document):
+    """A chair to pair: where its receiver listens, and what it may do."""
+
+    name: Title
+    host: Host
+    port: Annotated[Port, Field(gt=0)] = 5354
+    speeds: Speeds
+
+
+class Choice(Document):
+    """Which chair to drive; None is the virtual one, and the dynamics are its own."""
+
+    id: RowId | None
+    dynamics: Dynamics
+
+
+class ChairView(Document):
+    """A chair that is paired."""
+
+    id: int
+    name: str
+    host: str
+    port: int
+    key_id: int
+    speeds: Speeds
+    paired: str
+
+
+class ChairsView(Document):
+    """The chairs that are paired, and which one is driven."""
+
+    chairs: list[ChairView]
+    chosen: int | None
+    dynamics: Dynamics
+    words: str
+
+
+class PairedView(ChairsView):
+    """The same, with the new chair's key: said this once and never again."""
+
+    key_line: str
+    qr: str
+
+
+def _chair_view(chair: Chair) -> ChairView:
+    return ChairView(
+        id=chair.id,
+        name=chair.name,
+        host=chair.host,
+        port=chair.port,
+        key_id=chair.key_id,
+        speeds=Speeds.model_validate(chair.speeds),
+        paired=chair.paired.isoformat(),
+    )
+
+
+async def _view(parts: People, flows: Flows, who: SignedIn) -> ChairsView:
+    def _read() -> list[ChairView]:
+        with parts.database.transaction() as db:
+            return [_chair_view(chair) for chair in chairs_of(db, own_clinic(db, who))]
+
+    chosen = flows.chairs.chosen
+    return ChairsView(
+        chairs=await asyncio.to_thread(_read),
+        chosen=None if chosen is None else chosen.id,
+        dynamics=flows.chairs.dynamics,
+        words=await flows.chairs.state(),
+    )
+
+
+def own_clinic(db: Transaction, who: SignedIn) -> Clinic:
+    """Return the clinic of a person."""
+    return db.get_one(Clinic, who.clinic_id)
+
+
+@router.get("")
+async def look(who: Anyone, parts: PeopleParts, flows: FlowParts) -> ChairsView:
+    """Return the chairs."""
+    return await _view(parts, flows, who)
+
+
+@router.post("", status_code=201)
+async def pair(body: NewChair, who: Owner, parts: PeopleParts, flows: FlowParts) -> PairedView:
+    """Pair a chair: its key is made, kept in a file here, and shown this once."""
+
+    def _pair() -> Key:
+        with parts.database.transaction() as db:
+            clinic = own_clinic(db, who)
+            keys = parts.settings.keys
+            chair, key = pair_chair(db, clinic, keys, body.name, body.host, body.port, body.speeds)
+            write_log(db, who.name, "chair paired", chair=chair.id, key_id=key.id, host=body.host, port=body.port)
+            return key
+
+    key = await asyncio.to_thread(_pair)
+    flows.live.tell("equipment")
+    view = await _view(parts, flows, who)
+    return PairedView(**view.model_dump(), key_line=key.line, qr=qr_picture(key.line))
+
+
+@router.delete("/{chair_id}")
+async def unpair(chair_id: RowId, who: Owner, parts: PeopleParts, flows: FlowParts) -> ChairsView:
+    """Unpair a chair; its key is deleted here, and what was chosen with it falls back to the virtual chair."""
+
+    def _unpair() -> None:
+        with parts.database.transaction(closing=True) as db:
+            chair = unpair_chair(db, own_clinic(db, who), parts.settings.keys, chair_id)
+            write_log(db, who.name, "chair unpaired", chair=chair.id, key_id=chair.key_id)
+
+    async with flows.visit.undisturbed("unpair a chair"):
+        if flows.chairs.chosen is not None and flows.chairs.chosen.id == chair_id:
+            await flows.chairs.choose(None, flows.chairs.dynamics)
+        await asyncio.to_thread(_unpair)
+    flows.live.tell("equipment")
+    return await _view(parts, flows, who)
+
+
+@router.put("/chosen")
+async def choose(body: Choice, who: Clinician, parts: PeopleParts, flows: FlowParts) -> ChairsView:
+    """Drive another chair from now on."""
+    async with flows.visit.undisturbed("choose another chair"):
+        chair = None if body.id is None else await asyncio.to_thread(_found, parts, who, body.id)
+        await flows.chairs.choose(chair, body.dynamics)
+    await asyncio.to_thread(_note, parts, who, body)
+    return await _view(parts, flows, who)
+
+
+def _found(parts: People, who: SignedIn, chair_id: int) -> Chair:
+    with parts.database.transaction() as db:
+        return find_chair(db, own_clinic(db, who), chair_id)
+
+
+def _note(parts: People, who: SignedIn, choice: Choice) -> None:
+    with parts.database.transaction() as db:
+        write_log(db, who.name, "chair chosen", chair=choice.id, dynamics=choice.dynamics)

@@ -1,0 +1,91 @@
+"""Stop, for anyone; Continue and the speed dial, for who drives."""
+
+import asyncio
+from typing import Annotated
+
+from fastapi import APIRouter
+from fastapi.requests import Request
+from pydantic import Field
+
+from app.api.deps import Clinician, ForEveryone, People, PeopleParts
+from app.api.driving import require_hand_on_chair, require_picture
+from app.api.page_session import require_named
+from app.api.parts import FlowParts
+from app.faults import Fault, State
+from app.quantities import Count, Document
+from app.session.control_link import Control
+from app.store.log import write_log
+
+NEXT_TICK_LOOKS = 30  # of 10 ms each: what was cleared shows in one of the next ticks
+
+router = APIRouter(prefix="/control", tags=["stop"])
+
+
+class ControlView(Document):
+    """Whether motion is permitted, and why not."""
+
+    state: str
+    fault: str | None
+
+
+class SeenStops(Document):
+    """How many stops there had been when a person chose to go on."""
+
+    stops: Count
+
+
+class Dial(Document):
+    """The speed dial: which share of the speeds is left."""
+
+    share: Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0.1, le=1.0)]
+
+
+def _view(control: Control) -> ControlView:
+    tick = control.newest()
+    if tick is None:
+        return ControlView(state="fault", fault=Fault.CONTROL_LOST.name.lower())
+    fault = Fault(int(tick["fault"]))
+    return ControlView(
+        state=State(int(tick["state"])).name.lower(), fault=None if fault is Fault.NONE else fault.name.lower()
+    )
+
+
+@router.post("/stop", dependencies=[ForEveryone])
+async def stop(flows: FlowParts) -> ControlView:
+    """Stop the chair: latched, beats every motion, for anyone, signed in or not."""
+    if await flows.control.stop():
+        return ControlView(state="fault", fault=Fault.STOP_TABLET.name.lower())
+    return ControlView(state="fault", fault=Fault.CONTROL_LOST.name.lower())  # it is gone, or is being ended
+
+
+@router.post("/clear")
+async def clear(body: SeenStops, request: Request, who: Clinician, flows: FlowParts) -> ControlView:
+    """Clear the latched stop or fault that was seen; in a trial or a drive a new neutral check follows."""
+    require_hand_on_chair(flows, who, request)
+    require_picture(flows)
+    before = flows.control.newest()
+    await flows.control.call("clear", stops=body.stops)
+    for _ in range(NEXT_TICK_LOOKS):
+        now = flows.control.newest()
+        if before is None or now is None or int(now["number"]) > int(before["number"]) + 1:
+            break
+        await asyncio.sleep(0.01)
+    return _view(flows.control)
+
+
+@router.post("/dial")
+async def turn_dial(body: Dial, request: Request, who: Clinician, parts: PeopleParts, flows: FlowParts) -> Dial:
+    """Turn the speed dial: down at once, up only while the chair stands and the patient is at rest."""
+    require_hand_on_chair(flows, who, request)
+    tick = flows.control.newest()
+    if tick is not None and body.share > float(tick["dial"]):
+        await require_named(request, parts)
+    answer = await flows.control.load("dial", share=body.share)
+    share = float(answer.get("share", body.share))
+    await asyncio.to_thread(_note, parts, who.name, share)
+    return Dial(share=share)
+
+
+def _note(parts: People, person: str, share: float) -> None:
+    with parts.database.transaction(closing=True) as db:
+        write_log(db, person, "dial turned", share=share)

@@ -1,0 +1,85 @@
+"""How well a patient's trials were controlled, and what the clinician had better look at."""
+
+from typing import Annotated, Any
+
+from fastapi import APIRouter, Query
+
+from app.api.deps import Anyone, PeopleParts, RowId
+from app.api.parts import FlowParts
+from app.api.routes.source_view import RequestedGroup
+from app.quantities import Document
+from app.scoring.control_warnings import warnings_of_control
+from app.scoring.trial_quality import ControlWarning, JudgedTrial
+from app.source import SourceGroup
+from app.store.log import write_log
+from app.store.parameters import newest_profile
+from app.store.patients import find_patient
+from app.store.runs import trials_of
+
+router = APIRouter(tags=["review"])
+
+SCALARS = ("map_angle_deg", "evr", "null_space_share", "cross_talk", "activations", "activations_per_metre")
+PER_JOINT = ("map_angle_deg", "evr", "null_space_share", "span_share", "rest_rate", "activations")
+
+
+class QualityRow(Document):
+    """One trial that counts; per joint the same numbers by name."""
+
+    id: int
+    number: int
+    session: int
+    map_version: int
+    quality: dict[str, float | None]
+    joints: dict[str, dict[str, float | None]]
+
+
+class QualityView(Document):
+    """All trials that count, in the order driven, what to look at, and how far trends can be told yet."""
+
+    source: SourceGroup  # of all trials here
+    trials: list[QualityRow]
+    labels: dict[str, str]  # joint -> what people call it
+    warnings: list[ControlWarning]
+    note: str  # empty when there are trials enough
+
+
+@router.get("/patients/{patient_id}/quality")
+def quality(
+    patient_id: RowId,
+    who: Anyone,
+    parts: PeopleParts,
+    flows: FlowParts,
+    source: RequestedGroup,
+    floorplan: Annotated[str | None, Query(max_length=64)] = None,
+    path: Annotated[str | None, Query(max_length=64)] = None,
+) -> QualityView:
+    """Return the quality of control over trials: of one path, or of all when none is named."""
+    with parts.database.transaction(closing=True) as db:
+        find_patient(db, who.clinic_id, patient_id)
+        trials = trials_of(db, who.clinic_id, patient_id, floorplan, path)
+        newest = newest_profile(db, patient_id)
+        write_log(db, who.name, "patient viewed", patient=patient_id)
+    judged = flows.qualities.judged([trial for trial in trials if trial.run.source.group == source])
+    found = warnings_of_control(judged, None if newest is None else newest.version)
+    return QualityView(
+        source=source,
+        trials=[_row(one) for one in judged],
+        labels={joint.name: joint.label for one in judged for joint in one.quality.joints},
+        warnings=found.warnings,
+        note=found.note,
+    )
+
+
+def _row(trial: JudgedTrial) -> QualityRow:
+    return QualityRow(
+        id=trial.id,
+        number=trial.number,
+        session=trial.session,
+        map_version=trial.map_version,
+        quality=_numbers(trial.quality, SCALARS),
+        joints={joint.name: _numbers(joint, PER_JOINT) for joint in trial.quality.joints},
+    )
+
+
+def _numbers(source: Any, names: tuple[str, ...]) -> dict[str, float | None]:
+    return {name: getattr(source, name) for name in names}

@@ -1,0 +1,201 @@
+"""Vocabulary and gains: the parameter set that drives, with undo, redo and names."""
+
+import asyncio
+from collections.abc import Callable
+from typing import Annotated, Any
+
+from fastapi import APIRouter, HTTPException
+from pydantic import Field, ValidationError
+
+from app.api.deps import Clinician, People, PeopleParts
+from app.api.parts import FlowParts, Flows
+from app.api.sign_in.signed_in import SignedIn
+from app.calibration.gestures.suggestion import SuggestedVocabulary
+from app.calibration.vocabulary import Binding, ControlMode, CruiseTime, DriveParameters, Gesture, TurnCruiseTime
+from app.messages import MAX_GESTURES
+from app.quantities import Cutoff, Document, Title
+from app.sentences import one_sentence
+from app.session.gesture_discovery import of_newest
+from app.speeds import Speeds
+from app.store.database import Transaction
+from app.store.log import write_log
+from app.store.parameters import (
+    as_document,
+    current_parameters,
+    load_titled,
+    save_parameters,
+    saved_titles,
+    step_parameters,
+    undo_and_redo,
+)
+from app.store.tables import Parameters, PatientSession, Profile
+
+router = APIRouter(prefix="/controls", tags=["controls"])
+
+# What the numbers of the page may be; the types in app/calibration/vocabulary.py are what holds.
+LIMITS: dict[str, tuple[float, float]] = {
+    "threshold": (0.0, 100.0),
+    "gain": (0.0, 5.0),
+    "cutoff": (1.0, 8.0),
+    "forward": (0.05, 1.5),
+    "reverse": (0.05, 1.5),
+    "turn": (0.05, 2.5),
+    "acceleration": (0.1, 3.0),
+    "deceleration": (0.1, 3.0),
+    "turn_acceleration": (0.1, 20.0),
+    "jerk": (0.5, 20.0),
+    "turn_jerk": (1.0, 400.0),
+    "cruise_time": (1.0, 30.0),
+    "turn_cruise_time": (1.0, 10.0),
+}
+
+
+class ControlSettings(Document):
+    """A parameter set without its profile."""
+
+    gestures: Annotated[tuple[Gesture, ...], Field(min_length=1, max_length=MAX_GESTURES)]
+    bindings: Annotated[tuple[Binding, ...], Field(max_length=16)]
+    mode_u1: ControlMode
+    mode_u2: ControlMode
+    cutoff: Cutoff
+    speeds: Speeds
+    cruise_time: CruiseTime = 10.0
+    turn_cruise_time: TurnCruiseTime = 3.0
+    title: Title = "Standard"
+
+
+class LoadTitled(Document):
+    """Which saved set."""
+
+    title: Title
+
+
+class Suggested(Document):
+    """The vocabulary that the calibration speaks for, and why."""
+
+    bindings: tuple[Binding, ...]
+    reason: str
+
+
+class ControlsView(Document):
+    """What drives now, and what could."""
+
+    parameters: DriveParameters
+    hash: str
+    can_undo: bool
+    can_redo: bool
+    saved: list[str]
+    suggested: Suggested
+    limits: dict[str, tuple[float, float]]
+    held: dict[str, float]  # speeds of the set that the clinic or the chosen chair does not allow: what holds instead
+    obstacle: str | None  # why these cannot drive
+
+
+def _view(db: Transaction, flows: Flows, patient_id: int, suggestion: SuggestedVocabulary) -> ControlsView:
+    row, profile = current_parameters(db, patient_id)
+    parameters = as_document(row, profile)
+    before, after = undo_and_redo(db, patient_id)
+    return ControlsView(
+        parameters=parameters,
+        hash=parameters.hash,
+        can_undo=before is not None,
+        can_redo=after is not None,
+        saved=saved_titles(db, patient_id),
+        suggested=Suggested(bindings=suggestion.bindings, reason=suggestion.reason),
+        limits=LIMITS,
+        held=flows.arming.held(parameters.speeds),
+        obstacle=flows.visit.obstacle(parameters, simulated=profile.simulated),
+    )
+
+
+def _suggestion(parts: People, flows: Flows, patient_id: int) -> SuggestedVocabulary:
+    """Return what the newest map's calibration speaks for; outside of a transaction, for recordings are read."""
+    return of_newest(parts.database, flows.runs.folder_of, patient_id).suggestion
+
+
+@router.get("")
+async def look(who: Clinician, parts: PeopleParts, flows: FlowParts) -> ControlsView:
+    """Return the set that drives now."""
+    session = await flows.visit.needed_session(who.clinic_id)
+
+    def _read() -> ControlsView:
+        suggestion = _suggestion(parts, flows, session.patient_id)
+        with parts.database.transaction() as db:
+            return _view(db, flows, session.patient_id, suggestion)
+
+    return await asyncio.to_thread(_read)
+
+
+Change = Callable[[Transaction, PatientSession, SuggestedVocabulary], Parameters]
+
+
+async def _change(who: SignedIn, parts: People, flows: Flows, what: str, change: Change) -> ControlsView:
+    """Change the current set and load it: what is kept is what drives, from the next arming on."""
+
+    def _write(session: PatientSession) -> ControlsView:
+        suggestion = _suggestion(parts, flows, session.patient_id)
+        with parts.database.transaction() as db:
+            row = change(db, session, suggestion)
+            view = _view(db, flows, session.patient_id, suggestion)
+            write_log(db, who.name, what, patient=session.patient_id, parameters=row.id, hash=view.hash)
+            return view
+
+    async with flows.visit.undisturbed("change the controls"):
+        view = await asyncio.to_thread(_write, await flows.visit.needed_session(who.clinic_id))
+        await flows.visit.try_load_parameters()
+    flows.live.tell("controls")
+    return view
+
+
+@router.put("")
+async def set_controls(body: ControlSettings, who: Clinician, parts: PeopleParts, flows: FlowParts) -> ControlsView:
+    """Set the controls; an invalid set changes nothing."""
+
+    def _set(db: Transaction, session: PatientSession, _suggestion: SuggestedVocabulary) -> Parameters:
+        _row, profile = current_parameters(db, session.patient_id)
+        return save_parameters(db, profile, _whole(body.model_dump(mode="json"), profile))
+
+    return await _change(who, parts, flows, "controls set", _set)
+
+
+def _whole(settings: dict[str, Any], profile: Profile) -> DriveParameters:
+    try:
+        return DriveParameters.model_validate({**settings, "profile": profile.document})
+    except ValidationError as error:
+        raise HTTPException(422, one_sentence(error, "The controls")) from error
+
+
+@router.post("/undo")
+async def undo(who: Clinician, parts: PeopleParts, flows: FlowParts) -> ControlsView:
+    """Go back to the set before."""
+    return await _change(
+        who, parts, flows, "controls undone", lambda db, session, _: step_parameters(db, session.patient_id, back=True)
+    )
+
+
+@router.post("/redo")
+async def redo(who: Clinician, parts: PeopleParts, flows: FlowParts) -> ControlsView:
+    """Go forward again to the set that was undone."""
+    return await _change(
+        who, parts, flows, "controls redone", lambda db, session, _: step_parameters(db, session.patient_id, back=False)
+    )
+
+
+@router.post("/suggest")
+async def suggest(who: Clinician, parts: PeopleParts, flows: FlowParts) -> ControlsView:
+    """Bind the gestures that the calibration suggests, with its dead-zones and fulls."""
+
+    def _suggest(db: Transaction, session: PatientSession, suggestion: SuggestedVocabulary) -> Parameters:
+        row, profile_row = current_parameters(db, session.patient_id)
+        settings = {**row.settings, **suggestion.model_dump(mode="json", include={"gestures", "bindings"})}
+        return save_parameters(db, profile_row, _whole(settings, profile_row))
+
+    return await _change(who, parts, flows, "controls suggested", _suggest)
+
+
+@router.post("/load")
+async def load(body: LoadTitled, who: Clinician, parts: PeopleParts, flows: FlowParts) -> ControlsView:
+    """Make a saved set the current one."""
+    return await _change(
+        who, parts, flows, "controls loaded", lambda db, session, _: load_titled(db, session.patient_id, body.title)
+    )

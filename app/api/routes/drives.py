@@ -1,0 +1,181 @@
+"""Drives of the real chair: what would apply, arming, the end, the list."""
+
+import asyncio
+from typing import Annotated
+
+from fastapi import APIRouter, HTTPException, Query
+from fastapi.requests import Request
+from pydantic import Field
+
+from app.api.deps import Anyone, Clinician, People, PeopleParts
+from app.api.driving import require_controller
+from app.api.live.screen import ScreenWord
+from app.api.live.screens import Screen
+from app.api.nearby import require_nearby
+from app.api.parts import FlowParts
+from app.api.routes.source_view import SourceView
+from app.calibration.vocabulary import ControlMode
+from app.clock import monotonic
+from app.quantities import Document
+from app.refusals import Conflict
+from app.session.run_watch import Starter
+from app.speeds import Speeds
+from app.store.drives import drives_of, find_drive
+from app.store.patients import find_patient
+from app.store.tables import Drive
+
+router = APIRouter(prefix="/drives", tags=["drives"])
+
+HEARD_WITHIN = 1.0  # s: from then on the gate watches it, and sooner
+CHANGED = "The controls were changed meanwhile: read again what applies, then arm."
+NOT_IN_VIEW = "This screen has not said yet that it is in view: wait a moment, then arm again."
+
+
+class ArmedChair(Document):
+    """Which chair."""
+
+    id: int
+    name: str
+
+
+class ArmedSet(Document):
+    """Which set, and how it drives."""
+
+    title: str
+    hash: str
+    mode_u1: ControlMode
+    mode_u2: ControlMode
+    cutoff: float  # Hz
+    cruise_time: float  # s
+    turn_cruise_time: float  # s
+
+
+class PracticeView(Document):
+    """How often exactly this set was driven on the virtual chair, and when last."""
+
+    trials: int
+    last: str | None
+
+
+class LastPractised(Document):
+    """The set that was practised last."""
+
+    hash: str
+    title: str
+
+
+class Summary(Document):
+    """What arming would apply; what is not there yet is None."""
+
+    chair: ArmedChair | None
+    parameters: ArmedSet | None
+    speeds: Speeds | None
+    practised: PracticeView
+    last_practised: LastPractised | None
+    differences: list[str]
+    refusals: list[str]
+
+
+class NewDrive(Document):
+    """The set that the person has read about, and the screen that they hold."""
+
+    hash: Annotated[str, Field(pattern=r"^[0-9a-f]{64}$")]
+    screen: ScreenWord
+
+
+class DriveView(Document):
+    """A drive."""
+
+    id: int
+    started: str
+    ended: str | None
+    hash: str
+    distance: float | None  # m, None when it never moved
+    end: str | None
+    source: SourceView
+
+
+def _drive_view(drive: Drive) -> DriveView:
+    return DriveView(
+        id=drive.id,
+        started=drive.started.isoformat(),
+        ended=None if drive.ended is None else drive.ended.isoformat(),
+        hash=drive.hash,
+        distance=drive.distance,
+        end=drive.end,
+        source=SourceView.of(drive.run.source),
+    )
+
+
+@router.get("/summary")
+async def summary(who: Anyone, flows: FlowParts) -> Summary:
+    """Return what arming the chosen chair would apply, and what still speaks against it."""
+    now = await flows.arming.look(who.clinic_id)
+    chair, parameters, last = flows.chairs.chosen, now.parameters, now.last_practised
+    return Summary(
+        chair=None if chair is None else ArmedChair(id=chair.id, name=chair.name),
+        parameters=None
+        if parameters is None
+        else ArmedSet(
+            title=parameters.title,
+            hash=parameters.hash,
+            mode_u1=parameters.mode_u1,
+            mode_u2=parameters.mode_u2,
+            cutoff=parameters.cutoff,
+            cruise_time=parameters.cruise_time,
+            turn_cruise_time=parameters.turn_cruise_time,
+        ),
+        speeds=now.speeds,
+        practised=PracticeView(
+            trials=now.practice.trials,
+            last=None if now.practice.last is None else now.practice.last.isoformat(),
+        ),
+        last_practised=None if last is None else LastPractised(hash=last.hash, title=last.title),
+        differences=now.differences,
+        refusals=now.refusals,
+    )
+
+
+@router.post("", status_code=201)
+async def arm(body: NewDrive, request: Request, who: Clinician, parts: PeopleParts, flows: FlowParts) -> DriveView:
+    """Arm the real chair with the set that was read about: recorded, and held by this screen."""
+    require_nearby(request)
+    async with flows.visit.undisturbed("arm the chair"):
+        now = await flows.arming.look(who.clinic_id)
+        if now.refusals:
+            raise Conflict(now.refusals[0])
+        chair = flows.chairs.chosen
+        if chair is None or now.session is None or now.parameters is None or now.parameters_id is None:
+            raise HTTPException(409, CHANGED)  # each of these is among the refusals
+        if now.parameters.hash != body.hash:
+            raise Conflict(CHANGED)
+        age = flows.screens.age(Screen(who.person_id, body.screen), monotonic())
+        if age is None or age > HEARD_WITHIN:
+            raise Conflict(NOT_IN_VIEW)
+        obstacle = await flows.visit.load_parameters()
+        if obstacle is not None:
+            raise Conflict(obstacle)
+        starter = Starter(who.person_id, who.name, body.screen)
+        drive_id = await flows.real.start(now.session, starter, chair, now.parameters_id, body.hash)
+    return await asyncio.to_thread(_one, parts, who.clinic_id, drive_id)
+
+
+@router.post("/current/end")
+async def end_drive(who: Clinician, parts: PeopleParts, flows: FlowParts) -> DriveView:
+    """End the drive; answered when its recording is closed."""
+    require_controller(flows, who)
+    drive_id = await flows.real.end()
+    return await asyncio.to_thread(_one, parts, who.clinic_id, drive_id)
+
+
+@router.get("")
+def list_drives(patient: Annotated[int, Query(ge=1, le=2**31)], who: Anyone, parts: PeopleParts) -> list[DriveView]:
+    """List a patient's drives, the newest last."""
+    with parts.database.transaction() as db:
+        find_patient(db, who.clinic_id, patient)
+        return [_drive_view(drive) for drive in drives_of(db, who.clinic_id, patient)]
+
+
+def _one(parts: People, clinic_id: int, drive_id: int) -> DriveView:
+    with parts.database.transaction() as db:
+        return _drive_view(find_drive(db, clinic_id, drive_id))

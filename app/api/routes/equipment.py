@@ -1,0 +1,240 @@
+"""The shirt, what moves inside it, its channels, and the files that people bring."""
+
+import asyncio
+from typing import Annotated, Any
+
+from fastapi import APIRouter, UploadFile
+from pydantic import Field
+
+from app.api.deps import Anyone, Clinician, ForEveryone, PeopleParts
+from app.api.parts import FlowParts, Flows
+from app.api.routes.uploads import FileView, keep_upload, list_files
+from app.hardware.configs import BodyConfig, HeadConfig, ShirtConfig
+from app.layout import MAX_CHANNELS, ShirtLayout
+from app.quantities import Document, Line, Name
+from app.refusals import Refusal
+from app.session.control_link import Control
+from app.session.equipment.shirt import shirt_kinds
+from app.store.files.disk import disk_room
+from app.store.files.taken_names import SameName, log_details
+from app.store.log import write_log
+
+router = APIRouter(prefix="/equipment", tags=["equipment"])
+
+
+class Unused(Document):
+    """Channels to leave out."""
+
+    channels: Annotated[list[Name], Field(max_length=MAX_CHANNELS)]
+
+
+class ChosenHead(Document):
+    """A head tracker, None for none."""
+
+    config: HeadConfig | None
+
+
+class StatusView(Document):
+    """How the shirt and the control process are, in words."""
+
+    words: str
+    alive: bool
+    sample_rate: float
+    lost: int
+    realtime: list[str]
+    control: str
+
+
+class ChairView(Document):
+    """Which chair is driven."""
+
+    words: str
+
+
+class HeadView(Document):
+    """Which head tracker looks."""
+
+    config: dict[str, Any] | None
+    words: str
+
+
+class DiskView(Document):
+    """How much room is left for recordings."""
+
+    free: int  # bytes
+    words: str  # what to do about it, empty while there is enough
+
+
+class SendersView(Document):
+    """The senders of frames to the port of the shirt; every field is empty for a shirt that is not on the network."""
+
+    shirt: str  # HOST:PORT of the sender that is the shirt, empty before its first frame
+    other: str  # HOST:PORT of another sender of good frames, empty when there is none
+    others: int  # number of frames of other senders that were left out
+
+
+class OtherSender(Document):
+    """The sender that is the shirt from now on."""
+
+    sender: Annotated[Line, Field(min_length=1, max_length=100)]
+
+
+class ShirtKind(Document):
+    """A kind of shirt to choose, and whether nobody wears it."""
+
+    kind: str
+    simulated: bool
+
+
+class Practice(Document):
+    """The kind of the shirt in use when nobody wears that shirt; None when somebody wears it, or without a shirt."""
+
+    kind: str | None
+
+
+class EquipmentView(Document):
+    """Everything that is connected."""
+
+    shirt: dict[str, Any] | None  # None: nobody has chosen one yet
+    simulated: bool | None  # whether nobody wears the chosen shirt: then it is for practice only
+    shirts: list[ShirtKind]
+    body: dict[str, Any] | None
+    layout: ShirtLayout | None
+    unused: list[str]
+    status: StatusView
+    files: list[FileView]
+    shirt_keys: list[str]
+    chair: ChairView
+    head: HeadView
+    disk: DiskView
+
+
+async def _status(control: Control, flows: Flows) -> tuple[StatusView, HeadView]:
+    worn, head = flows.equipment, flows.head.config
+    try:
+        status = await control.call("status")
+    except Refusal as refusal:
+        return StatusView(
+            words=str(refusal), alive=False, sample_rate=worn.sample_rate, lost=0, realtime=[], control=control.state
+        ), HeadView(config=head, words=str(refusal))
+    shirt = status.get("shirt") or {}
+    shown = StatusView(
+        words=worn.words or str(shirt.get("words", "")),
+        alive=bool(shirt.get("alive", False)),
+        sample_rate=float(shirt.get("sample_rate") or worn.sample_rate),
+        lost=int(shirt.get("lost") or 0),
+        realtime=[str(sentence) for sentence in status.get("realtime", [])],
+        control=control.state,
+    )
+    return shown, HeadView(config=head, words=flows.head.words or str((status.get("head") or {}).get("words", "")))
+
+
+async def _view(parts: PeopleParts, flows: Flows) -> EquipmentView:
+    worn = flows.equipment
+    status, head = await _status(flows.control, flows)
+    room = await asyncio.to_thread(disk_room, parts.settings.state)
+    return EquipmentView(
+        shirt=worn.shirt,
+        simulated=worn.simulated,
+        shirts=[ShirtKind(kind=kind, simulated=simulated) for kind, simulated in shirt_kinds().items()],
+        body=worn.body,
+        layout=worn.layout,
+        unused=worn.unused,
+        status=status,
+        files=await asyncio.to_thread(list_files, parts.settings.files),
+        shirt_keys=await asyncio.to_thread(lambda: worn.key_names),
+        chair=ChairView(words=await flows.chairs.state()),
+        head=head,
+        disk=DiskView(free=room.free, words=room.words),
+    )
+
+
+@router.get("")
+async def look(_who: Anyone, parts: PeopleParts, flows: FlowParts) -> EquipmentView:
+    """Return everything that is connected."""
+    return await _view(parts, flows)
+
+
+@router.get("/practice", dependencies=[ForEveryone])
+def practice(flows: FlowParts) -> Practice:
+    """Return whether pages have to show the mark "practice only"; also for pages without a sign-in."""
+    return Practice(kind=flows.equipment.practice)
+
+
+async def _noted(parts: PeopleParts, flows: Flows, person: str, what: str, **details: Any) -> EquipmentView:
+    def _write() -> None:
+        with parts.database.transaction() as db:
+            write_log(db, person, what, **details)
+
+    await asyncio.to_thread(_write)
+    return await _view(parts, flows)
+
+
+@router.put("/shirt")
+async def choose_shirt(body: ShirtConfig, who: Clinician, parts: PeopleParts, flows: FlowParts) -> EquipmentView:
+    """Open another shirt; when it does not open, the one before stays."""
+    config = body.model_dump(mode="json")
+    async with flows.visit.undisturbed("change the shirt"):
+        try:
+            await flows.equipment.use_shirt(config)
+        finally:
+            await flows.visit.try_load_parameters()
+    return await _noted(parts, flows, who.name, "shirt chosen", kind=config["kind"])
+
+
+@router.get("/sender")
+async def look_at_senders(_who: Anyone, flows: FlowParts) -> SendersView:
+    """Return who sends frames to the shirt's port."""
+    status = await flows.control.call("status")
+    return SendersView.model_validate(status["shirt"].get("senders") or {"shirt": "", "other": "", "others": 0})
+
+
+@router.put("/sender")
+async def choose_sender(body: OtherSender, who: Clinician, parts: PeopleParts, flows: FlowParts) -> EquipmentView:
+    """Take another sender as the shirt; refused while anything is armed, driven or recorded."""
+    async with flows.visit.undisturbed("change the shirt's sender"):
+        await flows.equipment.use_sender(body.sender)
+    return await _noted(parts, flows, who.name, "shirt's sender chosen", sender=body.sender)
+
+
+@router.put("/body")
+async def choose_body(body: BodyConfig, who: Clinician, parts: PeopleParts, flows: FlowParts) -> EquipmentView:
+    """Let somebody else move inside the simulated shirt."""
+    config = body.model_dump(mode="json")
+    async with flows.visit.undisturbed("change the body"):
+        await flows.equipment.use_body(config)
+    return await _noted(parts, flows, who.name, "body chosen", kind=config["kind"])
+
+
+@router.put("/head")
+async def choose_head(body: ChosenHead, who: Clinician, parts: PeopleParts, flows: FlowParts) -> EquipmentView:
+    """Look with another head tracker, or with none."""
+    config = None if body.config is None else body.config.model_dump(mode="json")
+    async with flows.visit.undisturbed("change the head tracker"):
+        await flows.head.use(config)
+    return await _noted(parts, flows, who.name, "head tracker chosen", kind=config["kind"] if config else None)
+
+
+@router.post("/head/ahead")
+async def look_ahead(_who: Clinician, parts: PeopleParts, flows: FlowParts) -> EquipmentView:
+    """Count where the head looks now as straight ahead."""
+    await flows.head.set_ahead()
+    return await _view(parts, flows)
+
+
+@router.put("/unused")
+async def mark_unused(body: Unused, who: Clinician, parts: PeopleParts, flows: FlowParts) -> EquipmentView:
+    """Mark channels as unused; the next calibration leaves them out."""
+    async with flows.visit.undisturbed("change the channels"):
+        await flows.equipment.leave_unused(body.channels)
+    return await _noted(parts, flows, who.name, "channels marked", unused=flows.equipment.unused)
+
+
+@router.post("/files", status_code=201)
+async def bring_file(
+    file: UploadFile, who: Clinician, parts: PeopleParts, flows: FlowParts, same_name: SameName = "ask"
+) -> EquipmentView:
+    """Store a file of recorded signals or of a recorded body; `same_name`: what to do when its name is taken."""
+    kept = await asyncio.to_thread(keep_upload, parts.replaced, file.filename or "", file.file, same_name)
+    flows.live.tell("equipment")
+    return await _noted(parts, flows, who.name, "file added", kind=kept.kind, size=kept.size, **log_details(same_name))

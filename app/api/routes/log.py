@@ -1,0 +1,24 @@
+"""The check of the log, for owners: whether anybody changed it."""
+
+from fastapi import APIRouter
+
+from app.api.deps import Owner, PeopleParts
+from app.quantities import Document
+from app.store.log_chain import verify_log
+
+router = APIRouter(prefix="/log", tags=["log"])
+
+
+class LogCheckView(Document):
+    """What a check of the log found."""
+
+    whole: bool
+    rows: int
+    words: str
+
+
+@router.get("/check")
+def check_log(_who: Owner, parts: PeopleParts) -> LogCheckView:
+    """Check every row of the log, and its newest rows against its head."""
+    check = verify_log(parts.settings.database)
+    return LogCheckView(whole=check.whole, rows=check.rows, words=check.words)

@@ -1,0 +1,95 @@
+"""3D objects that people bring, to be drawn instead of boxes."""
+
+import shutil
+import tempfile
+from functools import lru_cache
+from pathlib import Path
+
+from fastapi import APIRouter, HTTPException, UploadFile
+
+from app.api.deps import Clinician, People, PeopleParts
+from app.api.foreign_files import in_turn, refusal
+from app.api.routes.uploads import harmless_name
+from app.quantities import Document
+from app.scene.models.glb import MOST_BYTES
+from app.scene.models.objects import read_isolated_into, stored_model
+from app.store.files.replacements import ReplacedFiles
+from app.store.files.taken_names import SameName, log_details
+from app.store.log import write_log
+
+SUFFIX = ".glb"
+MOST_MODELS = 200
+
+router = APIRouter(prefix="/models", tags=["floor plans"])
+
+
+class ModelView(Document):
+    """An object by the name that a box gives, and how large it is."""
+
+    name: str
+    bytes: int
+    size: tuple[float, float, float]  # m: length, width, height
+    faces: int
+
+
+@lru_cache(maxsize=MOST_MODELS)
+def _looked_at(file: Path, _changed_at: int) -> ModelView:
+    model = stored_model(file)
+    length, width, height = (round(side, 3) for side in model.size)
+    return ModelView(name=file.stem, bytes=file.stat().st_size, size=(length, width, height), faces=model.faces)
+
+
+def _listed(folder: Path) -> list[ModelView]:
+    found = []
+    for file in sorted(folder.glob(f"*{SUFFIX}")):
+        try:
+            found.append(_looked_at(file, file.stat().st_mtime_ns))
+        except (ValueError, OSError):
+            continue  # it is not drawn either
+    return found
+
+
+def _keep(folder: Path, shelf: ReplacedFiles, file: UploadFile, same_name: SameName) -> str:
+    """Store an object, whole or not at all, and return its name."""
+    safe = harmless_name(file.filename or "")
+    if Path(safe).suffix != SUFFIX:
+        raise HTTPException(415, f"'{safe}' is no GLB file: export the object as glTF binary (.glb).")
+    if (file.size or 0) > MOST_BYTES:
+        raise HTTPException(413, f"'{safe}' is larger than {MOST_BYTES // 1_000_000} MB: make the object simpler.")
+    shelf.check_name("model", safe, same_name)
+    if len(list(folder.glob(f"*{SUFFIX}"))) >= MOST_MODELS:
+        raise HTTPException(409, f"There are {MOST_MODELS} objects already: delete some in the folder 'models'.")
+    with tempfile.TemporaryDirectory(prefix="bodydrive-model-") as apart:
+        tried = Path(apart) / safe
+        with tried.open("wb") as opened:
+            shutil.copyfileobj(file.file, opened)
+        try:
+            read_isolated_into(folder, tried)
+        except ValueError as error:
+            raise refusal(error) from error
+        return Path(shelf.put("model", safe, tried.read_bytes(), same_name)).stem
+
+
+@router.get("")
+def list_models(_who: Clinician, parts: PeopleParts) -> list[ModelView]:
+    """List the objects that can be given to a box."""
+    return _listed(parts.settings.models)
+
+
+@router.post("", status_code=201)
+async def bring_model(
+    file: UploadFile, who: Clinician, parts: PeopleParts, same_name: SameName = "ask"
+) -> list[ModelView]:
+    """Store an object and return the list of all; `same_name`: what to do when its name is taken."""
+
+    def keep() -> list[ModelView]:
+        name = _keep(parts.settings.models, parts.replaced, file, same_name)
+        _log(parts, who.name, name, same_name)
+        return _listed(parts.settings.models)
+
+    return await in_turn(keep)
+
+
+def _log(parts: People, person: str, name: str, same_name: SameName) -> None:
+    with parts.database.transaction() as db:
+        write_log(db, person, "object added", model=name, **log_details(same_name))

@@ -1,0 +1,73 @@
+"""Floor plans of files that people bring: read in a process of its own, with its own limits."""
+
+import asyncio
+import json
+import shutil
+import tempfile
+from pathlib import Path
+from typing import Any
+
+from fastapi import HTTPException, UploadFile
+
+from app.api.foreign_files import in_turn, read_or_refuse
+from app.api.routes.uploads import harmless_name
+from app.world.imports.plan_files import IMAGES, MAPS, SUFFIXES
+
+LARGEST = 20_000_000  # bytes
+LARGEST_MAP = 100_000  # bytes: a map's YAML file has six lines
+PICTURES = (*IMAGES, ".pgm")
+READER = "app.world.imports.plan_files"
+
+
+async def draft_of_uploads(files: list[UploadFile], options: str) -> dict[str, Any]:
+    """Return the draft's document, words and layers.
+
+    Raises
+    ------
+    HTTPException
+        With one sentence: 413, 415 or 422 for what was sent, 503 when it takes too long.
+    """
+    try:
+        chosen = json.loads(options)
+    except (ValueError, RecursionError) as error:
+        raise HTTPException(422, "The import, options: this is not JSON: correct it.") from error
+    folder = Path(await asyncio.to_thread(tempfile.mkdtemp, prefix="bodydrive-import-"))
+    try:
+        kept = [await asyncio.to_thread(_keep, folder, number, file) for number, file in enumerate(files)]
+        plan, image = _plan_and_image(kept)
+        question = {"file": str(plan), "image": None if image is None else str(image), "options": chosen}
+        return await in_turn(read_or_refuse, READER, question, [f"{file.parent}/" for file in kept])
+    finally:
+        await asyncio.to_thread(shutil.rmtree, folder, ignore_errors=True)
+
+
+def _keep(folder: Path, number: int, file: UploadFile) -> Path:
+    """Write a file that was sent into a folder of its own: two may have the same name."""
+    name = harmless_name(file.filename or "")
+    suffix = Path(name).suffix
+    if suffix not in (*SUFFIXES, *PICTURES):
+        known = ", ".join((*SUFFIXES, ".pgm"))
+        raise HTTPException(415, f"'{name}' is none of these: {known}. Save it as one of them, then add it again.")
+    content = file.file.read(LARGEST + 1)
+    if len(content) > LARGEST or (suffix in MAPS and len(content) > LARGEST_MAP):
+        most = "100 kB" if suffix in MAPS else f"{LARGEST // 1_000_000} MB"
+        raise HTTPException(413, f"'{name}' is larger than {most}: make it smaller, then add it again.")
+    own = folder / str(number)
+    own.mkdir()
+    (own / name).write_bytes(content)
+    return own / name
+
+
+def _plan_and_image(files: list[Path]) -> tuple[Path, Path | None]:
+    """Return what makes the plan, and the picture that belongs to it."""
+    maps = [file for file in files if file.suffix in MAPS]
+    others = [file for file in files if file.suffix not in MAPS]
+    if len(maps) == 1 and len(others) == 1 and others[0].suffix in PICTURES:
+        return maps[0], others[0]
+    if maps:
+        raise HTTPException(422, "A ROS map is two files: choose its .yaml and its picture together.")
+    if len(others) != 1:
+        raise HTTPException(422, "One floor plan is made at a time: choose one file, or a map's two.")
+    if others[0].suffix == ".pgm":
+        raise HTTPException(422, "A .pgm picture belongs to a map: choose its .yaml file as well.")
+    return others[0], None

@@ -1,0 +1,165 @@
+"""The clinic's own floor plans: checked while they are drawn, saved, deleted, and made from files."""
+
+import asyncio
+from typing import Annotated, Any
+
+from fastapi import APIRouter, Form, HTTPException, Query, Request, UploadFile
+from pydantic import ValidationError
+
+from app.api.deps import Clinician, People, PeopleParts
+from app.api.parts import FlowParts
+from app.api.routes.plan_files import draft_of_uploads
+from app.quantities import Document, Name
+from app.sentences import one_sentence
+from app.store.files.plans import OwnPlans
+from app.store.files.taken_names import SameName, log_details
+from app.store.log import write_log
+from app.world.floorplan import FloorPlan, TooNear
+
+WHERE = "The floor plan"
+MOST_PARTS = 250_000  # lists and objects of a document: far more than a building needs
+
+router = APIRouter(tags=["floor plans"])
+
+
+class OwnPlanView(Document):
+    """A floor plan of the clinic's own; `version` is what a change is held against."""
+
+    name: str
+    title: str
+    version: int
+
+
+class CheckView(Document):
+    """Whether a floor plan can be driven in; if not, why, and where in the document and on the floor."""
+
+    good: bool
+    sentence: str
+    place: list[int | str]
+    at: tuple[float, float] | None  # m
+
+
+class DraftView(Document):
+    """What a file proposes, not saved: the document, what to know about it, a drawing's layers, and which are walls."""
+
+    document: dict[str, Any]
+    words: list[str]
+    layers: list[str]
+    taken: list[str]
+
+
+def _too_many(content: bytes) -> str:
+    """Return why a document is too large to be parsed, which would block all other requests; or an empty string."""
+    if content.count(b"[") + content.count(b"{") > MOST_PARTS:
+        return f"{WHERE}: it has more than {MOST_PARTS:,} points and objects: make it simpler."
+    return ""
+
+
+def _parsed(content: bytes) -> FloorPlan:
+    """Return the floor plan of a request's body; 422 with the place in the document."""
+    if words := _too_many(content):
+        raise HTTPException(422, words)
+    try:
+        return FloorPlan.model_validate_json(content)
+    except ValidationError as error:
+        raise HTTPException(422, one_sentence(error, WHERE) + ".") from error
+
+
+def _checked(content: bytes) -> CheckView:
+    if words := _too_many(content):
+        return CheckView(good=False, sentence=words, place=[], at=None)
+    try:
+        FloorPlan.model_validate_json(content)
+    except ValidationError as error:
+        first = error.errors(include_url=False)[0]
+        cause = first.get("ctx", {}).get("error")
+        return CheckView(
+            good=False,
+            sentence=one_sentence(error, WHERE) + ".",
+            place=list(first["loc"]),
+            at=(cause.x, cause.y) if isinstance(cause, TooNear) else None,
+        )
+    return CheckView(good=True, sentence="", place=[], at=None)
+
+
+def _log(parts: People, person: str, what: str, **details: Any) -> None:
+    with parts.database.transaction() as db:
+        write_log(db, person, what, **details)
+
+
+@router.get("/own-floorplans")
+def list_own(_who: Clinician, flows: FlowParts) -> list[OwnPlanView]:
+    """List the clinic's own floor plans."""
+    return [OwnPlanView(**plan._asdict()) for plan in OwnPlans(flows.own_floorplans).listed()]
+
+
+@router.post("/floorplans/check")
+async def check(request: Request, _who: Clinician) -> CheckView:
+    """Say whether a document is a floor plan that can be driven in; nothing is saved."""
+    # In a thread: a large plan takes long to look at, and the loop must go on telling the chair that we live.
+    return await asyncio.to_thread(_checked, await request.body())
+
+
+@router.post("/floorplans/import")
+async def import_files(
+    files: list[UploadFile], _who: Clinician, options: Annotated[str, Form(max_length=100_000)] = "{}"
+) -> DraftView:
+    """Propose a floor plan made of a DXF drawing, a picture, or a ROS map (its YAML file and its picture).
+
+    `options` is a JSON object: unit, layers, metres_per_pixel, width, threshold, title, name.
+    """
+    return DraftView(**await draft_of_uploads(files, options))
+
+
+@router.post("/floorplans", status_code=201)
+async def save_new(
+    request: Request, who: Clinician, parts: PeopleParts, flows: FlowParts, same_name: SameName = "ask"
+) -> OwnPlanView:
+    """Save a document as a new floor plan of the clinic; `same_name`: what to do when its name is taken."""
+    content = await request.body()
+
+    def save() -> OwnPlanView:
+        saved = OwnPlans(flows.own_floorplans).add(_parsed(content), same_name, parts.replaced)
+        _log(parts, who.name, "floor plan saved", floorplan=saved.name, version=saved.version, **log_details(same_name))
+        return OwnPlanView(**saved._asdict())
+
+    return await asyncio.to_thread(save)
+
+
+@router.put("/floorplans/{name}")
+async def save_version(
+    name: Name,
+    version: Annotated[int, Query(ge=1, le=2**31)],
+    request: Request,
+    who: Clinician,
+    parts: PeopleParts,
+    flows: FlowParts,
+) -> OwnPlanView:
+    """Save the next version of a floor plan; refused when somebody saved it after `version` was read."""
+    content = await request.body()
+
+    def save() -> OwnPlanView:
+        plan = _parsed(content)
+        if plan.name != name:
+            raise HTTPException(422, f"{WHERE}, name: it is not '{name}' as in the address: correct it.")
+        now = OwnPlans(flows.own_floorplans).replace(plan, version)
+        _log(parts, who.name, "floor plan saved", floorplan=name, version=now)
+        return OwnPlanView(name=name, title=plan.title, version=now)
+
+    return await asyncio.to_thread(save)
+
+
+@router.delete("/floorplans/{name}")
+def delete(name: Name, who: Clinician, parts: PeopleParts, flows: FlowParts) -> list[OwnPlanView]:
+    """Take a floor plan out of what is offered; it can be restored."""
+    OwnPlans(flows.own_floorplans).remove(name)
+    _log(parts, who.name, "floor plan deleted", floorplan=name)
+    return list_own(who, flows)
+
+
+@router.post("/floorplans/{name}/restore")
+def restore(name: Name, who: Clinician, parts: PeopleParts, flows: FlowParts) -> list[OwnPlanView]:
+    """Offer a deleted floor plan again."""
+    version = OwnPlans(flows.own_floorplans).restore(name)
+    _log(parts, who.name, "floor plan restored", floorplan=name, version=version)
+    return list_own(who, flows)

@@ -1,0 +1,70 @@
+"""Files that uploads have replaced: listed for 30 days, and restored under a free name."""
+
+import asyncio
+from typing import Annotated
+
+from fastapi import APIRouter, HTTPException, Path
+from pydantic import ValidationError
+
+from app.api.deps import Clinician, People, PeopleParts
+from app.quantities import Document
+from app.store.files.plans import OwnPlans
+from app.store.files.replacements import Kind
+from app.store.log import write_log
+from app.world.floorplan import FloorPlan
+
+router = APIRouter(prefix="/replaced", tags=["uploads"])
+
+Identity = Annotated[str, Path(max_length=160, pattern=r"^[0-9TZ.]+--[A-Za-z0-9_.-]+$")]
+
+
+class ReplacedView(Document):
+    """One file that was replaced: `until` is when it is removed for good."""
+
+    kind: Kind
+    id: str
+    name: str
+    bytes: int
+    replaced: str
+    until: str
+
+
+class PutBackView(Document):
+    """The name under which a file is back."""
+
+    kind: Kind
+    name: str
+
+
+@router.get("")
+def list_replaced(_who: Clinician, parts: PeopleParts) -> list[ReplacedView]:
+    """List what was replaced in the last 30 days, newest first."""
+    return [
+        ReplacedView(**one._asdict() | {"replaced": one.replaced.isoformat(), "until": one.until.isoformat()})
+        for one in parts.replaced.listed()
+    ]
+
+
+@router.post("/{kind}/{identity}/restore")
+async def restore(kind: Kind, identity: Identity, who: Clinician, parts: PeopleParts) -> PutBackView:
+    """Restore a replaced file, under a free name when its own is taken."""
+
+    def put_back() -> PutBackView:
+        name = _restored_plan(parts, identity) if kind == "floorplan" else parts.replaced.restore(kind, identity)
+        with parts.database.transaction() as db:
+            write_log(db, who.name, "replaced file restored", kind=kind)
+        return PutBackView(kind=kind, name=name)
+
+    return await asyncio.to_thread(put_back)
+
+
+def _restored_plan(parts: People, identity: str) -> str:
+    """Save a replaced floor plan again: its document says its name."""
+    found, content = parts.replaced.content("floorplan", identity)
+    try:
+        plan = FloorPlan.model_validate_json(content)
+    except ValidationError as error:
+        raise HTTPException(409, "This floor plan can no longer be read: save it again as it was drawn.") from error
+    saved = OwnPlans(parts.settings.floorplans).add(plan, "keep-both", parts.replaced)
+    parts.replaced.drop(found)
+    return saved.name

@@ -1,0 +1,272 @@
+"""Floor plans, and trials along their paths."""
+
+import asyncio
+from typing import Annotated, Any, Literal
+
+from fastapi import APIRouter, HTTPException, Query
+from pydantic import Field
+
+from app.api.deps import Anyone, Clinician, People, PeopleParts, RowId
+from app.api.driving import require_controller
+from app.api.live.pictures import NO_PICTURE, Picture
+from app.api.live.screen import ScreenWord
+from app.api.live.screens import Screen
+from app.api.parts import FlowParts, Flows, load_plan
+from app.api.routes.source_view import SourceView
+from app.api.sign_in.signed_in import SignedIn
+from app.quantities import Document, Line, Name
+from app.refusals import Conflict, NotFound
+from app.scoring.control_quality import ControlQuality
+from app.session.run_watch import Starter
+from app.store.log import write_log
+from app.store.patients import find_patient
+from app.store.runs import find_trial, keep_trial, trials_of
+from app.store.tables import Trial
+from app.world.floorplan import FloorPlan
+from app.world.scene import Offer
+
+router = APIRouter(tags=["trials"])
+
+
+class PathView(Document):
+    """A path to choose, and what is asked along it."""
+
+    name: str
+    title: str
+    length: float  # m
+    task: str  # path, follow, turn, back or course
+
+
+class SceneView(Document):
+    """The scene that a floor plan is a level of."""
+
+    name: str
+    title: str
+    about: str
+
+
+class LevelView(Document):
+    """How difficult."""
+
+    name: str
+    title: str
+
+
+class FloorPlanView(Document):
+    """A floor plan to choose."""
+
+    name: str
+    title: str
+    width: float  # m
+    height: float  # m
+    paths: list[PathView]
+    scene: SceneView | None  # None: a building by itself
+    level: LevelView | None
+
+
+class NewTrial(Document):
+    """Where to drive, the screen that must stay in view meanwhile, and what it shows; None: it does not say."""
+
+    floorplan: Name
+    path: Name
+    screen: ScreenWord
+    picture: Picture | None = None
+
+
+class EndTrial(Document):
+    """Why a person ends a trial."""
+
+    reason: Literal["by hand"] = "by hand"
+
+
+class Discard(Document):
+    """Why a trial does not count."""
+
+    reason: Annotated[Line, Field(min_length=1, max_length=200)]
+
+
+class TrialView(Document):
+    """A trial and what was measured."""
+
+    id: int
+    number: int
+    patient_id: int
+    floorplan: str
+    floorplan_title: str
+    path: str
+    started: str
+    status: str
+    end: str | None
+    kept: bool
+    discard_reason: str | None
+    source: SourceView
+    measures: dict[str, Any] | None
+
+
+class TrajectoryView(Document):
+    """Where the chair went, decimated."""
+
+    t: list[float]
+    x: list[float]
+    y: list[float]
+
+
+class TrialDetail(Document):
+    """A trial with its trajectory (none when the recording is gone) and its path's points as they were then."""
+
+    id: int
+    number: int
+    patient_id: int
+    floorplan: str
+    floorplan_title: str
+    path: list[tuple[float, float]]
+    path_name: str
+    started: str
+    status: str
+    end: str | None
+    kept: bool
+    discard_reason: str | None
+    source: SourceView
+    measures: dict[str, Any] | None
+    trajectory: TrajectoryView | None
+    quality: ControlQuality | None  # None where the recording does not tell
+
+
+def trial_view(trial: Trial) -> TrialView:
+    """Return what is shown of a trial."""
+    return TrialView(
+        id=trial.id,
+        number=trial.number,
+        patient_id=trial.patient_id,
+        floorplan=trial.floorplan,
+        floorplan_title=trial.floorplan_title,
+        path=trial.path,
+        started=trial.started.isoformat(),
+        status=trial.status,
+        end=trial.end,
+        kept=trial.kept,
+        discard_reason=trial.discard_reason,
+        source=SourceView.of(trial.run.source),
+        measures=trial.measures,
+    )
+
+
+@router.get("/floorplans")
+def list_floorplans(_who: Anyone, flows: FlowParts) -> list[FloorPlanView]:
+    """List what can be driven in: scenes by level, then buildings; one that cannot be read is left out."""
+    return [_offered(offer) for offer in flows.places().values()]
+
+
+def _offered(offer: Offer) -> FloorPlanView:
+    plan, scene, level = offer
+    x_min, y_min, x_max, y_max = plan.bounds
+    return FloorPlanView(
+        name=plan.name,
+        title=plan.title,
+        width=round(x_max - x_min, 3),
+        height=round(y_max - y_min, 3),
+        paths=[
+            PathView(name=path.name, title=path.title, length=round(path.line.length, 3), task=path.task.kind)
+            for path in plan.paths
+        ],
+        scene=None if scene is None else SceneView(name=scene.name, title=scene.title, about=scene.about),
+        level=None if level is None else LevelView(name=level.name, title=level.title),
+    )
+
+
+def _needed_plan(flows: Flows, name: str) -> FloorPlan:
+    try:
+        plan = load_plan(flows, name)
+    except ValueError as error:
+        raise HTTPException(409, f"The floor plan '{name}' cannot be read: import it again.") from error
+    if plan is None:
+        raise NotFound(f"There is no floor plan '{name}': choose one of the list.")
+    return plan
+
+
+@router.get("/floorplans/{name}")
+def one_floorplan(name: Name, _who: Anyone, flows: FlowParts) -> FloorPlan:
+    """Return a floor plan."""
+    return _needed_plan(flows, name)
+
+
+@router.post("/trials", status_code=201)
+async def start_trial(body: NewTrial, who: Clinician, parts: PeopleParts, flows: FlowParts) -> TrialView:
+    """Start a trial: the chair is put on the start, the recording begins, and the chair is armed."""
+    async with flows.visit.undisturbed("start a trial"):
+        session = await flows.visit.needed_session(who.clinic_id)
+        if flows.chairs.chosen is not None:
+            raise Conflict("A real chair is chosen: choose the virtual one for a trial.")
+        refusal = NO_PICTURE if body.picture == "none" else flows.pictures.refusal(Screen(who.person_id, body.screen))
+        if refusal:
+            raise Conflict(refusal)
+        plan = await asyncio.to_thread(_needed_plan, flows, body.floorplan)
+        try:
+            path = plan.path_named(body.path)
+        except ValueError as error:
+            raise NotFound(f"This floor plan has no path '{body.path}': choose one of the list.") from error
+        obstacle = await flows.visit.load_parameters()
+        if obstacle is not None:
+            raise Conflict(obstacle)
+        await flows.view.show(plan, path.name)
+        trial_id = await flows.drive.start(
+            session, Starter(who.person_id, who.name, body.screen, body.picture), plan, path
+        )
+    return await asyncio.to_thread(_one, parts, who.clinic_id, trial_id)
+
+
+def _one(parts: PeopleParts, clinic_id: int, trial_id: int) -> TrialView:
+    with parts.database.transaction() as db:
+        return trial_view(find_trial(db, clinic_id, trial_id))
+
+
+@router.post("/trials/current/end")
+async def end_trial(_body: EndTrial, who: Clinician, parts: PeopleParts, flows: FlowParts) -> TrialView:
+    """End the trial by hand; answered when it has been measured."""
+    require_controller(flows, who)
+    trial_id = await flows.drive.end()
+    return await asyncio.to_thread(_one, parts, who.clinic_id, trial_id)
+
+
+@router.get("/trials")
+def list_trials(patient: Annotated[int, Query(ge=1, le=2**31)], who: Anyone, parts: PeopleParts) -> list[TrialView]:
+    """List a patient's trials, the newest last."""
+    with parts.database.transaction() as db:
+        find_patient(db, who.clinic_id, patient)
+        return [trial_view(trial) for trial in trials_of(db, who.clinic_id, patient)]
+
+
+@router.get("/trials/{trial_id}")
+def one_trial(trial_id: RowId, who: Anyone, parts: PeopleParts, flows: FlowParts) -> TrialDetail:
+    """Return a trial with its trajectory over its path."""
+    with parts.database.transaction(closing=True) as db:
+        trial = find_trial(db, who.clinic_id, trial_id)
+        write_log(db, who.name, "trial viewed", trial=trial_id)
+    found = flows.trajectories.of(flows.runs.folder_of(trial.run_id)) if trial.status == "done" else None
+    shown = trial_view(trial).model_dump(exclude={"path"})
+    return TrialDetail(
+        **shown,
+        path=[(x, y) for x, y in trial.path_points],
+        path_name=trial.path,
+        trajectory=None if found is None else TrajectoryView(t=found.t, x=found.x, y=found.y),
+        quality=flows.qualities.of(trial),
+    )
+
+
+@router.post("/trials/{trial_id}/discard")
+def discard_trial(trial_id: RowId, body: Discard, who: Clinician, parts: PeopleParts) -> TrialView:
+    """Leave a trial out of everything that counts; it can be kept again."""
+    return _keep(parts, who, trial_id, body.reason)
+
+
+@router.post("/trials/{trial_id}/keep")
+def keep_again(trial_id: RowId, who: Clinician, parts: PeopleParts) -> TrialView:
+    """Let a discarded trial count again."""
+    return _keep(parts, who, trial_id, None)
+
+
+def _keep(parts: People, who: SignedIn, trial_id: int, reason: str | None) -> TrialView:
+    with parts.database.transaction() as db:
+        trial = keep_trial(db, who.clinic_id, trial_id, reason)
+        write_log(db, who.name, "trial kept" if reason is None else "trial discarded", trial=trial_id)
+        return trial_view(trial)

@@ -1,0 +1,137 @@
+"""Files that people bring: a size, a type, a harmless name, and content that can be read."""
+
+import csv
+import os
+import re
+from io import BytesIO
+from pathlib import Path
+from threading import Lock
+from typing import BinaryIO, Literal
+
+import pyarrow
+import pyarrow.parquet
+from fastapi import HTTPException
+
+from app.quantities import Document
+from app.signals.csv_dialect import cells_of, separator_of
+from app.store.files.replacements import ReplacedFiles
+from app.store.files.taken_names import SameName
+
+LARGEST = 64_000_000  # bytes
+HEADER = 65_536  # bytes of a CSV in which its first row must end
+KINDS = (".csv", ".parquet")
+MOST_NUMBERS = 40_000_000  # as many as a CSV file of the largest size can hold; Parquet packs equal values
+MOST_COLUMNS = 1000
+LONGEST_SCHEMA = 1_000_000  # bytes of a Parquet file's description
+PARQUET_END = 8  # bytes: u32 little-endian length of the description, then a magic word (Parquet format, File Format)
+
+FileKind = Literal["signals", "body", "head", "recording"]
+HEAD_COLUMNS = {"yaw_deg", "pitch_deg", "roll_deg"}
+
+_one_at_a_time = Lock()
+
+
+class FileView(Document):
+    """A file to choose from."""
+
+    name: str
+    kind: FileKind
+    size: int
+
+
+def list_files(folder: Path) -> list[FileView]:
+    """List the files in `folder` that a shirt or a body can be played from; what cannot be read is left out."""
+    found = []
+    for file in sorted(folder.glob("*")) if folder.is_dir() else []:
+        if file.name.startswith("."):
+            continue
+        if file.is_dir():
+            size = sum(part.stat().st_size for part in file.iterdir() if part.is_file())
+            found.append(FileView(name=file.name, kind="recording", size=size))
+        elif file.is_file() and file.suffix in KINDS:
+            with file.open("rb") as opened:
+                columns = _columns(file.suffix, opened)
+            if columns is not None:
+                found.append(FileView(name=file.name, kind=_kind(columns), size=file.stat().st_size))
+    return found
+
+
+def keep_upload(shelf: ReplacedFiles, name: str, content: BinaryIO, same_name: SameName) -> FileView:
+    """Store a brought file under a harmless name, whole or not at all.
+
+    Raises
+    ------
+    HTTPException
+        With one sentence: 413 when it is too large, 415 when it is of another type, 422 when it cannot be read.
+    NameTaken
+        When something has this name, and nobody chose.
+    """
+    safe = harmless_name(name)
+    if Path(safe).suffix not in KINDS:
+        raise HTTPException(415, f"'{safe}' is not a CSV or Parquet file: save it as one of these, then add it again.")
+    with _one_at_a_time:  # each is in memory as a whole
+        return _kept(shelf, safe, content, same_name)
+
+
+def _kept(shelf: ReplacedFiles, safe: str, content: BinaryIO, same_name: SameName) -> FileView:
+    whole = content.read(LARGEST + 1)
+    if len(whole) > LARGEST:
+        raise HTTPException(413, f"'{safe}' is larger than {LARGEST // 1_000_000} MB: cut it, or save it as Parquet.")
+    if not whole:
+        raise HTTPException(422, f"'{safe}' is empty: choose another file.")
+    # Looked at before it is written: a file of this name that is here already must outlive a bad one.
+    columns = _columns(Path(safe).suffix, BytesIO(whole))
+    if columns is None or "t" not in columns or len(columns) < 2:
+        raise HTTPException(
+            422,
+            f"'{safe}' has no column t with channels beside it, or more than {MOST_NUMBERS:,} numbers: "
+            f"the first row must name t and each channel.",
+        )
+    try:
+        kept = shelf.put("file", safe, whole, same_name)
+    except OSError as error:
+        raise HTTPException(
+            409, f"'{safe}' cannot be kept ({error.strerror or error}): free some disk space, then add it again."
+        ) from error
+    return FileView(name=kept, kind=_kind(columns), size=len(whole))
+
+
+def harmless_name(name: str) -> str:
+    """Return a file name without folders, hidden dots or signs that a shell or a page could misread."""
+    last = re.split(r"[/\\]", name)[-1]
+    stem, dot, suffix = last.rpartition(".")
+    clean = re.sub(r"[^A-Za-z0-9_-]+", "-", stem or suffix).strip("-")[:60] or "file"
+    ending = re.sub(r"[^a-z0-9]", "", suffix.lower())[:8]
+    return f"{clean}.{ending}" if dot and ending else clean
+
+
+def _columns(suffix: str, opened: BinaryIO) -> list[str] | None:
+    """Return the names of the columns, reading no more than needed; None for what cannot be read or is too large."""
+    if suffix == ".parquet":
+        opened.seek(0, os.SEEK_END)
+        opened.seek(max(opened.tell() - PARQUET_END, 0))
+        if int.from_bytes(opened.read(4), "little") > LONGEST_SCHEMA:
+            return None
+        try:
+            described = pyarrow.parquet.read_metadata(opened)
+            many = described.num_columns > MOST_COLUMNS or described.num_rows * described.num_columns > MOST_NUMBERS
+            return None if many else list(described.schema.to_arrow_schema().names)
+        except (ValueError, OSError, pyarrow.ArrowException):
+            return None
+    head = opened.read(HEADER)
+    line = head.partition(b"\n")[0]
+    header = line.decode("utf-8-sig", "replace").rstrip("\r")
+    try:
+        return cells_of(header, separator_of(header))
+    except csv.Error:
+        return None
+
+
+def _kind(columns: list[str]) -> FileKind:
+    """Tell signals from a body's movement, whose columns are JOINT_x, JOINT_y, JOINT_z, and from a head's."""
+    others = [column for column in columns if column != "t"]
+    if set(others) >= HEAD_COLUMNS:
+        return "head"
+    turns = {column[:-2] for column in others if column.endswith("_x")}
+    body = bool(turns) and all(f"{joint}_{axis}" in others for joint in turns for axis in "xyz")
+    return "body" if body and len(others) == 3 * len(turns) else "signals"

@@ -1,0 +1,190 @@
+"""Signing in and out: by the link of a demonstration, by the set-up code, by name and password."""
+
+import secrets
+from typing import Annotated
+
+from fastapi import APIRouter, HTTPException, Request, Response
+from fastapi.concurrency import run_in_threadpool
+from pydantic import Field
+
+from app import __version__
+from app.api.deps import ForEveryone, People, PeopleParts
+from app.api.sign_in.passwords import BROWSER_COOKIE, hash_of, require_password, weakness
+from app.api.sign_in.sign_in_limits import address_of
+from app.api.sign_in.signed_in import COOKIE, find_signed_in
+from app.quantities import Document, Line
+from app.refusals import Conflict
+from app.store.browsers import KNOWN_FOR, remember_browser
+from app.store.database import Transaction
+from app.store.people import (
+    add_clinic,
+    add_person,
+    count_people,
+    find_person,
+    sign_in,
+    sign_out,
+    the_clinic,
+)
+
+router = APIRouter(prefix="/auth", tags=["sign-in"], dependencies=[ForEveryone])
+
+DEMO_PERSON = "Demo clinician"
+
+Code = Annotated[str, Field(min_length=1, max_length=200)]
+PersonName = Annotated[Line, Field(min_length=1, max_length=80, pattern=r"^\S(.*\S)?$")]
+Password = Annotated[str, Field(max_length=1000)]
+
+
+class DemoCode(Document):
+    """What stands behind the link of a demonstration."""
+
+    code: Code
+
+
+class FirstOwner(Document):
+    """The set-up code, and how the first owner will sign in."""
+
+    code: Code
+    name: PersonName
+    password: Password
+
+
+class Credentials(Document):
+    """Name and password."""
+
+    name: PersonName
+    password: Password
+
+
+class Me(Document):
+    """Who is signed in on this screen, and what this installation is."""
+
+    signed_in: bool
+    name: str | None
+    role: str | None
+    demo: bool
+    needs_setup: bool
+    version: str
+
+
+def _me(parts: PeopleParts, name: str | None, role: str | None) -> Me:
+    with parts.database.transaction() as db:
+        needs_setup = not parts.settings.demo and count_people(db) == 0
+    return Me(
+        signed_in=name is not None,
+        name=name,
+        role=role,
+        demo=parts.settings.demo,
+        needs_setup=needs_setup,
+        version=__version__,
+    )
+
+
+def _let_in(parts: People, request: Request, response: Response, name: str, how: str) -> Me:
+    """Open a new sign-in, ending the one that this browser had; from now on the browser is known for this person."""
+    with parts.database.transaction(closing=True) as db:
+        old = request.cookies.get(COOKIE)
+        if old:
+            sign_out(db, old)
+        person = find_person(db, name)
+        if person is None or person.disabled is not None:
+            raise HTTPException(401, "This person may no longer sign in: ask an owner.")
+        token, role = sign_in(db, person, how), person.role
+        cookie = f"{BROWSER_COOKIE}{person.id}"
+        browser = None if person.password_hash is None else remember_browser(db, person, request.cookies.get(cookie))
+    secure = request.url.scheme == "https"
+    response.set_cookie(COOKIE, token, httponly=True, samesite="lax", secure=secure, path="/")
+    if browser is not None:
+        response.set_cookie(
+            cookie,
+            browser,
+            max_age=int(KNOWN_FOR.total_seconds()),
+            httponly=True,
+            samesite="strict",
+            secure=secure,
+            path=request.url_for("sign_in_by_password").path,  # no other request needs it
+        )
+    return _me(parts, name, role)
+
+
+@router.post("/demo")
+async def enter_demonstration(body: DemoCode, request: Request, response: Response, parts: PeopleParts) -> Me:
+    """Sign in to the demonstration with the code of its link."""
+    code = parts.settings.demo_code
+    if code is None:
+        raise HTTPException(404, "This is not a demonstration: sign in with your name and password.")
+    attempt = await parts.limits.code(address_of(request))
+    if not secrets.compare_digest(code.encode(), body.code.encode()):
+        raise HTTPException(401, "This link belongs to another demonstration: open the link that was printed last.")
+    attempt.take_back()
+
+    def _enter() -> Me:
+        with parts.database.transaction() as db:
+            clinic = the_clinic(db)
+            if clinic is not None and find_person(db, DEMO_PERSON) is None:
+                add_person(db, clinic, DEMO_PERSON, "owner", None)
+        return _let_in(parts, request, response, DEMO_PERSON, "demonstration")
+
+    return await run_in_threadpool(_enter)
+
+
+@router.post("/setup")
+async def make_first_owner(body: FirstOwner, request: Request, response: Response, parts: PeopleParts) -> Me:
+    """Make the first owner with the code from the console, and sign in."""
+
+    def _require_no_owner(db: Transaction) -> None:
+        if parts.settings.demo or count_people(db):
+            raise Conflict("This clinic is set up already: sign in with your name and password.")
+
+    def _check() -> None:
+        with parts.database.transaction() as db:
+            _require_no_owner(db)
+
+    def _make(password_hash: str) -> Me:
+        with parts.database.transaction() as db:
+            _require_no_owner(db)
+            add_person(db, the_clinic(db) or add_clinic(db, "Clinic"), body.name, "owner", password_hash)
+        parts.set_up.used()
+        return _let_in(parts, request, response, body.name, "set-up")
+
+    await run_in_threadpool(_check)
+    attempt = await parts.limits.code(address_of(request))
+    if not parts.set_up.opens(body.code):
+        raise HTTPException(
+            401, "This code is wrong, used or older than 30 minutes: restart the program for a new one."
+        )
+    attempt.take_back()
+    weak = weakness(body.name, body.password)
+    if weak is not None:
+        raise HTTPException(422, weak)
+    return await run_in_threadpool(_make, await hash_of(parts, body.password))
+
+
+@router.post("/sign-in")
+async def sign_in_by_password(body: Credentials, request: Request, response: Response, parts: PeopleParts) -> Me:
+    """Sign in with name and password."""
+    await require_password(parts, request, body.name, body.password)
+    return await run_in_threadpool(_let_in, parts, request, response, body.name, "password")
+
+
+@router.post("/sign-out")
+async def sign_out_here(request: Request, response: Response, parts: PeopleParts) -> Me:
+    """End this sign-in; every socket that it had opened is closed."""
+
+    def _end() -> tuple[int | None, Me]:
+        with parts.database.transaction(closing=True) as db:
+            ended = sign_out(db, request.cookies.get(COOKIE, ""))
+        return ended, _me(parts, None, None)
+
+    ended, me = await run_in_threadpool(_end)
+    if ended is not None:
+        await parts.sockets.close_session(ended)
+    response.delete_cookie(COOKIE, httponly=True, samesite="lax", path="/")
+    return me
+
+
+@router.get("/me")
+def who_am_i(request: Request, parts: PeopleParts) -> Me:
+    """Tell who is signed in on this screen."""
+    who = find_signed_in(parts.database, request.cookies)
+    return _me(parts, who.name if who else None, who.role if who else None)

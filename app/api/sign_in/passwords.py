@@ -1,0 +1,88 @@
+"""The rules for new passwords, and the check of the password of a person."""
+
+from typing import NamedTuple
+
+from fastapi import HTTPException, Request
+from fastapi.concurrency import run_in_threadpool
+
+from app.api.deps import People
+from app.api.sign_in.hashing import Busy
+from app.api.sign_in.sign_in_limits import address_of
+from app.store.browsers import find_browser
+from app.store.log import write_log
+from app.store.people import find_person
+
+SHORTEST = 8
+COMMON = """
+    password password1 password12 password123 passw0rd 12345678 123456789 1234567890 87654321 11111111 00000000
+    abcd1234 abc12345 qwertyui qwertyuiop qwerty123 1q2w3e4r asdfghjk iloveyou sunshine princess football baseball
+    superman starwars letmein1 welcome1 whatever trustno1 computer internet changeme bodydrive wheelchair
+"""
+BROWSER_COOKIE = "bodydrive_browser_"  # followed by the person's id: several people share a tablet
+
+WRONG = "Name or password is wrong: try again, or ask an owner for a new password."
+BUSY = "Too many people are signing in at this moment: wait a few seconds, then try again."
+BUSY_FOR = 2.0  # s
+
+
+def weakness(name: str, password: str) -> str | None:
+    """Return in one sentence why a new password is refused, None when it is not."""
+    if len(password) < SHORTEST:
+        return f"This password is too short: use at least {SHORTEST} characters."
+    if len(password) > 200:
+        return "This password is too long: use at most 200 characters."
+    if password.lower() in COMMON.split() or password.lower() == name.lower() or len(set(password)) < 3:
+        return "This password is among the first that anybody would try: choose another one."
+    return None
+
+
+async def hash_of(parts: People, password: str) -> str:
+    """Return the hash of a new password; 503 when too many passwords are being hashed."""
+    try:
+        async with parts.hashing.slot():
+            return await parts.hashing.hash(password)
+    except Busy:
+        await parts.limits.refuse(503, BUSY, BUSY_FOR)
+
+
+async def require_password(parts: People, request: Request, name: str, password: str) -> None:
+    """Refuse a wrong password (401), a try too many (429), and more tries at once than can be checked (503).
+
+    The try is counted before anything is looked up or hashed, so that tries side by side all count.
+    """
+    attempt = parts.limits.password(name, address_of(request))
+    if not any(cookie.startswith(BROWSER_COOKIE) for cookie in request.cookies):
+        await parts.limits.require(attempt)
+    try:
+        async with parts.hashing.slot():
+            found = await run_in_threadpool(_look_up, parts, request, name)
+            if attempt.wait and found.browser is not None:
+                attempt = parts.limits.password_in(found.browser)
+            is_right = not attempt.wait and await parts.hashing.matches(found.stored, password)
+    except Busy:
+        attempt.take_back()
+        await parts.limits.refuse(503, BUSY, BUSY_FOR)
+    await parts.limits.require(attempt)
+    if not is_right:
+        await run_in_threadpool(_note_refusal, parts)
+        raise HTTPException(401, WRONG)
+    attempt.take_back()
+
+
+class _StoredCredentials(NamedTuple):
+    stored: str | None  # the hash of the password
+    browser: int | None  # the known browser that asks
+
+
+def _look_up(parts: People, request: Request, name: str) -> _StoredCredentials:
+    with parts.database.transaction() as db:
+        person = find_person(db, name)
+        if person is None or person.disabled is not None:
+            return _StoredCredentials(None, None)
+        browser = find_browser(db, person, request.cookies.get(f"{BROWSER_COOKIE}{person.id}"))
+        return _StoredCredentials(person.password_hash, None if browser is None else browser.id)
+
+
+def _note_refusal(parts: People) -> None:
+    with parts.database.transaction(closing=True) as db:
+        write_log(db, None, "sign-in refused")

@@ -1,0 +1,95 @@
+"""How many passwords and codes may be tried in a minute: for a name, from an address, in a known browser."""
+
+import asyncio
+import math
+from dataclasses import dataclass, field
+from typing import NoReturn
+
+from fastapi import HTTPException
+from starlette.requests import HTTPConnection
+
+from app.api.sign_in.tries import Tries, seconds_in_words
+from app.clock import monotonic
+
+PASSWORDS_PER_NAME = 5
+PASSWORDS_PER_ADDRESS = 10
+PASSWORDS_PER_BROWSER = 5
+CODES_PER_ADDRESS = 10
+REFUSALS_EVERY = 0.01  # s between two refusals: a flood waits for its refusals, and Stop does not wait behind them
+
+NAME = "Too many wrong passwords for this name: wait {wait}, or sign in where you have signed in before."
+HERE = "Too many wrong passwords came from here: wait {wait}, then try again."
+CODES = "Too many wrong codes came from here: wait {wait}, then try again."
+
+
+@dataclass(slots=True)
+class Attempt:
+    """A try that has been counted, or that has to wait."""
+
+    counted: list[tuple[Tries, str]] = field(default_factory=list)
+    wait: float = 0.0  # s; 0: it may go on
+    words: str = ""
+
+    def take_back(self) -> None:
+        """Take the try out of the count: it succeeded, or nobody looked at it."""
+        while self.counted:
+            tries, key = self.counted.pop()
+            tries.take_back(key)
+
+
+class SignInLimits:
+    """Counts tries at passwords and codes, takes the right ones back, and refuses too many."""
+
+    def __init__(self) -> None:
+        self._names = Tries(PASSWORDS_PER_NAME)
+        self._addresses = Tries(PASSWORDS_PER_ADDRESS)
+        self._browsers = Tries(PASSWORDS_PER_BROWSER)
+        self._codes = Tries(CODES_PER_ADDRESS)
+        self._refused_at = 0.0
+
+    def password(self, name: str, address: str) -> Attempt:
+        """Count a password that is tried for a name."""
+        return _count((self._names, name, NAME), (self._addresses, address, HERE))
+
+    def password_in(self, browser: int) -> Attempt:
+        """Count a password that is tried for its person in a known browser: neither name nor address counts there.
+
+        Whoever tries many passwords elsewhere locks nobody out of the browser that they use every day.
+        """
+        return _count((self._browsers, str(browser), HERE))
+
+    async def code(self, address: str) -> Attempt:
+        """Count a code of a link, and refuse it when there were too many wrong ones."""
+        attempt = _count((self._codes, address, CODES))
+        await self.require(attempt)
+        return attempt
+
+    async def require(self, attempt: Attempt) -> None:
+        """Refuse an attempt that has to wait."""
+        if attempt.wait:
+            await self.refuse(429, attempt.words.format(wait=seconds_in_words(attempt.wait)), attempt.wait)
+
+    async def refuse(self, status: int, words: str, wait: float) -> NoReturn:
+        """Refuse with 429 or 503, saying how long to wait (s): at once, but only so many in a second."""
+        now = monotonic()
+        self._refused_at = max(self._refused_at + REFUSALS_EVERY, now)
+        await asyncio.sleep(self._refused_at - now)
+        raise HTTPException(status, words, headers={"Retry-After": str(max(1, math.ceil(wait)))})
+
+
+def address_of(connection: HTTPConnection) -> str:
+    """Return from which machine a request comes."""
+    return connection.client.host if connection.client else ""
+
+
+def _count(*keys: tuple[Tries, str, str]) -> Attempt:
+    """Count a try under every key, or under none of them."""
+    attempt = Attempt()
+    for tries, key, words in keys:
+        wait = tries.count(key)
+        if wait:
+            attempt.take_back()
+            attempt.wait, attempt.words = wait, words
+            break
+        attempt.counted.append((tries, key))
+    return attempt

@@ -1,0 +1,109 @@
+"""What a clinician may do with the 3D views: look from somewhere else, open and close the plots."""
+
+from collections.abc import Callable
+from typing import Annotated, Any
+
+from fastapi import APIRouter, Depends, HTTPException
+from pydantic import Field, StrictBool
+
+from app.quantities import Document, Fraction, Metres, Radians
+from app.scene.servers import Role
+from app.scene.session_scene import Scene
+from app.scene.views import Orbit, View
+
+SceneNow = Callable[[], Scene | None]
+"""Returns the scene of the visit, None while nobody is visiting."""
+
+FieldOfView = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=30, le=110)]  # degrees, vertical
+EyeHeight = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0.8, le=1.6)]  # m
+Elevation = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0.05, le=1.5708)]  # rad above the floor
+Distance = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=1, le=100)]  # m
+
+
+class CameraChoice(Document):
+    """Where to look from, and how the patient's eye looks; what is not named stays as it is."""
+
+    view: View | None = None
+    fov_deg: FieldOfView | None = None
+    eye_height: EyeHeight | None = None
+    roll_share: Fraction | None = None
+    head: StrictBool | None = None
+
+
+class FreeCamera(Document):
+    """Where the free camera is: the direction and distance from which it looks at a point on the floor."""
+
+    azimuth: Radians
+    elevation: Elevation
+    distance: Distance
+    x: Metres
+    y: Metres
+
+
+class PlotsChoice(Document):
+    """Whether the plots are shown."""
+
+    open: StrictBool
+
+
+class ViewState(Document):
+    """What a view shows."""
+
+    view: View
+    plots: bool
+    fov_deg: float
+    eye_height: float
+    roll_share: float
+    head: bool
+    free: FreeCamera
+
+
+def view_controls(scene_now: SceneNow, clinician: Callable[..., Any]) -> APIRouter:
+    """Return the routes `/view/ROLE/camera`, `/view/ROLE/free` and `/view/clinician/plots`, to be put under `/api/v1`.
+
+    Parameters
+    ----------
+    scene_now
+        The scene of the visit.
+    clinician
+        Dependency that refuses those who may not drive.
+    """
+    router = APIRouter(prefix="/view", tags=["view"], dependencies=[Depends(clinician)])
+
+    def scene() -> Scene:
+        found = scene_now()
+        if found is None:
+            raise HTTPException(409, "There is no 3D view while nobody is visiting: open a visit first.")
+        return found
+
+    SceneOfVisit = Annotated[Scene, Depends(scene)]  # noqa: N806
+
+    @router.post("/{role}/camera")
+    def look(role: Role, choice: CameraChoice, shown: SceneOfVisit) -> ViewState:
+        """Look from the patient's eye, from behind the chair, from above, or from anywhere."""
+        changes = choice.model_dump(exclude={"view"}, exclude_none=True)
+        shown.set_view(role, choice.view or shown.view(role), shown.settings(role)._replace(**changes))
+        return _state(shown, role)
+
+    @router.post("/{role}/free")
+    def turn(role: Role, place: FreeCamera, shown: SceneOfVisit) -> ViewState:
+        """Put the free camera somewhere else; it is seen while the view is `free`."""
+        shown.set_orbit(role, Orbit(**place.model_dump()))
+        return _state(shown, role)
+
+    @router.post("/clinician/plots")
+    def show_plots(choice: PlotsChoice, shown: SceneOfVisit) -> ViewState:
+        """Show or hide the plots inside the clinician's view."""
+        shown.open_plots(choice.open)
+        return _state(shown, "clinician")
+
+    return router
+
+
+def _state(scene: Scene, role: Role) -> ViewState:
+    return ViewState(
+        view=scene.view(role),
+        plots=scene.plots_open if role == "clinician" else False,
+        free=FreeCamera(**scene.orbit(role)._asdict()),
+        **scene.settings(role)._asdict(),
+    )

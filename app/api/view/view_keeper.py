@@ -1,0 +1,131 @@
+"""The 3D view of the visit: opened with it, closed with it, and shown the plan that is driven."""
+
+import asyncio
+from collections.abc import AsyncIterator, Callable
+from contextlib import asynccontextmanager, suppress
+from pathlib import Path
+from typing import Protocol
+
+import numpy as np
+from fastapi import WebSocket
+
+from app.api.sockets import OpenSockets
+from app.scene.scene_thread import SceneThread, start_scene
+from app.scene.servers import Role, RoleServers
+from app.scene.session_scene import Scene
+from app.world.floorplan import FloorPlan
+
+ReadNewest = Callable[[], "np.void | None"]
+
+
+class VisitScene(Protocol):
+    """One visit's scene and the ports of its servers."""
+
+    @property
+    def scene(self) -> Scene:
+        """Return what is drawn."""
+        ...
+
+    def port(self, role: Role) -> int:
+        """Return where a role's server listens."""
+        ...
+
+    def stop(self) -> None:
+        """End threads and servers."""
+        ...
+
+
+class ServedScene:
+    """The real one."""
+
+    def __init__(self, read_newest: ReadNewest, models: Path | None = None) -> None:
+        self._servers = RoleServers()
+        try:
+            self._thread: SceneThread = start_scene(self._servers, read_newest, models)
+        except BaseException:
+            self._servers.stop()
+            raise
+
+    @property
+    def scene(self) -> Scene:
+        """Return what is drawn."""
+        return self._thread.scene
+
+    def port(self, role: Role) -> int:
+        """Return where a role's server listens."""
+        return self._servers.port(role)
+
+    def stop(self) -> None:
+        """End the thread, then the servers."""
+        self._thread.stop()
+        self._servers.stop()
+
+
+OpenScene = Callable[[ReadNewest], VisitScene]
+
+
+class ViewKeeper:
+    """Holds the scene of the visit that is going on; without `open_scene` there is never one."""
+
+    def __init__(self, open_scene: OpenScene | None, read_newest: ReadNewest) -> None:
+        self._open_scene = open_scene
+        self._read_newest = read_newest
+        self._visit: VisitScene | None = None
+        self._shown: tuple[FloorPlan, str] | None = None
+        self._one_at_a_time = asyncio.Lock()
+
+    @property
+    def scene(self) -> Scene | None:
+        """Return the scene, None while nobody is visiting."""
+        return None if self._visit is None else self._visit.scene
+
+    def port(self, role: Role) -> int | None:
+        """Return the port of a role's server, None while nobody is visiting."""
+        return None if self._visit is None else self._visit.port(role)
+
+    async def open(self, plan: FloorPlan | None, path: str | None) -> None:
+        """Open a new scene for a new visit, the old one closed, showing a plan to begin with."""
+        async with self._one_at_a_time:
+            await self._close()
+            if self._open_scene is not None:
+                self._visit = await asyncio.to_thread(self._open_scene, self._read_newest)
+                if plan is not None and path is not None:
+                    await self._show(plan, path)
+
+    async def close(self) -> None:
+        """Close the scene: the visit is over."""
+        async with self._one_at_a_time:
+            await self._close()
+
+    async def show(self, plan: FloorPlan, path: str) -> None:
+        """Show the plan of a trial that begins, without what was driven before."""
+        async with self._one_at_a_time:
+            await self._show(plan, path)
+
+    async def _show(self, plan: FloorPlan, path: str) -> None:
+        scene = self.scene
+        if scene is None:
+            return
+        if self._shown == (plan, path):
+            await asyncio.to_thread(scene.new_trial)
+        else:
+            await asyncio.to_thread(scene.set_floorplan, plan, path)
+            self._shown = (plan, path)
+
+    async def _close(self) -> None:
+        visit, self._visit, self._shown = self._visit, None, None
+        if visit is not None:
+            with suppress(RuntimeError):  # its servers may have ended by themselves
+                await asyncio.to_thread(visit.stop)
+
+
+@asynccontextmanager
+async def may_view(websocket: WebSocket, role: Role) -> AsyncIterator[bool]:
+    """Let a websocket of the 3D view in by origin and sign-in (the patient's: or pairing), and close it with that."""
+    sockets: OpenSockets = websocket.app.state.people.sockets
+    who = await (sockets.admit_viewer if role == "patient" else sockets.admit)(websocket)
+    if who is None:
+        yield False
+        return
+    async with sockets.guarded(websocket, who):
+        yield True

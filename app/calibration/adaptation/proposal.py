@@ -1,0 +1,141 @@
+"""What a map would become after the last trials, and why: proposed beside the live map (signal-chain.md, section 6)."""
+
+from collections.abc import Collection, Sequence
+
+from app.calibration.adaptation.channel_range import range_moved
+from app.calibration.adaptation.documents import (
+    ALL_PARTS,
+    STANDARD_LIMITS,
+    JointChange,
+    Limits,
+    Part,
+    Proposal,
+    Status,
+)
+from app.calibration.adaptation.joint_proposal import Evidence, Judged, judged
+from app.calibration.adaptation.movement import Movement, gesture_of, hear
+from app.calibration.profile import CalibrationProfile, JointMap
+from app.calibration.vocabulary import DriveParameters, Gesture
+
+__all__ = ["ALL_PARTS", "STANDARD_LIMITS", "JointChange", "Limits", "Movement", "Part", "Proposal", "Status", "propose"]
+
+
+def propose(
+    parameters: DriveParameters,
+    movements: Sequence[Movement],
+    parts: Collection[Part] = ALL_PARTS,
+    limits: Limits = STANDARD_LIMITS,
+    *,
+    calibrated: CalibrationProfile | None = None,
+    fresh: int | None = None,
+) -> Proposal:
+    """Return what map, dead-zones and fulls would become.
+
+    Parameters
+    ----------
+    parameters
+        What drives now.
+    movements
+        The last trials with these parameters or their parents, oldest first, all in one wearing of the shirt: what was
+        recorded before it was put on again tells nothing of how it sits now.
+    parts
+        What may change.
+    limits
+        How far.
+    calibrated
+        The calibration that these parameters go back to: 30 degrees are counted from its direction. The profile of
+        `parameters` when not given.
+    fresh
+        How many of the trials are new since the map last changed; all when not given. The map may turn by 2 degrees
+        for each, and by 5 at once.
+    """
+    count = len(movements)
+    origin = calibrated or parameters.profile
+    evidence = Evidence(
+        parameters,
+        movements,
+        hear(parameters, movements),
+        parts,
+        limits,
+        count if fresh is None else max(0, min(count, fresh)),
+        {joint.name: joint for joint in origin.joints},
+    )
+    found = [
+        judged(evidence, joint, gesture)
+        for joint in parameters.profile.joints
+        if (gesture := gesture_of(parameters, joint.name)) is not None
+    ]
+    profile = parameters.profile
+    if "map" in parts and evidence.fresh:
+        profile = range_moved(profile, movements, calibrated)
+    moved = _joints_moved(parameters.profile, profile)
+    changes = tuple(_with_range(one.change, one.change.name in moved) for one in found)
+    new = _built(parameters, profile, found)
+    applied = [one for one in changes if one.status == "applied"]
+    felt = max((one.felt_change for one in applied), default=0.0)
+    return Proposal(
+        trials=count,
+        joints=changes,
+        felt_change=felt,
+        warns=felt >= limits.warn,
+        parameters=new if new != parameters else None,
+        difference={
+            "felt_change": felt,
+            "joints": {one.name: one.model_dump(mode="json", exclude={"name"}) for one in applied},
+        },
+        reason=_sentence(changes, count),
+    )
+
+
+def _joints_moved(before: CalibrationProfile, after: CalibrationProfile) -> set[str]:
+    """Return the joints whose ranges follow the shirt's new seat."""
+    return {
+        joint.name
+        for joint in before.joints
+        if any(before.low[channel] != after.low[channel] for channel in joint.channels)
+    }
+
+
+def _with_range(change: JointChange, moved: bool) -> JointChange:
+    if not moved:
+        return change
+    words = "The range that its channels are watched by follows where the shirt sits now."
+    alone = change.status in ("unchanged", "shown")
+    reason = words if change.status == "unchanged" else f"{change.reason} {words}"
+    status: Status = "applied" if alone else change.status
+    return change.model_copy(update={"range_moved": True, "status": status, "reason": reason})
+
+
+def _built(parameters: DriveParameters, profile: CalibrationProfile, found: Sequence[Judged]) -> DriveParameters:
+    """Return the parameters with new weights and handles; sign, span and what was calibrated stay."""
+    new = {one.change.name: one for one in found}
+    joints = tuple(_turned(joint, new.get(joint.name)) for joint in profile.joints)
+    gestures = tuple(_moved(parameters, gesture, new.get(gesture.joint)) for gesture in parameters.gestures)
+    document = parameters.model_dump()
+    document["profile"] = profile.model_copy(update={"joints": joints}).model_dump()
+    document["gestures"] = [gesture.model_dump() for gesture in gestures]
+    return DriveParameters.model_validate(document)
+
+
+def _turned(joint: JointMap, new: Judged | None) -> JointMap:
+    return joint if new is None else joint.model_copy(update={"weights": tuple(float(w) for w in new.weights)})
+
+
+def _moved(parameters: DriveParameters, gesture: Gesture, new: Judged | None) -> Gesture:
+    """Return a gesture with its new handles: only the one that was looked at has any."""
+    if new is None or gesture_of(parameters, gesture.joint) != gesture:
+        return gesture
+    return gesture.model_copy(update={"dead_zone": new.handles.dead_zone, "full": new.handles.full})
+
+
+def _sentence(changes: Sequence[JointChange], trials: int) -> str:
+    """Return what would change, in one sentence."""
+    applied = [one.name.replace("_", " ") for one in changes if one.status == "applied"]
+    refused = [one.name.replace("_", " ") for one in changes if one.status == "refused"]
+    after = "the last trial" if trials == 1 else f"the last {trials} trials"
+    if applied:
+        words = f"After {after}, {', '.join(applied)} would change"
+        return f"{words}; {', '.join(refused)} may not." if refused else f"{words}."
+    if refused:
+        return f"After {after}, nothing changes: what {', '.join(refused)} would need may not be done."
+    return f"After {after}, the map fits: nothing changes." if trials else "No trial was driven yet."

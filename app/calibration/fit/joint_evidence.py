@@ -1,0 +1,124 @@
+"""What the rest, the free movement and the repetitions say about one joint's map."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.calibration.fit.repetitions import Repetition
+from app.signals.smoothing import smooth
+
+CUTOFF = 3.0  # Hz: the chain's standard low-pass
+LAG = 0.3  # s: people move that much after the cue
+SETTLING = 0.3  # s: the low-pass forgets its first sample within it
+STILLEST = 0.5  # s: without a recording at rest, noise is that of the stillest such stretch
+SHORTEST_PEAK = 0.25  # s: shorter prompts are parts of a movement and say nothing about its strength
+MOST_SIGNAL_TO_NOISE = 1000.0
+
+
+@dataclass(frozen=True, slots=True)
+class Direction:
+    """One joint's axis in the space of its channels."""
+
+    channels: tuple[int, ...]
+    weights: NDArray[np.float64]  # (k,), unit length
+    mean: NDArray[np.float64]  # (k,)
+
+    def place(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return where frames (n, n_channels) lie on the axis, (n,) in signal units."""
+        place: NDArray[np.float64] = (values[:, list(self.channels)] - self.mean) @ self.weights
+        return place
+
+
+@dataclass(frozen=True, slots=True)
+class Rise:
+    """How clearly the prompted movements point one way."""
+
+    sign: int  # 1 or -1: the way along the axis that the prompts go
+    agreement: float  # 0.5 (as much one way as the other) to 1 (all of it one way)
+
+
+def lagged(repetition: Repetition, sample_rate: float) -> slice:
+    """Return the moving part, made longer by the person's lag (by half of itself at most)."""
+    moving = repetition.moving
+    extra = min(round(LAG * sample_rate), (moving.stop - moving.start + 1) // 2)
+    return slice(moving.start, min(len(repetition.values), moving.stop + extra))
+
+
+def percentile_span(place: NDArray[np.float64]) -> float:
+    """Return the 1st to 99th percentile of places on the axis; all of it when the joint moved only for a moment."""
+    low, high = np.percentile(place, (1, 99))
+    return float(high - low) or float(np.ptp(place))
+
+
+def prompted_span(direction: Direction, repetitions: Sequence[Repetition]) -> float:
+    """Return how far a typical repetition goes: each for itself, so that drift between them does not count."""
+    return float(np.median([percentile_span(direction.place(repetition.values)) for repetition in repetitions]))
+
+
+def rise(direction: Direction, repetitions: Sequence[Repetition], span: float, sample_rate: float) -> Rise:
+    """Return which way the prompted movements go.
+
+    Each repetition votes with how far its mean and its end lie above its start: the mean still tells the direction
+    when the way back was taken for part of the prompt, the end still does when the last return was. One repetition
+    gone wild has no more weight than one full span.
+    """
+    votes = []
+    for repetition in repetitions:
+        place = smooth(direction.place(repetition.values), CUTOFF, sample_rate) / span
+        stretch = place[lagged(repetition, sample_rate)]
+        votes.append(float(np.clip((stretch.mean() - stretch[0]) + (stretch[-1] - stretch[0]), -1.0, 1.0)))
+    total, size = sum(votes), sum(abs(vote) for vote in votes)
+    return Rise(sign=1 if total >= 0 else -1, agreement=0.5 + 0.5 * abs(total) / size if size else 0.5)
+
+
+def rate_of(direction: Direction, values: NDArray[np.float64], scale: float, sample_rate: float) -> NDArray[np.float64]:
+    """Return the rate (n,) in FS/s of frames, `scale` being sign / span."""
+    smoothed = smooth(direction.place(values) * scale, CUTOFF, sample_rate)
+    return np.diff(smoothed, prepend=smoothed[0]) * sample_rate
+
+
+def rest_rate(rate: NDArray[np.float64], sample_rate: float, at_rest: bool) -> float:
+    """Return the noise of the rate (FS/s, standard deviation) over a rest, or over the stillest part of a movement."""
+    settled = rate[round(SETTLING * sample_rate) :]
+    if not len(settled):
+        settled = rate
+    if at_rest:
+        return float(settled.std())
+    length = max(2, round(STILLEST * sample_rate))
+    starts = range(0, max(1, len(settled) - length + 1), max(1, length // 2))
+    return min(float(settled[start : start + length].std()) for start in starts)
+
+
+def full_rate(rates: Sequence[NDArray[np.float64]], dead_zone: float) -> float | None:
+    """Return the 90th percentile of the rates above the dead-zone (FS/s), None when the movement does not reach it."""
+    active = np.concatenate([rate[rate > dead_zone] for rate in rates])
+    return float(np.percentile(active, 90)) if len(active) else None
+
+
+def repeatability(rates: Sequence[NDArray[np.float64]], sample_rate: float) -> float | None:
+    """Return the standard deviation of the repetitions' peak rates over their mean, None for fewer than two."""
+    peaks = [float(rate.max()) for rate in rates if len(rate) >= SHORTEST_PEAK * sample_rate]
+    mean = float(np.mean(peaks)) if len(peaks) > 1 else 0.0
+    return float(np.std(peaks)) / mean if mean > 0 else None
+
+
+def signal_to_noise(full: float, noise: float) -> float:
+    """Return how many times the movement stands above the noise; 1000 also stands for more."""
+    return min(MOST_SIGNAL_TO_NOISE, full / noise) if noise > 0 else MOST_SIGNAL_TO_NOISE
+
+
+def cross_talk(own: NDArray[np.float64], floor: float = 0.05) -> NDArray[np.float64]:
+    """Return each joint's mean activation during each joint's prompts, as a share of that during its own.
+
+    Parameters
+    ----------
+    own : (k, k) array
+        Mean activation, row: joint that was prompted, column: joint that answered.
+    floor : float
+        Smallest activation to divide by: a joint that did not answer its own prompts is no measure for others.
+    """
+    shares: NDArray[np.float64] = own / np.maximum(np.diag(own), floor)
+    np.fill_diagonal(shares, 1.0)
+    return shares

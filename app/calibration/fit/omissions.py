@@ -1,0 +1,109 @@
+"""Decides which channels a calibration leaves out of the map, and says why."""
+
+from collections.abc import Collection, Mapping, Sequence
+
+import numpy as np
+
+from app.calibration.fit.gaps import bridge_gaps, why_missing
+from app.calibration.fit.pieces import Frames, held
+from app.calibration.fit.repetitions import Repetition
+from app.calibration.quality import ChannelQuality, channel_quality, worst
+from app.layout import ShirtLayout
+
+# What the short stretches of the prompts can show; noise is judged on the long free movement.
+SEEN_IN_PROMPTS = {"near", "railed", "flat", "nan"}
+FEW_MISSING = 0.05  # of a channel's samples: so many may repeat the sample before, where a joint has no better channel
+
+
+def channels_left_out(
+    layout: ShirtLayout,
+    sample_rate: float,
+    free: Frames,
+    rest: Frames | None,
+    repetitions: Sequence[Repetition],
+    unused: Collection[str],
+    full_scale: float | None,
+) -> dict[str, str]:
+    """Return why channels are left out of the map.
+
+    Gaps of at most 0.2 s, and at most 1 % of a channel within what its joint is fitted to, leave nothing out. A channel
+    near its rails, or with at most 5 % missing, is left out only where the joint keeps a better channel.
+    """
+    groups = layout.channels_of_joint
+    pieces = [free] if rest is None else [free, rest]
+    missing = {
+        i: words
+        for joint, indices in groups.items()
+        for i in indices
+        if (words := why_missing([*pieces, *_values_of(joint, repetitions)], i, sample_rate))
+    }
+    quality = _quality(
+        groups,
+        sample_rate,
+        bridge_gaps(free, sample_rate),
+        None if rest is None else bridge_gaps(rest, sample_rate),
+        [Repetition(one.joint, bridge_gaps(one.values, sample_rate), one.moving) for one in repetitions],
+        full_scale,
+    )
+    for i, words in missing.items():
+        quality[i] = ChannelQuality("nan", words)
+    names = layout.channel_names
+    good = {i for i, one in enumerate(quality) if one.condition == "good" and names[i] not in unused}
+    poor = [i for group in groups.values() if not good.intersection(group) for i in group]
+    if any(quality[i].condition == "nan" for i in poor):
+        moving = [Repetition(one.joint, _hold_few_missing(one.values), one.moving) for one in repetitions]
+        resting = None if rest is None else _hold_few_missing(rest)
+        second = _quality(groups, sample_rate, _hold_few_missing(free), resting, moving, full_scale)
+        for i in poor:
+            if second[i].condition != "nan":
+                quality[i] = second[i]
+    left_out: dict[str, str] = {}
+    for indices in groups.values():
+        best_left = any(quality[i].condition == "good" and names[i] not in unused for i in indices)
+        for i in indices:
+            name = names[i]
+            if name in unused:
+                left_out[name] = "marked as unused"
+            elif _is_bad(quality[i], best_left):
+                left_out[name] = quality[i].words
+    return left_out
+
+
+def _quality(
+    groups: Mapping[str, list[int]],
+    sample_rate: float,
+    free: Frames,
+    rest: Frames | None,
+    repetitions: Sequence[Repetition],
+    full_scale: float | None,
+) -> list[ChannelQuality]:
+    """Return the worst that the pieces of a calibration say of each channel."""
+    quality = channel_quality(free, list(groups.values()), sample_rate, full_scale)
+    if rest is not None:
+        at_rest = channel_quality(rest, list(groups.values()), sample_rate, full_scale, moving=False)
+        quality = [worst(one, other) for one, other in zip(quality, at_rest, strict=True)]
+    for joint, indices in groups.items():
+        own = _values_of(joint, repetitions)
+        if own:
+            prompted = channel_quality(np.concatenate(own), [indices], sample_rate, full_scale)
+            findings = {i: prompted[i] for i in indices if prompted[i].condition in SEEN_IN_PROMPTS}
+            if len(findings) < len(indices):  # all of them: the joint stood still, which is no channel's fault
+                for i, finding in findings.items():
+                    quality[i] = worst(quality[i], finding)
+    return quality
+
+
+def _values_of(joint: str, repetitions: Sequence[Repetition]) -> list[Frames]:
+    return [one.values for one in repetitions if one.joint == joint]
+
+
+def _hold_few_missing(values: Frames) -> Frames:
+    """Return frames in which channels that miss few samples hold the one before; frames that were lost stay so."""
+    missing = np.isnan(values)
+    lost = missing.all(axis=1, keepdims=True)
+    few = (missing & ~lost).sum(axis=0) <= FEW_MISSING * (~lost).sum()
+    return np.where(few & ~lost, held(values), values)
+
+
+def _is_bad(quality: ChannelQuality, near_too: bool) -> bool:
+    return quality.condition not in {"good", "near"} or (quality.condition == "near" and near_too)

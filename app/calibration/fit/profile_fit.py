@@ -1,0 +1,167 @@
+"""Fits a calibration profile from rest, free movement and prompted repetitions (signal-chain.md, section 2)."""
+
+from collections.abc import Collection, Mapping, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+import app
+from app.calibration.fit.gaps import bridge_gaps
+from app.calibration.fit.joint_evidence import cross_talk, lagged, signal_to_noise
+from app.calibration.fit.joint_fit import FittedJoint, fit_joint
+from app.calibration.fit.omissions import channels_left_out
+from app.calibration.fit.pieces import check_pieces, held, value_range
+from app.calibration.fit.repetitions import Repetition
+from app.calibration.grades import Findings, grade
+from app.calibration.profile import CalibrationProfile, JointMap
+from app.clock import utc_now
+from app.layout import ShirtLayout
+
+
+def fit_profile(
+    layout: ShirtLayout,
+    sample_rate: float,
+    free: NDArray[np.floating],
+    rest: NDArray[np.floating] | None = None,
+    repetitions: Sequence[Repetition] = (),
+    unused: Collection[str] = (),
+    full_scale: float | None = None,
+) -> CalibrationProfile:
+    """Return the calibration profile of one person in one shirt.
+
+    Parameters
+    ----------
+    layout : ShirtLayout
+        Names the columns of all arrays.
+    sample_rate : float
+        Hz.
+    free, rest : (n, n_channels) array
+        Frames of the free movement and of the rest; NaN where a sample is missing.
+    repetitions : sequence of Repetition
+        Prompted movements towards the gesture; they fix the sign.
+    unused : names of channels
+        What a person has marked as not to be used.
+    full_scale : float or None
+        Largest absolute value of the shirt's electronics, in signal units, when it is known.
+
+    Raises
+    ------
+    ValueError
+        One sentence: what is too short or unknown, or that no joint has a channel to build a map on.
+    """
+    moved = np.asarray(free, dtype=np.float64)
+    resting = None if rest is None else np.asarray(rest, dtype=np.float64)
+    repetitions = [Repetition(one.joint, np.asarray(one.values, np.float64), one.moving) for one in repetitions]
+    check_pieces(layout, sample_rate, moved, resting, repetitions, unused)
+    left_out = channels_left_out(layout, sample_rate, moved, resting, repetitions, unused, full_scale)
+    low, high = value_range(
+        [moved, *([] if resting is None else [resting]), *(repetition.values for repetition in repetitions)]
+    )
+    moved = held(bridge_gaps(moved, sample_rate))
+    resting = None if resting is None else held(bridge_gaps(resting, sample_rate))
+    repetitions = [Repetition(one.joint, held(bridge_gaps(one.values, sample_rate)), one.moving) for one in repetitions]
+    channels = {
+        joint: tuple(i for i in indices if layout.channels[i].name not in left_out)
+        for joint, indices in layout.channels_of_joint.items()
+    }
+    fitted = {
+        joint: fit_joint(used, moved, resting, [one for one in repetitions if one.joint == joint], sample_rate)
+        for joint, used in channels.items()
+        if used and moved[:, list(used)].var(axis=0).any()  # 0 also where numbers are too small to be squared
+    }
+    if not fitted:
+        raise ValueError(
+            f"no joint of '{layout.name}' has a channel that can be used, check that the shirt is connected and "
+            f"that somebody moved in it"
+        )
+    matrix = _cross_talk(fitted, repetitions, sample_rate)
+    joints = tuple(
+        _joint_map(name, fitted, matrix, len(layout.channels_of_joint[name]), resting is not None) for name in fitted
+    )
+    return CalibrationProfile(
+        created=utc_now().isoformat(timespec="seconds"),
+        software=app.__version__,
+        layout=layout,
+        sample_rate=float(sample_rate),
+        left_out=left_out,
+        low=low,
+        high=high,
+        joints=joints,
+        cross_talk=None if matrix is None else tuple(tuple(map(float, row)) for row in matrix),
+    )
+
+
+def joints_without_map(profile: CalibrationProfile) -> dict[str, str]:
+    """Return the layout's joints that the profile has no map for, each with the reason and what to do."""
+    mapped = {joint.name for joint in profile.joints}
+    return {
+        name: "None of its channels can be used: check them on the Shirt page, then repeat the calibration."
+        for name in profile.layout.joint_names
+        if name not in mapped
+    }
+
+
+def _cross_talk(
+    fitted: Mapping[str, FittedJoint], repetitions: Sequence[Repetition], sample_rate: float
+) -> NDArray[np.float64] | None:
+    """Return the matrix of the profile: 0 where one of the two joints was not prompted, None when no joint was."""
+    prompted = [i for i, joint in enumerate(fitted.values()) if joint.agreement is not None]
+    if not prompted:
+        return None
+    names = list(fitted)
+    activation = np.zeros((len(names), len(names)))
+    for row in prompted:
+        own = [one for one in repetitions if one.joint == names[row]]
+        for column in prompted:
+            joint = fitted[names[column]]
+            rates = [joint.rate(one.values, sample_rate)[lagged(one, sample_rate)] for one in own]
+            above = (np.concatenate(rates) - joint.dead_zone) / (joint.full - joint.dead_zone)
+            activation[row, column] = np.clip(above, 0.0, 1.0).mean()
+    return cross_talk(activation)
+
+
+def _joint_map(
+    name: str, fitted: Mapping[str, FittedJoint], matrix: NDArray[np.float64] | None, channels: int, had_rest: bool
+) -> JointMap:
+    joint = fitted[name]
+    strongest = None
+    if matrix is not None and len(fitted) > 1 and joint.agreement is not None:
+        row = matrix[list(fitted).index(name)].copy()
+        row[list(fitted).index(name)] = -1.0
+        strongest = (list(fitted)[int(row.argmax())], float(row.max()))
+    used = len(joint.direction.channels)
+    ratio = signal_to_noise(joint.full if joint.reaches_full else 0.0, joint.rest_rate)
+    letter, reason = grade(
+        Findings(
+            evr=joint.evr,
+            signal_to_noise=ratio,
+            reaches_full=joint.reaches_full,
+            repeatability=joint.repeatability,
+            agreement=joint.agreement,
+            angle_deg=joint.angle_deg,
+            strongest_cross_talk=strongest,
+            channels=used,
+            channels_out=channels - used,
+            prompted_share=joint.prompted_share,
+            span_from_prompts=joint.span_from_prompts,
+            had_rest=had_rest,
+        )
+    )
+    return JointMap(
+        name=name,
+        channels=joint.direction.channels,
+        weights=tuple(map(float, joint.direction.weights)),
+        mean=tuple(map(float, joint.direction.mean)),
+        sign=1 if joint.sign > 0 else -1,
+        span=joint.span,
+        evr=min(1.0, joint.evr),
+        prompted=joint.agreement is not None,
+        angle_deg=joint.angle_deg,
+        signal_to_noise=ratio,
+        repeatability=joint.repeatability,
+        rest_rate=joint.rest_rate,
+        dead_zone=joint.dead_zone,
+        full=joint.full,
+        grade=letter,
+        reason=reason,
+    )

@@ -1,0 +1,88 @@
+"""How a found gesture will behave, predicted from one part of the recordings and checked on the other."""
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.calibration.fit.joint_evidence import full_rate
+from app.calibration.fit.joint_fit import LEAST_RANGE
+from app.calibration.gestures.ability import Ability
+from app.calibration.gestures.evidence import Evidence
+from app.calibration.gestures.numbers import HitCheck, Prediction, RestCheck
+from app.calibration.gestures.prediction import (
+    HIT,
+    at_least_share,
+    at_most_per_minute,
+    false_per_minute,
+    hit_probability,
+    passes,
+    quiet_of,
+)
+
+Pieces = list[NDArray[np.float64]]
+
+
+def predict(ability: Ability, all_abilities: Sequence[Ability], evidence: Evidence) -> Prediction | None:
+    """Return what is to be expected of a gesture; None where neither rest nor repetitions were recorded."""
+    first, second = _two_parts_of_rest(ability, evidence)
+    quiet = quiet_of([*first, *second], evidence.sample_rate)
+    others = [one.peaks for one in all_abilities if one.joint.name != ability.joint.name and len(one.rates) > 1]
+    peaks = ability.peaks
+    if quiet is None and not peaks:
+        return None
+    counted = passes([*first, *second], ability.dead_zone)
+    hits = sum(peak >= answered_from(ability.dead_zone, ability.full) for peak in peaks)
+    return Prediction(
+        false_per_minute=None if quiet is None else false_per_minute(quiet, ability.dead_zone),
+        counted=counted,
+        rest_seconds=0.0 if quiet is None else quiet.seconds,
+        counted_at_most=None if quiet is None else at_most_per_minute(counted, quiet.seconds),
+        hit_rate=hit_probability(peaks, answered_from(ability.dead_zone, ability.full), others) if peaks else None,
+        hit_at_least=at_least_share(hits, len(peaks)) if peaks else None,
+        rest_check=_check_rest(ability.dead_zone, first, second, evidence.sample_rate),
+        hit_check=_check_hits(ability, others),
+    )
+
+
+def _two_parts_of_rest(ability: Ability, evidence: Evidence) -> tuple[Pieces, Pieces]:
+    """Return the rest to predict from and the rest to check on; one rest alone is halved."""
+    way = ability.direction
+    first = [way * piece for piece in evidence.at_rest(ability.column)]
+    second = [way * piece for piece in evidence.in_pauses(ability.column, ability.joint.name)]
+    if not second:
+        halves = [np.array_split(piece, 2) for piece in first]
+        first, second = [half[0] for half in halves], [half[1] for half in halves]
+    return first, second
+
+
+def _check_rest(dead_zone: float, first: Pieces, second: Pieces, sample_rate: float) -> RestCheck | None:
+    before = quiet_of(first, sample_rate)
+    seconds = sum(map(len, second)) / sample_rate
+    if before is None or not seconds:
+        return None
+    return RestCheck(
+        predicted=false_per_minute(before, dead_zone),
+        counted=passes(second, dead_zone),
+        seconds=seconds,
+    )
+
+
+def _check_hits(ability: Ability, others: Sequence[Sequence[float]]) -> HitCheck | None:
+    """Leave one repetition out at a time: `full` and the spread come from the others, the one is counted."""
+    count = len(ability.rates)
+    if count < 2:
+        return None
+    predicted = counted = 0.0
+    for left_out in range(count):
+        rest = [rate for index, rate in enumerate(ability.rates) if index != left_out]
+        full = max(full_rate(rest, ability.dead_zone) or 0.0, ability.dead_zone + LEAST_RANGE)
+        level = answered_from(ability.dead_zone, full)
+        predicted += hit_probability([float(rate.max()) for rate in rest], level, others) / count
+        counted += float(ability.rates[left_out].max()) >= level
+    return HitCheck(predicted=min(1.0, predicted), counted=int(counted), repetitions=count)
+
+
+def answered_from(dead_zone: float, full: float) -> float:
+    """Return the rate (FS/s) from which on a movement counts as answered."""
+    return dead_zone + HIT * (full - dead_zone)

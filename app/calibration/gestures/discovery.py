@@ -1,0 +1,138 @@
+"""Finds all gestures that a body can make: every joint, there and back, ranked by what the recordings say of them."""
+
+from collections.abc import Mapping, Sequence
+from typing import Literal
+
+from app.calibration.cued_runs import CuedRun
+from app.calibration.fit.joint_evidence import repeatability, signal_to_noise
+from app.calibration.fit.profile_fit import joints_without_map
+from app.calibration.gestures.ability import abilities
+from app.calibration.gestures.cross_check import predict
+from app.calibration.gestures.evidence import gather
+from app.calibration.gestures.numbers import Companion, FoundGesture, ratios, score_of, weakest_of
+from app.calibration.gestures.suggestion import Shares, SuggestedVocabulary, suggest_vocabulary
+from app.calibration.profile import CalibrationProfile
+from app.quantities import Document
+
+
+class Discovery(Document):
+    """All gestures, the best first, and the vocabulary that they speak for."""
+
+    source: Literal["recordings", "profile"]
+    words: str  # what is missing, in one sentence; empty when nothing is
+    gestures: tuple[FoundGesture, ...]
+    not_found: dict[str, str]  # joints without a map, with the reason and what to do
+    suggestion: SuggestedVocabulary
+
+
+def discover(profile: CalibrationProfile, runs: Sequence[CuedRun]) -> Discovery:
+    """Rank the gestures of every joint that has a map, by the recordings of a calibration.
+
+    The direction -1 is the way back made as a gesture of its own; it is judged by the ways back from the prompts and
+    by the free movement. Each gesture has four numbers and one score of them (`gesture_numbers`):
+
+    - signal to noise: the measured full over the noise of the rate at rest, as in the profile;
+    - repeatability: spread of the repetitions' peak rates over their mean;
+    - cross-talk: time of activation during whole repetitions (there and back) of another joint, as a share of that
+      in its own; the larger of how much it answers to another's prompts, and how much another answers to its own;
+    - effort: FS that have to be moved for a full activation, in the time that the person takes for this movement:
+      that time hardly depends on the size (Viviani and Terzuolo, in: Tutorials in Motor Behavior, 1980).
+    """
+    evidence = gather(profile, runs)
+    able = abilities(profile, evidence)
+    shares = {one.name: one.shares for one in able}
+    found = []
+    for one in able:
+        appears, brings = _companions(one.name, one.joint.name, shares)
+        found.append(
+            _judged(
+                FoundGesture(
+                    name=one.name,
+                    joint=one.joint.name,
+                    direction=one.direction,
+                    dead_zone=one.dead_zone,
+                    full=one.full,
+                    signal_to_noise=signal_to_noise(one.reached, evidence.noise_of(one.joint, one.column)),
+                    repeatability=repeatability(one.rates, evidence.sample_rate),
+                    cross_talk=_larger(appears, brings),
+                    effort=one.effort,
+                    appears_with=appears,
+                    brings=brings,
+                    prediction=predict(one, able, evidence),
+                )
+            )
+        )
+    return _ranked(profile, found, shares, "recordings", "")
+
+
+def known_of(profile: CalibrationProfile, words: str) -> Discovery:
+    """Rank by the profile's own numbers where there are no recordings, `words` saying why.
+
+    Only the way there is known then; its cross-talk is that of the way there alone, effort and forecast are unknown.
+    """
+    shares: dict[str, dict[str, float]] = {joint.name: {} for joint in profile.joints}
+    if profile.cross_talk is not None:
+        prompted = [(index, joint.name) for index, joint in enumerate(profile.joints) if joint.prompted]
+        for row, asked in prompted:
+            for column, answering in prompted:
+                if row != column:
+                    shares[answering][asked] = profile.cross_talk[row][column]
+    found = []
+    for joint in profile.joints:
+        appears, brings = _companions(joint.name, joint.name, shares)
+        found.append(
+            _judged(
+                FoundGesture(
+                    name=joint.name,
+                    joint=joint.name,
+                    direction=1,
+                    dead_zone=joint.handles[0],
+                    full=joint.handles[1],
+                    signal_to_noise=joint.signal_to_noise or 0.0,
+                    repeatability=joint.repeatability,
+                    cross_talk=_larger(appears, brings),
+                    appears_with=appears,
+                    brings=brings,
+                )
+            )
+        )
+    return _ranked(profile, found, shares, "profile", words)
+
+
+def _judged(gesture: FoundGesture) -> FoundGesture:
+    of_limits = ratios(gesture)
+    return gesture.model_copy(update={"score": score_of(of_limits), "weakest": weakest_of(of_limits)})
+
+
+def _ranked(
+    profile: CalibrationProfile,
+    found: Sequence[FoundGesture],
+    shares: Mapping[str, Shares],
+    source: Literal["recordings", "profile"],
+    words: str,
+) -> Discovery:
+    return Discovery(
+        source=source,
+        words=words,
+        gestures=tuple(sorted(found, key=lambda gesture: -gesture.score)),
+        not_found=joints_without_map(profile),
+        suggestion=suggest_vocabulary(profile, found, shares),
+    )
+
+
+def _companions(name: str, joint: str, shares: Mapping[str, Shares]) -> tuple[Companion | None, Companion | None]:
+    """Return with whose prompts a gesture appears most, and whose way there appears most with its own prompts."""
+    brought = {other: share[joint] for other, share in shares.items() if joint in share and other in shares[name]}
+    return _largest(shares[name]), _largest(brought)
+
+
+def _largest(shares: Shares) -> Companion | None:
+    if not shares:
+        return None
+    joint = max(shares, key=lambda name: shares[name])
+    return Companion(joint=joint, share=shares[joint])
+
+
+def _larger(one: Companion | None, other: Companion | None) -> float | None:
+    known = [companion.share for companion in (one, other) if companion is not None]
+    return max(known) if known else None

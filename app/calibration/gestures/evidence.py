@@ -1,0 +1,133 @@
+"""What all joints did during each phase of a calibration: their places and rates, seen through the profile's map."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.calibration.cued_runs import CuedRun, Phase
+from app.calibration.fit.joint_evidence import CUTOFF, LAG, SETTLING
+from app.calibration.fit.pieces import Frames
+from app.calibration.guided.guided_map import features
+from app.calibration.profile import CalibrationProfile, JointMap
+from app.signals.smoothing import smooth
+
+WAITING = 0.5  # s before a prompt begins: who waits for it sits still
+
+
+@dataclass(frozen=True, slots=True)
+class MadeOnce:
+    """One repetition: the rates (n, n_joints) in FS/s on the way there, on the way back, and over all of it."""
+
+    joint: str
+    there: Frames
+    back: Frames
+    whole: Frames
+    travel_there: float  # FS
+    travel_back: float  # FS
+
+
+@dataclass(frozen=True, slots=True)
+class Evidence:
+    """The rates (n, n_joints) in FS/s of everything that was recorded, one column per joint of the profile."""
+
+    sample_rate: float
+    rest: list[Frames] = field(default_factory=list)  # the step at rest
+    pauses: list[tuple[str | None, Frames]] = field(default_factory=list)  # after whose movement, and the rates
+    free: list[Frames] = field(default_factory=list)
+    made: list[MadeOnce] = field(default_factory=list)
+
+    def at_rest(self, column: int) -> list[NDArray[np.float64]]:
+        """Return one joint's rates in the step at rest."""
+        return [piece[:, column] for piece in self.rest]
+
+    def noise_of(self, joint: JointMap, column: int) -> float:
+        """Return the noise of a joint's rate at rest, FS/s: the profile's, which is that of the paper's map."""
+        pieces = self.at_rest(column)
+        if joint.map == "pca" or not pieces:
+            return joint.rest_rate
+        return float(np.concatenate(pieces).std())
+
+    def in_pauses(self, column: int, joint: str) -> list[NDArray[np.float64]]:
+        """Return one joint's rates between the prompts, except after its own movements: it may still come back."""
+        return [piece[:, column] for after, piece in self.pauses if after != joint]
+
+
+def gather(profile: CalibrationProfile, runs: Sequence[CuedRun]) -> Evidence:
+    """Return what the profile's joints did in the recordings, behind the chain's own low-pass."""
+    rate_of = profile.sample_rate
+    evidence = Evidence(rate_of)
+    for run in runs:
+        places = smooth(_scores(profile, run.values), CUTOFF, rate_of)
+        rates = np.diff(places, axis=0, prepend=places[:1]) * rate_of
+        for column, joint in enumerate(profile.joints):
+            if joint.map == "guided" and joint.guided is not None:
+                weights = np.concatenate((joint.guided.rate, joint.guided.short, joint.guided.long))
+                rates[:, column] = features(run.values[:, list(joint.channels)], rate_of) @ weights
+        for index, phase in enumerate(run.phases):
+            _take(evidence, profile, run.phases, index, phase, places, rates)
+    return evidence
+
+
+def _scores(profile: CalibrationProfile, values: Frames) -> Frames:
+    weights = np.zeros((values.shape[1], len(profile.joints)))
+    offsets = np.zeros(len(profile.joints))
+    for column, joint in enumerate(profile.joints):
+        channels = list(joint.channels)
+        weights[channels, column] = joint.sign / joint.span * np.array(joint.weights)
+        offsets[column] = weights[channels, column] @ np.array(joint.mean)
+    return values @ weights - offsets
+
+
+def _take(
+    evidence: Evidence,
+    profile: CalibrationProfile,
+    phases: Sequence[Phase],
+    index: int,
+    phase: Phase,
+    places: Frames,
+    rates: Frames,
+) -> None:
+    """Add one phase to what it is evidence of."""
+    rows, late = phase.rows, round(LAG * evidence.sample_rate)
+    match phase.kind:
+        case "rest" if phase.joint is None:
+            evidence.rest.append(rates[rows.start + round(SETTLING * evidence.sample_rate) : rows.stop])
+        case "rest":
+            evidence.pauses.append((phase.joint, rates[rows.start + late : rows.stop]))
+        case "ready" if phase.joint is not None:
+            start = max(rows.start + late, rows.stop - round(WAITING * evidence.sample_rate))
+            evidence.pauses.append((None, rates[start : rows.stop]))
+        case "free":
+            evidence.free.append(rates[rows])
+        case "move" if phase.joint is not None:
+            back = phases[index + 1].rows if _is_way_back(phases, index) else slice(rows.stop, rows.stop)
+            evidence.made.append(_made(profile, phase.joint, rows, back, late, places, rates))
+
+
+def _is_way_back(phases: Sequence[Phase], index: int) -> bool:
+    following = phases[index + 1 : index + 2]
+    return bool(following) and following[0].kind == "return" and following[0].joint == phases[index].joint
+
+
+def _made(
+    profile: CalibrationProfile, joint: str, rows: slice, back: slice, late: int, places: Frames, rates: Frames
+) -> MadeOnce:
+    """Cut one repetition; people lag behind the cue, by half of a prompt at most."""
+    last = min(len(rates), rows.stop + min(late, (rows.stop - rows.start + 1) // 2))
+    end = last if back.stop == back.start else min(len(rates), back.stop + late)
+    there, way_back = slice(rows.start, last), slice(back.start, end)
+    own = [index for index, one in enumerate(profile.joints) if one.name == joint]  # none when it has no map
+    return MadeOnce(
+        joint,
+        rates[there],
+        rates[way_back],
+        rates[rows.start : end],
+        _travel(places[there, own]),
+        _travel(places[way_back, own]),
+    )
+
+
+def _travel(place: Frames) -> float:
+    return float(np.ptp(place)) if place.size else 0.0

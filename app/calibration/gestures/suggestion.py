@@ -1,0 +1,173 @@
+"""The suggested vocabulary: which four gestures to drive with, and the numbers that speak for them."""
+
+import math
+from collections.abc import Mapping, Sequence
+from itertools import combinations
+
+from app.calibration.gestures.numbers import WORST_RATIO, FoundGesture, ratios
+from app.calibration.grades import CROSS_TALK_LIMIT
+from app.calibration.profile import CalibrationProfile
+from app.calibration.vocabulary import Binding, Control, Gesture
+from app.messages import MAX_GESTURES
+from app.quantities import Document
+
+FORWARD_PART = "elbow"  # the paper drives forward and back with the elbows, and turns with the shoulders
+EQUAL_COST = 0.1  # smaller differences are chance
+REPEAT_PENALTY = 1.0  # a joint graded `repeat` is taken only when nothing else is there
+LEAST_SAID = 0.1  # false activations a minute: a forecast is no finer than that
+MIRROR_WORTH = 0.25  # how much worse left and right of one body part may be than any other four: they are remembered
+
+Shares = Mapping[str, float]
+"""Another joint, and how much of a gesture's own activation appears when that joint is prompted."""
+Pair = tuple[FoundGesture, FoundGesture]
+
+
+class SuggestedVocabulary(Document):
+    """Bindings, all gestures that go with them, and why these."""
+
+    gestures: tuple[Gesture, ...]
+    bindings: tuple[Binding, ...]
+    reason: str
+
+
+class _Costs:
+    """What it costs to drive with some gestures: the mean of their ratios to the limits, 1 standing at all limits."""
+
+    def __init__(
+        self, profile: CalibrationProfile, found: Sequence[FoundGesture], shares: Mapping[str, Shares]
+    ) -> None:
+        grades = {joint.name: joint.grade for joint in profile.joints}
+        self._shares = shares
+        self._alone: dict[str, float] = {}
+        for gesture in found:
+            of_limits = ratios(gesture)
+            alone = math.fsum(of_limits.values()) - of_limits["cross_talk"]
+            self._alone[gesture.name] = alone / len(of_limits) + REPEAT_PENALTY * (grades[gesture.joint] == "repeat")
+
+    def cross_talk(self, chosen: Sequence[FoundGesture]) -> float | None:
+        """Return the mean share over all that are chosen; only what they do to each other counts."""
+        known = [
+            self._shares[one.name][other.joint]
+            for one in chosen
+            for other in chosen
+            if other.joint in self._shares[one.name]
+        ]
+        return math.fsum(known) / len(known) if known else None
+
+    def of(self, chosen: Sequence[FoundGesture]) -> float:
+        """Return the cost of driving with these."""
+        alone = math.fsum(self._alone[one.name] for one in chosen) / len(chosen)
+        mutual = self.cross_talk(chosen)
+        return alone + (1.0 if mutual is None else min(mutual / CROSS_TALK_LIMIT, WORST_RATIO)) / 4.0
+
+
+def suggest_vocabulary(
+    profile: CalibrationProfile, found: Sequence[FoundGesture], shares: Mapping[str, Shares]
+) -> SuggestedVocabulary:
+    """Return the two antagonist pairs with the best numbers, u1 first, and the stop.
+
+    Left and right of one body part, moved the same way, make a pair, unless any other four gestures are clearly
+    better. No two gestures read one joint: who moves there has to come back. A joint that was not prompted while
+    others were is not chosen, for nobody knows which way it goes. With fewer than four joints, one pair (or one
+    gesture) drives forward and back, and what is left turns. Both gestures of the first pair together stop.
+    """
+    prompted = {joint.name for joint in profile.joints if joint.prompted}
+    candidates = [one for one in found if one.joint in prompted] or list(found)
+    costs = _Costs(profile, candidates, shares)
+    chosen = _chosen(profile, candidates, costs)
+    controls: tuple[Control, ...] = ("u1+", "u1-", "u2+", "u2-")
+    bindings = [
+        Binding(control=control, gestures=(gesture.name,)) for control, gesture in zip(controls, chosen, strict=False)
+    ]
+    if len(chosen) > 1:
+        bindings.append(Binding(control="stop", gestures=(chosen[0].name, chosen[1].name)))
+    return SuggestedVocabulary(
+        gestures=_gestures(found, chosen), bindings=tuple(bindings), reason=_reason(chosen, costs.cross_talk(chosen))
+    )
+
+
+def _chosen(profile: CalibrationProfile, candidates: Sequence[FoundGesture], costs: _Costs) -> list[FoundGesture]:
+    """Return at most four gestures, u1+ u1- u2+ u2-, no two of one joint."""
+    order = [joint.name for joint in profile.joints]
+    better = {
+        joint: min((one for one in candidates if one.joint == joint), key=lambda one: costs.of([one]))
+        for joint in order
+        if any(one.joint == joint for one in candidates)
+    }
+    if len(better) < 4:
+        return list(better.values())
+    any_four = [[(four[0], four[1]), (four[2], four[3])] for four in combinations(better.values(), 4)]
+    mirrored = [pair for pair in combinations(candidates, 2) if _is_mirrored(*pair)]
+    pairs_of_pairs = [[one, other] for one, other in combinations(mirrored, 2) if not _joints(one) & _joints(other)]
+    one, other = _best(any_four, costs)
+    if pairs_of_pairs:
+        mirror = _best(pairs_of_pairs, costs)
+        if costs.of([*mirror[0], *mirror[1]]) <= costs.of([*one, *other]) + MIRROR_WORTH:
+            one, other = mirror
+    if FORWARD_PART in other[0].joint and FORWARD_PART not in one[0].joint:
+        one, other = other, one
+    return [*_right_first(one), *_right_first(other)]
+
+
+def _best(pairs_of_pairs: Sequence[list[Pair]], costs: _Costs) -> list[Pair]:
+    """Return the cheapest; among equals the first: the layout's own order, in which the main joints come first."""
+    all_costs = [costs.of([*one, *other]) for one, other in pairs_of_pairs]
+    enough = min(all_costs) + EQUAL_COST
+    return next(pairs for pairs, cost in zip(pairs_of_pairs, all_costs, strict=True) if cost <= enough)
+
+
+def _joints(pair: Pair) -> set[str]:
+    return {gesture.joint for gesture in pair}
+
+
+def _is_mirrored(one: FoundGesture, other: FoundGesture) -> bool:
+    sides = {one.joint.partition("_")[0], other.joint.partition("_")[0]}
+    parts = {one.joint.partition("_")[2], other.joint.partition("_")[2]}
+    return sides == {"left", "right"} and len(parts) == 1 and one.direction == other.direction
+
+
+def _right_first(pair: Pair) -> Pair:
+    return (pair[1], pair[0]) if pair[1].joint.startswith("right") else pair
+
+
+def _gestures(found: Sequence[FoundGesture], chosen: Sequence[FoundGesture]) -> tuple[Gesture, ...]:
+    """Return what the controls need: every joint's way there, as the calibration always gives it, and what is bound."""
+    bound = {gesture.name for gesture in chosen}
+    others = [gesture for gesture in found if gesture.direction == 1 and gesture.name not in bound]
+    kept = bound | {gesture.name for gesture in others[: MAX_GESTURES - len(bound)]}
+    return tuple(
+        Gesture(name=one.name, joint=one.joint, direction=one.direction, dead_zone=one.dead_zone, full=one.full)
+        for one in found
+        if one.name in kept
+    )
+
+
+def _reason(chosen: Sequence[FoundGesture], cross_talk: float | None) -> str:
+    names = ", ".join(one.joint if one.direction == 1 else f"{one.joint} going back" for one in chosen)
+    weakest = min(one.signal_to_noise for one in chosen)
+    words = f"Suggested: {names}. The weakest of them stands {weakest:.0f} times above its noise"
+    if cross_talk is None:
+        words += "; nothing was prompted, so cross-talk is not known."
+    else:
+        words += f"; on average {cross_talk:.0%} of another's activation appears while one moves."
+    return words + _forecast(chosen)
+
+
+def _forecast(chosen: Sequence[FoundGesture]) -> str:
+    """Return what is expected of them all, and what so short a rest proves."""
+    forecasts = [one.prediction for one in chosen if one.prediction is not None]
+    hits = [one.hit_rate for one in forecasts if one.hit_rate is not None]
+    rates = [one.false_per_minute for one in forecasts if one.false_per_minute is not None]
+    bounds = [one.counted_at_most for one in forecasts if one.counted_at_most is not None]
+    words = ""
+    if hits:
+        words += f" At least {math.floor(100 * min(hits))} of 100 movements should be answered."
+    if rates:
+        together = math.fsum(rates)
+        expected = f"{together:.1f}" if together >= LEAST_SAID else f"fewer than {LEAST_SAID:g}"
+        seconds = min(one.rest_seconds for one in forecasts)
+        words += (
+            f" At rest, {expected} false activations a minute are expected of all of them together; "
+            f"{seconds:.0f} s of rest prove only fewer than {max(bounds):.0f} of each (95 %)."
+        )
+    return words

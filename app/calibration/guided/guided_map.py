@@ -1,0 +1,244 @@
+"""Fits the guided map of each joint: ridge regression to the prompts, judged on repetitions it has not seen."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.calibration.fit.gaps import bridge_gaps
+from app.calibration.fit.joint_evidence import CUTOFF
+from app.calibration.fit.joint_fit import LARGEST_THRESHOLD, LEAST_RANGE, REST_NOISE_FACTOR, SMALLEST_DEAD_ZONE
+from app.calibration.fit.pieces import held
+from app.calibration.fit.repetitions import Stretch
+from app.calibration.guided.check import SHORTEST_REST, check, dead_zone_of
+from app.calibration.guided.labels import Asked, labels, lags_of
+from app.calibration.profile import MEMORIES, CalibrationProfile, GuidedMap, JointMap, MapCheck
+from app.signals.smoothing import slow_average, smooth
+
+LARGEST_WEIGHT = 1e12  # FS per signal unit, as `app.quantities.Finite`
+FEWEST = 3  # repetitions: one is held out, and two others must agree
+SHORTEST_CUE = 0.25  # s: a shorter one is part of a movement
+ALIGNMENTS = 3  # how often the lag is found again, with the map that the lag before gave
+DELAY = 0.075  # s: of the low-pass at 3 Hz
+SOONER = 0.05  # s: what the map is asked to make good of it
+RIDGE = 0.03  # of each channel's own variance: on the rates
+LEVEL_RIDGES = (np.inf, 30.0, 10.0, 3.0, 1.0, 0.3)  # on the levels; inf leaves them out. Held-out repetitions choose
+MOST_OF_FULL = 0.3  # the dead-zone at most: a movement much weaker than the prompted ones is still to drive
+LEVELS_MUST_GAIN = 0.02  # of in-phase share: levels follow drift as well as the fabric, so they have to earn it
+
+Array = NDArray[np.float64]
+
+
+class GuidedMapError(Exception):
+    """Why a joint has no guided map, in one sentence that says what to do."""
+
+
+class GuidedFit(NamedTuple):
+    """A profile whose joints carry guided maps where one could be made, and why the others have none."""
+
+    profile: CalibrationProfile
+    reasons: dict[str, str]
+
+
+@dataclass(frozen=True, slots=True)
+class _Piece:
+    """One stretch of one joint, ready to be fitted to."""
+
+    features: Array  # (n, 3k): rates, levels above the short, levels above the long average
+    pca: Array  # (n,) FS/s
+    asked: tuple[Asked, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class _Labelled:
+    """Everything of one joint, one row per frame."""
+
+    features: Array
+    pca: Array
+    label: NDArray[np.int8]
+    repetition: NDArray[np.int_]  # which one a row belongs to; -1: the recording at rest
+
+
+def with_guided_maps(
+    profile: CalibrationProfile, stretches: Sequence[Stretch], rest: NDArray[np.floating] | None = None
+) -> GuidedFit:
+    """Return the profile with a guided map beside the PCA map of each joint that has enough prompted repetitions.
+
+    Which of the two decodes does not change: that is for a person to choose.
+
+    Parameters
+    ----------
+    profile : CalibrationProfile
+        As fitted; its sample rate is that of all frames here.
+    stretches : sequence of Stretch
+        Unbroken recordings around prompted movements.
+    rest : (n, n_channels) array or None
+        Frames of the recording at rest.
+    """
+    joints, reasons = [], {}
+    resting = None if rest is None else held(bridge_gaps(np.asarray(rest, np.float64), profile.sample_rate))
+    for joint in profile.joints:
+        own = [one for one in stretches if one.joint == joint.name]
+        try:
+            joints.append(joint.model_copy(update={"guided": _guided_map(joint, own, resting, profile.sample_rate)}))
+        except GuidedMapError as error:
+            joints.append(joint)
+            reasons[joint.name] = str(error)
+    return GuidedFit(profile.model_copy(update={"joints": tuple(joints)}), reasons)
+
+
+def _guided_map(joint: JointMap, stretches: Sequence[Stretch], rest: Array | None, sample_rate: float) -> GuidedMap:
+    """Return the guided map of one joint, or raise GuidedMapError."""
+    pieces = [_piece(joint, one, sample_rate) for one in stretches]
+    count = sum(len(piece.asked) for piece in pieces)
+    if not joint.prompted or count == 0:
+        raise GuidedMapError("No guided map, because its movement was never prompted: prompt it at least three times.")
+    if count < FEWEST:
+        raise GuidedMapError(
+            f"No guided map from {count} prompted repetition{'s' if count > 1 else ''}: prompt at least {FEWEST}, so "
+            f"that it can be judged on one that it has not seen."
+        )
+    pieces = [piece for piece in pieces if piece.asked]
+    lags = [lags_of(piece.pca, piece.asked, sample_rate) for piece in pieces]
+    for _ in range(ALIGNMENTS):
+        data = _labelled(joint, pieces, lags, rest, sample_rate)
+        weights = _Ridge(data, np.inf).weights()
+        lags = [lags_of(piece.features @ weights, piece.asked, sample_rate) for piece in pieces]
+    data = _labelled(
+        joint, pieces, [[lag - round(SOONER * sample_rate) for lag in own] for own in lags], rest, sample_rate
+    )
+    if (data.label == 0).sum() < SHORTEST_REST * sample_rate:
+        raise GuidedMapError(
+            f"No guided map, because it is nowhere at rest for {SHORTEST_REST:g} s in all: record a rest, or leave "
+            f"pauses between the prompted movements."
+        )
+    pca_check = check(data.pca, data.label, data.repetition, joint.dead_zone, joint.full, sample_rate)
+    candidates = [_candidate(data, level, joint, pca_check, sample_rate) for level in LEVEL_RIDGES]
+    best = max(candidate.check.in_phase for candidate in candidates)
+    chosen = next(candidate for candidate in candidates if candidate.check.in_phase >= best - LEVELS_MUST_GAIN)
+    k = len(joint.channels)
+    weights = chosen.weights
+    if np.abs(weights).max() > LARGEST_WEIGHT:
+        raise GuidedMapError("No guided map, because the signals are too small for it: give them in a smaller unit.")
+    return GuidedMap(
+        rate=tuple(map(float, weights[:k])),
+        short=tuple(map(float, weights[k : 2 * k])),
+        long=tuple(map(float, weights[2 * k :])),
+        dead_zone=chosen.dead_zone,
+        full=chosen.full,
+        lag=float(np.median(np.concatenate(lags))) / sample_rate - DELAY,
+        repetitions=count,
+        pca_check=pca_check,
+        guided_check=chosen.check,
+    )
+
+
+def _piece(joint: JointMap, stretch: Stretch, sample_rate: float) -> _Piece:
+    values = held(bridge_gaps(stretch.values, sample_rate))[:, list(joint.channels)]
+    place = (values - np.array(joint.mean)) @ np.array(joint.weights) * (joint.sign / joint.span)
+    smoothed = smooth(place, CUTOFF, sample_rate)
+    return _Piece(
+        features=features(values, sample_rate),
+        pca=np.diff(smoothed, prepend=smoothed[:1]) * sample_rate,
+        asked=tuple(
+            Asked(one.start, one.stop) for one in stretch.moving if one.stop - one.start >= SHORTEST_CUE * sample_rate
+        ),
+    )
+
+
+def features(values: Array, sample_rate: float) -> Array:
+    """Return what a guided map sees of a joint's channels (n, k): rates, and levels above two averages, (n, 3k)."""
+    smoothed = smooth(values, CUTOFF, sample_rate)
+    rates = np.diff(smoothed, axis=0, prepend=smoothed[:1]) * sample_rate
+    levels = [smoothed - slow_average(smoothed, memory, sample_rate) for memory in MEMORIES]
+    return np.concatenate([rates, *levels], axis=1)
+
+
+def _labelled(
+    joint: JointMap, pieces: Sequence[_Piece], lags: Sequence[Sequence[int]], rest: Array | None, sample_rate: float
+) -> _Labelled:
+    """Return all rows with their labels; a repetition is held out together with the rest around it."""
+    label, repetition, before = [], [], 0
+    for piece, own in zip(pieces, lags, strict=True):
+        label.append(labels(piece.pca, piece.asked, own, sample_rate))
+        starts = [one.start + lag for one, lag in zip(piece.asked, own, strict=True)]
+        edges = [_middle_of_pause(label[-1], one, start) for one, start in pairwise(starts)]
+        repetition.append(before + np.searchsorted(np.array(edges, dtype=np.int_), np.arange(len(piece.pca)), "right"))
+        before += len(piece.asked)
+    parts = [piece.features for piece in pieces]
+    pca = [piece.pca for piece in pieces]
+    if rest is not None:
+        still = _piece(joint, Stretch(joint.name, rest, ()), sample_rate)
+        parts.append(still.features)
+        pca.append(still.pca)
+        label.append(np.zeros(len(rest), dtype=np.int8))
+        repetition.append(np.full(len(rest), -1))
+    return _Labelled(np.concatenate(parts), np.concatenate(pca), np.concatenate(label), np.concatenate(repetition))
+
+
+def _middle_of_pause(label: NDArray[np.int8], start: int, following: int) -> int:
+    """Return the row half-way between the end of one repetition's way back and the beginning of the next movement."""
+    busy = np.flatnonzero(label[max(start, 0) : max(following, 0)])
+    end = max(start, 0) + (int(busy[-1]) + 1 if len(busy) else 0)
+    return (end + max(following, end)) // 2
+
+
+class _Ridge:
+    """Ridge regression of the labels, with which a repetition can be left out at no further cost."""
+
+    def __init__(self, data: _Labelled, level_ridge: float) -> None:
+        deviation = data.features.std(axis=0)
+        strength = np.repeat([RIDGE, level_ridge, level_ridge], data.features.shape[1] // 3)
+        alive = (deviation > 0.0) & np.isfinite(strength)
+        self._scale = np.where(alive, 1.0 / np.where(alive, deviation * np.sqrt(strength), 1.0), 0.0)
+        scaled = data.features * self._scale
+        names = np.unique(data.repetition)
+        rows = {int(name): data.repetition == name for name in names}
+        self._count = {name: int(mask.sum()) for name, mask in rows.items()}
+        self._gram = {name: scaled[mask].T @ scaled[mask] for name, mask in rows.items()}
+        self._aim = {name: scaled[mask].T @ data.label[mask] for name, mask in rows.items()}
+
+    def weights(self, without: int | None = None) -> Array:
+        """Return the weights (3k,) fitted to all repetitions, or to all but one."""
+        names = [name for name in self._gram if name != without]
+        gram = sum(self._gram[name] for name in names)
+        aim = sum(self._aim[name] for name in names)
+        count = sum(self._count[name] for name in names)
+        solved: Array = np.linalg.solve(gram + count * np.eye(len(self._scale)), aim) * self._scale
+        return solved
+
+
+class _Candidate(NamedTuple):
+    weights: Array
+    dead_zone: float
+    full: float
+    check: MapCheck
+
+
+def _candidate(data: _Labelled, level_ridge: float, joint: JointMap, pca: MapCheck, sample_rate: float) -> _Candidate:
+    """Return one strength of the ridge, with its handles and how it does on each repetition that was left out."""
+    ridge = _Ridge(data, level_ridge)
+    held_out = data.features @ ridge.weights()
+    for name in np.unique(data.repetition[data.repetition >= 0]):
+        rows = data.repetition == name
+        held_out[rows] = data.features[rows] @ ridge.weights(without=int(name))
+    moving = held_out[data.label > 0]
+    strong = float(np.percentile(moving, 90))
+    if strong <= 0.0:
+        raise GuidedMapError("No guided map, because the repetitions have nothing in common: repeat the prompts.")
+    scale = joint.full / strong
+    held_out = held_out * scale
+    resting = held_out[data.repetition < 0]
+    noise = float(resting.std()) if len(resting) else 0.0
+    same_hits = min(dead_zone_of(held_out, data.label, pca.hit_rate), MOST_OF_FULL * joint.full)
+    dead_zone = round(min(max(same_hits, REST_NOISE_FACTOR * noise, SMALLEST_DEAD_ZONE), LARGEST_THRESHOLD), 4)
+    full = round(min(max(joint.full, dead_zone + LEAST_RANGE), LARGEST_THRESHOLD + LEAST_RANGE), 4)
+    return _Candidate(
+        weights=ridge.weights() * scale,
+        dead_zone=dead_zone,
+        full=full,
+        check=check(held_out, data.label, data.repetition, dead_zone, full, sample_rate),
+    )

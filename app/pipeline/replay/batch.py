@@ -1,0 +1,284 @@
+"""The chain over a whole recording at once: the same numbers as frame by frame, hundreds of times faster.
+
+What has no memory is done on arrays; ramps and the chair, where each step needs the one before, go through the very
+objects of the loop. What the gate decided is not decided again: it is read from the recording, and a file without such
+decisions counts as armed throughout.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.calibration.vocabulary import DriveParameters
+from app.faults import State
+from app.geometry import Twist
+from app.pipeline.chain import Chair
+from app.pipeline.controls import Controls
+from app.pipeline.decoder import LONGEST_GAP, Decoder, channels_used, projection
+from app.pipeline.guided_rate import PARTS, guided_projection, is_guided
+from app.pipeline.health import ChannelHealth, LossWindow
+from app.pipeline.ramp import Ramp
+from app.pipeline.replay.guided_batch import guided_rate
+from app.pipeline.safety import (
+    LARGEST_STEP,
+    STOP_DECELERATION,
+    STOP_TURN_DECELERATION,
+    stop_rate,
+    towards_zero,
+)
+from app.pipeline.shaping import Cruise, Shaper, forward_ramp, turn_ramp
+from app.signals.smoothing import smooth
+
+Array = NDArray[np.float64]
+CHUNK = 5_000  # frames: so that the temporary arrays stay in the processor's cache
+
+
+@dataclass(slots=True)
+class Decoded:
+    """A decoded recording; per gesture (n, n_gestures), otherwise (n,). Units as in `app.messages.Tick`."""
+
+    score: Array
+    rate: Array
+    drive: Array
+    activation: Array
+    u1: Array
+    u2: Array
+    v: Array
+    omega: Array
+    x: Array
+    y: Array
+    theta: Array
+
+
+def decode_block(
+    parameters: DriveParameters,
+    sample_rate: float,
+    t: Array,
+    values: NDArray[np.float32],
+    *,
+    t_device: Array | None = None,
+    state: NDArray[np.uint8] | None = None,
+    chair: Chair | None = None,
+) -> Decoded:
+    """Decode all frames of a recording.
+
+    Parameters
+    ----------
+    parameters
+        What is decoded with.
+    sample_rate
+        Of the shirt, Hz.
+    t
+        (n,) when each frame came, s; the chair moves by this clock.
+    values
+        (n, n_channels) signal units.
+    t_device
+        (n,) the shirt's own clock, s; `t` when not given.
+    state
+        (n,) recorded `State` of the gate; armed throughout when not given.
+    chair
+        Where the twists go; without one, a unicycle that starts at the origin of a floor without walls.
+    """
+    device = t if t_device is None else t_device
+    projected, silent = _projected(parameters, sample_rate, values)
+    seen = projected - _unseen(projected, silent)
+    score, silent = projected[:, : len(parameters.gestures)], silent[:, : len(parameters.gestures)]
+    periods = _periods(device, sample_rate)
+    silent |= _too_lossy(t, periods)[:, np.newaxis]
+    if any(gesture.feature == "displacement" for gesture in parameters.gestures):
+        rate, drive, activation = _step_by_step(parameters, sample_rate, periods, values, silent)
+    else:
+        dead_zone = np.array([gesture.dead_zone for gesture in parameters.gestures])
+        reach = np.array([gesture.full for gesture in parameters.gestures]) - dead_zone
+        rate = _rates(parameters, sample_rate, periods, seen)
+        drive = np.maximum(rate - dead_zone, 0.0)
+        drive[silent] = 0.0
+        activation = np.minimum(drive / reach, 1.0)
+    u1, u2 = _controls(parameters, activation)
+    dt = np.clip(np.diff(t, prepend=t[:1]), 0.0, LARGEST_STEP)
+    permitted = np.ones(len(dt), dtype=np.bool_) if state is None else state == State.ARMED
+    v, omega = _twists(parameters, u1, u2, dt, permitted)
+    x, y, theta = _drive(chair, v, omega, dt, permitted) if chair else _unicycle(v, omega, dt)
+    return Decoded(score, rate, drive, activation, u1, u2, v, omega, x, y, theta)
+
+
+def _projected(
+    parameters: DriveParameters, sample_rate: float, values: NDArray[np.float32]
+) -> tuple[Array, NDArray[np.bool_]]:
+    """Return the scores, then the projections of guided maps, held where a channel is bad, and where that is.
+
+    Both (n, n_gestures + 3 * n_guided).
+    """
+    weights, offsets = projection(parameters)
+    uses = channels_used(parameters)
+    owners = _guided(parameters)
+    if owners:
+        weights = np.concatenate((weights, guided_projection(parameters)))
+        offsets = np.concatenate((offsets, np.zeros(PARTS * len(owners))))
+        uses = np.concatenate((uses, np.repeat(uses[owners], PARTS, axis=0)))
+    health = ChannelHealth(parameters.profile, np.asarray(uses.any(axis=0)), sample_rate)
+    score = np.empty((len(values), len(weights)))
+    bad = np.zeros(score.shape, dtype=np.bool_)
+    before = None
+    for start in range(0, len(values), CHUNK):
+        part = slice(start, start + CHUNK)
+        frames = values[part].astype(np.float64)
+        wrong = health.block(frames, before)
+        before = frames[-health.memory :].copy()
+        if wrong.any():
+            bad[part] = wrong.astype(np.float32) @ uses.T.astype(np.float32) > 0
+        frames[wrong | ~np.isfinite(frames)] = 0.0
+        score[part] = frames @ weights.T - offsets
+    for gesture in np.flatnonzero(bad.any(axis=0)):
+        good = np.where(bad[:, gesture], -1, np.arange(len(score)))
+        last_good = np.maximum.accumulate(good)
+        score[:, gesture] = np.where(last_good >= 0, score[np.maximum(last_good, 0), gesture], 0.0)
+    return score, bad
+
+
+def _guided(parameters: DriveParameters) -> list[int]:
+    """Return which gestures read a guided map."""
+    return [i for i, gesture in enumerate(parameters.gestures) if is_guided(parameters, gesture)]
+
+
+def _rates(parameters: DriveParameters, sample_rate: float, periods: Array, seen: Array) -> Array:
+    """Return the rates (n, n_gestures) in FS/s of all gestures, none of which is held."""
+    count, guided = len(parameters.gestures), _guided(parameters)
+    plain = [i for i in range(count) if i not in guided]
+    rate = np.empty((len(seen), count))
+    if plain:
+        smoothed = smooth(seen[:, plain], parameters.cutoff, sample_rate)
+        rate[:, plain] = np.diff(smoothed, axis=0, prepend=smoothed[:1]) * (sample_rate / periods)[:, np.newaxis]
+    for k, i in enumerate(guided):
+        parts = seen[:, count + PARTS * k : count + PARTS * (k + 1)]
+        rate[:, i] = guided_rate(parts, periods, parameters.cutoff, sample_rate)
+    return rate
+
+
+def _unseen(score: Array, bad: NDArray[np.bool_]) -> Array:
+    """Return how far each score went while its channels were bad, summed up so far (n, n_gestures)."""
+    steps = np.zeros_like(score)
+    if not bad.any():
+        return steps
+    back = bad[:-1] & ~bad[1:]
+    steps[1:][back] = np.diff(score, axis=0)[back]
+    return np.cumsum(steps, axis=0)
+
+
+def _periods(device: Array, sample_rate: float) -> Array:
+    """Return, per frame, its time step in whole periods, as `decoder.periods_between` counts them."""
+    step = np.diff(device, prepend=device[:1] - 1.0 / sample_rate)
+    step[~((step > 0) & (step < np.inf))] = 1.0 / sample_rate
+    return np.clip(np.round(step * sample_rate), 1.0, max(1.0, LONGEST_GAP * sample_rate))
+
+
+def _too_lossy(t: Array, periods: Array) -> NDArray[np.bool_]:
+    """Return where so many frames are missing that the gestures count as neutral."""
+    lossy = np.zeros(len(t), dtype=np.bool_)
+    if periods.max(initial=1.0) > 1.0:
+        window = LossWindow()
+        for i, (arrival, period) in enumerate(zip(t.tolist(), periods.tolist(), strict=True)):
+            window.step(arrival, int(period) - 1)
+            lossy[i] = window.too_lossy
+    return lossy
+
+
+def _step_by_step(
+    parameters: DriveParameters,
+    sample_rate: float,
+    periods: Array,
+    values: NDArray[np.float32],
+    silent: NDArray[np.bool_],
+) -> tuple[Array, Array, Array]:
+    """Return rate, drive and activation by the loop's own decoder: a held posture's baseline has a memory."""
+    decoder = Decoder(parameters, sample_rate)
+    rows = np.empty((3, len(values), len(parameters.gestures)))
+    for i, frame in enumerate(values):
+        decoder.step(frame, periods[i] / sample_rate)
+        if silent[i].all():
+            decoder.quieten()
+        rows[:, i] = decoder.rate, decoder.drive, decoder.activation
+    return rows[0], rows[1], rows[2]
+
+
+def _controls(parameters: DriveParameters, activation: Array) -> tuple[Array, Array]:
+    u1, u2 = (
+        sum((gain * activation[:, i] for i, gain in terms), start=np.zeros(len(activation)))
+        for terms in Controls(parameters).terms
+    )
+    return np.clip(u1, -1.0, 1.0), np.clip(u2, -1.0, 1.0)
+
+
+def _twists(
+    parameters: DriveParameters, u1: Array, u2: Array, dt: Array, permitted: NDArray[np.bool_]
+) -> tuple[Array, Array]:
+    shaper = Shaper(parameters)
+    forward, turn = forward_ramp(parameters.speeds), turn_ramp(parameters.speeds)
+    return (
+        _ramped(_Axis(shaper.speed, forward, STOP_DECELERATION, shaper.cruise), u1, dt, permitted),
+        _ramped(_Axis(shaper.turn_rate, turn, STOP_TURN_DECELERATION, shaper.turn_cruise), u2, dt, permitted),
+    )
+
+
+class _Axis(NamedTuple):
+    """How one axis of the twist follows from its control."""
+
+    shape: Callable[[float, float, float, float], float]
+    ramp: Ramp
+    stop_deceleration: float
+    cruise: Cruise | None  # the time-out of a speed that is kept
+
+
+def _ramped(axis: _Axis, control: Array, dt: Array, permitted: NDArray[np.bool_]) -> Array:
+    """Return one axis of the twists: each speed follows from the one before.
+
+    Where nothing is asked for and nothing changes any more, the speed stays until something is asked for again, and
+    the steps in between need not be made.
+    """
+    speeds = np.empty(len(control))
+    asks = (control != 0.0) | np.diff(permitted, prepend=permitted[:1])
+    places = np.append(np.flatnonzero(asks), len(control))
+    next_ask = places[np.searchsorted(places, np.arange(len(control)), side="right")].tolist()
+    controls, steps, permissions = control.tolist(), dt.tolist(), permitted.tolist()
+    last = rate = stop = 0.0
+    was_permitted = True
+    i = 0
+    while i < len(controls):
+        step = steps[i]
+        if permissions[i]:
+            speed = axis.ramp.bounded(last, rate, axis.shape(controls[i], last, rate, step), step)
+            rate = (speed - last) / step if step > 0.0 else rate
+        else:
+            if was_permitted:
+                stop, rate = stop_rate(last, axis.stop_deceleration), 0.0
+                if axis.cruise:
+                    axis.cruise.reset()
+            speed = towards_zero(last, stop * step)
+        was_permitted = permissions[i]
+        settled = speed == last and step > 0.0 and (controls[i] == 0.0 or not was_permitted)
+        end = next_ask[i] if settled else i + 1
+        if settled and axis.cruise and was_permitted and speed:
+            end = i + 1 + axis.cruise.coast(steps[i + 1 : end])
+        speeds[i:end] = speed
+        last = speed
+        i = end
+    return speeds
+
+
+def _drive(chair: Chair, v: Array, omega: Array, dt: Array, permitted: NDArray[np.bool_]) -> tuple[Array, Array, Array]:
+    poses = []
+    for forward, turn, step, may in zip(v.tolist(), omega.tolist(), dt.tolist(), permitted.tolist(), strict=True):
+        state = chair.drive(Twist(forward, turn), step, may)
+        poses.append((state.x, state.y, state.theta))
+    x, y, theta = np.array(poses).reshape(-1, 3).T
+    return x, y, theta
+
+
+def _unicycle(v: Array, omega: Array, dt: Array) -> tuple[Array, Array, Array]:
+    turned = omega * dt
+    theta = np.cumsum(turned)
+    heading = theta - turned
+    return np.cumsum(v * np.cos(heading) * dt), np.cumsum(v * np.sin(heading) * dt), theta

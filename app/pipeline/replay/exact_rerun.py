@@ -1,0 +1,120 @@
+"""A recorded drive through the chain again, tick by tick: the commands come out as they were, to the last bit.
+
+What the gate decided is not decided again, it is read from the recording: why it did is not all written there.
+Everything else goes through the very objects of the loop, in their order. `app.pipeline.replay.rerun` does the same
+hundreds of times faster, and is right to a millionth.
+"""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import ValidationError
+
+from app.calibration.vocabulary import DriveParameters
+from app.faults import State
+from app.geometry import Pose
+from app.hardware.chair.simulator import VirtualChair
+from app.messages import SensorFrame
+from app.pipeline.chain import Chain
+from app.pipeline.replay.rerun import chair_of, sample_rate_of
+from app.pipeline.safety import BadGestures, Conditions, SafetyGate
+from app.recording.reader import Run
+from app.sentences import one_sentence
+from app.speeds import NO_FURTHER, Speeds
+
+DIAL_DIGITS = 6  # the dial is recorded in single precision; a person sets it in steps of hundredths
+
+
+@dataclass(frozen=True, slots=True)
+class Replayed:
+    """What came out again; (n_rows,) each, per gesture (n_rows, n_gestures). Units as in `app.messages.Tick`."""
+
+    score: NDArray[np.float64]
+    rate: NDArray[np.float64]
+    activation: NDArray[np.float64]
+    u1: NDArray[np.float64]
+    u2: NDArray[np.float64]
+    v: NDArray[np.float64]
+    omega: NDArray[np.float64]
+    x: NDArray[np.float64]
+    y: NDArray[np.float64]
+    theta: NDArray[np.float64]
+
+
+class RecordedGate(SafetyGate):
+    """Bounds what passes as the gate does, and permits what the recording says was permitted."""
+
+    recorded = State.DISARMED
+
+    def decide(
+        self, t: float, pause: float, neutral: bool, bad: BadGestures, frame_age: float, conditions: Conditions
+    ) -> State:
+        """Return what was decided in this tick; nothing of what is known now has a say."""
+        del t, pause, neutral, bad, frame_age, conditions
+        if self.state is not self.recorded:
+            self._withdraw(self.recorded)
+        return self.state
+
+
+def replay_run(run: Run, parameters: DriveParameters) -> Replayed:
+    """Drive a recorded drive again through `parameters`, on the virtual chair.
+
+    With the parameters that it was driven with, every number is the recorded one, bit for bit, as long as no frame
+    waited more than 50 ms for its tick. Recordings without the speed dial (`dial`) count as driven at full.
+
+    Raises
+    ------
+    ValueError
+        In one sentence, when the run is empty, was recorded with another number of channels, or says nonsense of
+        itself.
+    """
+    columns = run.columns
+    count, channels = len(columns["t"]), len(parameters.profile.layout.channels)
+    if count == 0:
+        raise ValueError("the recording holds nothing: choose another one")
+    if columns["values"].shape[1] != channels:
+        raise ValueError(
+            f"the recording has {columns['values'].shape[1]} channels and the profile {channels}: "
+            f"use the profile of the same shirt"
+        )
+    sample_rate = sample_rate_of(run.meta, parameters.profile.sample_rate)
+    chain = Chain(sample_rate, parameters, chair_of(run.meta) or VirtualChair(None, Pose(0.0, 0.0, 0.0)))
+    gate = RecordedGate(chain.limits, sample_rate)
+    chain.gate = gate
+    chain.set_clinic(_clinic(run.meta))
+    return _drive(chain, gate, columns)
+
+
+def _drive(chain: Chain, gate: RecordedGate, columns: dict[str, NDArray[Any]]) -> Replayed:
+    conditions = Conditions()
+    count, gestures = len(columns["t"]), len(chain.parameters.gestures) if chain.parameters else 0
+    numbers = {name: np.empty(count) for name in ("u1", "u2", "v", "omega", "x", "y", "theta")}
+    lists = {name: np.empty((count, gestures)) for name in ("score", "rate", "activation")}
+    dial = np.where(np.isfinite(columns["dial"]), columns["dial"], 1.0).astype(np.float64)
+    for i in range(count):
+        share = round(float(dial[i]), DIAL_DIGITS)
+        if share != chain.dial:
+            chain.set_dial(share)
+        gate.recorded = State(int(columns["state"][i]))
+        t = float(columns["t"][i])
+        tick = chain.step(_frame(columns, i, t), t, conditions)
+        for name, column in (*numbers.items(), *lists.items()):
+            column[i] = getattr(tick, name)
+    return Replayed(**lists, **numbers)
+
+
+def _frame(columns: dict[str, NDArray[Any]], row: int, t: float) -> SensorFrame | None:
+    if not columns["has_frame"][row]:
+        return None
+    device = float(columns["t_device"][row])
+    return SensorFrame(int(columns["frame_seq"][row]), device, t, columns["values"][row].astype(np.float32))
+
+
+def _clinic(meta: dict[str, Any]) -> Speeds:
+    """Return what the clinic allowed; older recordings do not say, and count as unlimited."""
+    try:
+        return Speeds.model_validate(meta["clinic"]) if meta.get("clinic") else NO_FURTHER
+    except ValidationError as error:
+        raise ValueError(one_sentence(error, "its run.json, clinic")) from error

@@ -1,0 +1,70 @@
+"""A recorded run through the chain again: the same signals, the same decisions of the gate, the same floor plan."""
+
+from typing import Any
+
+import numpy as np
+from pydantic import ValidationError
+
+from app.calibration.vocabulary import DriveParameters
+from app.geometry import Pose
+from app.hardware.chair.simulator import VirtualChair
+from app.pipeline.replay.batch import Decoded, decode_block
+from app.recording.reader import Run
+from app.sentences import one_sentence
+from app.signals.signals import FASTEST, SLOWEST
+from app.world.floorplan import FloorPlan
+
+DRIVE = "drive"  # the kind of run in which the gate decides
+
+
+def decode_run(run: Run, parameters: DriveParameters) -> Decoded:
+    """Decode the frames of a recorded run; with the parameters that it was driven with, what was driven comes out.
+
+    Raises
+    ------
+    ValueError
+        In one sentence, when the run has no frames, was recorded with another number of channels, or says nonsense
+        of itself.
+    """
+    frames = run.frames()
+    values = frames["values"]
+    if not len(values):
+        raise ValueError("the recording holds no frame of the shirt: choose another one")
+    if values.shape[1] != len(parameters.profile.layout.channels):
+        raise ValueError(
+            f"the recording has {values.shape[1]} channels and the profile {len(parameters.profile.layout.channels)}: "
+            f"use the profile of the same shirt"
+        )
+    driven = run.meta.get("kind") == DRIVE
+    return decode_block(
+        parameters,
+        sample_rate_of(run.meta, parameters.profile.sample_rate),
+        frames["t"],
+        values.astype(np.float32, copy=False),
+        t_device=frames["t_device"],
+        state=frames["state"] if driven else None,
+        chair=chair_of(run.meta) if driven else None,
+    )
+
+
+def sample_rate_of(meta: dict[str, Any], otherwise: float) -> float:
+    """Return the sample rate (Hz) that a run's meta states; ValueError when it is none."""
+    stated = meta.get("sample_rate", otherwise)
+    if isinstance(stated, bool) or not isinstance(stated, int | float) or not SLOWEST <= stated <= FASTEST:
+        raise ValueError(
+            f"its run.json gives the sample rate as {stated!r}, which must be {SLOWEST:g} to {FASTEST:g} Hz: correct it"
+        )
+    return float(stated)
+
+
+def chair_of(meta: dict[str, Any]) -> VirtualChair | None:
+    """Return the virtual chair on the start of a run's floor plan, None without one; ValueError for a broken one."""
+    document = meta.get("floorplan")
+    if not document:
+        return None
+    try:
+        plan = FloorPlan.model_validate(document)
+    except ValidationError as error:
+        raise ValueError(one_sentence(error, "its run.json, floorplan")) from error
+    path = plan.path_named(meta["path"]) if meta.get("path") else plan.paths[0]
+    return VirtualChair(plan, Pose(*path.start), meta.get("dynamics", "unicycle"))

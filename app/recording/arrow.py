@@ -1,0 +1,89 @@
+"""A recording's bytes through Arrow: batches of an IPC stream, and the Parquet file of a closed run."""
+
+import os
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import Any
+from zlib import crc32
+
+import numpy as np
+import pyarrow as pa
+import pyarrow.parquet as pa_parquet
+from numpy.typing import NDArray
+
+from app.recording.format import LATER, META_KEY, PER_CHANNEL, PER_GESTURE, SCALARS, rows_to_columns
+
+ROW_GROUP = 20_000  # rows kept in memory while a run is made compact
+CHUNK = 1 << 20  # bytes read at once for a checksum
+
+
+class Encoder:
+    """Turns the ticks of one run into the messages of an Arrow IPC stream."""
+
+    def __init__(self, meta: bytes, n_channels: int, n_gestures: int) -> None:
+        fields = [pa.field(name, pa.from_numpy_dtype(np.dtype(kind))) for name, kind in (SCALARS | LATER).items()]
+        if n_gestures:  # Parquet knows no lists of length 0
+            fields += [pa.field(name, pa.list_(pa.float64(), n_gestures)) for name in PER_GESTURE]
+        fields.append(pa.field(PER_CHANNEL, pa.list_(pa.float32(), n_channels)))
+        self._schema = pa.schema(fields, metadata={META_KEY: meta})
+        self._n_channels, self._n_gestures = n_channels, n_gestures
+
+    def schema(self) -> bytes:
+        """Return how a segment begins: the columns, and a copy of `run.json`."""
+        return bytes(self._schema.serialize())
+
+    def batch(self, rows: NDArray[np.void]) -> bytes:
+        """Return ticks as one message."""
+        columns = rows_to_columns(rows, self._n_channels, self._n_gestures)
+        arrays = [_array(columns[field.name], field.type) for field in self._schema]
+        return bytes(pa.record_batch(arrays, schema=self._schema).serialize())
+
+
+def _array(column: NDArray[np.generic], kind: Any) -> Any:
+    if column.ndim == 1:
+        return pa.array(column, type=kind)
+    numbers: Any = pa.array(column.ravel(), type=kind.value_type)
+    return pa.FixedSizeListArray.from_arrays(numbers, kind.list_size)
+
+
+def compact(segments: Sequence[Path], target: Path) -> int:
+    """Write the segments as one Parquet file, whole or not at all, and return its CRC-32; raise OSError."""
+    part = target.with_suffix(".part")
+    try:
+        writer = None
+        for rows in _grouped(segments):
+            if writer is None:
+                writer = pa_parquet.ParquetWriter(part, rows.schema, compression="zstd", write_page_checksum=True)
+            writer.write_table(rows)
+        if writer is not None:
+            writer.close()
+        with part.open("rb") as file:
+            checksum = 0
+            while chunk := file.read(CHUNK):
+                checksum = crc32(chunk, checksum)
+            os.fsync(file.fileno())
+        part.replace(target)
+    except pa.ArrowException as error:
+        part.unlink(missing_ok=True)
+        raise OSError(str(error)) from error
+    except BaseException:
+        part.unlink(missing_ok=True)
+        raise
+    return checksum
+
+
+def _grouped(segments: Sequence[Path]) -> Iterator[pa.Table]:
+    """Yield the rows of all segments in groups, at least one (which may be empty) so that there is a schema."""
+    waiting: list[pa.RecordBatch] = []
+    count, yielded = 0, False
+    for segment in segments:
+        with pa.OSFile(str(segment), "rb") as file, pa.ipc.open_stream(file) as stream:
+            columns = stream.schema
+            for batch in stream:
+                waiting.append(batch)
+                count += batch.num_rows
+                if count >= ROW_GROUP:
+                    yield pa.Table.from_batches(waiting, schema=columns)
+                    waiting, count, yielded = [], 0, True
+    if waiting or not yielded:
+        yield pa.Table.from_batches(waiting, schema=columns)

@@ -1,0 +1,222 @@
+"""Reads a recorded run, as much of it as is whole."""
+
+import json
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+from zlib import crc32
+
+import numpy as np
+import pyarrow as pa
+import pyarrow.parquet as pa_parquet
+from numpy.typing import NDArray
+
+from app.recording.format import (
+    DAMAGE_FILE,
+    END_FILE,
+    END_OF_STREAM,
+    LATER,
+    META_FILE,
+    META_KEY,
+    PARQUET_FILE,
+    PER_CHANNEL,
+    PER_GESTURE,
+    SCALARS,
+    SEGMENT,
+    check_pieces,
+    parse_end,
+)
+
+CHUNK = 1 << 20  # bytes read at once for a checksum
+
+Columns = dict[str, NDArray[Any]]
+
+
+@dataclass(slots=True)
+class Run:
+    """One recorded run.
+
+    `columns` holds arrays (n_rows,), for `values` (n_rows, n_channels), for `score`, `rate` and `activation`
+    (n_rows, n_gestures). A row without `has_frame` is a turn of the loop in which no frame came: its values are NaN.
+    What the chair drove is NaN in a recording that is older than these columns.
+    """
+
+    meta: dict[str, Any]  # what `run.json` says; empty when it cannot be read any more
+    columns: Columns
+    dropped: int  # ticks that were lost before they could be written, as far as known
+    words: str  # what is wrong with the recording, in one sentence; empty when it is whole and closed
+
+    @property
+    def rows(self) -> int:
+        """Number of rows."""
+        return len(self.columns["t"])
+
+    def frames(self) -> Columns:
+        """Return the columns of those rows in which a frame of the shirt came."""
+        chosen = self.columns["has_frame"].astype(bool)
+        return {name: column[chosen] for name, column in self.columns.items()}
+
+
+def read_run(folder: str | Path) -> Run:
+    """Return what can be read of the run in `folder`: all of a closed one, the longest whole beginning of a cut one.
+
+    Missing and flipped bytes are told in `Run.words`; they raise nothing.
+
+    Raises
+    ------
+    ValueError
+        In one sentence, when there is no recording in the folder at all.
+    """
+    folder = Path(folder)
+    segments = sorted(folder.glob("segment-*.arrows"))
+    parquet = folder / PARQUET_FILE
+    meta_file = _bytes_of(folder / META_FILE)
+    if meta_file is None and not segments and not parquet.exists():
+        raise ValueError(f"{folder}: there is no recording in this folder, name the folder of a run")
+    end = parse_end(_bytes_of(folder / END_FILE) or b"")
+    damage = (_bytes_of(folder / DAMAGE_FILE) or b"").decode(errors="replace")
+    words = ""
+    tables: list[pa.Table] = []
+    if parquet.exists() and (end is not None or not segments):
+        tables, words = _read_parquet(parquet, end)
+    if not tables and segments:
+        tables, words = _read_segments(segments)
+    copy = _copied_meta(tables)
+    meta = _object(copy) or _object(meta_file) or {}
+    if copy is not None and meta_file != copy:
+        words = words or f"{folder}: run.json was changed, and what the recording itself says of the run is used."
+    if not meta:
+        words = words or f"{folder}: run.json cannot be read, so nothing is known of this run but its numbers."
+    return Run(meta, _columns(tables, meta), end["dropped"] if end else 0, damage or words)
+
+
+def _read_parquet(file: Path, end: dict[str, Any] | None) -> tuple[list[pa.Table], str]:
+    try:
+        table = pa_parquet.read_table(file, page_checksum_verification=True)
+        table.validate(full=True)
+    except (pa.ArrowException, OSError):
+        return [], f"{file}: this file was cut or changed and cannot be read: restore it from a backup."
+    words = ""
+    if end is None:
+        words = f"{file.parent / END_FILE}: this file was cut or changed, so the recording cannot be checked."
+    elif end["checksums"][PARQUET_FILE] != _file_checksum(file):
+        words = f"{file}: this file was changed, do not rely on it: restore it from a backup."
+    return ([table] if _has_all_columns(table.schema) else []), words
+
+
+def _read_segments(segments: list[Path]) -> tuple[list[pa.Table], str]:
+    """Return the rows up to the first byte that is missing or wrong."""
+    tables: list[pa.Table] = []
+    for number, segment in enumerate(segments):
+        if segment.name != SEGMENT.format(number):
+            return tables, f"{segment}: the file before this one is missing, what came after it is left out."
+        content = _bytes_of(segment) or b""
+        sound, changed = _sound_part(content, _bytes_of(segment.with_suffix(".check")) or b"")
+        tables += [table for table in _batches(content[:sound]) if not tables or table.schema.equals(tables[0].schema)]
+        if changed:
+            return (
+                tables,
+                f"{segment}: bytes of this file, or of its checksums, were changed: what comes after them is left out.",
+            )
+        if not content[:sound].endswith(END_OF_STREAM):
+            break
+    return tables, "The recording was cut: what had been written by then is here."
+
+
+def _sound_part(content: bytes, records: bytes) -> tuple[int, bool]:
+    """Return how many bytes of a segment can be read, and whether a changed byte, not the end, limits them.
+
+    Bytes beyond the last record were written just before the end: their own form has to show whether they are whole.
+    """
+    pieces, changed = check_pieces(records)
+    for piece in pieces:
+        if piece.end > len(content):
+            return piece.start, False
+        if crc32(content[piece.start : piece.end]) != piece.checksum:
+            return piece.start, True
+    if changed:
+        return (pieces[-1].end if pieces else 0), True
+    return len(content), False
+
+
+def _batches(content: bytes) -> list[pa.Table]:
+    """Return the batches of a stream that may be cut anywhere."""
+    batches: list[pa.RecordBatch] = []
+    try:
+        with pa.ipc.open_stream(content) as stream:
+            if not _has_all_columns(stream.schema):
+                return []
+            batches = [pa.RecordBatch.from_pylist([], schema=stream.schema)]  # also no row tells the columns
+            while True:
+                batch = stream.read_next_batch()
+                batch.validate(full=True)
+                batches.append(batch)
+    except (StopIteration, pa.ArrowException, OSError):
+        return [pa.Table.from_batches(batches)] if batches else []
+
+
+def _has_all_columns(columns: pa.Schema) -> bool:
+    return set(SCALARS) <= set(columns.names) and PER_CHANNEL in columns.names
+
+
+def _columns(tables: list[pa.Table], meta: dict[str, Any]) -> Columns:
+    """Return the rows of all tables as arrays."""
+    if not tables:
+        return _no_rows(meta)
+    rows = pa.concat_tables(tables)
+    columns: Columns = {name: rows.column(name).to_numpy() for name in SCALARS}
+    for name, kind in LATER.items():
+        known = name in rows.column_names
+        columns[name] = rows.column(name).to_numpy() if known else np.full(rows.num_rows, np.nan, kind)
+    for name in (*PER_GESTURE, PER_CHANNEL):
+        if name in rows.column_names:
+            lists: Any = rows.column(name)
+            flat = np.concatenate(
+                [np.empty(0, lists.type.value_type.to_pandas_dtype())]
+                + [chunk.flatten().to_numpy() for chunk in lists.chunks]
+            )
+            columns[name] = flat.reshape(rows.num_rows, lists.type.list_size)
+        else:
+            columns[name] = np.empty((rows.num_rows, 0))
+    return columns
+
+
+def _no_rows(meta: dict[str, Any]) -> Columns:
+    columns: Columns = {name: np.empty(0, kind) for name, kind in (SCALARS | LATER).items()}
+    columns |= {name: np.empty((0, len(meta.get("gestures") or ()))) for name in PER_GESTURE}
+    layout = meta.get("layout")
+    channels = layout.get("channels") if isinstance(layout, dict) else None
+    columns[PER_CHANNEL] = np.empty((0, len(channels or ())), np.float32)
+    return columns
+
+
+def _copied_meta(tables: list[pa.Table]) -> bytes | None:
+    """Return the copy of `run.json` that the recording itself carries."""
+    known = tables[0].schema.metadata if tables else None
+    return known.get(META_KEY) if known else None
+
+
+def _object(content: bytes | None) -> dict[str, Any] | None:
+    try:
+        parsed = json.loads(content) if content else None
+    except (ValueError, RecursionError):
+        return None
+    return parsed if isinstance(parsed, dict) else None
+
+
+def _bytes_of(file: Path) -> bytes | None:
+    try:
+        return file.read_bytes()
+    except OSError:
+        return None
+
+
+def _file_checksum(file: Path) -> int | None:
+    checksum = 0
+    try:
+        with file.open("rb") as opened:
+            while chunk := opened.read(CHUNK):
+                checksum = crc32(chunk, checksum)
+    except OSError:
+        return None
+    return checksum

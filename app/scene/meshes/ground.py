@@ -1,0 +1,158 @@
+"""What one drives on, and what lies around it as far as one sees."""
+
+import math
+from itertools import pairwise
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.scene.meshes import palette
+from app.scene.meshes.bodies import Mesh, Part, merged, quads, rectangle
+from app.scene.meshes.palette import Colour
+from app.world.floorplan import FloorPlan
+from app.world.scenery import Dune
+
+Bounds = tuple[float, float, float, float]
+
+MARGIN: Final = 0.6  # m of floor outside the outer walls
+AROUND: Final = 3.0  # m of open ground around what stands on it, when it says no area
+TILE: Final = 1.0  # m; tiles let one see how fast one moves, and so do ripples, tufts and seams
+MOST_TILES: Final = 5000
+SEAM: Final = 2.5  # m between the seams of asphalt
+RIPPLE: Final = 0.6  # m between the crests of sand
+TUFTS: Final = 1.0  # to a square metre
+MOST_TUFTS: Final = 1500
+MOST_CRESTS: Final = 120
+EDGE: Final = 0.1  # m, of the line around what is driven on
+FAR: Final = (0.0, 20.0, 32.0, 48.0, 70.0, 100.0, 145.0, 210.0, 400.0)  # m from there: the land becomes paler by a step
+DUNE_RINGS, DUNE_SIDES = 8, 24
+
+# Heights above the floor, apart enough not to flicker when seen from the top.
+TILES_AT: Final = 0.006
+EDGE_AT: Final = 0.01
+
+
+def ground_parts(plan: FloorPlan) -> dict[str, Part]:
+    """Return the ground, larger things last: what hides much is drawn before it."""
+    kind = plan.ground.kind
+    bounds = plan.ground.area or _grown(plan.bounds, 0.0 if kind == "hall" else AROUND)
+    match kind:
+        case "hall":
+            floor = rectangle(*_grown(bounds, MARGIN), 0.0)
+            return {"tiles": Part(_tiles(bounds), palette.FLOOR_TILE), "floor": Part(floor, palette.FLOOR)}
+        case "sand":
+            detail, near, land = Part(_ripples(bounds), palette.SAND_RIPPLE), palette.SAND, palette.SAND
+        case "grass":
+            detail, near, land = Part(_tufts(bounds), palette.GRASS_TUFT), palette.GRASS, palette.GRASS_TUFT
+        case "asphalt":
+            detail, near, land = Part(_seams(bounds), palette.ASPHALT_SEAM), palette.ASPHALT, palette.VERGE
+    outside = {
+        f"land_{number}": Part(_frame(bounds, inner, outer), _paler(land, number / (len(FAR) - 1)))
+        for number, (inner, outer) in enumerate(pairwise(FAR))
+    }
+    dunes = {"dunes": Part(merged(map(_dune, plan.ground.dunes)), land)} if plan.ground.dunes else {}
+    edge = Part(_frame(bounds, -EDGE, 0.0).moved(z=EDGE_AT), detail.colour)
+    floor = rectangle(*bounds, 0.0)
+    return dunes | {"ground_detail": detail, "ground_edge": edge, "ground": Part(floor, near)} | outside
+
+
+def _tiles(bounds: Bounds) -> Mesh:
+    """Return every second square of a chequered floor."""
+    x_min, y_min, x_max, y_max = bounds
+    tile = max(TILE, math.sqrt((x_max - x_min) * (y_max - y_min) / (2 * MOST_TILES)))
+    columns, rows = math.ceil((x_max - x_min) / tile), math.ceil((y_max - y_min) / tile)
+    column, row = np.meshgrid(np.arange(columns), np.arange(rows), indexing="ij")
+    chosen = (column + row) % 2 == 0
+    x, y = x_min + tile * column[chosen], y_min + tile * row[chosen]
+    return _flat(x, y, np.minimum(x + tile, x_max), np.minimum(y + tile, y_max))
+
+
+def _seams(bounds: Bounds) -> Mesh:
+    """Return the lines of a surface that was laid in fields."""
+    x_min, y_min, x_max, y_max = bounds
+    half = 0.015
+    x, y = np.arange(x_min + SEAM, x_max, SEAM), np.arange(y_min + SEAM, y_max, SEAM)
+    along = _flat(x - half, np.full_like(x, y_min), x + half, np.full_like(x, y_max))
+    across = _flat(np.full_like(y, x_min), y - half, np.full_like(y, x_max), y + half)
+    return merged([along, across])
+
+
+def _tufts(bounds: Bounds) -> Mesh:
+    """Return patches of darker grass."""
+    x_min, y_min, x_max, y_max = bounds
+    chance = np.random.default_rng(3)
+    count = min(round(TUFTS * (x_max - x_min) * (y_max - y_min)), MOST_TUFTS)
+    sides = 7
+    turns = np.linspace(0.0, math.tau, sides, endpoint=False)
+    reach = chance.uniform(0.08, 0.28, (count, 1)) * chance.uniform(0.6, 1.0, (count, sides))
+    x = np.clip(chance.uniform(x_min, x_max, (count, 1)) + reach * np.cos(turns), x_min, x_max)
+    y = np.clip(chance.uniform(y_min, y_max, (count, 1)) + 0.7 * reach * np.sin(turns), y_min, y_max)
+    points = np.stack([x, y, np.full_like(x, TILES_AT)], axis=-1).reshape(-1, 3)
+    fan = np.array([[0, k, k + 1] for k in range(1, sides - 1)])
+    return Mesh(points, (sides * np.arange(count)[:, np.newaxis, np.newaxis] + fan).reshape(-1, 3))
+
+
+def _ripples(bounds: Bounds) -> Mesh:
+    """Return the lee sides of low ripples in sand: wavy bands that swell and fade away along their length."""
+    x_min, y_min, x_max, y_max = bounds
+    chance = np.random.default_rng(5)
+    step = max(RIPPLE, (x_max - x_min) / MOST_CRESTS)
+    y = np.linspace(y_min, y_max, max(2, min(round((y_max - y_min) / 0.4), 80)))
+    found = []
+    for crest in np.arange(x_min, x_max, step):
+        bend, swell = chance.uniform(0, math.tau, 2)
+        middle = crest + 0.22 * step * np.sin(0.9 * y + bend) + 0.5 * np.sin(0.25 * y)
+        half = 0.2 * step * np.maximum(0.0, 0.25 + np.sin(0.7 * y + swell) * np.cos(0.31 * y - swell))
+        left, right = (np.clip(side, x_min, x_max) for side in (middle - half, middle + half))
+        there = (left[:-1] < right[:-1]) | (left[1:] < right[1:])
+        z = np.full(len(y), TILES_AT)
+        a, b = np.stack([left, y, z], axis=-1), np.stack([right, y, z], axis=-1)
+        found.append(quads(np.stack([a[:-1], b[:-1], b[1:], a[1:]], axis=1)[there]))
+    return merged(found)
+
+
+def _dune(dune: Dune) -> Mesh:
+    """Return a hill whose foot runs out flat."""
+    out = np.linspace(0.0, 1.0, DUNE_RINGS + 1)[1:]
+    turns = np.linspace(0.0, math.tau, DUNE_SIDES, endpoint=False)
+    height = dune.height * np.cos(out * math.pi / 2) ** 2
+    x = dune.radius * np.outer(out, np.cos(turns)) + dune.position[0]
+    y = dune.radius * np.outer(out, np.sin(turns)) + dune.position[1]
+    z = np.broadcast_to(height[:, np.newaxis], x.shape)
+    top = np.array([[*dune.position, dune.height]])
+    points = np.concatenate([top, np.stack([x, y, z], axis=-1).reshape(-1, 3)])
+    here = np.arange(DUNE_SIDES)
+    after = (here + 1) % DUNE_SIDES
+    faces = [np.stack([np.zeros_like(here), 1 + here, 1 + after], axis=1)]
+    for ring in range(DUNE_RINGS - 1):
+        inner, outer = 1 + ring * DUNE_SIDES, 1 + (ring + 1) * DUNE_SIDES
+        faces.append(np.stack([inner + here, outer + here, outer + after], axis=1))
+        faces.append(np.stack([inner + here, outer + after, inner + after], axis=1))
+    return Mesh(points, np.concatenate(faces))
+
+
+def _frame(bounds: Bounds, inner: float, outer: float) -> Mesh:
+    """Return what lies between `inner` and `outer` metres outside of bounds."""
+    a, b, c, d = _grown(bounds, inner)
+    e, f, g, h = _grown(bounds, outer)
+    return merged(rectangle(*side, 0.0) for side in ((e, f, g, b), (e, d, g, h), (e, b, a, d), (c, b, g, d)))
+
+
+def _flat(
+    x: NDArray[np.float64], y: NDArray[np.float64], x_end: NDArray[np.float64], y_end: NDArray[np.float64]
+) -> Mesh:
+    """Return rectangles just above the floor, (n,) each."""
+    z = np.full(len(x), TILES_AT)
+    corners = [(x, y, z), (x_end, y, z), (x_end, y_end, z), (x, y_end, z)]
+    return quads(np.stack([np.stack(corner, axis=-1) for corner in corners], axis=1))
+
+
+def _grown(bounds: Bounds, by: float) -> Bounds:
+    x_min, y_min, x_max, y_max = bounds
+    return x_min - by, y_min - by, x_max + by, y_max + by
+
+
+def _paler(colour: Colour, share: float) -> Colour:
+    red, green, blue = (round(a + share * (b - a)) for a, b in zip(colour, palette.HORIZON, strict=True))
+    return red, green, blue

@@ -1,0 +1,208 @@
+"""Checks what a GLB file claims about itself before anything is unpacked: a foreign file may claim any size."""
+
+import struct
+from collections.abc import Iterator
+from typing import Annotated, Any, Final
+
+import msgspec
+
+from app.scene.models.glb_pictures import check_pictures
+
+MOST_BYTES: Final = 20_000_000
+MOST_FACES: Final = 100_000
+MOST_NODES: Final = 10_000
+DEEPEST: Final = 100  # nodes in each other
+MOST_ELEMENTS: Final = 1_000_000  # of one accessor: it may claim any count without holding a byte
+MOST_NUMBERS: Final = 10_000_000  # of all accessors
+MOST_POINTS: Final = 1_000_000  # of all nodes: a mesh is copied for each node that names it
+
+TRIANGLES, STRIP, FAN = 4, 5, 6  # modes of a primitive
+READABLE: Final = ("KHR_materials_", "KHR_texture_transform")  # beginnings of extensions that do not change the shape
+MAGIC: Final = b"glTF"
+JSON_CHUNK: Final = 0x4E4F534A
+BYTES: Final = {5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4}  # of a component, by its type
+COMPONENTS: Final = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16}
+COMPRESSED: Final = ("EXT_meshopt_compression", "KHR_meshopt_compression", "KHR_draco_mesh_compression")
+
+Index = Annotated[int, msgspec.Meta(ge=0)]
+
+
+class _Accessor(msgspec.Struct, rename="camel"):
+    count: Index
+    component_type: Index = 5126
+    type: str = "VEC3"
+    buffer_view: Index | None = None
+    byte_offset: Index = 0
+
+
+class _View(msgspec.Struct, rename="camel"):
+    buffer: Index = 0
+    byte_length: Index = 0
+    byte_offset: Index = 0
+    byte_stride: Index | None = None
+    extensions: dict[str, Any] = {}
+
+
+class _Primitive(msgspec.Struct):
+    attributes: dict[str, Index] = {}
+    indices: Index | None = None
+    mode: Index = TRIANGLES
+    extensions: dict[str, Any] = {}
+
+
+class _Mesh(msgspec.Struct):
+    primitives: list[_Primitive] = []
+
+
+class _Node(msgspec.Struct):
+    mesh: Index | None = None
+    children: list[Index] = []
+
+
+class _Roots(msgspec.Struct):
+    nodes: list[Index] = []
+
+
+class _Source(msgspec.Struct, rename="camel"):
+    uri: str | None = None
+    buffer_view: Index | None = None
+    byte_length: Index = 0
+
+
+class _Document(msgspec.Struct, rename="camel"):
+    accessors: list[_Accessor] = []
+    meshes: list[_Mesh] = []
+    nodes: list[_Node] = []
+    scenes: list[_Roots] = []
+    buffers: list[_Source] = []
+    buffer_views: list[_View] = []
+    images: list[_Source] = []
+    extensions_required: list[str] = []
+
+
+def check(content: bytes) -> None:
+    """Look whether a GLB file can be drawn here.
+
+    Layout (glTF 2.0, section 4): u32 little-endian magic, version 2, length; then chunks of u32 length, u32 kind and
+    bytes, the first of them JSON.
+
+    Raises
+    ------
+    ValueError
+        Half a sentence that says what is wrong and what to do.
+    """
+    if len(content) > MOST_BYTES:
+        raise ValueError(f"it is larger than {MOST_BYTES // 1_000_000} MB: make the object simpler")
+    document = _document(content)
+    for name in document.extensions_required:
+        if not name.startswith(READABLE):
+            raise ValueError(f"it needs '{name}', which is not read here: export it without compression or extensions")
+    for source in (*document.buffers, *document.images):
+        if source.uri is not None and not source.uri.startswith("data:"):
+            raise ValueError("it needs other files: export everything into one GLB file")
+    _check_tree(document)
+    try:
+        _check_lists(document)
+        faces = sum(_faces(document, primitive) for primitive in _drawn(document))
+        points = sum(_points(document, primitive) for primitive in _drawn(document))
+        check_pictures(_pictures(document, content))
+    except IndexError as error:
+        raise ValueError("it refers to parts that are not in it: export it again") from error
+    if faces > MOST_FACES:
+        raise ValueError(f"it has {faces:,} faces and at most {MOST_FACES:,} are drawn: make the object simpler")
+    if points > MOST_POINTS:
+        raise ValueError(f"it has {points:,} points and at most {MOST_POINTS:,} are read: make the object simpler")
+
+
+def _document(content: bytes) -> _Document:
+    if content[:4] != MAGIC or len(content) < 20:
+        raise ValueError("it is no GLB file: export the object as glTF binary (.glb)")
+    version, _, length, kind = struct.unpack_from("<4I", content, 4)
+    if version != 2:
+        raise ValueError(f"it is glTF version {version}: export it as version 2")
+    if kind != JSON_CHUNK or 20 + length > len(content):
+        raise ValueError("it is cut off or damaged: export it again")
+    try:
+        return msgspec.json.decode(content[20 : 20 + length], type=_Document)
+    except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
+        raise ValueError("its description cannot be read: export it again") from error
+
+
+def _check_tree(document: _Document) -> None:
+    """Refuse nodes that hang in several places or in themselves: walking along them would never end."""
+    children = [child for node in document.nodes for child in node.children]
+    roots = {root for scene in document.scenes for root in scene.nodes}
+    if len(document.nodes) > MOST_NODES:
+        raise ValueError(f"it has more than {MOST_NODES:,} nodes: join them before exporting")
+    if len(set(children)) != len(children) or roots & set(children):
+        raise ValueError("its parts do not form a tree: export it again")
+
+    below = {number: node.children for number, node in enumerate(document.nodes)}
+    level = set(below) - set(children)
+    for _ in range(DEEPEST):
+        level = {child for number in level for child in below.get(number, ())}
+        if not level:
+            return
+    raise ValueError(f"its parts are nested more than {DEEPEST} deep: export it again")
+
+
+def _check_lists(document: _Document) -> None:
+    """Refuse lists that claim more than there is: each lies in its view, and each view in its buffer."""
+    if any(accessor.count > MOST_ELEMENTS for accessor in document.accessors):
+        raise ValueError(f"it has lists of more than {MOST_ELEMENTS:,} numbers: make the object simpler")
+    for view in document.buffer_views:
+        if any(name in view.extensions for name in COMPRESSED):
+            raise ValueError("it is compressed: export it without compression")
+        if view.byte_offset + view.byte_length > document.buffers[view.buffer].byte_length:
+            raise ValueError("it is cut off or damaged: export it again")
+    numbers = 0
+    for accessor in document.accessors:
+        width, each = COMPONENTS.get(accessor.type), BYTES.get(accessor.component_type)
+        if width is None or each is None:
+            raise ValueError("its description cannot be read: export it again")
+        numbers += accessor.count * width
+        if accessor.buffer_view is not None and accessor.count:
+            view = document.buffer_views[accessor.buffer_view]
+            step = view.byte_stride or width * each
+            if accessor.byte_offset + step * (accessor.count - 1) + width * each > view.byte_length:
+                raise ValueError("its lists end beyond its data: export it again")
+    if numbers > MOST_NUMBERS:
+        raise ValueError(f"its lists have more than {MOST_NUMBERS:,} numbers: make the object simpler")
+
+
+def _pictures(document: _Document, content: bytes) -> Iterator[bytes | str]:
+    """Yield each picture as bytes or as a data address; a GLB's first buffer is its binary chunk."""
+    (length,) = struct.unpack_from("<I", content, 12)
+    start = 20 + length + 8
+    for image in document.images:
+        if image.uri is not None:
+            yield image.uri
+        elif image.buffer_view is not None:
+            view = document.buffer_views[image.buffer_view]
+            if view.buffer == 0:
+                yield content[start + view.byte_offset : start + view.byte_offset + view.byte_length]
+            else:
+                raise ValueError("its pictures lie in another buffer: export it again")
+
+
+def _drawn(document: _Document) -> Iterator[_Primitive]:
+    for node in document.nodes:
+        if node.mesh is not None:
+            yield from document.meshes[node.mesh].primitives
+
+
+def _points(document: _Document, primitive: _Primitive) -> int:
+    listed = primitive.attributes.get("POSITION")
+    return 0 if listed is None else document.accessors[listed].count
+
+
+def _faces(document: _Document, primitive: _Primitive) -> int:
+    if "KHR_draco_mesh_compression" in primitive.extensions:
+        raise ValueError("it is compressed with Draco: export it without compression")
+    listed = primitive.indices if primitive.indices is not None else primitive.attributes.get("POSITION")
+    if listed is None:
+        return 0
+    count = document.accessors[listed].count
+    if primitive.mode == TRIANGLES:
+        return count // 3
+    return max(count - 2, 0) if primitive.mode in {STRIP, FAN} else 0

@@ -1,0 +1,131 @@
+"""Makes an object of a GLB file: a few coloured meshes that stand on the floor, x ahead, as long as the file says.
+
+`app.isolated_reader` asks it in a process of its own.
+"""
+
+import io
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+import trimesh
+from numpy.typing import NDArray
+
+from app.scene.meshes import palette
+from app.scene.meshes.bodies import Mesh, Part, merged
+from app.scene.meshes.palette import Colour
+from app.scene.models.glb import MOST_BYTES, MOST_FACES, check
+from app.scene.models.objects import THINNEST, Model, write_reading
+
+MOST_COLOURS: Final = 12  # each is a draw call
+COARSE: Final = 5  # bits of a colour's eight that do not tell two colours apart
+
+
+def answer(question: dict[str, Any]) -> dict[str, Any]:
+    """Read the object in `{"file"}` and write what is drawn of it to `{"reading"}`.
+
+    Raises
+    ------
+    ValueError
+        One sentence: the file, what is wrong, what to do.
+    """
+    write_reading(read_model(Path(question["file"])), Path(question["reading"]))
+    return {}
+
+
+def read_model(file: Path) -> Model:
+    """Read an object from a GLB file (glTF 2.0, binary): at most 20 MB and 100,000 faces, everything in one file.
+
+    A picture on it is drawn as the colour that its faces have in it.
+
+    Raises
+    ------
+    ValueError
+        One sentence: the file, what is wrong, what to do.
+    """
+    try:
+        with file.open("rb") as opened:
+            content = opened.read(MOST_BYTES + 1)
+    except OSError as error:
+        raise ValueError(f"{file.name}: this file cannot be read ({error.strerror or error}), check it") from error
+    try:
+        check(content)
+        return _model(content)
+    except ValueError as error:
+        raise ValueError(f"{file.name}: this object cannot be used, {error}") from error
+
+
+def _model(content: bytes) -> Model:
+    found: dict[Colour, list[Mesh]] = {}
+    try:
+        loaded = trimesh.load_scene(io.BytesIO(content), file_type="glb", process=False)
+        bodies = [body for body in loaded.dump() if isinstance(body, trimesh.Trimesh) and len(body.faces)]
+        for body in bodies:
+            # glTF looks along z with y up; a chair looks along x with z up.
+            mesh = Mesh(np.asarray(body.vertices, dtype=np.float64)[:, [2, 0, 1]], np.asarray(body.faces))
+            for colour, faces in _by_colour(_face_colours(body)):
+                found.setdefault(colour, []).append(_only(mesh, faces))
+    except MemoryError as error:
+        raise ValueError("it needs too much memory: make the object simpler") from error
+    except Exception as error:
+        # The reader was not written for damaged files, and raises whatever comes.
+        raise ValueError("it is damaged: export it again") from error
+    whole = merged(mesh for meshes in found.values() for mesh in meshes)
+    if not len(whole.faces):
+        raise ValueError("there is nothing with faces in it: export a solid object")
+    if len(whole.faces) > MOST_FACES:
+        raise ValueError(f"it has {len(whole.faces):,} faces and at most {MOST_FACES:,} are drawn: make it simpler")
+    if not np.isfinite(whole.vertices).all() or np.abs(whole.vertices).max() > 1e6:
+        raise ValueError("some of its points are infinite or too far away: export it again")
+    low, high = whole.vertices.min(axis=0), whole.vertices.max(axis=0)
+    middle = np.array([(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, low[2]])
+    length, width, height = (max(float(side), THINNEST) for side in high - low)
+    parts = [Part(merged(meshes), colour) for colour, meshes in sorted(found.items())]
+    placed = [Part(Mesh(mesh.vertices - middle, mesh.faces), colour) for mesh, colour in _few(parts)]
+    return Model(tuple(placed), (length, width, height))
+
+
+def _face_colours(body: trimesh.Trimesh) -> NDArray[np.float64]:
+    """Return the colour of each face, (n, 3) from 0 to 255."""
+    visual: Any = body.visual
+    if visual.kind != "texture":
+        colours = visual.face_colors if visual.defined else np.tile(palette.LINEN, (len(body.faces), 1))
+        return np.asarray(colours, dtype=np.float64)[:, :3]
+    material = visual.material
+    factor = getattr(material, "baseColorFactor", None)
+    plain = np.full(3, 255.0) if factor is None else np.asarray(factor, dtype=np.float64)[:3]
+    picture = getattr(material, "baseColorTexture", None)
+    if picture is None or visual.uv is None:
+        return np.tile(plain, (len(body.faces), 1))
+    seen = np.asarray(trimesh.visual.color.uv_to_color(visual.uv, picture), dtype=np.float64)[:, :3]
+    mean: NDArray[np.float64] = seen[body.faces].mean(axis=1) * plain / 255.0
+    return mean
+
+
+def _by_colour(colours: NDArray[np.float64]) -> list[tuple[Colour, NDArray[np.intp]]]:
+    """Return the faces of each colour that can be told apart, with the mean of it."""
+    kinds, group = np.unique(colours.astype(np.uint8) >> COARSE, axis=0, return_inverse=True)
+    groups = [np.flatnonzero(group.ravel() == number) for number in range(len(kinds))]
+    return [(_colour(colours[faces].mean(axis=0)), faces) for faces in groups]
+
+
+def _few(parts: list[Part]) -> list[Part]:
+    """Return at most twelve parts: what is small joins the large part whose colour is nearest."""
+    ordered = sorted(parts, key=lambda part: -len(part.mesh.faces))
+    kept = [[part] for part in ordered[:MOST_COLOURS]]
+    for part in ordered[MOST_COLOURS:]:
+        nearest = min(
+            kept, key=lambda group: sum((a - b) ** 2 for a, b in zip(group[0].colour, part.colour, strict=True))
+        )
+        nearest.append(part)
+    return [Part(merged(part.mesh for part in group), group[0].colour) for group in kept]
+
+
+def _only(mesh: Mesh, faces: NDArray[np.intp]) -> Mesh:
+    used, numbers = np.unique(mesh.faces[faces], return_inverse=True)
+    return Mesh(mesh.vertices[used], numbers.reshape(-1, 3).astype(np.int64))
+
+
+def _colour(mean: NDArray[np.float64]) -> Colour:
+    red, green, blue = (round(float(value)) for value in mean)
+    return red, green, blue

@@ -1,0 +1,117 @@
+"""3D objects to be drawn. The reading of a GLB file is kept beside the file: a process of its own reads it once."""
+
+import hashlib
+import io
+from contextlib import suppress
+from functools import lru_cache
+from pathlib import Path
+from typing import Final, NamedTuple
+from zipfile import BadZipFile
+
+import numpy as np
+
+from app.files import write_atomically
+from app.isolated_reader import ReadingTimeoutError, read_isolated
+from app.scene.meshes.bodies import Mesh, Part, Vector
+from app.scene.models.glb import MOST_BYTES
+
+THINNEST: Final = 1e-6  # m
+READINGS: Final = ".readings"  # folder beside the objects, one file for each content
+READER: Final = "app.scene.models.glb_import"
+MOST_IN_MEMORY: Final = 4  # objects in memory, at most 10 MB each
+REFUSAL_SUFFIX: Final = ".refused"
+READING_SUFFIX: Final = ".npz"
+NO_READING: Final = (OSError, ValueError, KeyError, EOFError, BadZipFile)  # none yet, or a damaged one
+
+
+class Model(NamedTuple):
+    """An object, its middle over the origin."""
+
+    parts: tuple[Part, ...]  # one for each colour
+    size: Vector  # m: length (x), width (y), height (z)
+
+    @property
+    def faces(self) -> int:
+        """Return how many triangles it has."""
+        return sum(len(part.mesh.faces) for part in self.parts)
+
+    def scaled(self, length: float, width: float, height: float) -> list[Part]:
+        """Return its parts, stretched to another size (m)."""
+        factors = np.array([length, width, height]) / np.maximum(self.size, THINNEST)
+        return [Part(Mesh(part.mesh.vertices * factors, part.mesh.faces), part.colour) for part in self.parts]
+
+
+def stored_model(file: Path) -> Model:
+    """Return an object that lies in a folder; one that was never read is read in a process of its own.
+
+    Raises
+    ------
+    ValueError
+        One sentence: the file, what is wrong, what to do.
+    """
+    try:
+        changed_at = file.stat().st_mtime_ns
+    except OSError as error:
+        raise ValueError(f"{file.name}: this file cannot be read ({error.strerror or error}), check it") from error
+    return _stored(file, changed_at)
+
+
+@lru_cache(maxsize=MOST_IN_MEMORY)
+def _stored(file: Path, _changed_at: int) -> Model:
+    reading = _reading_of(file, file.parent / READINGS)
+    with suppress(*NO_READING):
+        return _read_reading(reading)
+    refused = reading.with_suffix(REFUSAL_SUFFIX)
+    if refused.exists():
+        raise ValueError(refused.read_text(encoding="utf-8"))
+    try:
+        read_isolated(READER, {"file": str(file), "reading": str(reading)})
+    except ReadingTimeoutError:
+        raise
+    except ValueError as error:
+        write_atomically(refused, str(error).encode())  # a file of an older version; it is not read again
+        raise
+    return _read_reading(reading)
+
+
+def read_isolated_into(folder: Path, file: Path) -> None:
+    """Read an object that is about to be stored in a folder; one that is refused leaves nothing there.
+
+    Raises
+    ------
+    ValueError
+        One sentence: the file, what is wrong, what to do.
+    """
+    reading = _reading_of(file, folder / READINGS)
+    if not reading.exists():
+        read_isolated(READER, {"file": str(file), "reading": str(reading)})
+
+
+def write_reading(model: Model, file: Path) -> None:
+    """Write what is drawn of an object: NumPy's .npz without pickles."""
+    arrays = {"size": np.array(model.size), "colours": np.array([part.colour for part in model.parts])}
+    for i, part in enumerate(model.parts):
+        arrays[f"vertices{i}"], arrays[f"faces{i}"] = part.mesh.vertices, part.mesh.faces
+    content = io.BytesIO()
+    np.savez(content, allow_pickle=False, **arrays)
+    write_atomically(file, content.getvalue())
+
+
+def _read_reading(file: Path) -> Model:
+    with file.open("rb") as opened, np.load(opened, allow_pickle=False) as arrays:
+        length, width, height = map(float, arrays["size"])
+        parts = [
+            Part(Mesh(arrays[f"vertices{i}"], arrays[f"faces{i}"]), (int(red), int(green), int(blue)))
+            for i, (red, green, blue) in enumerate(arrays["colours"])
+        ]
+    return Model(tuple(parts), (length, width, height))
+
+
+def _reading_of(file: Path, readings: Path) -> Path:
+    """Return where the reading of a file lies, by its content: a file may be replaced, renamed or restored."""
+    try:
+        with file.open("rb") as opened:
+            content = opened.read(MOST_BYTES + 1)
+    except OSError as error:
+        raise ValueError(f"{file.name}: this file cannot be read ({error.strerror or error}), check it") from error
+    return readings / f"{hashlib.sha256(content).hexdigest()}{READING_SUFFIX}"

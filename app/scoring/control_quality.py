@@ -1,0 +1,174 @@
+"""How well the map fitted the movements of one trial: what each joint gave, and what reached the control.
+
+Pure functions on arrays. Of a joint that a guided map decodes, the figures of its PCA map are told all the same: they
+say how the person moves, not how the guided map decodes it.
+"""
+
+from collections.abc import Callable, Iterable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.calibration.fit.pieces import held
+from app.calibration.vocabulary import DriveParameters
+from app.pipeline.controls import STOP_ACTIVATION
+from app.pipeline.health import ChannelHealth
+from app.quantities import Count, Document, Fraction, Name
+from app.scoring.command_counts import onsets
+from app.scoring.joint_quality import Amount, Degrees, JointQuality, joint_quality
+
+MOST_BAD = 0.1  # of the time; a channel that was bad for longer is left out of its joint's figures
+MOSTLY = 0.5  # of the frames in which a channel was not believed
+LEAST_DISTANCE = 0.5  # m; on a shorter way, activations per metre say nothing
+
+Numbers = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+
+
+class BadChannel(Document):
+    """A channel that could not be believed: for which share of the time, and whether it gave a signal at all."""
+
+    name: Name
+    joint: Name
+    share: Fraction  # of the time for which motion was permitted
+    silent: bool  # it stood still or gave no numbers; otherwise it lay outside its calibrated range
+
+
+class ControlQuality(Document):
+    """One trial; what is told per joint is here that of the joint that fits worst, None where no joint moved enough."""
+
+    map_angle_deg: Degrees | None
+    evr: Fraction | None
+    null_space_share: Fraction | None
+    cross_talk: Fraction | None  # share of all activation that is not the strongest gesture's; None without any
+    activations: Count
+    activations_per_metre: Amount | None
+    joints: tuple[JointQuality, ...]
+    bad_channels: tuple[BadChannel, ...]  # of those that the map uses
+
+
+def control_quality(
+    parameters: DriveParameters,
+    sample_rate: float,
+    values: NDArray[np.floating],
+    armed: Flags,
+    activation: Numbers,
+    distance: float,
+) -> ControlQuality:
+    """Return how well the map fitted the movements of one trial.
+
+    Parameters
+    ----------
+    parameters
+        With which it was driven.
+    sample_rate
+        Hz.
+    values
+        (n, n_channels) signal units: all frames of the recording, NaN where a sample is missing.
+    armed
+        (n,) where motion was permitted: only then is anything looked at.
+    activation
+        (n, n_gestures) as they were decoded.
+    distance
+        m driven.
+
+    Raises
+    ------
+    ValueError
+        When the arrays do not fit the parameters, or motion was never permitted.
+    """
+    profile = parameters.profile
+    if values.shape != (len(armed), len(profile.layout.channels)) or not armed.any():
+        raise ValueError("the recording holds no frames of this shirt while motion was permitted: drive a trial first")
+    if activation.shape != (len(armed), len(parameters.gestures)):
+        raise ValueError("the recording holds other gestures than its parameters: it cannot be judged, drive again")
+    bound = bound_gestures(parameters)
+    counts = [onsets(activation[armed, gesture]) for gesture in bound]
+    joint_of = [parameters.gestures[gesture].joint for gesture in bound]
+    joints = [joint for joint in profile.joints if joint.name in joint_of]
+    signals = np.asarray(values, dtype=np.float64)
+    watched = np.zeros(signals.shape[1], dtype=np.bool_)
+    watched[[channel for joint in joints for channel in joint.channels]] = True
+    bad = ChannelHealth(profile, watched, sample_rate).block(signals, None)
+    bad_share = bad[armed].mean(axis=0)
+    whole = held(np.where(np.isfinite(signals), signals, np.nan))
+    found = []
+    for joint in joints:
+        believed = [channel for channel in joint.channels if bad_share[channel] <= MOST_BAD]
+        usable = armed & ~bad[:, believed].any(axis=1)
+        own = sum(count for count, name in zip(counts, joint_of, strict=True) if name == joint.name)
+        handles = [
+            one.dead_zone
+            for one in (parameters.gestures[gesture] for gesture in bound)
+            if one.joint == joint.name and one.feature == "rate"
+        ]
+        dead_zone = min(handles, default=None)
+        found.append(joint_quality(joint, believed, profile.layout, whole, usable, sample_rate, own, dead_zone))
+    return ControlQuality(
+        map_angle_deg=_worst(max, (one.map_angle_deg for one in found)),
+        evr=_worst(min, (one.evr for one in found)),
+        null_space_share=_worst(max, (one.null_space_share for one in found)),
+        cross_talk=cross_talk(activation[armed][:, bound], _stops(parameters, bound)),
+        activations=sum(counts),
+        activations_per_metre=sum(counts) / distance if distance >= LEAST_DISTANCE else None,
+        joints=tuple(found),
+        bad_channels=tuple(
+            BadChannel(
+                name=profile.layout.channels[index].name,
+                joint=profile.layout.channels[index].joint,
+                share=float(bad_share[index]),
+                silent=_silent(signals[:, index], armed & bad[:, index]),
+            )
+            for index in np.flatnonzero(bad_share).tolist()
+        ),
+    )
+
+
+def bound_gestures(parameters: DriveParameters) -> list[int]:
+    """Return the indices of the gestures that do something."""
+    bound = {name for binding in parameters.bindings for name in binding.gestures}
+    return [index for index, gesture in enumerate(parameters.gestures) if gesture.name in bound]
+
+
+def cross_talk(activation: Numbers, stops: Iterable[list[int]] = ()) -> float | None:
+    """Return which share of all activation is not that of the strongest gesture of its moment, None without any.
+
+    0 where one gesture is there at a time; at most (k - 1) / k, where all are there alike. Two gestures on purpose,
+    such as a turn while speeding up, count too; a stop, which asks for gestures together, does not.
+
+    Parameters
+    ----------
+    activation
+        (n, k) of the bound gestures, 0..1.
+    stops
+        Per stop, the columns whose gestures together are one.
+    """
+    deliberate = np.zeros(len(activation), dtype=np.bool_)
+    for stop in stops:
+        deliberate |= (activation[:, stop] >= STOP_ACTIVATION).all(axis=1)
+    counted = activation[~deliberate]
+    total = float(counted.sum())
+    if total <= 0:
+        return None
+    return min(1.0, max(0.0, 1.0 - float(counted.max(axis=1).sum()) / total))
+
+
+def _silent(signal: Numbers, where: Flags) -> bool:
+    """Return whether a channel (n,) mostly stood still or gave no numbers in the frames `where` (n,)."""
+    still = ~np.isfinite(signal)
+    still[1:] |= signal[1:] == signal[:-1]
+    return bool(still[where].mean() > MOSTLY)
+
+
+def _stops(parameters: DriveParameters, bound: list[int]) -> list[list[int]]:
+    names = [parameters.gestures[gesture].name for gesture in bound]
+    return [
+        [names.index(name) for name in binding.gestures]
+        for binding in parameters.bindings
+        if binding.control == "stop" and len(binding.gestures) > 1
+    ]
+
+
+def _worst(choose: Callable[[list[float]], float], values: Iterable[float | None]) -> float | None:
+    known = [value for value in values if value is not None]
+    return choose(known) if known else None

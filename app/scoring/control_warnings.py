@@ -1,0 +1,55 @@
+"""What a clinician had better look at, from how well the trials were controlled: each with what to do about it."""
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from app.scoring.map_warnings import fit_warnings, sensor_warnings
+from app.scoring.movement_warnings import LEAST_SESSIONS, LEAST_TRIALS, noise_warnings, span_warnings
+from app.scoring.trial_quality import ControlWarning, JudgedTrial, Kind, comparable, rows_of
+
+ORDER: tuple[Kind, ...] = ("sensor", "map", "noise", "span")
+
+
+class Found(NamedTuple):
+    """All warnings, and what cannot be told yet; the note is empty when there are trials enough."""
+
+    warnings: list[ControlWarning]
+    note: str
+
+
+def warnings_of_control(trials: Sequence[JudgedTrial], map_version: int | None = None) -> Found:
+    """Return what to look at.
+
+    Parameters
+    ----------
+    trials
+        Of one patient, in the order driven, discarded ones left out.
+    map_version
+        The patient's newest map: of an older one, nothing is said of sensors and fit any more. The last trial's when
+        not given.
+    """
+    if not trials:
+        return Found([], "")
+    newest = trials[-1].map_version if map_version is None else map_version
+    of_map = [trial for trial in trials if trial.map_version == newest]
+    found = sensor_warnings(of_map[-1]) if of_map else []
+    for name in dict.fromkeys(joint.name for joint in trials[-1].quality.joints):
+        found += fit_warnings(rows_of(of_map, name))
+        every = comparable(rows_of(trials, name))
+        found += noise_warnings(rows_of(of_map, name), every)
+        found += span_warnings([row for row in every if row.trial.task == trials[-1].task])
+    return Found(sorted(found, key=lambda one: ORDER.index(one.kind)), _note(trials))
+
+
+def _note(trials: Sequence[JudgedTrial]) -> str:
+    """Say what cannot be told yet."""
+    alike = [trial for trial in trials if trial.task == trials[-1].task]
+    sessions = len({trial.session for trial in alike})
+    here = sum(trial.session == trials[-1].session for trial in alike)
+    if sessions >= LEAST_SESSIONS or here >= LEAST_TRIALS:
+        return ""
+    return (
+        f"Few trials: whether movements get smaller is told from {LEAST_TRIALS} trials of one task in one session, or "
+        f"from {LEAST_SESSIONS} sessions on; so far there {'is' if here == 1 else 'are'} {here} in the last session, "
+        f"and {sessions} {'session' if sessions == 1 else 'sessions'}."
+    )

@@ -1,0 +1,146 @@
+"""All measures of one trial: how far, how near the path, how fast, how smoothly."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from app.scoring.area import area_between
+from app.scoring.command_counts import contact_beginnings, onsets, reversals, standstills
+from app.scoring.smoothness import log_dimensionless_jerk, sparc
+from app.scoring.trial_cut import Cut, cut_at_goal
+from app.world.path import Path
+
+Numbers = NDArray[np.float64]
+Measures = dict[str, float | int | bool | None]
+
+HIGHEST_RATE = 100.0  # Hz; the speed is not looked at more finely
+LOWEST_RATE = 20.0  # Hz, so that 10 Hz, the highest frequency of SPARC, can be seen
+
+
+def path_measures(
+    t: ArrayLike,
+    x: ArrayLike,
+    y: ArrayLike,
+    path_points: Sequence[Sequence[float]] | Numbers,
+    goal_radius: float = 0.5,
+    *,
+    in_contact: ArrayLike | None = None,
+    contacts: ArrayLike | None = None,
+    u1: ArrayLike | None = None,
+    u2: ArrayLike | None = None,
+) -> Measures:
+    """Return the measures of a trial, from its start to where it first reaches the goal.
+
+    Parameters
+    ----------
+    t
+        (n,) s, never backwards.
+    x, y
+        (n,) m.
+    path_points
+        (m, 2) m.
+    goal_radius
+        m around the path's end.
+    in_contact
+        (n,) whether the chair touched something.
+    contacts
+        (n,) contacts counted so far; counted from `in_contact` when not given.
+    u1, u2
+        (n,) controls, -1..1.
+
+    Returns
+    -------
+    dict
+        dist, path_length (m), dist_ratio, e_diff (m2), cross_track_rms, cross_track_max (the largest distance),
+        cross_track_mean (signed, left positive; m, over the rows), time (s), mean_speed (m/s), stops, sparc, ldlj,
+        reached; collisions and contact_time (s) with `in_contact`; turn_reversals with u2; pulses_per_metre with u1 or
+        u2. None where a measure has no value, such as the smoothness of a chair that stood.
+
+    Raises
+    ------
+    ValueError
+        When nothing was driven, lengths differ, a number is not finite, or time goes backwards.
+    """
+    times, points = _checked(t, x, y)
+    path = Path(path_points if isinstance(path_points, Sequence) else path_points.tolist())
+    cut = cut_at_goal(times, points, path, goal_radius)
+    speed, rate = _speed(cut)
+    dist = float(np.hypot(*np.diff(cut.points, axis=0).T).sum())
+    time = float(cut.t[-1] - cut.t[0])
+    cross_track = np.array([path.project(px, py)[1] for px, py in cut.points.tolist()])
+    measures: Measures = {
+        "dist": dist,
+        "path_length": path.length,
+        "dist_ratio": dist / path.length,
+        "e_diff": area_between(cut.points, np.array(path.points)),
+        "cross_track_rms": float(np.sqrt(np.mean(cross_track**2))),
+        "cross_track_max": float(np.max(np.abs(cross_track))),
+        "cross_track_mean": float(np.mean(cross_track)),
+        "time": time,
+        "mean_speed": dist / time if time > 0 else None,
+        "stops": standstills(speed, rate),
+        "sparc": sparc(speed, rate),
+        "ldlj": log_dimensionless_jerk(speed, rate),
+        "reached": cut.reached,
+    }
+    return measures | _contact_measures(cut, times, in_contact, contacts) | _control_measures(cut, times, dist, u1, u2)
+
+
+def _contact_measures(cut: Cut, t: Numbers, in_contact: ArrayLike | None, contacts: ArrayLike | None) -> Measures:
+    measures: Measures = {}
+    if in_contact is not None:
+        touching = _column("in_contact", in_contact, len(t))[: cut.last + 1] != 0
+        measures["collisions"] = contact_beginnings(touching, t[: cut.last + 1])
+        measures["contact_time"] = float(np.diff(t[: cut.last + 1])[touching[1:]].sum())
+    if contacts is not None:
+        measures["collisions"] = int(_column("contacts", contacts, len(t))[: cut.last + 1].max())
+    return measures
+
+
+def _control_measures(cut: Cut, t: Numbers, dist: float, u1: ArrayLike | None, u2: ArrayLike | None) -> Measures:
+    given = {name: u for name, u in (("u1", u1), ("u2", u2)) if u is not None}
+    controls = {name: _column(name, u, len(t))[: cut.last + 1] for name, u in given.items()}
+    measures: Measures = {}
+    if "u2" in controls:
+        measures["turn_reversals"] = reversals(controls["u2"])
+    if controls:
+        pulses = sum(onsets(control) for control in controls.values())
+        measures["pulses_per_metre"] = pulses / dist if dist > 0 else None
+    return measures
+
+
+def _speed(cut: Cut) -> tuple[Numbers, float]:
+    """Return the speed (m/s) at evenly spaced times, and their rate (Hz)."""
+    t, first = np.unique(cut.t, return_index=True)
+    if len(t) < 2:
+        return np.zeros(0), HIGHEST_RATE
+    rate = float(np.clip(1.0 / np.median(np.diff(t)), LOWEST_RATE, HIGHEST_RATE))
+    even = t[0] + np.arange(int((t[-1] - t[0]) * rate + 1e-6) + 1) / rate
+    if len(even) < 2:
+        return np.zeros(0), rate
+    even_x, even_y = (np.interp(even, t, cut.points[first, axis]) for axis in (0, 1))
+    return np.asarray(np.hypot(np.diff(even_x), np.diff(even_y)) * rate), rate
+
+
+def _checked(t: ArrayLike, x: ArrayLike, y: ArrayLike) -> tuple[Numbers, Numbers]:
+    times = np.asarray(t, dtype=np.float64)
+    if times.ndim != 1 or len(times) == 0:
+        raise ValueError("the trajectory has no rows: record a trial first")
+    points = np.column_stack([_column("x", x, len(times)), _column("y", y, len(times))])
+    if not np.all(np.isfinite(times)):
+        raise ValueError(f"t has no finite number in row {int(np.argmin(np.isfinite(times))) + 1}: correct it")
+    backwards = np.flatnonzero(np.diff(times) < 0)
+    if len(backwards):
+        raise ValueError(f"t goes backwards in row {int(backwards[0]) + 2}: put the rows in the order of time")
+    return times, points
+
+
+def _column(name: str, values: Any, n: int) -> Numbers:
+    column = np.asarray(values, dtype=np.float64)
+    if column.shape != (n,):
+        raise ValueError(f"{name} has {column.size} rows and t has {n}: give them equal length")
+    if not np.all(np.isfinite(column)):
+        raise ValueError(f"{name} has no finite number in row {int(np.argmin(np.isfinite(column))) + 1}: correct it")
+    return column

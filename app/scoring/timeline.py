@@ -1,0 +1,281 @@
+"""One trial on one time base, short enough to be looked at: where the chair was, and what led to it."""
+
+from pathlib import Path as FilePath
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import ValidationError
+
+from app.calibration.vocabulary import DriveParameters, recorded_parameters
+from app.faults import State
+from app.layout import ShirtLayout
+from app.quantities import Document
+from app.recording.reader import Columns, Run, read_run
+from app.scoring.decimation import Decimation
+from app.scoring.trial_events import Event, events_of
+from app.world.floorplan import FloorPlan
+from app.world.path import Path
+from app.world.scenery import Track
+
+MOST_POINTS = 2000
+CHANNELS_SHOWN = 4  # of a joint: those that weigh most in its map
+WINDOW = 1.5  # m along the path within which the chair is looked for
+LOST = 1.0  # m beside the path: perhaps the chair is near another part of it
+PLACES = 4  # digits behind the point: a tenth of a millimetre
+
+Numbers = NDArray[np.float64]
+Column = list[float | None]  # None: not known at that moment
+
+
+class GestureLine(Document):
+    """What one gesture was, and what it did."""
+
+    name: str
+    joint: str
+    direction: int
+    feature: str
+    controls: list[str]  # what it was bound to
+    dead_zone: float  # FS/s, FS for a held posture
+    full: float
+    score: Column  # FS
+    rate: Column  # FS/s, FS for a held posture
+    activation: Column  # 0..1
+
+
+class ChannelLine(Document):
+    """The signal of one channel."""
+
+    name: str
+    values: Column  # signal units
+
+
+class JointLines(Document):
+    """Some of a joint's channels."""
+
+    name: str
+    label: str
+    channels: list[ChannelLine]
+    of: int  # how many it has
+
+
+class MoverLine(Document):
+    """Where something was that moves by itself."""
+
+    x: Column  # m
+    y: Column  # m
+    theta: Column  # rad
+
+
+class Timeline(Document):
+    """A recorded trial, all columns of one length; times in s since motion was first permitted."""
+
+    t: Column
+    x: Column  # m
+    y: Column  # m
+    theta: Column  # rad
+    v: Column  # m/s, as told to the chair
+    omega: Column  # rad/s
+    u1: Column
+    u2: Column
+    along: Column  # m along the prescribed path; empty where it has no length
+    across: Column  # m beside it, left positive
+    scene_t: Column  # s, of what moves by itself
+    movers: list[MoverLine]
+    state: list[int]  # app.faults.State
+    contact: list[bool]
+    gestures: list[GestureLine]
+    joints: list[JointLines]
+    events: list[Event]
+    floorplan: FloorPlan | None  # as it was when it was driven; None: the recording does not say
+    words: str  # what is wrong with the recording; empty when it is whole
+
+
+def timeline_of(folder: FilePath, path_points: list[Any], end: str | None) -> Timeline:
+    """Return the time line of a trial from its recording.
+
+    Parameters
+    ----------
+    folder
+        Of the recording.
+    path_points
+        The prescribed path as it was driven, (x, y) in m each.
+    end
+        How the trial ended.
+
+    Raises
+    ------
+    ValueError
+        In one sentence, when there is no recording, or it holds nothing.
+    """
+    run = read_run(folder)
+    if run.rows == 0:
+        raise ValueError(f"The recording of this trial holds nothing. {run.words}".strip())
+    rows = run.columns
+    t = since_armed(rows)
+    short = Decimation(run.rows, MOST_POINTS)
+    x, y = short.taken(rows["x"]), short.taken(rows["y"])
+    along, across = _beside(path_points, x, y)
+    scene_t, plan = short.taken(scene_times(rows, t)), plan_of(run)
+    return Timeline(
+        t=column(short.taken(t)),
+        x=column(x),
+        y=column(y),
+        along=along,
+        across=across,
+        **{name: column(short.taken(rows[name])) for name in ("theta", "v", "omega")},
+        **{name: column(short.peaks(rows[name])) for name in ("u1", "u2")},
+        scene_t=column(scene_t),
+        movers=_movers(plan, scene_t),
+        state=short.taken(rows["state"]).tolist(),
+        contact=short.any(rows["in_contact"]).tolist(),
+        gestures=_gestures(run, short),
+        joints=_joints(run, short),
+        events=events_of(rows, t, end),
+        floorplan=plan,
+        words=run.words,
+    )
+
+
+class Poses(NamedTuple):
+    """Where the chair was, and what else a picture of it needs; (n,) each."""
+
+    t: Numbers  # s since motion was first permitted
+    x: Numbers  # m
+    y: Numbers  # m
+    theta: Numbers  # rad
+    v: Numbers  # m/s
+    scene_t: Numbers  # s
+    head: NDArray[np.float64]  # (n, 3) yaw, pitch, roll in rad; NaN: not known
+
+
+def poses_of(run: Run, most_per_second: float) -> Poses:
+    """Return the poses of a recorded run, at most so many a second; ValueError when it holds nothing."""
+    rows = run.columns
+    if run.rows == 0:
+        raise ValueError("The recording of this trial holds nothing: choose another trial.")
+    t = since_armed(rows)
+    places = np.floor((t - t[0]) * most_per_second)
+    chosen = np.flatnonzero(np.diff(places, prepend=-1.0) > 0)
+    head = [rows[f"head_{axis}"][chosen] for axis in ("yaw", "pitch", "roll")]
+    return Poses(
+        t=t[chosen],
+        **{name: rows[name][chosen] for name in ("x", "y", "theta", "v")},
+        scene_t=scene_times(rows, t)[chosen],
+        head=np.stack(head, axis=1).astype(np.float64),
+    )
+
+
+def since_armed(rows: Columns) -> Numbers:
+    """Return the times (n,) s since motion was first permitted, or since the beginning when it never was."""
+    t: Numbers = rows["t"]
+    armed = np.flatnonzero(rows["state"] == State.ARMED)
+    since: Numbers = t - t[armed[0] if len(armed) else 0]
+    return since
+
+
+def scene_times(rows: Columns, t: Numbers) -> Numbers:
+    """Return the scene's times (n,) s; recordings from before there were scenes have none, and nothing moved then."""
+    return np.where(np.isfinite(rows["scene_t"]), rows["scene_t"], np.maximum(t, 0.0))
+
+
+def column(values: NDArray[Any]) -> Column:
+    """Return rounded numbers for JSON, None where one is not finite."""
+    rounded = np.round(values.astype(np.float64), PLACES)
+    if np.isfinite(rounded).all():
+        finite: Column = rounded.tolist()
+        return finite
+    return [value if np.isfinite(value) else None for value in rounded.tolist()]
+
+
+def _beside(path_points: list[Any], x: NDArray[Any], y: NDArray[Any]) -> tuple[Column, Column]:
+    """Return how far along the path and how far beside it each place is; two empty columns for a path of no length."""
+    try:
+        line = Path(path_points)
+    except ValueError:
+        return [], []
+    found, along = [], 0.0
+    for place in zip(x.tolist(), y.tolist(), strict=True):
+        along, across = line.project_near(*place, along, WINDOW)
+        if abs(across) > LOST:
+            along, across = line.project(*place)
+        found.append((along, across))
+    both = np.array(found)
+    return column(both[:, 0]), column(both[:, 1])
+
+
+def _movers(plan: FloorPlan | None, scene_t: NDArray[Any]) -> list[MoverLine]:
+    lines = []
+    for mover in plan.movers if plan else ():
+        track = Track(mover)
+        places = np.array([track.at(t).pose for t in scene_t.tolist()])
+        lines.append(MoverLine(x=column(places[:, 0]), y=column(places[:, 1]), theta=column(places[:, 2])))
+    return lines
+
+
+def plan_of(run: Run) -> FloorPlan | None:
+    """Return where a run was driven, as its recording says; None when it does not."""
+    try:
+        return FloorPlan.model_validate(run.meta.get("floorplan"))
+    except ValidationError:
+        return None
+
+
+def _gestures(run: Run, short: Decimation) -> list[GestureLine]:
+    parameters = parameters_of(run)
+    if parameters is None or run.columns["score"].shape[1] != len(parameters.gestures):
+        return []
+    lines = []
+    for i, gesture in enumerate(parameters.gestures):
+        three = {name: column(short.peaks(run.columns[name][:, i])) for name in ("score", "rate", "activation")}
+        lines.append(
+            GestureLine(
+                **gesture.model_dump(include={"name", "joint", "direction", "feature", "dead_zone", "full"}),
+                controls=[one.control for one in parameters.bindings if gesture.name in one.gestures],
+                **three,
+            )
+        )
+    return lines
+
+
+def _joints(run: Run, short: Decimation) -> list[JointLines]:
+    try:
+        layout = ShirtLayout.model_validate(run.meta.get("layout"))
+    except ValidationError:
+        return []
+    values = run.columns["values"]
+    if values.shape[1] != len(layout.channels):
+        return []
+    weights = _weights(parameters_of(run), len(layout.channels))
+    labels = {joint.name: joint.label for joint in layout.joints}
+    lines = []
+    for joint, channels in layout.channels_of_joint.items():
+        # Those that weigh most, in the order of the shirt; a joint without a map shows its first ones.
+        chosen = sorted(sorted(channels, key=lambda channel: -weights[channel])[:CHANNELS_SHOWN])
+        lines.append(
+            JointLines(
+                name=joint,
+                label=labels.get(joint, joint),
+                channels=[
+                    ChannelLine(name=layout.channels[i].name, values=column(short.peaks(values[:, i]))) for i in chosen
+                ],
+                of=len(channels),
+            )
+        )
+    return lines
+
+
+def parameters_of(run: Run) -> DriveParameters | None:
+    """Return what a run was driven with, as its recording says; None when it does not."""
+    try:
+        return recorded_parameters(run.meta.get("parameters"))
+    except ValidationError:
+        return None
+
+
+def _weights(parameters: DriveParameters | None, n_channels: int) -> Numbers:
+    """Return how much each channel (n_channels,) weighs in the map of its joint; 0 where it is in none."""
+    weights = np.zeros(n_channels)
+    for joint in parameters.profile.joints if parameters else ():
+        weights[list(joint.channels)] = np.abs(joint.weights)
+    return weights

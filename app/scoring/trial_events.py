@@ -1,0 +1,79 @@
+"""What happened in a recorded trial and when: armed, stops, faults, contacts, the goal."""
+
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.faults import EXPLANATIONS, Fault, State
+from app.quantities import Document
+from app.recording.reader import Columns
+
+EventKind = Literal["checking", "armed", "stop", "fault", "disarmed", "contact", "goal"]
+
+STOPS = frozenset({Fault.STOP_TABLET, Fault.STOP_GESTURE, Fault.STOP_KEY, Fault.STOP_CHAIR})  # somebody wanted them
+ONE_CONTACT = 0.5  # s: what touches again so soon is still the same contact
+WORDS = {
+    "checking": "The neutral check began.",
+    "armed": "Motion was permitted.",
+    "disarmed": "Motion was permitted no more.",
+    "contact": "The chair touched something.",
+    "goal": "The goal was reached.",
+}
+
+
+class Event(Document):
+    """Something that happened at a moment."""
+
+    t: float  # s since motion was first permitted
+    kind: EventKind
+    words: str
+
+
+def events_of(columns: Columns, t: NDArray[np.float64], end: str | None) -> list[Event]:
+    """Return what happened, in order.
+
+    Parameters
+    ----------
+    columns
+        Of the whole recording: `state`, `fault` and `contacts`, (n,) each.
+    t
+        (n,) s, by the clock of the events.
+    end
+        How the trial ended; the goal was reached when motion was withdrawn because of it.
+    """
+    events = _of_state(columns, t) + _contacts(columns["contacts"], t)
+    armed = np.flatnonzero(columns["state"] == State.ARMED)
+    if end == "goal" and len(armed):
+        events.append(_event(t[armed[-1]], "goal"))
+    return sorted(events, key=lambda event: event.t)
+
+
+def _of_state(columns: Columns, t: NDArray[np.float64]) -> list[Event]:
+    state = columns["state"]
+    changes = np.flatnonzero(np.diff(state, prepend=np.uint8(State.DISARMED)))
+    return [_turned(int(state[row]), int(columns["fault"][row]), t[row]) for row in changes]
+
+
+def _turned(state: int, fault: int, t: float) -> Event:
+    if state != State.FAULT:
+        kinds: dict[int, EventKind] = {
+            State.DISARMED: "disarmed",
+            State.CHECKING: "checking",
+            State.ARMED: "armed",
+        }
+        return _event(t, kinds[state])
+    why = Fault(fault)
+    return _event(t, "stop" if why in STOPS else "fault", EXPLANATIONS[why].happened)
+
+
+def _contacts(contacts: NDArray[Any], t: NDArray[np.float64]) -> list[Event]:
+    events: list[Event] = []
+    for row in np.flatnonzero(np.diff(contacts.astype(np.int64), prepend=0) > 0):
+        if not events or t[row] - events[-1].t > ONE_CONTACT:
+            events.append(_event(t[row], "contact"))
+    return events
+
+
+def _event(t: float, kind: EventKind, words: str = "") -> Event:
+    return Event(t=round(float(t), 3), kind=kind, words=words or WORDS[kind])

@@ -1,0 +1,101 @@
+"""What a recorded trial would have been like with another parameter set: its signals, decoded again.
+
+The person is not in it. They would have moved otherwise had the chair gone otherwise: where the chair would have ended
+says nothing, and is not said; what their movements would have meant, does.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.calibration.vocabulary import DriveParameters
+from app.faults import State
+from app.pipeline.replay.batch import Decoded, decode_block
+from app.quantities import Document
+from app.recording.reader import Columns, Run
+
+BRIEF = 0.1  # s: shorter than any movement that somebody makes on purpose
+
+
+class Effect(Document):
+    """How one set reads the movements of a trial, and another the same movements."""
+
+    seconds: float  # for which motion was permitted
+    activations_before: int  # of all bound gestures
+    activations_after: int
+    false_before: int  # those that were shorter than `BRIEF`
+    false_after: int
+    alike: float  # share of the time in which both ask for the same: faster, slower or neither, left, right or neither
+    felt_change: float  # rms of what u1 and u2 differ by, over rms of what they were
+
+
+def predicted_effect(run: Run, before: DriveParameters, after: DriveParameters) -> Effect | None:
+    """Return what `after` would have made of a recorded trial, beside what `before` makes of it.
+
+    None when motion was never permitted in it.
+
+    Raises
+    ------
+    ValueError
+        In one sentence, when the run is of another shirt.
+    """
+    frames = run.frames()
+    permitted = np.asarray(frames["state"] == State.ARMED)
+    if not permitted.any():
+        return None
+    old, new = _decoded(frames, before), _decoded(frames, after)
+    seconds = float(np.clip(np.diff(frames["t"], prepend=frames["t"][0]), 0.0, 1.0)[permitted].sum())
+    period = seconds / permitted.sum()
+    counts = [_activations(one, parameters, permitted, period) for one, parameters in ((old, before), (new, after))]
+    u_old, u_new = (np.column_stack((one.u1, one.u2))[permitted] for one in (old, new))
+    return Effect(
+        seconds=seconds,
+        activations_before=counts[0][0],
+        activations_after=counts[1][0],
+        false_before=counts[0][1],
+        false_after=counts[1][1],
+        alike=float(np.mean((np.sign(u_old) == np.sign(u_new)).all(axis=1))),
+        felt_change=_share(u_new - u_old, u_old),
+    )
+
+
+def _decoded(frames: Columns, parameters: DriveParameters) -> Decoded:
+    values, profile = frames["values"], parameters.profile
+    if values.shape[1] != len(profile.layout.channels):
+        raise ValueError(
+            f"the recording has {values.shape[1]} channels and the profile {len(profile.layout.channels)}: "
+            "use the profile of the same shirt"
+        )
+    return decode_block(
+        parameters,
+        profile.sample_rate,
+        frames["t"],
+        values.astype(np.float32, copy=False),
+        t_device=frames["t_device"],
+        state=frames["state"],
+    )
+
+
+def _activations(
+    decoded: Decoded, parameters: DriveParameters, permitted: NDArray[np.bool_], period: float
+) -> tuple[int, int]:
+    """Return how many activations there were of bound gestures, and how many of them were too brief to be meant."""
+    bound = {name for binding in parameters.bindings for name in binding.gestures}
+    lengths = [
+        _lengths((decoded.activation[:, i] > 0.0) & permitted) * period
+        for i, gesture in enumerate(parameters.gestures)
+        if gesture.name in bound
+    ]
+    together = np.concatenate(lengths) if lengths else np.empty(0)
+    return len(together), int((together < BRIEF).sum())
+
+
+def _lengths(mask: NDArray[np.bool_]) -> NDArray[np.intp]:
+    """Return how many frames each stretch lasts in which a mask (n,) is true."""
+    edges = np.flatnonzero(np.diff(np.concatenate(([False], mask, [False])).astype(np.int8)))
+    return edges[1::2] - edges[::2]
+
+
+def _share(change: NDArray[np.float64], of: NDArray[np.float64]) -> float:
+    """Return rms(change) / rms(of); 0 where nothing was asked for at all."""
+    whole = float(np.sqrt(np.mean(of**2)))
+    return float(np.sqrt(np.mean(change**2))) / whole if whole > 0.0 else 0.0

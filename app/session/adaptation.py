@@ -1,0 +1,280 @@
+"""The map learns the person: what the last trials propose, kept aside until somebody or a standstill applies it."""
+
+import asyncio
+import logging
+import threading
+import uuid
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Literal
+
+from app.faults import State
+from app.refusals import Conflict, NotFound, Refusal, Unavailable
+from app.session.control_link import Control
+from app.session.equipment.chairs import Chairs
+from app.session.open_session import VisitFlow
+from app.session.readings import Adapted, Readings
+from app.session.runs import Runs
+from app.session.trial import DriveFlow
+from app.store.adaptation_material import material_for, mode_of, still_holds
+from app.store.database import Database
+from app.store.log import write_log
+from app.store.map_versions import go_back, save_adapted
+from app.store.practice import Practised
+from app.store.tables import Patient, PatientSession, Trial
+
+logger = logging.getLogger("bodydrive")
+
+Mode = Literal["off", "suggest", "auto"]
+
+STANDSTILL = 0.01  # m/s and rad/s
+
+NOT_ASKED: dict[str, str] = {
+    "off": "This patient's map stays as it is: look now, or choose that changes are suggested.",
+    "suggest": "What would change is shown here after the next trial on the virtual chair.",
+    "auto": "What changes is shown here after the next trial on the virtual chair.",
+}
+NOT_NOW = "You left it as it is: it is looked at again after the next trial."
+NO_TRIALS = "Nothing was driven with this map yet: drive a trial on the virtual chair, then look again."
+LEFT_OFF = "Somebody drives: it is looked at again after the trial."
+SWITCHED = "It is no longer wanted that the map adapts by itself: look, then decide."
+STALE = "The controls or the trials were changed since this was proposed: look again, then decide."
+GONE = "This proposal is there no more: look again, then decide."
+REAL_CHAIR = "A real chair is chosen, and nothing is adapted there: choose the virtual one first."
+NOT_STILL = "The chair is armed or moves: end what is driven, then apply."
+LARGE = "The patient would feel it: 5 % or more. So it waits for somebody who looks and applies it."
+
+
+@dataclass(frozen=True, slots=True)
+class Held:
+    """A proposal that waits, or that was applied last."""
+
+    id: str
+    patient_id: int
+    trials: tuple[int, ...]  # ids of those that it was made from, the newest last
+    base: str  # hash of the set that it would change
+    adapted: Adapted
+    applied: int | None = None  # the version that it became
+    words: str = ""  # why it was not applied by itself, in a sentence
+
+
+class AdaptationFlow:
+    """Proposes after each trial on the virtual chair; applies between trials only, and never with a real chair."""
+
+    def __init__(
+        self,
+        database: Database,
+        control: Control,
+        runs: Runs,
+        drive: DriveFlow,
+        visit: VisitFlow,
+        chairs: Chairs,
+        tell: Callable[[str], None],
+        readings: Readings,
+    ) -> None:
+        self._database = database
+        self._control = control
+        self._runs = runs
+        self._visit = visit
+        self._chairs = chairs
+        self._tell = tell
+        self._readings = readings
+        self._one_at_a_time = asyncio.Lock()
+        self._ending = threading.Event()
+        self._tasks: set[asyncio.Task[None]] = set()
+        self._held: Held | None = None
+        self._why: dict[int, str] = {}  # patient: why there is no proposal, in a sentence
+        self.practised = Practised()
+        drive.on_over = self.trial_over
+
+    @property
+    def looking(self) -> bool:
+        """Whether a proposal is being made."""
+        return self._one_at_a_time.locked()
+
+    def held(self, patient_id: int) -> Held | None:
+        """Return the patient's proposal, None when there is none."""
+        return self._held if self._held is not None and self._held.patient_id == patient_id else None
+
+    def why(self, patient_id: int) -> str:
+        """Return in a sentence why the patient has no proposal; empty when nobody looked."""
+        return self._why.get(patient_id, "")
+
+    def refusal(self) -> str | None:
+        """Return in a sentence why nothing may be applied at this moment, None when it may."""
+        if self._chairs.chosen is not None:
+            return REAL_CHAIR
+        tick = self._control.newest()
+        if tick is None:
+            return "The control process is being restarted: wait a moment, then try again."
+        if tick["chair_kind"]:
+            return REAL_CHAIR
+        if tick["state"] == State.FAULT:
+            return "A stop is still in force: tap Continue first, then apply."
+        moves = max(abs(float(tick[name])) for name in ("v", "omega", "driven_v", "driven_omega")) > STANDSTILL
+        return NOT_STILL if moves or tick["state"] != State.DISARMED else None
+
+    def trial_over(self, trial_id: int) -> None:
+        """Look at what a trial that has just ended shows, aside and later: nothing waits for it."""
+        if not self._ending.is_set():
+            task = asyncio.create_task(self._after(trial_id))
+            self._tasks.add(task)
+            task.add_done_callback(self._tasks.discard)
+
+    async def propose(self, session: PatientSession) -> None:
+        """Make a proposal from the last trials, whatever the mode is."""
+        if self._chairs.chosen is not None:
+            raise Conflict(REAL_CHAIR)
+        async with self._one_at_a_time:
+            self._visit.refuse_while_busy("look what would change")
+            await asyncio.to_thread(self._propose, session.patient_id, session.id)
+        self._tell("adaptation")
+
+    async def apply(self, clinic_id: int, proposal: str, person: str | None) -> int:
+        """Make a proposal the patient's next map, and return its version; `person` None: it applies by itself."""
+        async with self._visit.undisturbed("apply the adapted map"):
+            self._require_standstill()
+            session = await self._visit.needed_session(clinic_id)
+            version = await asyncio.to_thread(self._save, session, proposal, person)
+            await self._visit.try_load_parameters()
+        self._tell("controls")
+        self._tell("adaptation")
+        return version
+
+    async def back(self, clinic_id: int, person: str) -> int:
+        """Go back to the map before the current one, and return the version that it becomes."""
+        async with self._visit.undisturbed("go back"):
+            session = await self._visit.needed_session(clinic_id)
+            version = await asyncio.to_thread(self._back, session, person)
+            await self._visit.try_load_parameters()
+        self._tell("controls")
+        self._tell("adaptation")
+        return version
+
+    async def dismiss(self, session: PatientSession, proposal: str) -> None:
+        """Forget a proposal; the next trial may bring another."""
+        held = self.held(session.patient_id)
+        if held is not None and held.id == proposal and held.applied is None:
+            self._held = None
+            self._why[session.patient_id] = NOT_NOW
+        self._tell("adaptation")
+
+    async def set_mode(self, session: PatientSession, mode: Mode, person: str) -> None:
+        """Choose whether this patient's map is adapted, and by whom."""
+
+        def _write() -> None:
+            with self._database.transaction() as db:
+                db.get_one(Patient, session.patient_id).adaptation = mode
+                write_log(db, person, "adaptation chosen", patient=session.patient_id, mode=mode)
+
+        await asyncio.to_thread(_write)
+        self._tell("adaptation")
+
+    async def stop(self) -> None:
+        """Give up what is being looked at because the application ends."""
+        self._ending.set()
+        for task in self._tasks:
+            task.cancel()
+        await asyncio.gather(*self._tasks, return_exceptions=True)
+
+    async def _after(self, trial_id: int) -> None:
+        try:
+            trial, mode = await asyncio.to_thread(self._trial, trial_id)
+            if mode == "off" or self._chairs.chosen is not None:
+                return
+            async with self._one_at_a_time:
+                await asyncio.to_thread(self._propose, trial.patient_id, trial.session_id)
+            if mode == "auto":
+                await self._apply_by_itself(trial.clinic_id, trial.patient_id)
+        except (Refusal, ValueError, OSError):  # the next trial, or somebody who asks, brings another
+            logger.exception("No proposal was made after trial %d", trial_id)
+        self._tell("adaptation")
+
+    async def _apply_by_itself(self, clinic_id: int, patient_id: int) -> None:
+        held = self.held(patient_id)
+        if held is None or held.adapted.proposal.parameters is None:
+            return
+        try:
+            if held.adapted.proposal.warns:
+                raise Conflict(LARGE)
+            await self.apply(clinic_id, held.id, None)
+        except Refusal as refusal:
+            if self._held is held:
+                self._held = replace(held, words=str(refusal))
+
+    def _require_standstill(self) -> None:
+        refusal = self.refusal()
+        if refusal is not None:
+            raise Unavailable(refusal) if self._control.newest() is None else Conflict(refusal)
+
+    def _disturbed(self) -> bool:
+        """Tell whether to leave off: the application ends, or somebody drives."""
+        return self._ending.is_set() or self._visit.driving
+
+    def _propose(self, patient_id: int, session_id: int) -> None:
+        with self._database.transaction() as db:
+            shown = material_for(db, patient_id, session_id, simulated=self._visit.simulated)
+        folders = [self._runs.folder_of(run_id) for run_id in shown.run_ids]
+        self._held, adapted = None, None
+        if shown.fresh:
+            adapted = self._readings.adapt(shown.parameters, shown.calibrated, folders, shown.fresh, self._disturbed)
+        if adapted is None:
+            self._why[patient_id] = LEFT_OFF if shown.fresh else NO_TRIALS
+            return
+        self._why.pop(patient_id, None)
+        self._held = Held(uuid.uuid4().hex, patient_id, shown.trials, shown.parameters.hash, adapted)
+
+    def _save(self, session: PatientSession, proposal: str, person: str | None) -> int:
+        held = self.held(session.patient_id)
+        if held is None or held.id != proposal or held.applied is not None:
+            raise NotFound(GONE)
+        wanted = held.adapted.proposal
+        if wanted.parameters is None:
+            raise Conflict(wanted.reason)
+        with self._database.transaction() as db:
+            if person is None and mode_of(db, session.patient_id) != "auto":
+                raise Conflict(SWITCHED)
+            if not still_holds(db, session.patient_id, held.base, held.trials):
+                raise Conflict(STALE)
+            difference = {
+                **wanted.difference,
+                "trials": list(held.trials),
+                "by_itself": person is None,
+            }
+            row = save_adapted(db, session.patient_id, session.id, wanted.parameters, difference)
+            write_log(
+                db,
+                person,
+                "map adapted",
+                patient=session.patient_id,
+                version=row.version,
+                parent=row.parent,
+                felt_change=wanted.felt_change,
+                hash=wanted.parameters.hash,
+            )
+        self._held = replace(held, applied=row.version, words="")
+        return row.version
+
+    def _back(self, session: PatientSession, person: str) -> int:
+        with self._database.transaction() as db:
+            row = go_back(db, session.patient_id, session.id)
+            patient = db.get_one(Patient, session.patient_id)
+            if patient.adaptation == "auto":  # what was just taken back must not come again by itself
+                patient.adaptation = "suggest"
+            write_log(
+                db,
+                person,
+                "map taken back",
+                patient=patient.id,
+                version=row.version,
+                parent=row.parent,
+                **(row.difference or {}),
+            )
+        self._held = None
+        self._why.pop(session.patient_id, None)
+        return row.version
+
+    def _trial(self, trial_id: int) -> tuple[Trial, str]:
+        with self._database.transaction() as db:
+            trial = db.get_one(Trial, trial_id)
+            return trial, mode_of(db, trial.patient_id)

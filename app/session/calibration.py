@@ -1,0 +1,278 @@
+"""The calibration as it goes on: steps that are recorded one by one, can be repeated, and survive a restart."""
+
+import asyncio
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from app.calibration.profile import CalibrationProfile
+from app.calibration.script import Step, calibration_script
+from app.clock import monotonic
+from app.layout import ShirtLayout
+from app.refusals import Conflict, NotFound, Refusal
+from app.session.control_link import Control
+from app.session.equipment.shirt import Equipment
+from app.session.readings import Readings
+from app.session.runs import Runs
+from app.store.calibrations import (
+    begin_calibration,
+    calibration_steps,
+    is_calibration_simulated,
+    recordings_of,
+    set_step,
+)
+from app.store.database import Database
+from app.store.tables import PatientSession
+
+LOOK_EVERY = 0.05  # s
+STANDSTILL_LIMIT = 3.0  # s without progress of the run: nothing more will come
+RESULT = "result"
+OVER = ("done", "skipped")  # states of a step that nothing waits for any more
+
+
+@dataclass(frozen=True, slots=True)
+class Progress:
+    """Everything that is known about the calibration of one session."""
+
+    layout: ShirtLayout | None
+    steps: tuple[Step, ...]
+    current: str
+    status: dict[str, tuple[str, str]]  # step: status and words
+    running: str | None
+    started_run: int | None
+    profile: CalibrationProfile | None
+    accepted: bool
+
+
+class CalibrationFlow:
+    """Drives the steps of the session's calibration; one step runs at a time, in a task of its own."""
+
+    def __init__(
+        self,
+        database: Database,
+        control: Control,
+        equipment: Equipment,
+        runs: Runs,
+        tell: Callable[[str], None],
+        readings: Readings,
+    ) -> None:
+        self._database = database
+        self._control = control
+        self._equipment = equipment
+        self._runs = runs
+        self._tell = tell
+        self._readings = readings
+        self._task: asyncio.Task[None] | None = None
+        self._running: str | None = None
+
+    @property
+    def running(self) -> bool:
+        """Whether a step is being recorded or the map is being fitted."""
+        return self._running is not None
+
+    async def progress(self, session_id: int) -> Progress:
+        """Return how far the session's calibration has come, beginning one when there is none."""
+        return await asyncio.to_thread(self._progress, session_id)
+
+    async def start(self, session_id: int, step_id: str) -> None:
+        """Record one step; what was recorded for it before no longer counts."""
+        progress = await self.progress(session_id)
+        step = self._find(progress, step_id)
+        if progress.layout != self._equipment.needed_layout():
+            raise Conflict("The shirt is another one than when this calibration began: begin the calibration anew.")
+        if self._running is not None:
+            raise Conflict("A step is being recorded already: wait for its end, or cancel it first.")
+        self._running, self._task = step.id, None
+        try:
+            run = await self._runs.begin(session_id, step.kind, step.cues, {"step": step.id})
+        except BaseException:  # what may be recorded now is somebody else's
+            self._running = None
+            raise
+        try:
+            await asyncio.to_thread(self._set, session_id, step.id, "running", "", run.id, step.id)
+        except BaseException:
+            self._running = None
+            await self._runs.end()
+            raise
+        task = asyncio.create_task(self._record(session_id, step, run.number))
+        await asyncio.sleep(0)  # a task that is cancelled before it began would never close its recording
+        self._task = task
+        self._tell("calibration")
+
+    async def cancel(self, session_id: int, step_id: str) -> None:
+        """Stop recording a step; it waits again."""
+        self._find(await self.progress(session_id), step_id)
+        if self._running != step_id or self._task is None or self._runs.open is None:
+            raise Conflict("This step is not being recorded, or no longer: start it, or choose another.")
+        await self.stop("waiting", "")
+
+    async def skip(self, session_id: int, step_id: str) -> None:
+        """Go on without a prompted movement that this body cannot make; the map is fitted from the others."""
+        step = self._find(await self.progress(session_id), step_id)
+        if step.kind != "prompt":
+            raise Conflict("Rest and free movement cannot be skipped: the map is fitted from them.")
+        if self._running is not None:
+            raise Conflict("A step is being recorded: wait for its end, or cancel it first.")
+        await asyncio.to_thread(self._set, session_id, step.id, "skipped", "", None, None)
+        try:
+            await self._go_on(session_id)
+        finally:
+            self._ended()
+
+    async def stop(self, status: str = "failed", words: str = "The application ended during this step.") -> None:
+        """End whatever runs, leaving its step with this status."""
+        task, self._task = self._task, None
+        if task is None:
+            return
+        task.cancel(f"{status}\n{words}")
+        await asyncio.gather(task, return_exceptions=True)
+
+    async def go(self, session_id: int, step_id: str) -> None:
+        """Look at another step."""
+        progress = await self.progress(session_id)
+        if step_id != RESULT:
+            self._find(progress, step_id)
+
+        def _write() -> None:
+            with self._database.transaction(closing=True) as db:
+                db.get_one(PatientSession, session_id).current_step = step_id
+
+        await asyncio.to_thread(_write)
+        self._tell("calibration")
+
+    async def restart(self, session_id: int) -> None:
+        """Begin anew; the recordings made so far stay on disk but no longer count."""
+        if self._running is not None:
+            raise Conflict("A step is being recorded: cancel it first, then begin anew.")
+        await asyncio.to_thread(self._begin, session_id, self._equipment.needed_layout())
+        self._tell("calibration")
+
+    async def _record(self, session_id: int, step: Step, number: int) -> None:
+        status, words = "failed", ""
+        try:
+            words = await self._wait(number, step.duration)
+            run = await self._runs.end()
+            if not words and run is not None:
+                complaint = await asyncio.to_thread(self._readings.judge, run.folder, step.duration)
+                words = complaint or ""
+            status = "failed" if words else "done"
+        except asyncio.CancelledError as cancelled:
+            status, _, words = str(cancelled.args[0]).partition("\n") if cancelled.args else ("failed", "", "")
+            raise
+        except (Refusal, ValueError, OSError) as error:
+            words = str(error)
+        finally:
+            try:
+                await self._runs.end()
+                await asyncio.to_thread(self._set, session_id, step.id, status, words, None, None)
+            except BaseException:  # also when the database is gone: the step is over
+                self._ended()
+                raise
+            if status != "done":
+                self._ended()
+        if status == "done":
+            try:
+                await self._go_on(session_id)
+            finally:
+                self._ended()
+
+    def _ended(self) -> None:
+        self._running = None
+        self._tell("calibration")
+
+    async def _wait(self, number: int, duration: float) -> str:
+        """Wait until the run's own time has passed `duration`; return in words why it did not."""
+        reached, moved_at = -1.0, monotonic()
+        while True:
+            await asyncio.sleep(LOOK_EVERY)
+            tick = self._control.newest()
+            if tick is not None and int(tick["run"]) == number:
+                run_t = float(tick["run_t"])
+                if run_t >= duration:
+                    return ""
+                if math.isfinite(run_t) and run_t > reached:
+                    reached, moved_at = run_t, monotonic()
+            if self._control.state != "alive":
+                return "The control process ended during this step: repeat it."
+            if monotonic() - moved_at > STANDSTILL_LIMIT:
+                return "Nothing was recorded for three seconds: look at the Shirt page, then repeat this step."
+
+    async def _go_on(self, session_id: int) -> None:
+        """After a step: show the next one that is missing, or fit when none is."""
+        progress = await self.progress(session_id)
+        missing = [step.id for step in progress.steps if progress.status[step.id][0] not in OVER]
+        await self.go(session_id, missing[0] if missing else RESULT)
+        if not missing:
+            await self._fit_now(session_id)
+
+    async def _fit_now(self, session_id: int) -> None:
+        """Fit the map from the recordings; they are the truth, not what was shown meanwhile."""
+        self._running = RESULT
+        await asyncio.to_thread(self._set, session_id, RESULT, "running", "The map is being fitted.", None, None)
+        self._tell("calibration")
+        status, words = "failed", "The fit was interrupted: repeat any step, and it is done again."
+        try:
+            await asyncio.to_thread(self._fit_in_thread, session_id)
+            status, words = "done", ""
+        except (ValueError, OSError, Refusal) as error:
+            words = str(error)
+        finally:
+            await asyncio.to_thread(self._set, session_id, RESULT, status, words, None, None)
+
+    def _fit_in_thread(self, session_id: int) -> None:
+        progress = self._progress(session_id)
+        if progress.layout is None:
+            raise Conflict("There is no shirt: choose one on the Shirt page, then begin the calibration anew.")
+        with self._database.transaction() as db:
+            folders = recordings_of(db, session_id)
+            is_calibration_simulated(db, session_id)  # refuses a mixture before the fit
+        done = [step for step in progress.steps if progress.status[step.id][0] == "done"]
+        recorded = [(step, self._runs.folder_of(folders[step.id])) for step in done]
+        profile = self._readings.fit(progress.layout, recorded, self._equipment.unused)
+        with self._database.transaction() as db:
+            session = db.get_one(PatientSession, session_id)
+            session.result, session.accepted = profile.model_dump(mode="json"), False
+
+    def _progress(self, session_id: int) -> Progress:
+        with self._database.transaction() as db:
+            session = db.get_one(PatientSession, session_id)
+            rows = calibration_steps(db, session_id)
+            script, current, result = session.script, session.current_step, session.result
+            untouched = all(row.status == "waiting" for row in rows.values())
+        worn = self._equipment.layout
+        if untouched and worn is not None and (script is None or script["layout"] != worn.model_dump(mode="json")):
+            self._begin(session_id, worn)
+            return self._progress(session_id)
+        layout = None if script is None else ShirtLayout.model_validate(script["layout"])
+        steps = () if layout is None else calibration_script(layout)
+        return Progress(
+            layout=layout,
+            steps=steps,
+            current=current or (steps[0].id if steps else RESULT),
+            status={step: (row.status, row.words) for step, row in rows.items()},
+            running=self._running,
+            started_run=self._runs.open.number if self._running and self._runs.open else None,
+            profile=None if result is None else CalibrationProfile.model_validate(result),
+            accepted=session.accepted,
+        )
+
+    def _begin(self, session_id: int, layout: ShirtLayout) -> None:
+        script = {"layout": layout.model_dump(mode="json")}
+        steps = [step.id for step in calibration_script(layout)] + [RESULT]
+        with self._database.transaction() as db:
+            begin_calibration(db, db.get_one(PatientSession, session_id), script, steps)
+
+    def _set(
+        self, session_id: int, step: str, status: str, words: str, run_id: str | None, current: str | None
+    ) -> None:
+        with self._database.transaction(closing=True) as db:
+            set_step(db, session_id, step, status, words, run_id)
+            if current is not None:
+                db.get_one(PatientSession, session_id).current_step = current
+
+    @staticmethod
+    def _find(progress: Progress, step_id: str) -> Step:
+        for step in progress.steps:
+            if step.id == step_id:
+                return step
+        raise NotFound(f"There is no step '{step_id}' in this calibration: choose one of the list.")

@@ -1,0 +1,270 @@
+"""The web process's end of the control process: commands, ticks, heartbeat, and a new one when it dies."""
+
+import asyncio
+import logging
+import threading
+from collections.abc import Awaitable, Callable
+from contextlib import suppress
+from typing import Any, Literal, NamedTuple, Protocol, get_args
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.clock import monotonic
+from app.process.command_channel import LinkLost, LinkRefused
+from app.refusals import Conflict, Unavailable
+from app.session.loop_thread import LoopThread
+
+logger = logging.getLogger("bodydrive")
+
+HEARTBEAT_EVERY = 0.1  # s; the control process stops the chair after 0.3 s of silence
+STOP_LIMIT = 0.4  # s: whoever stops gets an answer, also when there is nobody left who could give one
+LOOK_EVERY = 0.25  # s
+HANG_LIMIT = 2.0  # s without a tick: a loop that stood for so long has lost its chair, and is replaced
+OPENING_LIMIT = 12.0  # s, while it does one of these for us: longer than its answer is waited for
+OPENING = frozenset({"chair", "shirt", "body", "head", "parameters", "world", "run"})  # refused while it may move
+START_AGAIN_AFTER = 0.5  # s; doubled with each start that fails, up to ...
+LONGEST_PAUSE = 8.0  # s
+
+ControlState = Literal["alive", "starting", "lost"]
+StopReason = Literal["tablet", "picture"]
+Loaded = Literal["limits", "dial", "chair", "shirt", "body", "head", "parameters"]
+
+
+class ScreenSign(NamedTuple):
+    """What the screen that drives said of itself last."""
+
+    age: float | None = None  # s since then; None: there is no such screen, or its socket has ended
+    view: Literal["in view", "hidden", "slow"] = "in view"
+
+
+class Link(Protocol):
+    """One running control process."""
+
+    async def call(self, do: str, **fields: Any) -> dict[str, Any]:
+        """Send a command and return its answer; raise LinkRefused or LinkLost."""
+        ...
+
+    def tell(self, do: str, **fields: Any) -> None:
+        """Send a command that wants no answer."""
+        ...
+
+    def newest(self) -> np.void | None:
+        """Return the newest tick, None before the first."""
+        ...
+
+    def since(self, number: int) -> NDArray[np.void]:
+        """Return the ticks after `number`, as many as the ring still holds."""
+        ...
+
+    async def died(self) -> None:
+        """Return when the process has ended."""
+        ...
+
+    def kill(self) -> None:
+        """End the process at once, whatever it does."""
+        ...
+
+    async def close(self) -> None:
+        """End the process and give back what it held."""
+        ...
+
+
+class Control:
+    """Always one control process: started, kept alive, loaded with what it had before when it had to be replaced."""
+
+    def __init__(self, open_link: Callable[[], Awaitable[Link]]) -> None:
+        self.state: ControlState = "starting"
+        self.screen_sign: Callable[[], ScreenSign] = ScreenSign  # of the screen that drives; from any thread
+        self.on_change: list[Callable[[ControlState], Awaitable[None]]] = []
+        self._open_link = open_link
+        self._link: Link | None = None
+        self._loaded: dict[str, dict[str, Any]] = {}  # what a later control process must be given, too
+        self._opening = 0  # commands under way that may hold the loop up, because they open something
+        self._hurried: set[asyncio.Task[dict[str, Any]]] = set()  # stops that nobody waits for any more
+        self._keeping: asyncio.Task[None] | None = None
+        # The link lives in a thread of its own: a request that takes long must not keep the heartbeat waiting. Should
+        # the loop of the requests stand, then nobody hears the screens any more, and their age stops the chair.
+        self._thread: LoopThread | None = None
+        self._reading = threading.Lock()  # the 3D view reads ticks in a thread of its own, but not while they vanish
+
+    async def start(self) -> None:
+        """Start the control process."""
+        self._thread = LoopThread("control link")
+        try:
+            await self._open(self._thread)
+        except BaseException:
+            await self._thread.close()
+            raise
+        self._thread.begin(self._heartbeat())
+        self._thread.begin(self._watch())
+        self._keeping = asyncio.create_task(self._keep(self._thread))
+
+    async def close(self) -> None:
+        """End the control process for good."""
+        if self._keeping is None or self._thread is None:
+            return
+        self._keeping.cancel()
+        await asyncio.gather(self._keeping, return_exceptions=True)
+        await self._let_go(self._thread)
+        await self._thread.close()
+        self._keeping = self._thread = None
+        self.state = "lost"
+
+    async def call(self, do: str, **fields: Any) -> dict[str, Any]:
+        """Send a command and return its answer.
+
+        Raises
+        ------
+        Conflict
+            With the control process's own sentence, when it refuses.
+        Unavailable
+            When there is no control process at the moment.
+        """
+        link = self._link
+        opening = do in OPENING
+        if link is None or self._thread is None or self.state != "alive":
+            raise Unavailable("The control process is being restarted, and the chair stands: try again in a moment.")
+        self._opening += opening
+        try:
+            return await self._thread.run(link.call(do, **fields))
+        except LinkRefused as refusal:
+            raise Conflict(str(refusal)) from refusal
+        except LinkLost as lost:
+            # One that does not answer may still do later what it was asked, a run without anybody who knows of it.
+            link.kill()
+            raise Unavailable("The control process did not answer, and the chair stands: try again.") from lost
+        finally:
+            self._opening -= opening
+
+    async def stop(self) -> bool:
+        """Stop the chair; return soon whether the control process said that it did. One that does not is replaced."""
+        stopping = self.begin_stop("tablet")
+        await asyncio.wait({stopping}, timeout=STOP_LIMIT)
+        return stopping.done() and not stopping.cancelled() and stopping.exception() is None
+
+    def begin_stop(self, by: StopReason) -> "asyncio.Task[dict[str, Any]]":
+        """Send a stop without waiting for its answer; nobody has to look at the task that is returned."""
+        stopping = asyncio.create_task(self.call("stop", by=by))
+        self._hurried.add(stopping)
+        stopping.add_done_callback(self._stopped)
+        return stopping
+
+    def _stopped(self, stopping: "asyncio.Task[dict[str, Any]]") -> None:
+        self._hurried.discard(stopping)
+        if not stopping.cancelled():
+            stopping.exception()  # nobody may be left who looks at it
+
+    async def load(self, do: Loaded, **fields: Any) -> dict[str, Any]:
+        """Send what a later control process must be given too."""
+        answer = await self.call(do, **fields)
+        self._loaded[do] = fields
+        return answer
+
+    def forget(self, do: Loaded) -> None:
+        """Leave something out from what a later control process is given."""
+        self._loaded.pop(do, None)
+
+    def move(self, joints: dict[str, float]) -> None:
+        """Say where the visitor wants the joints of the simulated body."""
+        if self._thread is not None:
+            self._thread.soon(lambda: self._tell("move", joints=joints))
+
+    def look(self, yaw: float, pitch: float, roll: float) -> None:
+        """Say where a tablet looks (rad) that is used as the head tracker."""
+        if self._thread is not None:
+            self._thread.soon(lambda: self._tell("look", yaw=yaw, pitch=pitch, roll=roll))
+
+    def beat(self) -> None:
+        """Send a heartbeat now: the screen that drives does not count any more, and the chair must not wait."""
+        if self._thread is not None:
+            self._thread.soon(self._beat)
+
+    def _beat(self) -> None:
+        sign = self.screen_sign()
+        self._tell("heartbeat", screen_age=sign.age, screen=sign.view)
+
+    def _tell(self, do: str, **fields: Any) -> None:
+        link = self._link
+        if link is not None:
+            with suppress(LinkLost):
+                link.tell(do, **fields)
+
+    def newest(self) -> np.void | None:
+        """Return the newest tick, None when there is none; from any thread."""
+        with self._reading:
+            return self._link.newest() if self._link is not None and self.state == "alive" else None
+
+    def since(self, number: int) -> NDArray[np.void] | None:
+        """Return the ticks after `number`, None when there is no control process."""
+        with self._reading:
+            return self._link.since(number) if self._link is not None and self.state == "alive" else None
+
+    async def _let_go(self, thread: LoopThread) -> None:
+        with self._reading:
+            link, self._link = self._link, None
+        if link is not None:
+            await thread.run(link.close())
+
+    async def _open(self, thread: LoopThread) -> None:
+        self._link = await thread.run(_opened(self._open_link))
+        for do in get_args(Loaded):
+            if do in self._loaded:
+                # A device that cannot be opened again shows in `status`; the rest goes on.
+                with suppress(LinkRefused):
+                    await thread.run(self._link.call(do, **self._loaded[do]))
+        self.state = "alive"
+
+    async def _heartbeat(self) -> None:
+        deadline = monotonic()
+        while True:
+            deadline = max(deadline + HEARTBEAT_EVERY, monotonic())
+            self._beat()
+            await asyncio.sleep(max(deadline - monotonic(), 0.0))
+
+    async def _watch(self) -> None:
+        """Kill a control process whose loop stands: what it still holds may be a chair that waits to drive on."""
+        watched, since = self._link, monotonic()
+        while True:
+            await asyncio.sleep(LOOK_EVERY)
+            link, now = self._link, monotonic()
+            if link is not watched or link is None or self.state != "alive":
+                watched, since = link, now
+                continue
+            tick = link.newest()
+            last = since if tick is None else max(since, float(tick["t"]))
+            if monotonic() - last > (OPENING_LIMIT if self._opening else HANG_LIMIT):
+                logger.error("The control process stood still for %g s and is replaced", monotonic() - last)
+                link.kill()
+                watched = None
+
+    async def _keep(self, thread: LoopThread) -> None:
+        while True:
+            if self._link is not None:
+                await thread.run(self._link.died())
+                self.state = "lost"
+                await self._tell_change()
+                await self._let_go(thread)
+            self.state = "starting"
+            await self._start_again(thread)
+            await self._tell_change()
+
+    async def _start_again(self, thread: LoopThread) -> None:
+        pause = START_AGAIN_AFTER
+        while True:
+            await asyncio.sleep(pause)
+            try:
+                await self._open(thread)
+            except (LinkLost, OSError):
+                await self._let_go(thread)
+                pause = min(2 * pause, LONGEST_PAUSE)
+            else:
+                return
+
+    async def _tell_change(self) -> None:
+        for told in self.on_change:
+            await told(self.state)
+
+
+async def _opened(open_link: Callable[[], Awaitable[Link]]) -> Link:
+    return await open_link()

@@ -1,0 +1,89 @@
+"""A key that a chair or a shirt shares with this machine: made, kept in a file of its own, taken away."""
+
+from pathlib import Path
+
+from sqlalchemy.orm import Session
+
+from app.hardware.chair.key import Key, new_key, write_key
+from app.hardware.shirt.newest import newest_file, write_newest
+from app.refusals import Conflict
+from app.speeds import Speeds
+from app.store.chairs import LARGEST_KEY_ID, add_chair, free_key_ids, remove_chair
+from app.store.tables import Chair, Clinic
+
+
+def key_file(keys: Path, key_id: int) -> Path:
+    """Return where the key of this number lies in the folder of all keys."""
+    return keys / f"{key_id}.key"
+
+
+def pair_chair(
+    db: Session, clinic: Clinic, keys: Path, name: str, host: str, port: int, speeds: Speeds
+) -> tuple[Chair, Key]:
+    """Note a new chair and write its key into `keys`; the secret goes nowhere else than into what is returned.
+
+    Raises
+    ------
+    Conflict
+        When there is a chair of this name.
+    OSError
+        When the key cannot be written; then nothing must be kept in `db` either.
+    """
+    # A key file without a chair is what an interrupted pairing left: its number is not used again.
+    key = new_key(next(key_id for key_id in free_key_ids(db, clinic) if not key_file(keys, key_id).exists()))
+    chair = add_chair(db, clinic, name, host, port, key.id, speeds)
+    keys.mkdir(mode=0o700, parents=True, exist_ok=True)
+    write_key(key_file(keys, key.id), key)
+    return chair, key
+
+
+def unpair_chair(db: Session, clinic: Clinic, keys: Path, chair_id: int) -> Chair:
+    """Take a chair out of use and its key from the disk."""
+    chair = remove_chair(db, clinic, chair_id)
+    key_file(keys, chair.key_id).unlink(missing_ok=True)
+    return chair
+
+
+def shirt_key_file(keys: Path, key_id: int) -> Path:
+    """Return where the shirt's key of this number lies in the folder of all keys."""
+    return keys / f"shirt-{key_id}.key"
+
+
+def shirt_key_files(keys: Path) -> list[Path]:
+    """Return the keys of all shirts that are paired, by name."""
+    return sorted(file for file in keys.glob("shirt-*.key") if file.is_file())
+
+
+def pair_shirt(keys: Path) -> Key:
+    """Write a new shirt's key into `keys`, and that none of its frames has come yet; return the key.
+
+    Raises
+    ------
+    Conflict
+        When every number of a key was used.
+    OSError
+        When the key cannot be written; nothing stays then.
+    """
+    keys.mkdir(mode=0o700, parents=True, exist_ok=True)
+    # Deleting a key takes a shirt out of use; the note of its newest frame stays, so that its number is not used again.
+    for key_id in range(1, LARGEST_KEY_ID + 1):
+        file = shirt_key_file(keys, key_id)
+        if not file.exists() and not newest_file(file).exists():
+            break
+    else:
+        raise Conflict("Every number of a shirt's key was used: begin with a new state folder.")
+    key = new_key(key_id)
+    write_key(file, key)
+    try:
+        write_newest(newest_file(file), (0, 0))
+    except BaseException:
+        unpair_shirt(keys, key.id)
+        raise
+    return key
+
+
+def unpair_shirt(keys: Path, key_id: int) -> None:
+    """Take back a pairing that could not be completed."""
+    file = shirt_key_file(keys, key_id)
+    file.unlink(missing_ok=True)
+    newest_file(file).unlink(missing_ok=True)

@@ -1,0 +1,198 @@
+"""The shirt in use, what moves inside it when it is simulated, and which of its channels are left alone."""
+
+import asyncio
+from collections.abc import Callable, Iterable
+from pathlib import Path
+from typing import Any, Literal
+
+from pydantic import ValidationError
+
+from app.hardware.registry import SHIRTS
+from app.layout import ShirtLayout
+from app.refusals import Conflict, NotFound, Refusal, Unavailable
+from app.session.control_link import Control
+from app.session.equipment.pairing import shirt_key_files
+from app.store.database import Database
+from app.store.people import the_clinic
+
+STANDARD_SHIRT: dict[str, Any] = {
+    "kind": "simulator",
+    "sample_rate": 100.0,
+    "seed": 1,
+    "layout": None,
+    "dead_channels": [],
+}
+STANDARD_BODY: dict[str, Any] = {"kind": "person", "skill": "practised", "seed": 1}
+NO_SHIRT = "No shirt yet: choose one on the Shirt page."
+
+
+def shirt_kinds() -> dict[str, bool]:
+    """Return the kinds of shirts that can be chosen, each with whether nobody wears it."""
+    return {kind: driver.simulated for kind, driver in SHIRTS.items()}
+
+
+class Equipment:
+    """What is connected; chosen by people, kept in the database, opened by the control process.
+
+    Until somebody has chosen a shirt there is none, except in a demonstration, which starts with the simulated one.
+    """
+
+    def __init__(
+        self,
+        database: Database,
+        control: Control,
+        files: Path,
+        keys: Path,
+        tell: Callable[[str], None],
+        *,
+        demonstration: bool,
+    ) -> None:
+        self._database = database
+        self._control = control
+        self._files = files
+        self._keys = keys
+        self._tell = tell
+        self.shirt: dict[str, Any] | None = STANDARD_SHIRT if demonstration else None
+        self.body: dict[str, Any] | None = STANDARD_BODY if demonstration else None
+        self.unused: list[str] = []
+        self.layout: ShirtLayout | None = None
+        self.sample_rate = 0.0
+        self.words = ""  # why there is no shirt, empty when there is one
+        self.mistrust = NO_SHIRT  # why the shirt arms no real chair, empty when it may
+
+    async def open(self) -> None:
+        """Open what was in use last; what does not open is said in words, and nothing takes its place."""
+        await asyncio.to_thread(self._read)
+        if self.shirt is None:
+            self.words = NO_SHIRT
+            return
+        try:
+            await self._open_shirt(self.shirt)
+            if self.body is not None and self.kind == "simulator":
+                await self._open_body(self.body)
+        except Refusal as refusal:
+            self.words = str(refusal)
+
+    @property
+    def kind(self) -> str | None:
+        """Return the kind of the chosen shirt, None before the first choice."""
+        return None if self.shirt is None else str(self.shirt["kind"])
+
+    @property
+    def simulated(self) -> bool | None:
+        """Return whether nobody wears the chosen shirt, None before the first choice."""
+        return None if self.kind is None else SHIRTS[self.kind].simulated
+
+    @property
+    def practice(self) -> str | None:
+        """Return the kind of the chosen shirt when nobody wears it: every page then says that this is practice."""
+        return self.kind if self.simulated else None
+
+    async def use_shirt(self, config: dict[str, Any]) -> None:
+        """Open another shirt; when it does not open, the one before is opened again and the reason is raised."""
+        self.located(config)  # a file that is not here is refused before the shirt in use is closed
+        before, body = self.shirt, self.body
+        wanted = (body or STANDARD_BODY) if config["kind"] == "simulator" else None
+        try:
+            await self._open_shirt(config)
+            if wanted is not None:
+                await self._open_body(wanted)
+        except Unavailable:
+            raise  # nothing was opened, and the next control process is given what was open before
+        except Refusal:
+            self.shirt, self.body, self.layout, self.mistrust = before, body, None, NO_SHIRT
+            await self.open()
+            raise
+        self.body = wanted
+        if wanted is None:
+            self._control.forget("body")
+        if before != config:
+            self.unused = []
+        await self._keep()
+
+    async def use_body(self, config: dict[str, Any]) -> None:
+        """Let somebody else move inside the simulated shirt."""
+        if self.kind != "simulator":
+            raise Conflict("Only the simulated shirt has a body to choose: choose the simulated shirt first.")
+        await self._open_body(config)
+        self.body = config
+        await self._keep()
+
+    async def leave_unused(self, channels: list[str]) -> None:
+        """Mark channels as unused: the next calibration leaves them out."""
+        known = self.layout.channel_names if self.layout else []
+        for name in channels:
+            if name not in known:
+                raise NotFound(f"This shirt has no channel '{name}': choose one of its lamps.")
+        self.unused = [name for name in known if name in channels]
+        await self._keep()
+
+    def needed_layout(self) -> ShirtLayout:
+        """Return the layout of the shirt, refusing when there is none."""
+        if self.layout is None:
+            raise Conflict(self.words or NO_SHIRT)
+        return self.layout
+
+    async def _open_shirt(self, config: dict[str, Any]) -> None:
+        answer = await self._load("shirt", config)
+        try:
+            self.layout = ShirtLayout.model_validate(answer["layout"])
+        except ValidationError as error:
+            raise Conflict("The shirt's layout cannot be read: choose another shirt.") from error
+        self.sample_rate = float(answer["sample_rate"])
+        self.mistrust = str(answer["mistrust"])
+        self.shirt, self.words = config, ""
+
+    async def _open_body(self, config: dict[str, Any]) -> None:
+        await self._load("body", config)
+
+    async def _load(self, do: Literal["shirt", "body"], config: dict[str, Any]) -> dict[str, Any]:
+        try:
+            return await self._control.load(do, config=self.located(config))
+        except Conflict as refusal:  # a page knows files by their names, not by their places on this machine
+            sentence = str(refusal).replace(f"{self._files}/", "").replace(f"{self._keys}/", "")
+            raise Conflict(sentence) from refusal
+
+    @property
+    def key_names(self) -> list[str]:
+        """Names of the keys of the shirts that are paired."""
+        return [file.name for file in shirt_key_files(self._keys)]
+
+    async def use_sender(self, sender: str) -> None:
+        """Take another sender (HOST:PORT) as the shirt from now on."""
+        await self._control.call("sender", sender=sender)
+        self._tell("equipment")
+
+    def located(self, config: dict[str, Any]) -> dict[str, Any]:
+        """Return the configuration with the places of its file and its key instead of their names."""
+        found = dict(config)
+        if "file" in config:
+            found["file"] = _place_of(str(config["file"]), self._files.glob("*"), "bring it with 'Add a file' first")
+        if config.get("key_file") is not None:
+            keys = shirt_key_files(self._keys)
+            found["key_file"] = _place_of(str(config["key_file"]), keys, "pair the shirt first (bodydrive shirt pair)")
+        return found
+
+    def _read(self) -> None:
+        with self._database.transaction() as db:
+            clinic = the_clinic(db)
+            if clinic is not None and clinic.shirt is not None:
+                self.shirt, self.body, self.unused = clinic.shirt, clinic.body, list(clinic.unused)
+
+    async def _keep(self) -> None:
+        def _write() -> None:
+            with self._database.transaction() as db:
+                clinic = the_clinic(db)
+                if clinic is not None:
+                    clinic.shirt, clinic.body, clinic.unused = self.shirt, self.body, list(self.unused)
+
+        await asyncio.to_thread(_write)
+        self._tell("equipment")
+
+
+def _place_of(name: str, files: Iterable[Path], otherwise: str) -> str:
+    """Return the place of the file of this name, or refuse and say what to do otherwise."""
+    for file in files:
+        if file.name == name:
+            return str(file)
+    raise NotFound(f"There is no file '{name[:80]}' here: {otherwise}.")

@@ -1,0 +1,156 @@
+"""The visit that is going on: what its patient drives with, and what may not be done meanwhile."""
+
+import asyncio
+from collections.abc import AsyncIterator, Callable
+from contextlib import asynccontextmanager, suppress
+
+from app.calibration.vocabulary import DriveParameters
+from app.pipeline.brakes import missing_brake
+from app.refusals import Conflict, Refusal
+from app.session.calibration import CalibrationFlow
+from app.session.control_link import Control
+from app.session.equipment.shirt import NO_SHIRT, Equipment
+from app.session.page_session import require_shown
+from app.session.real_drive import RealDriveFlow
+from app.session.trial import DriveFlow
+from app.store.database import Database
+from app.store.parameters import as_document, current_parameters, newest_profile
+from app.store.patients import open_session
+from app.store.people import the_clinic
+from app.store.tables import PatientSession
+
+
+class VisitFlow:
+    """Keeps what is loaded in the control process in step with who is here and what they are wearing."""
+
+    def __init__(
+        self,
+        database: Database,
+        control: Control,
+        equipment: Equipment,
+        calibration: CalibrationFlow,
+        drive: DriveFlow,
+        real: RealDriveFlow,
+        tell: Callable[[str], None],
+    ) -> None:
+        self._database = database
+        self._control = control
+        self._equipment = equipment
+        self._calibration = calibration
+        self._drive = drive
+        self._real = real
+        self._tell = tell
+        self._one_at_a_time = asyncio.Lock()
+        self.loaded: DriveParameters | None = None  # what the control process drives with
+        self.session_id: int | None = None  # of the open session; from any thread
+
+    @asynccontextmanager
+    async def undisturbed(self, what: str) -> AsyncIterator[None]:
+        """Refuse what must not happen during a step, a trial or a drive, and let none begin until it is done.
+
+        Two screens may ask at the same moment: a visit must not change under a trial that is just being started.
+        """
+        async with self._one_at_a_time:
+            await asyncio.to_thread(self._require_shown)  # the request may have waited while the session changed
+            self.refuse_while_busy(what)
+            yield
+
+    def _require_shown(self) -> None:
+        with self._database.transaction() as db:
+            require_shown(db)
+
+    @property
+    def driving(self) -> bool:
+        """Whether a trial or a drive is going on; from any thread."""
+        return self._drive.running or self._real.running
+
+    @property
+    def simulated(self) -> bool | None:
+        """Whether nobody wears the shirt in use, None while there is none; from any thread."""
+        return self._equipment.simulated
+
+    def refuse_while_busy(self, what: str) -> None:
+        """Refuse what must not happen during a step, a trial or a drive."""
+        if self._drive.running:
+            raise Conflict(f"A trial is running: end it first, then {what}.")
+        if self._real.running:
+            raise Conflict(f"The real chair is armed: end the drive first, then {what}.")
+        if self._calibration.running:
+            raise Conflict(f"A calibration step is running: cancel it first, then {what}.")
+
+    async def needed_session(self, clinic_id: int) -> PatientSession:
+        """Return the visit that is going on, refusing when nobody is here."""
+
+        def _read() -> PatientSession | None:
+            with self._database.transaction() as db:
+                require_shown(db)
+                return open_session(db, clinic_id)
+
+        session = await asyncio.to_thread(_read)
+        if session is None:
+            raise Conflict("Nobody is here: choose a patient on the Patients page first.")
+        return session
+
+    async def visit_changed(self) -> None:
+        """Load what the patient who is here now drives with, or nothing."""
+        self.session_id = await asyncio.to_thread(self._open_id)
+        await self.try_load_parameters()
+        self._tell("visit")
+
+    async def load_parameters(self) -> str | None:
+        """Load the current parameters into the control process; return in one sentence why they cannot drive."""
+        # What was loaded for somebody else must not come back with a new control process.
+        self._control.forget("parameters")
+        self.loaded = None
+        found = await asyncio.to_thread(self._current)
+        if found is not None:
+            document, simulated = found
+            words = self.misfit(document, simulated=simulated)
+            if words is None:
+                await self._control.load("parameters", parameters=document.model_dump(mode="json"))
+                self.loaded = document
+                return self.obstacle(document, simulated=simulated)
+        else:
+            words = None
+        await self._control.load("parameters", parameters=None)
+        return words
+
+    def obstacle(self, parameters: DriveParameters, *, simulated: bool | None) -> str | None:
+        """Return in one sentence why parameters cannot drive: not in this shirt, or not so that a person can stop."""
+        return self.misfit(parameters, simulated=simulated) or missing_brake(parameters) or None
+
+    def misfit(self, parameters: DriveParameters, *, simulated: bool | None) -> str | None:
+        """Return in one sentence why parameters do not fit the shirt in use, None when they do.
+
+        `simulated` says whether nobody wore the shirt in which they were calibrated, None where that is unknown.
+        """
+        layout = self._equipment.layout
+        if layout is None:
+            return self._equipment.words or NO_SHIRT
+        if simulated and not self._equipment.simulated:
+            return "The patient's calibration is one of a shirt that nobody wore: calibrate in the worn shirt first."
+        if layout.channel_names != parameters.profile.layout.channel_names:
+            return "The patient was calibrated in another shirt: calibrate in this one first."
+        if abs(self._equipment.sample_rate - parameters.profile.sample_rate) > 0.01 * parameters.profile.sample_rate:
+            return "The shirt sends at another rate than it was calibrated at: calibrate again first."
+        return None
+
+    async def try_load_parameters(self) -> None:
+        """Load them if it can be done now; a trial loads them anyway before it arms."""
+        with suppress(Refusal):
+            await self.load_parameters()
+
+    def _open_id(self) -> int | None:
+        with self._database.transaction() as db:
+            clinic = the_clinic(db)
+            session = None if clinic is None else open_session(db, clinic.id)
+            return None if session is None else session.id
+
+    def _current(self) -> tuple[DriveParameters, bool | None] | None:
+        with self._database.transaction() as db:
+            clinic = the_clinic(db)
+            session = None if clinic is None else open_session(db, clinic.id)
+            if session is None or newest_profile(db, session.patient_id) is None:
+                return None
+            row, profile = current_parameters(db, session.patient_id)
+            return as_document(row, profile), profile.simulated

@@ -1,0 +1,84 @@
+"""Follows a run by its ticks until it is over: for trials on the virtual chair and drives of a real one alike."""
+
+import asyncio
+from collections.abc import Callable
+from typing import NamedTuple, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.faults import State
+from app.session.control_link import Control
+
+LOOK_EVERY = 0.04  # s
+# s for which a halted trial or drive waits for Continue; S27 asks for 180 at least. There must be time to help the
+# patient or to change a cable. It ends at last, because nothing else can be recorded meanwhile.
+HALT_LIMIT = 300.0
+
+End = TypeVar("End")
+
+
+class RunLost(Exception):  # noqa: N818
+    """The control process that recorded the run is gone."""
+
+
+class Starter(NamedTuple):
+    """Who starts a trial or a drive, and from which screen: it must stay in view, and others only look and stop."""
+
+    person_id: int
+    name: str
+    screen: str
+    picture: str | None = None  # what that screen shows to drive by: "view" or "plan", None: not known
+
+
+class Halt:
+    """The halt of a trial or a drive by a latched stop: how long it waits for a person who goes on.
+
+    Attributes
+    ----------
+    remaining : float or None
+        For how much longer (s); None while it is not halted.
+    total : float
+        s of all halts so far.
+    """
+
+    def __init__(self) -> None:
+        self.remaining: float | None = None
+        self.total = 0.0
+        self._since: float | None = None
+        self._before = 0.0  # s of the halts before this one
+
+    def take(self, t: float, state: State) -> bool:
+        """Take the state at `t` (s); return whether nobody has gone on for too long."""
+        if state is not State.FAULT:
+            self._since, self._before, self.remaining = None, self.total, None
+            return False
+        self._since = t if self._since is None else self._since
+        self.total = self._before + t - self._since
+        self.remaining = max(0.0, HALT_LIMIT - (t - self._since))
+        return self.remaining == 0.0
+
+
+async def watched(
+    control: Control, run: int, asked_to_end: asyncio.Event, take: Callable[[NDArray[np.void]], End | None]
+) -> End | None:
+    """Give the ticks of a run (its number in ticks) to `take` until that returns how it ended.
+
+    Return None when somebody asked to end it; raise RunLost when nothing is left that could be followed.
+    """
+    last = 0
+    while True:
+        try:
+            await asyncio.wait_for(asked_to_end.wait(), LOOK_EVERY)
+        except TimeoutError:
+            pass
+        else:
+            return None
+        ticks = control.since(last)
+        if ticks is None:
+            raise RunLost
+        if len(ticks):
+            last = int(ticks["number"][-1])
+            end = take(ticks[ticks["run"] == run])
+            if end is not None:
+                return end

@@ -1,0 +1,51 @@
+"""Pairing a screen for the patient: one code at a time, valid once and for ten minutes."""
+
+import secrets
+import threading
+from dataclasses import dataclass
+from datetime import datetime, timedelta
+
+from app.clock import monotonic, utc_now
+from app.refusals import Conflict
+
+CODE_BYTES = 16  # 128 bits: cannot be guessed
+VALID_FOR = 600.0  # s
+
+WRONG = "This code is wrong, used or older than 10 minutes: ask for a new one on the clinician's page."
+
+
+@dataclass(frozen=True, slots=True)
+class Offer:
+    """A code that pairs one screen with a visit."""
+
+    code: str
+    session_id: int
+    person: str  # who asked for it
+    until: float  # monotonic, s
+    expires: datetime
+
+
+class PairingCodes:
+    """Holds the newest code; asking for another makes the one before worthless. May be asked from any thread."""
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._offer: Offer | None = None
+
+    def offer(self, session_id: int, person: str) -> Offer:
+        """Make a code for a visit."""
+        expires = utc_now() + timedelta(seconds=VALID_FOR)
+        made = Offer(secrets.token_urlsafe(CODE_BYTES), session_id, person, monotonic() + VALID_FOR, expires)
+        with self._lock:
+            self._offer = made
+        return made
+
+    def redeem(self, code: str) -> Offer:
+        """Return what a code stands for and make it worthless; Conflict when it is not the newest one, or too old."""
+        with self._lock:
+            offer = self._offer
+            if offer is not None and secrets.compare_digest(offer.code.encode(), code.encode()):
+                self._offer = None
+                if offer.until > monotonic():
+                    return offer
+        raise Conflict(WRONG)

@@ -1,0 +1,192 @@
+"""A shirt's signals from a file: CSV, Parquet, or one of our own recordings."""
+
+import json
+from codecs import BOM_UTF8
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import ValidationError
+
+from app.layout import MAX_CHANNELS, ShirtLayout
+from app.recording.reader import Run, read_run
+from app.sentences import one_sentence
+from app.signals.columns import Table, read_columns_and_dialect, require_column, row_words
+from app.signals.csv_dialect import Dialect
+
+SHORTEST = 10  # samples: fewer make no signal
+SLOWEST, FASTEST = 10.0, 5000.0  # Hz: below, a 3 Hz low-pass has nothing to hold on to
+GAP = 1.5  # of the median step: a longer one is a gap
+ROWS_AT_ONCE = 4096
+LARGEST = 1e10  # no sensor gives more; in float32 and in a profile, sums of such values still have room
+EVEN_WITHIN = 1.0  # of the time column's own resolution: how far an even grid may be off and still be the truth
+
+
+@dataclass(slots=True)
+class Signals:
+    """Channels over time, one row per frame."""
+
+    t: NDArray[np.float64]  # (n,) s, strictly rising
+    values: NDArray[np.float64] | NDArray[np.float32]  # (n, n_channels), NaN where a sample is missing
+    channel_names: list[str]
+    sample_rate: float  # Hz
+    t_device: NDArray[np.float64] | None = None  # (n,) s, the shirt's own clock where a recording has it
+    words: str = ""  # what is wrong with the recording, in one sentence
+    dialect: Dialect | None = None  # of a CSV file
+
+    def between(self, start: float | None, end: float | None) -> slice:
+        """Return the rows with `start` <= t < `end` (s); None stands for the recording's own start or end."""
+        first = 0 if start is None else int(np.searchsorted(self.t, start, side="left"))
+        last = len(self.t) if end is None else int(np.searchsorted(self.t, end, side="left"))
+        return slice(first, last)
+
+
+def read_signals(path: str | Path, layout: ShirtLayout | None = None) -> Signals:
+    """Read signals; with a layout, its channels in its order, otherwise every column but `t`.
+
+    Raises
+    ------
+    ValueError
+        One sentence that names the file, the line or column, and what to do.
+    """
+    path = Path(path)
+    if path.is_dir():
+        return signals_of_run(read_run(path), path, layout)
+    only = None if layout is None else {"t", *layout.channel_names}
+    table, dialect = read_columns_and_dialect(path, only=only)
+    t = require_column(table, path, "t")
+    names = [name for name in table if name != "t"] if layout is None else layout.channel_names
+    if not names:
+        raise ValueError(f"{path}: there is no channel beside 't', add a column per channel")
+    if layout is None and len(names) > MAX_CHANNELS:
+        raise ValueError(f"{path}: {len(names)} channels are more than a shirt can have, keep at most {MAX_CHANNELS}")
+    if layout is not None and "t" in names:
+        raise ValueError(f"{path}: the layout '{layout.name}' has a channel 't', which is the time: rename the channel")
+    if missing := [name for name in names if name not in table]:
+        raise ValueError(_missing(path, missing, layout))
+    if len(t) < SHORTEST:
+        raise ValueError(f"{path}: {len(t)} samples are too few for a signal, record at least a few seconds")
+    signals = make_signals(t, _stacked(table, names), names, path)
+    signals.dialect = dialect
+    return signals
+
+
+def signals_of_run(run: Run, path: Path, layout: ShirtLayout | None = None) -> Signals:
+    """Return the frames of a recorded run, `t` counted from its start, or raise ValueError with one sentence."""
+    recorded = run.meta.get("layout")
+    if recorded is None:
+        raise ValueError(f"{path}: the recording does not say which shirt it is of. {run.words}".rstrip())
+    try:
+        names = ShirtLayout.model_validate_json(json.dumps(recorded)).channel_names
+    except ValidationError as error:
+        raise ValueError(one_sentence(error, f"{path}, layout")) from error
+    wanted = names if layout is None else layout.channel_names
+    if missing := [name for name in wanted if name not in names]:
+        raise ValueError(_missing(path, missing, layout))
+    frames = run.frames()
+    values = frames["values"]
+    if len(values) < SHORTEST:
+        raise ValueError(
+            f"{path}: {len(values)} frames are too few for a signal, name a longer run. {run.words}".rstrip()
+        )
+    chosen = values[:, [names.index(name) for name in wanted]]
+    chosen[np.abs(chosen) > LARGEST] = np.nan
+    signals = make_signals(frames["run_t"], chosen, wanted, path)
+    signals.t_device = frames["t_device"] if np.isfinite(frames["t_device"]).all() else None
+    signals.words = run.words
+    stated = run.meta.get("sample_rate")
+    if isinstance(stated, int | float) and SLOWEST <= stated <= FASTEST:
+        signals.sample_rate = float(stated)
+    return signals
+
+
+def make_signals(
+    t: NDArray[np.float64],
+    values: NDArray[np.float64] | NDArray[np.float32],
+    channel_names: list[str],
+    path: Path,
+) -> Signals:
+    """Return signals whose time rises strictly, or raise ValueError saying at which row of `path` it falls."""
+    steps = np.diff(t)
+    if len(falls := np.flatnonzero(steps < 0)):
+        row = int(falls[0]) + 1
+        raise ValueError(
+            f"{row_words(path, row)}: time runs backwards there "
+            f"(t = {t[row]:g} after {t[row - 1]:g}), sort the rows or remove the part that was recorded twice"
+        )
+    if t[-1] <= t[0]:
+        raise ValueError(f"{path}: t is {t[0]:g} in every row, give the time of each sample in seconds")
+    if not steps.all():
+        t = _without_ties(t, steps)
+    rate = sample_rate_of(t)
+    if not SLOWEST <= rate <= FASTEST:
+        raise ValueError(
+            f"{path}: t rises by {1 / rate:g} from row to row, but it must be in seconds and the sample rate between "
+            f"{SLOWEST:g} and {FASTEST:g} Hz, correct the column t"
+        )
+    return Signals(t, values, channel_names, sample_rate=rate)
+
+
+def sample_rate_of(t: NDArray[np.float64]) -> float:
+    """Return the samples per second (Hz) of times `t` (n,), gaps left aside.
+
+    The mean and not the median of the steps, because rounded times (0.003, 0.004, 0.003 ...) have a wrong median.
+    """
+    steps = np.diff(t)
+    whole = steps[steps <= GAP * np.median(steps)]
+    return round(1.0 / float(whole.mean()), 6)
+
+
+def read_layout(path: str | Path) -> ShirtLayout:
+    """Read a shirt layout, or raise ValueError with one sentence."""
+    path = Path(path)
+    try:
+        return ShirtLayout.model_validate_json(path.read_bytes().removeprefix(BOM_UTF8))
+    except ValidationError as error:
+        raise ValueError(one_sentence(error, str(path))) from error
+    except FileNotFoundError as error:
+        raise ValueError(f"{path}: there is no such layout, check its name") from error
+    except OSError as error:
+        raise ValueError(f"{path}: this layout cannot be read ({error.strerror}), check it") from error
+
+
+def _missing(path: Path, missing: list[str], layout: ShirtLayout | None) -> str:
+    shown = ", ".join(missing[:5]) + (f" and {len(missing) - 5} more" if len(missing) > 5 else "")
+    return (
+        f"{path}: channel {shown} of the layout '{layout.name if layout else ''}' is not in this recording, "
+        f"add the column or use the layout of the shirt that was recorded"
+    )
+
+
+def _stacked(table: Table, names: list[str]) -> NDArray[np.float64] | NDArray[np.float32]:
+    """Return the named columns as (n, n_channels), infinities and what is larger than any sensor gives as NaN."""
+    single = all(table[name].dtype == np.float32 for name in names)
+    shape = (len(table["t"]), len(names))
+    values: NDArray[np.float64] | NDArray[np.float32]
+    values = np.empty(shape, dtype=np.float32) if single else np.empty(shape, dtype=np.float64)
+    for first in range(0, len(values), ROWS_AT_ONCE):  # block by block, which stays in the processor's cache
+        rows = slice(first, first + ROWS_AT_ONCE)
+        for column, name in enumerate(names):
+            values[rows, column] = table[name][rows]
+        block = values[rows]
+        block[np.abs(block) > LARGEST] = np.nan
+    return values
+
+
+def _without_ties(t: NDArray[np.float64], steps: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the times of samples whose `t` was written with too few digits to tell neighbours apart.
+
+    Where an even grid explains every written time within its own resolution, the samples were even; otherwise
+    samples of one written time are spread evenly until the next one.
+    """
+    count = len(t)
+    step = float(np.median(steps)) or float(t[-1] - t[0]) / (count - 1)
+    rate = round(1.0 / step, 6)  # a step of 0.01000000000000023 is one of 0.01
+    grid: NDArray[np.float64] = t[0] + np.arange(count) / rate
+    if np.abs(grid - t).max() <= EVEN_WITHIN * steps.max():
+        return grid
+    firsts = np.flatnonzero(np.concatenate(([True], steps > 0)))
+    end = t[-1] + step * (count - firsts[-1])
+    spread: NDArray[np.float64] = np.interp(np.arange(count), np.append(firsts, count), np.append(t[firsts], end))
+    return spread

@@ -1,0 +1,89 @@
+"""Copies of the database: made while it may be in use, verified, readable by their owner only."""
+
+import os
+import shutil
+import sqlite3
+from contextlib import closing
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from app.clock import utc_now
+from app.file_modes import OWNER_FILE
+from app.files import sync_folder
+from app.refusals import Full, Unavailable
+
+SLACK = 4_000_000  # bytes that must stay free beside a copy
+BUSY_LIMIT = 5.0  # s; another program may write to the database for a moment
+
+Counts = dict[str, int]
+
+
+@dataclass(frozen=True, slots=True)
+class Backup:
+    """A verified copy."""
+
+    file: Path
+    rows: Counts  # of each table
+
+
+def back_up(database: Path, folder: Path, label: str) -> Backup:
+    """Copy `database` into `folder` with SQLite's own means, and return the copy when it was found whole.
+
+    The copy is one file, `NAME.LABEL.DATE.backup`, and can take the place of the database unchanged. It appears under
+    this name only when its integrity check passed and each of its tables has as many rows as the original.
+
+    Raises
+    ------
+    Full
+        When there is no room for it.
+    Unavailable
+        When the copy is not equal to the original.
+    OSError, sqlite3.Error
+        When the one cannot be read or the other not be written. No copy is left behind in any of these cases.
+    """
+    target = folder / f"{database.name}.{label}.{utc_now():%Y-%m-%dT%H-%M-%S-%f}Z.backup"
+    part = target.with_name(f".{target.name}.part")
+    with closing(sqlite3.connect(database, timeout=BUSY_LIMIT, isolation_level=None)) as source:
+        source.execute("BEGIN")  # one state of the database for all that follows, whoever writes meanwhile
+        size = _one(source, "PRAGMA page_count") * _one(source, "PRAGMA page_size")
+        _require_room(folder, size)
+        try:
+            os.close(os.open(part, os.O_WRONLY | os.O_CREAT | os.O_EXCL, OWNER_FILE))
+            with closing(sqlite3.connect(part, isolation_level=None)) as copy:
+                source.backup(copy)
+                copy.execute("PRAGMA journal_mode=DELETE")  # one file, without another beside it
+                complaint, rows = _one(copy, "PRAGMA integrity_check"), _counts(copy)
+            if complaint != "ok" or rows != _counts(source):
+                raise Unavailable(
+                    f"The copy of the database {database} is not equal to it: check the disk, then try again."
+                )
+            _sync(part)
+            part.replace(target)
+        finally:
+            part.unlink(missing_ok=True)
+    sync_folder(folder)
+    return Backup(target, rows)
+
+
+def _require_room(folder: Path, size: int) -> None:
+    free = shutil.disk_usage(folder).free
+    if free < size + SLACK:
+        raise Full(
+            f"There is no room for a copy of the database, without which it is not brought up to this version: free "
+            f"{(size + SLACK) / 1e6:.0f} MB on the disk of {folder}, then start again. Nothing was changed."
+        )
+
+
+def _counts(connection: sqlite3.Connection) -> Counts:
+    names = connection.execute("SELECT name FROM sqlite_master WHERE type = 'table' ORDER BY name").fetchall()
+    return {name: _one(connection, f'SELECT COUNT(*) FROM "{name}"') for (name,) in names}  # noqa: S608
+
+
+def _one(connection: sqlite3.Connection, query: str) -> Any:
+    return connection.execute(query).fetchone()[0]
+
+
+def _sync(file: Path) -> None:
+    with file.open("rb") as opened:
+        os.fsync(opened.fileno())

@@ -1,0 +1,50 @@
+"""Known browsers: where a person has signed in before, so that somebody else's wrong passwords do not lock them out."""
+
+import hashlib
+import secrets
+from datetime import timedelta
+
+from sqlalchemy import delete, select
+from sqlalchemy.orm import Session
+
+from app.clock import utc_now
+from app.store.tables import KnownBrowser, Person
+
+TOKEN_BYTES = 32
+KNOWN_FOR = timedelta(days=180)  # since the last sign-in there
+MOST = 20  # of one person
+
+
+def _hash(person: Person, token: str) -> str:
+    # With another password every browser of the person is unknown: the stored hash of the password is part of this.
+    return hashlib.sha256(f"{person.password_hash} {token}".encode()).hexdigest()
+
+
+def find_browser(db: Session, person: Person | None, token: str | None) -> KnownBrowser | None:
+    """Return the known browser that a token stands for, None when this person has not signed in there."""
+    if person is None or person.disabled is not None or token is None:
+        return None
+    return db.scalar(
+        select(KnownBrowser).where(
+            KnownBrowser.person_id == person.id,
+            KnownBrowser.token_hash == _hash(person, token),
+            KnownBrowser.expires > utc_now(),
+        )
+    )
+
+
+def remember_browser(db: Session, person: Person, token: str | None) -> str:
+    """Know the browser in which a person has just signed in; return its token, stored nowhere but there."""
+    now = utc_now()
+    known = find_browser(db, person, token)
+    if known is not None and token is not None:
+        known.expires = now + KNOWN_FOR
+        return token
+    new = secrets.token_urlsafe(TOKEN_BYTES)
+    db.add(KnownBrowser(person_id=person.id, token_hash=_hash(person, new), created=now, expires=now + KNOWN_FOR))
+    db.flush()
+    newest = select(KnownBrowser.id).where(KnownBrowser.person_id == person.id).order_by(KnownBrowser.id.desc())
+    db.execute(
+        delete(KnownBrowser).where(KnownBrowser.person_id == person.id, KnownBrowser.id.not_in(newest.limit(MOST)))
+    )
+    return new

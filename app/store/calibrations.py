@@ -1,0 +1,69 @@
+"""The calibration under way: its script, its steps and their recordings, kept so that a restart finds them."""
+
+from typing import Any
+
+from sqlalchemy import delete, select
+from sqlalchemy.orm import Session
+
+from app.refusals import Conflict
+from app.store.tables import CalibrationStep, PatientSession, Run
+
+MIXED = (
+    "Some steps were recorded in a shirt that nobody wears, others in a worn one: begin the calibration anew, "
+    "in one of them."
+)
+
+
+def begin_calibration(db: Session, session: PatientSession, script: dict[str, Any], steps: list[str]) -> None:
+    """Begin anew with this script: every step waits; the recordings made so far stay on disk."""
+    db.execute(delete(CalibrationStep).where(CalibrationStep.session_id == session.id))
+    db.add_all(
+        CalibrationStep(session_id=session.id, step=step, status="waiting", words="", run_id=None) for step in steps
+    )
+    session.script, session.current_step, session.result, session.accepted = script, steps[0], None, False
+    db.flush()
+
+
+def calibration_steps(db: Session, session_id: int) -> dict[str, CalibrationStep]:
+    """Return the steps of the calibration under way, by their id."""
+    rows = db.scalars(select(CalibrationStep).where(CalibrationStep.session_id == session_id))
+    return {row.step: row for row in rows}
+
+
+def set_step(db: Session, session_id: int, step: str, status: str, words: str, run_id: str | None = None) -> None:
+    """Note how far a step has come; a run once named stays its run until another takes its place."""
+    row = db.get_one(CalibrationStep, (session_id, step))
+    row.status, row.words = status, words
+    if run_id is not None:
+        row.run_id = run_id
+    db.flush()
+
+
+def recordings_of(db: Session, session_id: int) -> dict[str, str]:
+    """Return the folder of each done step's recording, below the folder of all runs."""
+    rows = db.execute(
+        select(CalibrationStep.step, Run.folder)
+        .join(Run, Run.id == CalibrationStep.run_id)
+        .where(CalibrationStep.session_id == session_id, CalibrationStep.status == "done")
+    )
+    return {row.step: row.folder for row in rows}
+
+
+def is_calibration_simulated(db: Session, session_id: int) -> bool | None:
+    """Return whether nobody wore the shirt of the done steps, None when unknown; refuse a mixture of both."""
+    sources = set(
+        db.scalars(
+            select(Run.simulated)
+            .join(CalibrationStep, CalibrationStep.run_id == Run.id)
+            .where(CalibrationStep.session_id == session_id, CalibrationStep.status == "done")
+        )
+    )
+    if len(sources) > 1:
+        raise Conflict(MIXED)
+    return next(iter(sources), None)
+
+
+def fail_interrupted_steps(db: Session) -> None:
+    """Say of steps that a dead web process left running that they have to be repeated."""
+    for row in db.scalars(select(CalibrationStep).where(CalibrationStep.status == "running")):
+        row.status, row.words = "failed", "The application was restarted during this step: repeat it."

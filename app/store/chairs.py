@@ -1,0 +1,71 @@
+"""Real chairs: which there are, which one is driven, and what the clinic's owner allows."""
+
+from collections.abc import Iterator
+from typing import Any
+
+from sqlalchemy import select
+from sqlalchemy.orm import Session
+
+from app.clock import utc_now
+from app.refusals import Conflict, NotFound
+from app.speeds import NO_FURTHER, Speeds
+from app.store.own_rows import own_row
+from app.store.tables import Chair, Clinic
+
+LARGEST_KEY_ID = 65_535  # u16 of the frames to the chair
+
+
+def add_chair(db: Session, clinic: Clinic, name: str, host: str, port: int, key_id: int, speeds: Speeds) -> Chair:
+    """Note a chair that was just paired; its key lies in `<state>/keys/<key_id>.key`, written by who calls this."""
+    if any(chair.name == name for chair in chairs_of(db, clinic)):
+        raise Conflict(f"There is already a chair called '{name}': choose another name, or unpair that one first.")
+    chair = Chair(
+        clinic_id=clinic.id,
+        name=name,
+        host=host,
+        port=port,
+        key_id=key_id,
+        speeds=speeds.model_dump(mode="json"),
+        paired=utc_now(),
+        removed=None,
+    )
+    db.add(chair)
+    db.flush()
+    return chair
+
+
+def free_key_ids(db: Session, clinic: Clinic) -> Iterator[int]:
+    """Yield the numbers of keys that no chair here ever had, so that an old key is nobody's."""
+    used = set(db.scalars(select(Chair.key_id).where(Chair.clinic_id == clinic.id)))
+    yield from (key_id for key_id in range(1, LARGEST_KEY_ID + 1) if key_id not in used)
+    raise Conflict("Every number of a key was used: begin with a new state folder.")
+
+
+def chairs_of(db: Session, clinic: Clinic) -> list[Chair]:
+    """Return the chairs that are paired, the newest last."""
+    return list(
+        db.scalars(select(Chair).where(Chair.clinic_id == clinic.id, Chair.removed.is_(None)).order_by(Chair.id))
+    )
+
+
+def find_chair(db: Session, clinic: Clinic, chair_id: int) -> Chair:
+    """Return one of the chairs that are paired."""
+    missing = f"There is no chair {chair_id}: choose one of the list, or pair it first."
+    chair = own_row(db, Chair, clinic.id, chair_id, missing)
+    if chair.removed is not None:
+        raise NotFound(missing)
+    return chair
+
+
+def remove_chair(db: Session, clinic: Clinic, chair_id: int) -> Chair:
+    """Unpair a chair; its drives still name it."""
+    chair = find_chair(db, clinic, chair_id)
+    chair.removed = utc_now()
+    db.flush()
+    return chair
+
+
+def limits_of(clinic: Clinic | None) -> Speeds:
+    """Return what the clinic's owner allows; a limit that was not set is that of the application."""
+    stored: dict[str, Any] = {} if clinic is None else clinic.limits or {}
+    return Speeds.model_validate({**NO_FURTHER.model_dump(mode="json"), **stored})

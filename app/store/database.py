@@ -1,0 +1,140 @@
+"""The one place that opens the database: SQLite, its settings, its migrations, one writer at a time."""
+
+import logging
+import sqlite3
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+from sqlalchemy import Engine, create_engine, event
+from sqlalchemy.exc import DatabaseError
+from sqlalchemy.orm import Session
+
+from app.file_modes import OWNER_FILE, OWNER_FOLDER
+from app.refusals import NO_ROOM, Full, Unavailable
+from app.store.files.ballast import Ballast
+from app.store.log import HAS_NEW_ROWS, write_log
+from app.store.log_chain import HEAD_BEGUN, Head, HeadFile, advance
+from app.store.schema import bring_up_to_date
+
+# What SQLite also says of a full disk: its index cannot grow, a quota is used up, a file cannot be made.
+NO_ROOM_PERHAPS = {sqlite3.SQLITE_IOERR, sqlite3.SQLITE_CANTOPEN}
+BUSY_TIMEOUT = 5000  # ms; another program (a backup) may hold the file for a moment
+
+
+def make_engine(file: Path) -> Engine:
+    """Return an engine on `file`; every connection is durable (WAL, FULL) and keeps its references whole."""
+    engine = create_engine(f"sqlite:///{file}")
+
+    @event.listens_for(engine, "connect")
+    def _prepare(connection: Any, _record: object) -> None:
+        connection.isolation_level = None  # we begin transactions ourselves, below
+        cursor = connection.cursor()
+        for pragma in ("journal_mode=WAL", "synchronous=FULL", "foreign_keys=ON", f"busy_timeout={BUSY_TIMEOUT}"):
+            cursor.execute(f"PRAGMA {pragma}")
+        cursor.close()
+
+    @event.listens_for(engine, "begin")
+    def _begin(connection: Any) -> None:
+        # A transaction that starts by reading and then writes cannot be refused half-way.
+        connection.exec_driver_sql("BEGIN IMMEDIATE")
+
+    return engine
+
+
+logger = logging.getLogger("bodydrive")
+
+Transaction = Session
+"""What the store's functions work in."""
+
+
+class Database:
+    """The clinic's database, brought to the newest schema when it is opened; Refusal when it cannot be.
+
+    Beside its file lie the head of its log, and the ballast when somebody has made it.
+    """
+
+    def __init__(self, file: Path) -> None:
+        file.parent.mkdir(mode=OWNER_FOLDER, parents=True, exist_ok=True)
+        self.ballast = Ballast(file.with_name(f"{file.name}.ballast"))
+        self._head_file = HeadFile(file)
+        self._engine = make_engine(file)
+        self._one_at_a_time = threading.Lock()
+        self.ballast.make_room()
+        try:
+            with self._in_words():
+                if not file.exists():
+                    file.touch(OWNER_FILE)
+                bring_up_to_date(file, self._engine)
+            self._open_head()
+        except BaseException:
+            self.close()
+            raise
+
+    @contextmanager
+    def transaction(self, *, closing: bool = False) -> Iterator[Transaction]:
+        """Yield a session; all of what was done in it is kept, or nothing when an exception passes.
+
+        `closing`: this transaction must be possible on a full disk, too, and may use the ballast: it ends something,
+        lets somebody in or out, or notes in the log what happened anyway.
+
+        Raises
+        ------
+        Full
+            When there is no room for what was done in it.
+        Unavailable
+            When another program holds the file for too long, or it is damaged.
+        """
+        if closing:
+            self.ballast.make_room()
+        with self._in_words(), self._one_at_a_time:
+            with Session(self._engine, expire_on_commit=False) as session, session.begin():
+                yield session
+                head = self._head_file.after(session) if HAS_NEW_ROWS in session.info else None
+            if head is not None:
+                self._write_head(head)
+
+    def close(self) -> None:
+        """Close every connection."""
+        self._engine.dispose()
+
+    def _open_head(self) -> None:
+        """Bring the head of the log to its newest row, and say in the log where it was missing or behind."""
+        with self.transaction(closing=True) as db:
+            head = self._head_file.read()
+            newest = advance(db, head or Head())
+            if head is None and newest is not None:
+                self._write_head(newest)
+                if newest.rows:
+                    write_log(db, None, HEAD_BEGUN, rows=newest.rows)
+            elif head is not None and newest is not None and newest != head:
+                write_log(db, None, "log head behind", rows=newest.rows - head.rows)
+
+    def _write_head(self, head: Head) -> None:
+        try:
+            self._head_file.write(head)
+        except OSError:
+            self.ballast.make_room()
+            try:
+                self._head_file.write(head)
+            except OSError:  # behind the log it raises no false alarm; the next row brings it up
+                logger.exception("The head of the log could not be written")
+
+    @contextmanager
+    def _in_words(self) -> Iterator[None]:
+        """Turn the errors that a person can mend into refusals with a sentence."""
+        try:
+            yield
+        except (DatabaseError, sqlite3.DatabaseError) as error:
+            code = getattr(getattr(error, "orig", error), "sqlite_errorcode", 0) & 0xFF  # the upper bits hold details
+            if code == sqlite3.SQLITE_FULL or (code in NO_ROOM_PERHAPS and not self.ballast.has_room()):
+                raise Full(NO_ROOM) from error
+            if code in {sqlite3.SQLITE_BUSY, sqlite3.SQLITE_LOCKED}:
+                raise Unavailable("Another program holds the database: wait for its end, then try again.") from error
+            if code in {sqlite3.SQLITE_NOTADB, sqlite3.SQLITE_CORRUPT}:
+                raise Unavailable(
+                    "The database is damaged: put a copy of it back, or begin with a new folder."
+                ) from error
+            raise

@@ -1,0 +1,56 @@
+"""Drives of real chairs."""
+
+from sqlalchemy import select
+from sqlalchemy.orm import Session
+
+from app.clock import utc_now
+from app.store.own_rows import own_row
+from app.store.tables import Drive, Run
+
+
+def add_drive(
+    db: Session, *, run: Run, clinic_id: int, patient_id: int, chair_id: int, parameters_id: int, digest: str
+) -> Drive:
+    """Note that a drive begins; `digest` is the hash of the parameter set as it is armed."""
+    drive = Drive(
+        clinic_id=clinic_id,
+        patient_id=patient_id,
+        session_id=run.session_id,
+        run=run,
+        chair_id=chair_id,
+        parameters_id=parameters_id,
+        hash=digest,
+        started=utc_now(),
+        ended=None,
+        end=None,
+        distance=None,
+    )
+    db.add(drive)
+    db.flush()
+    return drive
+
+
+def finish_drive(db: Session, drive_id: int, end: str, distance: float | None) -> Drive:
+    """Note how a drive ended, and how far (m) it went by what the chair told; None when it never moved or told."""
+    drive = db.get_one(Drive, drive_id)
+    drive.ended, drive.end, drive.distance = utc_now(), end, distance
+    return drive
+
+
+def find_drive(db: Session, clinic_id: int, drive_id: int) -> Drive:
+    """Return one of the clinic's drives."""
+    return own_row(db, Drive, clinic_id, drive_id, f"There is no drive {drive_id}: choose one from the list of drives.")
+
+
+def drives_of(db: Session, clinic_id: int, patient_id: int) -> list[Drive]:
+    """Return a patient's drives, the newest last."""
+    query = select(Drive).where(Drive.clinic_id == clinic_id, Drive.patient_id == patient_id).order_by(Drive.id)
+    return list(db.scalars(query))
+
+
+def close_interrupted_drives(db: Session) -> list[Drive]:
+    """End the drives that a dead web process left open."""
+    left = list(db.scalars(select(Drive).where(Drive.ended.is_(None))))
+    for drive in left:
+        drive.ended, drive.end = utc_now(), "fault"
+    return left

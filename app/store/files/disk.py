@@ -1,0 +1,80 @@
+"""The disk of the database and the recordings: how much room it has, and what is said about it."""
+
+import asyncio
+import logging
+import shutil
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from app.store.files.ballast import Ballast
+
+LITTLE_ROOM = 2_000_000_000  # bytes: somebody should make room, and there is still time to
+LEAST_ROOM = 500_000_000  # bytes: from there on the control process refuses to record
+NO_ROOM = 32_000_000  # bytes: as good as none; the parts of the ballast that are free lie below it
+LOOK_EVERY = 1.0  # s: people are told of a full disk within 2 s
+
+logger = logging.getLogger("bodydrive")
+
+
+@dataclass(frozen=True, slots=True)
+class DiskRoom:
+    """How much room there is."""
+
+    free: int  # bytes
+    words: str  # what to do about it, empty while there is enough
+
+
+def disk_room(folder: Path) -> DiskRoom:
+    """Return how much room is left on the disk of `folder`."""
+    free = shutil.disk_usage(folder).free
+    if free < NO_ROOM:
+        return DiskRoom(
+            free,
+            "The disk of the recordings is full: nothing more is recorded, driven or saved. The visit can still be "
+            "ended, and people can sign out. Make room on the computer that runs bodydrive.",
+        )
+    if free < LITTLE_ROOM:
+        return DiskRoom(
+            free,
+            f"Only {free / 1e9:.1f} GB are free on the disk of the recordings, and below "
+            f"{LEAST_ROOM / 1e9:.1f} GB nothing is recorded or driven any more: make room.",
+        )
+    return DiskRoom(free, "")
+
+
+class DiskWatch:
+    """Looks at the disk every second: lets pages know when there is something else to say, and keeps the ballast."""
+
+    def __init__(self, folder: Path, ballast: Ballast, tell: Callable[[str], None]) -> None:
+        self._folder = folder
+        self._ballast = ballast
+        self._tell = tell
+        self._words = ""
+        self._task: asyncio.Task[None] | None = None
+
+    def start(self) -> None:
+        """Begin to look."""
+        self._task = asyncio.create_task(self._watch())
+
+    async def close(self) -> None:
+        """Look no more."""
+        if self._task is not None:
+            self._task.cancel()
+            await asyncio.gather(self._task, return_exceptions=True)
+
+    async def _watch(self) -> None:
+        while True:
+            try:
+                words = await asyncio.to_thread(self._look)
+            except OSError:  # a disk that is gone now may come back
+                logger.exception("The disk of the recordings could not be looked at")
+                words = self._words
+            if words != self._words:
+                self._words = words
+                self._tell("disk")
+            await asyncio.sleep(LOOK_EVERY)
+
+    def _look(self) -> str:
+        self._ballast.refill()
+        return disk_room(self._folder).words

@@ -1,0 +1,127 @@
+"""The clinic's own floor plans: one file each, and every version that was ever saved beside them."""
+
+from pathlib import Path
+from threading import Lock
+from typing import NamedTuple
+
+from app.files import write_atomically
+from app.refusals import Conflict, NotFound
+from app.store.files.replacements import ReplacedFiles
+from app.store.files.taken_names import SameName, name_for
+from app.world.floorplan import FloorPlan, bundled_floorplans, load_floorplan
+from app.world.scene import bundled_scenes
+
+MOST_PLANS = 200
+VERSIONS = "versions"  # folder beside the plans; one folder for each plan, one file for each version
+
+_saving = Lock()  # two people may save at the same moment; there is one web process
+
+
+class OwnPlan(NamedTuple):
+    """What a list of them shows."""
+
+    name: str
+    title: str
+    version: int
+
+
+class OwnPlans:
+    """Saves, replaces, deletes and restores floor plans in a folder; nothing that was saved is ever lost."""
+
+    def __init__(self, folder: Path) -> None:
+        self._folder = folder
+
+    def listed(self) -> list[OwnPlan]:
+        """Return those that can be read, by name."""
+        found = []
+        for file in sorted(self._folder.glob("*.json")):
+            try:
+                found.append(OwnPlan(file.stem, load_floorplan(file).title, self.version(file.stem)))
+            except ValueError:
+                continue  # it is not offered for driving either
+        return found
+
+    def version(self, name: str) -> int:
+        """Return the number of the plan's present version; of a deleted one, that of its last."""
+        kept = self._kept(name)
+        file = self._file(name)
+        # A file that somebody else put there, or changed, is a version that was not kept yet.
+        foreign = file.is_file() and (not kept or kept[-1].read_bytes() != file.read_bytes())
+        return len(kept) + foreign
+
+    def add(self, plan: FloorPlan, same_name: SameName, shelf: ReplacedFiles) -> OwnPlan:
+        """Save a plan; one that it replaces goes on the shelf. NameTaken when the name is taken and nobody chose."""
+        with _saving:
+            if is_bundled(plan.name):
+                raise Conflict(
+                    f"The name '{plan.name}' belongs to a plan that comes with the software: choose another."
+                )
+            taken = [file.stem for file in self._folder.glob("*.json")]
+            name = name_for(plan.name, taken, same_name)
+            if name not in taken and len(taken) >= MOST_PLANS:
+                raise Conflict(f"There are {MOST_PLANS} floor plans of your own already: delete some first.")
+            shelf.keep("floorplan", self._file(name))
+            saved = plan.model_copy(update={"name": name})
+            return OwnPlan(name, saved.title, self._save(saved))
+
+    def replace(self, plan: FloorPlan, version: int) -> int:
+        """Save the next version of a plan that is at `version`; Conflict when somebody saved it meanwhile."""
+        with _saving:
+            if is_bundled(plan.name):
+                raise Conflict("A plan that comes with the software stays as it is: save yours as a new plan.")
+            self._needed(plan.name)
+            if self.version(plan.name) != version:
+                raise Conflict("Somebody else saved this floor plan meanwhile: save yours as a new plan.")
+            return self._save(plan)
+
+    def remove(self, name: str) -> None:
+        """Take a plan out of what is offered; its versions stay."""
+        with _saving:
+            if is_bundled(name):
+                raise Conflict("A plan that comes with the software cannot be deleted.")
+            self._needed(name)
+            self._keep(name)
+            self._file(name).unlink()
+
+    def restore(self, name: str) -> int:
+        """Offer a deleted plan again, as it was, and return its version."""
+        with _saving:
+            kept = self._kept(name)
+            if self._file(name).is_file() or not kept:
+                raise NotFound(f"There is no deleted floor plan '{name}': look at the list.")
+            write_atomically(self._file(name), kept[-1].read_bytes())
+            return len(kept)
+
+    def _save(self, plan: FloorPlan) -> int:
+        self._keep(plan.name)
+        content = plan.model_dump_json(exclude_none=True).encode() + b"\n"
+        kept = self._kept(plan.name)
+        if not kept or kept[-1].read_bytes() != content:
+            write_atomically(self._versions(plan.name) / f"{len(kept) + 1:06d}.json", content)
+        write_atomically(self._file(plan.name), content)
+        return len(self._kept(plan.name))
+
+    def _keep(self, name: str) -> None:
+        """Put what is there among the versions, if it is not there yet."""
+        file, number = self._file(name), self.version(name)
+        if number > len(self._kept(name)):
+            write_atomically(self._versions(name) / f"{number:06d}.json", file.read_bytes())
+
+    def _needed(self, name: str) -> None:
+        if not self._file(name).is_file():
+            raise NotFound(f"There is no floor plan '{name}' of your own: choose one of the list.")
+
+    def _file(self, name: str) -> Path:
+        return self._folder / f"{name}.json"
+
+    def _versions(self, name: str) -> Path:
+        return self._folder / VERSIONS / name
+
+    def _kept(self, name: str) -> list[Path]:
+        return sorted(self._versions(name).glob("*.json"))
+
+
+def is_bundled(name: str) -> bool:
+    """Tell whether a name belongs to what comes with the software: a building, or a scene at one of its levels."""
+    plain = name.lower()
+    return plain in map(str.lower, bundled_floorplans()) or plain.partition(".")[0] in map(str.lower, bundled_scenes())

@@ -1,0 +1,59 @@
+"""The rule for an upload whose name is taken: nothing is replaced unless a person says so."""
+
+from collections.abc import Collection
+from itertools import count
+from pathlib import PurePath
+from typing import Literal
+
+from app.refusals import Conflict
+
+LONGEST_NAME = 64
+
+SameName = Literal["ask", "keep-both", "replace"]
+
+
+class NameTaken(Conflict):
+    """Something has this name already: a person chooses between the free name proposed and replacing it."""
+
+    def __init__(self, sentence: str, proposed: str, *, may_replace: bool) -> None:
+        super().__init__(sentence)
+        self.proposed = proposed
+        self.may_replace = may_replace
+
+
+def log_details(same_name: SameName) -> dict[str, str]:
+    """Return the details for the log: the choice of a person, or nothing when there was none."""
+    return {} if same_name == "ask" else {"same_name": same_name}
+
+
+def name_for(name: str, taken: Collection[str], same_name: SameName, *, may_replace: bool = True) -> str:
+    """Return the name under which something is kept; names that differ in case alone are the same.
+
+    Raises
+    ------
+    NameTaken
+        When the name is taken and nobody chose, or when what has it cannot be replaced.
+    """
+    standing = next((one for one in sorted(taken) if one.lower() == name.lower()), None)
+    if standing is None:
+        return name
+    proposed = free_name(name, taken)
+    if same_name == "keep-both":
+        return proposed
+    if same_name == "replace" and may_replace:
+        return standing
+    choice = "keep both, or replace it" if may_replace else "keep both"
+    raise NameTaken(f"There is '{standing}' already: {choice}.", proposed, may_replace=may_replace)
+
+
+def free_name(name: str, taken: Collection[str]) -> str:
+    """Return the name with the first number from 2 on that makes it free: walk.csv, walk-2.csv."""
+    lower = {one.lower() for one in taken}
+    suffix = PurePath(name).suffix if "." in name else ""
+    stem = name.removesuffix(suffix)
+    for number in count(2):
+        ending = f"-{number}{suffix}"
+        proposed = stem[: LONGEST_NAME - len(ending)] + ending
+        if proposed.lower() not in lower:
+            return proposed
+    raise AssertionError

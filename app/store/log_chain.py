@@ -1,0 +1,185 @@
+"""The chain of the log, and its head: whether rows were edited, moved, put in or removed, the newest ones too."""
+
+import json
+import logging
+import os
+import re
+from collections.abc import Iterable
+from contextlib import closing
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from hashlib import sha256
+from pathlib import Path
+from typing import Any
+from zlib import crc32
+
+from sqlalchemy.orm import Session
+
+from app.file_modes import OWNER_FILE
+from app.files import sync_folder
+from app.store.schema import connect
+
+FIRST = "0" * 64  # stands before the first row
+HEAD_BEGUN = "log head begun"  # the row that says from where on a removal of the newest rows shows
+LINE = 128  # bytes
+WHOLE_LINE = re.compile(
+    rb"(?P<content>(?P<rows>\d{1,15}) (?P<id>\d{1,19}) (?P<hash>[0-9a-f]{64})) (?P<check>[0-9a-f]{8}) *\n"
+)
+ROWS = "SELECT id, at, person, what, details, previous_hash, hash FROM log"
+
+RawRow = Any  # id, at, person, what, details, previous_hash, hash as SQLite stores them
+
+
+@dataclass(frozen=True, slots=True)
+class Head:
+    """How far the log goes: how many rows there are, and the id and hash of the newest."""
+
+    rows: int = 0
+    id: int = 0
+    hash: str = FIRST
+
+
+class HeadFile:
+    """The file beside the database that keeps the head.
+
+    It is written after each commit that added rows. A crash in between leaves it behind by the rows of that commit,
+    never ahead; so rows that chain on from the head are no alarm, and a head that is ahead of the log always is.
+
+    Two lines of 128 bytes, `ROWS ID HASH CRC-32`, of which the whole one with more rows counts. The other is written
+    over, in its place: that takes no room on a full disk, and a power cut spoils the new line at most.
+    """
+
+    def __init__(self, database: Path) -> None:
+        self.file = database.with_name(f"{database.name}.log-head")
+
+    def read(self) -> Head | None:
+        """Return the head, None when there is none that can be read."""
+        return self._newest()[1]
+
+    def write(self, head: Head) -> None:
+        """Write the head durably; raise OSError when that cannot be done."""
+        place, before = self._newest()
+        content = f"{head.rows} {head.id} {head.hash}"
+        line = f"{content} {crc32(content.encode()):08x}".ljust(LINE - 1).encode() + b"\n"
+        descriptor = os.open(self.file, os.O_WRONLY | os.O_CREAT, OWNER_FILE)
+        try:
+            os.pwrite(descriptor, line, LINE * (1 - place))
+            os.fsync(descriptor)
+        finally:
+            os.close(descriptor)
+        if before is None:
+            sync_folder(self.file.parent)
+
+    def _newest(self) -> tuple[int, Head | None]:
+        """Return which line counts (0 or 1), and what it says; (1, None) when neither is whole."""
+        newest: tuple[int, Head | None] = (1, None)
+        try:
+            content = self.file.read_bytes()
+        except OSError:
+            return newest
+        for place in (0, 1):
+            found = WHOLE_LINE.fullmatch(content[place * LINE : (place + 1) * LINE])
+            if found and int(found["check"], 16) == crc32(found["content"]):
+                head = Head(int(found["rows"]), int(found["id"]), found["hash"].decode())
+                if newest[1] is None or head.rows > newest[1].rows:
+                    newest = (place, head)
+        return newest
+
+    def after(self, db: Session) -> Head | None:
+        """Return the head with the newest rows of `db`.
+
+        None when they do not chain on from the head in the file: that head stays, because it shows what was changed.
+        """
+        head = self.read()
+        return None if head is None else advance(db, head)
+
+
+def entry_hash(previous: str, at: datetime, person: str | None, what: str, details: dict[str, Any]) -> str:
+    """Return the hash of a row (hexadecimal SHA-256), which covers the hash of the row before."""
+    content = json.dumps([previous, at.isoformat(), person, what, details], sort_keys=True, separators=(",", ":"))
+    return sha256(content.encode()).hexdigest()
+
+
+def advance(db: Session, head: Head) -> Head | None:
+    """Return the head after the rows that came since; None when they do not chain on from it."""
+    connection = db.connection()
+    if head.rows:
+        found = connection.exec_driver_sql("SELECT hash FROM log WHERE id = ?", (head.id,)).scalar()
+        if found != head.hash:
+            return None
+    for row in connection.exec_driver_sql(f"{ROWS} WHERE id > ? ORDER BY id", (head.id,)):
+        if not _chains_on(head.hash, row):
+            return None
+        head = Head(head.rows + 1, row[0], row[6])
+    return head
+
+
+def _chains_on(previous: str, row: RawRow) -> bool:
+    """Tell whether a row, whatever somebody may have written into it, is whole and follows on `previous`."""
+    _, at, person, what, details, previous_hash, own_hash = row
+    try:
+        moment = datetime.fromisoformat(at)
+        expected = entry_hash(previous, moment.replace(tzinfo=UTC), person, what, json.loads(details))
+        as_stored = moment.isoformat(" ", "microseconds")
+    except (TypeError, ValueError, RecursionError):
+        return False
+    return bool(previous_hash == previous and own_hash == expected and at == as_stored)
+
+
+@dataclass(frozen=True, slots=True)
+class LogCheck:
+    """What a check of the whole log found."""
+
+    whole: bool
+    rows: int  # that are whole, from the first
+    words: str  # the finding in sentences
+
+
+def verify_log(database: Path) -> LogCheck:
+    """Check every row of the log, and its newest rows against the head; nothing is written.
+
+    Raises
+    ------
+    sqlite3.DatabaseError
+        When there is no log in the file.
+    """
+    head = HeadFile(database).read()  # before the rows: those that are added meanwhile chain on from it
+    with closing(connect(database)) as connection:
+        connection.text_factory = lambda text: text.decode(errors="replace")
+        return _check(head, connection.execute(f"{ROWS} ORDER BY id"))
+
+
+def warn_of_changed_log(database: Path) -> None:
+    """Say on the console when the log was changed; the owner's settings show it, too."""
+    check = verify_log(database)
+    if not check.whole:
+        logging.getLogger("bodydrive").warning("%s", check.words)
+
+
+def _check(head: Head | None, rows: Iterable[RawRow]) -> LogCheck:
+    count, newest, hash_at_head, begun = 0, FIRST, FIRST, ""
+    for row in rows:
+        if not _chains_on(newest, row):
+            what = f"row {row[0]} was edited, moved or put in, or rows before it were removed"
+            return LogCheck(False, count, f"The log was changed: {what}.")
+        count, newest = count + 1, row[6]
+        if head is not None and count == head.rows:
+            hash_at_head = newest
+        if row[3] == HEAD_BEGUN:
+            begun = f" Whether newest rows were removed is known since row {count}, of {row[1][:10]}."
+    if head is None:
+        gone = "The head of the log is missing beside the database: rows may have been removed from the log's end."
+        return LogCheck(False, count, gone) if count else LogCheck(True, 0, "The log is empty.")
+    if head.rows > count:
+        what = f"its newest rows were removed, {count} of {head.rows} are left"
+        return LogCheck(False, count, f"The log was changed: {what}.")
+    if head.hash != hash_at_head:
+        what = f"its first {head.rows} rows are not the rows that were written"
+        return LogCheck(False, count, f"The log was changed: {what}.")
+    late = count - head.rows
+    after = (
+        f" The newest {late} are not in its head yet: the program ended just then, or it writes now." if late else ""
+    )
+    return LogCheck(
+        True, count, f"The log is whole: {count} rows, none edited, moved, put in or removed.{after}{begun}"
+    )

@@ -1,0 +1,147 @@
+"""Versions of a patient's map: adapted from one another, and one tap back; nothing is ever overwritten."""
+
+from collections.abc import Mapping
+from datetime import datetime
+from typing import Any, NamedTuple
+
+from sqlalchemy import select
+from sqlalchemy.orm import Session
+
+from app.calibration.profile import CalibrationProfile
+from app.calibration.vocabulary import DriveParameters
+from app.refusals import Conflict
+from app.store.parameters import current_parameters, save_parameters, save_profile
+from app.store.tables import Parameters, Profile, Trial
+
+BACK_TO = "back_to"  # in `Profile.difference` of a version that goes back: the version whose map it has
+
+NOTHING_BEFORE = "This map comes straight from a calibration: there is no version before it to go back to."
+
+
+class MapVersion(NamedTuple):
+    """One version of a patient's map."""
+
+    version: int
+    origin: str  # calibration, adaptation, back
+    parent: int | None
+    difference: dict[str, Any] | None
+    created: datetime
+    trials: list[int]  # ids of the trials that were driven with it, the newest last
+
+
+def save_adapted(
+    db: Session, patient_id: int, session_id: int, adapted: DriveParameters, difference: dict[str, Any]
+) -> Profile:
+    """Make an adapted set the current one, on the next version of the patient's map."""
+    _row, now = current_parameters(db, patient_id)
+    profile = save_profile(
+        db,
+        patient_id,
+        session_id,
+        adapted.profile,
+        simulated=now.simulated,
+        origin="adaptation",
+        parent=now.version,
+        difference=difference,
+    )
+    save_parameters(db, profile, adapted)
+    return profile
+
+
+def version_before(db: Session, patient_id: int) -> int | None:
+    """Return the version that going back would restore, None where there is nothing to go back from."""
+    _row, now = current_parameters(db, patient_id)
+    before = _before(db, now)
+    return None if before is None else before.version
+
+
+def go_back(db: Session, patient_id: int, session_id: int) -> Profile:
+    """Make the map before the current one the next version, and return it.
+
+    Dead-zones and fulls go back with it, except those that a person has set since; bindings, modes and speeds stay.
+    Where nothing was set since, the set is to the last digit the one that was driven before: it has its hash.
+    """
+    row, now = current_parameters(db, patient_id)
+    before = _before(db, now)
+    if before is None:
+        raise Conflict(NOTHING_BEFORE)
+    restored = _settings_of(db, before, newest=True)
+    at_first = _settings_of(db, now, newest=False)
+    settings = {**row.settings, "gestures": _gestures_back(row.settings, at_first, restored)}
+    profile = save_profile(
+        db,
+        patient_id,
+        session_id,
+        CalibrationProfile.model_validate(before.document),
+        simulated=before.simulated,
+        origin="back",
+        parent=now.version,
+        difference={BACK_TO: before.version},
+    )
+    save_parameters(db, profile, DriveParameters.model_validate({**settings, "profile": before.document}))
+    return profile
+
+
+def versions_of(db: Session, patient_id: int) -> list[MapVersion]:
+    """Return all versions of a patient's map, the newest first."""
+    driven: dict[int, list[int]] = {}
+    for trial, version in db.execute(
+        select(Trial.id, Profile.version)
+        .join(Parameters, Parameters.id == Trial.parameters_id)
+        .join(Profile, Profile.id == Parameters.profile_id)
+        .where(Trial.patient_id == patient_id)
+        .order_by(Trial.id)
+    ):
+        driven.setdefault(version, []).append(trial)
+    rows = db.scalars(select(Profile).where(Profile.patient_id == patient_id).order_by(Profile.version.desc()))
+    return [
+        MapVersion(row.version, row.origin, row.parent, row.difference, row.created, driven.get(row.version, []))
+        for row in rows
+    ]
+
+
+def version_row(db: Session, patient_id: int, version: int) -> Profile:
+    """Return one version of a patient's map."""
+    return db.execute(select(Profile).where(Profile.patient_id == patient_id, Profile.version == version)).scalar_one()
+
+
+def family(db: Session, patient_id: int, version: int) -> set[int]:
+    """Return all versions that come from the same calibration as `version`, that calibration included."""
+    parents = {
+        row.version: row.parent
+        for row in db.execute(select(Profile.version, Profile.parent).where(Profile.patient_id == patient_id))
+    }
+
+    def root(of: int) -> int:
+        while (parent := parents.get(of)) is not None:
+            of = parent
+        return of
+
+    wanted = root(version)
+    return {each for each in parents if root(each) == wanted}
+
+
+def _before(db: Session, now: Profile) -> Profile | None:
+    """Return the map before `now`; a version that went back stands where the one stands that it went back to."""
+    shown = now
+    while shown.origin == "back" and shown.difference is not None:
+        shown = version_row(db, now.patient_id, shown.difference[BACK_TO])
+    return None if shown.parent is None else version_row(db, now.patient_id, shown.parent)
+
+
+def _settings_of(db: Session, profile: Profile, *, newest: bool) -> dict[str, Any]:
+    """Return the settings that a version was driven with at the last, or that it began with."""
+    query = select(Parameters).where(Parameters.profile_id == profile.id)
+    if newest:
+        query = query.where(Parameters.current.is_(True))
+    row = db.scalars(query.order_by(Parameters.id)).first()
+    return {} if row is None else row.settings
+
+
+def _gestures_back(
+    now: Mapping[str, Any], at_first: Mapping[str, Any], restored: Mapping[str, Any]
+) -> list[dict[str, Any]]:
+    """Return the gestures of `now` as they are in `restored`, where nobody has changed them since `at_first`."""
+    born = {gesture["name"]: gesture for gesture in at_first.get("gestures", ())}
+    old = {gesture["name"]: gesture for gesture in restored.get("gestures", ())}
+    return [old.get(each["name"], each) if born.get(each["name"]) == each else each for each in now["gestures"]]

@@ -1,0 +1,13 @@
+"""What Alembic runs for each migration; the connection comes from app/store/database.py."""
+
+from alembic import context
+
+from app.store.tables import Table
+
+context.configure(
+    connection=context.config.attributes["connection"],
+    target_metadata=Table.metadata,
+    render_as_batch=True,  # SQLite alters a table by making it anew
+)
+with context.begin_transaction():
+    context.run_migrations()

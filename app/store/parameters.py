@@ -1,0 +1,176 @@
+"""Profiles and parameter sets: versions that are kept, with undo, redo and names to come back to."""
+
+from typing import Any
+
+from pydantic import ValidationError
+from sqlalchemy import func, select
+from sqlalchemy.orm import Session
+
+from app.calibration.profile import CalibrationProfile
+from app.calibration.vocabulary import DriveParameters, standard_parameters
+from app.clock import utc_now
+from app.refusals import Conflict, NotFound
+from app.store.tables import Parameters, Profile, Trial
+
+
+def save_profile(
+    db: Session,
+    patient_id: int,
+    session_id: int,
+    profile: CalibrationProfile,
+    *,
+    simulated: bool | None = None,
+    origin: str = "calibration",
+    parent: int | None = None,
+    difference: dict[str, Any] | None = None,
+) -> Profile:
+    """Keep an accepted map as the patient's next version; `parent` is the version that it was made from.
+
+    `simulated` says whether nobody wore the shirt in which it was calibrated, None where that is unknown.
+    """
+    last = db.scalar(select(func.max(Profile.version)).where(Profile.patient_id == patient_id)) or 0
+    row = Profile(
+        patient_id=patient_id,
+        session_id=session_id,
+        version=last + 1,
+        origin=origin,
+        parent=parent,
+        difference=difference,
+        document=profile.model_dump(mode="json"),
+        created=utc_now(),
+        simulated=simulated,
+    )
+    db.add(row)
+    db.flush()
+    return row
+
+
+def newest_profile(db: Session, patient_id: int) -> Profile | None:
+    """Return the patient's newest calibration, None before the first."""
+    return db.scalar(select(Profile).where(Profile.patient_id == patient_id).order_by(Profile.version.desc()).limit(1))
+
+
+def _needed_profile(db: Session, patient_id: int) -> Profile:
+    row = newest_profile(db, patient_id)
+    if row is None:
+        raise Conflict("Nothing is calibrated yet: go to Calibrate and accept a result first.")
+    return row
+
+
+def _history(db: Session, profile: Profile) -> list[Parameters]:
+    return list(
+        db.scalars(
+            select(Parameters)
+            .where(Parameters.profile_id == profile.id, Parameters.abandoned.is_(False))
+            .order_by(Parameters.id)
+        )
+    )
+
+
+def save_parameters(db: Session, profile: Profile, parameters: DriveParameters) -> Parameters:
+    """Make `parameters` the current set of `profile`; what had been undone before is out of reach from now on."""
+    passed_current = False
+    for row in _history(db, profile):
+        row.abandoned = passed_current
+        passed_current = passed_current or row.current
+        row.current = False
+    new = Parameters(
+        profile_id=profile.id,
+        title=parameters.title,
+        settings=parameters.model_dump(mode="json", exclude={"profile"}),
+        hash=parameters.hash,
+        created=utc_now(),
+        current=True,
+        abandoned=False,
+    )
+    db.add(new)
+    db.flush()
+    return new
+
+
+def current_parameters(db: Session, patient_id: int) -> tuple[Parameters, Profile]:
+    """Return the set that drives now, with the profile that it stands on."""
+    profile = _needed_profile(db, patient_id)
+    row = db.scalar(select(Parameters).where(Parameters.profile_id == profile.id, Parameters.current.is_(True)))
+    if row is None:
+        row = save_parameters(db, profile, standard_parameters(CalibrationProfile.model_validate(profile.document)))
+    return row, profile
+
+
+def as_document(row: Parameters, profile: Profile) -> DriveParameters:
+    """Return the whole parameter set, profile included; Conflict when this program cannot read it."""
+    try:
+        return DriveParameters.model_validate({**row.settings, "profile": profile.document})
+    except ValidationError as error:
+        raise Conflict(
+            "These controls were saved by another version of the program, and this one cannot read them: calibrate "
+            "again, or start that version."
+        ) from error
+
+
+def parameters_of_trial(db: Session, trial_id: int) -> DriveParameters:
+    """Return what a trial was driven with: its own set on its own version of the map."""
+    row = db.get_one(Parameters, db.get_one(Trial, trial_id).parameters_id)
+    return as_document(row, db.get_one(Profile, row.profile_id))
+
+
+def undo_and_redo(db: Session, patient_id: int) -> tuple[Parameters | None, Parameters | None]:
+    """Return the sets before and after the current one, None where there is none."""
+    current, profile = current_parameters(db, patient_id)
+    history = _history(db, profile)
+    place = [row.id for row in history].index(current.id)
+    before = history[place - 1] if place > 0 else None
+    after = history[place + 1] if place + 1 < len(history) else None
+    return before, after
+
+
+def step_parameters(db: Session, patient_id: int, *, back: bool) -> Parameters:
+    """Undo or redo: make the set before or after the current one current."""
+    current, _profile = current_parameters(db, patient_id)
+    before, after = undo_and_redo(db, patient_id)
+    target = before if back else after
+    if target is None:
+        raise Conflict("There is nothing to undo: this is the first setting." if back else "There is nothing to redo.")
+    current.current = False
+    target.current = True
+    db.flush()
+    return target
+
+
+def saved_titles(db: Session, patient_id: int) -> list[str]:
+    """Return the names of the patient's sets, in the order in which they were first used."""
+    first = func.min(Parameters.id)
+    return list(
+        db.scalars(
+            select(Parameters.title)
+            .join(Profile, Profile.id == Parameters.profile_id)
+            .where(Profile.patient_id == patient_id)
+            .group_by(Parameters.title)
+            .order_by(first)
+        )
+    )
+
+
+def load_titled(db: Session, patient_id: int, title: str) -> Parameters:
+    """Make a copy of the newest set of this name current, put on the newest profile.
+
+    Dead-zones and fulls are in full scales of the joint, so that they keep their meaning on a newer calibration.
+    """
+    profile = _needed_profile(db, patient_id)
+    saved: dict[str, Any] | None = db.scalar(
+        select(Parameters.settings)
+        .join(Profile, Profile.id == Parameters.profile_id)
+        .where(Profile.patient_id == patient_id, Parameters.title == title)
+        .order_by(Parameters.id.desc())
+        .limit(1)
+    )
+    if saved is None:
+        raise NotFound(f"There is no saved set '{title}': choose one from the list.")
+    try:
+        parameters = DriveParameters.model_validate({**saved, "profile": profile.document})
+    except ValidationError as error:
+        raise Conflict(
+            f"'{title}' was made for a shirt with other joints and does not fit this calibration: "
+            "bind the gestures anew."
+        ) from error
+    return save_parameters(db, profile, parameters)

@@ -1,0 +1,122 @@
+"""The patient's screens: paired for one visit, found by their token, and what they are asked to show."""
+
+import hashlib
+import secrets
+from datetime import timedelta
+from typing import Literal
+
+from pydantic import StrictBool
+from sqlalchemy import func, select
+from sqlalchemy.orm import Session
+
+from app.clock import utc_now
+from app.quantities import Document
+from app.refusals import Conflict, NotFound
+from app.store.log import write_log
+from app.store.own_rows import own_row
+from app.store.tables import PatientScreen, PatientSession
+
+TOKEN_BYTES = 32
+PAIRED_FOR = timedelta(hours=12)  # a visit ends sooner; nobody's forgotten visit keeps a screen for longer
+MOST = 8  # screens of one visit: a person looks at one or two
+
+ScreenState = Literal["paired", "over", "unpaired", "none"]
+
+
+class Wishes(Document):
+    """What the clinician asks the patient's screens to show; kept for the visit."""
+
+    arrow: StrictBool = False  # to where the chair shall go
+    sounds: StrictBool = False
+    large: StrictBool = False  # larger text
+    plan: StrictBool = False  # the drawn plan from above instead of the 3D view
+
+
+def _hash(token: str) -> str:
+    return hashlib.sha256(token.encode()).hexdigest()
+
+
+def add_screen(db: Session, session_id: int, person: str, old_token: str | None) -> str:
+    """Pair a screen with a visit that is going on, and return its token, which is stored nowhere but with the browser.
+
+    The browser's earlier pairing ends: a page that is paired anew is the same screen.
+    """
+    session = db.get_one(PatientSession, session_id)
+    if session.ended is not None:
+        raise Conflict("The visit of this code has ended: ask for a new code.")
+    now = utc_now()
+    for old in db.scalars(select(PatientScreen).where(PatientScreen.expires < now)):
+        db.delete(old)
+    before = db.scalar(select(PatientScreen).where(PatientScreen.token_hash == _hash(old_token or "")))
+    if before is not None and before.unpaired is None:
+        before.unpaired = now
+    db.flush()
+    if len(screens_of(db, session_id)) >= MOST:
+        raise Conflict(f"{MOST} screens are paired already: unpair one on the clinician's page first.")
+    last = db.scalar(select(func.max(PatientScreen.number)).where(PatientScreen.session_id == session_id)) or 0
+    token = secrets.token_urlsafe(TOKEN_BYTES)
+    screen = PatientScreen(
+        clinic_id=session.clinic_id,
+        session_id=session_id,
+        token_hash=_hash(token),
+        number=last + 1,
+        paired=now,
+        expires=now + PAIRED_FOR,
+        unpaired=None,
+    )
+    db.add(screen)
+    db.flush()
+    write_log(db, person, "patient's screen paired", screen=screen.id, session=session_id)
+    return token
+
+
+def screens_of(db: Session, session_id: int) -> list[PatientScreen]:
+    """Return the screens that are paired with a visit, the newest last."""
+    return list(
+        db.scalars(
+            select(PatientScreen)
+            .where(
+                PatientScreen.session_id == session_id,
+                PatientScreen.unpaired.is_(None),
+                PatientScreen.expires > utc_now(),
+            )
+            .order_by(PatientScreen.id)
+        )
+    )
+
+
+def find_screen(db: Session, token: str) -> tuple[PatientScreen | None, ScreenState]:
+    """Return the screen of a token while it may look, and how it stands with it."""
+    found = db.execute(
+        select(PatientScreen, PatientSession)
+        .join(PatientSession, PatientSession.id == PatientScreen.session_id)
+        .where(PatientScreen.token_hash == _hash(token))
+    ).first()
+    if found is None:
+        return None, "none"
+    screen, session = found
+    if session.ended is not None or screen.expires <= utc_now():
+        return None, "over"
+    if screen.unpaired is not None:
+        return None, "unpaired"
+    return screen, "paired"
+
+
+def unpair_screen(db: Session, clinic_id: int, screen_id: int, person: str) -> None:
+    """End a pairing."""
+    missing = f"There is no paired screen {screen_id}: choose one of the list."
+    screen = own_row(db, PatientScreen, clinic_id, screen_id, missing)
+    if screen.unpaired is not None:
+        raise NotFound(missing)
+    screen.unpaired = utc_now()
+    write_log(db, person, "patient's screen unpaired", screen=screen.id, session=screen.session_id)
+
+
+def wishes_of(db: Session, session_id: int) -> Wishes:
+    """Return what the screens of a visit are asked to show."""
+    return Wishes.model_validate(db.get_one(PatientSession, session_id).screen or {})
+
+
+def set_wishes(db: Session, session_id: int, wishes: Wishes) -> None:
+    """Keep what the screens of a visit are asked to show."""
+    db.get_one(PatientSession, session_id).screen = wishes.model_dump(mode="json")

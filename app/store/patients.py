@@ -1,0 +1,136 @@
+"""Patients and their visits: who comes, and who is here now."""
+
+from sqlalchemy import func, select
+from sqlalchemy.orm import Session
+
+from app.clock import utc_now
+from app.refusals import Conflict, NotFound
+from app.store.own_rows import own_row
+from app.store.tables import CalibrationStep, Patient, PatientSession, Profile, Trial
+
+
+def add_patient(db: Session, clinic_id: int, code: str, pseudonym: str, note: str) -> Patient:
+    """Make a patient; the code is theirs alone within the clinic."""
+    same = db.scalar(select(Patient).where(Patient.clinic_id == clinic_id, Patient.code == code))
+    if same is not None and same.deleted is None:
+        raise Conflict(f"The code '{code}' already belongs to {same.pseudonym}: choose another code.")
+    if same is not None:
+        raise Conflict(
+            f"The code '{code}' belongs to a deleted patient: choose another code, "
+            f"or undo the deletion of patient {same.id}."
+        )
+    patient = Patient(clinic_id=clinic_id, code=code, pseudonym=pseudonym, note=note, created=utc_now(), deleted=None)
+    db.add(patient)
+    db.flush()
+    return patient
+
+
+def find_patient(db: Session, clinic_id: int, patient_id: int, *, deleted: bool = False) -> Patient:
+    """Return one of the clinic's patients; `deleted` looks among the deleted ones too."""
+    missing = f"There is no patient {patient_id}: choose one from the list of patients."
+    patient = own_row(db, Patient, clinic_id, patient_id, missing)
+    if patient.deleted is not None and not deleted:
+        raise NotFound(missing)
+    return patient
+
+
+def all_patients(db: Session, clinic_id: int) -> list[Patient]:
+    """Return the clinic's patients, the ones of the last visits first."""
+    last = select(func.max(PatientSession.started)).where(PatientSession.patient_id == Patient.id).scalar_subquery()
+    return list(
+        db.scalars(
+            select(Patient)
+            .where(Patient.clinic_id == clinic_id, Patient.deleted.is_(None))
+            .order_by(func.coalesce(last, Patient.created).desc(), Patient.id.desc())
+        )
+    )
+
+
+def delete_patient(db: Session, clinic_id: int, patient_id: int) -> Patient:
+    """Take a patient from the list; nothing is lost, and it can be undone."""
+    patient = find_patient(db, clinic_id, patient_id)
+    session = open_session(db, clinic_id)
+    if session is not None and session.patient_id == patient_id:
+        raise Conflict(f"{patient.pseudonym} is here now: end the visit first, then delete.")
+    patient.deleted = utc_now()
+    return patient
+
+
+def restore_patient(db: Session, clinic_id: int, patient_id: int) -> Patient:
+    """Undo a deletion."""
+    patient = find_patient(db, clinic_id, patient_id, deleted=True)
+    patient.deleted = None
+    return patient
+
+
+def open_session(db: Session, clinic_id: int) -> PatientSession | None:
+    """Return the visit that is going on, None when nobody is here."""
+    return db.scalar(
+        select(PatientSession).where(PatientSession.clinic_id == clinic_id, PatientSession.ended.is_(None))
+    )
+
+
+def start_session(db: Session, clinic_id: int, patient_id: int, person: str | None = None) -> PatientSession:
+    """Open a visit; the one that was open is ended. For the patient who is here already it simply goes on.
+
+    `person` is the name of who opens it, which other screens show.
+    """
+    find_patient(db, clinic_id, patient_id)
+    session = open_session(db, clinic_id)
+    if session is not None and session.patient_id == patient_id:
+        return session
+    end_session(db, clinic_id)
+    last = db.scalar(select(func.max(PatientSession.number)).where(PatientSession.patient_id == patient_id)) or 0
+    session = PatientSession(
+        clinic_id=clinic_id,
+        patient_id=patient_id,
+        number=last + 1,
+        started=utc_now(),
+        opened_by=person,
+        ended=None,
+        script=None,
+        current_step=None,
+        result=None,
+        accepted=False,
+        screen=None,
+    )
+    db.add(session)
+    db.flush()
+    return session
+
+
+def end_session(db: Session, clinic_id: int) -> None:
+    """End the visit that is going on, if there is one."""
+    session = open_session(db, clinic_id)
+    if session is not None:
+        session.ended = utc_now()
+        db.flush()
+
+
+def patient_figures(db: Session, patient: Patient) -> tuple[int, int, PatientSession | None]:
+    """Return how many sessions and kept trials a patient has, and the last session."""
+    sessions = db.scalar(select(func.count(PatientSession.id)).where(PatientSession.patient_id == patient.id)) or 0
+    trials = (
+        db.scalar(
+            select(func.count(Trial.id)).where(
+                Trial.patient_id == patient.id, Trial.status == "done", Trial.kept.is_(True)
+            )
+        )
+        or 0
+    )
+    last = db.scalar(
+        select(PatientSession)
+        .where(PatientSession.patient_id == patient.id)
+        .order_by(PatientSession.started.desc())
+        .limit(1)
+    )
+    return sessions, trials, last
+
+
+def session_progress(db: Session, session: PatientSession) -> tuple[bool, list[str]]:
+    """Return whether the patient has a profile, and which calibration steps of this session are done."""
+    has_profile = db.scalar(select(func.count(Profile.id)).where(Profile.patient_id == session.patient_id)) or 0
+    done = db.scalars(
+        select(CalibrationStep.step).where(CalibrationStep.session_id == session.id, CalibrationStep.status == "done")
+    )
+    return bool(has_profile), list(done)

@@ -1,0 +1,88 @@
+"""Who may come in: the clinic, its people, and their sign-ins."""
+
+import hashlib
+import secrets
+from datetime import timedelta
+
+from sqlalchemy import func, select
+from sqlalchemy.orm import Session
+
+from app.clock import utc_now
+from app.refusals import Conflict
+from app.store.log import write_log
+from app.store.tables import AuthSession, Clinic, Person
+
+TOKEN_BYTES = 32
+SIGNED_IN_FOR = timedelta(hours=12)  # a working day; then everybody signs in again
+
+
+def add_clinic(db: Session, name: str) -> Clinic:
+    """Make the clinic of this database."""
+    clinic = Clinic(name=name, created=utc_now(), shirt=None, body=None, unused=[], chair=None, limits=None)
+    db.add(clinic)
+    db.flush()
+    return clinic
+
+
+def the_clinic(db: Session) -> Clinic | None:
+    """Return the clinic of this database, None before the set-up."""
+    return db.scalar(select(Clinic).order_by(Clinic.id).limit(1))
+
+
+def add_person(db: Session, clinic: Clinic, name: str, role: str, password_hash: str | None) -> Person:
+    """Make a person who may sign in."""
+    if find_person(db, name) is not None:
+        raise Conflict(f"There is already somebody called '{name}': choose another name to sign in with.")
+    person = Person(
+        clinic_id=clinic.id, name=name, role=role, password_hash=password_hash, created=utc_now(), disabled=None
+    )
+    db.add(person)
+    db.flush()
+    write_log(db, name, "person added", role=role)
+    return person
+
+
+def count_people(db: Session) -> int:
+    """Return how many people there are; none means that the first owner has still to be made."""
+    return db.scalar(select(func.count(Person.id))) or 0
+
+
+def find_person(db: Session, name: str) -> Person | None:
+    """Return the person of this name, whether or not they may still sign in."""
+    return db.scalar(select(Person).where(Person.name == name))
+
+
+def _token_hash(token: str) -> str:
+    return hashlib.sha256(token.encode()).hexdigest()
+
+
+def sign_in(db: Session, person: Person, how: str) -> str:
+    """Open a new sign-in and return its token, which is stored nowhere but with the browser."""
+    token = secrets.token_urlsafe(TOKEN_BYTES)
+    now = utc_now()
+    for old in db.scalars(select(AuthSession).where(AuthSession.expires < now)):
+        db.delete(old)
+    db.add(AuthSession(token_hash=_token_hash(token), person_id=person.id, created=now, expires=now + SIGNED_IN_FOR))
+    write_log(db, person.name, "sign-in", how=how)
+    return token
+
+
+def signed_in(db: Session, token: str) -> tuple[AuthSession, Person] | None:
+    """Return the sign-in that a token opens and its person, None when it has ended."""
+    found = db.execute(
+        select(AuthSession, Person)
+        .join(Person, Person.id == AuthSession.person_id)
+        .where(AuthSession.token_hash == _token_hash(token), AuthSession.expires > utc_now(), Person.disabled.is_(None))
+    ).first()
+    return None if found is None else (found[0], found[1])
+
+
+def sign_out(db: Session, token: str) -> int | None:
+    """End a sign-in; return its id, None when it had ended before."""
+    found = signed_in(db, token)
+    if found is None:
+        return None
+    session, person = found
+    db.delete(session)
+    write_log(db, person.name, "sign-out")
+    return session.id

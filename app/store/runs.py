@@ -1,0 +1,128 @@
+"""Runs and trials: which recordings there are, and what was made of them."""
+
+import math
+from typing import Any
+
+from sqlalchemy import func, select
+from sqlalchemy.orm import Session
+
+from app.clock import utc_now
+from app.refusals import Conflict
+from app.source import UNKNOWN_SOURCE, Source
+from app.store.own_rows import own_row
+from app.store.tables import Run, Trial
+
+
+def add_run(db: Session, run_id: str, session_id: int, kind: str, folder: str, source: Source = UNKNOWN_SOURCE) -> Run:
+    """Note that a recording begins in `folder` (below the folder of all runs), and where its signals come from."""
+    run = Run(
+        id=run_id,
+        session_id=session_id,
+        kind=kind,
+        folder=folder,
+        started=utc_now(),
+        ended=None,
+        rows=None,
+        dropped=None,
+        **source.model_dump(),
+    )
+    db.add(run)
+    db.flush()
+    return run
+
+
+def close_run(db: Session, run_id: str, rows: int | None, dropped: int | None) -> None:
+    """Note that a recording is closed, and how much is in it; None where nobody was left to count."""
+    run = db.get_one(Run, run_id)
+    run.ended, run.rows, run.dropped = utc_now(), rows, dropped
+
+
+def add_trial(
+    db: Session,
+    *,
+    run: Run,
+    clinic_id: int,
+    patient_id: int,
+    parameters_id: int,
+    floorplan: str,
+    floorplan_title: str,
+    path: str,
+    path_points: list[list[float]],
+) -> Trial:
+    """Make the patient's next trial on this path."""
+    last = db.scalar(
+        select(func.max(Trial.number)).where(
+            Trial.patient_id == patient_id, Trial.floorplan == floorplan, Trial.path == path
+        )
+    )
+    trial = Trial(
+        clinic_id=clinic_id,
+        patient_id=patient_id,
+        session_id=run.session_id,
+        parameters_id=parameters_id,
+        run=run,
+        number=(last or 0) + 1,
+        floorplan=floorplan,
+        floorplan_title=floorplan_title,
+        path=path,
+        path_points=path_points,
+        started=utc_now(),
+        status="running",
+        end=None,
+        kept=True,
+        discard_reason=None,
+        measures=None,
+    )
+    db.add(trial)
+    db.flush()
+    return trial
+
+
+def finish_trial(db: Session, trial_id: int, end: str, measures: dict[str, Any] | None) -> Trial:
+    """Note how a trial ended and what was measured; a measure that is not a number is kept as none."""
+    trial = db.get_one(Trial, trial_id)
+    trial.status, trial.end = "done", end
+    trial.measures = _storable(measures)
+    return trial
+
+
+def _storable(value: Any) -> Any:
+    if isinstance(value, dict):
+        return {name: _storable(inner) for name, inner in value.items()}
+    if isinstance(value, list):
+        return [_storable(inner) for inner in value]
+    return None if isinstance(value, float) and not math.isfinite(value) else value
+
+
+def find_trial(db: Session, clinic_id: int, trial_id: int) -> Trial:
+    """Return one of the clinic's trials."""
+    return own_row(db, Trial, clinic_id, trial_id, f"There is no trial {trial_id}: choose one from the list of trials.")
+
+
+def trials_of(
+    db: Session, clinic_id: int, patient_id: int, floorplan: str | None = None, path: str | None = None
+) -> list[Trial]:
+    """Return a patient's trials, the newest last; of one path only when it is named."""
+    query = select(Trial).where(Trial.clinic_id == clinic_id, Trial.patient_id == patient_id).order_by(Trial.id)
+    if floorplan is not None:
+        query = query.where(Trial.floorplan == floorplan)
+    if path is not None:
+        query = query.where(Trial.path == path)
+    return list(db.scalars(query))
+
+
+def keep_trial(db: Session, clinic_id: int, trial_id: int, discard_reason: str | None) -> Trial:
+    """Keep a trial, or discard it for a reason; its recording stays in either case."""
+    trial = find_trial(db, clinic_id, trial_id)
+    if trial.status != "done":
+        raise Conflict("This trial is still running: end it first.")
+    trial.kept, trial.discard_reason = discard_reason is None, discard_reason
+    return trial
+
+
+def close_interrupted_trials(db: Session) -> list[Trial]:
+    """End the trials that a dead web process left running; their recordings may still be read."""
+    left = list(db.scalars(select(Trial).where(Trial.status == "running")))
+    for trial in left:
+        trial.status, trial.end = "done", "fault"
+    return left

@@ -1,0 +1,84 @@
+"""The schema of a database file: which revision it has, and how it is brought to the revision of this program."""
+
+import sqlite3
+from contextlib import closing
+from pathlib import Path
+from urllib.parse import quote
+
+from alembic import command
+from alembic.config import Config
+from alembic.script import ScriptDirectory
+from sqlalchemy import Engine
+
+from app import __version__
+from app.refusals import Refusal
+from app.store.backup import back_up
+
+MIGRATIONS = Path(__file__).parent / "migrations"
+
+
+def connect(file: Path) -> sqlite3.Connection:
+    """Return a connection to a database file that exists; it must be closed."""
+    return sqlite3.connect(f"file:{quote(str(file))}?mode=rw", uri=True)
+
+
+def newest_revision() -> str:
+    """Return the revision that this program works with."""
+    return str(ScriptDirectory.from_config(_config()).get_current_head())
+
+
+def revision_of(file: Path) -> str | None:
+    """Return the revision of a database file, None for one that is missing or empty."""
+    if not file.exists():
+        return None
+    with closing(connect(file)) as connection:
+        tables = {name for (name,) in connection.execute("SELECT name FROM sqlite_master WHERE type = 'table'")}
+        if "alembic_version" not in tables:
+            return None
+        found = connection.execute("SELECT version_num FROM alembic_version").fetchone()
+    return None if found is None else str(found[0])
+
+
+def bring_up_to_date(file: Path, engine: Engine) -> None:
+    """Bring a database to the newest revision; an older one is first copied beside itself.
+
+    Raises
+    ------
+    Refusal
+        When it is of a newer program, when there is no room for the copy, or when the migration fails. The database
+        is as it was.
+    """
+    revision, newest = revision_of(file), newest_revision()
+    if revision is None:
+        migrate(engine)
+        return
+    if revision not in {script.revision for script in ScriptDirectory.from_config(_config()).walk_revisions()}:
+        raise Refusal(
+            f"The database {file} was last opened by a newer bodydrive: its schema is {revision}, and this program "
+            f"({__version__}) knows schemas up to {newest}. Nothing was changed: start the newer program again."
+        )
+    if revision == newest:
+        return
+    copy = back_up(file, file.parent, f"schema-{revision}")
+    try:
+        migrate(engine)
+    except Exception as error:
+        why = str(getattr(error, "orig", error)).partition("\n")[0]
+        raise Refusal(
+            f"The database {file} could not be brought from schema {revision} to {newest} ({why}). It is as it was, "
+            f"with a copy in {copy.file.name}: start the program that opened it last, and report this."
+        ) from error
+
+
+def migrate(engine: Engine, revision: str = "head") -> None:
+    """Bring the schema to `revision`, whole or not at all: up with "head" or a number, down with "base" or "-1"."""
+    with engine.begin() as connection:
+        config = _config()
+        config.attributes["connection"] = connection
+        (command.downgrade if revision in {"base", "-1"} else command.upgrade)(config, revision)
+
+
+def _config() -> Config:
+    config = Config()
+    config.set_main_option("script_location", str(MIGRATIONS).replace("%", "%%"))
+    return config

@@ -1,0 +1,155 @@
+"""What adapting the map did to E_diff, person by person: the same seed with the map fixed and with it following."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.stats import bootstrap
+
+from app.study.sessions import SessionTrial
+
+RESAMPLES = 9999
+CONFIDENCE = 0.95
+CLAIM = -0.25  # relative difference of E_diff in the last session
+FELT_LIMIT = 0.10
+LEAST_AREA = 0.01  # m2: a smaller one is none, and nothing is measured against none
+
+
+def compare(fixed: Sequence[SessionTrial], other: Sequence[SessionTrial]) -> dict[str, Any]:
+    """Return the comparison over seeds, ready for JSON.
+
+    Per session: the median over seeds of each seed's mean E_diff (m2), the share of trials that reached the goal, and
+    over the seeds that always reached it in both conditions the median of (adapted - fixed) / fixed. For the last
+    session also each seed's figures, and a bootstrap interval of the median (scipy, percentile, 95 %).
+
+    A trial in which the chair was never permitted to move scores the area between its standing place and the path,
+    like any other trial that ends there: hence the shares beside the areas.
+    """
+    seeds = sorted({row.seed for row in fixed})
+    last = max(row.session for row in fixed)
+    sessions = [_session(fixed, other, seeds, number) for number in range(1, last + 1)]
+    before, after = (_means(rows, seeds, last) for rows in (fixed, other))
+    relative = _relative(before, after)
+    driving = [one for one in sessions if one["seeds_that_always_drove"] >= max(2, len(seeds) // 2)]
+    applied = [row for row in other if row.mode == "auto"]
+    median, interval = _median(relative)
+    felt = max((row.felt_change for row in applied), default=0.0)
+    flips = sum(row.flips for row in applied)
+    return {
+        "seeds": len(seeds),
+        "sessions": sessions,
+        "last_session": {
+            "session": last,
+            "per_seed": [
+                {
+                    "seed": seed,
+                    "fixed": float(before[i]),
+                    "adapted": float(after[i]),
+                    "relative": float(relative[i]),
+                    "reached_fixed": _reached(fixed, seed, last),
+                    "reached_adapted": _reached(other, seed, last),
+                }
+                for i, seed in enumerate(seeds)
+            ],
+            "median_relative": median,
+            "interval": interval,
+        },
+        "last_session_in_which_most_drove_with_both": driving[-1] if driving else None,
+        "applied": {
+            "steps": sum(row.felt_change > 0.0 or row.angle_deg > 0.0 for row in applied),
+            "largest_felt_change": felt,
+            "largest_turn_deg": max((row.angle_deg for row in applied), default=0.0),
+            "sign_flips": flips,
+        },
+        "claim_holds": bool(
+            median is not None
+            and interval is not None
+            and median <= CLAIM
+            and interval[1] < 0.0
+            and felt <= FELT_LIMIT
+            and not flips
+        ),
+    }
+
+
+def table(comparison: dict[str, Any]) -> str:
+    """Return the comparison as text: sessions, then the seeds of the last session, then the sentence."""
+    lines = ["session  E_diff fixed  adapted  reached fixed  adapted  both drove  relative there  95 %"]
+    lines += [
+        f"{one['session']:7d}  {one['fixed']:12.2f}  {one['adapted']:7.2f}  {one['reached_fixed']:13.0%}  "
+        f"{one['reached_adapted']:7.0%}  {one['seeds_that_always_drove']:10d}  {_percent(one['relative'], 14)}  "
+        f"{_both(one['interval'])}"
+        for one in comparison["sessions"]
+    ]
+    last = comparison["last_session"]
+    lines += ["", f"session {last['session']}", "seed  fixed  adapted  relative  reached fixed  adapted"]
+    lines += [
+        f"{one['seed']:4d}  {one['fixed']:5.2f}  {one['adapted']:7.2f}  {one['relative']:+8.0%}  "
+        f"{one['reached_fixed']:13.0%}  {one['reached_adapted']:7.0%}"
+        for one in last["per_seed"]
+    ]
+    applied = comparison["applied"]
+    lines += [
+        "",
+        f"Median over {comparison['seeds']} seeds in the last session: {_percent(last['median_relative'], 0)} "
+        f"(95 % {_both(last['interval'])}). Steps applied: {applied['steps']}; largest felt change "
+        f"{applied['largest_felt_change']:.1%}, largest turn {applied['largest_turn_deg']:.2f} degrees, "
+        f"sign flips {applied['sign_flips']}.",
+    ]
+    return "\n".join(lines) + "\n"
+
+
+def _session(
+    fixed: Sequence[SessionTrial], other: Sequence[SessionTrial], seeds: list[int], session: int
+) -> dict[str, Any]:
+    before, after = (_means(rows, seeds, session) for rows in (fixed, other))
+    drove = np.array([min(_reached(fixed, seed, session), _reached(other, seed, session)) == 1.0 for seed in seeds])
+    median, interval = _median(_relative(before, after)[drove])
+    return {
+        "session": session,
+        "fixed": float(np.median(before)),
+        "adapted": float(np.median(after)),
+        "reached_fixed": float(np.mean([_reached(fixed, seed, session) for seed in seeds])),
+        "reached_adapted": float(np.mean([_reached(other, seed, session) for seed in seeds])),
+        "seeds_that_always_drove": int(drove.sum()),
+        "relative": median,
+        "interval": interval,
+    }
+
+
+def _means(rows: Sequence[SessionTrial], seeds: list[int], session: int) -> NDArray[np.float64]:
+    """Return each seed's mean E_diff (m2) in a session."""
+    return np.array([np.mean([one.e_diff for one in rows if (one.seed, one.session) == (s, session)]) for s in seeds])
+
+
+def _relative(before: NDArray[np.float64], after: NDArray[np.float64]) -> NDArray[np.float64]:
+    relative: NDArray[np.float64] = (after - before) / np.maximum(before, LEAST_AREA)
+    return relative
+
+
+def _reached(rows: Sequence[SessionTrial], seed: int, session: int) -> float:
+    return float(np.mean([one.reached for one in rows if (one.seed, one.session) == (seed, session)]))
+
+
+def _median(values: NDArray[np.float64]) -> tuple[float | None, tuple[float, float] | None]:
+    """Return the median with its bootstrap interval; None for what too few values do not tell."""
+    if len(values) < 3 or not np.isfinite(values).all():
+        return (float(np.median(values)) if len(values) else None), None
+    found = bootstrap(
+        (values,),
+        np.median,
+        n_resamples=RESAMPLES,
+        confidence_level=CONFIDENCE,
+        method="percentile",
+        rng=np.random.default_rng(1),
+    ).confidence_interval
+    return float(np.median(values)), (float(found.low), float(found.high))
+
+
+def _percent(share: float | None, width: int) -> str:
+    return f"{'-' if share is None else f'{share:+.0%}':>{width}}"
+
+
+def _both(interval: tuple[float, float] | None) -> str:
+    return "-" if interval is None else f"{interval[0]:+.0%} to {interval[1]:+.0%}"

@@ -1,0 +1,141 @@
+"""The study with several seeds: in how many of them somebody learns, and where the largest step is."""
+
+import dataclasses
+import os
+from collections.abc import Callable, Sequence
+from concurrent.futures import ProcessPoolExecutor, as_completed
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.hardware.body.person_parameters import NOVICE, PersonParameters
+from app.scoring.trend import mann_kendall
+from app.study.experiment import StudyResult, run_study
+from app.study.simulated_trial import StudyTrial
+from app.world.floorplan import FloorPlan
+
+MEASURES = ("dist", "e_diff")
+EARLY = 3  # trials among which the paper's figures have their largest step
+KEPT_EVERY = 10  # of a trajectory's rows: ten a second are enough to draw and to look at
+
+Progress = Callable[[StudyResult], None]
+
+
+@dataclass(frozen=True, slots=True)
+class OverSeeds:
+    """What one measure does from trial to trial, in how many of the seeds."""
+
+    median: tuple[float | None, ...]  # of each trial, over the seeds in which it reached the goal; None where none did
+    p: tuple[float, ...]  # of the Mann-Kendall test, one per seed
+    falls: int  # seeds in which it falls with p < 0.05
+    rises: int
+    no_trend: int
+    early_steps: int  # seeds whose largest step (fall between neighbouring trials) is among the first three trials
+    median_step: int | None  # the trial from which the median falls most to the next one
+
+
+def run_seeds(
+    seeds: Sequence[int],
+    trials: int,
+    floorplan: FloorPlan,
+    path_name: str,
+    person: PersonParameters = NOVICE,
+    progress: Progress | None = None,
+    processes: int | None = None,
+) -> tuple[StudyResult, ...]:
+    """Run one study per seed, several at a time, and return them in the order of `seeds`.
+
+    The numbers do not depend on how many run at a time. Of the first seed whole trajectories are kept, of the others
+    every tenth row.
+
+    Parameters
+    ----------
+    seeds, trials, floorplan, path_name, person
+        As for `run_study`.
+    progress
+        Called with each study when it is done, in whatever order that is.
+    processes
+        At most so many at a time; as many as the machine has processors for us unless told otherwise.
+
+    Raises
+    ------
+    ValueError
+        When one of the studies cannot be made.
+    """
+    at_a_time = min(len(seeds), processes or os.cpu_count() or 1)
+    done: dict[int, StudyResult] = {}
+    with ProcessPoolExecutor(at_a_time) as pool:
+        asked = [
+            pool.submit(_study_of, seed, trials, floorplan, path_name, person, whole=seed == seeds[0]) for seed in seeds
+        ]
+        try:
+            for finished in as_completed(asked):
+                result = finished.result()
+                done[result.seed] = result
+                if progress is not None:
+                    progress(result)
+        except BaseException:
+            pool.shutdown(cancel_futures=True)
+            raise
+    return tuple(done[seed] for seed in seeds)
+
+
+def over_seeds(results: Sequence[StudyResult], measure: str) -> OverSeeds:
+    """Say what one measure does over trials in how many of the studies, all with as many trials.
+
+    As in a learning curve, a trial that did not reach the goal is left out: its distance and area are those of a part
+    of the path.
+    """
+    table = comparable_table(results, measure)
+    trends = [mann_kendall(row[~np.isnan(row)].tolist()) for row in table]
+    directions = [trend.direction for trend in trends]
+    steps = [largest_step(row.tolist()) for row in table]
+    median = tuple(float(np.median(seen)) if len(seen := column[~np.isnan(column)]) else None for column in table.T)
+    return OverSeeds(
+        median=median,
+        p=tuple(trend.p for trend in trends),
+        falls=directions.count("falls"),
+        rises=directions.count("rises"),
+        no_trend=directions.count("none"),
+        early_steps=sum(step is not None and step < EARLY for step in steps),
+        median_step=largest_step([np.nan if value is None else value for value in median]),
+    )
+
+
+def largest_step(values: Sequence[float]) -> int | None:
+    """Return the trial (from 1) from which `values` fall most to the next one, None when they never fall.
+
+    NaN stands for a trial that did not reach the goal: there is no step to it nor from it.
+    """
+    falls = -np.diff(np.asarray(values, dtype=np.float64))
+    falls[np.isnan(falls)] = -np.inf
+    if not len(falls) or not np.max(falls) > 0.0:
+        return None
+    return int(np.argmax(falls)) + 1
+
+
+def comparable_table(results: Sequence[StudyResult], measure: str) -> NDArray[np.float64]:
+    """Return one measure (n_seeds, n_trials), NaN where the goal was not reached."""
+    return np.array(
+        [
+            [float(trial.measures[measure]) if trial.measures["reached"] else np.nan for trial in result.trials]
+            for result in results
+        ]
+    )
+
+
+def _study_of(
+    seed: int, trials: int, floorplan: FloorPlan, path_name: str, person: PersonParameters, *, whole: bool
+) -> StudyResult:
+    result = run_study(trials, seed, floorplan, path_name, person=person)
+    if whole:
+        return result
+    return dataclasses.replace(result, trials=tuple(thinned(trial) for trial in result.trials))
+
+
+def thinned(trial: StudyTrial) -> StudyTrial:
+    """Return a trial with every tenth row of its trajectory, and the last one."""
+    rows = np.unique(np.append(np.arange(0, len(trial.t), KEPT_EVERY), len(trial.t) - 1))
+    columns = {name: getattr(trial, name)[rows] for name in ("t", "x", "y", "theta", "v", "omega")}
+    return dataclasses.replace(trial, **columns)

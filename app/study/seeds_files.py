@@ -1,0 +1,149 @@
+"""What a study with several seeds leaves behind: the same files as one, over all seeds, all or nothing."""
+
+import csv
+import dataclasses
+import io
+import json
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pyarrow as pa
+import pyarrow.parquet
+
+from app import __version__
+from app.figures.paper import FigureFormat, Trajectory, save_figure, trajectories_figure
+from app.figures.seed_errors import errors_over_seeds_figure
+from app.source import STUDY_SOURCE, source_words
+from app.study.experiment import StudyResult
+from app.study.seeds import EARLY, MEASURES, OverSeeds, comparable_table, over_seeds, thinned
+from app.study.study_files import (
+    TRIAL_COLUMNS,
+    cell,
+    draw_study,
+    person_document,
+    trajectories_table,
+    whole_folder,
+)
+
+WORDS = {"dist": ("Dist", "m"), "e_diff": ("E_diff", "m²")}
+
+
+def write_seeds(
+    results: Sequence[StudyResult], folder: Path, figure_format: FigureFormat = "png", overwrite: bool = False
+) -> None:
+    """Write several studies of one kind into `folder`, whole or not at all; the first one's figures are there too.
+
+    Raises
+    ------
+    ValueError
+        When `folder` is a file, or holds something and may not be overwritten.
+    OSError
+        When the place cannot be written; nothing is left behind then.
+    """
+    with whole_folder(folder, overwrite) as part:
+        (part / "trials.csv").write_text(seeds_csv(results), encoding="utf-8")
+        pyarrow.parquet.write_table(_trajectories(results), part / "trajectories.parquet", compression="zstd")
+        document = json.dumps(seeds_summary(results), indent=1, allow_nan=False)
+        (part / "study.json").write_text(document + "\n", encoding="utf-8")
+        _draw(results, part, figure_format)
+        draw_study(results[0], part, figure_format, suffix=f"-seed-{results[0].seed}")
+
+
+def seeds_csv(results: Sequence[StudyResult]) -> str:
+    """Return the table of all trials of all seeds, one row each; the columns of one study behind `seed`."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(("seed", *TRIAL_COLUMNS))
+    for result in results:
+        for trial in result.trials:
+            row = {"trial": trial.number, "simulated": STUDY_SOURCE.simulated, **trial.measures}
+            writer.writerow([result.seed, *(cell(row[column]) for column in TRIAL_COLUMNS)])
+    return text.getvalue()
+
+
+def seeds_summary(results: Sequence[StudyResult]) -> dict[str, Any]:
+    """Return what was asked, what comes of it over all seeds, and every study's trials, ready for JSON."""
+    first = results[0]
+    return {
+        "software": f"bodydrive {__version__}",
+        "source": source_words(STUDY_SOURCE),
+        "seeds": [result.seed for result in results],
+        "trials_per_seed": len(first.trials),
+        "floorplan": first.floorplan.name,
+        "path": first.path.name,
+        "path_length": first.path.line.length,
+        "sample_rate": first.sample_rate,
+        "person": person_document(first.person),
+        "not_reached": sum(not trial.measures["reached"] for result in results for trial in result.trials),
+        "over_seeds": {measure: dataclasses.asdict(over_seeds(results, measure)) for measure in MEASURES},
+        "studies": [
+            {
+                "seed": result.seed,
+                "trials": [
+                    {"trial": trial.number, "stops_for_faults": trial.faults, **trial.measures}
+                    for trial in result.trials
+                ],
+                "learning": {measure: result.learning[measure]["text"] for measure in MEASURES},
+            }
+            for result in results
+        ],
+    }
+
+
+def sentences(results: Sequence[StudyResult]) -> list[str]:
+    """Say in plain sentences what comes of all seeds together."""
+    said = [_sentence(measure, over_seeds(results, measure), len(results)) for measure in MEASURES]
+    trials = sum(len(result.trials) for result in results)
+    missed = sum(not trial.measures["reached"] for result in results for trial in result.trials)
+    if missed:
+        said.append(f"{missed} of {trials} trials did not reach the goal in time and are left out of these figures.")
+    return said
+
+
+def _sentence(measure: str, over: OverSeeds, seeds: int) -> str:
+    name, unit = WORDS[measure]
+
+    def number(value: float | None) -> str:
+        return "no trial that reached the goal" if value is None else f"{value:.2f} {unit}"
+
+    steepest = "" if over.median_step is None else f", the median's from trial {over.median_step} on"
+    return (
+        f"{name}: median {number(over.median[0])} in trial 1, {number(over.median[-1])} in trial {len(over.median)}; "
+        f"with Mann-Kendall p < 0.05 it falls in {over.falls} of {seeds}, rises in {over.rises}, "
+        f"no trend in {over.no_trend}; the largest step is among the first {EARLY} trials "
+        f"in {over.early_steps}{steepest}."
+    )
+
+
+def _trajectories(results: Sequence[StudyResult]) -> pa.Table:
+    """Return the trajectories of all seeds, about ten rows a second, with the column `seed` first."""
+    whole = results[0]
+    sparse = dataclasses.replace(whole, trials=tuple(thinned(trial) for trial in whole.trials))
+    tables = []
+    for result in (sparse, *results[1:]):
+        table = trajectories_table(result)
+        tables.append(table.add_column(0, "seed", pa.array(np.full(table.num_rows, result.seed, dtype=np.int32))))
+    return pa.concat_tables(tables)
+
+
+def _draw(results: Sequence[StudyResult], folder: Path, figure_format: FigureFormat) -> None:
+    first, last = results[0], len(results[0].trials)
+    panels = [
+        (f"({letter}) Trial {number}, {len(results)} people", _trajectories_of(results, number))
+        for letter, number in zip("ab", dict.fromkeys((1, last)), strict=False)
+    ]
+    save_figure(
+        trajectories_figure(first.floorplan, first.path, panels),
+        folder / f"trajectories.{figure_format}",
+        figure_format,
+    )
+    dist, e_diff = (comparable_table(results, measure) for measure in MEASURES)
+    numbers = [trial.number for trial in first.trials]
+    errors = errors_over_seeds_figure(numbers, dist, e_diff, first.path.line.length)
+    save_figure(errors, folder / f"errors.{figure_format}", figure_format)
+
+
+def _trajectories_of(results: Sequence[StudyResult], number: int) -> list[Trajectory]:
+    return [(result.trials[number - 1].x, result.trials[number - 1].y) for result in results]

@@ -1,0 +1,177 @@
+"""The study over sessions: one calibration, then trials session by session, with the map fixed or following."""
+
+from collections.abc import Callable
+from copy import deepcopy
+from dataclasses import dataclass, replace
+from typing import Any, Literal
+
+import numpy as np
+
+from app.calibration.adaptation.channel_range import range_moved
+from app.calibration.adaptation.proposal import Movement, Proposal, propose
+from app.calibration.profile import CalibrationProfile
+from app.calibration.script import calibration_script
+from app.calibration.vocabulary import DriveParameters, standard_parameters
+from app.hardware.body.person import Person
+from app.hardware.body.person_parameters import DETERIORATING, IMPROVING, PRACTISED, PersonParameters
+from app.study.experiment import SAMPLE_RATE, SEEDS_APART, shirt_layout
+from app.study.simulated_calibration import calibrate, record_step
+from app.study.simulated_person import Wearer
+from app.study.simulated_trial import Heard, drive_trial
+from app.world.floorplan import FloorPlan, PrescribedPath
+
+Mode = Literal["off", "suggest", "auto"]
+WhoAdapts = Literal["improving", "deteriorating", "redonned"]
+
+PERSONS: dict[WhoAdapts, PersonParameters] = {
+    "improving": IMPROVING,
+    "deteriorating": DETERIORATING,
+    "redonned": PRACTISED,  # so that nothing but the shirt's seat changes from session to session
+}
+
+
+@dataclass(frozen=True, slots=True)
+class SessionTrial:
+    """One trial of one seed, and what came of the map after it."""
+
+    seed: int
+    mode: Mode
+    session: int  # from 1
+    trial: int  # from 1, in its session
+    e_diff: float  # m2
+    dist: float  # m
+    time: float  # s
+    reached: bool
+    faults: int
+    felt_change: float  # of what was applied, or would be in mode `suggest`
+    angle_deg: float  # the largest turn of a joint, the same
+    flips: int  # joints whose direction points against that before
+    refused: int  # joints that a gate kept
+    dead_zone: float  # FS/s, mean over the bound gestures, as driven
+    full: float  # FS/s, the same
+    from_calibration_deg: float  # the largest, over the bound joints, as driven
+
+
+Progress = Callable[[SessionTrial], None]
+
+
+@dataclass(frozen=True, slots=True)
+class Calibrated:
+    """A person in the shirt, just after the calibration: each condition begins with a copy."""
+
+    who: WhoAdapts
+    seed: int
+    wearer: Wearer
+    profile: CalibrationProfile
+
+
+def dressed(who: WhoAdapts, seed: int) -> Calibrated:
+    """Return a person of this seed in the shirt, calibrated."""
+    wearer = Wearer(Person(PERSONS[who], seed), shirt_layout(), SAMPLE_RATE, seed + SEEDS_APART)
+    return Calibrated(who, seed, wearer, calibrate(wearer))
+
+
+def run_sessions(
+    mode: Mode,
+    first: Calibrated,
+    sessions: int,
+    trials: int,
+    floorplan: FloorPlan,
+    path: PrescribedPath,
+    progress: Progress | None = None,
+) -> list[SessionTrial]:
+    """Return all trials of one person who has calibrated once and comes to `sessions` sessions of `trials` trials.
+
+    `redonned` puts the shirt on again before each session but the first. Then the ranges that safety's S5 watches are
+    moved to where the channels are now, in every mode: otherwise sound channels count as broken and nothing drives at
+    all. The map is proposed from the trials of its own session, and in mode `auto` armed before the next trial.
+    """
+    wearer, calibrated = deepcopy(first.wearer), first.profile
+    parameters = standard_parameters(calibrated)
+    rows: list[SessionTrial] = []
+    for session in range(1, sessions + 1):
+        wearer.person.begin_session(session)
+        if first.who == "redonned" and session > 1:
+            wearer.don_again()
+            profile = range_moved(parameters.profile, [_loosened(wearer)], calibrated)
+            parameters = parameters.model_copy(update={"profile": profile})
+        movements: list[Movement] = []
+        for number in range(1, trials + 1):
+            heard: Heard = []
+            driven = drive_trial(number, wearer, parameters, floorplan, path, heard)
+            movements.append(_movement(heard))
+            proposal = None if mode == "off" else propose(parameters, movements, calibrated=calibrated, fresh=1)
+            row = _row(mode, first.seed, session, number, parameters, driven.measures, driven.faults)
+            if proposal is not None:
+                row = replace(row, **_told(parameters, proposal))
+            row = replace(row, from_calibration_deg=_away(parameters, standard_parameters(calibrated)))
+            rows.append(row)
+            if progress is not None:
+                progress(row)
+            if mode == "auto" and proposal is not None and proposal.parameters is not None:
+                parameters = proposal.parameters
+    return rows
+
+
+def _loosened(wearer: Wearer) -> Movement:
+    """Return what the channels do while the person moves freely for ten seconds, as after dressing."""
+    step = next(step for step in calibration_script(wearer.layout) if step.kind == "free")
+    values, _cue = record_step(wearer, step)
+    return Movement(values, wearer.sample_rate, np.zeros(len(values), dtype=np.bool_))
+
+
+def _movement(heard: Heard) -> Movement:
+    values = np.array([frame for frame, _ in heard])
+    return Movement(values, SAMPLE_RATE, np.array([permitted for _, permitted in heard], dtype=np.bool_))
+
+
+def _row(
+    mode: Mode,
+    seed: int,
+    session: int,
+    number: int,
+    parameters: DriveParameters,
+    measures: dict[str, float],
+    faults: int,
+) -> SessionTrial:
+    bound = {name for binding in parameters.bindings for name in binding.gestures}
+    gestures = [gesture for gesture in parameters.gestures if gesture.name in bound]
+    return SessionTrial(
+        seed=seed,
+        mode=mode,
+        session=session,
+        trial=number,
+        e_diff=measures["e_diff"],
+        dist=measures["dist"],
+        time=measures["time"],
+        reached=bool(measures["reached"]),
+        faults=faults,
+        felt_change=0.0,
+        angle_deg=0.0,
+        flips=0,
+        refused=0,
+        dead_zone=float(np.mean([gesture.dead_zone for gesture in gestures])),
+        full=float(np.mean([gesture.full for gesture in gestures])),
+        from_calibration_deg=0.0,
+    )
+
+
+def _told(before: DriveParameters, proposal: Proposal) -> dict[str, Any]:
+    """Return what was applied, measured on the parameters themselves and not on what the proposal says of them."""
+    after = proposal.parameters or before
+    return {
+        "felt_change": proposal.felt_change,
+        "angle_deg": _away(before, after),
+        "flips": sum(one < 0.0 for one in _along(before, after)),
+        "refused": sum(joint.status == "refused" for joint in proposal.joints),
+    }
+
+
+def _away(before: DriveParameters, after: DriveParameters) -> float:
+    """Return the largest angle (degrees) between the directions of the same joint."""
+    return float(np.degrees(np.arccos(np.clip(min(_along(before, after)), -1.0, 1.0))))
+
+
+def _along(before: DriveParameters, after: DriveParameters) -> list[float]:
+    pairs = zip(before.profile.joints, after.profile.joints, strict=True)
+    return [float(one.sign * np.array(one.weights) @ np.array(other.weights) * other.sign) for one, other in pairs]

@@ -1,0 +1,60 @@
+"""The calibration of a study: the application's own script and fit, with a simulated person in the shirt."""
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.calibration.fit.profile_fit import fit_profile
+from app.calibration.fit.repetitions import Repetition, repetitions_of_run
+from app.calibration.profile import CalibrationProfile
+from app.calibration.script import Step, calibration_script
+from app.cues import cue_index
+from app.layout import ShirtLayout
+from app.messages import NO_CUE
+from app.study.simulated_person import Wearer
+
+Recorded = tuple[Step, NDArray[np.float32], NDArray[np.int32]]
+"""A step, its frames (n, n_channels), and for each the index of its cue (n,)."""
+
+
+def calibrate(wearer: Wearer) -> CalibrationProfile:
+    """Take the wearer through rest, free movement and prompts, and fit the profile.
+
+    Raises
+    ------
+    ValueError
+        When no joint can be mapped.
+    """
+    recorded = [(step, *record_step(wearer, step)) for step in calibration_script(wearer.layout)]
+    return fit_recorded(wearer.layout, wearer.sample_rate, recorded)
+
+
+def fit_recorded(layout: ShirtLayout, sample_rate: float, recorded: Sequence[Recorded]) -> CalibrationProfile:
+    """Return the profile of recorded steps, as the application fits it; ValueError when no joint can be mapped."""
+    rest = free = None
+    repetitions: list[Repetition] = []
+    for step, values, cue in recorded:
+        within = np.array([index != NO_CUE and step.cues[index].kind == step.kind for index in cue])
+        if step.kind == "rest":
+            rest = values[within]
+        elif step.kind == "free":
+            free = values[within]
+        else:
+            repetitions += repetitions_of_run(values, cue, step.cues, sample_rate)
+    if free is None:
+        raise ValueError("the calibration's script has no free movement: add one")
+    return fit_profile(layout, sample_rate, free, rest, repetitions)
+
+
+def record_step(wearer: Wearer, step: Step) -> tuple[NDArray[np.float32], NDArray[np.int32]]:
+    """Return the frames of one step (n, n_channels), and for each the index of its cue (n,)."""
+    count = round(step.duration * wearer.sample_rate)
+    values = np.empty((count, len(wearer.layout.channels)), dtype=np.float32)
+    cue = np.empty(count, dtype=np.int32)
+    for i in range(count):
+        run_t = i / wearer.sample_rate
+        cue[i] = cue_index(step.cues, run_t)
+        asked = None if cue[i] == NO_CUE else step.cues[cue[i]]
+        values[i] = wearer.follow(asked, run_t - asked.start if asked else 0.0).values
+    return values, cue

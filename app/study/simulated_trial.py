@@ -1,0 +1,119 @@
+"""One trial of a study: armed behind the neutral check, driven through the chain, scored like any other."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.calibration.vocabulary import DriveParameters
+from app.faults import State
+from app.geometry import Pose
+from app.hardware.chair.simulator import VirtualChair
+from app.messages import Tick
+from app.pipeline.chain import Chain
+from app.pipeline.safety import Conditions
+from app.scoring.task_measures import task_measures
+from app.study.simulated_person import Wearer
+from app.world.floorplan import FloorPlan, PrescribedPath
+from app.world.task_progress import leader_of, progress_of
+
+REST_BEFORE = 2.0  # s at rest before a trial, so that the last one's strokes are over
+CLEAR_AFTER = 2.0  # s from a latched fault until somebody has looked and lets the person go on
+LONGEST_WAIT = 30.0  # s for motion to be permitted at all; then nobody lets the person try on
+COLUMNS = ("t", "x", "y", "theta", "v", "omega", "u1", "u2", "in_contact", "contacts", "scene_t")
+
+Numbers = NDArray[np.float64]
+Heard = list[tuple[NDArray[np.float32], bool]]
+
+
+@dataclass(frozen=True, slots=True)
+class StudyTrial:
+    """One attempt along the path."""
+
+    number: int  # from 1
+    measures: dict[str, Any]
+    faults: int  # latched stops on the way
+    t: Numbers  # (n,) s since motion was permitted
+    x: Numbers  # (n,) m
+    y: Numbers
+    theta: Numbers  # rad
+    v: Numbers  # m/s
+    omega: Numbers  # rad/s
+
+
+def drive_trial(
+    number: int,
+    wearer: Wearer,
+    parameters: DriveParameters,
+    floorplan: FloorPlan,
+    path: PrescribedPath,
+    heard: Heard | None = None,
+) -> StudyTrial:
+    """Drive the path once, until the goal or the path's time limit, and score it.
+
+    `heard` takes every frame with whether motion was permitted, from the rest before the trial on.
+    """
+    chair = VirtualChair(floorplan, path.start)
+    chain = Chain(wearer.sample_rate, parameters, chair)
+    wearer.person.show_task(floorplan, path)
+    conditions = Conditions()
+    heard = [] if heard is None else heard
+    _settle(wearer, chain, conditions, heard)
+    rows, faults = _drive(wearer, chain, chair, conditions, floorplan, path, heard)
+    column = dict(zip(COLUMNS, np.array(rows, dtype=np.float64).T, strict=True))
+    column["t"] = column["t"] - column["t"][0]
+    measures = task_measures(floorplan, path, column)
+    return StudyTrial(number, measures, faults, *(column[name] for name in ("t", "x", "y", "theta", "v", "omega")))
+
+
+def _settle(wearer: Wearer, chain: Chain, conditions: Conditions, heard: Heard) -> None:
+    """Sit still for a moment, disarmed."""
+    for _ in range(round(REST_BEFORE * wearer.sample_rate)):
+        frame = wearer.rest()
+        chain.step(frame, frame.t, conditions)
+        heard.append((frame.values, False))
+
+
+def _drive(
+    wearer: Wearer,
+    chain: Chain,
+    chair: VirtualChair,
+    conditions: Conditions,
+    floorplan: FloorPlan,
+    path: PrescribedPath,
+    heard: Heard,
+) -> tuple[list[tuple[float, ...]], int]:
+    """Return one row per tick since motion was permitted, and how many faults were latched on the way."""
+    progress, leader = progress_of(floorplan, path), leader_of(floorplan, path)
+    rows: list[tuple[float, ...]] = []
+    faults = 0
+    clear_at = 0.0
+    chain.arm()
+    frame = wearer.rest()
+    tick = chain.step(frame, frame.t, conditions)
+    deadline = frame.t + min(LONGEST_WAIT, path.time_limit)
+    while frame.t < deadline:
+        if tick.state is State.FAULT and clear_at == 0.0:
+            faults += 1
+            clear_at = frame.t + CLEAR_AFTER
+        elif tick.state is State.FAULT and frame.t >= clear_at:
+            chain.gate.clear(chain.gate.stops)
+            chain.arm()
+            clear_at = 0.0
+        ahead = None if leader is None else leader.at(chair.state.scene_t)
+        frame = wearer.drive(tick.state is State.ARMED, chair.state, ahead)
+        tick = chain.step(frame, frame.t, conditions)
+        heard.append((frame.values, tick.state is State.ARMED))
+        if not rows and tick.state is State.ARMED:
+            deadline = frame.t + path.time_limit
+        if rows or tick.state is State.ARMED:
+            rows.append(_row(tick))
+            progress.update(Pose(tick.x, tick.y, tick.theta), chair.state.v, tick.scene_t)
+            if progress.reached:
+                break
+    return rows or [_row(tick)], faults
+
+
+def _row(tick: Tick) -> tuple[float, ...]:
+    return tuple(float(getattr(tick, name)) for name in COLUMNS)

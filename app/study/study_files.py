@@ -1,0 +1,172 @@
+"""What a study leaves behind: tables, figures and the parameters that made them, all or nothing."""
+
+import csv
+import io
+import json
+import shutil
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import fields
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pyarrow as pa
+import pyarrow.parquet
+
+from app import __version__
+from app.figures.paper import FigureFormat, errors_figure, save_figure, trajectories_figure
+from app.hardware.body.person_parameters import PersonParameters, Practised
+from app.source import STUDY_SOURCE, source_words
+from app.study.experiment import StudyResult
+
+TRIAL_COLUMNS = ("trial", "dist", "e_diff", "time", "cross_track_rms", "collisions", "reached", "simulated")
+TRAJECTORY_COLUMNS = ("t", "x", "y", "theta", "v", "omega")
+
+
+def check_folder(folder: Path, overwrite: bool) -> None:
+    """Refuse a place that the study could not be written to, before an hour is spent on it.
+
+    Raises
+    ------
+    ValueError
+        One sentence that says what is in the way and what to do.
+    """
+    if folder.exists() and not folder.is_dir():
+        raise ValueError(f"{folder} is a file and not a folder: name another place")
+    if folder.is_dir() and any(folder.iterdir()) and not overwrite:
+        raise ValueError(f"{folder} is not empty: name another folder, or replace it with --overwrite")
+
+
+def write_study(
+    result: StudyResult, folder: Path, figure_format: FigureFormat = "png", overwrite: bool = False
+) -> None:
+    """Write a study into `folder`: made beside it and then renamed, so that it is whole or not there.
+
+    Raises
+    ------
+    ValueError
+        When `folder` is a file, or holds something and may not be overwritten.
+    OSError
+        When the place cannot be written; nothing is left behind then.
+    """
+    with whole_folder(folder, overwrite) as part:
+        (part / "trials.csv").write_text(trials_csv(result), encoding="utf-8")
+        pyarrow.parquet.write_table(trajectories_table(result), part / "trajectories.parquet", compression="zstd")
+        (part / "study.json").write_text(
+            json.dumps(summary(result), indent=1, allow_nan=False) + "\n", encoding="utf-8"
+        )
+        draw_study(result, part, figure_format)
+
+
+@contextmanager
+def whole_folder(folder: Path, overwrite: bool) -> Iterator[Path]:
+    """Yield a folder beside `folder` to write into; it takes that place when all went well, and is gone otherwise.
+
+    Raises
+    ------
+    ValueError
+        When `folder` is a file, or holds something and may not be overwritten.
+    """
+    check_folder(folder, overwrite)
+    folder = folder.absolute()
+    folder.parent.mkdir(parents=True, exist_ok=True)
+    part = Path(tempfile.mkdtemp(dir=folder.parent, prefix=f".{folder.name}.", suffix=".part"))
+    try:
+        yield part
+        part.chmod(0o755)
+        _put_in_place(part, folder)
+    except BaseException:
+        shutil.rmtree(part, ignore_errors=True)
+        raise
+
+
+def trials_csv(result: StudyResult) -> str:
+    """Return the table of trials, one row each; numbers in full precision, `reached` as true or false."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(TRIAL_COLUMNS)
+    for trial in result.trials:
+        row = {"trial": trial.number, "simulated": STUDY_SOURCE.simulated, **trial.measures}
+        writer.writerow([cell(row[column]) for column in TRIAL_COLUMNS])
+    return text.getvalue()
+
+
+def trajectories_table(result: StudyResult) -> pa.Table:
+    """Return all trajectories as one table: trial, t (s since the trial's start), x, y, theta, v, omega."""
+    trials = result.trials
+    columns: dict[str, Any] = {
+        "trial": np.repeat([trial.number for trial in trials], [len(trial.t) for trial in trials]).astype(np.int32)
+    }
+    for name in TRAJECTORY_COLUMNS:
+        columns[name] = np.concatenate([getattr(trial, name) for trial in trials])
+    return pa.table(columns).replace_schema_metadata({"source": source_words(STUDY_SOURCE)})
+
+
+def summary(result: StudyResult) -> dict[str, Any]:
+    """Return what was asked, what was calibrated, what came of each trial, and the learning curves, ready for JSON."""
+    return {
+        "software": f"bodydrive {__version__}",
+        "source": source_words(STUDY_SOURCE),
+        "seed": result.seed,
+        "floorplan": result.floorplan.name,
+        "path": result.path.name,
+        "path_length": result.path.line.length,
+        "sample_rate": result.sample_rate,
+        "person": person_document(result.person),
+        "calibration": {
+            joint.name: {"evr": joint.evr, "grade": joint.grade, "reason": joint.reason}
+            for joint in result.parameters.profile.joints
+        },
+        "parameters": result.parameters.model_dump(mode="json", exclude={"profile"}),
+        "trials": [
+            {"trial": trial.number, "stops_for_faults": trial.faults, **trial.measures} for trial in result.trials
+        ],
+        "learning": result.learning,
+    }
+
+
+def person_document(person: PersonParameters) -> dict[str, Any]:
+    """Return a person's numbers by name, ready for JSON."""
+    numbers = ((field.name, getattr(person, field.name)) for field in fields(person))
+    return {name: value._asdict() if isinstance(value, Practised) else value for name, value in numbers}
+
+
+def draw_study(result: StudyResult, folder: Path, figure_format: FigureFormat, suffix: str = "") -> None:
+    """Draw a study as the paper does: the first trajectory and all of them over the path, and both errors."""
+    driven = [(trial.x, trial.y) for trial in result.trials]
+    panels = [("(a) Trial 1", driven[:1])]
+    if len(driven) > 1:
+        panels.append((f"(b) All {len(driven)} trials", driven))
+    over_path = trajectories_figure(result.floorplan, result.path, panels)
+    save_figure(over_path, folder / f"trajectories{suffix}.{figure_format}", figure_format)
+    errors = errors_figure(
+        [trial.number for trial in result.trials],
+        [trial.measures["dist"] for trial in result.trials],
+        [trial.measures["e_diff"] for trial in result.trials],
+        result.path.line.length,
+        result.learning,
+    )
+    save_figure(errors, folder / f"errors{suffix}.{figure_format}", figure_format)
+
+
+def _put_in_place(part: Path, folder: Path) -> None:
+    """Rename `part` to `folder`; what was there before goes only when the new one stands."""
+    old = None
+    if folder.exists():
+        old = Path(tempfile.mkdtemp(dir=folder.parent, prefix=f".{folder.name}.", suffix=".old"))
+        folder.replace(old)
+    try:
+        part.replace(folder)
+    except OSError:
+        if old:
+            old.replace(folder)
+        raise
+    if old:
+        shutil.rmtree(old, ignore_errors=True)
+
+
+def cell(value: Any) -> str:
+    """Return a cell of a table: numbers in full precision, true or false in small letters."""
+    return str(value).lower() if isinstance(value, bool | np.bool_) else repr(value)

@@ -1,0 +1,141 @@
+"""Makes a floor plan of a DXF drawing: its lines as walls, and a path from its layer PATH or through its rooms."""
+
+import re
+from itertools import pairwise
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+
+from app.world.floorplan import MAX_WALLS
+from app.world.imports.draft import Draft, path_document, plain_name
+from app.world.imports.dxf_lines import Drawing, read_dxf
+from app.world.imports.raster import free_cells, inside
+from app.world.imports.route import propose_route
+from app.world.imports.wall_pieces import DECIMALS as MILLIMETRES
+from app.world.imports.wall_pieces import Point, chained, joined
+from app.world.path import Path as Line
+
+PATH_LAYER: Final = "path"
+WORDS_ON: Final = re.compile(r"text|dim|anno|bema|ma(ß|ss)|hatch|defpoints|title|frame|grid|axis", re.IGNORECASE)
+WALL_THICKNESS: Final = 0.02  # m; drawings show surfaces, so hardly any is added to them
+WIDEST: Final = 500.0  # m
+NARROWEST: Final = 1.0  # m
+FINEST: Final = 0.05  # m per cell when a path is looked for
+MOST_CELLS: Final = 1_000_000
+MOST_PATHS: Final = 20
+DECIMALS: Final = 4
+
+
+def import_dxf(
+    file: Path,
+    unit: str | None = None,
+    layers: tuple[str, ...] | None = None,
+    title: str | None = None,
+    name: str | None = None,
+) -> Draft:
+    """Return a floor plan made of a drawing's lines, its lower left corner at the origin.
+
+    `unit` (mm, cm, m, inch or foot) is needed when the drawing does not say it. `layers` are those whose lines are
+    walls: all but the ones for words and dimensions when not given.
+
+    Raises
+    ------
+    ValueError
+        One sentence that names the file and what to do.
+    """
+    drawing = read_dxf(file, unit)
+    offered = tuple(sorted(layer for layer in drawing.layers if layer.lower() != PATH_LAYER))
+    chosen = _chosen(file, offered, layers)
+    pieces = [piece for layer in chosen for line in drawing.layers[layer] for piece in pairwise(line)]
+    if not pieces:
+        raise ValueError(f"{file}: there are no lines in this drawing (on the chosen layers), choose others")
+    corners = np.array(pieces).reshape(-1, 2)
+    low = corners.min(axis=0)
+    size = corners.max(axis=0) - low
+    _check_size(file, float(size[0]), float(size[1]))
+    x, y = float(low[0]), float(low[1])
+    walls = joined(((a[0] - x, a[1] - y), (b[0] - x, b[1] - y)) for a, b in pieces)
+    edges = sum(len(wall) - 1 for wall in walls)
+    if edges > MAX_WALLS:
+        raise ValueError(
+            f"{file}: this drawing has {edges:,} wall pieces and at most {MAX_WALLS:,} are taken, choose fewer layers"
+        )
+    drawn = _drawn_paths(drawing, (x, y))
+    paths = drawn or _proposed(walls, (float(size[0]), float(size[1])))
+    document: dict[str, Any] = {
+        "name": name or plain_name(file.stem),
+        "title": title or file.stem[:80],
+        "walls": walls,
+        "wall_thickness": WALL_THICKNESS,
+        "paths": paths,
+    }
+    return Draft(document, tuple(_words(drawing, edges, drawn, paths)), offered, chosen)
+
+
+def _chosen(file: Path, offered: tuple[str, ...], layers: tuple[str, ...] | None) -> tuple[str, ...]:
+    if layers is None:
+        return tuple(layer for layer in offered if not WORDS_ON.search(layer))
+    for layer in layers:
+        if layer not in offered:
+            known = ", ".join(offered[:10]) or "none"
+            raise ValueError(f"{file}: there is no layer '{layer[:40]}' with lines, use some of these: {known}")
+    return layers
+
+
+def _check_size(file: Path, width: float, height: float) -> None:
+    if max(width, height) > WIDEST:
+        raise ValueError(
+            f"{file}: this drawing is {width:,.0f} x {height:,.0f} m large, give its unit, "
+            "or remove what lies far from the building"
+        )
+    if max(width, height) < NARROWEST:
+        raise ValueError(f"{file}: this drawing is only {width:.3f} x {height:.3f} m large, give its unit")
+
+
+def _drawn_paths(drawing: Drawing, origin: Point) -> list[dict[str, Any]]:
+    """Return the paths on the layer PATH; lines that meet there are one."""
+    lines = [line for layer, found in drawing.layers.items() if layer.lower() == PATH_LAYER for line in found]
+    polylines = [line for line in lines if len(line) > 2]
+    loose = [(line[0], line[1]) for line in lines if len(line) == 2]
+    polylines += [_as_drawn(chain, loose) for chain in chained(loose)]
+    paths: list[dict[str, Any]] = []
+    for line in polylines[:MOST_PATHS]:
+        points = [[round(x - origin[0], DECIMALS), round(y - origin[1], DECIMALS)] for x, y in line]
+        if any(point != points[0] for point in points):
+            number = len(paths) + 1
+            paths.append(path_document(points, "main" if number == 1 else f"path-{number}", f"Path {number}"))
+    return paths
+
+
+def _as_drawn(chain: list[Point], pieces: list[tuple[Point, Point]]) -> list[Point]:
+    """Return the chain in the direction in which most of its pieces were drawn."""
+    drawn = {tuple((round(x, MILLIMETRES), round(y, MILLIMETRES)) for x, y in piece) for piece in pieces}
+    ahead = sum((a, b) in drawn for a, b in pairwise(chain))
+    back = sum((b, a) in drawn for a, b in pairwise(chain))
+    return chain if ahead >= back else chain[::-1]
+
+
+def _proposed(walls: list[list[Point]], size: tuple[float, float]) -> list[dict[str, Any]]:
+    """Return a path through the largest part of the building, none when a chair fits nowhere."""
+    resolution = max(FINEST, float(np.sqrt(size[0] * size[1] / MOST_CELLS)), max(size) / MOST_CELLS)
+    free = free_cells(walls, WALL_THICKNESS, size, resolution)
+    route = propose_route(inside(free), resolution)
+    if route is None:
+        return []
+    points = (route.cells * resolution).round(DECIMALS).tolist()
+    return [path_document(points)] if Line(points).length > 0 else []
+
+
+def _words(drawing: Drawing, edges: int, drawn: list[dict[str, Any]], paths: list[dict[str, Any]]) -> list[str]:
+    words = [f"{edges} wall pieces."]
+    if drawn:
+        words.append(f"{len(drawn)} from the layer PATH." if len(drawn) > 1 else "The path is that of the layer PATH.")
+    elif paths:
+        words.append("The path is a proposal: change it as you like.")
+    else:
+        words.append("A chair fits nowhere, so there is no path yet: draw one, or check the unit.")
+    if drawing.left_out:
+        kinds = ", ".join(f"{count} {kind}" for kind, count in sorted(drawing.left_out.items())[:8])
+        words.append(f"Not taken over: {kinds}.")
+    return words

@@ -1,0 +1,115 @@
+"""Makes a floor plan of a picture of one: what is light is free, what is dark is a wall."""
+
+from pathlib import Path
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image, ImageOps, UnidentifiedImageError
+
+from app.world.imports.draft import Draft
+from app.world.imports.occupancy import OccupancyMap
+from app.world.imports.raster import inside
+from app.world.imports.ros_map import draft_of_map
+
+FORMATS: Final = ("PNG", "JPEG", "PPM")
+MOST_BYTES: Final = 20_000_000
+MOST_PIXELS: Final = 40_000_000
+MOST_CELLS: Final = 2_000_000
+FINEST: Final = 0.04  # m per cell; a finer picture is made coarser, and a cell is a wall when any of it is dark
+COARSEST: Final = 0.2  # m per cell: doorways close beyond this
+THRESHOLD: Final = 0.6  # of white; lighter is free
+WIDEST: Final = 500.0  # m
+
+
+def import_image(
+    file: Path,
+    metres_per_pixel: float | None = None,
+    width: float | None = None,
+    threshold: float = THRESHOLD,
+    title: str | None = None,
+    name: str | None = None,
+) -> Draft:
+    """Return a floor plan made of a PNG or JPEG picture, its lower left corner at the origin.
+
+    Its scale is given, or its `width` (m); `threshold` is the share of white from which on a pixel is free.
+
+    Raises
+    ------
+    ValueError
+        One sentence that names the file and what to do.
+    """
+    if not 0.0 < threshold < 1.0:
+        raise ValueError(f"{file}: the threshold lies between 0 (black) and 1 (white), correct it")
+    if (metres_per_pixel is None) == (width is None):
+        raise ValueError(f"{file}: a picture has no scale, give either metres per pixel or its width in m")
+    grey = _read(file)
+    rows, columns = grey.shape
+    scale = metres_per_pixel if metres_per_pixel is not None else (width or 0.0) / columns
+    largest = max(rows, columns) * scale
+    if not (np.isfinite(largest) and 1.0 <= largest <= WIDEST):
+        raise ValueError(
+            f"{file}: with this scale the picture is {columns * scale:.2f} x {rows * scale:.2f} m large, correct it"
+        )
+    times = _coarser(file, rows, columns, scale)
+    free = inside(np.flipud(_coarse(grey >= threshold * 255.0, times)))
+    if not free.any():
+        raise ValueError(f"{file}: nothing in this picture is as light as the threshold, lower it")
+    occupancy = OccupancyMap(np.ascontiguousarray(free), scale * times, (0.0, 0.0, 0.0))
+    return draft_of_map(occupancy, file, title, name, what="picture")
+
+
+def _coarser(file: Path, rows: int, columns: int, scale: float) -> int:
+    """Return how many pixels make one side of a cell."""
+    times = max(1, int(FINEST / scale), int(np.ceil(np.sqrt(rows * columns / MOST_CELLS))))
+    if scale * times > COARSEST:
+        raise ValueError(
+            f"{file}: one cell would be {scale * times:.2f} m, and doorways would be lost, show a smaller part"
+        )
+    return times
+
+
+def _coarse(free: NDArray[np.bool_], times: int) -> NDArray[np.bool_]:
+    """Return cells of `times` pixels squared, free when all of their pixels are; what is beyond the edge is free."""
+    rows, columns = free.shape
+    padded = np.pad(free, ((0, -rows % times), (0, -columns % times)), constant_values=True)
+    blocks = padded.reshape(padded.shape[0] // times, times, padded.shape[1] // times, times)
+    return np.asarray(blocks.all(axis=(1, 3)))
+
+
+def _read(file: Path) -> NDArray[np.uint8]:
+    """Return the grey values (rows, columns) on white paper."""
+    try:
+        if file.stat().st_size > MOST_BYTES:
+            raise ValueError(f"{file}: this is larger than {MOST_BYTES // 1_000_000} MB, make it coarser")
+        with Image.open(file, formats=FORMATS) as image:
+            if image.width * image.height > MOST_PIXELS:
+                raise ValueError(f"{file}: this picture has more than {MOST_PIXELS:,} pixels, make it coarser")
+            return _grey(image)
+    except FileNotFoundError as error:
+        raise ValueError(f"{file}: there is no such file, check its name") from error
+    except UnidentifiedImageError as error:
+        raise ValueError(f"{file}: this is no PNG or JPEG picture that can be read, save it anew") from error
+    except (Image.DecompressionBombError, Image.DecompressionBombWarning) as error:
+        raise ValueError(f"{file}: this picture has more than {MOST_PIXELS:,} pixels, make it coarser") from error
+    except ValueError as error:
+        if str(error).startswith(f"{file}: "):
+            raise
+        raise ValueError(f"{file}: this picture is damaged, save it anew") from error
+    except OSError as error:
+        what = error.strerror or "it is damaged"
+        raise ValueError(f"{file}: this picture cannot be read ({what}), save it anew") from error
+    except Exception as error:
+        # Damaged pictures make the reader raise whatever comes.
+        raise ValueError(f"{file}: this picture is damaged, save it anew") from error
+
+
+def _grey(image: Image.Image) -> NDArray[np.uint8]:
+    upright = ImageOps.exif_transpose(image)
+    if upright.mode in {"RGBA", "LA", "PA"} or "transparency" in upright.info:
+        drawn = upright.convert("RGBA")
+        paper = Image.new("RGBA", drawn.size, "white")
+        upright = Image.alpha_composite(paper, drawn)
+    elif upright.mode.startswith("I"):  # 16 bits of grey
+        return np.asarray(np.asarray(upright, dtype=np.float64) / 257.0).clip(0, 255).astype(np.uint8)
+    return np.asarray(upright.convert("L"))

@@ -1,0 +1,75 @@
+"""Makes a floor plan of a file from elsewhere: a ROS map, a DXF drawing or a picture."""
+
+import json
+from pathlib import Path
+from typing import Annotated, Any, Final, Literal
+
+from pydantic import Field, ValidationError
+
+from app.quantities import Document, Line, Name, Title
+from app.sentences import one_sentence
+from app.world.imports.draft import Draft
+from app.world.imports.dxf import import_dxf
+from app.world.imports.image import THRESHOLD, import_image
+from app.world.imports.occupancy import read_occupancy_map
+from app.world.imports.ros_map import draft_of_map
+
+MAPS: Final = (".yaml", ".yml")
+IMAGES: Final = (".png", ".jpg", ".jpeg")
+DRAWINGS: Final = (".dxf",)
+SUFFIXES: Final = (*MAPS, *IMAGES, *DRAWINGS)
+
+Scale = Annotated[float, Field(strict=True, allow_inf_nan=False, gt=0, le=1000)]
+
+
+class Options(Document):
+    """What a file does not say about itself."""
+
+    unit: Literal["mm", "cm", "m", "inch", "foot"] | None = None
+    layers: Annotated[tuple[Line, ...], Field(max_length=1000)] | None = None
+    metres_per_pixel: Scale | None = None
+    width: Scale | None = None  # m, of the whole picture
+    threshold: Annotated[float, Field(strict=True, allow_inf_nan=False, gt=0, lt=1)] = THRESHOLD
+    title: Title | None = None
+    name: Name | None = None
+
+
+def import_plan(file: Path, options: Options, image: Path | None = None) -> Draft:
+    """Return what a file proposes; `image` is read instead of the one that a ROS map names.
+
+    Raises
+    ------
+    ValueError
+        One sentence that names the file and what to do.
+    """
+    suffix = file.suffix.lower()
+    if suffix in DRAWINGS:
+        return import_dxf(file, options.unit, options.layers, options.title, options.name)
+    if suffix in IMAGES:
+        return import_image(
+            file, options.metres_per_pixel, options.width, options.threshold, options.title, options.name
+        )
+    if suffix in MAPS:
+        return draft_of_map(read_occupancy_map(file, image), file, options.title, options.name)
+    raise ValueError(f"{file}: this is no {', '.join(SUFFIXES)} file, name another")
+
+
+def answer(question: dict[str, Any]) -> dict[str, Any]:
+    """Return a draft's fields for `{"file", "image", "options"}`; asked by `app.isolated_reader`.
+
+    Raises
+    ------
+    ValueError
+        One sentence that names the file without its place, and what to do.
+    """
+    file, image = Path(question["file"]), question["image"]
+    try:
+        options = Options.model_validate_json(json.dumps(question["options"]))
+    except ValidationError as error:
+        raise ValueError(one_sentence(error, "the import")) from error
+    try:
+        return import_plan(file, options, None if image is None else Path(image))._asdict()
+    except ValueError as error:
+        raise ValueError(str(error).replace(f"{file.parent}/", "")) from error
+    except MemoryError as error:
+        raise ValueError(f"{file.name}: this needs too much memory, make it smaller") from error
