@@ -1,10 +1,16 @@
-"""What holds for every test: generated cases without a deadline, the same ones on each run of CI; its own umask."""
+"""What every test has: generated cases without a deadline, a umask of its own; on request a database and a profile."""
 
 import os
 from collections.abc import Iterator
+from pathlib import Path
 
 import pytest
 from hypothesis import settings
+from sqlalchemy.orm import Session
+
+from app.calibration.profile import CalibrationProfile
+from app.store.database import Database
+from small_profile import small_profile
 
 settings.register_profile("bodydrive", deadline=None, derandomize=os.environ.get("CI") == "true")
 settings.load_profile("bodydrive")
@@ -17,3 +23,21 @@ def _umask() -> Iterator[None]:
     os.umask(before)
     yield
     os.umask(before)
+
+
+@pytest.fixture
+def database(tmp_path: Path) -> Iterator[Database]:
+    opened = Database(tmp_path / "clinic.sqlite")
+    yield opened
+    opened.close()
+
+
+@pytest.fixture
+def db(database: Database) -> Iterator[Session]:
+    with database.transaction() as session:
+        yield session
+
+
+@pytest.fixture
+def profile() -> CalibrationProfile:
+    return small_profile()

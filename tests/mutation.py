@@ -13,7 +13,8 @@ import tempfile
 from importlib.metadata import version
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[1]
+from folders import ROOT
+
 REPORT = ROOT / "docs" / "mutation.md"
 MODULES = ("safety", "brakes", "ramp", "shaping")
 TESTS = ("test_safety", "test_gate_levels", "test_brakes", "test_ramp", "test_shaping", "test_drive_modes")

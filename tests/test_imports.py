@@ -7,7 +7,8 @@ from pathlib import Path
 
 import pytest
 
-ROOT = Path(__file__).resolve().parents[1]
+from folders import ROOT
+
 FILES = sorted((ROOT / "app").rglob("*.py"))
 
 LEAVES = "leaf"

@@ -2,11 +2,11 @@
 
 import ast
 import re
-from pathlib import Path
 
 import pytest
 
-ROOT = Path(__file__).resolve().parents[1]
+from folders import ROOT
+
 PAGE = (ROOT / "docs" / "safety.md").read_text()
 INVARIANTS = [f"S{number}" for number in range(1, 30) if number != 19]  # there is no S19
 NAMED = re.findall(r"`([\w/]+\.py)::(\w+)`", PAGE)

@@ -1,16 +1,16 @@
 """The map learns the person, on a tablet: suggested after a trial, looked at, applied, taken back."""
 
 import re
-from pathlib import Path
 
 import pytest
 from browser.driving import go_on_until
 from playwright.sync_api import expect
 from processes.served_demo import running_demo
 
+from folders import SCREENSHOTS
+
 pytestmark = [pytest.mark.browser, pytest.mark.long, pytest.mark.timeout(420)]
 
-SCREENSHOTS = Path(__file__).resolve().parents[2] / "var" / "screenshots"
 TABLETS = {"768x1024": (768, 1024), "1280x800": (1280, 800)}
 PATIENCE = 60_000  # ms: drawing in software on a busy machine is slow
 LONG_ENOUGH = re.compile(r"^(0:[45]\d|[1-9]:\d\d)$")  # a joint has moved for some seconds by then

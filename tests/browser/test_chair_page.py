@@ -17,9 +17,10 @@ from playwright.sync_api import expect
 from processes.served_demo import running_demo
 from worn_shirt import WornShirt, calibrated_as_worn
 
+from folders import ROOT
+
 pytestmark = [pytest.mark.browser, pytest.mark.timeout(420)]
 
-ROOT = Path(__file__).resolve().parents[2]
 SCREENSHOTS = ROOT / "var" / "screenshots"
 TABLETS = {"1024x768": (1024, 768), "768x1024": (768, 1024)}
 PATIENCE = 60_000  # ms: drawing in software on a busy machine is slow

@@ -1,15 +1,14 @@
 """Nobody drives blind: what a browser does that cannot draw in 3D, or loses its picture while somebody drives (S24)."""
 
-from pathlib import Path
-
 import pytest
 from browser.driving import go_on_until
 from playwright.sync_api import expect
 from processes.served_demo import running_demo
 
+from folders import SCREENSHOTS
+
 pytestmark = [pytest.mark.browser, pytest.mark.timeout(420)]
 
-SCREENSHOTS = Path(__file__).resolve().parents[2] / "var" / "screenshots"
 PATIENCE = 60_000  # ms: drawing in software on a busy machine is slow
 DRIVE_LIMIT = 150  # s
 LOOKS = {"light": (1280, 800), "dark": (768, 1024)}

@@ -3,7 +3,6 @@
 import io
 import json
 import re
-from pathlib import Path
 
 import ezdxf
 import pytest
@@ -11,9 +10,10 @@ from browser.driving import go_on_until
 from playwright.sync_api import expect
 from processes.served_demo import running_demo
 
+from folders import SCREENSHOTS
+
 pytestmark = [pytest.mark.browser, pytest.mark.long, pytest.mark.timeout(420)]
 
-SCREENSHOTS = Path(__file__).resolve().parents[2] / "var" / "screenshots"
 TABLETS = {"768x1024": (768, 1024), "1280x800": (1280, 800)}
 PATIENCE = 60_000  # ms: drawing in software on a busy machine is slow
 DRIVE_LIMIT = 150  # s

@@ -1,15 +1,15 @@
 """Two tablets, two patients: what a page shows of one patient is never sent for another one."""
 
 import re
-from pathlib import Path
 
 import pytest
 from browser.clinic_app import ClinicApp, assert_quiet, go
 from playwright.sync_api import expect
 
+from folders import SCREENSHOTS
+
 pytestmark = [pytest.mark.browser, pytest.mark.timeout(300)]
 
-SCREENSHOTS = Path(__file__).resolve().parents[2] / "var" / "screenshots"
 SIZES = {"768x1024": (768, 1024), "1280x800": (1280, 800), "390x844": (390, 844)}
 PATIENCE = 60_000  # ms
 COVER = ".other-session"

@@ -3,7 +3,6 @@
 import math
 import re
 import signal
-from pathlib import Path
 from urllib.parse import urlsplit
 
 import pytest
@@ -11,9 +10,10 @@ from browser.driving import HIDE, SHOW, go_on_until
 from playwright.sync_api import expect
 from processes.served_demo import SessionClient, bodydrive, free_port, printed_link, running_demo
 
+from folders import SCREENSHOTS
+
 pytestmark = [pytest.mark.browser, pytest.mark.long, pytest.mark.timeout(420)]
 
-SCREENSHOTS = Path(__file__).resolve().parents[2] / "var" / "screenshots"
 SIZES = {"1280x800": (1280, 800), "768x1024": (768, 1024)}
 PATIENCE = 60_000  # ms: drawing in software on a busy machine is slow
 LOST = "This screen has lost the program"

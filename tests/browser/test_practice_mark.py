@@ -1,16 +1,16 @@
 """In a real clinic no shirt is chosen at first, and while nobody wears the one in use every page says so."""
 
 import re
-from pathlib import Path
 
 import pytest
 from browser.clinic_app import ClinicApp, assert_quiet, go
 from playwright.sync_api import expect
 
+from folders import ROOT, SCREENSHOTS
+
 pytestmark = [pytest.mark.browser, pytest.mark.timeout(300)]
 
-STATIC = Path(__file__).resolve().parents[2] / "web_static"
-SCREENSHOTS = Path(__file__).resolve().parents[2] / "var" / "screenshots"
+STATIC = ROOT / "web_static"
 SIZES = {"768x1024": (768, 1024), "1280x800": (1280, 800), "390x844": (390, 844)}
 PATIENCE = 60_000  # ms
 PAGES = """() => import("/js/parts/rail.js").then(({ PAGES }) => PAGES)"""

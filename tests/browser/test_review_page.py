@@ -1,15 +1,15 @@
 """One trial and two side by side in a real browser: one slider moves picture, plan and charts together."""
 
 import re
-from pathlib import Path
 
 import pytest
 from browser.review_app import ReviewApp
 from playwright.sync_api import expect
 
+from folders import SCREENSHOTS
+
 pytestmark = [pytest.mark.browser, pytest.mark.long, pytest.mark.timeout(420)]
 
-SCREENSHOTS = Path(__file__).resolve().parents[2] / "var" / "screenshots"
 SIZES = {"1280x800": (1280, 800), "768x1024": (768, 1024)}
 PATIENCE = 60_000  # ms: drawing in software on a busy machine is slow
 PICTURE = "document.querySelector('.replay-frame iframe').contentWindow.__viserMutable?.nodePoseData"

@@ -1,14 +1,13 @@
 """A file whose name is taken: the page asks, keeps both, replaces, and puts back; Stop stays in reach meanwhile."""
 
-from pathlib import Path
-
 import pytest
 from playwright.sync_api import expect
 from processes.served_demo import running_demo
 
+from folders import SCREENSHOTS
+
 pytestmark = [pytest.mark.browser, pytest.mark.long, pytest.mark.timeout(300)]
 
-SCREENSHOTS = Path(__file__).resolve().parents[2] / "var" / "screenshots"
 SIZES = {"768x1024": (768, 1024), "1280x800": (1280, 800), "390x844": (390, 844)}
 PATIENCE = 30_000  # ms
 TAKEN = "409 (Conflict)"  # what a browser writes by itself when a name is taken

@@ -2,7 +2,6 @@
 
 import socket
 import threading
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -12,10 +11,10 @@ from processes.wearer import free_port
 
 from app.hardware.shirt.packet import encode
 from app.hardware.shirt.sender import waves
+from folders import SCREENSHOTS
 
 pytestmark = [pytest.mark.browser, pytest.mark.timeout(300)]
 
-SCREENSHOTS = Path(__file__).resolve().parents[2] / "var" / "screenshots"
 SIZES = {"768x1024": (768, 1024), "1280x800": (1280, 800), "390x844": (390, 844)}
 
 

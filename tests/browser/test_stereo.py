@@ -3,7 +3,6 @@
 import io
 import math
 import signal
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -17,10 +16,10 @@ from app.geometry import Pose
 from app.scene.views import EYE_BACK, EYE_DOWN, EyeSettings
 from app.settings import static_folder
 from app.world.floorplan import FloorPlan
+from folders import SCREENSHOTS
 
 pytestmark = [pytest.mark.browser, pytest.mark.long, pytest.mark.timeout(300)]
 
-SCREENSHOTS = Path(__file__).resolve().parents[2] / "var" / "screenshots"
 PATIENCE = 60_000  # ms: drawing in software on a busy machine is slow
 WIDTH, HEIGHT = 1000, 600
 APART = 0.08  # m

@@ -4,7 +4,6 @@ import os
 import re
 import signal
 from contextlib import ExitStack, contextmanager
-from pathlib import Path
 
 import psutil
 import pytest
@@ -12,9 +11,10 @@ from browser.driving import bend_until, go_on_until
 from playwright.sync_api import expect
 from processes.test_demo_process import bodydrive, printed_link
 
+from folders import SCREENSHOTS
+
 pytestmark = [pytest.mark.browser, pytest.mark.timeout(420)]
 
-SCREENSHOTS = Path(__file__).resolve().parents[2] / "var" / "screenshots"
 TABLETS = {"1024x768": (1024, 768), "820x1180": (820, 1180)}
 STEP_LIMIT = 60_000  # ms: the longest step of the calibration takes 13 s
 AFTER_SOME_SECONDS = re.compile(r"^0:(0[2-9]|[1-5]\d)$")

@@ -4,16 +4,16 @@ import os
 import re
 import signal
 from contextlib import ExitStack
-from pathlib import Path
 
 import pytest
 from browser.driving import go_on_until
 from playwright.sync_api import expect
 from processes.served_demo import bodydrive, printed_link
 
+from folders import SCREENSHOTS
+
 pytestmark = [pytest.mark.browser, pytest.mark.timeout(300)]
 
-SCREENSHOTS = Path(__file__).resolve().parents[2] / "var" / "screenshots"
 PATIENCE = 60_000  # ms: drawing in software on a busy machine is slow
 SINCE = re.compile(r"No connection to the program since \d\d:\d\d:\d\d\.")
 WAITS = re.compile(r"The trial waits for Continue\. Without it, the trial ends in [34]:\d\d")

@@ -1,7 +1,5 @@
 """The calibration on a real piezoresistive knit: 20 channels on four real people, with the measured joint angle."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
@@ -11,8 +9,9 @@ from app.layout import Channel, Joint, ShirtLayout
 from app.signals.columns import read_columns
 from app.signals.signals import read_signals
 from app.signals.smoothing import smooth
+from folders import SHARED
 
-FOLDER = Path(__file__).resolve().parents[2].parent / "shared" / "data" / "knit_shirt"
+FOLDER = SHARED / "data" / "knit_shirt"
 JOINTS = ("right_elbow", "left_elbow", "right_shoulder", "left_shoulder")
 RISING_SHARE = {"right_elbow": 0.85, "left_elbow": 0.97, "right_shoulder": 0.86, "left_shoulder": 0.96}
 REST_SHARE = 0.002

@@ -1,7 +1,6 @@
 """`bodydrive decode`, on made-up signals and on a real knit."""
 
 import json
-from pathlib import Path
 
 import numpy as np
 import pyarrow.csv
@@ -18,8 +17,9 @@ from app.pipeline.replay.batch import decode_block
 from app.signals.signals import read_signals
 from app.signals.smoothing import smooth
 from building import make_parameters, make_profile, make_signals
+from folders import SHARED
 
-KNIT = Path(__file__).resolve().parents[3] / "shared" / "data" / "knit_shirt"
+KNIT = SHARED / "data" / "knit_shirt"
 # Share of the activation's integral in the rising phase, the least that each joint of the knit must give.
 KNIT_RISING = {"right_elbow": 0.85, "left_elbow": 0.97, "right_shoulder": 0.86, "left_shoulder": 0.96}
 

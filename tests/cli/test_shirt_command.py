@@ -7,7 +7,6 @@ import sqlite3
 import stat
 import subprocess
 import sys
-from pathlib import Path
 
 import pytest
 
@@ -18,8 +17,8 @@ from app.hardware.shirt.newest import newest_file, read_newest
 from app.hardware.shirt.packet import decode_signed
 from app.store.database import Database
 from app.store.tables import LogEntry
+from folders import ROOT
 
-ROOT = Path(__file__).resolve().parents[2]
 PAIR = ("shirt", "pair", "--state", "clinic")
 
 

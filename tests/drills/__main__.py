@@ -11,7 +11,9 @@ from pathlib import Path
 from drills.drills import DRILLS, run_drill
 from drills.results import HEAD
 
-PAGE = Path(__file__).resolve().parents[2] / "docs" / "drills.md"
+from folders import ROOT
+
+PAGE = ROOT / "docs" / "drills.md"
 
 
 def main():

@@ -2,8 +2,8 @@ import re
 from typing import get_args
 
 import pytest
+from hardware.shirt.shirts import small_layout
 from pydantic import ValidationError
-from shirts import small_layout
 
 from app.clock import FakeClock
 from app.hardware.base import HardwareError

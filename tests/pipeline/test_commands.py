@@ -7,7 +7,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from hardware.chair_stand_in import StandInChair
+from hardware.chair.chair_stand_in import StandInChair
 from office import Office
 
 from app.calibration.vocabulary import Binding

@@ -5,7 +5,7 @@ import uuid
 
 import numpy as np
 import pytest
-from hardware.chair_stand_in import ARMED, CHECKING, DISARMED, StandInChair
+from hardware.chair.chair_stand_in import ARMED, CHECKING, DISARMED, StandInChair
 from scripted_shirt import RATE, ScriptedShirt
 
 from app.clock import FakeClock

@@ -15,8 +15,9 @@ import time
 from contextlib import suppress
 from pathlib import Path
 
+from folders import ROOT
+
 PATIENCE = 30.0  # s
-ROOT = Path(__file__).resolve().parents[2]
 COMMAND, TELEMETRY = struct.Struct("<4sBBHIQQffff8s"), struct.Struct("<4sBBHIQQ8sfffBBH")
 KEY_ID, SECRET = 513, bytes(range(100, 132))
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from test_recordings import JOINTS, LAYOUT, RATE, record
+from session.test_recordings import JOINTS, LAYOUT, RATE, record
 
 from app.calibration.adaptation.proposal import propose
 from app.calibration.profile import CalibrationProfile, JointMap

@@ -5,11 +5,11 @@ from typing import Any
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from session.conftest import small_profile
 
 from app.calibration.vocabulary import Binding, DriveParameters, standard_parameters
 from app.session.differences import CONTROLS, SPEEDS, differences
 from app.speeds import NO_FURTHER, Speeds
+from small_profile import small_profile
 
 STANDARD = standard_parameters(small_profile())
 SOME = st.fixed_dictionaries(

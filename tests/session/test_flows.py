@@ -49,7 +49,7 @@ def test_a_run_that_cannot_be_noted_is_not_left_running(tmp_path: Any) -> None:
 
 @pytest.mark.parametrize("refusal", [Unavailable("It did not answer."), Conflict("Nothing is being recorded.")])
 def test_a_run_whose_end_nobody_answers_is_open_no_more(database: Database, tmp_path: Any, refusal: Exception) -> None:
-    """The control process that owes the answer is ended by then (test_control.py), so it records no more either."""
+    """The control process that owes the answer is ended by then (test_control_link.py) and records no more."""
     with database.transaction() as db:
         clinic = add_clinic(db, "Clinic")
         patient = add_patient(db, clinic.id, "P-1", "Heron", "")

@@ -3,7 +3,7 @@
 import shutil
 
 import pytest
-from test_recordings import LAYOUT, READINGS, record, step_ticks
+from session.test_recordings import LAYOUT, READINGS, record, step_ticks
 
 from app.calibration.script import calibration_script
 from app.calibration.vocabulary import standard_parameters

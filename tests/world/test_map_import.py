@@ -1,5 +1,4 @@
 import math
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -10,8 +9,9 @@ from app.world.floorplan import FloorPlan
 from app.world.imports.clearance import Clearance
 from app.world.imports.occupancy import read_occupancy_map
 from app.world.imports.ros_map import import_ros_map
+from folders import SHARED
 
-MAPS = Path(__file__).resolve().parents[2].parent / "shared" / "data" / "maps"
+MAPS = SHARED / "data" / "maps"
 FREE, UNKNOWN, OCCUPIED = 254, 205, 0
 DOCUMENT = """image: map.pgm
 resolution: 0.05

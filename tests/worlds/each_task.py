@@ -5,16 +5,17 @@ Pictures of every task in every view, to be looked at, are put into var/worlds.
 
 import re
 from collections.abc import Iterator
-from pathlib import Path
 
 import pytest
 from browser.conftest import browser, page_log  # noqa: F401  (fixtures)
 from browser.worlds import drive, open_drive_page, tasks
 from processes.test_demo_process import bodydrive, printed_link
 
+from folders import ROOT
+
 pytestmark = [pytest.mark.browser, pytest.mark.timeout(900)]
 
-PICTURES = Path(__file__).resolve().parents[2] / "var" / "worlds"
+PICTURES = ROOT / "var" / "worlds"
 VIEWS = ("Eye", "Chase", "Top", "Free")
 DRAWN = 2500  # ms until another view is drawn, in software
 

@@ -4,7 +4,7 @@ import math
 import os
 
 import pytest
-from hardware.commanded import KEY, STEP, Commanded
+from hardware.chair.commanded import KEY, STEP, Commanded
 
 from app.hardware.chair.inputs import Inputs
 from app.hardware.chair.packet import DRIVE, STOP, decode_telemetry, encode_hello

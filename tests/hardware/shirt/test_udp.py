@@ -2,7 +2,7 @@ import socket
 
 import numpy as np
 import pytest
-from shirts import RATE, Udp, small_layout
+from hardware.shirt.shirts import RATE, Udp, small_layout
 
 from app.clock import FakeClock, MonotonicClock
 from app.hardware.base import HardwareError

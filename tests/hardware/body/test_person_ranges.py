@@ -2,12 +2,12 @@
 
 import dataclasses
 import math
-from pathlib import Path
 
 import pytest
 
 from app.hardware.body.person_parameters import NOVICE, PARAMETERS, PersonParameters, Practised
 from app.hardware.body.person_ranges import RANGES, numbers_of, out_of_range
+from folders import ROOT
 
 NOT_MEASURED = {"learns", "practice"}  # a switch, and where the person stands in his learning
 
@@ -40,7 +40,7 @@ def test_a_number_outside_is_named_with_its_range() -> None:
 
 
 def test_the_table_of_the_documentation_is_this_one() -> None:
-    text = (Path(__file__).parents[2] / "docs" / "learning.md").read_text(encoding="utf-8")
+    text = (ROOT / "docs" / "learning.md").read_text(encoding="utf-8")
     novice = numbers_of(NOVICE)
     for name, known in RANGES.items():
         row = f"| `{name}` | {novice[name]:g} | {known.low:g} to {known.high:g} | {known.unit} | {known.source} |"

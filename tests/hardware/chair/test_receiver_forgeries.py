@@ -4,7 +4,7 @@ import random
 import struct
 
 import pytest
-from hardware.commanded import KEY, Commanded
+from hardware.chair.commanded import KEY, Commanded
 
 from app.hardware.chair.key import Key
 from app.hardware.chair.packet import DRIVE, FRAME_BYTES, NONCE_BYTES, STOP, Command, encode_command, encode_hello

@@ -1,14 +1,7 @@
-"""A database of its own for each test, and a small real profile."""
-
-from collections.abc import Iterator
-from pathlib import Path
-
-import pytest
-from sqlalchemy.orm import Session
+"""A small real calibration profile: two joints, two channels each."""
 
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.layout import Channel, Joint, ShirtLayout
-from app.store.database import Database
 
 
 def small_profile(joints: tuple[str, ...] = ("right_elbow", "left_elbow")) -> CalibrationProfile:
@@ -46,21 +39,3 @@ def small_profile(joints: tuple[str, ...] = ("right_elbow", "left_elbow")) -> Ca
         high=tuple(1.0 for _ in joints),
         joints=maps,
     )
-
-
-@pytest.fixture
-def database(tmp_path: Path) -> Iterator[Database]:
-    opened = Database(tmp_path / "clinic.sqlite")
-    yield opened
-    opened.close()
-
-
-@pytest.fixture
-def db(database: Database) -> Iterator[Session]:
-    with database.transaction() as session:
-        yield session
-
-
-@pytest.fixture
-def profile() -> CalibrationProfile:
-    return small_profile()

@@ -20,8 +20,8 @@ from hypothesis import strategies as st
 from app.store.database import Database
 from app.store.log import write_log
 from app.store.log_chain import FIRST, HeadFile, entry_hash, verify_log
+from folders import ROOT
 
-ROOT = Path(__file__).resolve().parents[2]
 ROWS = 6
 COLUMNS = ("at", "person", "what", "details", "previous_hash", "hash")
 NAMES = ", ".join(("id", *COLUMNS))

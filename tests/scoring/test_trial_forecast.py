@@ -1,7 +1,7 @@
 """A recorded trial, decoded again with another set."""
 
 import pytest
-from test_adaptation_reading import AS_CALIBRATED, parameters, trial  # noqa: F401
+from session.test_adaptation_reading import AS_CALIBRATED, parameters, trial  # noqa: F401
 
 from app.faults import State
 from app.recording.reader import read_run

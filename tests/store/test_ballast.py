@@ -18,8 +18,7 @@ from app.store.log import write_log
 from app.store.log_chain import verify_log
 from app.store.patients import add_patient, end_session, open_session, start_session
 from app.store.people import add_clinic, add_person, sign_in, sign_out, signed_in
-
-ROOT = Path(__file__).resolve().parents[2]
+from folders import ROOT
 
 
 @pytest.fixture

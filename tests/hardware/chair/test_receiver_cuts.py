@@ -5,7 +5,7 @@ import random
 from itertools import pairwise
 
 import pytest
-from hardware.commanded import PERIOD, STEP, Commanded
+from hardware.chair.commanded import PERIOD, STEP, Commanded
 
 from app.hardware.chair.packet import DRIVE
 from app.hardware.chair.reasons import Reason

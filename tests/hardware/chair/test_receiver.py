@@ -3,7 +3,7 @@
 import math
 
 import pytest
-from hardware.commanded import PERIOD, Commanded
+from hardware.chair.commanded import PERIOD, Commanded
 
 from app.hardware.chair.packet import DRIVE, STOP, VIRTUAL
 from app.hardware.chair.reasons import WORDS, Reason

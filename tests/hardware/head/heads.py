@@ -5,7 +5,7 @@ import socket
 import struct
 import time
 
-from hardware.flock_unit import FlockUnit
+from hardware.head.flock_unit import FlockUnit
 
 from app.clock import FakeClock, MonotonicClock
 from app.hardware.configs import (

@@ -1,6 +1,6 @@
 """Simulated people over sessions, and which warnings they earn. As a program: the table of docs/learning.md.
 
-`python tests/session/warned_wearers.py --seeds 20`, or with `--only turned` one of the conditions.
+`python tests/scoring/warning_cases.py --seeds 20`, or with `--only turned` one of the conditions.
 """
 
 import argparse

@@ -1,10 +1,9 @@
 import json
 import uuid
-from pathlib import Path
 
 import numpy as np
 import pytest
-from shirts import RATE, small_layout, write_signals
+from hardware.shirt.shirts import RATE, small_layout, write_signals
 
 from app.clock import FakeClock
 from app.hardware.base import HardwareError
@@ -14,8 +13,9 @@ from app.hardware.shirt.replay import ReplayedShirt
 from app.messages import Tick
 from app.process.ring import TickRing
 from app.recording.writer import RunWriter
+from folders import SHARED
 
-KNIT = Path(__file__).resolve().parents[2].parent / "shared" / "data" / "knit_shirt" / "signals.csv"
+KNIT = SHARED / "data" / "knit_shirt" / "signals.csv"
 
 
 def open_replay(file, clock, loop=False):

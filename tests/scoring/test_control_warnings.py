@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from session.warned_wearers import CONDITIONS, sessions_of, warned
+from scoring.warning_cases import CONDITIONS, sessions_of, warned
 
 from app.scoring.control_quality import BadChannel, ControlQuality
 from app.scoring.control_warnings import warnings_of_control

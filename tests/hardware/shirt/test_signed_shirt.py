@@ -9,9 +9,9 @@ import zlib
 
 import numpy as np
 import pytest
+from hardware.shirt.shirts import RATE, small_layout
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from shirts import RATE, small_layout
 
 from app.clock import FakeClock, MonotonicClock
 from app.hardware.base import HardwareError

@@ -4,11 +4,10 @@ import math
 import socket
 import struct
 from itertools import pairwise
-from pathlib import Path
 
 import pytest
-from hardware.flock_unit import FlockUnit
-from hardware.heads import FreepieSends, OpentrackSends, wait_for
+from hardware.head.flock_unit import FlockUnit
+from hardware.head.heads import FreepieSends, OpentrackSends, wait_for
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -20,8 +19,9 @@ from app.hardware.head.flock_of_birds import FlockOfBirds
 from app.hardware.head.recorded import RecordedHead
 from app.hardware.head.simulator import SimulatedHead
 from app.hardware.registry import HEADS, make_head, parse_head
+from folders import SHARED
 
-RECORDING = Path(__file__).resolve().parents[3] / "shared" / "data" / "upper_body" / "head_pose.csv"
+RECORDING = SHARED / "data" / "upper_body" / "head_pose.csv"
 WORD = st.integers(-32768, 32767)
 
 

@@ -6,7 +6,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from test_recording import assert_rows_begin
+from recording.test_recording import assert_rows_begin
 
 from app.recording.reader import read_run
 
@@ -14,7 +14,7 @@ KILLED = """
 import sys, uuid
 from pathlib import Path
 sys.path[:0] = sys.argv[2:]
-from test_recording import CHANNELS, GESTURES, META, write_ticks
+from recording.test_recording import CHANNELS, GESTURES, META, write_ticks
 from app.recording.writer import RunWriter
 from app.process.ring import TickRing
 

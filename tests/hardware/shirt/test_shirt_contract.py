@@ -4,7 +4,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from shirts import RATE, SHIRTS, small_layout
+from hardware.shirt.shirts import RATE, SHIRTS, small_layout
 
 LONG_ENOUGH = 2.0  # s; frames that were let come are there long before
 

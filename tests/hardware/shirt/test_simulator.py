@@ -1,6 +1,6 @@
 import numpy as np
 import pytest
-from shirts import small_layout
+from hardware.shirt.shirts import small_layout
 
 from app.clock import FakeClock
 from app.hardware.base import HardwareError

@@ -3,7 +3,7 @@
 import math
 
 import pytest
-from hardware.heads import HEADS, wait_for
+from hardware.head.heads import HEADS, wait_for
 
 ANGLES = (0.5, -0.25, 0.125)
 

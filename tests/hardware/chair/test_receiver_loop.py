@@ -4,7 +4,7 @@ import math
 from itertools import pairwise
 
 import pytest
-from hardware.commanded import KEY, Commanded
+from hardware.chair.commanded import KEY, Commanded
 
 from app.clock import FakeClock
 from app.geometry import STANDSTILL

@@ -1,7 +1,7 @@
 """How the receiver on the chair slows, ramps and clamps: silence, stops, caps."""
 
 import pytest
-from hardware.commanded import PERIOD, STEP, Commanded
+from hardware.chair.commanded import PERIOD, STEP, Commanded
 from hypothesis import given, settings
 from hypothesis import strategies as st
 

@@ -1,5 +1,3 @@
-from pathlib import Path
-
 import numpy as np
 import pytest
 from hypothesis import given
@@ -12,11 +10,12 @@ from app.hardware.body.joints import ARM_DEGREES_OF_FREEDOM, degrees_of_freedom,
 from app.hardware.body.minimum_jerk import Reach, minimum_jerk
 from app.hardware.body.recorded import RecordedBody, principal_postures
 from app.hardware.body.visitor import Visitor
+from folders import SHARED
 
 DT = 0.01  # s
 VIEW = BodyView()
 ELBOW = ARM_DEGREES_OF_FREEDOM.index("right_elbow")
-UPPER_BODY = Path(__file__).resolve().parents[2].parent / "shared" / "data" / "upper_body" / "joint_rotations.csv"
+UPPER_BODY = SHARED / "data" / "upper_body" / "joint_rotations.csv"
 
 
 def live(step, seconds):
