@@ -13,7 +13,7 @@ pytestmark = [pytest.mark.browser, pytest.mark.timeout(300)]
 STATIC = ROOT / "web_static"
 SIZES = {"768x1024": (768, 1024), "1280x800": (1280, 800), "390x844": (390, 844)}
 PATIENCE = 60_000  # ms
-PAGES = """() => import("/js/parts/rail.js").then(({ PAGES }) => PAGES)"""
+PAGES = """() => import("/js/shell/rail.js").then(({ PAGES }) => PAGES)"""
 DOCUMENTS = sorted(file.name for file in STATIC.glob("*.html"))
 IN_VIEW = """(one) => {
   const { left, top, right, bottom } = one.getBoundingClientRect();

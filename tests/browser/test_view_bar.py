@@ -12,12 +12,12 @@ pytestmark = [pytest.mark.browser, pytest.mark.long]
 ORIGIN = "http://127.0.0.1:9"  # nothing listens there: every answer comes from the test
 PAGE = """<!doctype html><html lang="en"><head><title>view bar</title>
 <link rel="stylesheet" href="/css/tokens.css"><link rel="stylesheet" href="/css/base.css">
-<link rel="stylesheet" href="/css/forms.css"><link rel="stylesheet" href="/css/picture.css">
-<link rel="stylesheet" href="/css/drive.css"></head><body>
+<link rel="stylesheet" href="/css/widgets/forms.css"><link rel="stylesheet" href="/css/view/picture.css">
+<link rel="stylesheet" href="/css/pages/drive.css"></head><body>
 <div class="view" style="inset: 0 0 200px 0"><div class="surface" tabindex="0" hidden></div></div>
 <div class="lower" id="lower"></div>
 <script type="module">
-import { viewBar } from "/js/parts/view_bar.js";
+import { viewBar } from "/js/view/view_bar.js";
 window.posts = [];
 const free = { azimuth: 0, elevation: 0.5, distance: 10, x: 0, y: 0 };
 const post = async (path, body) => {

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { pathToFileURL } from "node:url";
 
 globalThis.matchMedia = () => ({ matches: false, addEventListener() {} });
-const { mapTraces, visitShapes, visitWords } = await import(pathToFileURL(`${process.argv[2]}/parts/curve_marks.js`));
+const { mapTraces, visitShapes, visitWords } = await import(pathToFileURL(`${process.argv[2]}/charts/curve_marks.js`));
 
 const colours = { text: "rgb(1, 2, 3)", "path-prescribed": "rgb(4, 5, 6)" };
 const row = (number, session, profile_version, origin) => ({ number, session, profile_version, origin });

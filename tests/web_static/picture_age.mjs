@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { pathToFileURL } from "node:url";
 
-const { LOOK_EVERY, ageLimit } = await import(pathToFileURL(`${process.argv[2]}/parts/picture_age.js`));
+const { LOOK_EVERY, ageLimit } = await import(pathToFileURL(`${process.argv[2]}/view/picture_age.js`));
 
 let now = 0;
 performance.now = () => now;

@@ -25,7 +25,7 @@ define("performance", { now: () => time });
 define("setTimeout", (run) => timers.set(run, run) && run);
 define("clearTimeout", (run) => timers.delete(run));
 
-const { endTabletHead, orientation, tabletHead } = await import(pathToFileURL(`${process.argv[2]}/parts/tablet_head.js`));
+const { endTabletHead, orientation, tabletHead } = await import(pathToFileURL(`${process.argv[2]}/pages/shirt/tablet_head.js`));
 
 // Upright with its back to the north, 30 degrees each way: left, up and to the right shoulder are positive.
 const RADIANS = Math.PI / 180;

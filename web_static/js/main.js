@@ -1,17 +1,17 @@
 /** The application: who is signed in, who is here, the live link, and which page is shown. */
 import { Api } from "./api.js";
-import { Live } from "./live.js";
-import { h, put } from "./parts/dom.js";
-import { header } from "./parts/header.js";
-import { notices } from "./parts/notices.js";
-import { readPractice } from "./parts/practice_mark.js";
-import { PAGES, rail } from "./parts/rail.js";
-import { stopOnSpace } from "./parts/stop.js";
-import { followSystem } from "./parts/theme.js";
-import { questionPlace } from "./parts/same_name.js";
-import { Toasts } from "./parts/toast.js";
-import { Screen } from "./screen.js";
-import { ShownSession } from "./shown_session.js";
+import { Live } from "./live/live.js";
+import { h, put } from "./widgets/dom.js";
+import { header } from "./shell/header.js";
+import { notices } from "./shell/notices.js";
+import { readPractice } from "./shell/practice_mark.js";
+import { PAGES, rail } from "./shell/rail.js";
+import { stopOnSpace } from "./shell/stop.js";
+import { followSystem } from "./shell/theme.js";
+import { questionPlace } from "./widgets/same_name.js";
+import { Toasts } from "./shell/toast.js";
+import { Screen } from "./live/screen.js";
+import { ShownSession } from "./live/page_session.js";
 import { t } from "./texts.js";
 
 const DEMO_LINK = /^#demo=(.+)$/;
@@ -154,7 +154,7 @@ export class App extends EventTarget {
     this.dispatchEvent(new Event("route"));
     this.frame.classList.toggle("alone", !this.me?.signed_in);
     try {
-      const page = await import(`./pages/${name}.js`);
+      const page = await import(`./pages/${name}/${name}.js`);
       if (leave.signal.aborted) return;
       this.root.className = "page";
       this.root.scrollTop = 0;

@@ -1,9 +1,9 @@
 /** The patient's screen: paired by its link, shown while the visit goes on, and a word of thanks at its end. */
 import { Api } from "./api.js";
-import { Live } from "./live.js";
-import { h, put } from "./parts/dom.js";
-import { practiceMark, readPractice } from "./parts/practice_mark.js";
-import { followSystem } from "./parts/theme.js";
+import { Live } from "./live/live.js";
+import { h, put } from "./widgets/dom.js";
+import { practiceMark, readPractice } from "./shell/practice_mark.js";
+import { followSystem } from "./shell/theme.js";
 import { showScreen } from "./patient/screen.js";
 import { stayAwake } from "./patient/wake.js";
 import { t } from "./texts.js";

@@ -1,8 +1,8 @@
 /** The stereo page: the patient's view for two eyes, shown to whoever may see it, and back by itself when it was lost. */
 import { Api } from "./api.js";
-import { h, put, write } from "./parts/dom.js";
-import { practiceMark, readPractice } from "./parts/practice_mark.js";
-import { followSystem } from "./parts/theme.js";
+import { h, put, write } from "./widgets/dom.js";
+import { practiceMark, readPractice } from "./shell/practice_mark.js";
+import { followSystem } from "./shell/theme.js";
 import { stayAwake } from "./patient/wake.js";
 import { controlBar } from "./stereo/bar.js";
 import { Eyes } from "./stereo/eyes.js";

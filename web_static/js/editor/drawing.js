@@ -1,6 +1,6 @@
 /** The plan as a picture on a grid. */
-import { h, put, s, set } from "../parts/dom.js";
-import { number } from "../parts/format.js";
+import { h, put, s, set } from "../widgets/dom.js";
+import { number } from "../widgets/format.js";
 import { t } from "../texts.js";
 import { pointsOf, thing } from "./document.js";
 import { distance, lengthOf, STEP } from "./geometry.js";

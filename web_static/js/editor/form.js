@@ -1,7 +1,7 @@
 /** The form at the side: the chosen thing in numbers and words, or the plan itself. */
-import { h } from "../parts/dom.js";
-import { field, selection } from "../parts/fields.js";
-import { number } from "../parts/format.js";
+import { h } from "../widgets/dom.js";
+import { field, selection } from "../widgets/fields.js";
+import { number } from "../widgets/format.js";
 import { t } from "../texts.js";
 import { LISTS, pointsOf, thing, timeFor } from "./document.js";
 import { lengthOf } from "./geometry.js";

@@ -1,6 +1,6 @@
 /** A plan from a file: a drawing, a picture, or a robot's map, with what the file does not say itself. */
-import { h, put } from "../parts/dom.js";
-import { field, segments, selection } from "../parts/fields.js";
+import { h, put } from "../widgets/dom.js";
+import { field, segments, selection } from "../widgets/fields.js";
 import { t } from "../texts.js";
 
 const ACCEPTED = ".dxf,.png,.jpg,.jpeg,.yaml,.yml,.pgm";

@@ -1,5 +1,5 @@
 /** Keys on the drawing, and undo wherever one is on the page. */
-import { isWriting } from "../parts/stop.js";
+import { isWriting } from "../shell/stop.js";
 
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 const FAR = 10; // steps with the shift key

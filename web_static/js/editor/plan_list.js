@@ -1,7 +1,7 @@
 /** Where one begins: an empty plan, one's own plans, those that come with the software, a file. */
-import { h, put } from "../parts/dom.js";
-import { icon } from "../parts/icons.js";
-import { replacedList } from "../parts/replaced_list.js";
+import { h, put } from "../widgets/dom.js";
+import { icon } from "../widgets/icons.js";
+import { replacedList } from "../widgets/replaced_list.js";
 import { t } from "../texts.js";
 import { emptyPlan } from "./document.js";
 import { keepDraft, keptDraft } from "./draft_store.js";

@@ -1,6 +1,6 @@
 /** The page round the workbench: what is saved under which name, and what happens to it when one leaves. */
-import { h, put, write } from "../parts/dom.js";
-import { sendUnderName } from "../parts/same_name.js";
+import { h, put, write } from "../widgets/dom.js";
+import { sendUnderName } from "../widgets/same_name.js";
 import { t } from "../texts.js";
 import { nameFrom } from "./document.js";
 import { keepDraft, keptDraft } from "./draft_store.js";

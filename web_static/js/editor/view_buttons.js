@@ -1,5 +1,5 @@
 /** Nearer, farther, to the sides, and everything at once: what fingers and wheel do, by buttons. */
-import { h } from "../parts/dom.js";
+import { h } from "../widgets/dom.js";
 import { t } from "../texts.js";
 import { panned, zoomed } from "./viewport.js";
 

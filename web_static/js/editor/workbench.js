@@ -1,8 +1,8 @@
 /** The editor: tools, drawing and form round one state; every step can be taken back. */
-import { h, put, set, write } from "../parts/dom.js";
-import { toggle } from "../parts/fields.js";
-import { icon } from "../parts/icons.js";
-import { sendUnderName } from "../parts/same_name.js";
+import { h, put, set, write } from "../widgets/dom.js";
+import { toggle } from "../widgets/fields.js";
+import { icon } from "../widgets/icons.js";
+import { sendUnderName } from "../widgets/same_name.js";
 import { t } from "../texts.js";
 import { actsOn } from "./acts.js";
 import { checker, refOf } from "./check.js";

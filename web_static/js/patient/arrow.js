@@ -1,6 +1,6 @@
 /** An arrow that turns with the chair and points to where it shall go. */
-import { h, s, set, write } from "../parts/dom.js";
-import { number } from "../parts/format.js";
+import { h, s, set, write } from "../widgets/dom.js";
+import { number } from "../widgets/format.js";
 import { t } from "../texts.js";
 
 const NEAR = 0.2; // m: nearer than this a direction means nothing

@@ -1,6 +1,6 @@
 /** The large cue of a calibration prompt: what to do, in words that are read from 2 m, and a ring that shows for how long. */
-import { h, s, set, write } from "../parts/dom.js";
-import { discRadius } from "../parts/cue_circle.js";
+import { h, s, set, write } from "../widgets/dom.js";
+import { discRadius } from "../widgets/cue_circle.js";
 import { t } from "../texts.js";
 
 const RADIUS = 118;
@@ -15,7 +15,7 @@ export function cueWords({ kind, movement }) {
   return kind === "move" && movement ? movement : t(`patient.cue.${kind}`);
 }
 
-/** @param {import("../live.js").Live} live @param {AbortSignal} signal */
+/** @param {import("../live/live.js").Live} live @param {AbortSignal} signal */
 export function cueLayer(live, signal) {
   const disc = s("circle", { class: "disc", cx: 150, cy: 150, r: discRadius("rest", 0) });
   const ring = s("circle", { class: "ring", cx: 150, cy: 150, r: RADIUS, transform: "rotate(-90 150 150)" });

@@ -1,5 +1,5 @@
 /** The large word of a moment: rest, go, goal reached. */
-import { h, put } from "../parts/dom.js";
+import { h, put } from "../widgets/dom.js";
 import { t } from "../texts.js";
 
 const GO_SHOWN = 1600; // ms

@@ -1,16 +1,16 @@
 /** The patient's picture: the 3D view, or else the drawn plan; the page tells the server which one it shows. */
 import { Api } from "../api.js";
-import { h, put, write } from "../parts/dom.js";
-import { drawnPlan } from "../parts/drawn_plan.js";
-import { LOOK_EVERY, ageLimit } from "../parts/picture_age.js";
-import { viewFrame } from "../parts/view_frame.js";
+import { h, put, write } from "../widgets/dom.js";
+import { drawnPlan } from "../plan/drawn_plan.js";
+import { LOOK_EVERY, ageLimit } from "../view/picture_age.js";
+import { viewFrame } from "../view/view_frame.js";
 import { t } from "../texts.js";
 
 const ASK_AGAIN_AFTER = 1000; // ms after a plan could not be read
 const SAY_EVERY = 1000; // ms: the server halts a trial after 3 s without a word of this screen
 const MAY_MOVE = new Set(["checking", "armed"]);
 
-/** @param {import("../live.js").Live} live @param {AbortSignal} signal */
+/** @param {import("../live/live.js").Live} live @param {AbortSignal} signal */
 export function patientPicture(live, signal) {
   const view = renewedView(live, signal);
   const plan = planOfTrial();

@@ -1,6 +1,6 @@
 /** What the patient sees: the picture, and over it what to do, the speed, the arrow, and a stop that nobody overlooks. */
-import { h, put, s, write } from "../parts/dom.js";
-import { number } from "../parts/format.js";
+import { h, put, s, write } from "../widgets/dom.js";
+import { number } from "../widgets/format.js";
 import { t } from "../texts.js";
 import { arrow } from "./arrow.js";
 import { cueLayer } from "./cue.js";
@@ -10,7 +10,7 @@ import { heard, Sounds } from "./sounds.js";
 
 const BACKWARDS = -0.02; // m/s
 
-/** @param {HTMLElement} root @param {import("../live.js").Live} live @param {AbortSignal} signal */
+/** @param {HTMLElement} root @param {import("../live/live.js").Live} live @param {AbortSignal} signal */
 export function showScreen(root, live, signal) {
   const sounds = new Sounds();
   const picture = patientPicture(live, signal);

@@ -1,6 +1,6 @@
 /** The controls of the stereo page: there when somebody moves, taps or types, gone when they only look. */
-import { h } from "../parts/dom.js";
-import { segments, selection, setting, stepper, toggle } from "../parts/fields.js";
+import { h } from "../widgets/dom.js";
+import { segments, selection, setting, stepper, toggle } from "../widgets/fields.js";
 import { t } from "../texts.js";
 import { CONVERGENCES, MODES, MOST_APART } from "./settings.js";
 

@@ -1,6 +1,6 @@
 /** The patient's view twice, each with the camera of one eye, laid out for a holder, a projector or coloured glasses. */
-import { h, put, s } from "../parts/dom.js";
-import { viewFrame } from "../parts/view_frame.js";
+import { h, put, s } from "../widgets/dom.js";
+import { viewFrame } from "../view/view_frame.js";
 import { aim, aside } from "./camera.js";
 
 /** @type {("left" | "right")[]} */

@@ -1,0 +1,93 @@
+/** A measure over trials with its fitted curve, the visits behind it and the versions of the map above it. */
+import { t } from "../texts.js";
+import { ABOVE, mapAxis, mapTraces, visitShapes, visitWords } from "./curve_marks.js";
+import { comparable, MEASURES } from "../results/measures.js";
+import { chart, faint } from "./plotly.js";
+
+/**
+ * @param {any} learning what GET /patients/ID/learning answered @param {string} measure
+ * @param {any} fit the curve that is drawn with its band: {form, n, value, low, high}, or null
+ * @param {(trial: number) => void} opens what a tap on a trial does @param {AbortSignal} signal
+ */
+export function curveChart(learning, measure, fit, opens, signal) {
+  const rows = learning.trials.filter((row) => Number.isFinite(row[measure]));
+  const { unit, better } = MEASURES[measure];
+  const title = [t(`measure.${measure}`), unit && `(${unit})`].filter(Boolean).join(" ");
+  const make = (colours) => {
+    const range = rows.length ? [rows[0].number - 0.5, rows.at(-1).number + 0.5] : [0.5, 1.5];
+    return {
+      traces: [
+        ...(fit ? fitTraces(fit, colours) : []),
+        ...(measure === "dist" && rows.length ? [lengthTrace(rows, colours)] : []),
+        ...trialTraces(rows, measure, colours),
+        ...mapTraces(rows, colours),
+      ],
+      layout: {
+        xaxis: { title: { text: t("review.trial") }, dtick: rows.length > 12 ? undefined : 1, range },
+        yaxis: { title: { text: title }, rangemode: better === "low" ? "tozero" : "normal", domain: [0, ABOVE] },
+        yaxis2: mapAxis(),
+        shapes: visitShapes(rows, colours),
+        annotations: visitWords(rows),
+        hoverdistance: 30, // px: a finger is not exact
+      },
+    };
+  };
+  return chart(`${t("review.curve")}: ${title}`, signal, make, ({ customdata }) => customdata && opens(customdata));
+}
+
+function fitTraces(fit, colours) {
+  const band = { mode: "lines", line: { width: 0 }, hoverinfo: "skip", x: fit.n };
+  return [
+    { ...band, y: fit.high, showlegend: false },
+    { ...band, y: fit.low, fill: "tonexty", fillcolor: faint(colours.action, 0.16), name: t("review.band") },
+    {
+      mode: "lines",
+      x: fit.n,
+      y: fit.value,
+      line: { color: colours.action, width: 3 },
+      name: t(`review.form.${fit.form}`),
+      hoverinfo: "skip",
+    },
+  ];
+}
+
+function lengthTrace(rows, colours) {
+  const length = rows.at(-1).path_length;
+  return {
+    mode: "lines",
+    x: [rows[0].number, rows.at(-1).number],
+    y: [length, length],
+    line: { color: colours["path-prescribed"], dash: "dash", width: 1.5 },
+    name: t("review.length"),
+    hoverinfo: "skip",
+  };
+}
+
+/** The trials that can be compared, joined by a line; the others as rings beside it. */
+function trialTraces(rows, measure, colours) {
+  const { unit, digits } = MEASURES[measure];
+  const trace = (some, more) => ({
+    x: some.map(({ number }) => number),
+    y: some.map((row) => row[measure]),
+    customdata: some.map(({ id }) => id),
+    hovertemplate: `${t("review.trial")} %{x}: %{y:.${digits}f} ${unit}<extra></extra>`,
+    ...more,
+  });
+  const other = rows.filter((row) => !comparable(measure, row));
+  const traces = [
+    trace(
+      rows.filter((row) => comparable(measure, row)),
+      {
+        mode: "lines+markers",
+        showlegend: false,
+        line: { color: faint(colours.text, 0.35), width: 1.5 },
+        marker: { color: colours.text, size: 9 },
+      },
+    ),
+  ];
+  if (other.length) {
+    const marker = { color: faint(colours.text, 0.5), size: 9, symbol: "circle-open" };
+    traces.push(trace(other, { mode: "markers", name: t("review.not-reached"), marker }));
+  }
+  return traces;
+}

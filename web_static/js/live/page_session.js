@@ -1,0 +1,64 @@
+/** The visit that the page shows: its changes name that session, and the page is covered when another one is open. */
+import { changedFields, OTHER_SESSION, otherSession, SESSION_PAGES } from "../shell/other_session.js";
+
+export class ShownSession {
+  /** @type {any} */
+  #visit = null;
+  #cover = null;
+  #isAsking = false;
+  #app;
+
+  /** @param {import("../main.js").App} app */
+  constructor(app) {
+    this.#app = app;
+  }
+
+  /** Show the open session from now on, and name it with each change. */
+  adopt() {
+    const app = this.#app;
+    if (idOf(app.visit) !== idOf(this.#visit)) app.toasts.clear(); // their buttons were meant for the session before
+    this.#visit = app.visit;
+    app.useSession(idOf(app.visit));
+    this.#cover?.remove();
+    this.#cover = null;
+    app.root.inert = false;
+  }
+
+  /** Take which session is open now; when it is another one, opened here or elsewhere, act on it. @param {number | null} id */
+  async follow(id) {
+    const app = this.#app;
+    if (id === idOf(this.#visit) || this.#cover || this.#isAsking || !app.me?.signed_in) return;
+    this.#isAsking = true;
+    try {
+      await app.readVisit();
+    } catch {
+      return; // the next tick asks again
+    } finally {
+      this.#isAsking = false;
+    }
+    if (this.#cover || idOf(app.visit) === idOf(this.#visit)) return;
+    if (this.#visit?.session && SESSION_PAGES.has(app.route.page)) return this.#coverPage();
+    this.adopt();
+    if (app.root.querySelector(".body.empty")) app.show(); // the page said that nobody is here
+  }
+
+  /** Cover the page of the session before, list what was entered and not sent, and send nothing of it. */
+  #coverPage() {
+    const app = this.#app;
+    const drafts = changedFields(app.root);
+    app.dispatchEvent(new CustomEvent("drafts", { detail: drafts }));
+    app.toasts.clear();
+    app.api.end();
+    app.leavePage(OTHER_SESSION);
+    app.root.inert = true;
+    const cover = otherSession(this.#visit, app.visit, drafts, { onGo: () => app.show() });
+    this.#cover = cover.element;
+    app.root.after(cover.element);
+    cover.focus();
+  }
+}
+
+/** @param {any} visit @returns {number | null} */
+function idOf(visit) {
+  return visit?.session?.id ?? null;
+}

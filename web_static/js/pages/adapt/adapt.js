@@ -1,0 +1,148 @@
+/** What would change of the map, and why: joint by joint, applied by a person or by itself, and one tap back. */
+import { effectCard } from "./adapt_effect.js";
+import { jointCards } from "./adapt_joints.js";
+import { h, put, write } from "../../widgets/dom.js";
+import { choices } from "../../widgets/fields.js";
+import { percent } from "../../widgets/format.js";
+import { withLabels } from "../../widgets/gestures.js";
+import { mapVersions } from "./map_versions.js";
+import { emptyPage, nobodyIsHere } from "../../shell/nobody.js";
+import { t } from "../../texts.js";
+
+const MODES = ["off", "suggest", "auto"];
+const CONCERNS = ["adaptation", "controls", "trial", "drive", "equipment", "everything"];
+
+/** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal}} page */
+export async function show(app, root, { signal }) {
+  if (nobodyIsHere(app, root)) return;
+  if (!app.visit.has_profile)
+    return emptyPage(root, t("adapt.none.title"), t("adapt.none.lead"), "#/calibrate", t("controls.none.go"));
+  const patient = app.visit.patient.id;
+  const mayChange = app.me.role !== "reviewer";
+  const [lead, problem] = [h("p", { class: "lead" }), h("p", { class: "problem", role: "alert" })];
+  const [place, versions, foot] = [h("div", { class: "stack" }), h("div", {}), h("div", { class: "foot" })];
+  const modePlace = h("div", {});
+  let shownMode = null;
+
+  const draw = (view, maps) => {
+    const labels = labelsOf(view);
+    write(lead, t(`adapt.lead.${view.origin}`, { version: view.version }));
+    put(place, view.looking && h("p", { class: "card quiet", role: "status" }, t("adapt.looking")), proposalCards(view, labels));
+    put(versions, mapVersions(maps, labels));
+    put(foot, mayChange && buttons(view));
+    if (view.mode !== shownMode) put(modePlace, modeCard(view.mode, mayChange, choose));
+    shownMode = view.mode;
+  };
+  const read = async () => {
+    const [view, maps] = await Promise.all([app.api.get("/adaptation"), app.api.get(`/patients/${patient}/maps`)]);
+    if (!signal.aborted) draw(view, maps);
+  };
+  const ask = async (method, path, body) => {
+    write(problem, "");
+    for (const button of foot.querySelectorAll("button")) button.disabled = true;
+    try {
+      const view = await app.api[method](path, body);
+      await read();
+      return view;
+    } catch (error) {
+      await read().catch(() => null);
+      write(problem, error.message);
+      return null;
+    }
+  };
+  const choose = async (mode) => {
+    shownMode = mode; // the card stays as it is, and with it the place of the keyboard
+    await ask("put", "/adaptation", { mode });
+  };
+  const apply = async (proposal) => {
+    const view = await ask("post", "/adaptation/apply", { proposal });
+    if (view) app.toasts.show(t("adapt.applied.toast", { version: view.version }), { action: t("undo"), run: back });
+  };
+  const back = async () => {
+    const to = (await app.api.get("/adaptation")).back_to;
+    const view = await ask("post", "/adaptation/back");
+    if (view) app.toasts.show(t("adapt.back.toast", { to, version: view.version }));
+  };
+  const buttons = ({ proposal, back_to: before, refusal, looking }) => {
+    const waits = proposal?.changes && proposal.applied === null;
+    return [
+      before !== null && button(t("adapt.back", { version: before }), back),
+      h("span", { class: "grow" }),
+      waits && button(t("adapt.later"), () => ask("post", "/adaptation/dismiss", { proposal: proposal.id })),
+      waits && button(t("adapt.apply"), () => apply(proposal.id), "btn go", refusal !== null),
+      !waits && button(t("adapt.look"), () => ask("post", "/adaptation/propose"), "btn", looking || refusal !== null),
+      !waits && h("a", { class: "btn go", href: "#/drive" }, t("rail.drive")),
+    ];
+  };
+
+  app.live.addEventListener("changed", ({ detail }) => CONCERNS.includes(detail) && read().catch(() => null), { signal });
+  put(
+    root,
+    h("div", { class: "body" }, h("h1", { tabindex: "-1" }, t("adapt.title")), lead, problem, h("div", { class: "stack" }, place, modePlace, versions)),
+    foot,
+  );
+  await read();
+}
+
+/** Labels of the joints, as far as a proposal names them. */
+function labelsOf({ proposal }) {
+  return Object.fromEntries((proposal?.joints ?? []).map(({ name, label }) => [name, label]));
+}
+
+function button(words, run, kind = "btn", disabled = false) {
+  return h("button", { type: "button", class: kind, onclick: run, disabled }, words);
+}
+
+function proposalCards(view, labels) {
+  const { proposal } = view;
+  if (!proposal) return [h("p", { class: "card adapt-why" }, view.why), view.refusal && h("p", { class: "problem" }, view.refusal)];
+  return [headline(view, labels), proposal.effect && effectCard(proposal.effect), jointCards(proposal)];
+}
+
+/** In ten seconds: how much is felt, what changes, and what it means for a real chair. */
+function headline({ proposal, refusal, practised }, labels) {
+  const { felt_change: felt, warns, applied, changes } = proposal;
+  const figure = changes
+    ? h(
+        "div",
+        { class: "adapt-felt" },
+        h("span", { class: "quiet" }, t("adapt.felt")),
+        h("b", { class: "big" }, percent(felt)),
+      )
+    : h("b", { class: "adapt-nothing" }, t("adapt.felt.none"));
+  const practice = applied === null ? changes && t("adapt.practise.next") : practisedWords(practised);
+  return h(
+    "section",
+    { class: `card adapt-head ${warns ? "warns" : ""}` },
+    figure,
+    h(
+      "div",
+      { class: "grow" },
+      h(
+        "p",
+        { class: "adapt-reason" },
+        applied === null ? withLabels(proposal.reason, labels) : t("adapt.in-use", { version: applied }),
+      ),
+      changes && h("p", { class: warns ? "attention" : "quiet" }, t(warns ? "adapt.felt.warns" : "adapt.felt.little")),
+      practice && h("p", { class: "small" }, practice),
+      proposal.words && h("p", { class: "small" }, proposal.words),
+      applied === null && changes && refusal && h("p", { class: "problem" }, refusal),
+    ),
+  );
+}
+
+function practisedWords(count) {
+  return count ? t("adapt.practise.some", { count }) : t("adapt.practise.none");
+}
+
+function modeCard(mode, mayChange, choose) {
+  const options = MODES.map((value) => ({ value, label: t(`adapt.mode.${value}`), hint: t(`adapt.mode.${value}.hint`) }));
+  const chosen = h("p", {}, h("b", {}, t(`adapt.mode.${mode}`)), ". ", t(`adapt.mode.${mode}.hint`));
+  return h(
+    "section",
+    { class: "card adapt-mode" },
+    h("h2", {}, t("adapt.mode")),
+    mayChange ? choices(t("adapt.mode"), options, mode, choose) : chosen,
+    h("p", { class: "quiet small" }, t("adapt.mode.never")),
+  );
+}

@@ -1,0 +1,73 @@
+/** What would change of each joint: before and after, side by side, and the reason in a sentence. */
+import { t } from "../../texts.js";
+import { h } from "../../widgets/dom.js";
+import { number, percent } from "../../widgets/format.js";
+import { withLabels } from "../../widgets/gestures.js";
+
+const TONES = { applied: "", shown: "calm", refused: "bad", unchanged: "plain" };
+
+/** @param {any} proposal of GET /adaptation */
+export function jointCards({ joints, applied }) {
+  const labels = Object.fromEntries(joints.map(({ name, label }) => [name, label]));
+  const still = joints.filter(({ status }) => status === "unchanged");
+  const others = joints.filter((joint) => !still.includes(joint));
+  return h(
+    "div",
+    { class: "stack" },
+    h(
+      "div",
+      { class: "joint-cards" },
+      others.map((joint) => jointCard(joint, withLabels(joint.reason, labels), applied !== null)),
+    ),
+    still.length > 0 &&
+      h("p", { class: "quiet" }, t("adapt.others", { joints: still.map(({ label }) => label.toLowerCase()).join(", ") })),
+  );
+}
+
+function jointCard(joint, reason, isApplied) {
+  const status = isApplied && joint.status === "applied" ? "changed" : joint.status;
+  const { evr_before: fit, evr_after: fitThen, cross_talk_before: talk, cross_talk_after: talkThen } = joint;
+  return h(
+    "section",
+    { class: "card adapt-joint" },
+    h("h2", {}, joint.label, h("span", { class: `tag ${TONES[joint.status]}` }, t(`adapt.joint.${status}`))),
+    h(
+      "dl",
+      { class: "adapt-figures" },
+      figure("turn", [turn(joint)], false),
+      figure("evr", [percent(fit), percent(fitThen)], sign(fit, fitThen) > 0),
+      figure("cross_talk", [percent(talk), percent(talkThen)], sign(talk, talkThen) < 0),
+      figure("felt", [percent(joint.felt_change)], false),
+      figure("dead_zone", [rate(joint.dead_zone_before), rate(joint.dead_zone_after)], false),
+      figure("full", [rate(joint.full_before), rate(joint.full_after)], false),
+    ),
+    h("p", { class: "small reason" }, reason),
+  );
+}
+
+/** What stays alike is said once. @param {string} name @param {string[]} values before and after @param {boolean} better */
+function figure(name, values, better) {
+  const [before, after] = values.length > 1 && values[0] !== values[1] ? values : [null, values.at(-1)];
+  return h(
+    "div",
+    {},
+    h("dt", { class: "quiet small" }, t(`adapt.row.${name}`)),
+    h("dd", { class: "number" }, before !== null && [before, " → "], h("b", { class: better ? "change good" : null }, after)),
+  );
+}
+
+/** What is applied of what the movements ask for. */
+function turn({ angle_applied_deg: applied, angle_proposed_deg: asked }) {
+  if (asked === null || asked - applied < 0.05) return `${number(applied, 1)}°`;
+  return t("adapt.row.turn.asked", { applied: number(applied, 1), asked: number(asked, 1) });
+}
+
+/** 1: more is there after than before, −1: less, 0: alike, or not known. */
+function sign(before, after) {
+  if (!Number.isFinite(before) || !Number.isFinite(after) ) return 0;
+  return Math.sign(after - before);
+}
+
+function rate(value) {
+  return number(value, 2);
+}

@@ -1,0 +1,64 @@
+/** The versions of a patient's map, with what each of them changed. */
+import { t } from "../../texts.js";
+import { h } from "../../widgets/dom.js";
+import { moment, number, percent } from "../../widgets/format.js";
+
+/** @param {any[]} maps of GET /patients/ID/maps @param {Record<string, string>} labels of the joints */
+export function mapVersions(maps, labels) {
+  const head = ["version", "when", "origin", "difference", "trials"];
+  return h(
+    "section",
+    { class: "card" },
+    h("h2", {}, t("adapt.versions")),
+    h("p", { class: "quiet small" }, t("adapt.versions.lead")),
+    h(
+      "div",
+      { class: "scroll-x", tabindex: "0", role: "region", "aria-label": t("adapt.versions") },
+      h(
+        "table",
+        { class: "measures map-versions" },
+        h("thead", {}, h("tr", {}, head.map((name) => h("th", { scope: "col" }, t(`adapt.${name}`))))),
+        h(
+          "tbody",
+          {},
+          maps.map((one) =>
+            h(
+              "tr",
+              {},
+              h("th", { scope: "row" }, String(one.version)),
+              h("td", {}, moment(one.created)),
+              h("td", {}, origin(one)),
+              h("td", { class: "words" }, changes(one, labels)),
+              h("td", {}, String(one.trials.length)),
+            ),
+          ),
+        ),
+      ),
+    ),
+  );
+}
+
+function origin({ origin: how, parent, difference }) {
+  const itself = difference?.by_itself ? ".itself" : "";
+  return t(`adapt.origin.${how}${itself}`, { parent: parent ?? "", to: difference?.back_to ?? "" });
+}
+
+function changes({ difference }, labels) {
+  const joints = Object.entries(difference?.joints ?? {}).map(([name, joint]) =>
+    t("adapt.difference.joint", { joint: labels[name] ?? name.replaceAll("_", " "), changes: ofJoint(joint).join(", ") }),
+  );
+  const felt = difference?.felt_change;
+  if (joints.length && Number.isFinite(felt)) joints.push(t("adapt.difference.felt", { percent: percent(felt) }));
+  return joints.map((words) => h("div", {}, words));
+}
+
+function ofJoint(joint) {
+  const found = [];
+  if (joint.angle_applied_deg) found.push(t("adapt.difference.turn", { angle: number(joint.angle_applied_deg, 1) }));
+  for (const name of ["dead_zone", "full"]) {
+    const [before, after] = [joint[`${name}_before`], joint[`${name}_after`]];
+    if (before !== after) found.push(t(`adapt.difference.${name}`, { value: number(after, 2) }));
+  }
+  if (joint.range_moved) found.push(t("adapt.difference.range"));
+  return found;
+}

@@ -1,0 +1,185 @@
+/** The calibration wizard: its steps are kept by the server, so that a reload comes back to the same one. */
+import { calibrateStep } from "./calibrate_step.js";
+import { discoveryCard } from "../../widgets/discovery_card.js";
+import { h, put } from "../../widgets/dom.js";
+import { emptyPage, nobodyIsHere } from "../../shell/nobody.js";
+import { leftOutWords, resultView } from "./calibration_result.js";
+import { stepBar } from "./step_bar.js";
+import { t } from "../../texts.js";
+
+const AUTO_PLACE = "bodydrive-calibrate-auto";
+const PAUSE = 1500; // ms between two steps that follow by themselves: time to breathe out
+
+/** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal}} page */
+export async function show(app, root, { signal }) {
+  if (nobodyIsHere(app, root)) return;
+  const { api } = app; // names this page's session for as long as anything of the page is left
+  let [calibration, equipment] = await Promise.all([api.get("/calibration"), api.get("/equipment")]);
+  if (!equipment.shirt && calibration.steps.length === 1) {
+    emptyPage(root, t("calibrate.no-shirt"), t("calibrate.no-shirt.lead"), "#/shirt", t("calibrate.no-shirt.go"));
+    return;
+  }
+  let watched = null; // the step that ran while we looked: only after it does the next one follow by itself
+  let timer = 0;
+  let drawn = new AbortController();
+
+  const take = (answer) => {
+    const before = calibration;
+    calibration = answer;
+    if (answer.running) watched = answer.running.step;
+    else if (before.running) afterStep(before.running.step);
+    draw();
+  };
+  const call = async (path, body) => {
+    clearTimeout(timer);
+    timer = 0;
+    try {
+      const answer = await api.post(path, body);
+      if (!signal.aborted) take(answer);
+    } catch (error) {
+      if (signal.aborted) return;
+      app.toasts.show(error.message);
+      await readAgain();
+    }
+  };
+  const readAgain = async () => {
+    const [fresh, worn] = await Promise.all([api.get("/calibration"), api.get("/equipment")]).catch(() => [
+      calibration,
+      equipment,
+    ]);
+    if (signal.aborted) return;
+    equipment = worn;
+    take(fresh);
+  };
+  const afterStep = (id) => {
+    const isGood = calibration.steps.find((step) => step.id === id)?.status === "done" && watched === id;
+    watched = null;
+    const next = calibration.steps.find((step) => step.id === calibration.current);
+    if (!isGood || !actions.isAuto || !next || next.kind === "result" || next.status === "done" || next.status === "skipped") return;
+    timer = setTimeout(() => call(`/calibration/steps/${next.id}/start`), PAUSE);
+  };
+  const actions = {
+    go: (step) => call("/calibration/go", { step }),
+    start: (step) => call(`/calibration/steps/${step}/start`),
+    cancel: (step) => call(`/calibration/steps/${step}/cancel`),
+    skip: (step) => call(`/calibration/steps/${step}/skip`),
+    chooseMap: (joint, map) => call("/calibration/map", { joint, map }),
+    setAuto: (on) => {
+      localStorage.setItem(AUTO_PLACE, on ? "on" : "off");
+      actions.isAuto = on;
+      if (!on && timer) {
+        clearTimeout(timer);
+        timer = 0;
+        draw();
+      }
+    },
+    isAuto: localStorage.getItem(AUTO_PLACE) !== "off",
+    get isGoingOn() {
+      return timer !== 0;
+    },
+  };
+  const accept = async () => {
+    try {
+      await api.post("/calibration/accept");
+      await app.readVisit();
+      app.go("#/controls");
+    } catch (error) {
+      app.toasts.show(error.message);
+    }
+  };
+  const restart = () =>
+    app.toasts.show(t("result.restart.ask"), {
+      action: t("result.restart"),
+      run: async () => {
+        await call("/calibration/restart");
+        app.toasts.show(t("result.restarted"));
+      },
+    });
+  const draw = () => {
+    drawn.abort();
+    drawn = new AbortController();
+    signal.addEventListener("abort", () => drawn.abort(), { signal: drawn.signal });
+    const hadFocus = root.contains(document.activeElement) && document.activeElement !== root.querySelector("h1");
+    const choice = document.activeElement?.closest(".segments")?.getAttribute("aria-label"); // a map is being chosen
+    const isResult = calibration.current === "result";
+    const view = isResult
+      ? resultPage(app, calibration, actions, accept)
+      : calibrateStep(app, calibration, equipment, actions, drawn.signal);
+    put(
+      root,
+      h(
+        "div",
+        { class: `body${isResult ? "" : " one-screen"}` },
+        stepBar(calibration.steps, calibration.current, actions.go, restart),
+        h("h1", { tabindex: "-1" }, view.title),
+        view.lead,
+        view.body,
+      ),
+      h("div", { class: "foot" }, view.foot),
+    );
+    const same = choice && root.querySelector(`[aria-label="${CSS.escape(choice)}"] input:checked`);
+    if (same) same.focus({ preventScroll: true });
+    else if (hadFocus) (root.querySelector(".foot .btn.go") ?? root.querySelector("h1")).focus({ preventScroll: true });
+  };
+  app.live.addEventListener(
+    "changed",
+    ({ detail }) => ["calibration", "equipment", "everything"].includes(detail) && readAgain(),
+    { signal },
+  );
+  signal.addEventListener("abort", () => clearTimeout(timer));
+  if (calibration.running) watched = calibration.running.step;
+  draw();
+}
+
+function resultPage(app, calibration, actions, accept) {
+  const { result, steps, running } = calibration;
+  const missing = steps.filter(({ kind, status }) => kind !== "result" && status !== "done" && status !== "skipped");
+  const last = steps.at(-1);
+  const back = h("button", { type: "button", class: "btn", onclick: () => actions.go(steps.at(-2).id) }, t("back"));
+  if (running?.step === "result")
+    return {
+      title: t("calibrate.fitting"),
+      lead: null,
+      body: h("div", { class: "working", role: "status" }),
+      foot: [back],
+    };
+  if (missing.length || !result) {
+    const words = missing.length ? t("result.missing.lead", { count: missing.length }) : last.words;
+    const buttons = missing.map((step) =>
+      h("button", { type: "button", class: "btn", onclick: () => actions.go(step.id) }, step.title),
+    );
+    return {
+      title: t("result.missing"),
+      lead: h("p", { class: "lead" }, words),
+      body: h("div", { class: "spread" }, buttons),
+      foot: [back],
+    };
+  }
+  const onwards = result.accepted
+    ? h("a", { class: "btn go", href: "#/controls" }, t("result.go-on"))
+    : h("button", { type: "button", class: "btn go", onclick: accept }, t("result.accept"));
+  return {
+    title: t("result.title"),
+    lead: h("p", { class: "lead" }, t("result.lead")),
+    body: [resultView(result, actions.start, actions.chooseMap), foundGestures(app, result)],
+    foot: [
+      back,
+      h("span", { class: "grow" }, result.accepted ? t("result.accepted") : leftOutWords(result.left_out)),
+      onwards,
+    ],
+  };
+}
+
+/** All movements that were found; the suggestion can be taken once the calibration is in use. */
+function foundGestures(app, result) {
+  const labels = Object.fromEntries(result.joints.map(({ name, label }) => [name, label]));
+  const take = async () => {
+    try {
+      await app.api.post("/controls/suggest");
+      app.go("#/controls");
+    } catch (error) {
+      app.toasts.show(error.message);
+    }
+  };
+  return discoveryCard(app.api, labels, result.accepted ? take : null);
+}

@@ -1,0 +1,112 @@
+/** One step of the calibration: what to do, the cue, the signals as they come, and what can be done next. */
+import { t } from "../../texts.js";
+import { cueCircle } from "../../widgets/cue_circle.js";
+import { h, write } from "../../widgets/dom.js";
+import { toggle } from "../../widgets/fields.js";
+import { drawTraces, middle, QUIET_SPAN } from "../../charts/joint_strips.js";
+import { pads } from "../../widgets/pads.js";
+import { TraceCanvas } from "../../charts/traces.js";
+
+/**
+ * @typedef {{go: (id: string) => void, start: (id: string) => void, cancel: (id: string) => void,
+ *   setAuto: (on: boolean) => void, isAuto: boolean, isGoingOn: boolean}} Actions
+ */
+
+/**
+ * @param {import("../../main.js").App} app @param {any} calibration @param {any} equipment
+ * @param {Actions} actions @param {AbortSignal} signal
+ * @returns {{title: string, lead: HTMLElement, body: HTMLElement, foot: (Node | false)[]}}
+ */
+export function calibrateStep(app, calibration, equipment, actions, signal) {
+  const { steps, current, running } = calibration;
+  const at = steps.findIndex(({ id }) => id === current);
+  const step = steps[at];
+  const isRunning = running?.step === current;
+  const repetitions = Math.max(0, ...step.cues.map(({ repetition }) => repetition));
+  const lead = h("p", { class: "lead" });
+  const showLead = (repetition) =>
+    write(
+      lead,
+      [
+        t("calibrate.step", { step: at + 1, steps: steps.length }),
+        repetition ? t("calibrate.repetition", { repetition, all: repetitions }) : "",
+        step.instruction,
+      ]
+        .filter(Boolean)
+        .join(" · "),
+    );
+  showLead(0);
+  const circle = cueCircle(app, step, {
+    isRunning,
+    idleWords: idleWords(step, equipment, actions),
+    signal,
+    onCue: (cue) => showLead(cue.repetition),
+  });
+  const isVisitor = equipment.body?.kind === "visitor" && equipment.shirt?.kind === "simulator";
+  const body = h(
+    "div",
+    { class: "step-body" },
+    circle,
+    step.words && !isRunning && h("p", { class: "problem", role: "alert" }, step.words),
+    stepTrace(app, equipment.layout, step, signal),
+    isVisitor && pads(app, signal).element,
+  );
+  return { title: step.title, lead, body, foot: foot(steps, at, isRunning, Boolean(running), actions) };
+}
+
+function idleWords(step, equipment, { isGoingOn }) {
+  if (isGoingOn) return t("calibrate.going-on");
+  if (step.status === "done") return t("calibrate.done");
+  const who = { person: "self", recorded: "self", visitor: "visitor" }[equipment.body?.kind] ?? "patient";
+  return t(`calibrate.ready.${who}`);
+}
+
+function foot(steps, at, isRunning, isBusy, actions) {
+  const step = steps[at];
+  const button = (words, run, tone = "", isOff = false) =>
+    h("button", { type: "button", class: `btn ${tone}`, disabled: isOff, onclick: run }, words);
+  if (isRunning)
+    return [button(t("calibrate.cancel"), () => actions.cancel(step.id)), h("span", { class: "grow" }), auto(actions)];
+  const isDone = step.status === "done";
+  return [
+    at > 0 && button(t("back"), () => actions.go(steps[at - 1].id), "", isBusy),
+    isDone && button(t("calibrate.again"), () => actions.start(step.id), "", isBusy),
+    h("span", { class: "grow" }),
+    auto(actions),
+    !isDone && step.kind === "prompt" && button(t("calibrate.skip"), () => actions.skip(step.id), "", isBusy),
+    isDone
+      ? button(t("calibrate.next"), () => actions.go(steps[at + 1].id), "go", isBusy)
+      : button(
+          step.status === "failed" ? t("calibrate.again") : t("calibrate.start"),
+          () => actions.start(step.id),
+          "go",
+          isBusy,
+        ),
+  ];
+}
+
+function auto(actions) {
+  return toggle(t("calibrate.auto"), actions.isAuto, actions.setAuto);
+}
+
+/** The joint's own channels while it is prompted; otherwise one line per joint. */
+function stepTrace(app, layout, step, signal) {
+  if (!layout) return null;
+  const canvas = new TraceCanvas({ label: t("cue.trace"), height: 84 });
+  const indices = (joint) => layout.channels.flatMap((channel, index) => (channel.joint === joint ? [index] : []));
+  const groups = layout.joints.map(({ name }) => indices(name));
+  app.live.addEventListener("quality", () => (canvas.floor = QUIET_SPAN * middle(app.live.noise)), { signal });
+  const mean = (values, group) => group.reduce((sum, index) => sum + (values[index] ?? 0), 0) / group.length;
+  const own = step.joint ? indices(step.joint) : null;
+  drawTraces(
+    app.live,
+    [
+      {
+        canvas,
+        values: ({ values }) => (own ? own.map((index) => values[index]) : groups.map((group) => mean(values, group))),
+      },
+    ],
+    signal,
+  );
+  return canvas.element;
+}

@@ -1,0 +1,110 @@
+/** The result of a calibration: a card per joint, cross-talk, left-out sensors. */
+import { t } from "../../texts.js";
+import { h } from "../../widgets/dom.js";
+import { number, percent } from "../../widgets/format.js";
+import { withLabels } from "../../widgets/gestures.js";
+import { mapChoice } from "./map_choice.js";
+
+const STUDY = { low: 0.8, high: 0.9 }; // the paper's explained variance of PC1
+const OWN = 0.75; // from here a cell is painted in full, with the text in the other colour
+const WASH = 0.5; // strongest paint below that: dark text stays readable on it
+const TONES = { good: "", usable: "att", repeat: "bad" };
+
+/**
+ * @param {any} result @param {(step: string) => void} onRepeat @param {(joint: string, map: string) => void} onMap
+ */
+export function resultView(result, onRepeat, onMap) {
+  const labels = Object.fromEntries(result.joints.map(({ name, label }) => [name, label]));
+  return h(
+    "div",
+    { class: "stack" },
+    h(
+      "div",
+      { class: "joint-cards" },
+      result.joints.map((joint) => jointCard(joint, withLabels(joint.reason, labels), onRepeat, onMap)),
+    ),
+    result.cross_talk && crossTalk(result),
+  );
+}
+
+function jointCard(joint, reason, onRepeat, onMap) {
+  const evr = percent(joint.evr);
+  return h(
+    "section",
+    { class: "card" },
+    h("h2", {}, joint.label, h("span", { class: `tag ${TONES[joint.grade]}` }, t(`result.${joint.grade}`))),
+    h(
+      "div",
+      { class: "evr", role: "img", "aria-label": t("result.bar", { joint: joint.label, percent: evr }) },
+      h("span", { style: `width:${(joint.evr ?? 0) * 100}%` }),
+      h("em", { style: `left:${STUDY.low * 100}%;width:${(STUDY.high - STUDY.low) * 100}%` }),
+    ),
+    joint.evr !== null &&
+      h(
+        "div",
+        { class: "row quiet small figures" },
+        h("span", {}, t("result.evr", { percent: evr })),
+        joint.signal_to_noise !== null && h("span", {}, t("result.noise", { value: number(joint.signal_to_noise, 0) })),
+        joint.repeatability !== null && h("span", {}, t("result.spread", { percent: percent(joint.repeatability) })),
+      ),
+    joint.grade !== "good" && h("p", { class: "small reason" }, reason),
+    joint.grade !== "good" &&
+      joint.step &&
+      h("button", { type: "button", class: "btn small", onclick: () => onRepeat(joint.step) }, t("result.again")),
+    joint.guided && mapChoice(joint, onMap),
+  );
+}
+
+/** A row per gesture that was asked for, a column per joint that answered. */
+function crossTalk({ joints, cross_talk: rows }) {
+  const labels = joints.slice(0, rows.length).map(({ label }) => label);
+  return h(
+    "section",
+    { class: "card" },
+    h("h2", {}, t("result.cross")),
+    h("p", { class: "quiet small" }, t("result.cross.lead")),
+    h(
+      "div",
+      { class: "scroll-x", tabindex: "0", role: "region", "aria-label": t("result.cross") },
+      h(
+        "table",
+        { class: "heat" },
+        h(
+          "thead",
+          {},
+          h(
+            "tr",
+            {},
+            h("td", {}),
+            labels.map((label) => h("th", { scope: "col" }, label)),
+          ),
+        ),
+        h(
+          "tbody",
+          {},
+          rows.map((row, i) =>
+            h(
+              "tr",
+              {},
+              h("th", { scope: "row" }, t("result.cross.asked", { joint: labels[i].toLowerCase() })),
+              row.map(cell),
+            ),
+          ),
+        ),
+      ),
+    ),
+  );
+}
+
+function cell(value) {
+  const isOwn = value >= OWN;
+  const share = isOwn ? 1 : WASH * Math.min(1, Math.max(0, value));
+  return h("td", { class: isOwn ? "strong" : null, style: `--share:${Math.round(share * 100)}%` }, number(value, 2));
+}
+
+/** In one sentence which sensors were left out, and why. @param {Record<string, string>} leftOut */
+export function leftOutWords(leftOut) {
+  const which = Object.entries(leftOut).map(([name, why]) => `${name.replaceAll("_", " ")} (${why})`);
+  if (!which.length) return t("result.left-out.none");
+  return t("result.left-out", { count: which.length, which: which.join(", ") });
+}

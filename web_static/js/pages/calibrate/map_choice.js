@@ -1,0 +1,58 @@
+/** Both maps of a joint side by side, as they did on repetitions they had not seen, and which of them drives. */
+import { t } from "../../texts.js";
+import { h } from "../../widgets/dom.js";
+import { segments } from "../../widgets/fields.js";
+import { number, percent } from "../../widgets/format.js";
+
+const ROWS = [
+  ["in_phase", percent],
+  ["hit_rate", percent],
+  ["false_per_minute", (value) => number(value, 1)],
+];
+const WORDS = { in_phase: "result.maps.in-phase", hit_rate: "result.maps.hit", false_per_minute: "result.maps.false" };
+
+/** @param {any} joint one of a calibration's result @param {(joint: string, map: string) => void} onMap */
+export function mapChoice({ name, label, map, guided }, onMap) {
+  const { offered, repetitions, pca_check: pca, guided_check: own } = guided;
+  const summary = map === "guided" ? "result.maps.in-use" : offered ? "result.maps.better" : "result.maps.worse";
+  return h(
+    "details",
+    { class: "maps", open: offered },
+    h("summary", {}, t(summary)),
+    h("p", { class: "quiet small" }, t("result.maps.lead", { count: repetitions })),
+    h(
+      "table",
+      { class: "small" },
+      h(
+        "thead",
+        {},
+        h(
+          "tr",
+          {},
+          h("td", {}),
+          ["result.maps.pca", "result.maps.guided"].map((key) => h("th", { scope: "col" }, t(key))),
+        ),
+      ),
+      h(
+        "tbody",
+        {},
+        ROWS.map(([key, shown]) =>
+          h(
+            "tr",
+            {},
+            h("th", { scope: "row" }, t(WORDS[key])),
+            [pca, own].map((check) => h("td", {}, shown(check[key]))),
+          ),
+        ),
+      ),
+    ),
+    offered
+      ? segments(
+          t("result.maps.choose", { joint: label }),
+          ["pca", "guided"].map((value) => ({ value, label: t(`result.maps.${value}`) })),
+          map,
+          (chosen) => onMap(name, chosen),
+        )
+      : h("p", { class: "small" }, t("result.maps.kept")),
+  );
+}

@@ -1,0 +1,41 @@
+/** The steps of the calibration as a row: which are done, which is shown, which has to be repeated. */
+import { t } from "../../texts.js";
+import { h } from "../../widgets/dom.js";
+import { icon } from "../../widgets/icons.js";
+
+/**
+ * @param {any[]} steps @param {string} current @param {(id: string) => void} onGo @param {() => void} onRestart
+ */
+export function stepBar(steps, current, onGo, onRestart) {
+  const list = h(
+    "ol",
+    { class: "steps", "aria-label": t("calibrate.steps") },
+    steps.map((step, index) => {
+      const label = `${step.title}: ${t(`calibrate.step.${step.status}`)}`;
+      const mark = { done: icon("tick", 16), failed: icon("undo", 16), skipped: "–" }[step.status] ?? String(index + 1);
+      return h(
+        "li",
+        {},
+        h(
+          "button",
+          {
+            type: "button",
+            class: step.status,
+            "aria-label": label,
+            title: label,
+            "aria-current": step.id === current ? "step" : null,
+            onclick: () => onGo(step.id),
+          },
+          h("span", {}, mark),
+        ),
+      );
+    }),
+  );
+  const hasBegun = steps.some(({ status }) => status === "done" || status === "failed");
+  return h(
+    "div",
+    { class: "step-bar" },
+    list,
+    hasBegun && h("button", { type: "button", class: "btn bare small", onclick: onRestart }, t("result.restart")),
+  );
+}

@@ -1,0 +1,136 @@
+/** What arming would apply: the set, its modes, the speeds that hold and why, and whether it was practised like this. */
+import { t } from "../../texts.js";
+import { h, put } from "../../widgets/dom.js";
+import { field, selection } from "../../widgets/fields.js";
+import { moment, number, percent } from "../../widgets/format.js";
+import { SPEEDS, speedWords } from "../../widgets/speed_rows.js";
+
+const FIRST = new Set(["forward", "reverse", "turn"]); // what a person feels first; the others are folded away
+const FINGERPRINT = 8; // digits that people compare
+const EQUAL = 1e-6;
+
+/**
+ * `show` draws it again when something is another.
+ * @param {{onLoad: (title: string) => void, onPractise: () => void}} act
+ */
+export function appliesCard({ onLoad, onPractise }) {
+  const place = h("div", { class: "stack" });
+  const title = h("h2", {}, t("apply.card"));
+  let shown = "";
+  let isOpen = false;
+  /** @param {{summary: any, controls: any, clinic: any, chair: any, dial: number}} read */
+  const show = (read) => {
+    const key = JSON.stringify([read.summary, read.controls.saved, read.controls.hash, read.clinic, read.dial]);
+    if (key === shown) return;
+    shown = key;
+    const more = h("details", { open: isOpen }, h("summary", {}, t("apply.more")), details(read));
+    more.addEventListener("toggle", () => (isOpen = more.open));
+    put(place, chosenSet(read, onLoad), main(read), practised(read.summary, onPractise), more);
+  };
+  return { element: h("section", { class: "card" }, title, place), title, show };
+}
+
+function chosenSet({ controls, summary }, onLoad) {
+  const { title } = summary.parameters;
+  const titles = [...new Set([title, ...controls.saved])];
+  const change = h("a", { class: "btn bare small", href: "#/controls" }, t("apply.change"));
+  if (titles.length === 1) return h("div", { class: "row" }, h("b", { class: "set-title" }, title), change);
+  const select = selection(
+    titles.map((one) => ({ value: one, label: one })),
+    title,
+    onLoad,
+  );
+  return h("div", { class: "row chosen-set" }, h("div", { class: "grow" }, field(t("apply.set"), select)), change);
+}
+
+function main(read) {
+  return [figures(read), how(read.summary.parameters)];
+}
+
+/** What a person feels first, large. */
+function figures(read) {
+  const shown = SPEEDS.filter(({ name }) => FIRST.has(name)).map((speed) => limit(speed, read));
+  return h(
+    "dl",
+    { class: "first-speeds" },
+    shown.map(([name, value, why]) =>
+      h("div", {}, h("dt", {}, name), h("dd", { class: "number" }, value, why && h("small", {}, why))),
+    ),
+  );
+}
+
+function how({ mode_u1, mode_u2, cruise_time, turn_cruise_time }) {
+  return rows(
+    [t("apply.forward-back"), t(`how.u1.${mode_u1}`), t(`how.u1.${mode_u1}.hint`)],
+    [t("apply.turning"), t(`how.u2.${mode_u2}`), t(`how.u2.${mode_u2}.hint`)],
+    mode_u1 === "acceleration" && [t("apply.cruise"), t("apply.cruise.value", { time: number(cruise_time, 0) }), ""],
+    mode_u2 === "acceleration" && [
+      t("apply.turn-cruise"),
+      t("apply.turn-cruise.value", { time: number(turn_cruise_time, 0) }),
+      "",
+    ],
+  );
+}
+
+function details(read) {
+  const { cutoff, hash } = read.summary.parameters;
+  return rows(
+    SPEEDS.filter(({ name }) => !FIRST.has(name)).map((speed) => limit(speed, read)),
+    [t("speed.cutoff"), `${number(cutoff, 1)} ${t("unit.cutoff")}`, ""],
+    [t("apply.hash"), h("code", {}, hash.slice(0, FINGERPRINT)), t("apply.hash.hint")],
+  );
+}
+
+/** One limit, and whose it is where it is not the set's own. */
+function limit(speed, { summary, controls, clinic, chair, dial }) {
+  const held = summary.speeds[speed.name];
+  const own = controls.parameters.speeds[speed.name];
+  const levels = Math.min(clinic[speed.name], chair.speeds[speed.name]);
+  let why = "";
+  if (held < Math.min(own, levels) - EQUAL) why = t("apply.level.dial", { share: percent(dial) });
+  else if (held < own - EQUAL) why = t(`apply.level.${clinic[speed.name] <= levels ? "clinic" : "chair"}`);
+  return [t(`speed.${speed.name}`), speedWords(speed, held), why];
+}
+
+/** @param {...any} lists [what, how it stands, remark], or lists of those */
+function rows(...lists) {
+  const all = lists.filter(Boolean).flatMap((one) => (Array.isArray(one[0]) ? one : [one]));
+  return h(
+    "dl",
+    { class: "fact-list" },
+    all.map(([name, value, remark]) =>
+      h("div", {}, h("dt", {}, name), h("dd", { class: "number" }, value, remark && h("small", {}, remark))),
+    ),
+  );
+}
+
+function practised({ practised: { trials, last }, last_practised: before, differences }, onPractise) {
+  if (trials > 0)
+    return rows([
+      t("apply.practised"),
+      t("apply.practised.trials", { count: trials, when: last ? moment(last) : "" }),
+      "",
+    ]);
+  return h(
+    "div",
+    { class: "unpractised" },
+    h(
+      "p",
+      {},
+      before && differences.length
+        ? t("apply.differs", { title: before.title, hash: before.hash.slice(0, FINGERPRINT) })
+        : t("apply.unpractised"),
+    ),
+    differences.length > 0 &&
+      h(
+        "ul",
+        {},
+        differences.map((sentence) => h("li", {}, sentence)),
+      ),
+    h(
+      "button",
+      { type: "button", class: "btn small", onclick: onPractise },
+      t("apply.practise"),
+    ),
+  );
+}

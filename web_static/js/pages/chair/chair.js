@@ -1,0 +1,26 @@
+/** The real chair: what to look at before it is armed, the panel while it drives, what the drive came to. */
+import { readArming, showArming } from "./arming.js";
+import { showDrivePanel } from "./drive_panel.js";
+import { showDriven } from "./drive_summary.js";
+
+const FIRST_PICTURE = 2000; // ms to wait for the live picture after the page was loaded
+
+/** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal, rest: string[]}} page */
+export async function show(app, root, { signal, rest }) {
+  if (rest[1] === "over") return showDriven(app, root, Number(rest[2]), signal);
+  const [read] = await Promise.all([readArming(app.api), firstPicture(app.live)]);
+  if (signal.aborted) return;
+  const drive = (id) => showDrivePanel(app, root, read, id, signal);
+  if (app.live.latest?.drive) drive(app.live.latest.drive.id);
+  else if (read.chair) showArming(app, root, read, drive, signal);
+  else location.replace("#/drive");
+}
+
+/** Wait for a live picture: it tells whether the chair is being driven. @param {import("../../live/live.js").Live} live */
+function firstPicture(live) {
+  if (live.latest) return null;
+  return new Promise((resolve) => {
+    live.addEventListener("tick", resolve, { once: true });
+    setTimeout(resolve, FIRST_PICTURE);
+  });
+}

@@ -1,0 +1,154 @@
+/** While the real chair is armed: how fast it goes, whether it may, what the body does, what the chair says; dial and end. */
+import { t } from "../../texts.js";
+import { isSimulated } from "./arming.js";
+import { chairCard } from "../../widgets/chair_card.js";
+import { cross } from "../../widgets/cross.js";
+import { speedDial } from "../../widgets/dial.js";
+import { h, put, write } from "../../widgets/dom.js";
+import { clock, number } from "../../widgets/format.js";
+import { gestureLevels } from "./gesture_levels.js";
+import { stopWords } from "./neutral_card.js";
+import { faultKey } from "../../shell/notices.js";
+import { pads } from "../../widgets/pads.js";
+import { faultCard, waitWords } from "../../widgets/trial_cue.js";
+
+const DEGREES = 180 / Math.PI;
+const STRAIGHT = 1; // °/s: less is told as straight on
+const FIRST_PICTURES = 3000; // ms
+const BACKWARDS = -0.005; // m/s
+
+/**
+ * @param {import("../../main.js").App} app @param {HTMLElement} root @param {any} read what `readArming` gave
+ * @param {number} id of the drive @param {AbortSignal} signal
+ */
+export function showDrivePanel(app, root, read, id, signal) {
+  const name = read.chair?.name ?? "";
+  const end = endButton(app);
+  const time = h("span", { class: "number" });
+  const state = stateCard(app, h("p", { class: "quiet about" }, name, " · ", time), end.run);
+  const speed = speedCard(app, read, signal);
+  const square = cross();
+  const chair = chairCard(app.live, signal);
+  const isVisitor = read.equipment.body?.kind === "visitor";
+  const levels = gestureLevels(read.controls.parameters);
+  const openedAt = performance.now();
+  let isSeen = false;
+  const show = ({ detail: now }) => {
+    isSeen ||= now.drive?.id === id;
+    // What is not driven any more has ended, here or elsewhere; the first pictures may be older than the drive.
+    if (!now.drive && now.control === "alive" && (isSeen || performance.now() - openedAt > FIRST_PICTURES))
+      return app.go(`#/drive/chair/over/${id}`);
+    write(time, clock(now.drive?.t ?? 0));
+    state.show(now);
+    speed.show(now);
+    square.show(now.u1 ?? 0, now.u2 ?? 0);
+    levels.show(now);
+  };
+  app.live.addEventListener("tick", show, { signal });
+  put(
+    root,
+    h(
+      "div",
+      { class: "body" },
+      h("h1", { class: "unseen", tabindex: "-1" }, t("driving.title", { name })),
+      h(
+        "div",
+        { class: "drive-panel" },
+        state.element,
+        speed.element,
+        h("section", { class: "card commands" }, h("h2", {}, t("driving.commands")), square.element),
+        h("div", { class: "told" }, chair.element),
+        h(
+          "section",
+          { class: "card movements" },
+          h("h2", {}, t("driving.movements")),
+          isVisitor && pads(app, signal, { hasNote: false }).element,
+          levels.element,
+          h("p", { class: "small" }, stopWords(read.controls.parameters)),
+        ),
+      ),
+    ),
+    h("div", { class: "foot" }, h("span", { class: "grow" }, isSimulated(app, read) && `${t("chair.simulated")} `, t("arm.front")), end.element),
+  );
+  app.setShowsTrial(true);
+  root.querySelector("h1").focus({ preventScroll: true });
+  square.show(0, 0);
+  if (app.live.latest?.drive) show({ detail: app.live.latest });
+}
+
+/** Resting, driving, or stopped: then why, what to do, and Continue. */
+function stateCard(app, about, onEnd) {
+  const place = h("div", { class: "grow", "aria-live": "assertive" });
+  const element = h("section", { class: "card drive-state" }, place, about);
+  const waits = waitWords("driving.paused");
+  let shown = "";
+  const show = (now) => {
+    waits.show(now.drive?.waits);
+    const key = now.fault ? faultKey(now) : now.state;
+    if (key === shown) return;
+    shown = key;
+    element.dataset.state = now.state;
+    app.root.scrollTop = 0; // what has just happened, and Continue, shall not lie outside of the view
+    if (now.fault) {
+      const end = h("button", { type: "button", class: "btn", onclick: onEnd }, t("driving.end"));
+      put(place, faultCard(app, now.fault, waits.element, end));
+    } else put(place, h("div", { class: "huge long" }, t(`driving.${key}`)), h("p", {}, t(`driving.${key}.why`)));
+  };
+  return { element, show };
+}
+
+function speedCard(app, read, signal) {
+  const [speed, way, upTo] = [h("span", {}), h("p", { class: "way" }), h("span", { class: "quiet small number" })];
+  const share = (now) => {
+    // The summary was read with the dial as it stood then; the set's own limits do not change while it is armed.
+    const { parameters } = read.controls;
+    const levels = [parameters.speeds, read.clinic, read.chair?.speeds].filter(Boolean);
+    return (now.dial ?? 1) * Math.min(...levels.map(({ forward }) => forward));
+  };
+  const show = (now) => {
+    const { v, omega } = now.chair ?? now;
+    const turn = omega * DEGREES;
+    write(speed, number(Math.abs(v), 2));
+    const turning = `driving.turn.${turn > 0 ? "left" : "right"}`;
+    const words = [
+      v < BACKWARDS ? t("driving.reverse") : "",
+      Math.abs(turn) < STRAIGHT ? "" : t(turning, { turn: number(Math.abs(turn), 0) }),
+    ];
+    write(way, words.filter(Boolean).join(", ") || (v ? t("driving.straight") : t("driving.stands")));
+    write(upTo, t("dial.up-to", { speed: number(share(now), 2) }));
+  };
+  const element = h(
+    "section",
+    { class: "card drive-speed" },
+    h("h2", {}, t("driving.speed")),
+    h("div", { class: "big giant" }, speed, h("small", {}, t("unit.speed"))),
+    way,
+    h(
+      "div",
+      { class: "dial" },
+      h("b", { class: "small" }, t("dial.title")),
+      h("div", { class: "spread" }, speedDial(app, signal), upTo),
+      h("p", { class: "quiet small" }, t("dial.hint")),
+    ),
+  );
+  show({ v: 0, omega: 0, dial: app.live.latest?.dial });
+  return { element, show };
+}
+
+function endButton(app) {
+  const element = h("button", { type: "button", class: "btn large" }, t("driving.end"));
+  const run = async () => {
+    element.disabled = true;
+    write(element, t("driving.ending"));
+    try {
+      const { id } = await app.api.post("/drives/current/end");
+      app.go(`#/drive/chair/over/${id}`);
+    } catch (error) {
+      app.toasts.show(error.message);
+      element.disabled = false;
+      write(element, t("driving.end"));
+    }
+  };
+  element.addEventListener("click", run);
+  return { element, run };
+}

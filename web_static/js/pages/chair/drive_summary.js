@@ -1,0 +1,42 @@
+/** A drive of the real chair that is over: how far, how long, how it ended. */
+import { hasText, t } from "../../texts.js";
+import { h, put } from "../../widgets/dom.js";
+import { clock, moment, number } from "../../widgets/format.js";
+
+/** @param {import("../../main.js").App} app @param {HTMLElement} root @param {number} id @param {AbortSignal} signal */
+export async function showDriven(app, root, id, signal) {
+  const drives = await app.api.get(`/drives?patient=${app.visit.patient.id}`);
+  if (signal.aborted) return;
+  const drive = drives.find((one) => one.id === id);
+  put(
+    root,
+    h(
+      "div",
+      { class: "body" },
+      h("h1", { tabindex: "-1" }, t("driven.title")),
+      h("p", { class: "lead" }, drive ? moment(drive.started) : t("driven.gone")),
+      drive && figures(drive),
+      drive && h("p", { class: "quiet small" }, t("over.source", { source: drive.source.words })),
+      drive && h("p", { class: "quiet small fingerprint" }, t("driven.hash", { hash: drive.hash.slice(0, 8) })),
+    ),
+    h(
+      "div",
+      { class: "foot" },
+      h("span", { class: "grow" }),
+      h("a", { class: "btn go", href: "#/drive/chair" }, t("driven.again")),
+    ),
+  );
+}
+
+function figures({ distance, started, ended, end }) {
+  const time = ended ? (Date.parse(ended) - Date.parse(started)) / 1000 : null;
+  const how = `driven.end.${end}`;
+  const figure = (title, ...value) => h("section", { class: "card" }, h("h2", {}, t(title)), value);
+  return h(
+    "div",
+    { class: "large-figures" },
+    figure("driven.distance", h("div", { class: "big" }, number(distance, 1), " ", h("small", {}, "m"))),
+    figure("driven.time", h("div", { class: "big" }, time === null ? "–" : clock(time))),
+    figure("driven.end", h("p", { class: "how-ended" }, hasText(how) ? t(how) : end)),
+  );
+}

@@ -1,0 +1,76 @@
+/** The bound gestures as live bars, each with the mark from where it counts: to look at, not to set. */
+import { t } from "../../texts.js";
+import { h } from "../../widgets/dom.js";
+import { gestureWords, jointLabels } from "../../widgets/gestures.js";
+
+const SHORTEST = 1.2; // FS/s or FS: the bar's end at least
+const SETTLED = 300; // ms: what changes sooner is not said in words
+
+/**
+ * @param {any} parameters what drives @param {(moving: string[]) => void} [onMoving] the gestures that count now, in words
+ */
+export function gestureLevels(parameters, onMoving) {
+  const labels = jointLabels(parameters.profile);
+  const rows = boundGestures(parameters).map(({ gesture, controls }) => {
+    const words = gestureWords(gesture, labels);
+    const does = controls.map((control) => t(`control.${control}`)).join(", ");
+    return { gesture, words, ...levelBar(gesture, words, does) };
+  });
+  let said = null;
+  let wanted = null;
+  let wantedAt = 0;
+  const show = (now) => {
+    for (const row of rows) row.show(now.rate[now.gestures.indexOf(row.gesture.name)] ?? 0);
+    const moving = rows.filter((row) => row.counts()).map(({ words }) => words);
+    const key = moving.join();
+    if (key !== wanted) [wanted, wantedAt] = [key, performance.now()];
+    if (key === said || performance.now() - wantedAt < SETTLED) return;
+    said = key;
+    onMoving?.(moving);
+  };
+  const element = h(
+    "div",
+    { class: "levels" },
+    rows.map((row) => row.element),
+  );
+  return { element, show };
+}
+
+/** The patient's stop gesture in words; empty when none is bound. @param {any} parameters */
+export function stopGesture({ profile, gestures, bindings }) {
+  const labels = jointLabels(profile);
+  const names = bindings.filter(({ control }) => control === "stop").flatMap((binding) => binding.gestures);
+  const bound = names.map((name) => gestures.find((gesture) => gesture.name === name)).filter(Boolean);
+  return bound.map((gesture) => gestureWords(gesture, labels).toLowerCase()).join(t("control.and"));
+}
+
+/** Each gesture that does something, with what it does; the stop gesture's parts among them. */
+function boundGestures({ gestures, bindings }) {
+  return gestures
+    .map((gesture) => ({
+      gesture,
+      controls: bindings.filter((one) => one.gestures.includes(gesture.name)).map(({ control }) => control),
+    }))
+    .filter(({ controls }) => controls.length);
+}
+
+function levelBar({ dead_zone: from, full }, words, does) {
+  const end = Math.max(SHORTEST, full * 1.2);
+  const fill = h("div", { class: "fill" });
+  const mark = h("div", { class: "mark" });
+  mark.style.left = `${(100 * from) / end}%`;
+  const bar = h("div", { class: "level-bar" }, fill, mark);
+  let value = 0;
+  const show = (now) => {
+    value = now;
+    fill.style.width = `${(100 * Math.min(end, Math.max(0, now))) / end}%`;
+    bar.classList.toggle("counts", now > from);
+  };
+  const element = h(
+    "div",
+    { class: "level" },
+    h("div", { class: "row small" }, h("span", {}, words), h("span", { class: "quiet" }, does)),
+    bar,
+  );
+  return { element, show, counts: () => value > from };
+}

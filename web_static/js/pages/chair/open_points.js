@@ -1,0 +1,35 @@
+/** What is missing before the chair can be armed, as a list of sentences. */
+import { t } from "../../texts.js";
+import { h, put } from "../../widgets/dom.js";
+
+/**
+ * The page's own reasons come first: without them the server's cannot be trusted to be of this moment.
+ * @param {import("../../live/live.js").Live} live @param {{refusals: string[]}} summary
+ */
+export function reasonsAgainst(live, { refusals }) {
+  if (!live.connected || live.latest?.control !== "alive") return [t("arm.lost")];
+  return [...new Set([...(live.latest.fault ? [t("arm.fault")] : []), ...refusals])];
+}
+
+export function missingList() {
+  const element = h("section", { class: "missing", id: "missing", role: "status" });
+  let shown = null;
+  /** @param {string[]} reasons */
+  const show = (reasons) => {
+    const key = reasons.join("\n");
+    if (key === shown) return;
+    shown = key;
+    element.classList.toggle("ready", !reasons.length);
+    put(
+      element,
+      h("h3", {}, reasons.length ? t("arm.missing", { count: reasons.length }) : t("arm.ready")),
+      reasons.length > 0 &&
+        h(
+          "ul",
+          {},
+          reasons.map((sentence) => h("li", {}, sentence)),
+        ),
+    );
+  };
+  return { element, show };
+}

@@ -1,0 +1,146 @@
+/** One of the five controls: which gestures it answers to, their live bars, and the fine-tuning. */
+import { t } from "../../texts.js";
+import { h } from "../../widgets/dom.js";
+import { selection, segments, setting, stepper } from "../../widgets/fields.js";
+import { gestureFor, gestureWords, jointLabels } from "../../widgets/gestures.js";
+import { handleBar } from "./handle_bar.js";
+import { icon } from "../../widgets/icons.js";
+
+const THRESHOLD = { step: 0.01, digits: 2 };
+const GAIN = { step: 0.1, digits: 1 };
+
+/**
+ * @param {string} control "u1+" ... "stop" @param {import("./controls_draft.js").ControlsDraft} draft @param {boolean} isOpen
+ * @param {(control: string, isOpen: boolean) => void} onToggle
+ */
+export function controlRow(control, draft, isOpen, onToggle) {
+  const binding = draft.binding(control);
+  const labels = jointLabels(draft.profile);
+  const gestures = binding.gestures.map((name) => draft.gesture(name)).filter(Boolean);
+  const words = gestures.map((gesture) => gestureWords(gesture, labels));
+  const live = h("span", { class: "tag", style: "visibility:hidden" }, t("control.live"));
+  const isStop = control === "stop";
+  const bars = isStop
+    ? []
+    : gestures.map((gesture, i) => ({
+        gesture,
+        bar: handleBar(gesture, words[i], (from, full) => draft.setHandles(gesture.name, from, full)),
+      }));
+  const joined = words.join(t(isStop ? "control.and" : "control.or")).toLowerCase() || t("control.nothing");
+  /** @type {{name: string, which: "dead_zone" | "full", stepper: any}[]} */
+  const steppers = [];
+  const tuning = h("div", { hidden: !isOpen }, fineTune(control, binding, gestures, words, labels, draft, steppers));
+  const tune = h(
+    "button",
+    { type: "button", class: "btn bare small tune", "aria-expanded": String(isOpen) },
+    t("tune"),
+  );
+  tune.addEventListener("click", () => {
+    tuning.hidden = !tuning.hidden;
+    tune.setAttribute("aria-expanded", String(!tuning.hidden));
+    onToggle(control, !tuning.hidden);
+  });
+  const title = h("h2", {}, t(`control.${control}`), h("span", { class: "quiet" }, ` ← ${joined}`));
+  const element = h(
+    "section",
+    { class: "control" },
+    h("div", { class: "row" }, title, h("span", { class: "grow" }), live, tune),
+    bars.map(({ bar }) => bar.element),
+    isStop && h("p", { class: "quiet small" }, t("control.together")),
+    tuning,
+  );
+
+  const showLive = (now) => {
+    const index = (name) => now.gestures.indexOf(name);
+    for (const { gesture, bar } of bars) bar.showLive(now.rate[index(gesture.name)] ?? 0);
+    const levels = gestures.map(({ name }) => now.activation[index(name)] ?? 0);
+    const isLive =
+      levels.length > 0 && (isStop ? levels.every((level) => level > 0) : levels.some((level) => level > 0));
+    live.style.visibility = isLive ? "visible" : "hidden";
+  };
+  /** Follow handles that were moved elsewhere: on the bar, by the steppers, in another row. */
+  const follow = (changed) => {
+    for (const { gesture, bar } of bars)
+      if (gesture.name === changed.name) bar.setHandles(changed.dead_zone, changed.full);
+    for (const { name, which, stepper: one } of steppers) if (name === changed.name) one.setValue(changed[which]);
+  };
+  return { element, showLive, follow };
+}
+
+function fineTune(control, binding, gestures, words, labels, draft, steppers) {
+  const chips = gestures.map((gesture, i) =>
+    h(
+      "button",
+      {
+        type: "button",
+        class: "btn small chip",
+        "aria-label": t("tune.remove", { gesture: words[i] }),
+        onclick: () => draft.unbind(control, gesture.name),
+      },
+      words[i],
+      icon("cross", 16),
+    ),
+  );
+  const [, highestGain] = draft.limits.gain;
+  return h(
+    "div",
+    { class: "tuning" },
+    setting(t("tune.gestures"), "", h("span", { class: "spread" }, chips, addGesture(control, binding, labels, draft))),
+    control !== "stop" &&
+      setting(
+        t("tune.gain"),
+        t("tune.gain.hint"),
+        stepper({
+          label: t("tune.gain"),
+          value: binding.gain,
+          low: 0,
+          high: highestGain,
+          ...GAIN,
+          unit: "×",
+          onChange: (gain) => draft.setGain(control, gain),
+        }),
+      ),
+    control !== "stop" && gestures.map((gesture, i) => oneGesture(gesture, words[i], draft, steppers)),
+  );
+}
+
+function oneGesture(gesture, words, draft, steppers) {
+  const unit = gesture.feature === "rate" ? "FS/s" : "FS";
+  const high = draft.limits.threshold[1];
+  const threshold = (place, which, onChange) => {
+    const label = t(`handle.${place}.label`, { gesture: words });
+    const one = stepper({ label, value: gesture[which], low: 0, high, ...THRESHOLD, unit, onChange });
+    steppers.push({ name: gesture.name, which, stepper: one });
+    return setting(t(`tune.${place}`), words, one);
+  };
+  const options = ["rate", "displacement"].map((value) => ({ value, label: t(`tune.${value}`) }));
+  return [
+    threshold("from", "dead_zone", (value) => draft.setHandles(gesture.name, value, draft.gesture(gesture.name).full)),
+    threshold("full", "full", (value) => draft.setHandles(gesture.name, draft.gesture(gesture.name).dead_zone, value)),
+    setting(
+      t("tune.feature"),
+      words,
+      segments(t("tune.feature"), options, gesture.feature, (feature) => draft.setFeature(gesture.name, feature)),
+    ),
+  ];
+}
+
+function addGesture(control, binding, labels, draft) {
+  const options = [{ value: "", label: t("tune.add") }];
+  for (const direction of [1, -1]) {
+    for (const joint of Object.keys(labels)) {
+      const gesture = gestureFor(draft.settings.gestures, joint, direction);
+      if (binding.gestures.includes(gesture?.name)) continue;
+      options.push({
+        value: `${joint}:${direction}`,
+        label: gestureWords({ joint, direction, feature: "rate" }, labels),
+      });
+    }
+  }
+  const select = selection(options, "", (value) => {
+    const [joint, direction] = value.split(":");
+    if (joint) draft.bind(control, joint, Number(direction));
+  });
+  select.setAttribute("aria-label", t("tune.add"));
+  return select;
+}

@@ -1,0 +1,154 @@
+/** Controls: which movement does what, from where it counts, how fast the chair goes; tried without driving. */
+import { controlRow } from "./control_row.js";
+import { ControlsDraft } from "./controls_draft.js";
+import { cross } from "../../widgets/cross.js";
+import { discoveryCard } from "../../widgets/discovery_card.js";
+import { h, put, write } from "../../widgets/dom.js";
+import { signed } from "../../widgets/format.js";
+import { jointLabels, withLabels } from "../../widgets/gestures.js";
+import { icon } from "../../widgets/icons.js";
+import { emptyPage, nobodyIsHere } from "../../shell/nobody.js";
+import { OTHER_SESSION } from "../../shell/other_session.js";
+import { pads } from "../../widgets/pads.js";
+import { setsCard } from "./sets_card.js";
+import { modesCard, speedsCard } from "./speeds_card.js";
+import { t } from "../../texts.js";
+
+const CONTROLS = ["u1+", "u1-", "u2+", "u2-", "stop"];
+
+/** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal}} page */
+export async function show(app, root, { signal }) {
+  if (nobodyIsHere(app, root)) return;
+  if (!app.visit.has_profile) {
+    emptyPage(root, t("controls.none.title"), t("controls.none.lead"), "#/calibrate", t("controls.none.go"));
+    return;
+  }
+  const [view, equipment] = await Promise.all([app.api.get("/controls"), app.api.get("/equipment")]);
+  if (signal.aborted) return;
+  const draft = new ControlsDraft(app.api, view);
+  const open = new Set(); // rows whose fine-tuning is open stay open when the page is drawn again
+  const state = h("span", { role: "status" });
+  const problem = h("p", { class: "problem", role: "alert" });
+  const suggestion = h("p", { class: "card suggestion", role: "status", hidden: true });
+  const rowsPlace = h("section", { class: "card" });
+  const sidePlace = h("div", { class: "stack" });
+  const morePlace = h("div", { class: "controls-more" });
+  const undo = iconButton("undo", () => ask("/controls/undo"));
+  const redo = iconButton("redo", () => ask("/controls/redo"));
+  const title = h("span", {});
+  let rows = [];
+  let speeds = speedsCard(draft);
+
+  const ask = async (path) => {
+    write(problem, "");
+    try {
+      await draft.ask(path);
+      write(
+        suggestion,
+        path.endsWith("suggest") ? withLabels(draft.view.suggested.reason, jointLabels(draft.profile)) : "",
+      );
+      suggestion.hidden = !suggestion.textContent;
+    } catch (error) {
+      write(problem, error.message);
+    }
+  };
+  const showState = () => {
+    write(problem, draft.view.obstacle ?? "");
+    undo.disabled = !draft.view.can_undo;
+    redo.disabled = !draft.view.can_redo;
+    write(title, t("controls.lead", { title: draft.settings.title }));
+  };
+  const draw = () => {
+    rows = CONTROLS.map((control) =>
+      controlRow(control, draft, open.has(control), (name, isOpen) => (isOpen ? open.add(name) : open.delete(name))),
+    );
+    put(
+      rowsPlace,
+      rows.map(({ element }) => element),
+    );
+    speeds = speedsCard(draft);
+    put(morePlace, modesCard(draft), speeds.element, setsCard(app, draft));
+    showState();
+  };
+  draft.addEventListener("shape", draw);
+  draft.addEventListener("handles", ({ detail }) => rows.forEach((row) => row.follow(detail)));
+  draft.addEventListener("saving", () => {
+    write(problem, "");
+    write(state, t("controls.saving"));
+  });
+  draft.addEventListener("saved", () => {
+    write(state, t("controls.saved"));
+    speeds.showHeld();
+    showState();
+  });
+  draft.addEventListener("refused", ({ detail }) => {
+    write(state, "");
+    write(problem, detail);
+  });
+  put(sidePlace, tryCard(app, draft, signal));
+  app.live.addEventListener("tick", ({ detail: now }) => rows.forEach((row) => row.showLive(now)), { signal });
+  app.live.addEventListener(
+    "changed",
+    ({ detail }) => ["controls", "everything"].includes(detail) && draft.readAgain().catch(() => null),
+    { signal },
+  );
+  app.addEventListener("drafts", ({ detail }) => draft.isUnsent && detail.push(t("controls.draft")), { signal });
+  signal.addEventListener("abort", () => (signal.reason === OTHER_SESSION ? draft.drop() : draft.flush()));
+
+  put(
+    root,
+    h(
+      "div",
+      { class: "body" },
+      h("h1", { tabindex: "-1" }, t("controls.title")),
+      h("div", { class: "lead controls-lead" }, title, undo, redo, state),
+      problem,
+      suggestion,
+      h("div", { class: "controls-columns" }, rowsPlace, sidePlace),
+      morePlace,
+      discoveryCard(app.api, jointLabels(draft.profile), () => ask("/controls/suggest")),
+      equipment.body?.kind === "visitor" && h("div", { class: "card pad-card docked" }, pads(app, signal).element),
+    ),
+    h(
+      "div",
+      { class: "foot" },
+      h("button", { type: "button", class: "btn", onclick: () => ask("/controls/suggest") }, t("controls.suggest")),
+      h("a", { class: "btn bare", href: "#/adapt" }, t("adapt.link")),
+      h("span", { class: "grow" }),
+      h("a", { class: "btn go", href: "#/drive" }, t("controls.drive")),
+    ),
+  );
+  draw();
+}
+
+function iconButton(name, run) {
+  return h(
+    "button",
+    { type: "button", class: "icon-button", "aria-label": t(name), title: t(name), onclick: run },
+    icon(name, 22),
+  );
+}
+
+/** u1 and u2 live, while the chair stands. */
+function tryCard(app, draft, signal) {
+  const square = cross();
+  const [u1, u2] = [h("b", { class: "number" }), h("b", { class: "number" })];
+  const u1Words = h("span", {});
+  const showLive = ({ detail: now }) => {
+    square.show(now.u1 ?? 0, now.u2 ?? 0);
+    write(u1, signed(now.u1, 2));
+    write(u2, signed(now.u2, 2));
+    write(u1Words, t(draft.settings.mode_u1 === "acceleration" ? "try.u1.acceleration" : "try.u1"));
+  };
+  app.live.addEventListener("tick", showLive, { signal });
+  square.show(0, 0);
+  return h(
+    "section",
+    { class: "card try" },
+    h("h2", {}, t("try.title")),
+    square.element,
+    h("div", { class: "row" }, u1Words, u1),
+    h("div", { class: "row" }, h("span", {}, t("try.u2")), u2),
+    h("p", { class: "quiet small" }, t("try.note")),
+  );
+}

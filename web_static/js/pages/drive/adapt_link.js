@@ -1,0 +1,18 @@
+/** A small link to what would change, or has changed, of the map after a trial; nothing while there is neither. */
+import { t } from "../../texts.js";
+import { h, write } from "../../widgets/dom.js";
+
+/** @param {import("../../main.js").App} app @param {any} trial @param {AbortSignal} signal */
+export function adaptLink(app, trial, signal) {
+  const link = h("a", { class: "btn bare", href: "#/adapt", hidden: true });
+  const read = async () => {
+    if (trial.patient_id !== app.visit?.patient?.id) return;
+    const { proposal } = await app.api.get("/adaptation").catch(() => ({ proposal: null }));
+    const concerns = proposal?.changes && proposal.trials.includes(trial.id);
+    link.hidden = !concerns;
+    if (concerns) write(link, t(proposal.applied === null ? "adapt.link.proposed" : "adapt.link.applied"));
+  };
+  app.live.addEventListener("changed", ({ detail }) => detail === "adaptation" && read(), { signal });
+  read();
+  return link;
+}

@@ -1,0 +1,73 @@
+/** The picture that a trial is driven by: the 3D view or the drawn plan; and whether there is one at all. */
+import { t } from "../../texts.js";
+import { h, write } from "../../widgets/dom.js";
+import { drawnPlan } from "../../plan/drawn_plan.js";
+import { LOOK_EVERY, ageLimit } from "../../view/picture_age.js";
+import { viewFrame } from "../../view/view_frame.js";
+
+const READY_AFTER = 400; // ms with a picture: by then the server has heard of it from this screen
+
+/** Event: `change` when `shows` or `why` has changed. */
+export class DrivePicture extends EventTarget {
+  /** The picture to drive by now. @type {"view" | "plan" | "none"} */
+  shows = "none";
+  /** Why there is no picture; empty when there is one. @type {import("../../view/view_frame.js").Why} */
+  why = "coming";
+  /** Resolves once there is a picture: no trial begins before. @type {Promise<void>} */
+  ready;
+  #live;
+  #chosen;
+  #words = h("p", { class: "pace", role: "status" });
+  #isReady = () => {};
+  #readyTimer = 0;
+
+  /**
+   * @param {import("../../live/live.js").Live} live @param {any} plan @param {any} path
+   * @param {"view" | "plan"} chosen to begin with @param {AbortSignal} signal
+   */
+  constructor(live, plan, path, chosen, signal) {
+    super();
+    this.#live = live;
+    this.#chosen = chosen;
+    this.ready = new Promise((resolve) => (this.#isReady = () => resolve(undefined)));
+    this.drawn = drawnPlan(plan, path);
+    const limit = ageLimit();
+    const look = () => this.#look(limit().limit);
+    this.view = viewFrame(signal, "clinician", look);
+    this.element = h("div", { class: "picture" }, this.view.element, this.drawn.element, this.#words);
+    const timer = setInterval(look, LOOK_EVERY);
+    signal.addEventListener("abort", () => {
+      clearInterval(timer);
+      clearTimeout(this.#readyTimer);
+    });
+    this.choose(chosen);
+  }
+
+  /** Show the drawn plan, or the 3D view as soon as there is one. @param {"view" | "plan"} which */
+  choose(which) {
+    this.#chosen = which;
+    this.view.setWanted(which === "view");
+    this.#look(Infinity);
+  }
+
+  /** @param {number} limit s */
+  #look(limit) {
+    if (!this.view) return; // the view calls back while it is being made
+    const viewWhy = this.view.why();
+    // The plan stays until the 3D view that was chosen is there.
+    const isPlan = this.#chosen === "plan" || (this.shows === "plan" && viewWhy !== "");
+    write(this.#words, isPlan && this.#chosen === "view" ? t(`picture.${viewWhy}`) : "");
+    if (!isPlan) this.#show(viewWhy === "" ? "view" : "none", viewWhy);
+    else if (this.#live.age < limit) this.#show("plan", "");
+    else this.#show("none", "stale");
+    this.drawn.setShown(isPlan);
+  }
+
+  #show(shows, why) {
+    if (shows === this.shows && why === this.why) return;
+    [this.shows, this.why] = [shows, why];
+    clearTimeout(this.#readyTimer);
+    if (shows !== "none") this.#readyTimer = setTimeout(this.#isReady, READY_AFTER);
+    this.dispatchEvent(new Event("change"));
+  }
+}

@@ -1,0 +1,150 @@
+/** A running trial: the picture fills the page; over it time, place, plan, speed, and what can be done. */
+import { t } from "../../texts.js";
+import { cross } from "../../widgets/cross.js";
+import { speedDial } from "../../widgets/dial.js";
+import { h, put, write } from "../../widgets/dom.js";
+import { DrivePicture } from "./drive_picture.js";
+import { number } from "../../widgets/format.js";
+import { miniPlan } from "../../plan/mini_plan.js";
+import { pads } from "../../widgets/pads.js";
+import { placeCard } from "./place_card.js";
+import { trialCue } from "../../widgets/trial_cue.js";
+import { chosenView, viewBar } from "../../view/view_bar.js";
+
+const WIDE = matchMedia("(min-width: 1000px)"); // narrower, the plots would be drawn at the cost of the picture
+
+/**
+ * Show the picture and what lies over it; `begin` is told of the trial once it runs.
+ * @param {import("../../main.js").App} app @param {HTMLElement} root
+ * @param {{plan: any, path: any, isVisitor: boolean}} what @param {AbortSignal} signal
+ * @returns {{picture: DrivePicture, begin: (trial: any) => void}}
+ */
+export function showTrial(app, root, { plan, path, isVisitor }, signal) {
+  let trial = null;
+  const end = endButton(app);
+  const picture = new DrivePicture(app.live, plan, path, chosenView() === "plan" ? "plan" : "view", signal);
+  const { view, drawn } = picture;
+  const mini = miniPlan(plan, path);
+  const place = placeCard(plan, path);
+  const onPlots = (isOpen) => {
+    mini.element.hidden = isOpen; // the plots stand in the same corner, and show the same line
+    view.setPlots(isOpen);
+  };
+  const views = viewBar(app, view.surface, (which) => picture.choose(which));
+  const cue = trialCue(app, picture, end.run, views.choosePlan);
+  const bar = bottomBar(app, path, [views.element, end.element], onPlots, signal);
+  const title = h("h1", { class: "unseen", tabindex: "-1" }, plan.title);
+  const show = ({ detail: now }) => {
+    if (!trial) return;
+    cue.show(now);
+    if (now.trial?.id !== trial.id) return;
+    place.show(now);
+    mini.show(now.pose, now.trial);
+    drawn.show({ ...now.trial, pose: now.pose });
+    bar.show(now);
+  };
+  const tell = () => {
+    app.screen.show(picture.shows);
+    bar.setPicture(picture.shows);
+    if (!trial) cue.prepare();
+    else if (app.live.latest) cue.show(app.live.latest);
+  };
+  app.live.addEventListener("tick", show, { signal });
+  picture.addEventListener("change", tell, { signal });
+  signal.addEventListener("abort", () => app.screen.show("none")); // a page that is left shows no picture
+  root.className = "page filled";
+  put(
+    root,
+    title,
+    picture.element,
+    place.element,
+    mini.element,
+    cue.element,
+    h(
+      "div",
+      { class: "lower" },
+      h(
+        "div",
+        { class: "above-bar" },
+        h("div", { class: "hud dial-card" }, h("b", { class: "small" }, t("dial.title")), speedDial(app, signal)),
+        views.pad,
+        drawn.pad,
+      ),
+      isVisitor && h("div", { class: "pad-dock" }, pads(app, signal, { hasNote: false }).element),
+      bar.element,
+    ),
+  );
+  app.setShowsTrial(true);
+  tell();
+  const begin = (started) => {
+    trial = started;
+    end.element.disabled = false;
+    const words = t("trial.name", { number: trial.number, plan: trial.floorplan_title });
+    write(title, words);
+    place.name(words);
+  };
+  return { picture, begin };
+}
+
+function bottomBar(app, path, [views, endElement], onPlots, signal) {
+  const speed = h("span", {});
+  const instruction = h("p", { class: "grow instruction" }, path.instruction);
+  const square = cross({ hasWords: false });
+  const ask = (call) => call.catch((error) => app.toasts.show(error.message));
+  let isOpen = false;
+  const plots = h("button", { type: "button", class: "btn wide-only", "aria-pressed": "false" }, t("trial.plots"));
+  const setPlots = (open) => {
+    isOpen = open;
+    plots.setAttribute("aria-pressed", String(open));
+    onPlots(open);
+    ask(app.api.post("/view/clinician/plots", { open }));
+  };
+  // A page that was loaded again may have left them open.
+  ask(app.api.post("/view/clinician/plots", { open: false }));
+  plots.addEventListener("click", () => setPlots(!isOpen));
+  WIDE.addEventListener("change", () => isOpen && !WIDE.matches && setPlots(false), { signal });
+  signal.addEventListener("abort", () => isOpen && setPlots(false));
+  const element = h(
+    "div",
+    { class: "hud bar" },
+    h(
+      "div",
+      { class: "speed" },
+      h("div", { class: "quiet small" }, t("trial.speed")),
+      h("div", { class: "big" }, speed, " ", h("small", {}, t("unit.speed"))),
+    ),
+    square.element,
+    instruction,
+    h("div", { class: "spread actions" }, views, plots, endElement),
+  );
+  const show = (now) => {
+    write(speed, number(now.v, 2));
+    if (now.trial) write(instruction, now.trial.instruction);
+    square.show(now.u1 ?? 0, now.u2 ?? 0);
+  };
+  /** The plots stand inside the 3D view. @param {"view" | "plan" | "none"} shows */
+  const setPicture = (shows) => {
+    if (shows !== "view" && isOpen) setPlots(false);
+    plots.disabled = shows !== "view";
+  };
+  show({ v: 0, u1: 0, u2: 0 });
+  return { element, show, setPicture };
+}
+
+function endButton(app) {
+  const element = h("button", { type: "button", class: "btn end", disabled: true }, t("trial.end"));
+  const run = async () => {
+    element.disabled = true;
+    write(element, t("trial.ending"));
+    try {
+      const trial = await app.api.post("/trials/current/end", { reason: "by hand" });
+      app.go(`#/drive/over/${trial.id}`);
+    } catch (error) {
+      app.toasts.show(error.message);
+      element.disabled = false;
+      write(element, t("trial.end"));
+    }
+  };
+  element.addEventListener("click", run);
+  return { element, run };
+}

@@ -1,0 +1,146 @@
+/** Patients: list, search, new, delete with undo, and whose visit this is. */
+import { h, put } from "../../widgets/dom.js";
+import { day } from "../../widgets/format.js";
+import { icon } from "../../widgets/icons.js";
+import { newPatientForm } from "./patient_form.js";
+import { t } from "../../texts.js";
+
+/** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal}} page */
+export async function show(app, root, { signal }) {
+  let patients = await app.api.get("/patients");
+  if (signal.aborted) return;
+  const list = h("div", { class: "people", role: "list" });
+  const search = h("input", { type: "search", "aria-label": t("patients.search"), placeholder: t("patients.search") });
+  const form = h("div", { hidden: true });
+
+  const read = async () => {
+    patients = await app.api.get("/patients");
+    showList();
+  };
+  const open = async (patient, button = null) => {
+    if (button) button.disabled = true; // opening a visit takes a moment: a second tap shall do nothing
+    const isOpen = await attempt(app, () => app.api.post("/visit", { patient_id: patient.id }));
+    if (!isOpen) return read();
+    await app.readVisit();
+    app.go(app.visit.has_profile ? "#/drive" : "#/shirt");
+  };
+  const remove = async (patient) => {
+    if (!(await attempt(app, () => app.api.remove(`/patients/${patient.id}`)))) return;
+    await Promise.all([read(), app.readVisit()]);
+    const restore = async () => {
+      await attempt(app, () => app.api.post(`/patients/${patient.id}/restore`));
+      await read();
+    };
+    app.toasts.show(t("patients.deleted", { code: patient.code }), { action: t("undo"), run: restore });
+  };
+  const end = async () => {
+    if (!(await attempt(app, () => app.api.remove("/visit")))) return;
+    await app.readVisit();
+    showList();
+    app.toasts.show(t("patients.ended"));
+  };
+  const showList = () => {
+    const words = search.value.trim().toLowerCase();
+    const found = patients.filter((patient) => `${patient.code} ${patient.pseudonym}`.toLowerCase().includes(words));
+    put(
+      list,
+      found.map((patient) => row(app, patient, { open, remove, end })),
+      !found.length &&
+        h(
+          "p",
+          { class: "card quiet" },
+          words ? t("patients.none-found", { words: search.value.trim() }) : t("patients.empty"),
+        ),
+    );
+  };
+  const showForm = () => {
+    form.hidden = false;
+    put(form, newPatientForm(app, { onAdded: (patient) => open(patient), onClose: () => (form.hidden = true) }));
+    form.querySelector("input").focus();
+  };
+  search.addEventListener("input", showList);
+  app.addEventListener("visit", showList, { signal });
+  showList();
+  put(
+    root,
+    h(
+      "div",
+      { class: "body" },
+      h("h1", { tabindex: "-1" }, t("patients.title")),
+      h("p", { class: "lead" }, t("patients.lead")),
+      h(
+        "div",
+        { class: "spread above-list" },
+        h("div", { class: "grow" }, search),
+        h("button", { type: "button", class: "btn", onclick: showForm }, icon("plus", 20), t("patients.new")),
+      ),
+      form,
+      list,
+    ),
+  );
+}
+
+/** Run a call; show what was refused. @returns {Promise<boolean>} whether it went through */
+async function attempt(app, call) {
+  try {
+    await call();
+    return true;
+  } catch (error) {
+    app.toasts.show(error.message);
+    return false;
+  }
+}
+
+function row(app, patient, { open, remove, end }) {
+  const isHere = app.visit?.patient?.id === patient.id;
+  const figures = [
+    t("patients.sessions", { count: patient.sessions }),
+    t("patients.trials", { count: patient.trials }),
+    patient.last_seen ? t("patients.last", { day: day(patient.last_seen) }) : t("patients.never"),
+  ].join(" · ");
+  return h(
+    "div",
+    { class: `person card${isHere ? " here" : ""}`, role: "listitem" },
+    h("span", { class: "badge", "aria-hidden": "true" }, patient.pseudonym.slice(0, 1).toUpperCase()),
+    h(
+      "div",
+      { class: "grow" },
+      h("b", {}, patient.code),
+      " ",
+      patient.pseudonym,
+      " ",
+      isHere && h("span", { class: "tag" }, t("patients.here")),
+      h("div", { class: "quiet small" }, figures, patient.note && ` · ${patient.note}`),
+    ),
+    isHere
+      ? [
+          h("button", { type: "button", class: "btn", onclick: end }, t("patients.end")),
+          h(
+            "button",
+            { type: "button", class: "btn go", onclick: () => app.go(app.visit.has_profile ? "#/drive" : "#/shirt") },
+            t("patients.go-on"),
+          ),
+        ]
+      : [
+          h(
+            "button",
+            {
+              type: "button",
+              class: "icon-button",
+              "aria-label": t("patients.delete", { code: patient.code }),
+              onclick: () => remove(patient),
+            },
+            icon("bin", 22),
+          ),
+          h(
+            "button",
+            {
+              type: "button",
+              class: `btn${app.visit?.patient ? "" : " go"}`,
+              onclick: (event) => open(patient, event.currentTarget),
+            },
+            t("patients.start"),
+          ),
+        ],
+  );
+}

@@ -1,0 +1,99 @@
+/** Two trials on one plan, both replayed from when motion was permitted; and speed and error along the path. */
+import { t } from "../../texts.js";
+import { h, write } from "../../widgets/dom.js";
+import { number } from "../../widgets/format.js";
+import { planPicture } from "../../plan/plan_svg.js";
+import { playBar, playKeys } from "./play_bar.js";
+import { PlayHead } from "./play_head.js";
+import { chart } from "../../charts/plotly.js";
+import { poseAt } from "../../plan/replay_plan.js";
+
+const ARMED = 2; // app.faults.State
+export const COLOURS = ["path-driven", "action"]; // of the first and of the second trial
+
+/**
+ * @param {HTMLElement} root of the page @param {any[]} trials two, as GET /trials/ID answered @param {any[]} lines their time lines
+ * @param {any} plan or null @param {AbortSignal} signal
+ */
+export async function compareReplay(root, trials, lines, plan, signal) {
+  const head = new PlayHead(0, Math.max(...lines.map((line) => line.t.at(-1))), signal);
+  const where = lines.at(-1).floorplan ?? plan;
+  const hasPath = lines.every(({ along }) => along.length);
+  const now = trials.map(() => h("span", { class: "number" }));
+  const shown = where && bothOnOne(where, trials.at(-1), lines);
+  const show = () => {
+    lines.forEach((line, i) => {
+      const at = poseAt(line, Math.min(head.t, line.t.at(-1)));
+      shown?.setPose[i](at.pose);
+      write(now[i], momentWords(line, at.place));
+    });
+  };
+  head.addEventListener("time", show, { signal });
+  show();
+  const charts = hasPath
+    ? await Promise.all([
+        alongChart(trials, lines, "v", t("compare.speed"), t("compare.speed.axis"), signal),
+        alongChart(trials, lines, "across", t("compare.across"), t("compare.across.axis"), signal),
+      ])
+    : [];
+  const titles = [t("compare.speed"), t("compare.across")];
+  const element = h(
+    "section",
+    { class: "replay" },
+    h(
+      "section",
+      { class: "card compare-plan" },
+      h("h2", {}, t("compare.plan")),
+      shown?.element,
+      h(
+        "ul",
+        { class: "compare-now" },
+        trials.map((trial, i) => h("li", {}, swatch(i), h("b", {}, t("compare.trial", trial)), " ", now[i])),
+      ),
+      h("p", { class: "quiet small" }, t("compare.start")),
+    ),
+    playBar(head, [], signal),
+    h("p", { class: "quiet small" }, t("replay.keys")),
+    h("div", { class: "charts" }, charts.map((one, i) => h("section", { class: "card" }, h("h2", {}, titles[i]), one))),
+  );
+  playKeys(root, head, signal);
+  return element;
+}
+
+function bothOnOne(plan, trial, lines) {
+  const asked = plan.paths.find(({ name }) => name === trial.path_name) ?? null;
+  const picture = planPicture(plan, trial.path, { label: t("compare.plan"), hasRooms: true, asked });
+  const second = picture.another();
+  const way = (line) => line.x.map((x, i) => [x, line.y[i]]);
+  picture.setDriven(way(lines[0]));
+  second.setDriven(way(lines[1]));
+  return { element: picture.element, setPose: [picture.setPose, second.setPose] };
+}
+
+function momentWords(line, place) {
+  const v = number(line.v[place], 2);
+  if (!line.along.length) return t("compare.now.spot", { v });
+  return t("compare.now", { along: number(line.along[place], 1), across: number(line.across[place], 2), v });
+}
+
+/** One column of both trials over the way along the path, while motion was permitted. */
+function alongChart(trials, lines, column, label, axis, signal) {
+  return chart(label, signal, (colours) => ({
+    traces: lines.map((line, i) => {
+      const armed = line.t.map((_, k) => k).filter((k) => line.state[k] === ARMED);
+      return {
+        mode: "lines",
+        x: armed.map((k) => line.along[k]),
+        y: armed.map((k) => line[column][k]),
+        name: t("compare.trial", trials[i]),
+        line: { color: colours[COLOURS[i]], width: 2, dash: i ? "dash" : "solid" },
+        hovertemplate: `%{x:.1f} m: %{y:.2f}<extra></extra>`,
+      };
+    }),
+    layout: { xaxis: { title: { text: t("compare.along") } }, yaxis: { title: { text: axis } } },
+  }));
+}
+
+function swatch(i) {
+  return h("i", { class: "swatch", style: `border-top: 4px ${i ? "dashed" : "solid"} var(--${COLOURS[i]})` });
+}

@@ -1,0 +1,59 @@
+/** The learning curve as a card: the chart, which curve is drawn, and what it says in sentences. */
+import { t } from "../../texts.js";
+import { curveChart } from "../../charts/curve_chart.js";
+import { h, put, write } from "../../widgets/dom.js";
+import { segments } from "../../widgets/fields.js";
+import { number } from "../../widgets/format.js";
+import { groupMark } from "../../results/source_group.js";
+
+const CLEARLY_WORSE = 2; // of AICc; below it two curves describe the trials about as well
+
+/**
+ * @param {any} learning what GET /patients/ID/learning answered @param {string} measure
+ * @param {(trial: number) => void} opens what a tap on a trial does @param {AbortSignal} signal
+ */
+export async function curveCard(learning, measure, opens, signal) {
+  const curve = learning.curves[measure] ?? { text: "", fit: null, form: null, others: [], visits: null };
+  const models = [{ form: curve.form, aicc_more: 0, ...curve.fit }, ...curve.others];
+  const place = h("div", {});
+  const words = h("p", { class: "small quiet", role: "status" });
+  let drawn = new AbortController();
+  signal.addEventListener("abort", () => drawn.abort());
+  const draw = async (model) => {
+    drawn.abort();
+    drawn = new AbortController();
+    const { signal: until } = drawn;
+    write(words, saidOf(model, models[0]));
+    const made = await curveChart(learning, measure, model.value ? model : null, opens, until);
+    if (!until.aborted && !signal.aborted) put(place, made);
+  };
+  const choose = (form) => draw(models.find((model) => model.form === form));
+  await draw(models[0]);
+  return h(
+    "section",
+    { class: "card" },
+    h("h2", {}, t("review.curve"), " ", groupMark(learning.source)),
+    place,
+    models.length > 1 &&
+      segments(
+        t("review.model"),
+        models.map(({ form }) => ({ value: form, label: t(`review.form.${form}`) })),
+        models[0].form,
+        choose,
+      ),
+    words,
+    h("p", { class: "small" }, curve.text),
+    curve.visits && h("p", { class: "small" }, curve.visits),
+    learning.trials.length > 0 && h("p", { class: "small quiet" }, t("review.tap")),
+  );
+}
+
+function saidOf(model, best) {
+  if (model === best) return "";
+  const worse = model.aicc_more < CLEARLY_WORSE ? "review.model.as-well" : "review.model.worse";
+  return t(worse, {
+    model: t(`review.form.${model.form}`),
+    best: t(`review.form.${best.form}`).toLowerCase(),
+    amount: number(model.aicc_more, 1),
+  });
+}

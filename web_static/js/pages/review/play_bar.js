@@ -1,0 +1,120 @@
+/** Play, speed, and the slider of a replay, with what happened marked on it. Space is Stop everywhere, so P plays. */
+import { t } from "../../texts.js";
+import { h, put, set, write } from "../../widgets/dom.js";
+import { segments } from "../../widgets/fields.js";
+import { number } from "../../widgets/format.js";
+import { icon } from "../../widgets/icons.js";
+import { isWriting } from "../../shell/stop.js";
+
+const SPEEDS = [1, 2, 4];
+const STEP = 0.05; // s
+const ARROW = 1; // s that an arrow key goes
+const FAR = 10; // s with Shift
+
+/**
+ * @param {import("./play_head.js").PlayHead} head
+ * @param {{t: number, kind: string, words: string}[]} events
+ * @param {AbortSignal} signal
+ */
+export function playBar(head, events, signal) {
+  const button = h("button", { type: "button", class: "btn go play", "aria-keyshortcuts": "P" });
+  button.addEventListener("click", () => head.toggle());
+  const slider = h("input", {
+    type: "range",
+    min: head.start,
+    max: head.end,
+    step: STEP,
+    "aria-label": t("replay.slider"),
+  });
+  slider.addEventListener("input", () => {
+    head.pause();
+    head.seek(Number(slider.value));
+  });
+  const shown = h("output", { class: "number", "aria-live": "off" });
+  const speeds = segments(
+    t("replay.speed"),
+    SPEEDS.map((speed) => ({ value: String(speed), label: `${speed}×` })),
+    "1",
+    (speed) => head.setSpeed(Number(speed)),
+  );
+  const marks = h(
+    "div",
+    { class: "event-marks", "aria-hidden": "true" },
+    events.map((event) =>
+      h("i", { class: `is-${event.kind}`, style: `left: ${(100 * (event.t - head.start)) / (head.end - head.start || 1)}%` }),
+    ),
+  );
+  const showState = () => {
+    put(button, icon(head.playing ? "pause" : "play", 20), t(head.playing ? "replay.pause" : "replay.play"));
+  };
+  const showTime = () => {
+    slider.value = String(head.t);
+    set(slider, { "aria-valuetext": t("replay.at", { t: number(head.t, 1), end: number(head.end, 1) }) });
+    write(shown, `${number(head.t, 1)} / ${number(head.end, 1)} s`);
+  };
+  head.addEventListener("state", showState, { signal });
+  head.addEventListener("time", showTime, { signal });
+  showState();
+  showTime();
+  return h("div", { class: "play-bar card" }, button, speeds, h("div", { class: "slide" }, marks, slider), shown);
+}
+
+/**
+ * Let the keys of a page move its replay, whatever on it has the focus.
+ * @param {HTMLElement} root of the page @param {import("./play_head.js").PlayHead} head @param {AbortSignal} signal
+ */
+export function playKeys(root, head, signal) {
+  const acts = { ArrowLeft: -1, ArrowRight: 1 };
+  const ends = { Home: head.start, End: head.end };
+  const press = (event) => {
+    if (event.ctrlKey || event.metaKey || event.altKey || belongsElsewhere(event.target)) return;
+    if (event.key.toLowerCase() === "p") {
+      if (!event.repeat) head.toggle();
+      return;
+    }
+    // Elsewhere than on the slider these two go to the ends of the page.
+    const end = event.target.matches("input[type=range]") ? ends[event.key] : undefined;
+    const step = (acts[event.key] ?? NaN) * (event.shiftKey ? FAR : ARROW);
+    if (end === undefined && Number.isNaN(step)) return;
+    event.preventDefault();
+    head.pause();
+    head.seek(end ?? head.t + step);
+  };
+  root.addEventListener("keydown", press, { signal });
+}
+
+/** What has keys of its own: a field, a choice side by side, something that scrolls sideways. */
+function belongsElsewhere(target) {
+  if (target.matches("input[type=range]")) return false;
+  return isWriting(target) || target.matches("input[type=radio], .scroll-x");
+}
+
+/** What happened, one below the other; a tap goes there. @param {any[]} events @param {import("./play_head.js").PlayHead} head */
+export function eventList(events, head) {
+  const go = (event) => {
+    head.pause();
+    head.seek(event.t);
+  };
+  return h(
+    "section",
+    { class: "card" },
+    h("h2", {}, t("replay.events")),
+    h(
+      "ol",
+      { class: "events" },
+      events.map((event) =>
+        h(
+          "li",
+          {},
+          h(
+            "button",
+            { type: "button", class: "btn bare small", onclick: () => go(event) },
+            h("i", { class: `event-mark is-${event.kind}` }),
+            h("span", { class: "number" }, `${number(event.t, 1)} s`),
+            h("span", {}, event.words),
+          ),
+        ),
+      ),
+    ),
+  );
+}

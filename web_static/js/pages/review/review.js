@@ -1,0 +1,142 @@
+/** Review: how a measure went over trials, all trajectories over the path, and every trial. */
+import { curveCard } from "./curve_card.js";
+import { h, put } from "../../widgets/dom.js";
+import { driven, inOrder, keyOf, pathWords } from "./path_choice.js";
+import { field, selection } from "../../widgets/fields.js";
+import { MEASURES, mostTelling } from "../../results/measures.js";
+import { emptyPage } from "../../shell/nobody.js";
+import { groupChoice, groupMark } from "../../results/source_group.js";
+import { qualitySection } from "./quality_section.js";
+import { trajectoriesChart } from "../../charts/trajectories_chart.js";
+import { trialList } from "./trial_list.js";
+import { t } from "../../texts.js";
+
+const MEASURE_PLACE = "bodydrive-measure";
+const WIDE = 24; // trials: more have the whole width
+const OWN_PAGES = ["trial", "compare"]; // #/review/PATIENT/trial/ID, #/review/PATIENT/compare/ID/ID
+
+/** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal, rest: string[]}} page */
+export async function show(app, root, { signal, rest }) {
+  if (OWN_PAGES.includes(rest[1])) return (await import(`./${rest[1]}.js`)).show(app, root, { signal, rest });
+  const patients = await app.api.get("/patients");
+  const patient =
+    patients.find(({ id }) => String(id) === rest[0]) ??
+    patients.find(({ id }) => id === app.visit?.patient?.id) ??
+    patients.find(({ trials }) => trials) ??
+    patients[0];
+  if (signal.aborted) return;
+  if (!patient) return emptyPage(root, t("review.none.title"), t("review.nobody.lead"), "#/patients", t("nobody.go"));
+  const trials = await app.api.get(`/trials?patient=${patient.id}`);
+  if (signal.aborted) return;
+  const who = field(
+    t("review.patient"),
+    selection(
+      patients.map(({ id, code, pseudonym }) => ({ value: String(id), label: `${code} ${pseudonym}` })),
+      String(patient.id),
+      (id) => app.go(`#/review/${id}`),
+    ),
+  );
+  if (!trials.length) return noTrials(root, patients.length > 1 ? who : null);
+  const [plans, paths] = [await app.api.get("/floorplans"), driven(trials)];
+  if (signal.aborted) return;
+  let path = paths.find(({ key }) => key === decodeURIComponent(rest.slice(1, 3).join("/"))) ?? paths.at(-1);
+  const opens = (trial) => app.go(`#/review/${patient.id}/trial/${trial}`);
+  let measure = sessionStorage.getItem(MEASURE_PLACE) ?? "e_diff";
+  const place = h("div", { class: "stack" });
+  const measurePlace = h("div", {});
+  const groupPlace = h("div", {});
+  let group = app.me.demo ? "simulated" : "worn";
+  let drawn = new AbortController();
+  const draw = async () => {
+    drawn.abort();
+    const until = (drawn = new AbortController()).signal;
+    signal.addEventListener("abort", () => drawn.abort(), { signal: until });
+    chooseMeasure();
+    const where = `floorplan=${encodeURIComponent(path.floorplan)}&path=${encodeURIComponent(path.name)}&source=${group}`;
+    chooseGroup();
+    const known = plans.some(({ name }) => name === path.floorplan);
+    const [learning, plan] = await Promise.all([
+      app.api.get(`/patients/${patient.id}/learning?${where}`),
+      known ? app.api.get(`/floorplans/${path.floorplan}`) : null,
+    ]);
+    if (until.aborted) return;
+    const charts = await Promise.all([curveCard(learning, measure, opens, until), trajectoriesChart(learning, plan, until)]);
+    if (until.aborted) return;
+    const counts = learning.trials.length > 0;
+    const quality = h("div", {});
+    const fail = (error) => until.aborted || app.toasts.show(error.message);
+    // It may read old recordings: the curve does not wait for it.
+    if (counts) qualitySection(app, patient, where, until).then((one) => put(quality, one), fail);
+    put(
+      place,
+      counts &&
+        h(
+          "div",
+          { class: learning.trials.length > WIDE ? "charts wide" : "charts" },
+          charts[0],
+          h("section", { class: "card" }, h("h2", {}, t("review.trajectories"), " ", groupMark(learning.source)), charts[1]),
+        ),
+      !counts && h("p", { class: "card quiet" }, t(Object.keys(learning.others).length ? "review.other-source" : "review.no-kept")),
+      quality,
+      trialList(
+        patient,
+        trials.filter((trial) => keyOf(trial) === path.key),
+      ),
+    );
+  };
+  const choosePath = selection(
+    inOrder(paths, plans).map((one) => ({ value: one.key, ...pathWords(one, plans) })),
+    path.key,
+    (key) => {
+      path = paths.find((one) => one.key === key);
+      draw().catch((error) => app.toasts.show(error.message));
+    },
+  );
+  const chooseGroup = () => {
+    const choice = groupChoice(trials.filter((trial) => keyOf(trial) === path.key), group, (chosen) => {
+      group = chosen;
+      draw().catch((error) => app.toasts.show(error.message));
+    });
+    put(groupPlace, choice);
+  };
+  /** Only what the task has: a turn on the spot has no distance driven. */
+  const chooseMeasure = () => {
+    const measured = trials.filter((trial) => keyOf(trial) === path.key && trial.measures).map(({ measures }) => measures);
+    const names = Object.keys(MEASURES).filter((name) => measured.some((measures) => Number.isFinite(measures[name])));
+    if (!names.length) names.push(measure);
+    if (!names.includes(measure)) measure = mostTelling(measured.at(-1)).find((name) => names.includes(name)) ?? names[0];
+    const choice = selection(
+      names.map((name) => ({ value: name, label: t(`measure.${name}`) })),
+      measure,
+      (name) => {
+        measure = name;
+        sessionStorage.setItem(MEASURE_PLACE, name);
+        draw().catch((error) => app.toasts.show(error.message));
+      },
+    );
+    put(measurePlace, field(t("review.measure"), choice));
+  };
+  put(
+    root,
+    h(
+      "div",
+      { class: "body" },
+      h("h1", { tabindex: "-1" }, t("review.title")),
+      h(
+        "div",
+        { class: "columns filters" },
+        patients.length > 1 && who,
+        field(t("review.path"), choosePath),
+        measurePlace,
+        groupPlace,
+      ),
+      place,
+    ),
+  );
+  await draw();
+}
+
+function noTrials(root, who) {
+  emptyPage(root, t("review.none.title"), t("review.none.lead"), "#/drive", t("review.none.go"));
+  if (who) root.firstElementChild.append(h("div", { class: "other-patient" }, who));
+}

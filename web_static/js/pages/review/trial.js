@@ -1,0 +1,51 @@
+/** One trial of Review: its replay, where one slider moves picture, plan and charts together, and what it came to. */
+import { h } from "../../widgets/dom.js";
+import { PlayHead } from "./play_head.js";
+import { eventList, playBar, playKeys } from "./play_bar.js";
+import { replayCharts } from "./replay_charts.js";
+import { replayDrawn, replayPlan } from "../../plan/replay_plan.js";
+import { replayView } from "./replay_view.js";
+import { readTrial, showTrialOver } from "../../results/trial_over.js";
+import { t } from "../../texts.js";
+
+/** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal, rest: string[]}} page */
+export async function show(app, root, { signal, rest: [patient, , id] }) {
+  const read = await readTrial(app.api, id);
+  if (signal.aborted) return;
+  const line = await app.api.get(`/trials/${id}/timeline`).catch((error) => ({ why: error.message }));
+  if (signal.aborted) return;
+  const above = line.why ? h("p", { class: "card quiet" }, t("replay.none"), " ", line.why) : replay(app, root, read, line, signal);
+  const back = () => [h("a", { class: "btn", href: `#/review/${patient}` }, t("review.back"))];
+  showTrialOver(app, root, read, back, above);
+}
+
+function replay(app, root, { trial, plan }, line, signal) {
+  const head = new PlayHead(line.t[0], line.t.at(-1), signal);
+  const where = line.floorplan ?? plan;
+  const fromAbove = where && replayPlan(where, trial, line, t("replay.plan"));
+  if (fromAbove) {
+    const show = () => fromAbove.show(head.t);
+    head.addEventListener("time", show, { signal });
+    show();
+  }
+  const element = h(
+    "section",
+    { class: "replay", "aria-label": t("replay.title") },
+    line.words && h("p", { class: "problem" }, line.words),
+    h(
+      "div",
+      { class: "replay-columns" },
+      h(
+        "div",
+        { class: "replay-pictures" },
+        replayView(app, trial.id, where && replayDrawn(where, trial, line), head, signal),
+        fromAbove && h("section", { class: "card replay-plan" }, h("h2", {}, t("replay.plan")), fromAbove.element),
+      ),
+      h("div", { class: "replay-lines" }, replayCharts(line, head, signal), eventList(line.events, head)),
+    ),
+    playBar(head, line.events, signal),
+    h("p", { class: "quiet small" }, t("replay.keys")),
+  );
+  playKeys(root, head, signal);
+  return element;
+}

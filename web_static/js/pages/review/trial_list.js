@@ -1,0 +1,70 @@
+/** Every trial on one path, the newest first: opened one by one, or two side by side. */
+import { t } from "../../texts.js";
+import { compareChoice } from "./compare_choice.js";
+import { h } from "../../widgets/dom.js";
+import { moment } from "../../widgets/format.js";
+import { mostTelling, withUnit } from "../../results/measures.js";
+import { groupMark, groupOf } from "../../results/source_group.js";
+
+/** @param {{id: number}} patient @param {any[]} trials the newest last */
+export function trialList(patient, trials) {
+  const listed = mostTelling(trials.findLast(({ measures }) => measures)?.measures ?? {});
+  const compare = compareChoice(patient.id);
+  const row = (trial) =>
+    h(
+      "tr",
+      { class: trial.kept ? null : "discarded" },
+      h(
+        "th",
+        { scope: "row" },
+        h(
+          "a",
+          {
+            class: "row-link",
+            href: `#/review/${patient.id}/trial/${trial.id}`,
+            "aria-label": t("review.open", { number: trial.number }),
+          },
+          String(trial.number),
+        ),
+      ),
+      h("td", {}, moment(trial.started)),
+      h("td", {}, t(`review.end.${trial.end}`)),
+      listed.map((name) => h("td", {}, trial.measures ? withUnit(name, trial.measures[name]) : "–")),
+      h("td", { title: trial.source.words }, groupMark(groupOf(trial)) ?? t("source.group.worn")),
+      h("td", {}, trial.kept ? t("review.kept") : trial.discard_reason),
+      h("td", {}, compare.box(trial)),
+    );
+  const head = [
+    t("review.column.number"),
+    t("review.column.when"),
+    t("review.column.end"),
+    ...listed.map((name) => t(`measure.${name}`)),
+    t("review.column.source"),
+    t("review.column.kept"),
+    t("compare.column"),
+  ];
+  return h(
+    "section",
+    { class: "card" },
+    h("h2", {}, t("review.trials")),
+    h(
+      "div",
+      { class: "scroll-x", tabindex: "0", role: "region", "aria-label": t("review.trials") },
+      h(
+        "table",
+        { class: "measures trials" },
+        h(
+          "thead",
+          {},
+          h(
+            "tr",
+            {},
+            head.map((words) => h("th", { scope: "col" }, words)),
+          ),
+        ),
+        h("tbody", {}, trials.toReversed().map(row)),
+      ),
+    ),
+    trials.length > 1 && compare.element,
+  );
+}

@@ -1,0 +1,47 @@
+/** The first start: the first owner is made with the code from the console. */
+import { h, put } from "../../widgets/dom.js";
+import { field } from "../../widgets/fields.js";
+import { t } from "../../texts.js";
+
+/** @param {import("../../main.js").App} app @param {HTMLElement} root */
+export async function show(app, root) {
+  const link = /^#setup=(.+)$/.exec(location.hash);
+  const code = h("input", {
+    type: "text",
+    autocomplete: "one-time-code",
+    required: true,
+    value: link ? decodeURIComponent(link[1]) : null,
+  });
+  if (link) history.replaceState(null, "", location.pathname);
+  const name = h("input", { type: "text", autocomplete: "username", required: true, maxlength: 80 });
+  const password = h("input", { type: "password", autocomplete: "new-password", required: true });
+  const problem = h("p", { class: "problem", role: "alert" });
+  const submit = async (event) => {
+    event.preventDefault();
+    problem.textContent = "";
+    try {
+      const owner = { code: code.value.trim(), name: name.value.trim(), password: password.value };
+      await app.signedIn(await app.api.post("/auth/setup", owner));
+    } catch (error) {
+      problem.textContent = error.message;
+    }
+  };
+  put(
+    root,
+    h(
+      "div",
+      { class: "door card" },
+      h("h1", { tabindex: "-1" }, t("setup.title")),
+      h("p", { class: "lead" }, t("setup.lead")),
+      h(
+        "form",
+        { class: "stack", onsubmit: submit },
+        field(t("setup.code"), code, t("setup.code.hint")),
+        field(t("sign-in.name"), name),
+        field(t("sign-in.password"), password, t("setup.password.hint")),
+        problem,
+        h("button", { class: "btn go large" }, t("setup.go")),
+      ),
+    ),
+  );
+}

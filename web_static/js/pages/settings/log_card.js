@@ -1,0 +1,33 @@
+/** Whether anybody changed the log, for the owner; checked when the page opens, and again on a tap. */
+import { t } from "../../texts.js";
+import { h, write } from "../../widgets/dom.js";
+
+/** @param {import("../../main.js").App} app @param {AbortSignal} signal */
+export function logCard(app, signal) {
+  const finding = h("p", { role: "status" });
+  const problem = h("p", { class: "problem", role: "alert" });
+  const again = h("button", { type: "button", class: "btn small" }, t("log.check"));
+  const check = async () => {
+    write(finding, t("log.checking"));
+    write(problem, "");
+    let whole = false;
+    let words = "";
+    try {
+      ({ whole, words } = await app.api.get("/log/check"));
+    } catch (error) {
+      words = error.message;
+    }
+    if (signal.aborted) return;
+    write(finding, whole ? words : "");
+    write(problem, whole ? "" : words);
+  };
+  again.addEventListener("click", check);
+  check();
+  return h(
+    "section",
+    { class: "card" },
+    h("h2", {}, t("log.title")),
+    h("p", { class: "quiet small" }, t("log.lead")),
+    h("div", { class: "stack" }, h("div", {}, finding, problem), h("div", {}, again)),
+  );
+}

@@ -1,0 +1,62 @@
+/** The form that pairs a chair: what it is called, where it is, and what it may do. */
+import { t } from "../../texts.js";
+import { h } from "../../widgets/dom.js";
+import { field } from "../../widgets/fields.js";
+import { speedRows } from "../../widgets/speed_rows.js";
+
+const PORT = 5354; // the receiver's own, when it is told no other
+// For a chair that nobody here has driven yet: an indoor walking pace, in SI units.
+const FIRST_SPEEDS = {
+  forward: 0.5,
+  reverse: 0.3,
+  turn: 0.8,
+  acceleration: 0.6,
+  deceleration: 1.2,
+  turn_acceleration: 4,
+  jerk: 8,
+  turn_jerk: 60,
+};
+
+/**
+ * @param {import("../../main.js").App} app
+ * @param {{onPaired: (answer: any, chair: any) => void, onClose: () => void}} then
+ */
+export function pairForm(app, { onPaired, onClose }) {
+  const text = (more) => h("input", { type: "text", required: true, autocomplete: "off", ...more });
+  const name = text({ maxlength: 40 });
+  const host = text({ maxlength: 253, inputmode: "url", spellcheck: "false" });
+  const port = h("input", { type: "number", required: true, min: 1, max: 65535, value: PORT });
+  const speeds = { ...FIRST_SPEEDS };
+  const problem = h("p", { class: "problem", role: "alert" });
+  const go = h("button", { class: "btn go" }, t("pair.go"));
+  const submit = async (event) => {
+    event.preventDefault();
+    problem.textContent = "";
+    go.disabled = true; // a second tap would make a second chair
+    const chair = { name: name.value.trim(), host: host.value.trim(), port: Number(port.value), speeds };
+    try {
+      onPaired(await app.api.post("/chairs", chair), chair);
+    } catch (error) {
+      problem.textContent = error.message;
+    }
+    go.disabled = false;
+  };
+  return h(
+    "form",
+    { class: "pair-form stack", onsubmit: submit },
+    h("h2", {}, t("pair.title")),
+    h("p", { class: "quiet small" }, t("pair.lead")),
+    field(t("pair.name"), name, t("pair.name.hint")),
+    field(t("pair.host"), host, t("pair.host.hint")),
+    field(t("pair.port"), port, t("pair.port.hint")),
+    h(
+      "details",
+      {},
+      h("summary", {}, t("pair.speeds")),
+      h("p", { class: "quiet small" }, t("pair.speeds.hint")),
+      speedRows(speeds, {}, (which, value) => (speeds[which] = value)).elements,
+    ),
+    problem,
+    h("div", { class: "spread" }, go, h("button", { type: "button", class: "btn", onclick: onClose }, t("cancel"))),
+  );
+}

@@ -1,0 +1,120 @@
+/** The quality lamps on the body: every state differs by colour, by shape and by sign; the nearest lamp is the one that is tapped. */
+import { t } from "../../texts.js";
+import { HEIGHT, LAYOUT_HEIGHT, outline, WIDTH } from "./body_outline.js";
+import { h, s, set } from "../../widgets/dom.js";
+import { lampPlaces } from "./lamp_places.js";
+
+const SIZE = 4.6; // half the width of a lamp, in units of the outline
+const SHAPES = {
+  circle: s("circle", { r: SIZE }),
+  diamond: s("path", { d: `M0 ${-SIZE * 1.3}L${SIZE * 1.3} 0 0 ${SIZE * 1.3} ${-SIZE * 1.3} 0Z` }),
+  square: s("rect", { x: -SIZE, y: -SIZE, width: 2 * SIZE, height: 2 * SIZE, rx: 1 }),
+  triangle: s("path", { d: `M0 ${-SIZE * 1.25}L${SIZE * 1.3} ${SIZE} ${-SIZE * 1.3} ${SIZE}Z` }),
+};
+export const QUALITIES = {
+  good: { shape: "circle", sign: "" },
+  near: { shape: "diamond", sign: "!" },
+  railed: { shape: "square", sign: "R" },
+  flat: { shape: "square", sign: "–" },
+  noisy: { shape: "triangle", sign: "~" },
+  nan: { shape: "square", sign: "×" },
+  unused: { shape: "circle", sign: "/" },
+  silent: { shape: "circle", sign: "?" },
+};
+
+/** @typedef {import("./lamp_places.js").Channel} Channel */
+
+/** A channel's name for people: "Right elbow 3". @param {Channel} channel */
+export function sensorName({ name }) {
+  const words = name.replaceAll("_", " ");
+  return words.charAt(0).toUpperCase() + words.slice(1);
+}
+
+/** The sign of one quality, as it stands on the body and in the legend. @param {keyof typeof QUALITIES} quality */
+export function lampSign(quality) {
+  const { shape, sign } = QUALITIES[quality] ?? QUALITIES.silent;
+  return [SHAPES[shape].cloneNode(true), s("text", { y: 2.6, "text-anchor": "middle" }, sign)];
+}
+
+/**
+ * Both sides of the body with a lamp for every channel.
+ * @param {{channels: Channel[], joints: {name: string, label: string}[]}} layout
+ * @param {(name: string) => void} onPick
+ */
+export function bodyLamps(layout, onPick) {
+  const labels = Object.fromEntries(layout.joints.map(({ name, label }) => [name, label]));
+  const lamps = lampPlaces(layout.channels).map((place) => ({ ...place, quality: "", element: null }));
+  let picked = "";
+  const pick = (lamp, focus) => {
+    onPick(lamp.channel.name);
+    if (focus) lamp.element.focus();
+  };
+  const sides = ["front", "back"].map((side) => {
+    const here = lamps.filter((lamp) => lamp.side === side);
+    const group = s("g", {});
+    for (const lamp of here) {
+      const [x, y] = inDrawing(lamp);
+      lamp.element = s("g", {
+        class: "sensor",
+        transform: `translate(${x} ${y})`,
+        role: "radio",
+        "aria-checked": "false",
+        tabindex: "-1",
+      });
+      lamp.element.addEventListener("keydown", (event) => {
+        const step = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 }[event.key];
+        if (!step && event.key !== " " && event.key !== "Enter") return;
+        event.preventDefault();
+        pick(lamps[(lamps.indexOf(lamp) + (step ?? 0) + lamps.length) % lamps.length], true);
+      });
+      group.append(lamp.element);
+    }
+    const picture = s("svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}` }, outline(side), group);
+    picture.addEventListener("click", (event) => {
+      const nearest = nearestLamp(picture, here, event);
+      if (nearest) pick(nearest, false);
+    });
+    return h("figure", {}, picture, h("figcaption", {}, t(`shirt.${side}`)));
+  });
+  if (lamps.length) set(lamps[0].element, { tabindex: "0" });
+
+  const show = (qualities) => {
+    for (const lamp of lamps) {
+      const quality = qualities[lamp.index] ?? "silent";
+      if (quality === lamp.quality) continue;
+      lamp.quality = quality;
+      lamp.element.replaceChildren(...lampSign(quality));
+      set(lamp.element, {
+        "data-quality": quality,
+        "aria-label": `${sensorName(lamp.channel)}, ${labels[lamp.channel.joint]}: ${t(`quality.${quality}`)}`,
+      });
+    }
+  };
+  const mark = (name) => {
+    picked = name;
+    for (const lamp of lamps) {
+      const is = lamp.channel.name === picked;
+      set(lamp.element, { "aria-checked": is, tabindex: is || (!picked && lamp === lamps[0]) ? "0" : "-1" });
+    }
+  };
+  show([]);
+  return {
+    element: h("div", { class: "bodies", role: "radiogroup", "aria-label": t("shirt.sensors.label") }, sides),
+    show,
+    mark,
+  };
+}
+
+/** @param {{position: [number, number]}} lamp */
+function inDrawing({ position }) {
+  return [position[0] * WIDTH, position[1] * LAYOUT_HEIGHT];
+}
+
+function nearestLamp(picture, lamps, event) {
+  const at = new DOMPoint(event.clientX, event.clientY).matrixTransform(picture.getScreenCTM().inverse());
+  const distance = (lamp) => {
+    const [x, y] = inDrawing(lamp);
+    return Math.hypot(x - at.x, y - at.y);
+  };
+  return lamps.reduce((best, lamp) => (!best || distance(lamp) < distance(best) ? lamp : best), null);
+}

@@ -1,0 +1,215 @@
+/** The shirt: where its signals come from, who is inside, and how every sensor is. */
+import { bodyForm, bodyWords } from "./body_form.js";
+import { h, put, s, write } from "../../widgets/dom.js";
+import { headActions, headForm, headWords } from "./head_card.js";
+import { jointStrips } from "../../charts/joint_strips.js";
+import { bodyLamps, lampSign, QUALITIES } from "./lamps.js";
+import { pads } from "../../widgets/pads.js";
+import { replacedList } from "../../widgets/replaced_list.js";
+import { sensorCard } from "./sensor_card.js";
+import { shirtSender } from "./shirt_sender.js";
+import { sourceForm, sourceWords } from "./source_form.js";
+import { t } from "../../texts.js";
+
+const NO_LAYOUT = { channels: [], joints: [] }; // before a shirt was chosen: a body without lamps
+
+/** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal}} page */
+export async function show(app, root, { signal }) {
+  let equipment = await app.api.get("/equipment");
+  if (signal.aborted) return;
+  const lead = h("p", { class: "lead", "aria-live": "polite" });
+  const left = h("div", { class: "stack" });
+  const right = h("div", { class: "stack" });
+  const below = h("div", {});
+  let drawn = new AbortController(); // ends what was drawn of the equipment before
+  let picked = "";
+  /** @type {Map<string, string>} cards whose form is open, with the choice it shows */
+  const open = new Map();
+
+  const replaced = replacedList(app, ["file"], async () => take(await app.api.get("/equipment")));
+
+  const draw = () => {
+    drawn.abort();
+    drawn = new AbortController();
+    signal.addEventListener("abort", () => drawn.abort(), { signal: drawn.signal });
+    const { layout } = equipment;
+    put(left, lampsCard(layout ?? NO_LAYOUT));
+    put(
+      below,
+      equipment.body?.kind === "visitor" && h("div", { class: "card pad-card" }, pads(app, drawn.signal).element),
+      layout &&
+        h("section", { class: "card" }, h("h2", {}, t("traces.title")), jointStrips(app.live, layout, drawn.signal)),
+    );
+    drawRight();
+    showWords();
+  };
+  const take = (answer) => {
+    const isSame = keyOf(answer) === keyOf(equipment);
+    equipment = answer;
+    replaced.show().catch((error) => app.toasts.show(error.message));
+    if (!isSame) draw();
+    else drawRight(); // only the files to choose from may be others
+  };
+  const lampsCard = (layout) => {
+    const lamps = bodyLamps(layout, pick);
+    const showLamps = () => lamps.show(app.live.quality);
+    app.live.addEventListener("quality", showLamps, { signal: drawn.signal });
+    showLamps();
+    lamps.mark(picked);
+    markLamp = lamps.mark;
+    return h(
+      "section",
+      { class: "card" },
+      h("h2", {}, t("shirt.sensors"), h("span", { class: "quiet small" }, t("shirt.sensors.hint"))),
+      lamps.element,
+      legend(),
+    );
+  };
+  let markLamp = (_name) => {};
+  const pick = (name) => {
+    picked = name;
+    markLamp(name);
+    drawRight();
+  };
+  let sensorShown = new AbortController();
+  const drawRight = () => {
+    sensorShown.abort();
+    sensorShown = new AbortController();
+    drawn.signal.addEventListener("abort", () => sensorShown.abort(), { signal: sensorShown.signal });
+    put(right, pickedSensor(sensorShown.signal), sourceCard(), equipment.shirt?.kind === "simulator" && bodyCard(), headCard(), replaced.element);
+  };
+  const pickedSensor = (until) => {
+    const index = equipment.layout?.channels.findIndex(({ name }) => name === picked) ?? -1;
+    if (index < 0) return null;
+    const channel = equipment.layout.channels[index];
+    const joint = equipment.layout.joints.find(({ name }) => name === channel.joint).label;
+    const mark = async (isUnused) => {
+      const others = equipment.unused.filter((name) => name !== picked);
+      await use(app.api.put("/equipment/unused", { channels: isUnused ? [...others, picked] : others })).catch(
+        (error) => {
+          app.toasts.show(error.message);
+          drawRight();
+        },
+      );
+    };
+    return sensorCard(app, { channel, index, joint, isUnused: equipment.unused.includes(picked), signal: until }, mark);
+  };
+  const use = async (call, card) => {
+    const answer = await call;
+    if (card) open.delete(card);
+    take(answer);
+  };
+  /** A card that says what is in use; its form stays open, and as it is, when the page is drawn again. */
+  const card = (name, words, first, makeForm) =>
+    summary(
+      t(`${name}.title`),
+      words,
+      open.has(name),
+      (isOpen) => {
+        if (!isOpen) open.delete(name);
+        else if (!open.has(name)) open.set(name, first);
+      },
+      () => makeForm({ kind: open.get(name) ?? first, onKind: (kind) => open.set(name, kind) }),
+    );
+  if (!equipment.shirt) open.set("source", ""); // choosing a shirt is the next step
+  const sourceCard = () => {
+    const element = card("source", sourceWords(equipment.shirt), equipment.shirt?.kind ?? "", (shown) =>
+      sourceForm(app, equipment, (config) => use(app.api.put("/equipment/shirt", config), "source"), shown),
+    );
+    if (equipment.shirt?.kind === "udp") element.append(shirtSender(app, sensorShown.signal));
+    return element;
+  };
+  const bodyCard = () =>
+    card("body", equipment.body ? bodyWords(equipment.body) : "", "", (shown) =>
+      bodyForm(app, equipment, (config) => use(app.api.put("/equipment/body", config), "body"), shown),
+    );
+  const headCard = () => {
+    const words = [headWords(equipment.head.config), equipment.head.config && equipment.head.words].filter(Boolean).join(" ");
+    const element = card("head", words, equipment.head.config?.kind ?? "none", (shown) =>
+      headForm(app, equipment, (config) => use(app.api.put("/equipment/head", { config }), "head"), shown),
+    );
+    const actions = headActions(app, equipment.head);
+    if (actions) element.append(actions);
+    return element;
+  };
+  const showWords = () => {
+    const all = app.live.quality.length;
+    const good = app.live.quality.filter((quality) => quality === "good").length;
+    const lost = app.live.latest?.shirt.lost ?? 0;
+    const words = equipment.layout ? equipment.status.words : equipment.status.words || t("shirt.none");
+    write(
+      lead,
+      [words, all ? t("shirt.words.count", { good, all }) : "", lost ? t("shirt.lost", { count: lost }) : ""]
+        .filter(Boolean)
+        .join(" "),
+    );
+  };
+  const readAgain = async ({ detail }) => {
+    if (detail === "equipment" || detail === "everything") take(await app.api.get("/equipment").catch(() => equipment));
+  };
+  app.live.addEventListener("quality", showWords, { signal });
+  app.live.addEventListener("changed", readAgain, { signal });
+  app.addEventListener("equipment", ({ detail }) => take(detail), { signal });
+
+  const onwards = app.visit?.has_profile ? ["#/drive", "shirt.drive"] : ["#/calibrate", "shirt.calibrate"];
+  put(
+    root,
+    h(
+      "div",
+      { class: "body" },
+      h("h1", { tabindex: "-1" }, t("shirt.title")),
+      lead,
+      h("div", { class: "shirt-columns" }, left, right),
+      below,
+    ),
+    h(
+      "div",
+      { class: "foot" },
+      h("span", { class: "grow" }, equipment.status.realtime.join(" ")),
+      h("a", { class: "btn go", href: onwards[0] }, t(onwards[1])),
+    ),
+  );
+  draw();
+}
+
+/** What, drawn anew, would change more than a list of files. */
+function keyOf({ shirt, body, layout, unused }) {
+  return JSON.stringify([shirt, body, layout, unused]);
+}
+
+function summary(title, words, isOpen, onToggle, makeForm) {
+  const place = h("div", {});
+  const details = h("details", { open: isOpen }, h("summary", {}, t("source.change")), place);
+  const fillIn = () => details.open && !place.firstChild && put(place, makeForm());
+  details.addEventListener("toggle", () => {
+    onToggle(details.open);
+    fillIn();
+  });
+  fillIn();
+  return h("section", { class: "card" }, h("h2", {}, title), h("p", {}, words), details);
+}
+
+function legend() {
+  return h(
+    "details",
+    { class: "legend" },
+    h("summary", {}, t("shirt.legend")),
+    h(
+      "dl",
+      {},
+      Object.keys(QUALITIES).map((quality) => [
+        h(
+          "dt",
+          {},
+          s(
+            "svg",
+            { viewBox: "-8 -8 16 16", width: 22, height: 22, "aria-hidden": "true" },
+            s("g", { class: "sensor", "data-quality": quality }, lampSign(quality)),
+          ),
+          t(`quality.${quality}`),
+        ),
+        h("dd", {}, t(`quality.${quality}.words`)),
+      ]),
+    ),
+  );
+}

@@ -1,0 +1,233 @@
+/** Where the shirt's signals come from: the form, and the configuration that it makes. */
+import { t } from "../../texts.js";
+import { h, put } from "../../widgets/dom.js";
+import { choices, field, segments, selection, stepper, toggle } from "../../widgets/fields.js";
+import { size } from "../../widgets/format.js";
+import { sendUnderName } from "../../widgets/same_name.js";
+
+const RATES = [50, 100, 200, 500, 1000]; // Hz; 100 is the rate of the shirts that there are
+const PORT = 5252;
+const REPLAYED = new Set(["signals", "recording"]);
+
+/** In one line what is in use. @param {any} shirt */
+export function sourceWords(shirt) {
+  if (!shirt) return t("source.none");
+  return t(`source.${shirt.kind}.now`, { rate: shirt.sample_rate, file: shirt.file, port: shirt.port });
+}
+
+/**
+ * @param {import("../../main.js").App} app @param {any} equipment
+ * @param {(config: any) => Promise<void>} onUse rejects with a sentence
+ * @param {{kind: string, onKind: (kind: string) => void}} shown the kind whose settings are shown
+ */
+export function sourceForm(app, equipment, onUse, { kind: first, onKind }) {
+  const made = { simulator, replay, udp };
+  const kinds = (simulated) =>
+    equipment.shirts
+      .filter((one) => one.simulated === simulated && one.kind in made)
+      .map(({ kind }) => ({ value: kind, label: t(`source.${kind}`), hint: t(`source.${kind}.hint`) }));
+  const settings = h("div", { class: "stack settings" });
+  const problem = h("p", { class: "problem", role: "alert" });
+  let parts = null;
+  const choose = (kind) => {
+    onKind(kind);
+    parts = made[kind](app, equipment);
+    put(settings, parts.fields);
+    use.hidden = false;
+  };
+  const submit = async (event) => {
+    event.preventDefault();
+    problem.textContent = "";
+    try {
+      await onUse(await parts.config());
+    } catch (error) {
+      problem.textContent = error.message;
+    }
+  };
+  const use = h("button", { class: "btn go", hidden: true }, t("source.use"));
+  if (first) choose(first);
+  return h(
+    "form",
+    { class: "stack", onsubmit: submit },
+    choices(
+      t("source.title"),
+      [
+        { words: t("source.worn"), options: kinds(false) },
+        { words: t("source.practice"), options: kinds(true) },
+      ],
+      first,
+      choose,
+    ),
+    settings,
+    problem,
+    use,
+  );
+}
+
+function simulator(_app, { shirt, layout }) {
+  const now = shirt?.kind === "simulator" ? shirt : { sample_rate: 100, seed: 1, dead_channels: [], layout: null };
+  const config = {
+    kind: "simulator",
+    sample_rate: now.sample_rate,
+    seed: now.seed,
+    layout: now.layout,
+    dead_channels: now.dead_channels,
+  };
+  const rates = [...new Set([...RATES, now.sample_rate])].sort((a, b) => a - b);
+  const names = shirt?.kind === "simulator" ? (layout?.channels ?? []).map(({ name }) => name) : [];
+  // Two sensors of different joints, so that the demonstration shows what left-out sensors do without spoiling a joint.
+  const broken =
+    names.length > 2 ? [names[Math.floor(names.length / 3)], names[Math.floor((3 * names.length) / 4)]] : [];
+  const fields = [
+    field(
+      t("source.rate"),
+      selection(
+        rates.map((rate) => ({ value: String(rate), label: t("source.rate.unit", { rate }) })),
+        String(now.sample_rate),
+        (rate) => (config.sample_rate = Number(rate)),
+      ),
+    ),
+    h(
+      "div",
+      { class: "row" },
+      h("b", { class: "small" }, t("source.seed")),
+      stepper({
+        label: t("source.seed"),
+        value: now.seed,
+        low: 1,
+        high: 999,
+        step: 1,
+        digits: 0,
+        unit: "",
+        onChange: (seed) => (config.seed = seed),
+      }),
+    ),
+    broken.length > 0 &&
+      h(
+        "div",
+        { class: "row" },
+        h("b", { class: "small" }, t("source.sensors")),
+        segments(
+          t("source.sensors"),
+          [
+            { value: "", label: t("source.sensors.all") },
+            { value: "broken", label: t("source.sensors.broken") },
+          ],
+          now.dead_channels.length ? "broken" : "",
+          (choice) => (config.dead_channels = choice ? broken : []),
+        ),
+      ),
+  ];
+  return { fields, config: async () => config };
+}
+
+function replay(app, { shirt, files }) {
+  const config = { kind: "replay", file: shirt?.file, loop: shirt?.loop ?? true };
+  return {
+    fields: [
+      fileField(
+        files.filter(({ kind }) => REPLAYED.has(kind)),
+        config,
+      ),
+      toggle(t("source.loop"), config.loop, (loop) => (config.loop = loop)),
+      addFile(app),
+    ],
+    config: async () => config,
+  };
+}
+
+function udp(_app, { shirt, layout, shirt_keys: keys }) {
+  const now = shirt?.kind === "udp" ? shirt : { host: "127.0.0.1", port: PORT, sample_rate: 100 };
+  const host = h("input", { type: "text", value: now.host, required: true, autocomplete: "off" });
+  const port = h("input", { type: "number", value: now.port, min: 1, max: 65535, required: true });
+  const rate = h("input", { type: "number", value: now.sample_rate, min: 1, max: 5000, required: true });
+  const file = h("input", { type: "file", accept: ".json,application/json" });
+  let key = keys.includes(now.key_file) ? now.key_file : "";
+  const config = async () => ({
+    kind: "udp",
+    host: host.value.trim(),
+    port: Number(port.value),
+    sample_rate: Number(rate.value),
+    layout: file.files[0] ? await readDocument(file.files[0]) : (layout ?? undefined), // without one: the standard shirt
+    key_file: key || null,
+  });
+  return {
+    fields: [
+      h(
+        "div",
+        { class: "columns" },
+        field(t("source.host"), host),
+        field(t("source.port"), port),
+        field(t("source.rate"), rate),
+      ),
+      field(t("source.layout"), file, t("source.layout.hint")),
+      field(
+        t("source.key"),
+        selection(
+          ["", ...keys].map((name) => ({ value: name, label: name || t("source.key.none") })),
+          key,
+          (name) => (key = name),
+        ),
+        t("source.key.hint"),
+      ),
+    ],
+    config,
+  };
+}
+
+async function readDocument(file) {
+  try {
+    return JSON.parse(await file.text());
+  } catch {
+    throw new Error(t("source.layout.wrong", { file: file.name }));
+  }
+}
+
+/** A selection among files that lie on the machine. @param {any[]} files @param {{file?: string}} config */
+export function fileField(files, config) {
+  if (!files.length) return h("p", { class: "quiet small" }, t("source.no-file"));
+  if (!files.some(({ name }) => name === config.file)) config.file = files[0].name;
+  const options = files.map((file) => ({
+    value: file.name,
+    label: t("source.file.option", { name: file.name, size: size(file.size) }),
+  }));
+  return field(
+    t("source.file"),
+    selection(options, config.file, (name) => (config.file = name)),
+  );
+}
+
+/** A button that brings a file to the machine; the page reads the equipment again by itself. @param {import("../../main.js").App} app */
+export function addFile(app) {
+  const input = h("input", {
+    type: "file",
+    accept: ".csv,.parquet",
+    class: "unseen",
+    tabindex: "-1",
+    "aria-hidden": "true",
+  });
+  input.addEventListener("change", async () => {
+    const [file] = input.files;
+    if (!file) return;
+    app.toasts.show(t("source.adding", { file: file.name }));
+    try {
+      const equipment = await sendUnderName(app.question, (sameName) =>
+        app.api.upload(`/equipment/files?same_name=${sameName}`, file),
+      );
+      if (equipment) {
+        app.dispatchEvent(new CustomEvent("equipment", { detail: equipment }));
+        app.toasts.show(t("source.added", { file: file.name }));
+      }
+    } catch (error) {
+      app.toasts.show(error.message);
+    }
+    input.value = "";
+  });
+  return h(
+    "div",
+    { class: "spread" },
+    h("button", { type: "button", class: "btn", onclick: () => input.click() }, t("source.add")),
+    input,
+    h("span", { class: "quiet small" }, t("source.add.hint")),
+  );
+}

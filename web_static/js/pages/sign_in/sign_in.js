@@ -1,0 +1,38 @@
+/** Signing in by name and password. */
+import { h, put } from "../../widgets/dom.js";
+import { field } from "../../widgets/fields.js";
+import { t } from "../../texts.js";
+
+/** @param {import("../../main.js").App} app @param {HTMLElement} root */
+export async function show(app, root) {
+  const name = h("input", { type: "text", autocomplete: "username", required: true, maxlength: 80 });
+  const password = h("input", { type: "password", autocomplete: "current-password", required: true });
+  const problem = h("p", { class: "problem", role: "alert" });
+  const submit = async (event) => {
+    event.preventDefault();
+    problem.textContent = "";
+    try {
+      await app.signedIn(await app.api.post("/auth/sign-in", { name: name.value.trim(), password: password.value }));
+    } catch (error) {
+      problem.textContent = error.message;
+    }
+  };
+  const form = h(
+    "form",
+    { class: "stack", onsubmit: submit },
+    field(t("sign-in.name"), name),
+    field(t("sign-in.password"), password),
+    problem,
+    h("button", { class: "btn go large" }, t("sign-in.go")),
+  );
+  put(
+    root,
+    h(
+      "div",
+      { class: "door card" },
+      h("h1", { tabindex: "-1" }, t("sign-in.title")),
+      h("p", { class: "lead" }, t("sign-in.lead")),
+      app.me?.demo ? h("p", {}, t("sign-in.demo")) : form,
+    ),
+  );
+}

@@ -1,0 +1,64 @@
+/** What the clinician had better look at, calmly: what was seen, what to do, and where. */
+import { t } from "../texts.js";
+import { h } from "../widgets/dom.js";
+
+const WHERE = { sensor: "#/shirt", map: "#/calibrate", noise: "#/controls", span: "#/calibrate" };
+
+/**
+ * @param {{kind: string, joint: string, words: string, advice: string}[]} warnings
+ * @param {boolean} mayChange whether to lead to the pages @param {boolean} [isOpen] at first; otherwise a tap opens it
+ * @returns {HTMLElement | false} nothing when there is nothing to look at
+ */
+export function controlWarnings(warnings, mayChange, isOpen = true) {
+  if (!warnings.length) return false;
+  return h(
+    "details",
+    { class: "card control-warnings", open: isOpen },
+    h("summary", {}, h("h2", {}, t("quality.warnings", { count: together(warnings).length })), summaryOf(warnings)),
+    h(
+      "ul",
+      {},
+      together(warnings).map(([first, ...others]) =>
+        h(
+          "li",
+          {},
+          [first, ...others].map(({ words }) => h("p", {}, words)),
+          h("p", { class: "quiet" }, h("strong", {}, t("quality.do")), " ", first.advice),
+          mayChange && h("a", { class: "btn small", href: WHERE[first.kind] }, t(`quality.go.${first.kind}`)),
+        ),
+      ),
+    ),
+  );
+}
+
+/** In one line: of what kind, and where. */
+function summaryOf(warnings) {
+  const parts = together(warnings).map((same) => {
+    const joints = [...new Set(same.map(({ joint }) => joint))].join(", ");
+    return t(`quality.kind.${same[0].kind}`, { joints });
+  });
+  return h("span", { class: "quiet small" }, parts.join(" · "));
+}
+
+/** Those with the same advice stand together, so that it is given once. */
+function together(warnings) {
+  return [...new Set(warnings.map(({ advice }) => advice))].map((same) =>
+    warnings.filter(({ advice }) => advice === same),
+  );
+}
+
+/**
+ * A place that fills itself with a patient's warnings; it stays empty when there are none, or none can be read.
+ * @param {import("../main.js").App} app @param {number} patient @param {AbortSignal} signal
+ */
+export function warningsPlace(app, patient, signal) {
+  const place = h("div", { class: "control-warnings-place" });
+  app.api
+    .get(`/patients/${patient}/quality`)
+    .then(({ warnings }) => {
+      const shown = !signal.aborted && controlWarnings(warnings, app.me.role !== "reviewer", false);
+      if (shown) place.append(shown);
+    })
+    .catch(() => {}); // the page itself does not depend on it
+  return place;
+}

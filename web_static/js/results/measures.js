@@ -1,0 +1,92 @@
+/** The measures of all tasks: unit, digits, which way is better, and how two trials compare. */
+import { t } from "../texts.js";
+import { number, signed } from "../widgets/format.js";
+
+/** of: the measure that says how many there are. @type {Record<string, {unit: string, digits: number, better: "low" | "high", needsGoal: boolean, of?: string}>} */
+export const MEASURES = {
+  stages_done: { unit: "", digits: 0, better: "high", needsGoal: false, of: "stages" },
+  follow_error_rms: { unit: "m", digits: 2, better: "low", needsGoal: false },
+  follow_error_max: { unit: "m", digits: 2, better: "low", needsGoal: false },
+  follow_near: { unit: "", digits: 2, better: "high", needsGoal: false },
+  heading_error_deg: { unit: "°", digits: 0, better: "low", needsGoal: true },
+  turn_drift: { unit: "m", digits: 2, better: "low", needsGoal: false },
+  cones_touched: { unit: "", digits: 0, better: "low", needsGoal: false, of: "cones" },
+  gap_clearance: { unit: "m", digits: 2, better: "high", needsGoal: false },
+  door_contacts: { unit: "", digits: 0, better: "low", needsGoal: false },
+  dist: { unit: "m", digits: 2, better: "low", needsGoal: true },
+  e_diff: { unit: "m²", digits: 2, better: "low", needsGoal: true },
+  time: { unit: "s", digits: 1, better: "low", needsGoal: true },
+  dist_ratio: { unit: "", digits: 2, better: "low", needsGoal: true },
+  cross_track_rms: { unit: "m", digits: 2, better: "low", needsGoal: false },
+  cross_track_max: { unit: "m", digits: 2, better: "low", needsGoal: false },
+  mean_speed: { unit: "m/s", digits: 2, better: "high", needsGoal: false },
+  stops: { unit: "", digits: 0, better: "low", needsGoal: false },
+  collisions: { unit: "", digits: 0, better: "low", needsGoal: false },
+  contact_time: { unit: "s", digits: 1, better: "low", needsGoal: false },
+  turn_reversals: { unit: "", digits: 0, better: "low", needsGoal: false },
+  pulses_per_metre: { unit: "/m", digits: 1, better: "low", needsGoal: false },
+  sparc: { unit: "", digits: 2, better: "high", needsGoal: false },
+  ldlj: { unit: "", digits: 2, better: "high", needsGoal: false },
+};
+
+/** What leads, by what a trial has: the first whose named measures are all there. */
+const LARGE = [
+  { has: ["stages_done"], large: ["stages_done", "time", "collisions"] },
+  { has: ["heading_error_deg"], large: ["heading_error_deg", "turn_drift", "time"] },
+  { has: ["follow_error_rms"], large: ["follow_error_rms", "follow_near", "e_diff"] },
+  { has: ["gaps", "gap_clearance"], large: ["gap_clearance", "e_diff", "time"] }, // where gaps are the task: not any door
+  { has: ["cones_touched"], large: ["cones_touched", "e_diff", "time"] },
+  { has: [], large: ["dist", "e_diff", "time"] },
+];
+
+/** The three measures that say most about a task, by what was measured. @param {any} measures @returns {string[]} */
+export function mostTelling(measures) {
+  return LARGE.find(({ has }) => has.every((name) => Number.isFinite(measures[name]))).large;
+}
+
+/** @param {string} name @param {number | null | undefined} value */
+export function withUnit(name, value) {
+  return joined(number(value, MEASURES[name].digits), MEASURES[name].unit);
+}
+
+/** A degree sign stands close to its figure. */
+function joined(figure, unit) {
+  return unit === "°" ? `${figure}${unit}` : `${figure} ${unit}`.trim();
+}
+
+/** What stands small behind a measure: its unit, or of how many. @param {string} name @param {any} measures */
+export function unitOf(name, measures) {
+  const { unit, of } = MEASURES[name];
+  return of && Number.isFinite(measures[of]) ? t("measure.of", { count: measures[of] }) : unit;
+}
+
+/** Tell whether a trial's measure can stand beside others. @param {string} name @param {any} measures */
+export function comparable(name, measures) {
+  return Number.isFinite(measures?.[name]) && (measures.reached || !MEASURES[name].needsGoal);
+}
+
+/**
+ * How one trial stands against another in one measure; null when they cannot be compared.
+ * @param {string} name @param {any} measures @param {any} before
+ * @returns {{words: string, amount: string, arrow: string, tone: "good" | "bad" | ""} | null}
+ */
+export function change(name, measures, before) {
+  if (!comparable(name, measures) || !comparable(name, before)) return null;
+  const { unit, digits, better } = MEASURES[name];
+  const difference = Number((measures[name] - before[name]).toFixed(digits));
+  if (difference === 0) return { words: t("over.same"), amount: "", arrow: "=", tone: "" };
+  const isBetter = difference < 0 === (better === "low");
+  return {
+    words: t(isBetter ? "over.better" : "over.worse"),
+    amount: joined(signed(difference, digits), unit),
+    arrow: difference < 0 ? "↓" : "↑",
+    tone: isBetter ? "good" : "bad",
+  };
+}
+
+/** The best of several trials in one measure; null when there is none. @param {string} name @param {any[]} trials */
+export function best(name, trials) {
+  const values = trials.filter(({ measures }) => comparable(name, measures)).map(({ measures }) => measures[name]);
+  if (!values.length) return null;
+  return MEASURES[name].better === "low" ? Math.min(...values) : Math.max(...values);
+}

@@ -1,0 +1,74 @@
+/** How well the map fitted one trial: a card for a trial that is over, and for its page in Review. */
+import { t } from "../texts.js";
+import { h } from "../widgets/dom.js";
+import { number, percent } from "../widgets/format.js";
+
+/** How each figure is written. @type {Record<string, (value: number | null | undefined) => string>} */
+export const QUALITIES = {
+  map_angle_deg: (value) => (Number.isFinite(value) ? `${number(value, 0)}°` : number(value, 0)),
+  evr: percent,
+  null_space_share: percent,
+  cross_talk: percent,
+  activations: (value) => number(value, 0),
+  activations_per_metre: (value) => (Number.isFinite(value) ? `${number(value, 1)} /m` : number(value, 1)),
+  span_share: percent,
+  rest_rate: (value) => (Number.isFinite(value) ? `${number(value, 3)} FS/s` : number(value, 3)),
+};
+
+const OF_TRIAL = ["activations_per_metre", "cross_talk"];
+export const OF_JOINT = ["map_angle_deg", "evr", "null_space_share", "span_share", "rest_rate", "activations"];
+
+/** @param {{quality: any}} trial what GET /trials/ID answered @returns {HTMLElement} */
+export function qualityCard({ quality }) {
+  const title = h("h2", {}, t("quality.title"));
+  if (!quality) return h("section", { class: "card" }, title, h("p", { class: "quiet" }, t("quality.none")));
+  const guided = quality.joints.filter((joint) => joint.guided).map(({ label }) => label);
+  const bad = quality.bad_channels
+    .filter(({ share }) => share >= 0.005) // less is shown as 0 %
+    .map(({ name, share }) => t("quality.bad.one", { name, share: percent(share) }));
+  return h(
+    "section",
+    { class: "card quality-card" },
+    title,
+    h("p", { class: "quiet small" }, t("quality.lead")),
+    h(
+      "dl",
+      { class: "fact-list" },
+      OF_TRIAL.map((name) =>
+        h(
+          "div",
+          {},
+          h("dt", {}, t(`quality.${name}`), h("small", { class: "quiet" }, ` ${t(`quality.means.${name}`)}`)),
+          h("dd", { class: "number" }, QUALITIES[name](quality[name])),
+        ),
+      ),
+    ),
+    jointTable(quality.joints),
+    quality.joints.some(({ map_angle_deg }) => map_angle_deg === null) &&
+      h("p", { class: "quiet small" }, t("quality.still")),
+    guided.length > 0 && h("p", { class: "quiet small" }, t("quality.guided", { joints: guided.join(", ") })),
+    bad.length > 0 && h("p", { class: "problem" }, t("quality.bad", { sensors: bad.join(", ") })),
+  );
+}
+
+function jointTable(joints) {
+  const row = (joint) =>
+    h(
+      "tr",
+      {},
+      h("th", { scope: "row" }, joint.label),
+      OF_JOINT.map((name) => h("td", {}, QUALITIES[name](joint[name]))),
+    );
+  const head = (name) =>
+    h("th", { scope: "col", title: name === "activations" ? null : t(`quality.means.${name}`) }, t(`quality.${name}`));
+  return h(
+    "div",
+    { class: "scroll-x", tabindex: "0", role: "region", "aria-label": t("quality.title") },
+    h(
+      "table",
+      { class: "measures" },
+      h("thead", {}, h("tr", {}, h("th", { scope: "col" }, t("quality.joint")), OF_JOINT.map(head))),
+      h("tbody", {}, joints.map(row)),
+    ),
+  );
+}

@@ -1,0 +1,31 @@
+/** Groups of trials by their source: worn, simulated, or not recorded; a curve or comparison has one group only. */
+import { t } from "../texts.js";
+import { h } from "../widgets/dom.js";
+import { field, selection } from "../widgets/fields.js";
+
+const GROUPS = ["worn", "simulated", "unknown"];
+
+/** @param {{source: {simulated: boolean | null}}} trial @returns {"worn" | "simulated" | "unknown"} */
+export function groupOf({ source: { simulated } }) {
+  if (simulated === null) return "unknown";
+  return simulated ? "simulated" : "worn";
+}
+
+/** A sign for trials that nobody drove by their own movements; null for worn ones. @param {"worn" | "simulated" | "unknown"} group */
+export function groupMark(group) {
+  return group === "worn" ? null : h("span", { class: "tag source-mark" }, t(`source.group.${group}`));
+}
+
+/**
+ * Which trials are looked at; null where there is only one group.
+ * @param {any[]} trials @param {string} chosen @param {(group: string) => void} onChange
+ */
+export function groupChoice(trials, chosen, onChange) {
+  const present = GROUPS.filter((group) => group === chosen || trials.some((trial) => groupOf(trial) === group));
+  if (present.length < 2) return null;
+  const options = present.map((group) => {
+    const count = trials.filter((trial) => trial.kept && groupOf(trial) === group).length;
+    return { value: group, label: t("source.group.count", { group: t(`source.group.${group}`), count }) };
+  });
+  return field(t("source.group"), selection(options, chosen, onChange));
+}

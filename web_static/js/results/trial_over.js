@@ -1,0 +1,85 @@
+/** A trial that is over: its figures, keep or discard, and the next one in one tap. */
+import { t } from "../texts.js";
+import { discardForm } from "./discard.js";
+import { h, put } from "../widgets/dom.js";
+import { moment } from "../widgets/format.js";
+import { qualityCard } from "./quality_card.js";
+import { groupMark, groupOf } from "./source_group.js";
+import { trialSummary } from "./trial_summary.js";
+
+/**
+ * Read a trial with all that stands beside it.
+ * @param {import("../api.js").Api} api @param {string | number} id
+ */
+export async function readTrial(api, id) {
+  const trial = await api.get(`/trials/${id}`);
+  const [trials, plans] = await Promise.all([api.get(`/trials?patient=${trial.patient_id}`), api.get("/floorplans")]);
+  const plan = plans.some(({ name }) => name === trial.floorplan)
+    ? await api.get(`/floorplans/${trial.floorplan}`)
+    : null;
+  return { trial, trials, plan };
+}
+
+/**
+ * @param {import("../main.js").App} app @param {HTMLElement} root @param {{trial: any, trials: any[], plan: any}} read
+ * @param {(trial: any) => (Node | false)[]} actions what stands at the right of the foot
+ * @param {Node} [above] what stands before the figures; without it, a link leads to the replay
+ */
+export function showTrialOver(app, root, read, actions, above) {
+  const { trial, trials, plan } = read;
+  const place = h("div", {});
+  const path = plan?.paths.find(({ name }) => name === trial.path_name)?.title ?? trial.path_name;
+  const again = async () => showTrialOver(app, root, await readTrial(app.api, trial.id), actions, above);
+  const call = async (what, body) => {
+    try {
+      await app.api.post(`/trials/${trial.id}/${what}`, body);
+      await again();
+    } catch (error) {
+      app.toasts.show(error.message);
+    }
+  };
+  const discard = async (reason) => {
+    await call("discard", { reason });
+    app.toasts.show(t("over.discarded.toast", { number: trial.number }), {
+      action: t("undo"),
+      run: () => call("keep"),
+    });
+  };
+  const ask = () => {
+    put(
+      place,
+      discardForm(discard, () => put(place)),
+    );
+    place.scrollIntoView({ block: "nearest" });
+    place.querySelector("input").focus();
+  };
+  const keeping = trial.kept
+    ? h("button", { type: "button", class: "btn", onclick: ask }, t("over.discard"))
+    : h("button", { type: "button", class: "btn", onclick: () => call("keep") }, t("over.keep"));
+  put(
+    root,
+    h(
+      "div",
+      { class: "body" },
+      h("h1", { tabindex: "-1" }, t(`over.${trial.end}`)),
+      h(
+        "p",
+        { class: "lead" },
+        t("over.lead", { number: trial.number, plan: trial.floorplan_title, path, when: moment(trial.started) }),
+      ),
+      h("p", { class: "quiet small" }, groupMark(groupOf(trial)), " ", t("over.source", { source: trial.source.words })),
+      above,
+      trialSummary(trial, trials, plan),
+      qualityCard(trial),
+      place,
+    ),
+    h(
+      "div",
+      { class: "foot" },
+      keeping,
+      !above && h("a", { class: "btn", href: `#/review/${trial.patient_id}/trial/${trial.id}` }, t("replay.look")),
+      h("span", { class: "grow" }),
+      actions(trial),
+    ),
+  );
+}

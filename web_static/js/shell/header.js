@@ -1,0 +1,114 @@
+/** The header: product, who is here, lamps of the equipment, colours, sign-out, Stop. */
+import { t } from "../texts.js";
+import { chairState } from "../widgets/chair_card.js";
+import { h, set, write } from "../widgets/dom.js";
+import { icon } from "../widgets/icons.js";
+import { practiceMark } from "./practice_mark.js";
+import { stopButton } from "./stop.js";
+import { chosenTheme, nextTheme } from "./theme.js";
+
+const THEME_ICONS = { system: "sun", light: "sun", dark: "moon", contrast: "contrast" };
+
+/** @param {import("../main.js").App} app */
+export function header(app) {
+  const who = h("span", { class: "who" });
+  const demo = h("span", { class: "tag calm", title: t("demo.explained") }, t("demo.tag"));
+  const practice = practiceMark();
+  const shirt = h("span", { class: "lamp" });
+  const chair = h("span", { class: "lamp" });
+  const lamps = h("div", { class: "lamps" }, shirt, chair);
+  const theme = themeButton(app);
+  const leave = h(
+    "button",
+    {
+      type: "button",
+      class: "icon-button",
+      title: t("sign-out"),
+      "aria-label": t("sign-out"),
+      onclick: () => app.signOut(),
+    },
+    icon("leave", 22),
+  );
+  const element = h(
+    "header",
+    { class: "head" },
+    h("span", { class: "brand" }, t("app.name")),
+    demo,
+    practice.element,
+    who,
+    lamps,
+    h("div", { class: "tools" }, theme, leave),
+    stopButton(app),
+  );
+
+  const showWho = () => {
+    const { patient, session } = app.visit ?? {};
+    const signedIn = Boolean(app.me?.signed_in);
+    demo.hidden = !app.me?.demo;
+    leave.hidden = !signedIn || app.me.demo;
+    lamps.style.visibility = signedIn ? "" : "hidden";
+    who.hidden = !signedIn;
+    write(who, patient ? t("who.visit", { code: patient.code, number: session?.number ?? 1 }) : t("who.nobody"));
+  };
+  const showShirt = () => {
+    if (!app.live.present) return unknown(shirt, "lamp.shirt.unknown", "");
+    const alive = app.live.present.shirt.alive;
+    const all = app.live.quality.length;
+    const good = app.live.quality.filter((quality) => quality === "good").length;
+    if (app.live.present.shirt.chosen === false) {
+      shirt.className = "lamp off";
+      return write(shirt, t("lamp.shirt.none"));
+    }
+    shirt.className = alive ? (good < all * 0.75 ? "lamp att" : "lamp") : "lamp att";
+    write(shirt, alive && all ? t("lamp.shirt", { good, all }) : t("lamp.shirt.silent"));
+  };
+  const showChair = () => {
+    const now = app.live.present;
+    if (!now) return unknown(chair, "lamp.chair.unknown", "wide");
+    const armed = now.state === "armed";
+    const state = now.chair && chairState(now.chair);
+    element.classList.toggle("has-chair", Boolean(state));
+    const isBad = state === "silent" || state === "fault";
+    chair.className = `lamp${isBad ? " att" : armed ? "" : " off"}${state ? "" : " wide"}`;
+    write(chair, state ? t("lamp.real", { state: t(`lamp.real.${state}`) }) : armed ? t("lamp.armed") : t("lamp.chair"));
+  };
+  // A demonstration says of itself that nothing in it is real.
+  const showPractice = () => practice.show(app.me?.demo ? null : app.practice);
+  for (const event of ["me", "practice"]) app.addEventListener(event, showPractice);
+  app.addEventListener("me", showWho);
+  app.addEventListener("visit", showWho);
+  app.live.addEventListener("quality", showShirt);
+  app.live.addEventListener("tick", showChair);
+  app.live.addEventListener("connection", () => {
+    showShirt();
+    showChair();
+    leave.disabled = !app.live.connected; // signing out is something that the program does
+  });
+  showWho();
+  showShirt();
+  showChair();
+  return element;
+}
+
+/** A lamp of which nothing is known now. @param {HTMLElement} lamp @param {string} key of its words @param {string} width */
+function unknown(lamp, key, width) {
+  lamp.className = `lamp off unknown ${width}`;
+  write(lamp, t(key));
+}
+
+/** @param {import("../main.js").App} app */
+function themeButton(app) {
+  const button = h("button", { type: "button", class: "icon-button" });
+  const show = () => {
+    const choice = chosenTheme();
+    const label = t("theme.label", { theme: t(`theme.${choice}`) });
+    set(button, { "aria-label": label, title: label });
+    button.replaceChildren(icon(THEME_ICONS[choice], 22));
+  };
+  button.addEventListener("click", () => {
+    app.toasts.show(t("theme.now", { theme: t(`theme.${nextTheme()}`) }));
+    show();
+  });
+  show();
+  return button;
+}

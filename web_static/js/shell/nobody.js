@@ -1,0 +1,24 @@
+/** What a page shows while nobody is here: what to do next. */
+import { t } from "../texts.js";
+import { h, put } from "../widgets/dom.js";
+
+/** @param {HTMLElement} root @param {string} title @param {string} lead @param {string} hash @param {string} action */
+export function emptyPage(root, title, lead, hash, action) {
+  put(
+    root,
+    h(
+      "div",
+      { class: "body empty" },
+      h("h1", { tabindex: "-1" }, title),
+      h("p", { class: "lead" }, lead),
+      h("a", { class: "btn go large", href: hash }, action),
+    ),
+  );
+}
+
+/** Show the empty page when nobody is here. @param {import("../main.js").App} app @param {HTMLElement} root */
+export function nobodyIsHere(app, root) {
+  if (app.visit?.patient) return false;
+  emptyPage(root, t("nobody.title"), t("nobody.lead"), "#/patients", t("nobody.go"));
+  return true;
+}

@@ -1,0 +1,80 @@
+/** The strip under the header: connection lost, control process lost, a stop or fault that waits for Continue, a full disk. */
+import { t } from "../texts.js";
+import { h, put } from "../widgets/dom.js";
+import { timeOfDay } from "../widgets/format.js";
+import { icon } from "../widgets/icons.js";
+
+const SEEN_AFTER = 400; // ms: a tap that comes sooner was meant for what stood there before
+
+/** @param {import("../main.js").App} app */
+export function notices(app) {
+  const element = h("div", { class: "notes", "aria-live": "assertive" });
+  let shown = "";
+  const show = () => {
+    const kind = app.me?.signed_in ? wanted(app) : "";
+    if (kind === shown) return;
+    shown = kind;
+    put(element, kind && note(app, kind));
+  };
+  app.live.addEventListener("tick", show);
+  app.live.addEventListener("connection", show);
+  for (const event of ["route", "me", "trial-view", "disk"]) app.addEventListener(event, show);
+  return element;
+}
+
+/** The one thing that most needs to be known; empty when all is well. */
+function wanted(app) {
+  if (!app.live.connected) return "lost";
+  const now = app.live.latest;
+  if (!now) return "";
+  if (now.control !== "alive") return "control";
+  // While driving, the drive page shows faults over the picture itself.
+  if (now.fault && !app.showsTrial) return faultKey(now);
+  if (now.drive && !app.showsTrial) return "driving";
+  return app.diskWords && !app.showsTrial ? `disk ${app.diskWords}` : "";
+}
+
+/** What is said of a fault is said anew with each further stop. @param {any} now the live picture */
+export function faultKey(now) {
+  return `fault ${now.fault.name} ${now.stops}`;
+}
+
+function note(app, kind) {
+  if (kind === "lost") return strip("bad", t("note.lost", { time: timeOfDay(app.live.saidAt) }), t("note.lost.why"));
+  if (kind === "control") return strip("bad", t("note.control"), t("note.control.why"));
+  if (kind === "driving")
+    return strip("", t("note.driving"), "", h("a", { class: "btn go", href: "#/drive/chair" }, t("note.driving.go")));
+  if (kind.startsWith("disk")) return strip("", app.diskWords, "");
+  const { happened, next_step: next } = app.live.latest.fault;
+  return strip("", happened, next, continueButton(app));
+}
+
+/** It takes back the stops that are shown beside it, and none that came after. @param {import("../main.js").App} app */
+export function continueButton(app) {
+  const { stops } = app.live.latest;
+  const isOff = (off) => button.setAttribute("aria-disabled", String(off));
+  const button = h("button", { type: "button", class: "btn go continue" }, t("note.fault.continue"));
+  isOff(true);
+  setTimeout(() => isOff(false), SEEN_AFTER);
+  button.addEventListener("click", async () => {
+    if (button.getAttribute("aria-disabled") === "true") return;
+    isOff(true);
+    try {
+      await app.api.post("/control/clear", { stops });
+    } catch (error) {
+      app.toasts.show(error.message);
+    }
+    isOff(false);
+  });
+  return button;
+}
+
+function strip(tone, happened, why, button = null) {
+  return h(
+    "div",
+    { class: `note ${tone}` },
+    icon("warning"),
+    h("div", { class: "grow" }, h("b", {}, happened), why && ` ${why}`),
+    button,
+  );
+}

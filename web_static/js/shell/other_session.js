@@ -1,0 +1,62 @@
+/** The card over a page whose session is no longer open: who is here now, whose page this is, and where to go. */
+import { t } from "../texts.js";
+import { h } from "../widgets/dom.js";
+import { minuteOfDay } from "../widgets/format.js";
+import { icon } from "../widgets/icons.js";
+
+/** Pages that show, or change, what belongs to the open session. */
+export const SESSION_PAGES = new Set(["shirt", "calibrate", "controls", "adapt", "drive"]);
+
+/** The reason with which such a page ends: it sends nothing more. */
+export const OTHER_SESSION = "other session";
+
+const FIELDS = "form :is(input:not([type=radio], [type=hidden], [type=file]), textarea)";
+
+/**
+ * @param {any} before the visit that the page shows @param {any} now the visit that is open
+ * @param {string[]} drafts what was entered and not sent
+ * @param {{onGo: () => void}} actions
+ */
+export function otherSession(before, now, drafts, { onGo }) {
+  const belongs = t("session.belongs", { code: before.patient.code });
+  const sentence = now.patient
+    ? t(now.session.opened_by ? "session.opened" : "session.opened.somebody", {
+        code: now.patient.code,
+        name: now.session.opened_by,
+        time: minuteOfDay(now.session.started),
+      })
+    : t("session.ended", { code: before.patient.code });
+  const title = h("h1", { id: "other-session", tabindex: "-1" }, t("session.other"));
+  const element = h(
+    "section",
+    { class: "other-session", role: "alertdialog", "aria-labelledby": "other-session", "aria-describedby": "other-session-why" },
+    h(
+      "div",
+      { class: "card" },
+      icon("warning", 32),
+      title,
+      h("p", { class: "lead", id: "other-session-why" }, `${sentence} ${belongs}`),
+      drafts.length > 0 && [
+        h("p", {}, t("session.drafts")),
+        h("ul", {}, drafts.map((draft) => h("li", {}, draft))),
+      ],
+      h(
+        "div",
+        { class: "spread" },
+        now.patient && h("button", { type: "button", class: "btn go", onclick: onGo }, t("session.go", { code: now.patient.code })),
+        h("a", { class: now.patient ? "btn" : "btn go", href: "#/patients" }, t("session.patients")),
+      ),
+    ),
+  );
+  return { element, focus: () => title.focus({ preventScroll: true }) };
+}
+
+/** The labels of the fields that a person changed in the page's forms. @param {HTMLElement} root @returns {string[]} */
+export function changedFields(root) {
+  return [...root.querySelectorAll(FIELDS)]
+    .filter((field) => (field.type === "checkbox" ? field.checked !== field.defaultChecked : field.value !== field.defaultValue))
+    .map((field) => {
+      const label = field.labels?.[0]?.textContent ?? field.getAttribute("aria-label") ?? "";
+      return field.type === "checkbox" ? label : t("session.draft", { label, value: field.value });
+    });
+}

@@ -1,0 +1,49 @@
+/** The rail: the six steps of a visit, which of them are done, where one is, and the settings. */
+import { t } from "../texts.js";
+import { h, set } from "../widgets/dom.js";
+import { icon } from "../widgets/icons.js";
+
+const STEPS = ["patients", "shirt", "calibrate", "controls", "drive", "review"];
+const RAIL = [...STEPS, "settings"];
+export const PAGES = [...RAIL, "plans", "adapt"]; // those that have an address of their own
+
+/** Which steps are done, by what the visit says. @param {import("../main.js").App} app @returns {Set<string>} */
+export function stepsDone(app) {
+  const visit = app.visit;
+  const done = new Set();
+  if (!visit?.patient) return done;
+  done.add("patients");
+  if (app.live.latest?.shirt.alive) done.add("shirt");
+  if (visit.has_profile) done.add("calibrate").add("controls");
+  if (visit.patient.trials > 0) done.add("drive");
+  return done;
+}
+
+/** @param {import("../main.js").App} app */
+export function rail(app) {
+  const links = RAIL.map((step) => {
+    const mark = h(
+      "span",
+      { class: "done", hidden: true },
+      icon("tick", 14),
+      h("span", { class: "unseen" }, t("rail.done")),
+    );
+    const link = h("a", { href: `#/${step}` }, icon(step), h("span", {}, t(`rail.${step}`)), mark);
+    return { step, link, mark };
+  });
+  const show = () => {
+    const done = stepsDone(app);
+    for (const { step, link, mark } of links) {
+      mark.hidden = !done.has(step);
+      set(link, { "aria-current": step === app.route.page ? "page" : null });
+    }
+  };
+  for (const event of ["visit", "route"]) app.addEventListener(event, show);
+  app.live.addEventListener("quality", show);
+  show();
+  return h(
+    "nav",
+    { class: "rail", "aria-label": t("rail.label") },
+    links.map(({ link }) => link),
+  );
+}

@@ -1,0 +1,66 @@
+/** Stop: on pointer down, from the keyboard, and by the space bar while driving. Two ways at once, because one may be slow. */
+import { t } from "../texts.js";
+import { h } from "../widgets/dom.js";
+
+const SHOWN_FOR = 600; // ms that the button shows it was hit
+const MOVING = new Set(["armed", "checking"]);
+
+/** Send a stop over the socket and by HTTP; either is enough. @param {import("../main.js").App} app */
+export async function stopNow(app) {
+  app.live.send({ stop: true });
+  try {
+    await app.api.post("/control/stop");
+    app.toasts.announce(t("stop.sent"), true);
+  } catch {
+    if (!app.live.connected || app.live.age > 1) app.toasts.show(t("stop.not-sent"));
+  }
+}
+
+/** The button; it stands in the header of every page, signed in or not. @param {import("../main.js").App} app */
+export function stopButton(app) {
+  const button = h(
+    "button",
+    { type: "button", class: "stop", "aria-label": t("stop.label"), id: "stop" },
+    h("span", {}, t("stop")),
+  );
+  const hit = () => {
+    button.classList.add("sent");
+    setTimeout(() => button.classList.remove("sent"), SHOWN_FOR);
+    stopNow(app);
+  };
+  button.addEventListener("pointerdown", hit);
+  // A click without a pointer comes from the keyboard or from assistive technology.
+  button.addEventListener("click", (event) => event.detail === 0 && hit());
+  return button;
+}
+
+/**
+ * Let the space bar stop while the chair is armed, whatever has the focus.
+ * @param {import("../main.js").App} app @param {EventTarget} where a window: ours, or the 3D view's
+ * @param {AbortSignal} [signal]
+ */
+export function stopOnSpace(app, where, signal) {
+  const stops = (event) => event.code === "Space" && MOVING.has(app.live.latest?.state) && !isWriting(event.target);
+  const down = (event) => {
+    if (!stops(event)) return;
+    event.preventDefault();
+    event.stopImmediatePropagation();
+    if (!event.repeat) stopNow(app);
+  };
+  where.addEventListener("keydown", down, { capture: true, signal });
+  // The button under the focus would be pressed when the key comes up.
+  where.addEventListener(
+    "keyup",
+    (event) => event.code === "Space" && isDriven(app) && !isWriting(event.target) && event.preventDefault(),
+    { capture: true, signal },
+  );
+}
+
+function isDriven({ live: { latest } }) {
+  return Boolean(latest?.trial || latest?.drive);
+}
+
+/** Tell whether a key belongs to a field that somebody writes into. @param {any} target */
+export function isWriting(target) {
+  return target?.matches?.("input:not([type=radio]):not([type=checkbox]), textarea, select") ?? false;
+}

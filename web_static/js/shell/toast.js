@@ -1,0 +1,42 @@
+/** Short messages at the lower edge, with at most one thing to do about them; read out by screen readers. */
+import { h } from "../widgets/dom.js";
+
+const SHOWN_FOR = 8000; // ms: long enough to read it, reach for the tablet and tap Undo
+
+/** Where toasts and announcements appear. */
+export class Toasts {
+  constructor() {
+    this.element = h("div", { class: "toasts", role: "status" });
+    this.voice = h("div", { class: "unseen", "aria-live": "polite" });
+    this.urgent = h("div", { class: "unseen", "aria-live": "assertive" });
+  }
+
+  /**
+   * @param {string} words
+   * @param {{action?: string, run?: () => void}} [offer]
+   */
+  show(words, offer = {}) {
+    const toast = h("div", { class: "toast" }, h("span", { class: "grow" }, words));
+    const timer = setTimeout(() => toast.remove(), SHOWN_FOR);
+    if (offer.action) {
+      const run = () => {
+        clearTimeout(timer);
+        toast.remove();
+        offer.run?.();
+      };
+      toast.append(h("button", { type: "button", onclick: run }, offer.action));
+    }
+    this.element.replaceChildren(toast);
+  }
+
+  /** Take back everything that was said: it was not meant for the next person at this screen. */
+  clear() {
+    for (const place of [this.element, this.voice, this.urgent]) place.replaceChildren();
+  }
+
+  /** Say something to screen readers only. @param {string} words @param {boolean} [urgent] */
+  announce(words, urgent = false) {
+    const place = urgent ? this.urgent : this.voice;
+    if (place.textContent !== words) place.textContent = words;
+  }
+}

@@ -1,0 +1,55 @@
+/** The real chair as it tells of itself, live: state in words, battery, stop switch, how old its last answer is, speeds. */
+import { t } from "../texts.js";
+import { h, write } from "./dom.js";
+import { facts } from "./facts.js";
+import { number, percent } from "./format.js";
+
+const SILENT = 0.3; // s without an answer; the gate's own limit
+const JUST_NOW = 0.2; // s: it tells every 0.1 s
+const DEGREES = 180 / Math.PI;
+const TONES = { silent: "bad", fault: "bad", disarmed: "plain", checking: "att", armed: "" };
+
+/** @param {any} chair of the live picture @returns {"silent" | "disarmed" | "checking" | "armed" | "fault"} */
+export function chairState({ state, age }) {
+  return age === null || age > SILENT ? "silent" : state;
+}
+
+/**
+ * @param {import("../live/live.js").Live} live @param {AbortSignal} signal
+ * @param {{hasWhy?: boolean}} [options] whether it says why the chair does not drive
+ */
+export function chairCard(live, signal, { hasWhy = true } = {}) {
+  const tag = h("span", { class: "tag" });
+  const list = facts(["chair.drives", "chair.battery", "chair.switch", "chair.age"]);
+  const why = h("p", { class: "why", role: "status" });
+  const show = () => {
+    const chair = live.latest?.chair;
+    if (!chair) return;
+    const state = chairState(chair);
+    tag.className = `tag ${TONES[state]}`;
+    write(tag, t(`chair.state.${state}`));
+    write(why, whyNot(chair, state));
+    // What a silent chair said last is not how it is.
+    const said = (words) => (state === "silent" ? number(null, 0) : words);
+    const twist = { v: number(chair.v, 2), omega: number(chair.omega * DEGREES, 0) };
+    list.write("chair.drives", said(t("chair.drives.value", twist)));
+    list.write("chair.battery", said(chair.battery === null ? t("chair.battery.unknown") : percent(chair.battery)));
+    list.write("chair.switch", said(t(chair.stop_input ? "chair.switch.pressed" : "chair.switch.released")));
+    list.write("chair.age", chair.age === null ? t("chair.never") : ageWords(chair.age));
+  };
+  live.addEventListener("tick", show, { signal });
+  const title = h("h2", {}, t("chair.card"), tag);
+  const element = h("section", { class: "card" }, title, list.element, hasWhy && why);
+  show();
+  return { element, title };
+}
+
+function whyNot({ stop_input: isPressed, words }, state) {
+  if (isPressed && state !== "silent") return t("chair.switch.why");
+  return state === "silent" || state === "fault" ? words : "";
+}
+
+function ageWords(age) {
+  if (age < JUST_NOW) return t("chair.now");
+  return t("chair.age.value", { age: number(age, age < 10 ? 1 : 0) });
+}

@@ -1,0 +1,146 @@
+/** The patient's screens of this visit: pair one by a code, what they show, unpair one. */
+import { t } from "../texts.js";
+import { h, put, write } from "./dom.js";
+import { toggle } from "./fields.js";
+import { moment } from "./format.js";
+import { icon } from "./icons.js";
+import { pictureOf } from "./one_time_key.js";
+
+const WISHES = ["arrow", "sounds", "large", "plan"];
+const LOOK_EVERY = 5000; // ms between two looks at the time that a code has left
+const MINUTE = 60_000; // ms
+
+/** @param {import("../main.js").App} app @param {AbortSignal} signal */
+export function patientScreenCard(app, signal) {
+  const list = h("div", { class: "paired-chairs", role: "list" });
+  const wishes = h("div", { class: "spread" });
+  const below = h("div", {});
+  const element = h(
+    "section",
+    { class: "card patient-screens" },
+    h("h2", {}, t("screens.title")),
+    h("p", { class: "quiet small" }, t("screens.lead")),
+    list,
+    wishes,
+    below,
+  );
+  let isOpen = false; // a code is shown
+  let shown = null;
+
+  const draw = (read) => {
+    if (isOpen && shown && read.screens.some(({ id }) => !shown.screens.some((screen) => screen.id === id))) {
+      app.toasts.show(t("screens.paired"));
+      offer();
+    }
+    shown = read;
+    put(list, read.screens.map(row));
+    const hadFocus = wishes.contains(document.activeElement);
+    const at = [...wishes.querySelectorAll("input")].indexOf(document.activeElement);
+    put(
+      wishes,
+      WISHES.map((wish) => toggle(t(`screens.${wish}`), read.settings[wish], (on) => choose({ ...read.settings, [wish]: on }))),
+    );
+    if (hadFocus) wishes.querySelectorAll("input")[at]?.focus();
+  };
+  const call = async (asked) => {
+    try {
+      draw(await asked);
+      return true;
+    } catch (error) {
+      app.toasts.show(error.message);
+      return false;
+    }
+  };
+  const read = () => {
+    if (app.visit?.patient) return call(app.api.get("/patient-screen"));
+    shown = null;
+    put(list);
+    put(wishes);
+    put(below, h("p", { class: "quiet" }, t("screens.nobody")));
+  };
+  const choose = async (settings) => (await call(app.api.post("/patient-screen/settings", settings))) || read();
+  const unpair = async ({ id, number }) => {
+    if (await call(app.api.remove(`/patient-screen/${id}`))) app.toasts.show(t("screens.unpaired", { number }));
+  };
+  const row = (screen) => {
+    const label = t("screens.unpair.label", { number: screen.number });
+    const action = { type: "button", class: "btn", "aria-label": label, onclick: () => unpair(screen) };
+    return h(
+      "div",
+      { class: "paired-chair row", role: "listitem" },
+      h("b", {}, t("screens.name", { number: screen.number })),
+      h("span", { class: `tag ${screen.connected ? "" : "att"}` }, t(`screens.${screen.connected ? "connected" : "away"}`)),
+      screen.picture &&
+        h("span", { class: `tag ${screen.picture === "none" ? "att" : ""}` }, t(`screens.picture.${screen.picture}`)),
+      h("span", { class: "quiet small grow" }, t("screens.since", { when: moment(screen.paired) })),
+      h("button", action, t("screens.unpair")),
+    );
+  };
+  const offer = () => {
+    isOpen = false;
+    put(below, h("button", { type: "button", class: "btn", onclick: open }, icon("plus", 20), t("screens.pair")));
+  };
+  const open = async () => {
+    try {
+      const made = await app.api.post("/patient-screen/pairing");
+      isOpen = true;
+      put(below, codeView(app, made, { onAgain: open, onClose: offer }, signal));
+      below.querySelector("h3").focus();
+    } catch (error) {
+      app.toasts.show(error.message);
+    }
+  };
+  app.live.addEventListener(
+    "changed",
+    ({ detail }) => ["screens", "visit", "everything"].includes(detail) && read(),
+    { signal },
+  );
+  let visit = app.visit?.session?.id;
+  const showVisit = () => {
+    if (app.visit?.session?.id === visit) return;
+    visit = app.visit?.session?.id;
+    offer(); // a code is for one visit
+    read();
+  };
+  app.addEventListener("visit", showVisit, { signal });
+  offer();
+  read();
+  return element;
+}
+
+/** The code to scan, its link, and how long they hold. */
+function codeView(app, { url, qr, words, expires }, { onAgain, onClose }, signal) {
+  const about = h("p", { role: "status" });
+  const link = h("code", {}, url);
+  const copy = async () => {
+    try {
+      await navigator.clipboard.writeText(url);
+      app.toasts.show(t("screens.copied"));
+    } catch {
+      app.toasts.show(t("screens.copy-failed")); // browsers give the clipboard to encrypted pages only
+    }
+  };
+  const button = (text, run) => h("button", { type: "button", class: "btn", onclick: run }, text);
+  const picture = h("img", { class: "qr", src: pictureOf(qr), alt: t("screens.qr"), width: 240, height: 240 });
+  const element = h(
+    "div",
+    { class: "paired" },
+    h("h3", { tabindex: "-1" }, t("screens.pair")),
+    about,
+    words && h("p", { class: "att" }, words),
+    picture,
+    h("p", { class: "small" }, t("screens.link")),
+    h("pre", {}, link),
+    h("div", { class: "spread" }, button(t("screens.copy"), copy), button(t("screens.again"), onAgain), button(t("screens.close"), onClose)),
+  );
+  const show = () => {
+    const left = Date.parse(expires) - Date.now();
+    picture.hidden = left <= 0;
+    const minutes = t("screens.minutes", { count: Math.max(1, Math.ceil(left / MINUTE)) });
+    write(about, left > 0 ? t("screens.scan", { minutes }) : t("screens.expired"));
+  };
+  const timer = setInterval(() => (element.isConnected ? show() : clearInterval(timer)), LOOK_EVERY);
+  signal.addEventListener("abort", () => clearInterval(timer));
+  show();
+  return element;
+}

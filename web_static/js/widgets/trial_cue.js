@@ -1,0 +1,100 @@
+/** The card over the picture: the starting cue, what to do after a stop or fault, and what to do without a picture. */
+import { t } from "../texts.js";
+import { h, put, write } from "./dom.js";
+import { clock } from "./format.js";
+import { icon } from "./icons.js";
+import { continueButton, faultKey } from "../shell/notices.js";
+
+const LONG = 6; // letters; longer words are written smaller
+const GO_SHOWN = 1600; // ms
+
+/**
+ * @param {import("../main.js").App} app @param {import("../pages/drive/drive_picture.js").DrivePicture} picture
+ * @param {() => Promise<void>} onEnd @param {() => void} onPlan show the drawn plan
+ */
+export function trialCue(app, picture, onEnd, onPlan) {
+  const element = h("div", { class: "over-view", "aria-live": "assertive" });
+  const waits = waitWords("trial.paused");
+  let shown = "";
+  let isBegun = false;
+  let timer = 0;
+  const word = (big, small, tone = "") =>
+    h(
+      "div",
+      { class: `hud cue-card ${tone}` },
+      h("div", { class: big.length > LONG ? "huge long" : "huge" }, big),
+      small && h("p", {}, small),
+    );
+  const missing = () => (picture.shows === "none" ? picture.why : "");
+  /** Before the trial: the picture is coming, or there is none. */
+  const prepare = () => {
+    const why = missing();
+    if (!why || why === "coming") put(element, word(t("trial.moment"), t("trial.moment.why")));
+    else put(element, withoutPicture(why, onPlan));
+  };
+  const show = (now) => {
+    waits.show(now.trial?.waits);
+    const isFault = now.fault && now.control === "alive";
+    const phase = now.control !== "alive" ? "control" : now.fault ? faultKey(now) : now.state;
+    const key = isFault ? `${phase} ${missing()}` : phase;
+    if (key === shown) return;
+    shown = key;
+    if (isFault) {
+      clearTimeout(timer);
+      return put(element, overView(app, now.fault, missing(), waits.element, onEnd, onPlan));
+    }
+    if (key === "disarmed" && !isBegun) return; // not begun: what was prepared stays
+    clearTimeout(timer);
+    isBegun ||= key === "checking";
+    if (key === "checking") put(element, word(t("trial.rest"), t("trial.rest.why")));
+    else if (key === "armed" && isBegun) {
+      put(element, word(t("trial.go"), "", "go"));
+      timer = setTimeout(() => put(element), GO_SHOWN);
+    } else put(element);
+  };
+  prepare();
+  return { element, show, prepare };
+}
+
+function overView(app, fault, missing, waits, onEnd, onPlan) {
+  const end = h("button", { type: "button", class: "btn", onclick: onEnd }, t("trial.end"));
+  if (!missing) return faultCard(app, fault, waits, end);
+  return card(fault.happened, t(`picture.${missing}`), waits, planButton("picture.plan.show", onPlan), end);
+}
+
+/** The card while there is no picture to drive by. */
+function withoutPicture(why, onPlan) {
+  const back = h("a", { class: "btn", href: "#/drive" }, t("picture.back"));
+  return card(t("picture.none"), t(`picture.${why}`), null, planButton("picture.plan.start", onPlan), back);
+}
+
+function planButton(words, onPlan) {
+  return h("button", { type: "button", class: "btn go", onclick: onPlan }, t(words));
+}
+
+/**
+ * For how much longer a halted trial or drive waits for Continue: counted down for the eye, and read out once.
+ * @param {string} key of the words
+ */
+export function waitWords(key) {
+  const left = h("b", { class: "number", role: "timer" });
+  const element = h("p", { class: "waits" }, t(key), " ", left);
+  return { element, show: (seconds) => write(left, clock(seconds)) };
+}
+
+/** What happened, what to do, Continue, and how to end. @param {import("../main.js").App} app @param {{happened: string, next_step: string}} fault @param {Node} waits @param {Node} end */
+export function faultCard(app, { happened, next_step: next }, waits, end) {
+  return card(happened, next, waits, continueButton(app), end);
+}
+
+/** @param {string} happened @param {string} next @param {Node | null} waits @param {Node} go @param {Node} other */
+function card(happened, next, waits, go, other) {
+  return h(
+    "div",
+    { class: "hud fault-card" },
+    h("h2", {}, icon("warning", 28), happened),
+    h("p", {}, next),
+    waits,
+    h("div", { class: "spread" }, go, other),
+  );
+}
