@@ -69,9 +69,9 @@ from app.session.real_drive import RealDriveFlow
 from app.session.runs import Runs
 from app.session.screen_codes import PairingCodes
 from app.session.trial import DriveFlow
+from app.session.trial_qualities import TrialQualities
 from app.settings import Settings
 from app.store.calibrations import fail_interrupted_steps
-from app.store.control_quality import TrialQualities
 from app.store.database import Database
 from app.store.drives import close_interrupted_drives
 from app.store.files.disk import DiskWatch

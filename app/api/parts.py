@@ -32,7 +32,7 @@ from app.session.real_drive import RealDriveFlow
 from app.session.runs import Runs
 from app.session.screen_codes import PairingCodes
 from app.session.trial import DriveFlow
-from app.store.control_quality import TrialQualities
+from app.session.trial_qualities import TrialQualities
 from app.store.files.disk import DiskWatch
 from app.world.floorplan import FloorPlan, bundled_floorplans, load_floorplan
 from app.world.scene import Offer, bundled_places, find_place

@@ -15,6 +15,7 @@ from app.cli.output import check_new_folder
 from app.cli.study_sessions import study_sessions
 from app.clock import stopwatch
 from app.figures.paper import FigureFormat
+from app.figures.study_figures import draw_seeds, draw_study
 from app.hardware.body.person_parameters import NOVICE
 from app.study.experiment import StudyResult, run_study
 from app.study.seeds import MEASURES, run_seeds
@@ -97,13 +98,13 @@ def study(
     try:
         if seeds == 1:
             result = run_study(trials, seed, plan, chosen.name, None if as_json else _Progress(trials), driver)
-            write_study(result, out, figure_format, overwrite)
+            write_study(result, out, lambda folder: draw_study(result, folder, figure_format), overwrite)
             told, said = summary(result), [result.learning[name]["text"] for name in MEASURES]
         else:
             results = run_seeds(
                 range(seed, seed + seeds), trials, plan, chosen.name, driver, None if as_json else _tell_of_seed
             )
-            write_seeds(results, out, figure_format, overwrite)
+            write_seeds(results, out, lambda folder: draw_seeds(results, folder, figure_format), overwrite)
             told, said = seeds_summary(results), sentences(results)
     except ValueError as error:
         raise InputError(str(error)) from error

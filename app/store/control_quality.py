@@ -1,19 +1,11 @@
-"""How well each trial was controlled, as it is kept; what is missing is made up for from the recording."""
-
-from collections.abc import Callable
-from contextlib import suppress
-from pathlib import Path
+"""How well each trial was controlled, as the database keeps it."""
 
 from pydantic import ValidationError
 from sqlalchemy import select
 from sqlalchemy.orm import Session
 
-from app.refusals import Full
 from app.scoring.control_quality import ControlQuality
-from app.scoring.trial_quality import JudgedTrial
-from app.session.readings import Quality
-from app.store.database import Database
-from app.store.tables import Parameters, PatientSession, Profile, Trial
+from app.store.tables import Parameters, Profile, Trial
 
 
 def save_quality(db: Session, trial_id: int, quality: ControlQuality) -> None:
@@ -33,42 +25,3 @@ def map_version_of(db: Session, trial: Trial) -> int:
     """Return the version of the profile that a trial was driven with."""
     query = select(Profile.version).join(Parameters, Parameters.profile_id == Profile.id)
     return db.scalars(query.where(Parameters.id == trial.parameters_id)).one()
-
-
-class TrialQualities:
-    """Tells the quality of any ended trial: from the database, or else once from its recording."""
-
-    def __init__(self, database: Database, folder_of: Callable[[str], Path], quality: Quality) -> None:
-        self._database = database
-        self._folder_of = folder_of
-        self._quality = quality
-        self._unreadable: set[int] = set()  # trials whose recording does not tell; asked once per start of the program
-
-    def of(self, trial: Trial) -> ControlQuality | None:
-        """Return how well a trial was controlled, None while it runs or when its recording does not tell."""
-        known = stored_quality(trial)
-        if known is not None or trial.status != "done" or trial.id in self._unreadable:
-            return known
-        try:
-            made = self._quality(self._folder_of(trial.run_id))
-        except (ValueError, OSError):
-            self._unreadable.add(trial.id)
-            return None
-        with suppress(Full), self._database.transaction() as db:
-            save_quality(db, trial.id, made)
-        return made
-
-    def judged(self, trials: list[Trial]) -> list[JudgedTrial]:
-        """Return those of a patient's trials that count and could be judged, in the order driven."""
-        with self._database.transaction() as db:
-            places = {
-                trial.id: (db.get_one(PatientSession, trial.session_id).number, map_version_of(db, trial))
-                for trial in trials
-            }
-        found = []
-        for trial in trials:
-            quality = self.of(trial) if trial.kept else None
-            if quality is not None:
-                task = f"{trial.floorplan}/{trial.path}"
-                found.append(JudgedTrial(trial.id, trial.number, *places[trial.id], task, quality))
-        return found

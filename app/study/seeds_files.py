@@ -13,15 +13,13 @@ import pyarrow as pa
 import pyarrow.parquet
 
 from app import __version__
-from app.figures.paper import FigureFormat, Trajectory, save_figure, trajectories_figure
-from app.figures.seed_errors import errors_over_seeds_figure
 from app.source import STUDY_SOURCE, source_words
 from app.study.experiment import StudyResult
-from app.study.seeds import EARLY, MEASURES, OverSeeds, comparable_table, over_seeds, thinned
+from app.study.seeds import EARLY, MEASURES, OverSeeds, over_seeds, thinned
 from app.study.study_files import (
     TRIAL_COLUMNS,
+    Draw,
     cell,
-    draw_study,
     person_document,
     trajectories_table,
     whole_folder,
@@ -30,10 +28,10 @@ from app.study.study_files import (
 WORDS = {"dist": ("Dist", "m"), "e_diff": ("E_diff", "m²")}
 
 
-def write_seeds(
-    results: Sequence[StudyResult], folder: Path, figure_format: FigureFormat = "png", overwrite: bool = False
-) -> None:
-    """Write several studies of one kind into `folder`, whole or not at all; the first one's figures are there too.
+def write_seeds(results: Sequence[StudyResult], folder: Path, draw: Draw, overwrite: bool = False) -> None:
+    """Write several studies of one kind into `folder`, whole or not at all.
+
+    `draw` draws the figures into the folder that it is given.
 
     Raises
     ------
@@ -47,8 +45,7 @@ def write_seeds(
         pyarrow.parquet.write_table(_trajectories(results), part / "trajectories.parquet", compression="zstd")
         document = json.dumps(seeds_summary(results), indent=1, allow_nan=False)
         (part / "study.json").write_text(document + "\n", encoding="utf-8")
-        _draw(results, part, figure_format)
-        draw_study(results[0], part, figure_format, suffix=f"-seed-{results[0].seed}")
+        draw(part)
 
 
 def seeds_csv(results: Sequence[StudyResult]) -> str:
@@ -126,24 +123,3 @@ def _trajectories(results: Sequence[StudyResult]) -> pa.Table:
         table = trajectories_table(result)
         tables.append(table.add_column(0, "seed", pa.array(np.full(table.num_rows, result.seed, dtype=np.int32))))
     return pa.concat_tables(tables)
-
-
-def _draw(results: Sequence[StudyResult], folder: Path, figure_format: FigureFormat) -> None:
-    first, last = results[0], len(results[0].trials)
-    panels = [
-        (f"({letter}) Trial {number}, {len(results)} people", _trajectories_of(results, number))
-        for letter, number in zip("ab", dict.fromkeys((1, last)), strict=False)
-    ]
-    save_figure(
-        trajectories_figure(first.floorplan, first.path, panels),
-        folder / f"trajectories.{figure_format}",
-        figure_format,
-    )
-    dist, e_diff = (comparable_table(results, measure) for measure in MEASURES)
-    numbers = [trial.number for trial in first.trials]
-    errors = errors_over_seeds_figure(numbers, dist, e_diff, first.path.line.length)
-    save_figure(errors, folder / f"errors.{figure_format}", figure_format)
-
-
-def _trajectories_of(results: Sequence[StudyResult], number: int) -> list[Trajectory]:
-    return [(result.trials[number - 1].x, result.trials[number - 1].y) for result in results]

@@ -5,7 +5,7 @@ import io
 import json
 import shutil
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import fields
 from pathlib import Path
@@ -16,10 +16,11 @@ import pyarrow as pa
 import pyarrow.parquet
 
 from app import __version__
-from app.figures.paper import FigureFormat, errors_figure, save_figure, trajectories_figure
 from app.hardware.body.person_parameters import PersonParameters, Practised
 from app.source import STUDY_SOURCE, source_words
 from app.study.experiment import StudyResult
+
+Draw = Callable[[Path], None]
 
 TRIAL_COLUMNS = ("trial", "dist", "e_diff", "time", "cross_track_rms", "collisions", "reached", "simulated")
 TRAJECTORY_COLUMNS = ("t", "x", "y", "theta", "v", "omega")
@@ -39,10 +40,10 @@ def check_folder(folder: Path, overwrite: bool) -> None:
         raise ValueError(f"{folder} is not empty: name another folder, or replace it with --overwrite")
 
 
-def write_study(
-    result: StudyResult, folder: Path, figure_format: FigureFormat = "png", overwrite: bool = False
-) -> None:
+def write_study(result: StudyResult, folder: Path, draw: Draw, overwrite: bool = False) -> None:
     """Write a study into `folder`: made beside it and then renamed, so that it is whole or not there.
+
+    `draw` draws the figures into the folder that it is given.
 
     Raises
     ------
@@ -57,7 +58,7 @@ def write_study(
         (part / "study.json").write_text(
             json.dumps(summary(result), indent=1, allow_nan=False) + "\n", encoding="utf-8"
         )
-        draw_study(result, part, figure_format)
+        draw(part)
 
 
 @contextmanager
@@ -131,24 +132,6 @@ def person_document(person: PersonParameters) -> dict[str, Any]:
     """Return a person's numbers by name, ready for JSON."""
     numbers = ((field.name, getattr(person, field.name)) for field in fields(person))
     return {name: value._asdict() if isinstance(value, Practised) else value for name, value in numbers}
-
-
-def draw_study(result: StudyResult, folder: Path, figure_format: FigureFormat, suffix: str = "") -> None:
-    """Draw a study as the paper does: the first trajectory and all of them over the path, and both errors."""
-    driven = [(trial.x, trial.y) for trial in result.trials]
-    panels = [("(a) Trial 1", driven[:1])]
-    if len(driven) > 1:
-        panels.append((f"(b) All {len(driven)} trials", driven))
-    over_path = trajectories_figure(result.floorplan, result.path, panels)
-    save_figure(over_path, folder / f"trajectories{suffix}.{figure_format}", figure_format)
-    errors = errors_figure(
-        [trial.number for trial in result.trials],
-        [trial.measures["dist"] for trial in result.trials],
-        [trial.measures["e_diff"] for trial in result.trials],
-        result.path.line.length,
-        result.learning,
-    )
-    save_figure(errors, folder / f"errors{suffix}.{figure_format}", figure_format)
 
 
 def _put_in_place(part: Path, folder: Path) -> None:

@@ -3,6 +3,7 @@
 import csv
 import dataclasses
 import json
+from pathlib import Path
 
 import numpy as np
 import pyarrow.parquet
@@ -10,6 +11,7 @@ import pytest
 
 from app.cli.errors import InputError
 from app.cli.study import find_floorplan, study
+from app.figures.study_figures import draw_study
 from app.hardware.body.person_parameters import NOVICE, PRACTISED
 from app.study import study_files
 from app.study.experiment import run_study
@@ -76,8 +78,12 @@ def test_the_calibration_of_the_study_is_good_enough_to_drive(short) -> None:
         assert joints[name].grade in ("good", "usable")
 
 
+def without_figures(_folder: Path) -> None:
+    """Draw nothing."""
+
+
 def test_a_study_on_disk(short, tmp_path) -> None:
-    write_study(short, tmp_path / "study", "png")
+    write_study(short, tmp_path / "study", lambda folder: draw_study(short, folder, "png"))
     folder = tmp_path / "study"
     assert sorted(file.name for file in folder.iterdir()) == [
         "errors.png",
@@ -105,7 +111,8 @@ def test_a_study_on_disk(short, tmp_path) -> None:
 
 def test_figures_as_svg_are_the_same_for_the_same_study(short, tmp_path) -> None:
     for name in ("one", "two"):
-        write_study(short, tmp_path / name, "svg")
+        (tmp_path / name).mkdir()
+        draw_study(short, tmp_path / name, "svg")
     for name in ("errors.svg", "trajectories.svg"):
         drawn = (tmp_path / "one" / name).read_bytes()
         assert b"<svg" in drawn
@@ -117,24 +124,23 @@ def test_a_folder_with_something_in_it_is_refused_and_kept(short, tmp_path) -> N
     folder.mkdir()
     (folder / "precious.txt").write_text("mine", encoding="utf-8")
     with pytest.raises(ValueError, match="not empty"):
-        write_study(short, folder)
+        write_study(short, folder, without_figures)
     assert (folder / "precious.txt").read_text(encoding="utf-8") == "mine"
-    write_study(short, folder, overwrite=True)
+    write_study(short, folder, without_figures, overwrite=True)
     assert not (folder / "precious.txt").exists()
     assert (folder / "trials.csv").exists()
     (tmp_path / "file").write_text("", encoding="utf-8")
     with pytest.raises(ValueError, match="is a file"):
-        write_study(short, tmp_path / "file", overwrite=True)
+        write_study(short, tmp_path / "file", without_figures, overwrite=True)
 
 
-def test_a_study_that_cannot_be_drawn_leaves_nothing(short, tmp_path, monkeypatch) -> None:
-    def broken(*_args: object) -> None:
+def test_a_study_that_cannot_be_drawn_leaves_nothing(short, tmp_path) -> None:
+    def broken(_folder: Path) -> None:
         raise OSError("no space left on device")
 
-    monkeypatch.setattr(study_files, "save_figure", broken)
     (tmp_path / "study").mkdir()
     with pytest.raises(OSError, match="no space"):
-        write_study(short, tmp_path / "study")
+        write_study(short, tmp_path / "study", broken)
     assert [file.name for file in tmp_path.iterdir()] == ["study"]
     assert list((tmp_path / "study").iterdir()) == []
 

@@ -4,6 +4,7 @@ import csv
 import dataclasses
 import itertools
 import json
+from pathlib import Path
 
 import numpy as np
 import pyarrow.parquet
@@ -13,9 +14,9 @@ from hypothesis import strategies as st
 
 from app.cli.errors import InputError
 from app.cli.study import study
+from app.figures.study_figures import draw_seeds
 from app.hardware.body.person_parameters import PRACTISED
 from app.scoring.learning import learning_curves
-from app.study import study_files
 from app.study.experiment import StudyResult, run_study
 from app.study.seeds import largest_step, over_seeds, run_seeds, thinned
 from app.study.seeds_files import seeds_summary, sentences, write_seeds
@@ -99,7 +100,7 @@ def test_the_largest_step_is_the_largest(values) -> None:
 
 
 def test_a_folder_of_several_seeds(pair, tmp_path) -> None:
-    write_seeds(pair, tmp_path / "out", "png")
+    write_seeds(pair, tmp_path / "out", lambda folder: draw_seeds(pair, folder, "png"))
     folder = tmp_path / "out"
     assert sorted(file.name for file in folder.iterdir()) == [
         "errors-seed-5.png",
@@ -124,21 +125,21 @@ def test_a_folder_of_several_seeds(pair, tmp_path) -> None:
     assert document == json.loads(json.dumps(seeds_summary(pair)))
 
 
-def test_seeds_that_cannot_be_drawn_leave_nothing(tmp_path, monkeypatch) -> None:
-    def broken(*_args: object, **_named: object) -> None:
+def test_seeds_that_cannot_be_drawn_leave_nothing(tmp_path) -> None:
+    def broken(_folder: Path) -> None:
         raise OSError("no space left on device")
 
-    monkeypatch.setattr(study_files, "save_figure", broken)
-    monkeypatch.setattr("app.study.seeds_files.save_figure", broken)
     with pytest.raises(OSError, match="no space"):
-        write_seeds([made(1, FALLING), made(2, LEVEL)], tmp_path / "out")
+        write_seeds([made(1, FALLING), made(2, LEVEL)], tmp_path / "out", broken)
     assert list(tmp_path.iterdir()) == []
 
 
 def test_the_figure_of_all_seeds_bears_trials_without_a_goal(tmp_path) -> None:
     missed = [False] + [True] * 7
-    write_seeds([made(1, FALLING, missed), made(2, LEVEL, missed)], tmp_path / "out", "svg")
-    assert json.loads((tmp_path / "out" / "study.json").read_text(encoding="utf-8"))["not_reached"] == 2
+    results = [made(1, FALLING, missed), made(2, LEVEL, missed)]
+    draw_seeds(results, tmp_path, "svg")
+    assert (tmp_path / "errors.svg").stat().st_size > 0
+    assert seeds_summary(results)["not_reached"] == 2
 
 
 def test_the_command_with_seeds_and_without_learning(tmp_path, capsys) -> None:
