@@ -49,7 +49,7 @@ worlds: $(VENV)/.installed-test
 	$(BIN)/python -m pytest tests/worlds/each_task.py
 
 bench: $(VENV)/.installed-test
-	$(BIN)/bodydrive bench
+	$(BIN)/python -m bench $(PART)
 
 clean:
 	rm -rf $(VENV) dist build

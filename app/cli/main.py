@@ -21,7 +21,6 @@ COMMANDS = {
     "shirt": ("app.cli.shirt", "shirt_app"),
     "chair": ("app.cli.chair", "chair_app"),
     "log": ("app.cli.log", "log_app"),
-    "bench": ("app.cli.bench", "bench"),
     "floorplan": ("app.cli.floorplan", "floorplan_app"),
 }
 

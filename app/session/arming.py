@@ -7,13 +7,13 @@ import numpy as np
 
 from app.calibration.vocabulary import DriveParameters
 from app.refusals import Refusal
-from app.session.chair_words import CHAIR_FAULT, is_silent, why_not
 from app.session.control_link import Control
-from app.session.differences import differences
 from app.session.equipment.chairs import Chairs
 from app.session.equipment.limits import ClinicLimits
 from app.session.equipment.shirt import Equipment
 from app.session.open_session import VisitFlow
+from app.session.words.chair_words import CHAIR_FAULT, is_silent, why_not
+from app.session.words.differences import differences
 from app.speeds import NO_FURTHER, Speeds, dialled, most_restrictive
 from app.store.database import Database
 from app.store.parameters import as_document, current_parameters, newest_profile

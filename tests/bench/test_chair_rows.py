@@ -4,12 +4,12 @@ import json
 import socket
 import subprocess
 
-from app.bench.junk import KEY_ID
-from app.bench.parts import module
-from app.bench.period import measure_period
-from app.bench.stop import measure_stop
 from app.hardware.chair.key import new_key
 from app.hardware.chair.packet import FRAME_BYTES, decode_command, decode_telemetry
+from bench.children import module
+from bench.period import measure_period
+from bench.processes.junk import KEY_ID
+from bench.stop import measure_stop
 
 
 def test_junk_looks_like_frames_is_none_and_is_counted():
@@ -23,7 +23,7 @@ def test_junk_looks_like_frames_is_none_and_is_counted():
         port, descriptor = ours.getsockname()[1], source.fileno()
         asked = ["200", "0.5", f"{port}:W:{descriptor}", f"{port}:T:{descriptor}"]
         told = subprocess.run(
-            [*module("app.bench.junk"), *asked], pass_fds=[descriptor], capture_output=True, text=True, check=True
+            [*module("bench.processes.junk"), *asked], pass_fds=[descriptor], capture_output=True, text=True, check=True
         )
         flood = json.loads(told.stdout)
         assert flood["sent"] == [100, 100]

@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.bench.circle import RADIUS, ROUND, age_at, driving
+from bench.circle import RADIUS, ROUND, age_at, driving
 
 
 @given(st.floats(0, 1e5), st.floats(0, ROUND - 0.01))

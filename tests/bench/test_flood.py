@@ -1,4 +1,4 @@
-from app.bench.flood import measure_flood
+from bench.flood import measure_flood
 
 
 def test_stops_are_timed_without_and_with_sign_ins_under_way():

@@ -1,6 +1,6 @@
 """The check of the forecasts: it counts what simulated wearers do, and prints it."""
 
-from app.bench.forecasts import KINDS, Kind, Tally, row, watch
+from bench.forecasts import KINDS, Kind, Tally, row, watch
 
 
 def test_one_wearer_is_watched_and_counted():

@@ -1,7 +1,7 @@
 import msgspec
 import zstandard
 
-from app.bench.looking import chair_positions
+from bench.looking import chair_positions
 
 
 def packet(*messages):

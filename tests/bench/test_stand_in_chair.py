@@ -3,8 +3,6 @@
 import math
 import socket
 
-from app.bench.listening import ListeningChair
-from app.bench.stand_in_chair import ARMED, CHECKING, DISARMED, StandInChair
 from app.clock import MonotonicClock
 from app.hardware.chair.key import new_key
 from app.hardware.chair.packet import (
@@ -16,6 +14,8 @@ from app.hardware.chair.packet import (
     encode_command,
     encode_hello,
 )
+from bench.processes.listening import ListeningChair
+from bench.processes.stand_in_chair import ARMED, CHECKING, DISARMED, StandInChair
 
 KEY = new_key(1)
 PATIENCE = 20.0  # s

@@ -48,7 +48,6 @@ def test_every_json_is_one_object(bodydrive, shirt, tmp_path):
         (("floorplan", "list"), "floorplans"),
         (("study", "--trials", "1", "--floorplan", "corridors", "--path", "main", "--out", "study"), "learning"),
         (("replay", "signals.csv", "--speed", "100", "--to", "127.0.0.1:9"), "frames"),
-        (("bench", "fit"), "rows"),
     ):
         assert key in parsed(bodydrive(*words, "--json")), words[0]
 

@@ -22,7 +22,7 @@ async def sign_ins(runs, dice):
         for _ in range(runs):
             web, port = await made.start_served_web()
             flood = await asyncio.create_subprocess_exec(
-                *(sys.executable, "-m", "app.bench.sign_ins", str(port), str(SIGN_INS)),
+                *(sys.executable, "-m", "bench.processes.sign_ins", str(port), str(SIGN_INS)),
                 stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,
                 env=environment(),

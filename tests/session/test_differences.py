@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from app.calibration.vocabulary import Binding, DriveParameters, standard_parameters
-from app.session.differences import CONTROLS, SPEEDS, differences
+from app.session.words.differences import CONTROLS, SPEEDS, differences
 from app.speeds import NO_FURTHER, Speeds
 from small_profile import small_profile
 

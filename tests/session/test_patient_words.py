@@ -6,7 +6,7 @@ from itertools import product
 import pytest
 
 from app.faults import Fault, State
-from app.session.patient_words import Actor, patient_words
+from app.session.words.patient_words import Actor, patient_words
 
 TECHNICAL = re.compile(r"process|tablet|recording|disk|loop|telemetry|control|network|command|number", re.IGNORECASE)
 NAMES = {

@@ -15,7 +15,7 @@ EVERY = 10.0  # s
 
 HEAD = """# Viewers
 
-Made by `make soak`. {machine}. What comes over the wire, to viewers that draw nothing, is in `bodydrive bench`.
+Made by `make soak`. {machine}. What comes over the wire, to viewers that draw nothing, is in `make bench`.
 
 """
 

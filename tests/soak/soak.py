@@ -14,9 +14,9 @@ from typing import NamedTuple
 
 import psutil
 
-from app.bench.parts import ask, next_line, started
 from app.clock import MonotonicClock
 from app.scene.servers import ROLES
+from bench.children import ask, next_line, started
 
 VIEWERS = 3
 STOPPED = 0  # which one
@@ -90,9 +90,9 @@ def soak(seconds: float, warm: float, every: float, *, compared: bool = True) ->
             return process
 
         def serve(numbers: Iterable[int]) -> tuple[psutil.Process, list["subprocess.Popen[str]"]]:
-            web = start("app.bench.viewers_served")
+            web = start("bench.processes.viewers_served")
             port = next_line(web)
-            viewers = [start("app.bench.viewer_process", port, ROLES[number % len(ROLES)]) for number in numbers]
+            viewers = [start("bench.processes.viewer_process", port, ROLES[number % len(ROLES)]) for number in numbers]
             return psutil.Process(web.pid), viewers
 
         web, viewers = serve(range(VIEWERS))

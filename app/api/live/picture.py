@@ -11,7 +11,6 @@ from app.clock import monotonic
 from app.faults import EXPLANATIONS, Fault, State
 from app.layout import ShirtLayout
 from app.messages import NO_CUE
-from app.session.chair_words import chair_not_open, chair_said
 from app.session.control_link import Control
 from app.session.equipment.chairs import Chairs
 from app.session.equipment.shirt import Equipment
@@ -20,6 +19,7 @@ from app.session.real_drive import RealDriveFlow
 from app.session.run_watch import Halt
 from app.session.runs import Runs
 from app.session.trial import DriveFlow
+from app.session.words.chair_words import chair_not_open, chair_said
 
 STALE = 1.0  # s without a tick: the control process is not to be counted on
 SILENT = 0.5  # s without a frame: the shirt is not alive

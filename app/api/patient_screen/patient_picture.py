@@ -6,9 +6,9 @@ from app.api.live.picture import LivePicture
 from app.calibration.script import movement_words
 from app.faults import Fault, State
 from app.session.equipment.shirt import Equipment
-from app.session.patient_words import patient_words
 from app.session.runs import Runs
 from app.session.trial import DriveFlow
+from app.session.words.patient_words import patient_words
 from app.store.patient_screens import Wishes
 
 SAID = ("tick", "t", "state", "control", "v", "pose", "contacts", "stops", "practice")

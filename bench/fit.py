@@ -2,11 +2,11 @@
 
 import statistics
 
-from app.bench.chain import RUNS, SAMPLE_RATE
-from app.bench.row import Row
-from app.bench.subject import bench_parameters, bench_signals
 from app.calibration.fit.profile_fit import fit_profile
 from app.clock import stopwatch
+from bench.chain import RUNS, SAMPLE_RATE
+from bench.row import Row
+from bench.subject import bench_parameters, bench_signals
 
 
 def measure_fit() -> list[Row]:

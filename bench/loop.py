@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from app.bench.parts import free_ports, module, next_line, started
-from app.bench.row import Row
+from bench.children import ROOT, free_ports, module, next_line, started
+from bench.row import Row
 
 RUNS = 3
 SECONDS = 12.0
@@ -40,15 +40,15 @@ def _measured(seconds: float) -> dict[str, Any]:
     shirt_port, report_port = free_ports(2)
     with (
         tempfile.TemporaryDirectory() as folder,
-        started("app.bench.load", str(shirt_port), str(report_port), f"{folder}/run") as load,
-        started("app.bench.echo") as echo,
+        started("bench.processes.load", str(shirt_port), str(report_port), f"{folder}/run") as load,
+        started("bench.processes.echo") as echo,
     ):
         try:
             next_line(load)
             echo_port = next_line(echo)
             result = Path(folder) / "times.json"
             ports = [str(shirt_port), echo_port, str(report_port)]
-            subprocess.run([*module("app.bench.probe"), *ports, str(seconds), str(result)], check=True)
+            subprocess.run([*module("bench.processes.probe"), *ports, str(seconds), str(result)], check=True, cwd=ROOT)
             found: dict[str, Any] = json.loads(result.read_text())
         finally:
             echo.kill()

@@ -9,11 +9,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from app.bench.junk import KEY_ID
-from app.bench.parts import ask, free_ports, next_line, started
-from app.bench.row import Row
 from app.hardware.chair.key import new_key, write_key
 from app.session.equipment.pairing import pair_shirt, shirt_key_file
+from bench.children import ask, free_ports, next_line, started
+from bench.processes.junk import KEY_ID
+from bench.row import Row
 
 SECONDS = 15.0
 RUNS = 3
@@ -63,9 +63,9 @@ def _measured(seconds: float, rate: float) -> Measured:
         descriptor = chair_socket.fileno()
         recording = str(Path(folder) / "run")
         with (
-            started("app.bench.chair_process", str(descriptor), str(key_file), descriptors=[descriptor]) as chair,
+            started("bench.processes.chair_process", str(descriptor), str(key_file), descriptors=[descriptor]) as chair,
             started(
-                "app.bench.load",
+                "bench.processes.load",
                 str(shirt_port),
                 str(report_port),
                 recording,
@@ -73,7 +73,7 @@ def _measured(seconds: float, rate: float) -> Measured:
                 str(key_file),
                 shirt_key,
             ) as load,
-            started("app.bench.feed", str(shirt_port), shirt_key) as feed,
+            started("bench.processes.feed", str(shirt_port), shirt_key) as feed,
         ):
             try:
                 next_line(load)
@@ -81,7 +81,7 @@ def _measured(seconds: float, rate: float) -> Measured:
                 # To the sender it comes from the chair's own address: from any other one the kernel takes it away.
                 targets = [f"{chair_port}:W:{elsewhere.fileno()}", f"{sender_port}:T:{descriptor}"]
                 sources = [elsewhere.fileno(), descriptor]
-                with started("app.bench.junk", str(rate), str(seconds), *targets, descriptors=sources) as junk:
+                with started("bench.processes.junk", str(rate), str(seconds), *targets, descriptors=sources) as junk:
                     flood = json.loads(next_line(junk))
                 heard = json.loads(ask(chair, "tell"))
             finally:

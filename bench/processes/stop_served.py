@@ -15,7 +15,6 @@ import uvicorn
 
 from app.api.app import create_app
 from app.api.parts import flows_of
-from app.bench.subject import bench_chair, bench_floorplan, bench_parameters
 from app.clock import monotonic
 from app.faults import EXPLANATIONS, Fault, State
 from app.process.supervisor import ControlProcess
@@ -24,6 +23,7 @@ from app.refusals import Conflict
 from app.session.control_link import Control, ScreenSign
 from app.session.recordings import recorded_readings
 from app.settings import Settings
+from bench.subject import bench_chair, bench_floorplan, bench_parameters
 
 SAMPLE_RATE = 100.0  # Hz
 LOOK_EVERY = 0.005  # s

@@ -6,8 +6,6 @@ from collections.abc import Callable
 
 import numpy as np
 
-from app.bench.row import Row
-from app.bench.subject import bench_floorplan, bench_parameters, bench_signals
 from app.clock import stopwatch
 from app.geometry import Pose
 from app.hardware.chair.simulator import VirtualChair
@@ -16,6 +14,8 @@ from app.pipeline.chain import Chain
 from app.pipeline.replay.batch import decode_block
 from app.pipeline.safety import Conditions
 from app.quantities import Hertz
+from bench.row import Row
+from bench.subject import bench_floorplan, bench_parameters, bench_signals
 
 RUNS = 5
 FRAMES = 20_000

@@ -10,11 +10,11 @@ import sys
 import threading
 from pathlib import Path
 
-from app.bench.listening import Address, listen
-from app.bench.stand_in_chair import StandInChair
 from app.hardware.chair.key import read_key
 from app.hardware.chair.packet import DRIVE, Command
 from app.realtime import go_real_time
+from bench.processes.listening import Address, listen
+from bench.processes.stand_in_chair import StandInChair
 
 
 def main(descriptor: int, key_file: Path) -> None:

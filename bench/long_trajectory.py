@@ -7,13 +7,13 @@ from typing import NamedTuple
 
 import viser
 
-from app.bench.parts import ask, started
-from app.bench.row import Row
 from app.clock import MonotonicClock
 from app.geometry import Pose
 from app.scene.bridge_secret import SECRET
 from app.scene.servers import RoleServers
 from app.scene.trajectory import SEND_EVERY, STEP, Trajectory
+from bench.children import ask, started
+from bench.row import Row
 
 SHORT, LONG = 200, 20_000  # points
 UPDATES = 200  # at the end of each
@@ -37,7 +37,7 @@ def measure_trajectory(rounds: int = ROUNDS, long: int = LONG) -> list[Row]:
     RuntimeError
         When the viewer does not start.
     """
-    with RoleServers() as servers, started("app.bench.reading", str(servers.port("patient"))) as viewer:
+    with RoleServers() as servers, started("bench.processes.reading", str(servers.port("patient"))) as viewer:
         try:
             ask(viewer, SECRET)
             drawn = _Drawn(servers["patient"], viewer)

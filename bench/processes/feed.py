@@ -10,12 +10,12 @@ from pathlib import Path
 
 import numpy as np
 
-from app.bench.subject import CHANNELS, bench_parameters, bench_signals
 from app.clock import MonotonicClock
 from app.hardware.chair.key import read_key
 from app.hardware.shirt.packet import encode
 from app.hardware.shirt.sender import signed_frame
 from app.realtime import go_real_time
+from bench.subject import CHANNELS, bench_parameters, bench_signals
 
 SAMPLE_RATE = 1000.0  # Hz
 REST = 10.0  # s

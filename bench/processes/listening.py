@@ -4,10 +4,10 @@ import socket
 import threading
 from collections.abc import Callable
 
-from app.bench.stand_in_chair import StandInChair
 from app.clock import monotonic
 from app.hardware.chair.key import Key
 from app.hardware.chair.packet import FRAME_BYTES, Command
+from bench.processes.stand_in_chair import StandInChair
 
 WAIT = 0.02  # s for a datagram, then telemetry is looked after
 

@@ -11,10 +11,10 @@ from typing import cast
 
 from websockets.exceptions import ConnectionClosed, InvalidHandshake
 
-from app.bench.circle import age_at
-from app.bench.looking import chair_positions, open_view, packets
 from app.clock import monotonic
 from app.scene.servers import Role
+from bench.circle import age_at
+from bench.looking import chair_positions, open_view, packets
 
 AGAIN = 0.5  # s before it connects again
 

@@ -18,11 +18,11 @@ from typing import Any
 
 import numpy as np
 
-from app.bench.subject import CHANNELS, bench_chair, bench_floorplan, bench_parameters
 from app.clock import monotonic
 from app.faults import State
 from app.process.command_channel import LinkRefused
 from app.process.supervisor import ControlProcess
+from bench.subject import CHANNELS, bench_chair, bench_floorplan, bench_parameters
 
 VIEWERS = 2
 SAMPLE_RATE = 1000.0  # Hz, of the shirt

@@ -5,8 +5,8 @@ import sys
 import tempfile
 from pathlib import Path
 
-from app.bench.row import Row
 from app.clock import stopwatch
+from bench.row import Row
 
 TRIALS = 22
 

@@ -8,12 +8,12 @@ from pathlib import Path
 
 import numpy as np
 
-from app.bench.subject import bench_parameters, bench_signals
 from app.clock import MonotonicClock, stopwatch
 from app.faults import State
 from app.hardware.chair.report import REPORT
 from app.hardware.shirt.packet import encode
 from app.realtime import go_real_time
+from bench.subject import bench_parameters, bench_signals
 
 SAMPLE_RATE = 1000.0
 REST = 3.0  # s at the beginning in which the chair is armed, not measured

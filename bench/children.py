@@ -4,6 +4,10 @@ import socket
 import subprocess
 import sys
 from collections.abc import Sequence
+from pathlib import Path
+from typing import Final
+
+ROOT: Final = Path(__file__).resolve().parents[1]
 
 
 def module(name: str) -> list[str]:
@@ -19,6 +23,7 @@ def started(name: str, *arguments: str, descriptors: Sequence[int] = ()) -> subp
         stdout=subprocess.PIPE,
         text=True,
         bufsize=1,
+        cwd=ROOT,
         pass_fds=descriptors,
     )
 

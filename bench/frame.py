@@ -2,10 +2,10 @@
 
 import statistics
 
-from app.bench.row import Row
 from app.clock import stopwatch
 from app.hardware.chair.key import new_key
 from app.hardware.chair.packet import DIGEST_BYTES, DRIVE, NONCE_BYTES, Command, decode_command, encode_command
+from bench.row import Row
 
 RUNS = 5
 FRAMES = 20_000

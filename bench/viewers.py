@@ -7,12 +7,12 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from app.bench.circle import age_at
-from app.bench.looking import chair_positions, open_view, packets
-from app.bench.parts import ask, next_line, started
-from app.bench.row import Row
 from app.clock import monotonic, stopwatch
 from app.scene.servers import ROLES
+from bench.children import ask, next_line, started
+from bench.circle import age_at
+from bench.looking import chair_positions, open_view, packets
+from bench.row import Row
 
 VIEWERS = (1, 4, 8)
 RUNS = 3
@@ -45,7 +45,7 @@ def measure_viewers(numbers: Sequence[int] = VIEWERS, runs: int = RUNS, seconds:
 
 
 def _rows(viewers: int, runs: int, seconds: float) -> list[Row]:
-    with started("app.bench.viewers_served") as web:
+    with started("bench.processes.viewers_served") as web:
         try:
             port = int(next_line(web))
             found = asyncio.run(_watch(web, port, viewers, runs, seconds))

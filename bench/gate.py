@@ -2,12 +2,12 @@
 
 import statistics
 
-from app.bench.row import Row
 from app.clock import stopwatch
 from app.faults import State
 from app.geometry import Twist
 from app.pipeline.safety import BadGestures, Conditions, SafetyGate
 from app.speeds import Speeds
+from bench.row import Row
 
 RUNS = 5
 STEPS = 50_000

@@ -10,13 +10,13 @@ from pathlib import Path
 
 import numpy as np
 
-from app.bench.listening import ListeningChair
-from app.bench.parts import ask, free_ports, next_line, started
-from app.bench.row import Row
 from app.clock import MonotonicClock, monotonic
 from app.hardware.chair.key import new_key, write_key
 from app.hardware.chair.packet import STOP
 from app.session.equipment.pairing import pair_shirt, shirt_key_file
+from bench.children import ask, free_ports, next_line, started
+from bench.processes.listening import ListeningChair
+from bench.row import Row
 
 STOPS = 100  # of each kind
 REACH = 25.0  # ms
@@ -53,7 +53,7 @@ def served() -> Iterator[tuple[subprocess.Popen[str], ListeningChair, int]]:
         shirt_port, shirt_key = free_ports(1)[0], str(shirt_key_file(Path(folder), pair_shirt(Path(folder)).id))
         places = [str(chair.port), str(key_file), str(shirt_port), shirt_key, folder]
         with (
-            started("app.bench.stop_served", *places) as web,
+            started("bench.processes.stop_served", *places) as web,
             started("app.hardware.shirt.sender", "--key-file", shirt_key, "--to", f"127.0.0.1:{shirt_port}") as shirt,
         ):
             try:

@@ -5,10 +5,10 @@ from collections.abc import Callable
 
 import numpy as np
 
-from app.bench.parts import ask, started
-from app.bench.row import Row
-from app.bench.stop import request, served
 from app.clock import MonotonicClock, monotonic
+from bench.children import ask, started
+from bench.row import Row
+from bench.stop import request, served
 
 SIGN_INS = 40  # at once
 ROUNDS, STOPS = 10, 40  # in turn without them and with them; stops in each
@@ -19,7 +19,7 @@ PAUSE = (0.005, 0.03)  # s between two stops, at random, so that they meet every
 
 def measure_flood(rounds: int = ROUNDS, stops: int = STOPS, sign_ins: int = SIGN_INS) -> list[Row]:
     """Return the p99 of `POST /control/stop` until its answer with sign-ins under way, over the p99 without."""
-    with served() as (_, _, port), started("app.bench.sign_ins", str(port), str(sign_ins)) as flood:
+    with served() as (_, _, port), started("bench.processes.sign_ins", str(port), str(sign_ins)) as flood:
         try:
             times = _in_turn(MonotonicClock(), rounds, stops, port, lambda word: ask(flood, word))
             answers = ask(flood, "off")

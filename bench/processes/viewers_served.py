@@ -14,11 +14,11 @@ import uvicorn
 from fastapi import FastAPI, WebSocket
 
 from app.api.view.view_bridge import view_router
-from app.bench.circle import driving
-from app.bench.subject import bench_floorplan
 from app.clock import monotonic
 from app.scene.scene_thread import start_scene
 from app.scene.servers import Role, RoleServers
+from bench.circle import driving
+from bench.subject import bench_floorplan
 
 PING_EVERY, PING_LIMIT = 2.0, 20.0  # s, as the program's own web server has them
 

@@ -1,6 +1,6 @@
 """How well the forecasts of found gestures hold: many simulated wearers, calibrated as usual, then watched for longer.
 
-`python -m app.bench.forecasts --wearers 20` prints the table of docs/learning.md, "Finding gestures".
+`python -m bench.forecasts --wearers 20` prints the table of docs/learning.md, "Finding gestures".
 """
 
 from collections.abc import Sequence

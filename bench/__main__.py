@@ -1,0 +1,95 @@
+"""`python -m bench`: what was measured beside what is to be reached. It judges nothing and exits 0."""
+
+import argparse
+import json
+import os
+import platform
+import sys
+from dataclasses import asdict
+from importlib import import_module
+from pathlib import Path
+from typing import NamedTuple
+
+from bench.row import Row
+
+
+class Part(NamedTuple):
+    """Something that can be measured; its module is imported only when it is asked for."""
+
+    module: str
+    function: str
+    words: str
+
+
+PARTS = {
+    "chain": Part("bench.chain", "measure_chain_step", "a step from signals to the chair"),
+    "gate": Part("bench.gate", "measure_gate", "a step of the safety gate"),
+    "frame": Part("bench.frame", "measure_frame", "a frame to the real chair, encoded and verified"),
+    "loop": Part("bench.loop", "measure_loop", "datagram in to datagram out"),
+    "stop": Part("bench.stop", "measure_stop", "Stop on the tablet to the frame that stops a real chair"),
+    "flood": Part("bench.flood", "measure_flood", "Stop on the tablet while 40 people sign in"),
+    "period": Part("bench.period", "measure_period", "how evenly a real chair is told, under load and junk"),
+    "decode": Part("bench.chain", "measure_decode", "decoding a recording"),
+    "fit": Part("bench.fit", "measure_fit", "fitting a calibration"),
+    "study": Part("bench.study", "measure_study", "the paper's experiment without a screen"),
+    "viewers": Part("bench.viewers", "measure_viewers", "the 3D view for one, four and eight"),
+    "trajectory": Part("bench.long_trajectory", "measure_trajectory", "a long trajectory against a short one"),
+}
+
+
+def main() -> None:
+    """Measure how fast this machine does it, beside what is to be reached."""
+    words = "; ".join(f"{name}: {part.words}" for name, part in PARTS.items())
+    parser = argparse.ArgumentParser(prog="python -m bench", description=main.__doc__)
+    parser.add_argument("parts", nargs="*", metavar="PART", help=f"What to measure, all of it when left out: {words}.")
+    parser.add_argument("--json", action="store_true", help="Print one JSON object and nothing else.")
+    given = parser.parse_args()
+    chosen = given.parts or list(PARTS)
+    for part in chosen:
+        if part not in PARTS:
+            parser.error(f"there is no part '{part}' to measure: use any of {', '.join(PARTS)}")
+    rows = []
+    for part in chosen:
+        module, function, _ = PARTS[part]
+        for row in getattr(import_module(module), function)():
+            rows.append(row)
+            if not given.json:
+                sys.stdout.write(f"{line(row)}\n")
+                sys.stdout.flush()
+    if given.json:
+        sys.stdout.write(json.dumps({"machine": machine(), "rows": [asdict(row) for row in rows]}) + "\n")
+    else:
+        sys.stdout.write(f"\n{machine()}\n")
+
+
+def line(row: Row) -> str:
+    """Return the row as a line of a Markdown table."""
+    sign = "<=" if row.better == "lower" else ">="
+    reached = "" if row.is_reached else " **not reached**"
+    asked = "" if row.reach is None else f"{sign} {row.reach:g}"
+    return f"| {row.what} | {row.figure:.3g} {row.unit} | {asked} | {row.details}{reached} |"
+
+
+def machine() -> str:
+    """Return what the figures were measured on."""
+    name = platform.processor() or platform.machine()
+    for entry in _lines_of(Path("/proc/cpuinfo")):
+        if entry.startswith("model name"):
+            name = entry.split(":", 1)[1].strip()
+            break
+    return f"{name}, {_cores()} cores, {platform.system()} {platform.release()}, Python {platform.python_version()}"
+
+
+def _cores() -> int:
+    return len(os.sched_getaffinity(0))
+
+
+def _lines_of(file: Path) -> list[str]:
+    try:
+        return file.read_text().splitlines()
+    except OSError:
+        return []
+
+
+if __name__ == "__main__":
+    main()
