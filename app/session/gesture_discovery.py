@@ -4,20 +4,16 @@ from collections.abc import Callable
 from functools import lru_cache
 from pathlib import Path
 
-from sqlalchemy import select
-from sqlalchemy.orm import Session
-
 from app.calibration.cued_runs import CuedRun, run_of_cues
 from app.calibration.gestures.discovery import Discovery, discover, known_of
 from app.calibration.profile import CalibrationProfile
 from app.calibration.script import Step, calibration_script
 from app.recording.reader import read_run
 from app.refusals import Conflict
-from app.store.calibrations import recordings_of
+from app.store.calibrations import recordings_behind, recordings_of
 from app.store.database import Database
-from app.store.map_versions import family
 from app.store.parameters import newest_profile
-from app.store.tables import PatientSession, Profile
+from app.store.tables import PatientSession
 
 KEPT = 8  # results: the controls ask again with every change
 NOTHING = "Nothing is calibrated yet: go to Calibrate and accept a result first."
@@ -57,18 +53,8 @@ def of_newest(database: Database, folder_of: Callable[[str], Path], patient_id: 
         row = newest_profile(db, patient_id)
         if row is None:
             raise Conflict(NOTHING)
-        document, folders = row.document, _recordings_behind(db, row)
+        document, folders = row.document, recordings_behind(db, row)
     return _found(CalibrationProfile.model_validate(document), folders, folder_of)
-
-
-def _recordings_behind(db: Session, row: Profile) -> dict[str, str]:
-    """Return the recordings of the calibration that a map was adapted from; none when the steps were done again."""
-    first = min(family(db, row.patient_id, row.version))
-    origin = db.scalars(select(Profile).where(Profile.patient_id == row.patient_id, Profile.version == first)).one()
-    session = db.get(PatientSession, origin.session_id)
-    if session is None or session.result is None or session.result["created"] != origin.document["created"]:
-        return {}
-    return recordings_of(db, session.id)
 
 
 def _found(profile: CalibrationProfile, folders: dict[str, str], folder_of: Callable[[str], Path]) -> Discovery:

@@ -6,7 +6,8 @@ from sqlalchemy import delete, select
 from sqlalchemy.orm import Session
 
 from app.refusals import Conflict
-from app.store.tables import CalibrationStep, PatientSession, Run
+from app.store.map_versions import family
+from app.store.tables import CalibrationStep, PatientSession, Profile, Run
 
 MIXED = (
     "Some steps were recorded in a shirt that nobody wears, others in a worn one: begin the calibration anew, "
@@ -47,6 +48,16 @@ def recordings_of(db: Session, session_id: int) -> dict[str, str]:
         .where(CalibrationStep.session_id == session_id, CalibrationStep.status == "done")
     )
     return {row.step: row.folder for row in rows}
+
+
+def recordings_behind(db: Session, row: Profile) -> dict[str, str]:
+    """Return the recordings of the calibration that a map was adapted from; none when the steps were done again."""
+    first = min(family(db, row.patient_id, row.version))
+    origin = db.scalars(select(Profile).where(Profile.patient_id == row.patient_id, Profile.version == first)).one()
+    session = db.get(PatientSession, origin.session_id)
+    if session is None or session.result is None or session.result["created"] != origin.document["created"]:
+        return {}
+    return recordings_of(db, session.id)
 
 
 def is_calibration_simulated(db: Session, session_id: int) -> bool | None:

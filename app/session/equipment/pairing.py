@@ -2,13 +2,12 @@
 
 from pathlib import Path
 
-from sqlalchemy.orm import Session
-
 from app.hardware.chair.key import Key, new_key, write_key
 from app.hardware.shirt.newest import newest_file, write_newest
 from app.refusals import Conflict
 from app.speeds import Speeds
 from app.store.chairs import LARGEST_KEY_ID, add_chair, free_key_ids, remove_chair
+from app.store.database import Transaction
 from app.store.tables import Chair, Clinic
 
 
@@ -18,7 +17,7 @@ def key_file(keys: Path, key_id: int) -> Path:
 
 
 def pair_chair(
-    db: Session, clinic: Clinic, keys: Path, name: str, host: str, port: int, speeds: Speeds
+    db: Transaction, clinic: Clinic, keys: Path, name: str, host: str, port: int, speeds: Speeds
 ) -> tuple[Chair, Key]:
     """Note a new chair and write its key into `keys`; the secret goes nowhere else than into what is returned.
 
@@ -37,7 +36,7 @@ def pair_chair(
     return chair, key
 
 
-def unpair_chair(db: Session, clinic: Clinic, keys: Path, chair_id: int) -> Chair:
+def unpair_chair(db: Transaction, clinic: Clinic, keys: Path, chair_id: int) -> Chair:
     """Take a chair out of use and its key from the disk."""
     chair = remove_chair(db, clinic, chair_id)
     key_file(keys, chair.key_id).unlink(missing_ok=True)

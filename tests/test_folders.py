@@ -1,0 +1,78 @@
+"""The rules for folders and files: one subject each, few enough to be seen at once, named once."""
+
+import subprocess
+from collections import defaultdict
+from pathlib import PurePosixPath
+
+import pytest
+
+from folders import ROOT
+
+MOST_FILES = 24  # in a folder; more are two subjects
+MOST_LINES = 300  # of a file
+CODE = ("app/", "bench/", "tests/", "web_static/")
+# File names that stand in several packages of `app`, each for one subject seen from several sides.
+SAME_SUBJECT = {
+    "adaptation": "of a map: the flow, the routes",
+    "arming": "of a chair: what speaks against it, in the control process and in a session",
+    "calibration": "of a patient: the flow, the routes",
+    "chairs": "real chairs: kept, chosen, the routes",
+    "controls": "from gestures to commands: the step of the chain, the routes",
+    "drives": "of a real chair: kept, the routes",
+    "floorplan": "the document, the command",
+    "limits": "of the clinic's owner: held, the routes",
+    "log": "who did what: kept, the routes, the command",
+    "map_choice": "which map decodes a joint: in a session, at the command line",
+    "control_quality": "how well a trial was controlled: measured, kept, the routes",
+    "packet": "the datagram of a device: shirt, chair",
+    "page_session": "the session that a page shows: the rule, its check at each request",
+    "patients": "kept, the routes",
+    "plan_files": "floor plans of foreign files: read, the routes",
+    "plans": "the clinic's own floor plans: kept, the routes",
+    "qr": "a text as a QR code: for a page, for a terminal",
+    "recorded": "a role of the hardware that repeats a recording: body, head",
+    "refusals": "what is refused: the exceptions, the answers",
+    "replacements": "files that were replaced: kept, the routes",
+    "replay": "of a recording: as a shirt, in 3D, the command",
+    "runs": "a run: in the control process, in a session, kept",
+    "shirt": "the shirt in use, the command",
+    "simulator": "a role of the hardware without the device: shirt, head, chair",
+}
+
+
+def code_files() -> list[PurePosixPath]:
+    """Return the files of code that git knows, or does not ignore."""
+    listed = subprocess.run(
+        ["git", "ls-files", "--cached", "--others", "--exclude-standard"],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    files = {PurePosixPath(name) for name in listed.stdout.splitlines() if name.startswith(CODE)}
+    return sorted(file for file in files if (ROOT / file).is_file())
+
+
+FILES = code_files()
+
+
+def test_a_folder_holds_one_subject():
+    count = defaultdict(int)
+    for file in FILES:
+        count[str(file.parent)] += 1
+    assert {folder: files for folder, files in count.items() if files > MOST_FILES} == {}
+
+
+@pytest.mark.parametrize("file", [file for file in FILES if file.suffix in {".py", ".js", ".css"}], ids=str)
+def test_a_file_holds_one_subject(file):
+    assert len((ROOT / file).read_text(encoding="utf-8").splitlines()) <= MOST_LINES
+
+
+def test_a_file_name_stands_for_one_subject():
+    places = defaultdict(list)
+    for file in FILES:
+        if file.parts[0] == "app" and file.suffix == ".py" and file.stem != "__init__":
+            places[file.stem].append(str(file))
+    repeated = {name: files for name, files in places.items() if len(files) > 1}
+    assert {name: files for name, files in repeated.items() if name not in SAME_SUBJECT} == {}
+    assert set(SAME_SUBJECT) <= set(repeated)  # no entry without need
