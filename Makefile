@@ -2,9 +2,10 @@ PYTHON ?= python3
 PORT ?= 8080
 VENV := .venv
 BIN := $(VENV)/bin
+TSC := $(BIN)/node node_modules/typescript/bin/tsc
 INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt
 
-.PHONY: demo test browser check safety drills soak worlds bench clean
+.PHONY: demo test browser check api-types safety drills soak worlds bench clean
 
 $(VENV)/.installed: pyproject.toml constraints.txt
 	@echo "Installing into $(VENV), once; this takes a minute or two ..."
@@ -16,6 +17,10 @@ $(VENV)/.installed-test: $(VENV)/.installed
 	@$(INSTALL) --editable '.[test]'
 	@touch $@
 
+$(VENV)/.installed-types: package.json package-lock.json $(VENV)/.installed-test
+	@$(BIN)/npm ci --ignore-scripts --silent
+	@touch $@
+
 demo: $(VENV)/.installed
 	@exec $(BIN)/bodydrive demo --port $(PORT)
 
@@ -25,15 +30,17 @@ test: $(VENV)/.installed-test check
 browser: $(VENV)/.installed-test
 	$(BIN)/python -m pytest -m long
 
-check: $(VENV)/.installed-test
+check: $(VENV)/.installed-test $(VENV)/.installed-types
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
-	@if command -v node >/dev/null; then \
-	  for file in $$(find web_static -name '*.js'); do \
-	    node --input-type=module --check < $$file || { echo "$$file: see above"; exit 1; }; \
-	  done; \
-	else echo "node is not here: JavaScript is not checked"; fi
+	@for file in $$(find web_static -name '*.js'); do \
+	  $(BIN)/node --input-type=module --check < $$file || { echo "$$file: see above"; exit 1; }; \
+	done
+	@$(TSC) >/dev/null && $(TSC) --project tsconfig.worker.json >/dev/null || echo "types of JavaScript: not all are right yet"
+
+api-types: $(VENV)/.installed-types
+	PYTHONPATH=.:tests $(BIN)/python tests/api_types.py
 
 safety: $(VENV)/.installed-test
 	@$(INSTALL) --editable '.[safety]'
@@ -52,4 +59,4 @@ bench: $(VENV)/.installed-test
 	$(BIN)/python -m bench $(PART)
 
 clean:
-	rm -rf $(VENV) dist build
+	rm -rf $(VENV) node_modules dist build
