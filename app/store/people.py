@@ -10,7 +10,7 @@ from sqlalchemy.orm import Session
 from app.clock import utc_now
 from app.refusals import Conflict
 from app.store.log import write_log
-from app.store.tables import AuthSession, Clinic, Person
+from app.store.tables import SignIn, Clinic, Person
 
 TOKEN_BYTES = 32
 SIGNED_IN_FOR = timedelta(hours=12)  # a working day; then everybody signs in again
@@ -60,19 +60,19 @@ def sign_in(db: Session, person: Person, how: str) -> str:
     """Open a new sign-in and return its token, which is stored nowhere but with the browser."""
     token = secrets.token_urlsafe(TOKEN_BYTES)
     now = utc_now()
-    for old in db.scalars(select(AuthSession).where(AuthSession.expires < now)):
+    for old in db.scalars(select(SignIn).where(SignIn.expires < now)):
         db.delete(old)
-    db.add(AuthSession(token_hash=_token_hash(token), person_id=person.id, created=now, expires=now + SIGNED_IN_FOR))
+    db.add(SignIn(token_hash=_token_hash(token), person_id=person.id, created=now, expires=now + SIGNED_IN_FOR))
     write_log(db, person.name, "sign-in", how=how)
     return token
 
 
-def signed_in(db: Session, token: str) -> tuple[AuthSession, Person] | None:
+def signed_in(db: Session, token: str) -> tuple[SignIn, Person] | None:
     """Return the sign-in that a token opens and its person, None when it has ended."""
     found = db.execute(
-        select(AuthSession, Person)
-        .join(Person, Person.id == AuthSession.person_id)
-        .where(AuthSession.token_hash == _token_hash(token), AuthSession.expires > utc_now(), Person.disabled.is_(None))
+        select(SignIn, Person)
+        .join(Person, Person.id == SignIn.person_id)
+        .where(SignIn.token_hash == _token_hash(token), SignIn.expires > utc_now(), Person.disabled.is_(None))
     ).first()
     return None if found is None else (found[0], found[1])
 
@@ -82,7 +82,7 @@ def sign_out(db: Session, token: str) -> int | None:
     found = signed_in(db, token)
     if found is None:
         return None
-    session, person = found
-    db.delete(session)
+    ended, person = found
+    db.delete(ended)
     write_log(db, person.name, "sign-out")
-    return session.id
+    return ended.id

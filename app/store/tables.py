@@ -69,7 +69,7 @@ class Person(Table):
     disabled: Mapped[datetime | None]
 
 
-class AuthSession(Table):
+class SignIn(Table):
     """A sign-in that holds until sign-out or its end; the token itself is never stored."""
 
     __tablename__ = "auth_session"

@@ -11,7 +11,7 @@ from app.clock import utc_now
 from app.refusals import Conflict
 from app.store.log import write_log
 from app.store.people import add_clinic, add_person, count_people, sign_in, sign_out, signed_in, the_clinic
-from app.store.tables import AuthSession
+from app.store.tables import SignIn
 
 
 def test_a_sign_in_holds_until_sign_out_and_its_token_is_not_in_the_database(db: Session) -> None:
@@ -22,7 +22,7 @@ def test_a_sign_in_holds_until_sign_out_and_its_token_is_not_in_the_database(db:
     found = signed_in(db, token)
     assert found is not None
     assert found[1].name == "Ada"
-    assert token not in str([row.token_hash for row in db.query(AuthSession)])
+    assert token not in str([row.token_hash for row in db.query(SignIn)])
     assert sign_out(db, token) == found[0].id
     assert signed_in(db, token) is None
     assert sign_out(db, token) is None
