@@ -57,7 +57,7 @@ from app.scene.session_scene import Scene
 from app.session.adaptation import AdaptationFlow
 from app.session.arming import RealArming
 from app.session.calibration import CalibrationFlow
-from app.session.control_link import Control, Link
+from app.session.control_link import ControlLink, LinkedProcess
 from app.session.equipment.chairs import Chairs
 from app.session.equipment.head import HeadChoice
 from app.session.equipment.limits import ClinicLimits
@@ -111,16 +111,16 @@ ROUTES = (
 )
 
 WebApp = FastAPI
-OpenLink = Callable[[], Awaitable[Link]]
+StartProcess = Callable[[], Awaitable[LinkedProcess]]
 
 
 def create_app(
-    settings: Settings, open_link: OpenLink, readings: Readings, open_scene: OpenScene | None = None
+    settings: Settings, start_process: StartProcess, readings: Readings, open_scene: OpenScene | None = None
 ) -> FastAPI:
     """Return the web application; its parts start and end with it.
 
-    `open_link` starts a control process; `readings` is what is read from recordings; `open_scene` opens the 3D view
-    of a visit, and without it there is none.
+    `start_process` starts a control process, `readings` reads recordings, and `open_scene` opens the 3D view of a
+    session; without `open_scene` there is no 3D view.
     """
 
     @asynccontextmanager
@@ -135,7 +135,7 @@ def create_app(
             sockets=OpenSockets(settings, database),
             replaced=replaced_files(settings),
         )
-        flows = _flows(settings, database, open_link, readings, open_scene)
+        flows = _flows(settings, database, start_process, readings, open_scene)
         app.state.people, app.state.flows = people, flows
         await _start(database, flows)
         checking = asyncio.create_task(asyncio.to_thread(warn_of_changed_log, settings.database))
@@ -181,23 +181,27 @@ async def say_goodbye(app: WebApp) -> None:
 
 
 def _flows(
-    settings: Settings, database: Database, open_link: OpenLink, readings: Readings, open_scene: OpenScene | None
+    settings: Settings,
+    database: Database,
+    start_process: StartProcess,
+    readings: Readings,
+    open_scene: OpenScene | None,
 ) -> Flows:
     hub: LiveHub
 
     def tell(event: str) -> None:
         hub.tell(event)
 
-    link = Control(open_link)
-    runs = Runs(database, link, settings.runs)
-    worn = Equipment(database, link, settings.files, settings.keys, tell, demonstration=settings.demo)
-    seats = Chairs(database, link, settings.keys, tell)
-    allowed = ClinicLimits(database, link, tell)
-    wizard = CalibrationFlow(database, link, worn, runs, tell, readings)
-    drive = DriveFlow(database, link, runs, tell, readings)
-    real = RealDriveFlow(database, link, runs, tell, readings)
-    visit = VisitFlow(database, link, worn, wizard, drive, real, tell)
-    shown = LivePicture(link, worn, seats, runs, drive, real, visit)
+    control = ControlLink(start_process)
+    runs = Runs(database, control, settings.runs)
+    worn = Equipment(database, control, settings.files, settings.keys, tell, demonstration=settings.demo)
+    seats = Chairs(database, control, settings.keys, tell)
+    allowed = ClinicLimits(database, control, tell)
+    wizard = CalibrationFlow(database, control, worn, runs, tell, readings)
+    drive = DriveFlow(database, control, runs, tell, readings)
+    real = RealDriveFlow(database, control, runs, tell, readings)
+    visit = VisitFlow(database, control, worn, wizard, drive, real, tell)
+    shown = LivePicture(control, worn, seats, runs, drive, real, visit)
     hub = LiveHub(shown.picture, shown.quality)
     patient = PatientPicture(shown, worn, runs, drive)
 
@@ -210,23 +214,23 @@ def _flows(
     async def control_changed(_state: str) -> None:
         tell("equipment")
 
-    link.on_change.append(control_changed)
+    control.on_change.append(control_changed)
     flows = Flows(
-        control=link,
+        control=control,
         equipment=worn,
         runs=runs,
         calibration=wizard,
         drive=drive,
         real=real,
         chairs=seats,
-        head=HeadChoice(database, link, worn.located, tell),
+        head=HeadChoice(database, control, worn.located, tell),
         limits=allowed,
-        arming=RealArming(database, link, worn, visit, seats, allowed),
+        arming=RealArming(database, control, worn, visit, seats, allowed),
         visit=visit,
-        adaptation=AdaptationFlow(database, link, runs, drive, visit, seats, tell, readings),
+        adaptation=AdaptationFlow(database, control, runs, drive, visit, seats, tell, readings),
         screens=Screens(),
-        pictures=Pictures(link, drive),
-        faults=FaultLog(database, link, driven_now),
+        pictures=Pictures(control, drive),
+        faults=FaultLog(database, control, driven_now),
         disk=DiskWatch(settings.state, database.ballast, tell),
         live=hub,
         pairing=PairingCodes(),
@@ -236,11 +240,11 @@ def _flows(
         timelines=Timelines(),
         qualities=TrialQualities(database, runs.folder_of, readings.quality),
         replays=Replays(),
-        view=ViewKeeper(open_scene, link.newest),
+        view=ViewKeeper(open_scene, control.newest),
         own_floorplans=settings.floorplans,
     )
 
-    link.screen_sign = flows.driving_sign
+    control.screen_sign = flows.driving_sign
     return flows
 
 

@@ -21,7 +21,7 @@ from app.clock import monotonic
 from app.session.adaptation import AdaptationFlow
 from app.session.arming import RealArming
 from app.session.calibration import CalibrationFlow
-from app.session.control_link import Control, ScreenSign
+from app.session.control_link import ControlLink, ScreenSign
 from app.session.equipment.chairs import Chairs
 from app.session.equipment.head import HeadChoice
 from app.session.equipment.limits import ClinicLimits
@@ -42,7 +42,7 @@ from app.world.scene import Offer, bundled_places, find_place
 class Flows:
     """What goes on, whether or not anybody looks."""
 
-    control: Control
+    control: ControlLink
     equipment: Equipment
     runs: Runs
     calibration: CalibrationFlow

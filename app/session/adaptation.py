@@ -10,7 +10,7 @@ from typing import Literal
 
 from app.faults import State
 from app.refusals import Conflict, NotFound, Refusal, Unavailable
-from app.session.control_link import Control
+from app.session.control_link import ControlLink
 from app.session.equipment.chairs import Chairs
 from app.session.open_session import VisitFlow
 from app.session.readings import Adapted, Readings
@@ -64,7 +64,7 @@ class AdaptationFlow:
     def __init__(
         self,
         database: Database,
-        control: Control,
+        control: ControlLink,
         runs: Runs,
         drive: DriveFlow,
         visit: VisitFlow,

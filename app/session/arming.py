@@ -7,7 +7,7 @@ import numpy as np
 
 from app.calibration.vocabulary import DriveParameters
 from app.refusals import Refusal
-from app.session.control_link import Control
+from app.session.control_link import ControlLink
 from app.session.equipment.chairs import Chairs
 from app.session.equipment.limits import ClinicLimits
 from app.session.equipment.shirt import Equipment
@@ -63,7 +63,7 @@ class RealArming:
     def __init__(
         self,
         database: Database,
-        control: Control,
+        control: ControlLink,
         equipment: Equipment,
         visit: VisitFlow,
         chairs: Chairs,

@@ -10,7 +10,7 @@ from app.calibration.script import Step, calibration_script
 from app.clock import monotonic
 from app.layout import ShirtLayout
 from app.refusals import Conflict, NotFound, Refusal
-from app.session.control_link import Control
+from app.session.control_link import ControlLink
 from app.session.equipment.shirt import Equipment
 from app.session.readings import Readings
 from app.session.runs import Runs
@@ -50,7 +50,7 @@ class CalibrationFlow:
     def __init__(
         self,
         database: Database,
-        control: Control,
+        control: ControlLink,
         equipment: Equipment,
         runs: Runs,
         tell: Callable[[str], None],

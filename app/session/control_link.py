@@ -1,4 +1,4 @@
-"""The web process's end of the control process: commands, ticks, heartbeat, and a new one when it dies."""
+"""The control link: commands to the control process, its ticks, the heartbeat, and a new process when it dies."""
 
 import asyncio
 import logging
@@ -38,8 +38,8 @@ class ScreenSign(NamedTuple):
     view: Literal["in view", "hidden", "slow"] = "in view"
 
 
-class Link(Protocol):
-    """One running control process."""
+class LinkedProcess(Protocol):
+    """One running control process, as the control link uses it."""
 
     async def call(self, do: str, **fields: Any) -> dict[str, Any]:
         """Send a command and return its answer; raise LinkRefused or LinkLost."""
@@ -70,15 +70,15 @@ class Link(Protocol):
         ...
 
 
-class Control:
-    """Always one control process: started, kept alive, loaded with what it had before when it had to be replaced."""
+class ControlLink:
+    """Keeps one control process running: starts it, replaces it when it dies or hangs, and loads what it had before."""
 
-    def __init__(self, open_link: Callable[[], Awaitable[Link]]) -> None:
+    def __init__(self, start_process: Callable[[], Awaitable[LinkedProcess]]) -> None:
         self.state: ControlState = "starting"
         self.screen_sign: Callable[[], ScreenSign] = ScreenSign  # of the screen that drives; from any thread
         self.on_change: list[Callable[[ControlState], Awaitable[None]]] = []
-        self._open_link = open_link
-        self._link: Link | None = None
+        self._start_process = start_process
+        self._process: LinkedProcess | None = None
         self._loaded: dict[str, dict[str, Any]] = {}  # what a later control process must be given, too
         self._opening = 0  # commands under way that may hold the loop up, because they open something
         self._hurried: set[asyncio.Task[dict[str, Any]]] = set()  # stops that nobody waits for any more
@@ -121,18 +121,18 @@ class Control:
         Unavailable
             When there is no control process at the moment.
         """
-        link = self._link
+        process = self._process
         opening = do in OPENING
-        if link is None or self._thread is None or self.state != "alive":
+        if process is None or self._thread is None or self.state != "alive":
             raise Unavailable("The control process is being restarted, and the chair stands: try again in a moment.")
         self._opening += opening
         try:
-            return await self._thread.run(link.call(do, **fields))
+            return await self._thread.run(process.call(do, **fields))
         except LinkRefused as refusal:
             raise Conflict(str(refusal)) from refusal
         except LinkLost as lost:
             # One that does not answer may still do later what it was asked, a run without anybody who knows of it.
-            link.kill()
+            process.kill()
             raise Unavailable("The control process did not answer, and the chair stands: try again.") from lost
         finally:
             self._opening -= opening
@@ -185,34 +185,34 @@ class Control:
         self._tell("heartbeat", screen_age=sign.age, screen=sign.view)
 
     def _tell(self, do: str, **fields: Any) -> None:
-        link = self._link
-        if link is not None:
+        process = self._process
+        if process is not None:
             with suppress(LinkLost):
-                link.tell(do, **fields)
+                process.tell(do, **fields)
 
     def newest(self) -> np.void | None:
         """Return the newest tick, None when there is none; from any thread."""
         with self._reading:
-            return self._link.newest() if self._link is not None and self.state == "alive" else None
+            return self._process.newest() if self._process is not None and self.state == "alive" else None
 
     def since(self, number: int) -> NDArray[np.void] | None:
         """Return the ticks after `number`, None when there is no control process."""
         with self._reading:
-            return self._link.since(number) if self._link is not None and self.state == "alive" else None
+            return self._process.since(number) if self._process is not None and self.state == "alive" else None
 
     async def _let_go(self, thread: LoopThread) -> None:
         with self._reading:
-            link, self._link = self._link, None
-        if link is not None:
-            await thread.run(link.close())
+            process, self._process = self._process, None
+        if process is not None:
+            await thread.run(process.close())
 
     async def _open(self, thread: LoopThread) -> None:
-        self._link = await thread.run(_opened(self._open_link))
+        self._process = await thread.run(_opened(self._start_process))
         for do in get_args(Loaded):
             if do in self._loaded:
                 # A device that cannot be opened again shows in `status`; the rest goes on.
                 with suppress(LinkRefused):
-                    await thread.run(self._link.call(do, **self._loaded[do]))
+                    await thread.run(self._process.call(do, **self._loaded[do]))
         self.state = "alive"
 
     async def _heartbeat(self) -> None:
@@ -224,24 +224,24 @@ class Control:
 
     async def _watch(self) -> None:
         """Kill a control process whose loop stands: what it still holds may be a chair that waits to drive on."""
-        watched, since = self._link, monotonic()
+        watched, since = self._process, monotonic()
         while True:
             await asyncio.sleep(LOOK_EVERY)
-            link, now = self._link, monotonic()
-            if link is not watched or link is None or self.state != "alive":
-                watched, since = link, now
+            process, now = self._process, monotonic()
+            if process is not watched or process is None or self.state != "alive":
+                watched, since = process, now
                 continue
-            tick = link.newest()
+            tick = process.newest()
             last = since if tick is None else max(since, float(tick["t"]))
             if monotonic() - last > (OPENING_LIMIT if self._opening else HANG_LIMIT):
                 logger.error("The control process stood still for %g s and is replaced", monotonic() - last)
-                link.kill()
+                process.kill()
                 watched = None
 
     async def _keep(self, thread: LoopThread) -> None:
         while True:
-            if self._link is not None:
-                await thread.run(self._link.died())
+            if self._process is not None:
+                await thread.run(self._process.died())
                 self.state = "lost"
                 await self._tell_change()
                 await self._let_go(thread)
@@ -266,5 +266,5 @@ class Control:
             await told(self.state)
 
 
-async def _opened(open_link: Callable[[], Awaitable[Link]]) -> Link:
-    return await open_link()
+async def _opened(start_process: Callable[[], Awaitable[LinkedProcess]]) -> LinkedProcess:
+    return await start_process()

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import Any
 
 from app.faults import Fault
-from app.session.control_link import Control, ControlState
+from app.session.control_link import ControlLink, ControlState
 from app.store.database import Database
 from app.store.log import write_log
 
@@ -18,7 +18,7 @@ logger = logging.getLogger("bodydrive")
 class FaultLog:
     """Looks at the newest tick and notes what was latched; a stop given during another one is no new row."""
 
-    def __init__(self, database: Database, control: Control, during: Callable[[], dict[str, int]]) -> None:
+    def __init__(self, database: Database, control: ControlLink, during: Callable[[], dict[str, int]]) -> None:
         """`during` names the trial or the drive that goes on."""
         self._database = database
         self._control = control

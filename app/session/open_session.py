@@ -8,7 +8,7 @@ from app.calibration.vocabulary import DriveParameters
 from app.pipeline.brakes import missing_brake
 from app.refusals import Conflict, Refusal
 from app.session.calibration import CalibrationFlow
-from app.session.control_link import Control
+from app.session.control_link import ControlLink
 from app.session.equipment.shirt import NO_SHIRT, Equipment
 from app.session.page_session import require_shown
 from app.session.real_drive import RealDriveFlow
@@ -26,7 +26,7 @@ class VisitFlow:
     def __init__(
         self,
         database: Database,
-        control: Control,
+        control: ControlLink,
         equipment: Equipment,
         calibration: CalibrationFlow,
         drive: DriveFlow,

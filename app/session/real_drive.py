@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from app.faults import State
 from app.refusals import Conflict
-from app.session.control_link import Control
+from app.session.control_link import ControlLink
 from app.session.readings import Readings
 from app.session.run_watch import Halt, RunLost, Starter, watched
 from app.session.runs import OpenRun, Runs
@@ -61,7 +61,7 @@ class RealDriveFlow:
     """Starts one drive at a time and sees it through to its end."""
 
     def __init__(
-        self, database: Database, control: Control, runs: Runs, tell: Callable[[str], None], readings: Readings
+        self, database: Database, control: ControlLink, runs: Runs, tell: Callable[[str], None], readings: Readings
     ) -> None:
         self._database = database
         self._control = control

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.faults import State
-from app.session.control_link import Control
+from app.session.control_link import ControlLink
 
 LOOK_EVERY = 0.04  # s
 # s for which a halted trial or drive waits for Continue; S27 asks for 180 at least. There must be time to help the
@@ -60,7 +60,7 @@ class Halt:
 
 
 async def watched(
-    control: Control, run: int, asked_to_end: asyncio.Event, take: Callable[[NDArray[np.void]], End | None]
+    control: ControlLink, run: int, asked_to_end: asyncio.Event, take: Callable[[NDArray[np.void]], End | None]
 ) -> End | None:
     """Give the ticks of a run (its number in ticks) to `take` until that returns how it ended.
 

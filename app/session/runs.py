@@ -10,7 +10,7 @@ from typing import Any
 
 from app.cues import Cue
 from app.refusals import Conflict, Refusal
-from app.session.control_link import Control
+from app.session.control_link import ControlLink
 from app.source import Source
 from app.store.database import Database
 from app.store.runs import add_run, close_run
@@ -30,7 +30,7 @@ class OpenRun:
 class Runs:
     """Begins and ends runs; their folders bear no name but the run's own."""
 
-    def __init__(self, database: Database, control: Control, folder: Path) -> None:
+    def __init__(self, database: Database, control: ControlLink, folder: Path) -> None:
         self._database = database
         self._control = control
         self._folder = folder

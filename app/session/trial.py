@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 from app.refusals import Conflict
 from app.scoring.control_quality import ControlQuality
-from app.session.control_link import Control
+from app.session.control_link import ControlLink
 from app.session.readings import Readings
 from app.session.run_watch import RunLost, Starter, watched
 from app.session.runs import OpenRun, Runs
@@ -53,7 +53,7 @@ class DriveFlow:
     """Starts one trial at a time and sees it through to its measures."""
 
     def __init__(
-        self, database: Database, control: Control, runs: Runs, tell: Callable[[str], None], readings: Readings
+        self, database: Database, control: ControlLink, runs: Runs, tell: Callable[[str], None], readings: Readings
     ) -> None:
         self._database = database
         self._control = control

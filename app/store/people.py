@@ -10,7 +10,7 @@ from sqlalchemy.orm import Session
 from app.clock import utc_now
 from app.refusals import Conflict
 from app.store.log import write_log
-from app.store.tables import SignIn, Clinic, Person
+from app.store.tables import Clinic, Person, SignIn
 
 TOKEN_BYTES = 32
 SIGNED_IN_FOR = timedelta(hours=12)  # a working day; then everybody signs in again

@@ -20,7 +20,7 @@ from app.faults import EXPLANATIONS, Fault, State
 from app.process.supervisor import ControlProcess
 from app.realtime import tidy
 from app.refusals import Conflict
-from app.session.control_link import Control, ScreenSign
+from app.session.control_link import ControlLink, ScreenSign
 from app.session.recordings import recorded_readings
 from app.settings import Settings
 from bench.subject import bench_chair, bench_floorplan, bench_parameters
@@ -58,7 +58,7 @@ async def main(chair: dict[str, Any], shirt_port: int, shirt_key: str, folder: P
         await serving
 
 
-async def _set_up(control: Control, chair: dict[str, Any], shirt_port: int, shirt_key: str, folder: Path) -> str:
+async def _set_up(control: ControlLink, chair: dict[str, Any], shirt_port: int, shirt_key: str, folder: Path) -> str:
     parameters = bench_parameters(SAMPLE_RATE, "velocity")  # the other one asks for a stop switch
     layout = parameters.profile.layout.model_dump(mode="json")
     shirt = {"kind": "udp", "port": shirt_port, "sample_rate": SAMPLE_RATE, "layout": layout, "key_file": shirt_key}
@@ -70,7 +70,7 @@ async def _set_up(control: Control, chair: dict[str, Any], shirt_port: int, shir
     return parameters.hash
 
 
-async def _arm(control: Control, digest: str) -> None:
+async def _arm(control: ControlLink, digest: str) -> None:
     """Arm, again when this machine was too busy for it, and return when the chair may move."""
     began, why = monotonic(), "there are no ticks"
     while monotonic() < began + ARMING_LIMIT:

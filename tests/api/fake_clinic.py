@@ -1,4 +1,4 @@
-"""A running web application with a control link that answers without a process."""
+"""A running web application with a stand-in for the control process."""
 
 import asyncio
 import time
@@ -75,7 +75,7 @@ def profile_for(layout: ShirtLayout) -> CalibrationProfile:
     )
 
 
-class FakeLink:
+class FakeProcess:
     """Answers as the control process would, keeping what it was asked; its clock for runs is `run_t`."""
 
     def __init__(self) -> None:
@@ -194,16 +194,16 @@ class FakeLink:
 
 
 class Clinic:
-    """One running web application, its links, and a browser that knows its own origin."""
+    """One running web application, its control processes, and a browser that knows its own origin."""
 
-    def __init__(self, client: TestClient, links: list[FakeLink], readings: dict[str, Any]) -> None:
+    def __init__(self, client: TestClient, processes: list[FakeProcess], readings: dict[str, Any]) -> None:
         self.client = client
-        self.links = links
+        self.processes = processes
         self.readings = readings
 
     @property
-    def link(self) -> FakeLink:
-        return self.links[-1]
+    def process(self) -> FakeProcess:
+        return self.processes[-1]
 
     def __call__(self, method: str, path: str, **more: Any) -> Any:
         headers = {"Origin": BASE, "Patient-Session": self.session, **more.pop("headers", {})}
@@ -253,19 +253,19 @@ class Clinic:
     def calibrate(self) -> Any:
         for step in self.good("GET", "/calibration")["steps"][:-1]:
             self.good("POST", f"/calibration/steps/{step['id']}/start")
-            self.link.run_t = 1000.0
+            self.process.run_t = 1000.0
             self.until("/calibration", lambda c: c["running"] is None)
         self.until("/calibration", lambda c: c["result"] is not None and c["running"] is None)
         return self.good("POST", "/calibration/accept")
 
 
 def running(settings: Settings) -> Iterator[Clinic]:
-    links: list[FakeLink] = []
+    processes: list[FakeProcess] = []
     answers: dict[str, Any] = {"judge": None, "measures": {"dist": 12.0, "e_diff": 1.5, "reached": True}}
 
-    async def open_link() -> FakeLink:
-        links.append(FakeLink())
-        return links[-1]
+    async def start_process() -> FakeProcess:
+        processes.append(FakeProcess())
+        return processes[-1]
 
     def fit(layout: ShirtLayout, _recorded: list[tuple[Step, Path]], _unused: list[str]) -> CalibrationProfile:
         if "fit" in answers:
@@ -286,6 +286,6 @@ def running(settings: Settings) -> Iterator[Clinic]:
         quality=lambda _folder: quality(),
         adapt=lambda *given: answers["adapt"](*given) if "adapt" in answers else None,
     )
-    app = create_app(settings, open_link, readings)
+    app = create_app(settings, start_process, readings)
     with TestClient(app, base_url=BASE, raise_server_exceptions=False, client=("127.0.0.1", 50_000)) as client:
-        yield Clinic(client, links, answers)
+        yield Clinic(client, processes, answers)

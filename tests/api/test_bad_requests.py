@@ -80,10 +80,10 @@ def test_a_bad_file_does_not_take_the_place_of_a_good_one(signed_in: Any, settin
 
 def test_a_body_that_does_not_fit_leaves_the_shirt_before(signed_in: Any) -> None:
     before = signed_in.good("GET", "/equipment")
-    signed_in.link.refuse["body"] = "This body has no joint of that shirt: choose another body."
+    signed_in.process.refuse["body"] = "This body has no joint of that shirt: choose another body."
     answer = signed_in("PUT", "/equipment/shirt", json={"kind": "simulator", "seed": 7})
     assert "choose another body" in sentence(answer, 409)
-    del signed_in.link.refuse["body"]
+    del signed_in.process.refuse["body"]
     after = signed_in.good("GET", "/equipment")
     assert (after["shirt"], after["body"]) == (before["shirt"], before["body"])
     assert after["layout"]["name"] == LAYOUT.name
@@ -93,7 +93,7 @@ def test_a_refused_file_is_named_without_its_place(signed_in: Any, settings: Any
     file = settings.files / "walk.csv"
     file.parent.mkdir(parents=True)
     file.write_bytes(b"t,a\n0,x\n")
-    signed_in.link.refuse["shirt"] = f"{file}, line 2, column 'a': 'x' is not a number, write one."
+    signed_in.process.refuse["shirt"] = f"{file}, line 2, column 'a': 'x' is not a number, write one."
     said = sentence(signed_in("PUT", "/equipment/shirt", json={"kind": "replay", "file": "walk.csv"}), 409)
     assert said.lower().startswith("walk.csv, line 2")
 
@@ -149,7 +149,7 @@ def test_a_step_whose_end_cannot_be_written_is_over(signed_in: Any, monkeypatch:
 
     with monkeypatch.context() as broken:
         broken.setattr(CalibrationFlow, "_set", full)
-        signed_in.link.run_t = 1000.0
+        signed_in.process.run_t = 1000.0
         signed_in.until("/calibration", lambda c: c["running"] is None)
     assert signed_in.good("POST", "/calibration/steps/rest/start")["running"]["step"] == "rest"
     signed_in.good("POST", "/calibration/steps/rest/cancel")

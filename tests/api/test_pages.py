@@ -119,7 +119,7 @@ def test_the_shirt_is_chosen_by_what_is_here(signed_in: Any) -> None:
     assert upload(signed_in, "walk.csv", b"t,a\n0,1\n").status_code == 201
     chosen = signed_in.good("PUT", "/equipment/shirt", json={"kind": "replay", "file": "walk.csv", "loop": True})
     assert (chosen["shirt"]["file"], chosen["body"]) == ("walk.csv", None)
-    sent = [fields for do, fields in signed_in.link.calls if do == "shirt"][-1]
+    sent = [fields for do, fields in signed_in.process.calls if do == "shirt"][-1]
     assert sent["config"]["file"].endswith("/files/walk.csv")
     assert signed_in("PUT", "/equipment/body", json={"kind": "visitor"}).status_code == 409
     assert signed_in("PUT", "/equipment/shirt", json={"kind": "telepathy"}).status_code == 422

@@ -5,7 +5,7 @@ import threading
 import time
 
 import uvicorn
-from api.fake_clinic import FakeLink
+from api.fake_clinic import FakeProcess
 
 from app.api.app import create_app
 from app.session.recordings import recorded_readings
@@ -16,16 +16,16 @@ class ServedClinic:
     """Serves from `start` to `stop`."""
 
     def __init__(self, settings: Settings, port: int = 0) -> None:
-        self._links: list[FakeLink] = []
+        self._processes: list[FakeProcess] = []
 
-        async def open_link() -> FakeLink:
-            self._links.append(FakeLink())
-            return self._links[-1]
+        async def start_process() -> FakeProcess:
+            self._processes.append(FakeProcess())
+            return self._processes[-1]
 
         self._socket = socket.socket()
         self._socket.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         self._socket.bind(("127.0.0.1", port))
-        self.app = create_app(settings, open_link, recorded_readings())
+        self.app = create_app(settings, start_process, recorded_readings())
         config = uvicorn.Config(self.app, log_level="error", ws_per_message_deflate=False)
         self._server = uvicorn.Server(config)
         self._thread = threading.Thread(target=self._server.run, args=([self._socket],), daemon=True)

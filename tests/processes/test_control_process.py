@@ -18,7 +18,7 @@ from app.pipeline.process import main
 from app.process.command_channel import LinkLost
 from app.process.supervisor import ControlProcess
 from app.recording.reader import read_run
-from app.session.control_link import Control
+from app.session.control_link import ControlLink
 from building import make_parameters
 
 
@@ -86,11 +86,11 @@ def test_a_control_process_that_is_killed_is_noticed_and_replaced_disarmed(tmp_p
     async def story():
         opened = []
 
-        async def open_link():
+        async def start_process():
             opened.append(await ControlProcess.start())
             return opened[-1]
 
-        control = Control(open_link)
+        control = ControlLink(start_process)
         states = []
 
         async def note(state):

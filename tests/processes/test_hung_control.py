@@ -13,7 +13,7 @@ from app.faults import State
 from app.process.supervisor import ControlProcess
 from app.refusals import Unavailable
 from app.session import control_link as control_module
-from app.session.control_link import HANG_LIMIT, STOP_LIMIT, Control
+from app.session.control_link import HANG_LIMIT, STOP_LIMIT, ControlLink
 
 PATIENCE = 60.0  # s
 LOAD = 1.0  # s by which a busy machine may wake us late
@@ -29,11 +29,11 @@ async def until(condition):
 async def started():
     opened = []
 
-    async def open_link():
+    async def start_process():
         opened.append(await ControlProcess.start())
         return opened[-1]
 
-    control = Control(open_link)
+    control = ControlLink(start_process)
     await control.start()
     await control.load("shirt", config=SIMULATED)
     await until(lambda: control.newest() is not None)

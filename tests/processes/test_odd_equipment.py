@@ -79,11 +79,11 @@ def clinic(folder):
     database.close()
     processes = []
 
-    async def open_link():
+    async def start_process():
         processes.append(await ControlProcess.start())
         return processes[-1]
 
-    app = create_app(settings, open_link, recorded_readings())
+    app = create_app(settings, start_process, recorded_readings())
     with TestClient(app, base_url=BASE, raise_server_exceptions=False, client=("127.0.0.1", 50_000)) as client:
         client.headers["Origin"] = BASE
         assert client.post("/api/v1/auth/demo", json={"code": "the-code-of-the-link"}).status_code == 200

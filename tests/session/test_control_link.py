@@ -12,7 +12,7 @@ from app.messages import TICK
 from app.process.command_channel import LinkLost, LinkRefused
 from app.refusals import Conflict, Unavailable
 from app.session import control_link as control_module
-from app.session.control_link import Control
+from app.session.control_link import ControlLink
 
 
 class Process:
@@ -62,11 +62,11 @@ def played(story: Any, answers: dict[str, Any]) -> list[Process]:
     opened: list[Process] = []
 
     async def whole() -> None:
-        async def open_link() -> Process:
+        async def start_process() -> Process:
             opened.append(Process(answers if not opened else {}))
             return opened[-1]
 
-        control = Control(open_link)
+        control = ControlLink(start_process)
         await control.start()
         try:
             await story(control, opened)
@@ -85,7 +85,7 @@ async def until(condition: Any) -> None:
 def test_a_stop_that_is_not_answered_is_answered_all_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(control_module, "STOP_LIMIT", 0.05)
 
-    async def story(control: Control, _opened: list[Process]) -> None:
+    async def story(control: ControlLink, _opened: list[Process]) -> None:
         assert not await control.stop()
 
     [process] = played(story, {"stop": None})
@@ -93,7 +93,7 @@ def test_a_stop_that_is_not_answered_is_answered_all_the_same(monkeypatch: pytes
 
 
 def test_a_command_without_an_answer_ends_the_process_that_owes_it() -> None:
-    async def story(control: Control, opened: list[Process]) -> None:
+    async def story(control: ControlLink, opened: list[Process]) -> None:
         with pytest.raises(Unavailable):
             await control.call("run")
         await until(lambda: len(opened) == 2 and control.state == "alive")
@@ -102,7 +102,7 @@ def test_a_command_without_an_answer_ends_the_process_that_owes_it() -> None:
 
 
 def test_a_refusal_ends_nothing() -> None:
-    async def story(control: Control, _opened: list[Process]) -> None:
+    async def story(control: ControlLink, _opened: list[Process]) -> None:
         with pytest.raises(Conflict, match="not now"):
             await control.call("arm")
         assert await control.stop()
@@ -115,7 +115,7 @@ def test_a_loop_that_stands_still_is_killed_and_given_more_time_while_it_opens(
 ) -> None:
     monkeypatch.setattr(control_module, "LOOK_EVERY", 0.01)
 
-    async def opening(control: Control, opened: list[Process]) -> None:
+    async def opening(control: ControlLink, opened: list[Process]) -> None:
         loading = asyncio.create_task(control.load("shirt", config={}))
         await until(lambda: ("shirt", {"config": {}}) in opened[0].asked)
         opened[0].ticking = False
@@ -130,7 +130,7 @@ def test_a_loop_that_stands_still_is_killed_and_given_more_time_while_it_opens(
 
 
 def test_the_next_one_is_given_what_was_accepted_last_and_nothing_else() -> None:
-    async def story(control: Control, opened: list[Process]) -> None:
+    async def story(control: ControlLink, opened: list[Process]) -> None:
         await control.load("parameters", parameters=None)
         await control.load("limits", clinic={"forward": 1.0})
         await control.load("limits", clinic={"forward": 0.5})

@@ -11,7 +11,7 @@ from app.clock import monotonic
 from app.faults import EXPLANATIONS, Fault, State
 from app.layout import ShirtLayout
 from app.messages import NO_CUE
-from app.session.control_link import Control
+from app.session.control_link import ControlLink
 from app.session.equipment.chairs import Chairs
 from app.session.equipment.shirt import Equipment
 from app.session.open_session import VisitFlow
@@ -32,7 +32,7 @@ class LivePicture:
 
     def __init__(
         self,
-        control: Control,
+        control: ControlLink,
         equipment: Equipment,
         chairs: Chairs,
         runs: Runs,

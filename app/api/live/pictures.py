@@ -4,7 +4,7 @@ from typing import Literal
 
 from app.api.live.screens import Screen
 from app.faults import State
-from app.session.control_link import Control
+from app.session.control_link import ControlLink
 from app.session.trial import DriveFlow
 
 Picture = Literal["view", "plan", "none"]
@@ -25,7 +25,7 @@ class Pictures:
     A screen without any report counts as one with a picture: a program may drive over the API.
     """
 
-    def __init__(self, control: Control, drive: DriveFlow) -> None:
+    def __init__(self, control: ControlLink, drive: DriveFlow) -> None:
         self._control = control
         self._drive = drive
         self._screens: dict[object, tuple[Screen, Picture]] = {}

@@ -13,7 +13,7 @@ from app.api.page_session import require_named
 from app.api.parts import FlowParts
 from app.faults import Fault, State
 from app.quantities import Count, Document
-from app.session.control_link import Control
+from app.session.control_link import ControlLink
 from app.store.log import write_log
 
 NEXT_TICK_LOOKS = 30  # of 10 ms each: what was cleared shows in one of the next ticks
@@ -40,7 +40,7 @@ class Dial(Document):
     share: Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0.1, le=1.0)]
 
 
-def _view(control: Control) -> ControlView:
+def _view(control: ControlLink) -> ControlView:
     tick = control.newest()
     if tick is None:
         return ControlView(state="fault", fault=Fault.CONTROL_LOST.name.lower())

@@ -13,7 +13,7 @@ from app.hardware.configs import BodyConfig, HeadConfig, ShirtConfig
 from app.layout import MAX_CHANNELS, ShirtLayout
 from app.quantities import Document, Line, Name
 from app.refusals import Refusal
-from app.session.control_link import Control
+from app.session.control_link import ControlLink
 from app.session.equipment.shirt import shirt_kinds
 from app.store.files.disk import disk_room
 from app.store.files.taken_names import SameName, log_details
@@ -109,7 +109,7 @@ class EquipmentView(Document):
     disk: DiskView
 
 
-async def _status(control: Control, flows: Flows) -> tuple[StatusView, HeadView]:
+async def _status(control: ControlLink, flows: Flows) -> tuple[StatusView, HeadView]:
     worn, head = flows.equipment, flows.head.config
     try:
         status = await control.call("status")

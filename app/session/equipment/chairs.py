@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any, Literal
 
 from app.refusals import Conflict, Refusal, Unavailable
-from app.session.control_link import Control
+from app.session.control_link import ControlLink
 from app.session.equipment.pairing import key_file
 from app.store.chairs import find_chair
 from app.store.database import Database
@@ -21,7 +21,7 @@ VIRTUAL_WORDS = "The virtual chair: nothing moves but the picture."
 class Chairs:
     """Chosen by people, kept in the database, opened by the control process; a chair that fails is never replaced."""
 
-    def __init__(self, database: Database, control: Control, keys: Path, tell: Callable[[str], None]) -> None:
+    def __init__(self, database: Database, control: ControlLink, keys: Path, tell: Callable[[str], None]) -> None:
         self._database = database
         self._control = control
         self._keys = keys

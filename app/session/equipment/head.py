@@ -5,7 +5,7 @@ from collections.abc import Callable
 from typing import Any
 
 from app.refusals import Refusal, Unavailable
-from app.session.control_link import Control
+from app.session.control_link import ControlLink
 from app.store.database import Database
 from app.store.people import the_clinic
 
@@ -16,7 +16,7 @@ Located = Callable[[dict[str, Any]], dict[str, Any]]
 class HeadChoice:
     """Which head tracker looks; None: straight ahead."""
 
-    def __init__(self, database: Database, control: Control, located: Located, tell: Callable[[str], None]) -> None:
+    def __init__(self, database: Database, control: ControlLink, located: Located, tell: Callable[[str], None]) -> None:
         self._database = database
         self._control = control
         self._located = located

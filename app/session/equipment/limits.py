@@ -5,7 +5,7 @@ from collections.abc import Callable
 from contextlib import suppress
 
 from app.refusals import Refusal
-from app.session.control_link import Control
+from app.session.control_link import ControlLink
 from app.speeds import NO_FURTHER, Speeds
 from app.store.chairs import limits_of
 from app.store.database import Database
@@ -16,7 +16,7 @@ from app.store.people import the_clinic
 class ClinicLimits:
     """The middle one of three levels: nobody here drives faster, whatever a parameter set or a chair would allow."""
 
-    def __init__(self, database: Database, control: Control, tell: Callable[[str], None]) -> None:
+    def __init__(self, database: Database, control: ControlLink, tell: Callable[[str], None]) -> None:
         self._database = database
         self._control = control
         self._tell = tell

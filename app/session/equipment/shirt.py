@@ -10,7 +10,7 @@ from pydantic import ValidationError
 from app.hardware.registry import SHIRTS
 from app.layout import ShirtLayout
 from app.refusals import Conflict, NotFound, Refusal, Unavailable
-from app.session.control_link import Control
+from app.session.control_link import ControlLink
 from app.session.equipment.pairing import shirt_key_files
 from app.store.database import Database
 from app.store.people import the_clinic
@@ -40,7 +40,7 @@ class Equipment:
     def __init__(
         self,
         database: Database,
-        control: Control,
+        control: ControlLink,
         files: Path,
         keys: Path,
         tell: Callable[[str], None],

@@ -67,9 +67,9 @@ def test_stop_and_the_visitors_movement_go_down_and_nonsense_does_not(signed_in:
         socket.send_json({"stop": True})
         while socket.receive_json()["state"] != "fault":
             pass
-    moves = [fields for do, fields in signed_in.link.told if do == "move"]
+    moves = [fields for do, fields in signed_in.process.told if do == "move"]
     assert moves == [{"joints": {"right_elbow": 0.7}}]
-    looks = [fields for do, fields in signed_in.link.told if do == "look"]
+    looks = [fields for do, fields in signed_in.process.told if do == "look"]
     assert looks == [{"yaw": 0.5, "pitch": -0.25, "roll": 0.0}]
 
 
@@ -102,12 +102,12 @@ def test_a_trial_shows_where_it_stands(signed_in: Any) -> None:
 def test_without_a_control_process_the_chair_is_shown_standing(signed_in: Any) -> None:
     with signed_in.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
         socket.receive_json()
-        signed_in.link.silent = True
+        signed_in.process.silent = True
         while (message := socket.receive_json())["control"] == "alive":
             pass
         assert (message["v"], message["omega"], message["state"]) == (0.0, 0.0, "fault")
         assert message["fault"]["name"] == "control_lost"
-        signed_in.link.die()
+        signed_in.process.die()
         while message["control"] != "alive":
             message = socket.receive_json()
         assert message["state"] == "disarmed"

@@ -24,9 +24,9 @@ def ready(paired: Any) -> Any:
 
 def until_state(clinic: Any, state: str) -> Any:
     """Return the fault once the chair's state is this one."""
-    while (tick := clinic.link.since(0)[-1], clinic.link.state.name.lower())[1] != state:
+    while (tick := clinic.process.since(0)[-1], clinic.process.state.name.lower())[1] != state:
         time.sleep(0.002)
-    return int(tick["fault"]) and clinic.link.fault.name
+    return int(tick["fault"]) and clinic.process.fault.name
 
 
 def says(socket: Any, picture: str) -> None:
@@ -80,15 +80,15 @@ def test_a_picture_lost_in_a_trial_halts_it_until_there_is_one_again(ready: Any)
         assert until_state(ready, "armed") == 0  # a screen that only looks stops nobody
         says(socket, "none")
         assert until_state(ready, "fault") == "PICTURE_LOST"
-        refused = ready("POST", "/control/clear", json={"stops": ready.link.stops})
+        refused = ready("POST", "/control/clear", json={"stops": ready.process.stops})
         assert (refused.status_code, "drawn plan" in refused.json()["detail"]) == (409, True)
-        stops = ready.link.stops
+        stops = ready.process.stops
         says(socket, "none")
         says(socket, "plan")
         trial = ready.flows.drive.trial
         while ready.flows.pictures.refusal(Screen(trial.person_id, trial.screen)):
             time.sleep(0.002)
-        assert ready.link.stops == stops  # what stands is not stopped again
+        assert ready.process.stops == stops  # what stands is not stopped again
         assert ready.good("POST", "/control/clear", json={"stops": stops})["state"] == "armed"
 
 
@@ -97,7 +97,7 @@ def test_going_on_between_two_words_of_a_screen_halts_again(ready: Any) -> None:
         ready.good("POST", "/trials", json=ready.where)
         says(socket, "none")
         assert until_state(ready, "fault") == "PICTURE_LOST"
-        ready.link.state = type(ready.link.state).ARMED
+        ready.process.state = type(ready.process.state).ARMED
         says(socket, "none")
         assert until_state(ready, "fault") == "PICTURE_LOST"
 
@@ -124,9 +124,9 @@ def test_the_patients_screen_tells_the_clinicians_page_and_halts_too(ready: Any)
         socket.send_json({"picture": "view"})
         while shown() != "view":
             pass
-        ready.good("POST", "/control/clear", json={"stops": ready.link.stops})
+        ready.good("POST", "/control/clear", json={"stops": ready.process.stops})
     assert until_state(ready, "fault") == "PICTURE_LOST"  # it is gone, and the patient sees nothing any more
-    assert ready.good("POST", "/control/clear", json={"stops": ready.link.stops})["state"] == "armed"
+    assert ready.good("POST", "/control/clear", json={"stops": ready.process.stops})["state"] == "armed"
 
 
 def test_a_patients_screen_that_falls_silent_halts_the_trial(ready: Any, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -144,7 +144,7 @@ def test_the_patients_page_is_given_what_it_needs_to_draw_the_plan(ready: Any) -
     plan = find_place(PLACE)
     assert plan is not None
     assert shown == {"trial": trial["id"], "floorplan": plan.model_dump(mode="json"), "path": ready.where["path"]}
-    ready.link.says = {"scene_t": 4.0}
+    ready.process.says = {"scene_t": 4.0}
     with ready.client.websocket_connect(LIVE, headers={"Origin": BASE}) as socket:
         started = [[*plan.movers[0].points[0]]]
         while (movers := socket.receive_json()["trial"]["movers"]) == started or movers[0][:2] == started[0]:

@@ -21,9 +21,9 @@ def saying(visible: bool = True, silence: float = 0.0, word: str = WORD) -> dict
 
 def next_beats(clinic: Any, since: int = -1) -> list[Any]:
     """Return what the heartbeats say of the screen: those after the first `since` messages, or from now on; some."""
-    since = len(clinic.link.told) if since < 0 else since
+    since = len(clinic.process.told) if since < 0 else since
     while True:
-        told = list(clinic.link.told)[since:]
+        told = list(clinic.process.told)[since:]
         heard = [(fields["screen_age"], fields["screen"]) for do, fields in told if do == "heartbeat"]
         if heard:
             return heard
@@ -107,7 +107,7 @@ def test_a_page_that_stands_still_counts_less_long_on_a_real_chair(driving: Any)
 def test_a_second_socket_with_the_same_word_does_not_keep_the_chair_driving(driving: Any) -> None:
     with driving.screen():
         driving.start()
-        since = len(driving.link.told)
+        since = len(driving.process.told)
         with driving.client.websocket_connect(URL, headers=ORIGIN) as second:
             second.send_json(saying())
             with pytest.raises(WebSocketDisconnect) as closed:

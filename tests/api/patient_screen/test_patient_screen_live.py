@@ -52,20 +52,20 @@ def test_a_trial_is_shown_with_what_to_do_and_how_it_ended(paired: Clinic) -> No
 
 
 def test_a_prompt_of_the_calibration_is_a_cue(paired: Clinic) -> None:
-    link = paired.link
-    since = link.since
+    process = paired.process
+    since = process.since
     step = next(step for step in paired.good("GET", "/calibration")["steps"] if step["joint"] == "right_elbow")
 
     def cued(number: int) -> Any:
         ticks = since(number)
-        ticks["cue"] = 1 if link.run else -1
+        ticks["cue"] = 1 if process.run else -1
         return ticks
 
-    link.since = cued  # type: ignore[method-assign]
+    process.since = cued  # type: ignore[method-assign]
     with paired.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
         assert socket.receive_json()["cue"] is None
         paired.good("POST", f"/calibration/steps/{step['id']}/start")
-        link.run_t = step["cues"][1]["start"] + 0.25
+        process.run_t = step["cues"][1]["start"] + 0.25
         while (cue := socket.receive_json()["cue"]) is None or cue["t"] < 0:
             pass
         assert cue == {
@@ -96,7 +96,7 @@ def test_what_the_clinician_asks_for_is_shown_and_kept_for_the_visit(paired: Cli
 
 
 def test_nothing_it_says_is_acted_on_and_a_flood_is_cut_off(screen: Clinic, monkeypatch: pytest.MonkeyPatch) -> None:
-    before = len(screen.link.calls)
+    before = len(screen.process.calls)
     with screen.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
         socket.send_json({"stop": True})
         socket.send_json({"move": {"right_elbow": 1}})
@@ -107,9 +107,9 @@ def test_nothing_it_says_is_acted_on_and_a_flood_is_cut_off(screen: Clinic, monk
         for _ in range(patient_socket.FLOOD):
             socket.send_text("x")
         assert closing(socket) == 1008
-    done = [do for do, _ in screen.link.calls[before:]]
+    done = [do for do, _ in screen.process.calls[before:]]
     assert "stop" not in done
-    assert [do for do, _ in screen.link.told if do in {"move", "look"}] == []
+    assert [do for do, _ in screen.process.told if do in {"move", "look"}] == []
     monkeypatch.setattr(patient_socket, "WITHIN", -1.0)
     with screen.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
         for _ in range(2 * patient_socket.FLOOD):

@@ -160,7 +160,7 @@ def test_what_is_applied_is_the_next_version_loaded_and_logged(ready: Any) -> No
     assert (view["proposal"]["applied"], view["practised"]) == (2, 0)
     assert now["hash"] != before["hash"]
     assert now["parameters"]["bindings"] == before["parameters"]["bindings"]
-    assert ready.link.parameters == now["parameters"]
+    assert ready.process.parameters == now["parameters"]
     row = next(row for row in ready.log() if row.what == "map adapted")
     assert (row.person is not None, row.details["version"], row.details["parent"]) == (True, 2, 1)
     assert (row.details["felt_change"], row.details["hash"]) == (0.03, now["hash"])
@@ -182,7 +182,7 @@ def test_a_suggestion_waits_and_by_itself_does_not(ready: Any) -> None:
     view = settled(ready)
     assert (view["version"], view["proposal"]["applied"], view["proposal"]["words"]) == (2, 2, "")
     assert next(row for row in ready.log() if row.what == "map adapted").person is None
-    assert ready.link.parameters["gestures"][0]["dead_zone"] == pytest.approx(0.2 + UP)
+    assert ready.process.parameters["gestures"][0]["dead_zone"] == pytest.approx(0.2 + UP)
     drive(ready)
     assert settled(ready)["version"] == 3
     assert ready.asked == [(1, 1), (2, 2), (3, 1)]
@@ -229,7 +229,7 @@ def test_one_tap_back_is_a_version_too_and_it_does_not_come_again_by_itself(read
     assert (view["version"], view["origin"], view["back_to"], view["mode"]) == (3, "back", None, "suggest")
     assert view["practised"] == 1  # the very set that was driven
     assert ready.good("GET", "/controls")["hash"] == before
-    assert ready.link.parameters == ready.good("GET", "/controls")["parameters"]
+    assert ready.process.parameters == ready.good("GET", "/controls")["parameters"]
     assert versions(ready) == [(3, "back", 2), (2, "adaptation", 1), (1, "calibration", None)]
     answer = ready("POST", "/adaptation/back")
     assert answer.status_code == 409
@@ -292,15 +292,15 @@ def test_nothing_is_adapted_while_the_real_chair_is_armed(ready: Any) -> None:
     with ready.screen():
         digest = ready.good("GET", "/drives/summary")["parameters"]["hash"]
         ready.good("POST", "/drives", json={"hash": digest, "screen": WORD})
-        loaded = ready.link.parameters
+        loaded = ready.process.parameters
         for path in ("apply", "propose", "back"):
             answer = ready("POST", f"/adaptation/{path}", json={"proposal": view["proposal"]["id"]})
             assert answer.status_code == 409, path
-        ready.link.loop.call_soon_threadsafe(
+        ready.process.loop.call_soon_threadsafe(
             ready.flows.adaptation.trial_over, 1
         )  # even if a trial's end were told only now
         settled(ready)
-        assert ready.link.parameters is loaded
+        assert ready.process.parameters is loaded
         assert versions(ready) == [(1, "calibration", None)]
         ready.good("POST", "/drives/current/end")
     assert ready.good("GET", "/drives/summary")["parameters"]["hash"] == digest
@@ -341,13 +341,13 @@ def test_by_itself_it_applies_only_between_trials(ready: Any, meanwhile: str) ->
         choose_chair(ready)
     else:
         choose(ready, "off")
-    loaded = ready.link.parameters
+    loaded = ready.process.parameters
     go_on.set()
     view = settled(ready)
     assert left_off == [meanwhile == "trial"]
     assert (view["version"], view["proposal"]["applied"]) == (1, None)
     assert view["proposal"]["words"] != ""
-    assert ready.link.parameters is loaded
+    assert ready.process.parameters is loaded
     if meanwhile == "trial":
         end(ready)
         assert settled(ready)["version"] == 2
@@ -364,11 +364,11 @@ def test_it_is_applied_at_a_disarmed_standstill_only(ready: Any) -> None:
         ({"state": State.FAULT, "fault": Fault.STOP_TABLET}, "tap Continue"),
         ({"chair_kind": 1}, "A real chair"),
     ):
-        ready.link.says = says
+        ready.process.says = says
         answer = apply(ready, view)
         assert answer.status_code == 409
         assert words in answer.json()["detail"]
-    ready.link.says = {}
+    ready.process.says = {}
     assert apply(ready, view).status_code == 200
 
 

@@ -30,7 +30,7 @@ def test_a_key_is_shown_once_kept_for_us_alone_and_told_to_nobody_else(signed_in
     secret = key.secret.hex()
     assert secret not in str(later)
     signed_in.good("PUT", "/chairs/chosen", json={"id": later["chairs"][0]["id"], "dynamics": "unicycle"})
-    assert secret not in str(signed_in.link.calls)
+    assert secret not in str(signed_in.process.calls)
     for file in settings.state.glob("bodydrive.sqlite*"):
         assert secret.encode() not in file.read_bytes()
         assert key.secret not in file.read_bytes()
@@ -42,7 +42,7 @@ def test_unpairing_deletes_the_key_and_its_number_is_not_used_again(signed_in: C
     signed_in.good("PUT", "/chairs/chosen", json={"id": first["id"], "dynamics": "wheelchair"})
     left = signed_in.good("DELETE", f"/chairs/{first['id']}")
     assert (left["chairs"], left["chosen"], left["dynamics"]) == ([], None, "wheelchair")
-    assert signed_in.link.chair == "virtual"
+    assert signed_in.process.chair == "virtual"
     assert list(settings.keys.iterdir()) == []
     assert signed_in("DELETE", f"/chairs/{first['id']}").status_code == 404
     assert signed_in.good("POST", "/chairs", json=CHAIR)["chairs"][0]["key_id"] == 2
@@ -66,12 +66,12 @@ def test_the_chosen_chair_is_opened_kept_and_given_to_the_next_control_process(
     assert chosen["chosen"] == chair["id"]
     config = {"kind": "udp", "name": "Blue chair", "host": "10.0.0.7", "port": 5354, "speeds": SLOW}
     config["key_file"] = str(settings.keys / "1.key")
-    assert signed_in.link.calls[-2] == ("chair", {"config": config})
-    before = signed_in.link
+    assert signed_in.process.calls[-2] == ("chair", {"config": config})
+    before = signed_in.process
     before.die()
-    signed_in.until("/equipment", lambda e: signed_in.link is not before and e["status"]["control"] == "alive")
-    assert ("chair", {"config": config}) in signed_in.link.calls
-    assert next(do for do, _ in signed_in.link.calls if do != "status") == "limits"
+    signed_in.until("/equipment", lambda e: signed_in.process is not before and e["status"]["control"] == "alive")
+    assert ("chair", {"config": config}) in signed_in.process.calls
+    assert next(do for do, _ in signed_in.process.calls if do != "status") == "limits"
 
 
 def test_the_choice_outlives_the_application(settings: Settings, signed_in: Clinic) -> None:
@@ -82,12 +82,12 @@ def test_the_choice_outlives_the_application(settings: Settings, signed_in: Clin
         again.good("POST", "/auth/demo", json={"code": "the-code-of-the-link"})
         assert again.good("GET", "/chairs")["chosen"] == chair["id"]
         assert again.good("GET", "/limits") == SLOW
-        assert ("limits", {"clinic": SLOW}) in again.link.calls
+        assert ("limits", {"clinic": SLOW}) in again.process.calls
 
 
 def test_a_chair_that_does_not_open_is_said_and_changes_nothing(signed_in: Clinic, settings: Settings) -> None:
     chair = signed_in.good("POST", "/chairs", json=CHAIR)["chairs"][0]
-    signed_in.link.refuse["chair"] = f"the key file {settings.keys}/1.key cannot be read"
+    signed_in.process.refuse["chair"] = f"the key file {settings.keys}/1.key cannot be read"
     answer = signed_in("PUT", "/chairs/chosen", json={"id": chair["id"], "dynamics": "unicycle"})
     assert answer.status_code == 409
     assert answer.json()["detail"] == "The key file 1.key cannot be read."
@@ -96,7 +96,7 @@ def test_a_chair_that_does_not_open_is_said_and_changes_nothing(signed_in: Clini
 
 def test_a_virtual_chair_may_move_like_a_wheelchair(signed_in: Clinic) -> None:
     signed_in.good("PUT", "/chairs/chosen", json={"id": None, "dynamics": "wheelchair"})
-    assert signed_in.link.calls[-1] == ("chair", {"config": {"kind": "virtual", "dynamics": "wheelchair"}})
+    assert signed_in.process.calls[-1] == ("chair", {"config": {"kind": "virtual", "dynamics": "wheelchair"}})
     assert signed_in("PUT", "/chairs/chosen", json={"id": 9, "dynamics": "unicycle"}).status_code == 404
     assert signed_in("PUT", "/chairs/chosen", json={"id": None, "dynamics": "rocket"}).status_code == 422
 
@@ -104,10 +104,10 @@ def test_a_virtual_chair_may_move_like_a_wheelchair(signed_in: Clinic) -> None:
 def test_limits_hold_in_the_control_process_first_and_are_logged(signed_in: Clinic, settings: Settings) -> None:
     assert signed_in.good("GET", "/limits") == NO_FURTHER.model_dump()
     assert signed_in.good("PUT", "/limits", json=SLOW) == SLOW
-    assert ("limits", {"clinic": SLOW}) in signed_in.link.calls
-    signed_in.link.refuse["limits"] = "Limits are raised only while the chair stands."
+    assert ("limits", {"clinic": SLOW}) in signed_in.process.calls
+    signed_in.process.refuse["limits"] = "Limits are raised only while the chair stands."
     refused = signed_in("PUT", "/limits", json=NO_FURTHER.model_dump())
-    assert (refused.status_code, refused.json()["detail"]) == (409, signed_in.link.refuse["limits"])
+    assert (refused.status_code, refused.json()["detail"]) == (409, signed_in.process.refuse["limits"])
     assert signed_in.good("GET", "/limits") == SLOW
     rows = signed_in.log()
     assert [row.details["now"]["forward"] for row in rows if row.what == "limits set"] == [0.4]
@@ -131,12 +131,12 @@ def test_the_dial_is_turned_logged_and_given_to_the_next_control_process(signed_
     assert signed_in.good("POST", "/control/dial", json={"share": 0.5}) == {"share": 0.5}
     for wrong in (0.05, 1.1, True, "1"):
         assert signed_in("POST", "/control/dial", json={"share": wrong}).status_code == 422
-    signed_in.link.refuse["dial"] = "The dial is turned up only while the chair stands."
+    signed_in.process.refuse["dial"] = "The dial is turned up only while the chair stands."
     assert signed_in("POST", "/control/dial", json={"share": 0.9}).status_code == 409
-    before = signed_in.link
+    before = signed_in.process
     before.die()
-    signed_in.until("/equipment", lambda e: signed_in.link is not before and e["status"]["control"] == "alive")
-    assert signed_in.link.dial == 0.5
+    signed_in.until("/equipment", lambda e: signed_in.process is not before and e["status"]["control"] == "alive")
+    assert signed_in.process.dial == 0.5
     assert [row.details["share"] for row in signed_in.log() if row.what == "dial turned"] == [0.5]
 
 

@@ -101,7 +101,7 @@ def test_what_was_not_practised_is_not_armed_and_the_differences_are_said(ready:
     assert "never practised" in summary["refusals"][0]
     with ready.screen():
         assert arm(ready).status_code == 409
-    assert "arm" not in [do for do, _ in ready.link.calls if do == "arm"][1:]
+    assert "arm" not in [do for do, _ in ready.process.calls if do == "arm"][1:]
     ready.good("PUT", "/chairs/chosen", json={"id": None, "dynamics": "unicycle"})
     trial = practise(ready)
     summary = ready.good("GET", "/drives/summary")
@@ -120,7 +120,7 @@ def test_a_hash_that_was_stored_by_an_older_program_counts_as_it_is_reckoned_now
     assert summary["parameters"]["hash"] == ready.good("GET", "/controls")["hash"] != "0" * 64
     with ready.screen():
         assert arm(ready).status_code == 201
-    assert ready.link.calls[-1] == ("arm", {"hash": summary["parameters"]["hash"]})
+    assert ready.process.calls[-1] == ("arm", {"hash": summary["parameters"]["hash"]})
 
 
 @pytest.mark.parametrize(
@@ -135,7 +135,7 @@ def test_a_hash_that_was_stored_by_an_older_program_counts_as_it_is_reckoned_now
     ],
 )
 def test_a_chair_that_cannot_drive_is_not_armed(ready: Any, says: dict[str, Any], words: str) -> None:
-    ready.link.says = says
+    ready.process.says = says
     assert words in ready.good("GET", "/drives/summary")["refusals"][0]
     with ready.screen():
         answer = arm(ready)
@@ -145,7 +145,7 @@ def test_a_chair_that_cannot_drive_is_not_armed(ready: Any, says: dict[str, Any]
 
 
 def test_a_chosen_chair_that_is_not_open_is_not_taken_for_the_virtual_one(ready: Any) -> None:
-    ready.link.chair = "virtual"
+    ready.process.chair = "virtual"
     assert ready.good("GET", "/drives/summary")["refusals"] == ["Blue is not open: choose it again."]
     assert ready("POST", "/trials", json=ready.where).status_code == 409
 
@@ -155,7 +155,7 @@ def test_acceleration_mode_needs_the_stop_switch(calibrated: Any) -> None:
     practise(calibrated)
     choose_chair(calibrated)
     assert "stop switch" in calibrated.good("GET", "/drives/summary")["refusals"][0]
-    calibrated.link.switch_seen = True
+    calibrated.process.switch_seen = True
     assert calibrated.good("GET", "/drives/summary")["refusals"] == []
 
 
@@ -166,7 +166,7 @@ def test_a_shirt_that_cannot_be_trusted_arms_no_real_chair_and_the_page_says_why
     with ready.screen():
         answer = arm(ready)
     assert (answer.status_code, answer.json()["detail"]) == (409, NO_KEY)
-    ready.link.mistrust = ""
+    ready.process.mistrust = ""
     ready.good("PUT", "/equipment/shirt", json={"kind": "simulator"})
     assert ready.good("GET", "/drives/summary")["refusals"] == []
 
@@ -205,9 +205,9 @@ def test_a_drive_from_arming_to_its_end(ready: Any) -> None:
     with ready.screen():
         drive = arm(ready).json()
         assert (drive["ended"], drive["end"], drive["hash"]) == (None, None, digest)
-        run = next(fields for do, fields in reversed(ready.link.calls) if do == "run")
+        run = next(fields for do, fields in reversed(ready.process.calls) if do == "run")
         assert (run["kind"], run["meta"]) == ("drive", {"chair": "Blue", "key_id": 1, "hash": digest})
-        assert ready.link.calls[-1] == ("arm", {"hash": digest})
+        assert ready.process.calls[-1] == ("arm", {"hash": digest})
         assert ready("POST", "/drives", json={"hash": digest, "screen": WORD}).status_code == 409
         assert ready("POST", "/trials", json=ready.where).status_code == 409
         assert ready("PUT", "/chairs/chosen", json={"id": None, "dynamics": "unicycle"}).status_code == 409
@@ -223,11 +223,11 @@ def test_a_drive_from_arming_to_its_end(ready: Any) -> None:
 
 
 def test_an_arming_that_the_control_process_refuses_leaves_no_drive(ready: Any) -> None:
-    ready.link.refuse["arm"] = "The chair does not answer."
+    ready.process.refuse["arm"] = "The chair does not answer."
     with ready.screen():
         answer = arm(ready)
     assert (answer.status_code, answer.json()["detail"]) == (409, "The chair does not answer.")
-    assert ready.link.run == 0
+    assert ready.process.run == 0
     assert ready.good("GET", f"/drives?patient={ready.patient['id']}") == []
     assert not ready.flows.real.running
 
@@ -238,7 +238,7 @@ def test_a_fault_that_nobody_clears_ends_the_drive_and_is_in_the_log(
     monkeypatch.setattr("app.session.run_watch.HALT_LIMIT", 0.5)
     with ready.screen():
         drive = arm(ready).json()
-        ready.link.state, ready.link.fault = State.FAULT, Fault.CHAIR_SILENT
+        ready.process.state, ready.process.fault = State.FAULT, Fault.CHAIR_SILENT
         drives_now = ready.until(f"/drives?patient={ready.patient['id']}", lambda rows: rows[-1]["ended"])
     assert drives_now[-1]["end"] == "fault"
     rows = [(row.what, row.details) for row in ready.log()]
@@ -249,7 +249,7 @@ def test_a_fault_that_nobody_clears_ends_the_drive_and_is_in_the_log(
 def test_a_control_process_that_dies_ends_the_drive(ready: Any) -> None:
     with ready.screen():
         arm(ready)
-        ready.link.die()
+        ready.process.die()
         drives_now = ready.until(f"/drives?patient={ready.patient['id']}", lambda rows: rows[-1]["ended"])
     assert drives_now[-1]["end"] == "fault"
 
@@ -283,7 +283,7 @@ def test_only_who_armed_goes_on_and_ends_and_anybody_stops(ready: Any) -> None:
 
 
 def test_the_live_picture_shows_what_the_chair_says(ready: Any) -> None:
-    ready.link.says = {
+    ready.process.says = {
         "chair_state": ARMED,
         "chair_age": 0.08,
         "battery": float("nan"),
@@ -308,7 +308,7 @@ def test_the_live_picture_shows_what_the_chair_says(ready: Any) -> None:
         while not (shown := ready.flows.live._picture()["drive"]) or shown["t"] == 0.0:
             time.sleep(0.01)
         assert shown["id"] == drive["id"]
-    ready.link.says = {"chair_state": FAULT, "chair_fault": Reason.STOP_INPUT}
+    ready.process.says = {"chair_state": FAULT, "chair_fault": Reason.STOP_INPUT}
     assert ready.flows.live._picture()["chair"]["words"] == WORDS[Reason.STOP_INPUT]
-    ready.link.chair = "virtual"
+    ready.process.chair = "virtual"
     assert ready.flows.live._picture()["chair"]["words"] == "Blue is not open: choose it again."

@@ -9,7 +9,7 @@ def test_a_head_tracker_is_chosen_kept_and_taken_away(signed_in: Any) -> None:
     assert signed_in.good("GET", "/equipment")["head"]["config"] is None
     shown = signed_in.good("PUT", "/equipment/head", json={"config": OPENTRACK})
     assert shown["head"]["config"] == OPENTRACK
-    assert signed_in.link.calls[-2] == ("head", {"config": OPENTRACK})
+    assert signed_in.process.calls[-2] == ("head", {"config": OPENTRACK})
     assert [entry.details for entry in signed_in.log() if entry.what == "head tracker chosen"] == [
         {"kind": "opentrack"}
     ]
@@ -18,7 +18,7 @@ def test_a_head_tracker_is_chosen_kept_and_taken_away(signed_in: Any) -> None:
 
 def test_a_tracker_that_cannot_be_had_is_a_sentence_and_leaves_none(signed_in: Any) -> None:
     signed_in.good("PUT", "/equipment/head", json={"config": OPENTRACK})
-    signed_in.link.refuse["head"] = "the port is taken"
+    signed_in.process.refuse["head"] = "the port is taken"
     answer = signed_in("PUT", "/equipment/head", json={"config": {**OPENTRACK, "port": 4243}})
     assert (answer.status_code, answer.json()["detail"]) == (409, "The port is taken.")
     assert signed_in.good("GET", "/equipment")["head"]["config"] is None
@@ -31,8 +31,8 @@ def test_nonsense_is_refused(signed_in: Any) -> None:
 
 def test_straight_ahead_is_asked_of_the_control_process(signed_in: Any) -> None:
     signed_in.good("POST", "/equipment/head/ahead", json={})
-    assert ("head_ahead", {}) in signed_in.link.calls
-    signed_in.link.refuse["head_ahead"] = "wait for its first pose"
+    assert ("head_ahead", {}) in signed_in.process.calls
+    signed_in.process.refuse["head_ahead"] = "wait for its first pose"
     assert signed_in("POST", "/equipment/head/ahead", json={}).status_code == 409
 
 
@@ -41,6 +41,6 @@ def test_a_recorded_head_is_played_from_a_brought_file(signed_in: Any) -> None:
     shown = signed_in.good("POST", "/equipment/files", files={"file": ("head.csv", content)})
     assert [(file["name"], file["kind"]) for file in shown["files"]] == [("head.csv", "head")]
     signed_in.good("PUT", "/equipment/head", json={"config": {"kind": "recorded", "file": "head.csv"}})
-    assert signed_in.link.calls[-2][1]["config"]["file"].endswith("/head.csv")
+    assert signed_in.process.calls[-2][1]["config"]["file"].endswith("/head.csv")
     answer = signed_in("PUT", "/equipment/head", json={"config": {"kind": "recorded", "file": "other.csv"}})
     assert answer.status_code == 404

@@ -65,15 +65,15 @@ def test_the_chosen_map_drives_once_the_result_is_accepted(fitted: Any) -> None:
     assert result["joints"][0]["map"] == "guided"
     assert (result["joints"][0]["dead_zone"], result["joints"][0]["full"]) == (0.4, 1.5)
     assert result["accepted"] is False
-    assert "map" not in fitted.link.parameters["profile"]["joints"][0]  # what is loaded is what was accepted
+    assert "map" not in fitted.process.parameters["profile"]["joints"][0]  # what is loaded is what was accepted
     fitted.good("POST", "/calibration/accept")
-    loaded = fitted.link.parameters
+    loaded = fitted.process.parameters
     assert loaded["profile"]["joints"][0]["map"] == "guided"
     assert (loaded["gestures"][0]["dead_zone"], loaded["gestures"][0]["full"]) == (0.4, 1.5)
     choose(fitted, "right_elbow", "pca")
     fitted.good("POST", "/calibration/accept")
-    assert "map" not in fitted.link.parameters["profile"]["joints"][0]
-    assert fitted.link.parameters["gestures"][0]["dead_zone"] == 0.2
+    assert "map" not in fitted.process.parameters["profile"]["joints"][0]
+    assert fitted.process.parameters["gestures"][0]["dead_zone"] == 0.2
 
 
 def test_choosing_what_is_chosen_changes_nothing(fitted: Any) -> None:

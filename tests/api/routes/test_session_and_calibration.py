@@ -78,7 +78,7 @@ def test_the_wizard_goes_from_rest_to_a_saved_profile(signed_in: Any) -> None:
     assert started["steps"][0]["status"] == "running"
     assert signed_in("POST", "/calibration/steps/free/start").status_code == 409
     assert signed_in("DELETE", "/visit").status_code == 409
-    signed_in.link.run_t = 1000.0
+    signed_in.process.run_t = 1000.0
     wizard = signed_in.until("/calibration", lambda c: c["current"] == "free")
     assert wizard["steps"][0]["status"] == "done"
     assert signed_in.good("GET", "/visit")["steps_done"] == ["rest"]
@@ -89,7 +89,7 @@ def test_the_wizard_goes_from_rest_to_a_saved_profile(signed_in: Any) -> None:
     assert wizard["current"] == "result"
     assert {step["status"] for step in wizard["steps"]} == {"done"}
     assert signed_in.good("GET", "/visit")["has_profile"] is True
-    assert signed_in.link.parameters["profile"]["joints"][0]["name"] == "right_elbow"
+    assert signed_in.process.parameters["profile"]["joints"][0]["name"] == "right_elbow"
     assert signed_in("POST", "/calibration/accept").status_code == 409
 
 
@@ -98,19 +98,19 @@ def test_a_step_can_be_cancelled_repeated_and_fail_in_words(signed_in: Any) -> N
     signed_in.good("POST", "/calibration/steps/rest/start")
     wizard = signed_in.good("POST", "/calibration/steps/rest/cancel")
     assert (wizard["running"], wizard["steps"][0]["status"]) == (None, "waiting")
-    assert signed_in.link.run == 0
+    assert signed_in.process.run == 0
     assert signed_in("POST", "/calibration/steps/rest/cancel").status_code == 409
     assert signed_in("POST", "/calibration/steps/nonsense/start").status_code == 404
     signed_in.readings["judge"] = "The shirt was silent for 2.0 seconds: repeat this step."
     signed_in.good("POST", "/calibration/steps/rest/start")
-    signed_in.link.run_t = 1000.0
+    signed_in.process.run_t = 1000.0
     wizard = signed_in.until("/calibration", lambda c: c["running"] is None)
     assert (wizard["steps"][0]["status"], wizard["current"]) == ("failed", "rest")
     assert "silent" in wizard["steps"][0]["words"]
     signed_in.readings["judge"] = None
     signed_in.calibrate()
     signed_in.good("POST", "/calibration/steps/rest/start")
-    signed_in.link.run_t = 1000.0
+    signed_in.process.run_t = 1000.0
     wizard = signed_in.until(
         "/calibration", lambda c: c["running"] is None and c["result"] and not c["result"]["accepted"]
     )
@@ -123,7 +123,7 @@ def test_a_movement_that_a_body_cannot_make_is_skipped(signed_in: Any) -> None:
     assert signed_in("POST", "/calibration/steps/nonsense/skip").status_code == 404
     for step in ("rest", "free", "prompt-right_elbow"):
         signed_in.good("POST", f"/calibration/steps/{step}/start")
-        signed_in.link.run_t = 1000.0
+        signed_in.process.run_t = 1000.0
         signed_in.until("/calibration", lambda c: c["running"] is None)
     for joint in ("left_elbow", "right_shoulder", "left_shoulder"):
         wizard = signed_in.good("POST", f"/calibration/steps/prompt-{joint}/skip")
@@ -137,7 +137,7 @@ def test_a_fit_that_fails_says_why(signed_in: Any) -> None:
     signed_in.readings["fit"] = "No joint moved: repeat the free movement."
     for step in signed_in.good("GET", "/calibration")["steps"][:-1]:
         signed_in.good("POST", f"/calibration/steps/{step['id']}/start")
-        signed_in.link.run_t = 1000.0
+        signed_in.process.run_t = 1000.0
         signed_in.until("/calibration", lambda c: c["running"] is None)
     wizard = signed_in.until("/calibration", lambda c: c["steps"][-1]["status"] == "failed")
     assert wizard["steps"][-1]["words"] == "No joint moved: repeat the free movement."
@@ -148,20 +148,20 @@ def test_a_step_fails_in_words_when_the_control_process_dies_and_the_next_one_is
     signed_in.visit()
     signed_in.calibrate()
     signed_in.good("POST", "/calibration/steps/rest/start")
-    signed_in.link.die()
+    signed_in.process.die()
     wizard = signed_in.until("/calibration", lambda c: c["running"] is None)
     assert wizard["steps"][0]["status"] == "failed"
     assert "repeat" in wizard["steps"][0]["words"]
     signed_in.until("/equipment", lambda e: e["status"]["control"] == "alive")
-    assert len(signed_in.links) == 2
-    assert [do for do, _ in signed_in.link.calls[:5]] == ["limits", "chair", "shirt", "body", "parameters"]
-    assert signed_in.link.parameters["profile"]["joints"]
+    assert len(signed_in.processes) == 2
+    assert [do for do, _ in signed_in.process.calls[:5]] == ["limits", "chair", "shirt", "body", "parameters"]
+    assert signed_in.process.parameters["profile"]["joints"]
 
 
 def test_a_restart_of_the_web_process_comes_back_to_the_same_step(settings: Settings, signed_in: Any) -> None:
     signed_in.visit()
     signed_in.good("POST", "/calibration/steps/rest/start")
-    signed_in.link.run_t = 1000.0
+    signed_in.process.run_t = 1000.0
     signed_in.until("/calibration", lambda c: c["current"] == "free")
     signed_in.good("POST", "/calibration/go", json={"step": "prompt-left_elbow"})
     before = signed_in.good("GET", "/calibration")
@@ -192,10 +192,10 @@ def test_controls_are_set_undone_named_and_never_half(signed_in: Any) -> None:
     assert signed_in.good("POST", "/controls/undo")["obstacle"] is None
     changed = signed_in.good("PUT", "/controls", json={**body, "cutoff": 5.0, "title": "Brisk"})
     assert changed["can_undo"] is True
-    assert signed_in.link.parameters["cutoff"] == 5.0
+    assert signed_in.process.parameters["cutoff"] == 5.0
     undone = signed_in.good("POST", "/controls/undo")
     assert (undone["hash"], undone["can_redo"]) == (controls["hash"], True)
-    assert signed_in.link.parameters["cutoff"] == 3.0
+    assert signed_in.process.parameters["cutoff"] == 3.0
     assert signed_in.good("POST", "/controls/redo")["parameters"]["title"] == "Brisk"
     assert signed_in("POST", "/controls/redo").status_code == 409
     assert signed_in.good("POST", "/controls/load", json={"title": "Standard"})["parameters"]["cutoff"] == 3.0

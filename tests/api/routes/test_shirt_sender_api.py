@@ -11,16 +11,16 @@ def test_where_nobody_else_could_send_nobody_is_named(signed_in: Clinic) -> None
 
 
 def test_another_sender_is_shown_and_taken_by_a_tap_that_is_logged(signed_in: Clinic) -> None:
-    signed_in.link.senders = SENDERS
+    signed_in.process.senders = SENDERS
     assert signed_in.good("GET", "/equipment/sender") == SENDERS
     signed_in.good("PUT", "/equipment/sender", json={"sender": FORGER})
-    assert ("sender", {"sender": FORGER}) in signed_in.link.calls
+    assert ("sender", {"sender": FORGER}) in signed_in.process.calls
     row = signed_in.log()[-1]
     assert (row.what, row.details) == ("shirt's sender chosen", {"sender": FORGER})
 
 
 def test_what_the_control_process_refuses_is_said(signed_in: Clinic) -> None:
-    signed_in.link.refuse["sender"] = "The chair is armed: end the drive first."
+    signed_in.process.refuse["sender"] = "The chair is armed: end the drive first."
     answer = signed_in("PUT", "/equipment/sender", json={"sender": FORGER})
     assert (answer.status_code, answer.json()["detail"]) == (409, "The chair is armed: end the drive first.")
     assert signed_in("PUT", "/equipment/sender", json={"sender": "x" * 101}).status_code == 422
@@ -35,7 +35,7 @@ def test_a_key_is_chosen_by_its_name_among_those_of_shirts(signed_in: Clinic) ->
     assert equipment["shirt_keys"] == ["shirt-1.key"]
     config = {"kind": "udp", "layout": equipment["layout"], "key_file": "shirt-1.key"}
     assert signed_in.good("PUT", "/equipment/shirt", json=config)["shirt"]["key_file"] == "shirt-1.key"
-    sent = [fields["config"] for do, fields in signed_in.link.calls if do == "shirt"][-1]
+    sent = [fields["config"] for do, fields in signed_in.process.calls if do == "shirt"][-1]
     assert sent["key_file"] == str(keys / "shirt-1.key")
     for name in ("1.key", "../keys/shirt-1.key", str(keys / "shirt-1.key")):
         assert signed_in("PUT", "/equipment/shirt", json={**config, "key_file": name}).status_code == 404

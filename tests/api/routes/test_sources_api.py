@@ -48,7 +48,7 @@ def test_a_real_clinic_begins_without_a_shirt_and_keeps_the_one_that_was_chosen(
     assert (equipment["shirt"], equipment["simulated"], equipment["body"], equipment["layout"]) == (None,) * 4
     assert equipment["status"]["words"] == "No shirt yet: choose one on the Shirt page."
     assert {one["kind"]: one["simulated"] for one in equipment["shirts"]}["simulator"] is True
-    assert "shirt" not in [do for do, _ in clinic.link.calls]
+    assert "shirt" not in [do for do, _ in clinic.process.calls]
     assert clinic.flows.live._picture()["shirt"]["chosen"] is False
     clinic.visit()
     refused = clinic("POST", "/calibration/steps/rest/start")
@@ -58,7 +58,7 @@ def test_a_real_clinic_begins_without_a_shirt_and_keeps_the_one_that_was_chosen(
     for again in running(real_settings):
         again.client.cookies["bodydrive_session"] = token
         assert again.good("GET", "/equipment")["shirt"]["kind"] == "simulator"
-        assert [do for do, _ in again.link.calls].count("shirt") == 1
+        assert [do for do, _ in again.process.calls].count("shirt") == 1
 
 
 def test_a_demonstration_begins_with_the_simulated_shirt(signed_in: Clinic) -> None:
@@ -122,14 +122,14 @@ def test_a_simulated_calibration_drives_no_worn_shirt_and_no_calibration_mixes_b
     clinic.visit()
     clinic.good("PUT", "/equipment/shirt", json=SIMULATED)
     clinic.calibrate()
-    assert clinic.link.parameters is not None
+    assert clinic.process.parameters is not None
     clinic.good("PUT", "/equipment/shirt", json=WORN)
     assert "calibration is one of a shirt that nobody wore" in clinic.good("GET", "/controls")["obstacle"]
-    assert clinic.link.parameters is None
+    assert clinic.process.parameters is None
     plan = clinic.good("GET", "/floorplans/apartment")
     where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}
     assert "nobody wore" in clinic("POST", "/trials", json=where).json()["detail"]
     clinic.good("POST", "/calibration/steps/rest/start")  # again, in the worn shirt, the others being simulated
-    clinic.link.run_t = 1000.0
+    clinic.process.run_t = 1000.0
     wizard = clinic.until("/calibration", lambda c: c["running"] is None)
     assert (wizard["steps"][-1]["status"], wizard["steps"][-1]["words"]) == ("failed", MIXED)

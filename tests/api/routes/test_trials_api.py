@@ -38,8 +38,8 @@ def test_floor_plans_are_listed_with_their_paths(ready: Any) -> None:
 def test_a_trial_ends_at_the_goal_and_is_measured(ready: Any) -> None:
     trial = ready.good("POST", "/trials", json=ready.where)
     assert (trial["status"], trial["number"], trial["measures"]) == ("running", 1, None)
-    assert [do for do, _ in ready.link.calls[-3:]] == ["world", "run", "arm"]
-    arm = ready.link.calls[-1][1]
+    assert [do for do, _ in ready.process.calls[-3:]] == ["world", "run", "arm"]
+    arm = ready.process.calls[-1][1]
     assert arm["hash"] == ready.good("GET", "/controls")["hash"]
     assert ready("POST", "/trials", json=ready.where).status_code == 409
     assert ready("PUT", "/equipment/unused", json={"channels": []}).status_code == 409
@@ -48,7 +48,7 @@ def test_a_trial_ends_at_the_goal_and_is_measured(ready: Any) -> None:
     line, s = drive.trial.path.line, 0.0
     while (trial_now := drive.trial) is not None:
         # The chair goes on once the watch has seen where it is.
-        ready.link.pose = (*line.point_at(s), 0.0)
+        ready.process.pose = (*line.point_at(s), 0.0)
         if abs(trial_now.place.done - s) < 0.01:
             s = min(s + 1.0, line.length)
         time.sleep(0.001)
@@ -64,7 +64,7 @@ def test_by_hand_discard_keep_and_the_learning_page(ready: Any) -> None:
         trial = ready.good("POST", "/trials", json=ready.where)
         ended = ready.good("POST", "/trials/current/end", json={"reason": "by hand"})
         assert (ended["id"], ended["end"], ended["number"]) == (trial["id"], "by hand", number)
-        assert ready.link.run == 0
+        assert ready.process.run == 0
     assert ready("POST", "/trials/current/end", json={"reason": "by hand"}).status_code == 409
     page = f"/patients/{ready.patient['id']}/learning?floorplan={ready.where['floorplan']}&path={ready.where['path']}"
     learning = ready.good("GET", page)
@@ -80,16 +80,16 @@ def test_by_hand_discard_keep_and_the_learning_page(ready: Any) -> None:
 
 
 def test_an_arming_that_is_refused_leaves_no_trial(ready: Any) -> None:
-    ready.link.refuse["arm"] = "The parameters are other ones than those loaded: load them again."
+    ready.process.refuse["arm"] = "The parameters are other ones than those loaded: load them again."
     answer = ready("POST", "/trials", json=ready.where)
-    assert (answer.status_code, answer.json()["detail"]) == (409, ready.link.refuse["arm"])
+    assert (answer.status_code, answer.json()["detail"]) == (409, ready.process.refuse["arm"])
     assert ready.good("GET", f"/trials?patient={ready.patient['id']}") == []
-    assert ready.link.run == 0
+    assert ready.process.run == 0
 
 
 def test_the_death_of_the_control_process_ends_the_trial_as_a_fault(ready: Any) -> None:
     trial = ready.good("POST", "/trials", json=ready.where)
-    ready.link.die()
+    ready.process.die()
     assert trial_of(ready, trial["id"])["end"] == "fault"
 
 
@@ -107,7 +107,7 @@ def test_stop_is_for_anyone_and_twice_and_clear_is_not(ready: Any) -> None:
     seen_before = ready("POST", "/control/clear", json={"stops": 2})
     assert seen_before.status_code == 409
     assert ready.good("POST", "/control/clear", json={"stops": 3}) == {"state": "armed", "fault": None}
-    assert [do for do, _ in ready.link.calls].count("stop") == 3
+    assert [do for do, _ in ready.process.calls].count("stop") == 3
 
 
 def test_stop_waits_for_no_thread(ready: Any) -> None:
@@ -136,7 +136,7 @@ def test_stop_waits_for_no_thread(ready: Any) -> None:
 
 
 def test_stop_answers_even_when_nothing_is_left_to_stop(ready: Any) -> None:
-    ready.link.die()
+    ready.process.die()
     assert ready.good("POST", "/control/stop") == {"state": "fault", "fault": "control_lost"}
 
 
@@ -144,4 +144,4 @@ def test_a_path_that_does_not_exist_starts_nothing(ready: Any) -> None:
     assert ready("POST", "/trials", json={**ready.where, "path": "nowhere"}).status_code == 404
     assert ready("POST", "/trials", json={**ready.where, "floorplan": "nowhere"}).status_code == 404
     assert ready("POST", "/trials", json={**ready.where, "floorplan": "../../x"}).status_code == 422
-    assert "run" not in [do for do, _ in ready.link.calls[-2:]]
+    assert "run" not in [do for do, _ in ready.process.calls[-2:]]

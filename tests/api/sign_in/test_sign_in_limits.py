@@ -105,7 +105,7 @@ def test_beyond_a_few_at_once_nobody_waits_and_no_try_is_lost(real: Clinic, monk
         assert {answer.status_code for answer in refused} == {503}
         assert refused[0].headers["retry-after"] == "2"
         assert "wait a few seconds" in refused[0].json()["detail"]
-        real.link.loop.call_soon_threadsafe(go_on.set)
+        real.process.loop.call_soon_threadsafe(go_on.set)
         assert {answer.result().status_code for answer in under_way} == {401}
     monkeypatch.undo()
     assert attempt(real, "Ada", RIGHT).status_code == 200
