@@ -4,15 +4,14 @@ import math
 import signal
 import subprocess
 import sys
-from pathlib import Path
 
 from recording.test_recording import assert_rows_begin
 
 from app.recording.reader import read_run
+from folders import ROOT
 
 KILLED = """
 import sys, uuid
-from pathlib import Path
 sys.path[:0] = sys.argv[2:]
 from recording.test_recording import CHANNELS, GESTURES, META, write_ticks
 from app.recording.writer import RunWriter
@@ -39,7 +38,7 @@ while True:
 def test_killed_while_it_writes_no_acknowledged_row_is_lost(tmp_path):
     for turn in range(2):
         folder = tmp_path / f"run{turn}"
-        paths = [str(Path(__file__).parent)]
+        paths = [str(ROOT / "tests")]
         process = subprocess.Popen([sys.executable, "-c", KILLED, str(folder), *paths], stdout=subprocess.PIPE)
         try:
             acknowledged = [int(process.stdout.readline()) for _ in range(3)]
