@@ -12,6 +12,7 @@ from folders import ROOT
 
 KILLED = """
 import sys, uuid
+from pathlib import Path
 sys.path[:0] = sys.argv[2:]
 from recording.test_recording import CHANNELS, GESTURES, META, write_ticks
 from app.recording.writer import RunWriter
