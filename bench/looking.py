@@ -9,8 +9,8 @@ from websockets.asyncio.client import ClientConnection, connect
 from websockets.asyncio.connection import Connection
 from websockets.typing import Subprotocol
 
+from app.scene.client_messages import SUBPROTOCOL
 from app.scene.servers import Role
-from app.scene.wire import SUBPROTOCOL
 
 CHAIR: Final = "/world/chair"
 HEADER: Final = 16  # bytes: two lengths before the packed messages

@@ -84,4 +84,4 @@ def _placed(mesh: Mesh, cone: Cone, fell: float | None) -> Mesh:
         return mesh.moved(*cone.position)
     # It rests on the edge of its plate and on its tip.
     lean = math.pi / 2 + math.atan2((PLATE - TIP) * cone.radius, cone.height)
-    return mesh.leant(lean).moved(z=PLATE * cone.radius).moved(*cone.position, heading=fell)
+    return mesh.tilted(lean).moved(z=PLATE * cone.radius).moved(*cone.position, heading=fell)

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.geometry import Pose
-from app.scene.trajectory import Place, Thinned, was_put
+from app.scene.trajectory import Place, PointFilter, is_jump
 from app.world.path import Path
 
 MOST_POINTS = 500  # of the trajectory; beyond, every second one is left out
@@ -21,25 +21,25 @@ Samples = tuple[NDArray[np.float64], ...]
 Range = tuple[float, float]
 
 
-class Driven:
+class PlotSeries:
     """A trajectory beside its path, which may be None: then there is no error."""
 
     def __init__(self, line: Path | None) -> None:
         self.line = line
         self.points: list[tuple[float, float]] = []
         self.error = ErrorSamples()
-        self._thinned = Thinned()
+        self._filter = PointFilter()
         self._last: Place | None = None
         self._along = 0.0
 
     def add(self, pose: Pose, t: float) -> None:
         """Take the chair's pose at `t` (s)."""
         here, now = (pose.x, pose.y), Place(pose.x, pose.y, t)
-        if self._last is not None and was_put(self._last, now):
+        if self._last is not None and is_jump(self._last, now):
             # The chair was put somewhere else, it has not driven there.
-            self.points, self.error, self._thinned = [], ErrorSamples(), Thinned()
+            self.points, self.error, self._filter = [], ErrorSamples(), PointFilter()
         self._last = now
-        if self._thinned.keep(pose):
+        if self._filter.keep(pose):
             self.points.append(here)
             if len(self.points) > MOST_POINTS:
                 self.points = [*self.points[:-1:2], self.points[-1]]

@@ -7,7 +7,7 @@ import viser
 
 from app.geometry import Pose
 from app.scene.meshes import palette
-from app.scene.plot_points import ERROR_SHOWN, SPAN, Driven, Range, Samples, trajectory_ranges, trajectory_samples
+from app.scene.plot_points import ERROR_SHOWN, SPAN, PlotSeries, Range, Samples, trajectory_ranges, trajectory_samples
 from app.world.floorplan import FloorPlan
 
 SEND_EVERY = 0.2  # s
@@ -28,7 +28,7 @@ class Plots:
         self._server = server
         self._open = False
         self._sent_at = -math.inf
-        self._driven = Driven(None)
+        self._series = PlotSeries(None)
         self._x_range: Range = NO_RANGE
         self._panel = server.gui.add_panel(visible=False)
         self._tab = self._panel.add_tab("Plots")
@@ -51,7 +51,7 @@ class Plots:
     def show_path(self, plan: FloorPlan | None, path_name: str | None) -> None:
         """Take the path that is to be driven; forgets what was driven."""
         line = None if plan is None or path_name is None else plan.path_named(path_name).line
-        self._driven = Driven(line)
+        self._series = PlotSeries(line)
         self._x_range, y_range = (NO_RANGE, NO_RANGE) if line is None else trajectory_ranges(line, SHAPE)
         self._trajectory_plot.remove()
         self._trajectory_plot = self._add_trajectory_plot(y_range)
@@ -59,24 +59,24 @@ class Plots:
 
     def clear(self) -> None:
         """Forget what was driven: a new trial begins."""
-        self._driven = Driven(self._driven.line)
+        self._series = PlotSeries(self._series.line)
         self._sent_at = -math.inf
         if self._open:
             self._send()
 
     def add(self, pose: Pose, t: float) -> None:
         """Take the chair's pose at `t` (s)."""
-        self._driven.add(pose, t)
+        self._series.add(pose, t)
         if self._open and t - self._sent_at >= SEND_EVERY:
             self._sent_at = t
             self._send()
 
     def _send(self) -> None:
-        self._error_plot.data = self._driven.error.plotted()
+        self._error_plot.data = self._series.error.plotted()
         self._trajectory_plot.data = self._trajectory()
 
     def _trajectory(self) -> Samples:
-        return trajectory_samples(self._driven.line, self._driven.points, self._x_range)
+        return trajectory_samples(self._series.line, self._series.points, self._x_range)
 
     def _add_trajectory_plot(self, y_range: Range) -> viser.GuiUplotHandle:
         with self._tab:
@@ -101,7 +101,7 @@ class Plots:
     def _add_error_plot(self) -> viser.GuiUplotHandle:
         with self._tab:
             return self._server.gui.add_uplot(
-                self._driven.error.plotted(),
+                self._series.error.plotted(),
                 (
                     {},
                     {"stroke": ZERO_LINE, "width": 1, "points": {"show": False}},

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from app.geometry import Pose
 from app.scene.drawing import drawing_of
 from app.scene.head_view import NO_HEAD, Angles
-from app.scene.play import Play
+from app.scene.scene_state import SceneState
 from app.scene.servers import quiet_server
 from app.scene.trajectory import Trajectory
 from app.scene.views import View
@@ -24,7 +24,7 @@ STILL: Final = 0.5  # s between two looks, from which on a head is where it was 
 Numbers = NDArray[np.float64]
 
 
-class Moments(NamedTuple):
+class ReplayPoses(NamedTuple):
     """What was recorded of where everything was; (n,) each, t rising."""
 
     t: Numbers  # s
@@ -45,21 +45,21 @@ class Replay:
         When this machine has no port left for its server.
     """
 
-    def __init__(self, plan: FloorPlan, path_name: str, moments: Moments, models: Path | None = None) -> None:
+    def __init__(self, plan: FloorPlan, path_name: str, poses: ReplayPoses, models: Path | None = None) -> None:
         path = plan.path_named(path_name)
-        self._moments = moments
-        self._theta = np.unwrap(moments.theta)
+        self._poses = poses
+        self._theta = np.unwrap(poses.theta)
         self._lock = threading.Lock()
-        self._play = Play(plan, path)
+        self._state = SceneState(plan, path)
         self._seen = -1  # the last row that the play has taken
-        self._t = float(moments.t[0])
+        self._t = float(poses.t[0])
         self._server = quiet_server()
         try:
             self._view = WorldView(self._server)
             self._view.draw(drawing_of(plan, path, models))
             self._moment = self._server.scene.add_frame(MOMENT_NODE, show_axes=False, visible=False)
             driven = Trajectory(self._server)
-            for t, x, y, theta in zip(moments.t, moments.x, moments.y, moments.theta, strict=True):
+            for t, x, y, theta in zip(poses.t, poses.x, poses.y, poses.theta, strict=True):
                 driven.add(Pose(float(x), float(y), float(theta)), float(t))
             self.show(self._t, "chase")
         except BaseException:
@@ -74,16 +74,16 @@ class Replay:
     def show(self, t: float, view: View) -> None:
         """Show the moment `t` (s), seen from `view`; a moment beyond the ends is the end."""
         with self._lock:
-            moments = self._moments
-            t = min(max(t, float(moments.t[0])), float(moments.t[-1]))
-            row = int(np.searchsorted(moments.t, t, side="right")) - 1
+            poses = self._poses
+            t = min(max(t, float(poses.t[0])), float(poses.t[-1]))
+            row = int(np.searchsorted(poses.t, t, side="right")) - 1
             self._play_up_to(row)
             if view != self._view.view:
                 self._view.look(view)
             self._view.fit_picture()
             passed = abs(t - self._t)
             self._t = t
-            self._view.follow(self._pose_at(t), passed or STILL, *self._head_at(row), self._play)
+            self._view.follow(self._pose_at(t), passed or STILL, *self._head_at(row), self._state)
             self._moment.position = (t, 0.0, 0.0)
             self._server.flush()
 
@@ -94,19 +94,19 @@ class Replay:
     def _play_up_to(self, row: int) -> None:
         """Let the task, the cones and the movers have seen all rows up to this one, and none after it."""
         if row < self._seen:
-            self._play.begin_again()
+            self._state.begin_again()
             self._seen = -1
-        moments = self._moments
+        poses = self._poses
         for i in range(self._seen + 1, row + 1):
-            pose = Pose(float(moments.x[i]), float(moments.y[i]), float(moments.theta[i]))
-            self._play.update(pose, float(moments.v[i]), float(moments.scene_t[i]))
+            pose = Pose(float(poses.x[i]), float(poses.y[i]), float(poses.theta[i]))
+            self._state.update(pose, float(poses.v[i]), float(poses.scene_t[i]))
         self._seen = row
 
     def _pose_at(self, t: float) -> Pose:
-        moments = self._moments
-        x, y, theta = (float(np.interp(t, moments.t, row)) for row in (moments.x, moments.y, self._theta))
+        poses = self._poses
+        x, y, theta = (float(np.interp(t, poses.t, row)) for row in (poses.x, poses.y, self._theta))
         return Pose(x, y, math.remainder(theta, math.tau))
 
     def _head_at(self, row: int) -> tuple[Angles, float]:
-        head = Angles(*self._moments.head[row].tolist())
+        head = Angles(*self._poses.head[row].tolist())
         return (head, 0.0) if all(map(math.isfinite, head)) else (NO_HEAD, math.inf)

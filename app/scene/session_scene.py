@@ -10,8 +10,8 @@ import numpy as np
 from app.geometry import Pose
 from app.scene.drawing import NOTHING, drawing_of
 from app.scene.head_view import NO_HEAD, Angles
-from app.scene.play import Play
 from app.scene.plots import Plots
+from app.scene.scene_state import SceneState
 from app.scene.servers import ROLES, Role, RoleServers
 from app.scene.trajectory import Trajectory
 from app.scene.views import EyeSettings, Orbit, View
@@ -43,7 +43,7 @@ class Scene:
         self._clocks = [servers[role].scene.add_frame(CLOCK_NODE, show_axes=False, visible=False) for role in ROLES]
         self._plan: FloorPlan | None = None
         self._drawing = NOTHING
-        self._play = Play()
+        self._state = SceneState()
         self._pose = Pose(0.0, 0.0, 0.0)
         self._head, self._head_age = NO_HEAD, math.inf
         self._t = math.nan
@@ -76,7 +76,7 @@ class Scene:
         path = None if plan is None or path_name is None else plan.path_named(path_name)
         drawing = self._drawing if plan == self._plan else drawing_of(plan, path, self._models)
         with self._lock:
-            self._plan, self._drawing, self._play = plan, drawing, Play(plan, path)
+            self._plan, self._drawing, self._state = plan, drawing, SceneState(plan, path)
             for view in self._views.values():
                 view.draw(drawing)
             self._forget_driven()
@@ -106,7 +106,7 @@ class Scene:
         """Take away the trajectory and the error of the trial before, and put up the cones."""
         with self._lock:
             self._forget_driven()
-            self._play.begin_again()
+            self._state.begin_again()
             self._place(self._pose, 0.0)
             self._flush()
 
@@ -138,7 +138,7 @@ class Scene:
         if not all(map(math.isfinite, (*pose, t, v, scene_t))):
             return
         with self._lock:
-            self._play.update(pose, v, scene_t)
+            self._state.update(pose, v, scene_t)
             dt = t - self._t if math.isfinite(self._t) else 0.0
             self._t = t
             self._head, self._head_age = head, head_age
@@ -179,7 +179,7 @@ class Scene:
     def _place(self, pose: Pose, dt: float) -> None:
         self._pose = pose
         for view in self._views.values():
-            view.follow(pose, dt, self._head, self._head_age, self._play)
+            view.follow(pose, dt, self._head, self._head_age, self._state)
 
     def _forget_driven(self) -> None:
         for trajectory in self._trajectories:

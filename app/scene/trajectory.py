@@ -28,13 +28,13 @@ class Place(NamedTuple):
     t: float  # s
 
 
-def was_put(before: Place, after: Place) -> bool:
+def is_jump(before: Place, after: Place) -> bool:
     """Tell whether a chair came from one place to the other without driving."""
     distance = math.hypot(after.x - before.x, after.y - before.y)
     return distance > max(JUMP, FASTEST * (after.t - before.t))
 
 
-class Thinned:
+class PointFilter:
     """Keeps only the points of a trajectory that can be told apart."""
 
     def __init__(self) -> None:
@@ -53,20 +53,20 @@ class Thinned:
         return True
 
 
-class Pieces:
+class TrajectoryPieces:
     """The points of the trajectory, cut into pieces that join without a gap."""
 
     def __init__(self) -> None:
-        self._thinned = Thinned()
+        self._filter = PointFilter()
         self._last: Place | None = None
         self.points: list[list[tuple[float, float]]] = [[]]
 
     def add(self, pose: Pose, t: float) -> bool:
         """Take the pose at `t` (s); return whether it became a point of the last piece."""
         here = Place(pose.x, pose.y, t)
-        begins = self._last is not None and was_put(self._last, here)
+        begins = self._last is not None and is_jump(self._last, here)
         self._last = here
-        if not self._thinned.keep(pose):
+        if not self._filter.keep(pose):
             return False
         point = (pose.x, pose.y)
         piece = self.points[-1]
@@ -83,7 +83,7 @@ class Trajectory:
 
     def __init__(self, server: viser.ViserServer) -> None:
         self._server = server
-        self._pieces = Pieces()
+        self._pieces = TrajectoryPieces()
         self._nodes: dict[int, viser.LineSegmentsHandle] = {}
         self._drawn = (0, 0)  # pieces, and points of the last one
         self._sent_at = -math.inf
@@ -104,7 +104,7 @@ class Trajectory:
         for node in self._nodes.values():
             node.remove()
         self._nodes.clear()
-        self._pieces = Pieces()
+        self._pieces = TrajectoryPieces()
         self._drawn, self._sent_at = (0, 0), -math.inf
 
     def _draw(self, number: int) -> None:

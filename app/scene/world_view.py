@@ -8,13 +8,13 @@ from typing import Final
 import viser
 
 from app.geometry import Pose
-from app.scene.group import Group, numbered, put
 from app.scene.head_view import AHEAD, Angles, HeadView
 from app.scene.lighting import Lighting
+from app.scene.mesh_group import MeshGroup, numbered, place_node
 from app.scene.meshes.bodies import Part
 from app.scene.meshes.building import FURNITURE, WALLS
 from app.scene.meshes.wheelchair import chair_parts, person_parts
-from app.scene.play import Play
+from app.scene.scene_state import SceneState
 from app.scene.views import (
     FIELD_OF_VIEW,
     NEAREST,
@@ -33,9 +33,9 @@ from app.scene.views import (
 )
 from app.world.scenery import Lights
 
-WALLS_SHOWN: Final[dict[View, float]] = {"eye": math.inf, "chase": 1.1, "top": 0.5, "free": 1.1}
+WALL_CUT_HEIGHT: Final[dict[View, float]] = {"eye": math.inf, "chase": 1.1, "top": 0.5, "free": 1.1}
 """Height (m) at which walls are cut, so that one sees over."""
-FURNITURE_SHOWN: Final[dict[View, float]] = {"eye": 1.0, "chase": 1.0, "top": 0.25, "free": 1.0}
+FURNITURE_HEIGHT_SHARE: Final[dict[View, float]] = {"eye": 1.0, "chase": 1.0, "top": 0.25, "free": 1.0}
 """Share of its height: from the top nothing leans far."""
 OVERHEAD: Final = ("door_frames", "lintels")  # what hides the way when seen from above
 UPRIGHT: Final = ("flag", "mark")  # of a task: seen from the top they say nothing
@@ -74,11 +74,11 @@ class WorldView:
         self._world = scene.add_frame("/world", show_axes=False)
         self._chair = scene.add_frame("/world/chair", show_axes=False)
         self._lighting = Lighting(server)
-        self._building = Group(server, "/world")
-        self._task = Group(server, "/world")
-        self._cones = Group(server, "/world")
+        self._building = MeshGroup(server, "/world")
+        self._task = MeshGroup(server, "/world")
+        self._cones = MeshGroup(server, "/world")
         self._movers: list[viser.FrameHandle] = []
-        self._bodies = Group(server, "/world/chair")
+        self._bodies = MeshGroup(server, "/world/chair")
         in_it = [
             Part(mesh, colour) for parts in (chair_parts(), person_parts()) for colour, mesh in sorted(parts.items())
         ]
@@ -120,12 +120,12 @@ class WorldView:
         self._head.roll_share = self._settings.roll_share
         height = self._drawing.wall_height
         with self._server.atomic():
-            shown = min(WALLS_SHOWN[view] / height, 1.0) if height else 1.0
+            shown = min(WALL_CUT_HEIGHT[view] / height, 1.0) if height else 1.0
             for name, node in self._building.items():
                 if name in WALLS:
                     node.scale = (1.0, 1.0, shown)
                 elif name.startswith(FURNITURE):
-                    node.scale = (1.0, 1.0, FURNITURE_SHOWN[view])
+                    node.scale = (1.0, 1.0, FURNITURE_HEIGHT_SHARE[view])
                 elif name in OVERHEAD:
                     node.visible = view == "eye"
             for body in self._bodies.values():
@@ -143,18 +143,18 @@ class WorldView:
         if self._view == "free":
             self._place()
 
-    def follow(self, pose: Pose, dt: float, head: Angles, head_age: float, play: Play) -> None:
+    def follow(self, pose: Pose, dt: float, head: Angles, head_age: float, state: SceneState) -> None:
         """Put everything where it is `dt` (s) after the last time: chair, head and movers of one moment together."""
         age = head_age if self._settings.head else math.inf
         self._angles = self._head.step(dt, *head, age)
         self._pose = pose
         with self._server.atomic():
-            put(self._chair, chair_placement(pose))
-            for node, place in zip(self._movers, play.movers(), strict=True):
-                put(node, chair_placement(place))
-            if self._task.show(play.task):
+            place_node(self._chair, chair_placement(pose))
+            for node, place in zip(self._movers, state.movers(), strict=True):
+                place_node(node, chair_placement(place))
+            if self._task.show(state.task):
                 self._hide_upright()
-            self._cones.show(play.cones.parts())
+            self._cones.show(state.cones.parts())
             self._place()
 
     def fit_picture(self) -> None:
@@ -171,7 +171,7 @@ class WorldView:
 
     def _place(self) -> None:
         with self._server.atomic():
-            put(self._world, world_placement(self._camera()))
+            place_node(self._world, world_placement(self._camera()))
 
     def _camera(self) -> Camera:
         match self._view:
@@ -180,7 +180,7 @@ class WorldView:
             case "chase":
                 return chase_camera(self._pose)
             case "top":
-                shown = min(WALLS_SHOWN["top"], self._drawing.wall_height)
+                shown = min(WALL_CUT_HEIGHT["top"], self._drawing.wall_height)
                 return top_camera(self._drawing.bounds, self._aspect, shown)
             case "free":
                 return free_camera(self.orbit)
@@ -195,7 +195,7 @@ class WorldView:
         for number, parts in enumerate(movers):
             name = f"/world/mover_{number}"
             self._movers.append(self._server.scene.add_frame(name, show_axes=False))
-            Group(self._server, name).show(numbered("body", parts))
+            MeshGroup(self._server, name).show(numbered("body", parts))
 
     def _hide_upright(self) -> None:
         for name in UPRIGHT:

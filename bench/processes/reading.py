@@ -11,7 +11,7 @@ from websockets.asyncio.client import connect
 from websockets.typing import Subprotocol
 
 from app.scene.bridge_secret import HEADER
-from app.scene.wire import SUBPROTOCOL
+from app.scene.client_messages import SUBPROTOCOL
 
 
 async def read(port: int, secret: str) -> None:

@@ -40,7 +40,7 @@ def area_from_above(mesh):
         (ball((5, 5, 5), 1.0, 100), 4 / 3 * math.pi),
         (wheel((0, 0, 1), 1.0, 0.1, 0.1, 100), 2 * math.pi**2 * 0.95 * 0.05**2 * 0.935),
         (box((1, 2, 3)).moved(3, -2, 1, 0.7), 6.0),
-        (standing_box(1, 1, 0, 1).leant(0.4), 1.0),
+        (standing_box(1, 1, 0, 1).tilted(0.4), 1.0),
     ],
 )
 def test_closed_bodies_look_outwards_and_have_their_size(mesh, expected):

@@ -2,14 +2,21 @@ import numpy as np
 import pytest
 
 from app.geometry import Pose
-from app.scene.plot_points import ERROR_SHOWN, MOST_POINTS, Driven, ErrorSamples, trajectory_ranges, trajectory_samples
+from app.scene.plot_points import (
+    ERROR_SHOWN,
+    MOST_POINTS,
+    ErrorSamples,
+    PlotSeries,
+    trajectory_ranges,
+    trajectory_samples,
+)
 from app.world.path import Path
 
 CORNER = Path([(0, 0), (10, 0), (10, 5), (0, 5)])
 
 
 def test_the_error_is_signed_and_the_newest_is_at_zero_seconds():
-    driven = Driven(CORNER)
+    driven = PlotSeries(CORNER)
     for step in range(50):
         driven.add(Pose(0.05 * step, 0.2, 0.0), 0.1 * step + 0.05)
     before_now, zero, error = driven.error.plotted()
@@ -35,14 +42,14 @@ def test_old_errors_leave_and_silence_leaves_a_gap():
 
 def test_a_crossing_of_the_path_is_not_mistaken_for_where_the_chair_is():
     line = Path([(0, 0), (6, 0), (6, 3), (3, 3), (3, -3)])  # crosses itself at (3, 0)
-    driven = Driven(line)
+    driven = PlotSeries(line)
     for step in range(60):
         driven.add(Pose(0.05 * step + 0.02, 0.1, 0.0), 0.1 * step + 0.05)
     assert driven.error.plotted()[2][-1] == pytest.approx(0.1)
 
 
 def test_the_trajectory_stays_bounded_and_keeps_both_ends():
-    driven = Driven(None)
+    driven = PlotSeries(None)
     for step in range(5000):
         driven.add(Pose(0.06 * step, 0.0, 0.0), 0.1 * step)
     assert len(driven.points) <= MOST_POINTS
@@ -51,7 +58,7 @@ def test_the_trajectory_stays_bounded_and_keeps_both_ends():
 
 
 def test_a_chair_that_is_put_elsewhere_begins_anew():
-    driven = Driven(CORNER)
+    driven = PlotSeries(CORNER)
     driven.add(Pose(0, 0, 0), 0.0)
     driven.add(Pose(10, 5, 0), 0.1)
     assert driven.points == [(10, 5)]

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from app.scene.page import client_page
-from app.scene.replay import Moments, Replay
+from app.scene.replay import Replay, ReplayPoses
+from app.scene.viewer_page import client_page
 from app.world.scene import find_place
 
 N = 200
@@ -15,7 +15,7 @@ def moments():
     t = np.arange(N) / 20
     x = 0.5 * t
     nothing = np.full((N, 3), np.nan)
-    return Moments(t, x, 0 * t, np.full(N, 3.1) + 0.01 * t, np.full(N, 0.5), t, nothing)
+    return ReplayPoses(t, x, 0 * t, np.full(N, 3.1) + 0.01 * t, np.full(N, 0.5), t, nothing)
 
 
 @pytest.fixture
@@ -52,12 +52,12 @@ def test_cones_stand_again_when_time_goes_back():
     cone = plan.cones[0].position
     t = np.arange(N) / 20
     x = np.linspace(cone[0] - 2.0, cone[0] + 2.0, N)
-    shown = Replay(plan, path.name, Moments(t, x, np.full(N, cone[1]), 0 * t, 0 * t, t, np.full((N, 3), np.nan)))
+    shown = Replay(plan, path.name, ReplayPoses(t, x, np.full(N, cone[1]), 0 * t, 0 * t, t, np.full((N, 3), np.nan)))
     try:
         shown.show(9.9, "chase")
-        assert shown._play.cones.lying == 1
+        assert shown._state.cones.lying == 1
         shown.show(0.0, "chase")
-        assert shown._play.cones.lying == 0
+        assert shown._state.cones.lying == 0
     finally:
         shown.stop()
 

@@ -11,13 +11,13 @@ from app.clock import MonotonicClock
 from app.geometry import Pose
 from app.messages import TICK
 from app.scene.bridge_secret import BRIDGE_HEADERS
+from app.scene.client_messages import SUBPROTOCOL
 from app.scene.head_view import Angles
-from app.scene.page import client_page
 from app.scene.scene_thread import start_scene
 from app.scene.servers import ROLES, RoleServers
 from app.scene.session_scene import CLOCK_NODE, Scene
+from app.scene.viewer_page import client_page
 from app.scene.views import VIEWS, EyeSettings, Orbit, chase_camera, eye_camera, free_camera, world_placement
-from app.scene.wire import SUBPROTOCOL
 from app.world.floorplan import FloorPlan, bundled_floorplans, load_floorplan
 from app.world.obstacles import Box
 

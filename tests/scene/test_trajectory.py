@@ -8,31 +8,31 @@ from hypothesis import strategies as st
 
 from app.geometry import Pose
 from app.scene.servers import quiet_server
-from app.scene.trajectory import JUMP, PIECE, STEP, Pieces, Thinned, Trajectory, line_segments
+from app.scene.trajectory import JUMP, PIECE, STEP, PointFilter, Trajectory, TrajectoryPieces, line_segments
 
 
 def test_a_chair_that_stands_adds_one_point():
-    pieces = Pieces()
+    pieces = TrajectoryPieces()
     assert [pieces.add(Pose(1.0, 2.0, 0.0), 0.1 * number) for number in range(100)] == [True] + [False] * 99
 
 
 def test_points_are_kept_every_five_centimetres_or_five_degrees():
-    thinned = Thinned()
-    assert thinned.keep(Pose(0, 0, 0))
-    assert not thinned.keep(Pose(0.049, 0, 0))
-    assert thinned.keep(Pose(0.051, 0, 0))
-    assert not thinned.keep(Pose(0.051, 0, math.radians(4.9)))
-    assert thinned.keep(Pose(0.051, 0, math.radians(5.1)))
+    point_filter = PointFilter()
+    assert point_filter.keep(Pose(0, 0, 0))
+    assert not point_filter.keep(Pose(0.049, 0, 0))
+    assert point_filter.keep(Pose(0.051, 0, 0))
+    assert not point_filter.keep(Pose(0.051, 0, math.radians(4.9)))
+    assert point_filter.keep(Pose(0.051, 0, math.radians(5.1)))
 
 
 def test_the_heading_may_pass_half_a_turn():
-    thinned = Thinned()
-    thinned.keep(Pose(0, 0, math.pi - 0.01))
-    assert not thinned.keep(Pose(0, 0, -math.pi + 0.01))
+    point_filter = PointFilter()
+    point_filter.keep(Pose(0, 0, math.pi - 0.01))
+    assert not point_filter.keep(Pose(0, 0, -math.pi + 0.01))
 
 
 def test_pieces_are_closed_at_their_length_and_join_without_a_gap():
-    pieces = Pieces()
+    pieces = TrajectoryPieces()
     for number in range(3 * PIECE):
         pieces.add(Pose(0.06 * number, 0.0, 0.0), 0.1 * number)
     assert [len(piece) for piece in pieces.points[:-1]] == [PIECE] * (len(pieces.points) - 1)
@@ -42,14 +42,14 @@ def test_pieces_are_closed_at_their_length_and_join_without_a_gap():
 
 
 def test_a_chair_that_is_put_elsewhere_has_not_driven_there():
-    pieces = Pieces()
+    pieces = TrajectoryPieces()
     pieces.add(Pose(0, 0, 0), 0.0)
     pieces.add(Pose(2 * JUMP, 0, 0), 0.1)
     assert pieces.points == [[(0, 0)], [(2 * JUMP, 0)]]
 
 
 def test_a_chair_that_was_not_looked_at_for_a_while_has_driven():
-    pieces = Pieces()
+    pieces = TrajectoryPieces()
     pieces.add(Pose(0, 0, 0), 0.0)
     pieces.add(Pose(2 * JUMP, 0, 0), 1.5)
     assert pieces.points == [[(0, 0), (2 * JUMP, 0)]]
@@ -57,7 +57,7 @@ def test_a_chair_that_was_not_looked_at_for_a_while_has_driven():
 
 @given(st.lists(st.tuples(st.floats(-0.4, 0.4), st.floats(-0.4, 0.4)), max_size=200))
 def test_no_driven_place_is_farther_than_a_step_from_a_kept_point(moves):
-    pieces, x, y = Pieces(), 0.0, 0.0
+    pieces, x, y = TrajectoryPieces(), 0.0, 0.0
     for dx, dy in [(0.0, 0.0), *moves]:
         x, y = x + dx, y + dy
         pieces.add(Pose(x, y, 0.0), 0.0)

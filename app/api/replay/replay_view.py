@@ -13,10 +13,10 @@ from app.api.view.view_bridge import NO_VIEW, ViewPage, bridge
 from app.quantities import Count, Document
 from app.recording.reader import read_run
 from app.refusals import Conflict, NotFound
-from app.scene.page import client_page
-from app.scene.replay import Moments, Replay
+from app.scene.client_messages import SUBPROTOCOL
+from app.scene.replay import Replay, ReplayPoses
+from app.scene.viewer_page import client_page
 from app.scene.views import View
-from app.scene.wire import SUBPROTOCOL
 from app.scoring.timeline import plan_of, poses_of
 from app.store.log import write_log
 from app.store.runs import find_trial
@@ -82,7 +82,7 @@ def _made(parts: People, flows: Flows, trial: Trial) -> Replay:
         plan = plan_of(run)
         if plan is None:
             raise ValueError("it does not say where it was driven")
-        return Replay(plan, trial.path, Moments(*poses_of(run, MOMENTS_PER_SECOND)), parts.settings.models)
+        return Replay(plan, trial.path, ReplayPoses(*poses_of(run, MOMENTS_PER_SECOND)), parts.settings.models)
     except (ValueError, OSError) as error:
         raise NotFound("There is no picture of this trial: its recording cannot be read, or names no place.") from error
 

@@ -20,9 +20,9 @@ from websockets.exceptions import ConnectionClosed, InvalidHandshake
 from websockets.typing import Subprotocol
 
 from app.scene.bridge_secret import BRIDGE_HEADERS
-from app.scene.page import client_page
+from app.scene.client_messages import SUBPROTOCOL, may_pass
 from app.scene.servers import Role
-from app.scene.wire import SUBPROTOCOL, may_pass
+from app.scene.viewer_page import client_page
 
 Admission = Callable[[WebSocket, Role], AbstractAsyncContextManager[bool]]
 """Entered before a websocket is accepted: gives whether it may look, and holds as long as it looks."""

@@ -28,7 +28,7 @@ class Mesh:
         turn = np.array([[cos, sin, 0.0], [-sin, cos, 0.0], [0.0, 0.0, 1.0]])
         return Mesh(self.vertices @ turn + (x, y, z), self.faces)
 
-    def leant(self, angle: float) -> "Mesh":
+    def tilted(self, angle: float) -> "Mesh":
         """Return it turned by `angle` (rad) about the left axis: positive bows forward."""
         cos, sin = math.cos(angle), math.sin(angle)
         turn = np.array([[cos, 0.0, -sin], [0.0, 1.0, 0.0], [sin, 0.0, cos]])

@@ -5,7 +5,7 @@ from collections.abc import Callable, Sequence
 
 from app.scene.meshes import palette
 from app.scene.meshes.bodies import Mesh, merged
-from app.scene.meshes.furniture_shapes import BOX_SHAPES, LYING, ROUND_SHAPES, Piece, block, column
+from app.scene.meshes.furniture_shapes import BOX_SHAPES, LONG_SIDE_ALONG_X, ROUND_SHAPES, Piece, block, column
 from app.scene.meshes.palette import Colour
 from app.scene.meshes.rock import rock
 from app.scene.models.objects import Model
@@ -43,7 +43,7 @@ def _pieces(obstacle: Obstacle, model_of: ModelOf) -> list[Piece]:
         shape = next((shape for word, shape in BOX_SHAPES if word in words), block)
         length, width = obstacle.size
         turn = obstacle.angle
-        if width > length and shape in LYING:  # these are drawn with their long side along x
+        if width > length and shape in LONG_SIDE_ALONG_X:  # these are drawn with their long side along x
             length, width, turn = width, length, turn + math.pi / 2
         pieces = shape(length, width, obstacle.height)
     else:

@@ -47,7 +47,7 @@ def _bed(length: float, width: float, height: float) -> list[Piece]:
 def _couch(length: float, width: float, height: float) -> list[Piece]:
     """Return an examination or treatment couch: a padded top on a column."""
     pad = min(0.12, height / 3)
-    raised = standing_box(0.3 * length, 0.94 * width, 0.0, 0.06).leant(-0.25).moved(x=0.34 * length, z=height)
+    raised = standing_box(0.3 * length, 0.94 * width, 0.0, 0.06).tilted(-0.25).moved(x=0.34 * length, z=height)
     return [
         (palette.FABRIC, merged([standing_box(length, width, height - pad, height), raised])),
         (palette.METAL, merged([standing_box(0.75 * length, 0.6 * width, 0.12, height - pad)])),
@@ -254,4 +254,4 @@ ROUND_SHAPES: Final[tuple[tuple[str, Shape], ...]] = (
     ("stool", _stool),
     ("chair", _stool),
 )
-LYING: Final = frozenset({_bed, _couch, _sofa, _bench, _cupboard, _shelf})
+LONG_SIDE_ALONG_X: Final = frozenset({_bed, _couch, _sofa, _bench, _cupboard, _shelf})

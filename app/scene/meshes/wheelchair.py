@@ -50,8 +50,8 @@ def chair_parts() -> dict[Colour, Mesh]:
         palette.CUSHION: merged(
             [
                 standing_box(0.46, 0.42, 0.43, SEAT, x=0.02),
-                standing_box(0.07, 0.42, 0.0, 0.52).leant(-0.12).moved(x=-0.22, z=0.46),
-                standing_box(0.06, 0.24, 0.0, 0.14).leant(-0.12).moved(x=-0.3, z=1.06),
+                standing_box(0.07, 0.42, 0.0, 0.52).tilted(-0.12).moved(x=-0.22, z=0.46),
+                standing_box(0.06, 0.24, 0.0, 0.14).tilted(-0.12).moved(x=-0.3, z=1.06),
                 *(standing_box(0.34, 0.07, 0.7, 0.745, x=0.03, y=side * 0.26) for side in (-1, 1)),
                 *(standing_box(0.16, 0.13, 0.1, 0.125, x=0.6, y=side * 0.1) for side in (-1, 1)),
                 standing_box(0.09, 0.06, 0.745, 0.785, x=0.2, y=-0.26),

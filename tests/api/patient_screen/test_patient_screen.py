@@ -9,7 +9,7 @@ from starlette.websockets import WebSocketDisconnect
 from test_roles import FOR_EVERYONE, FOR_PATIENTS_SCREENS, table
 
 from app.api import sockets
-from app.scene.wire import SUBPROTOCOL
+from app.scene.client_messages import SUBPROTOCOL
 from app.session import screen_codes
 from app.store import patient_screens as store_patient_screens
 from app.store.people import find_person, sign_in

@@ -18,7 +18,7 @@ from starlette.websockets import WebSocketDisconnect
 from app.api.view import view_bridge
 from app.api.view.view_bridge import page_headers, view_router
 from app.api.view.view_controls import view_controls
-from app.scene.wire import SUBPROTOCOL
+from app.scene.client_messages import SUBPROTOCOL
 from app.world.floorplan import bundled_floorplans, load_floorplan
 
 PLAN = load_floorplan(bundled_floorplans()["corridors"])

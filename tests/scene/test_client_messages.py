@@ -6,8 +6,8 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 from viser import _messages
 
+from app.scene.client_messages import may_pass
 from app.scene.servers import ROLES
-from app.scene.wire import may_pass
 
 CAMERA = {
     "type": "ViewerCameraMessage",

@@ -11,7 +11,7 @@ from app.scene.views import Placement
 MeshNode = viser.MeshHandle
 
 
-class Group:
+class MeshGroup:
     """The meshes under one node of the picture."""
 
     def __init__(self, server: viser.ViserServer, under: str) -> None:
@@ -70,7 +70,7 @@ def numbered(name: str, parts: list[Part]) -> dict[str, Part]:
     return {f"{name}_{number}": part for number, part in enumerate(parts)}
 
 
-def put(node: viser.SceneNodeHandle, placement: Placement) -> None:
+def place_node(node: viser.SceneNodeHandle, placement: Placement) -> None:
     """Turn and move a node."""
     node.wxyz = placement.wxyz
     node.position = placement.position

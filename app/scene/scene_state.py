@@ -9,7 +9,7 @@ from app.world.scenery import Track
 from app.world.task_progress import TaskProgress, progress_of
 
 
-class Play:
+class SceneState:
     """One attempt at one task; what it gives to draw is the same object until it changes.
 
     Attributes
