@@ -24,8 +24,8 @@ from app.hardware.base import BodyView
 from app.hardware.body.person import Person
 from app.hardware.body.person_parameters import PRACTISED
 from app.hardware.shirt.standard import standard_layout
+from app.study.participant import Participant
 from app.study.simulated_calibration import fit_recorded, record_step
-from app.study.simulated_person import Wearer
 
 SAMPLE_RATE = 100.0  # Hz
 REST = 60.0  # s, held out
@@ -34,7 +34,7 @@ LOWERED = 3.0  # of the noise: a dead-zone that somebody has lowered, so that th
 
 
 class Kind(NamedTuple):
-    """A kind of wearer."""
+    """A kind of participant."""
 
     title: str
     tremor: float  # standard deviation, of a joint's range
@@ -89,17 +89,17 @@ class Tally:
 
 
 def watch(kind: Kind, seed: int, tally: Tally, rest: float = REST, repetitions: int = REPETITIONS) -> None:
-    """Calibrate one wearer, take the forecasts of the suggested gestures, and count what they really do."""
-    wearer = Wearer(Uneven(kind, seed), standard_layout(), SAMPLE_RATE, seed)
-    recorded = [(step, *record_step(wearer, step)) for step in calibration_script(wearer.layout)]
-    profile = fit_recorded(wearer.layout, SAMPLE_RATE, recorded)
+    """Calibrate one participant, take the forecasts of the suggested gestures, and count what they really do."""
+    participant = Participant(Uneven(kind, seed), standard_layout(), SAMPLE_RATE, seed)
+    recorded = [(step, *record_step(participant, step)) for step in calibration_script(participant.layout)]
+    profile = fit_recorded(participant.layout, SAMPLE_RATE, recorded)
     runs = [run_of_cues(values, cue, step.cues) for step, values, cue in recorded]
     found = discover(profile, runs)
     before = gather(profile, runs)
     bound = {name for binding in found.suggestion.bindings for name in binding.gestures}
     chosen = [gesture for gesture in found.gestures if gesture.name in bound]
-    later = [_more(wearer, _rest(rest))]
-    later += [_more(wearer, _prompts(gesture.joint, repetitions)) for gesture in chosen]
+    later = [_more(participant, _rest(rest))]
+    later += [_more(participant, _prompts(gesture.joint, repetitions)) for gesture in chosen]
     after = gather(profile, later)
     made = {ability.name: ability for ability in abilities(profile, after)}
     for gesture in chosen:
@@ -138,10 +138,10 @@ def _count_lowered(
         tally.counted_lowered += passes(quiet, lowered)
 
 
-def _more(wearer: Wearer, cues: Sequence[Cue]) -> CuedRun:
+def _more(participant: Participant, cues: Sequence[Cue]) -> CuedRun:
     """Record some more, with these cues."""
     step = Step("more", "rest", None, "More", "More.", cues[-1].end, tuple(cues))
-    values, cue = record_step(wearer, step)
+    values, cue = record_step(participant, step)
     return run_of_cues(values, cue, cues)
 
 
@@ -177,7 +177,7 @@ def row(kind: Kind, tally: Tally) -> str:
 
 
 def main(wearers: Annotated[int, typer.Option(min=1, help="Of each kind.")] = 20) -> None:
-    """Print one line of the table for each kind of wearer."""
+    """Print one line of the table for each kind of participant."""
     for kind in KINDS:
         tally = Tally()
         for seed in range(1, wearers + 1):

@@ -8,8 +8,8 @@ from app.store.database import Database
 from app.store.parameters import save_parameters, save_profile
 from app.store.patients import add_patient, start_session
 from app.store.people import add_clinic
+from app.study.participant import Participant
 from app.study.simulated_calibration import calibrate
-from app.study.simulated_person import Wearer
 
 PATIENT = ("DEMO-1", "Kingfisher", "A demonstration patient: nobody real. Calibrated in the simulated shirt.")
 SEED = 1  # of the fabric and the person: those of the simulated shirt and body that a control process starts with
@@ -18,7 +18,7 @@ SAMPLE_RATE = 100.0  # Hz
 
 def furnish(database: Database) -> None:
     """Make the clinic; its patient went through the application's own calibration, faster than real time."""
-    profile = calibrate(Wearer(Person(PRACTISED, SEED), standard_layout(), SAMPLE_RATE, SEED))
+    profile = calibrate(Participant(Person(PRACTISED, SEED), standard_layout(), SAMPLE_RATE, SEED))
     with database.transaction() as db:
         clinic = add_clinic(db, "Demonstration")
         patient = add_patient(db, clinic.id, *PATIENT)

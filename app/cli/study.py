@@ -20,7 +20,7 @@ from app.hardware.body.person_parameters import NOVICE
 from app.study.experiment import StudyResult, run_study
 from app.study.seeds import MEASURES, run_seeds
 from app.study.seeds_files import seeds_summary, sentences, write_seeds
-from app.study.sessions import Mode, WhoAdapts
+from app.study.sessions import Mode, PersonKind
 from app.study.simulated_trial import StudyTrial
 from app.study.study_files import check_folder, summary, write_study
 from app.world.floorplan import FloorPlan, load_floorplan
@@ -54,7 +54,7 @@ def study(
     adapt: Annotated[
         Mode | None, typer.Option(help="Over sessions: let the map follow the person, against the fixed map.")
     ] = None,
-    person: Annotated[WhoAdapts, typer.Option(help="Over sessions: what happens to body or shirt.")] = "deteriorating",
+    person: Annotated[PersonKind, typer.Option(help="Over sessions: what happens to body or shirt.")] = "deteriorating",
     sessions: Annotated[int, typer.Option(min=1, max=MOST_SESSIONS, help="How many, with --adapt.")] = 10,
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")] = False,
 ) -> None:

@@ -14,7 +14,7 @@ from app.cli.errors import InputError
 from app.clock import stopwatch
 from app.source import STUDY_SOURCE, source_words
 from app.study.comparison import compare, table
-from app.study.sessions import Mode, SessionTrial, WhoAdapts, dressed, run_sessions
+from app.study.sessions import Mode, PersonKind, SessionTrial, calibrated_participant, run_sessions
 from app.world.floorplan import FloorPlan, PrescribedPath
 
 ROWS, TABLE, SUMMARY = "sessions.csv", "table.txt", "adaptation.json"
@@ -24,7 +24,7 @@ def study_sessions(
     out: Path,
     *,
     adapt: Mode,
-    person: WhoAdapts,
+    person: PersonKind,
     sessions: int,
     trials: int,
     seeds: Sequence[int],
@@ -46,7 +46,7 @@ def study_sessions(
     try:
         out.mkdir(parents=True, exist_ok=True)
         for seed in seeds:
-            first = dressed(person, seed)
+            first = calibrated_participant(person, seed)
             for mode in modes:
                 rows += run_sessions(mode, first, sessions, trials, floorplan, path, progress)
             _write_rows(out, rows)  # after each person: an hour's work is not lost to the last one

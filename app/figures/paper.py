@@ -123,7 +123,7 @@ def _draw_errors(
         panel.plot(numbers, values, "o-", color=INK, markersize=4, linewidth=0.7, label="trial")
         panel.set_title(f"({letter}) {title}", loc="left")
         panel.set_ylabel(label)
-        dress_axes(panel, numbers)
+        style_axes(panel, numbers)
     axes[0].axhline(path_length, color=PATH, linewidth=1.0, linestyle="--", label="length of the path")
     axes[1].set_ylim(bottom=0.0)
     axes[0].legend(frameon=False, loc="upper right")
@@ -131,7 +131,7 @@ def _draw_errors(
     return figure
 
 
-def dress_axes(axes: Axes, numbers: Sequence[int]) -> None:
+def style_axes(axes: Axes, numbers: Sequence[int]) -> None:
     """Give a panel over trials its frame, its grid and whole numbers below."""
     axes.set_xlim(min(numbers) - 0.5, max(numbers) + 0.5)
     axes.locator_params(axis="x", integer=True)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from app.figures.paper import INK, PATH, TRAJECTORY, dress_axes, new_figure, paper_style
+from app.figures.paper import INK, PATH, TRAJECTORY, new_figure, paper_style, style_axes
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -45,7 +45,7 @@ def errors_over_seeds_figure(
             )
             panel.set_title(title, loc="left")
             panel.set_ylabel(label)
-            dress_axes(panel, numbers)
+            style_axes(panel, numbers)
         axes[0].axhline(path_length, color=PATH, linewidth=1.0, linestyle="--", label="length of the path")
         axes[1].set_ylim(bottom=0.0)
         axes[0].legend(frameon=False, loc="upper right", ncols=2)

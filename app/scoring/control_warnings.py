@@ -5,19 +5,19 @@ from typing import NamedTuple
 
 from app.scoring.map_warnings import fit_warnings, sensor_warnings
 from app.scoring.movement_warnings import LEAST_SESSIONS, LEAST_TRIALS, noise_warnings, span_warnings
-from app.scoring.trial_quality import ControlWarning, JudgedTrial, Kind, comparable, rows_of
+from app.scoring.trial_assessment import ControlWarning, Kind, TrialAssessment, comparable_trials, trials_of_joint
 
 ORDER: tuple[Kind, ...] = ("sensor", "map", "noise", "span")
 
 
-class Found(NamedTuple):
+class ControlWarnings(NamedTuple):
     """All warnings, and what cannot be told yet; the note is empty when there are trials enough."""
 
     warnings: list[ControlWarning]
     note: str
 
 
-def warnings_of_control(trials: Sequence[JudgedTrial], map_version: int | None = None) -> Found:
+def control_warnings(trials: Sequence[TrialAssessment], map_version: int | None = None) -> ControlWarnings:
     """Return what to look at.
 
     Parameters
@@ -29,19 +29,19 @@ def warnings_of_control(trials: Sequence[JudgedTrial], map_version: int | None =
         not given.
     """
     if not trials:
-        return Found([], "")
+        return ControlWarnings([], "")
     newest = trials[-1].map_version if map_version is None else map_version
     of_map = [trial for trial in trials if trial.map_version == newest]
     found = sensor_warnings(of_map[-1]) if of_map else []
     for name in dict.fromkeys(joint.name for joint in trials[-1].quality.joints):
-        found += fit_warnings(rows_of(of_map, name))
-        every = comparable(rows_of(trials, name))
-        found += noise_warnings(rows_of(of_map, name), every)
+        found += fit_warnings(trials_of_joint(of_map, name))
+        every = comparable_trials(trials_of_joint(trials, name))
+        found += noise_warnings(trials_of_joint(of_map, name), every)
         found += span_warnings([row for row in every if row.trial.task == trials[-1].task])
-    return Found(sorted(found, key=lambda one: ORDER.index(one.kind)), _note(trials))
+    return ControlWarnings(sorted(found, key=lambda one: ORDER.index(one.kind)), _note(trials))
 
 
-def _note(trials: Sequence[JudgedTrial]) -> str:
+def _note(trials: Sequence[TrialAssessment]) -> str:
     """Say what cannot be told yet."""
     alike = [trial for trial in trials if trial.task == trials[-1].task]
     sessions = len({trial.session for trial in alike})

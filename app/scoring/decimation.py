@@ -34,7 +34,7 @@ class Decimation:
             self.rows = quarters.reshape(-1)
         self._n_rows = n_rows
 
-    def taken(self, column: NDArray[np.generic]) -> NDArray[np.generic]:
+    def sampled(self, column: NDArray[np.generic]) -> NDArray[np.generic]:
         """Return the column (n_rows,) at an even rate (n_points,)."""
         return column[self.rows]
 

@@ -46,7 +46,7 @@ class JointQuality(Document):
     direction: dict[str, float] | None = None  # the trial's own PC1 per channel: unit length, pointing as the map does
 
 
-class Fit(NamedTuple):
+class MapFit(NamedTuple):
     """How a map lies in a movement."""
 
     angle_deg: float  # between the movement's PC1 and the map, 0..90
@@ -106,13 +106,13 @@ def joint_quality(
     # Moving: as fast, whichever way, as a command along the map is; what leaks in from a neighbour is slower.
     least = joint.dead_zone + ON * (joint.full - joint.dead_zone)
     moving = usable & (np.linalg.norm(rates, axis=1) > least)
-    fit = fit_of_movement(smoothed, moving, weights / length, sample_rate)
+    fit = map_fit(smoothed, moving, weights / length, sample_rate)
     place = smoothed[usable] @ weights
     span = percentile_span(place)
     found: dict[str, object] = {
         "span": span,
         "span_share": span / joint.span,
-        "rest_rate": stillest(rates @ weights, usable, sample_rate),
+        "rest_rate": rest_noise(rates @ weights, usable, sample_rate),
         "moved": float(np.count_nonzero(moving)) / sample_rate,
     }
     if fit is not None:
@@ -121,7 +121,7 @@ def joint_quality(
     return known.model_copy(update=found)
 
 
-def fit_of_movement(values: Numbers, moving: Flags, weights: Numbers, sample_rate: float) -> Fit | None:
+def map_fit(values: Numbers, moving: Flags, weights: Numbers, sample_rate: float) -> MapFit | None:
     """Return how a map lies in a movement, None for less than 2 s of it.
 
     Each stretch of movement counts about its own mean, so that the fabric's slow drift between them is no movement.
@@ -149,7 +149,7 @@ def fit_of_movement(values: Numbers, moving: Flags, weights: Numbers, sample_rat
     pca = JointPCA(range(len(weights))).fit(moved)
     first = pca.components_[0]
     seen = float(pca.explained_variance_ratio_ @ (pca.components_ @ weights) ** 2)
-    return Fit(
+    return MapFit(
         angle_deg=angle_between(first, weights),
         evr=min(1.0, float(pca.explained_variance_ratio_[0])),
         null_space_share=min(1.0, max(0.0, 1.0 - seen)),
@@ -163,7 +163,7 @@ def stretches(flags: Flags, shortest: float) -> list[slice]:
     return [slice(start, end) for start, end in zip(edges[::2], edges[1::2], strict=True) if end - start >= shortest]
 
 
-def stillest(rate: Numbers, usable: Flags, sample_rate: float) -> float | None:
+def rest_noise(rate: Numbers, usable: Flags, sample_rate: float) -> float | None:
     """Return the noise of a rate (n,) at rest: the median of the standard deviations of the stillest fifth of all
     half-second stretches; None where there are fewer than five such stretches.
 

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from app.calibration.grades import EVR_LIMITS, LARGEST_ANGLE
 from app.scoring.control_quality import BadChannel
-from app.scoring.trial_quality import EDGE, FEWEST, ControlWarning, JointRow, JudgedTrial, median
+from app.scoring.trial_assessment import EDGE, FEWEST, ControlWarning, JointInTrial, TrialAssessment, median_of
 
 # Of the time. For less of it, a channel rested at the edge of its calibrated range, or somebody pulled; the simulated
 # fabric drifts out of its range for up to 4 % of a trial in one wearer of ten, and for more in another one.
@@ -18,7 +18,7 @@ TURNED = 6.0
 EVR_FALL = 0.1  # by which the EVR must have fallen, too: some joints move in two ways from the first day
 
 
-def sensor_warnings(trial: JudgedTrial) -> list[ControlWarning]:
+def sensor_warnings(trial: TrialAssessment) -> list[ControlWarning]:
     """Name the sensors that failed in the last trial; several that left their range together are the shirt's doing."""
     labels = {joint.name: joint.label for joint in trial.quality.joints}
     failed = [channel for channel in trial.quality.bad_channels if channel.share >= DROPPED]
@@ -40,7 +40,7 @@ def sensor_warnings(trial: JudgedTrial) -> list[ControlWarning]:
     return found
 
 
-def _sensor(trial: JudgedTrial, channel: BadChannel, label: str) -> ControlWarning:
+def _sensor(trial: TrialAssessment, channel: BadChannel, label: str) -> ControlWarning:
     seen = "gave no signal" if channel.silent else "lay outside its calibrated range"
     return ControlWarning(
         kind="sensor",
@@ -52,25 +52,25 @@ def _sensor(trial: JudgedTrial, channel: BadChannel, label: str) -> ControlWarni
     )
 
 
-def fit_warnings(rows: Sequence[JointRow]) -> list[ControlWarning]:
+def fit_warnings(rows: Sequence[JointInTrial]) -> list[ControlWarning]:
     """Tell when a joint's movement no longer lies along its map; `rows` are of one map."""
     told = [row for row in rows if row.joint.direction is not None]
     if len(told) < FEWEST:
         return []
     now, label = told[-min(EDGE, len(told)) :], told[-1].joint.label
     guided = " A guided map decodes this joint: look whether it still does as meant." if told[-1].joint.guided else ""
-    angle, evr = median(now, "map_angle_deg"), median(now, "evr")
+    angle, evr = median_of(now, "map_angle_deg"), median_of(now, "evr")
     turn = _turn(told)
     if turn > TURNED:
         words = f"{label}: the movement has turned by {turn:.0f}° against the first trials with this map."
         advice = "Was the shirt put on again, or has it slipped? Set it straight, or calibrate again."
     elif angle > LARGEST_ANGLE and evr >= EVR_LIMITS[0]:
         words = (
-            f"{label}: the movement lies {angle:.0f}° beside the map, and {median(now, 'null_space_share'):.0%} of it "
-            "never reaches the control."
+            f"{label}: the movement lies {angle:.0f}° beside the map, and {median_of(now, 'null_space_share'):.0%} of "
+            "it never reaches the control."
         )
         advice = "Repeat this joint's free movement and prompts as the person moves it while driving."
-    elif evr < EVR_LIMITS[0] and evr < median(told[:EDGE], "evr") - EVR_FALL:
+    elif evr < EVR_LIMITS[0] and evr < median_of(told[:EDGE], "evr") - EVR_FALL:
         words = f"{label}: one direction explains only {evr:.0%} of the movement, less than in the first trials."
         advice = "Ask the person to move this joint one way only; if that does not help, calibrate again."
     else:
@@ -78,7 +78,7 @@ def fit_warnings(rows: Sequence[JointRow]) -> list[ControlWarning]:
     return [ControlWarning(kind="map", joint=label, words=words, advice=advice + guided)]
 
 
-def _turn(told: Sequence[JointRow]) -> float:
+def _turn(told: Sequence[JointInTrial]) -> float:
     """Return by how many degrees a joint's direction has turned since the first trials of this map.
 
     The smallest turn of the last two trials counts, so that one odd trial is no warning.
@@ -94,9 +94,9 @@ def _turn(told: Sequence[JointRow]) -> float:
     return float(np.degrees(np.arccos(min(1.0, max(cosines)))))
 
 
-def _direction(row: JointRow) -> dict[str, float]:
+def _direction(row: JointInTrial) -> dict[str, float]:
     return row.joint.direction or {}
 
 
-def _vector(row: JointRow, channels: list[str]) -> NDArray[np.float64]:
+def _vector(row: JointInTrial, channels: list[str]) -> NDArray[np.float64]:
     return np.array([_direction(row)[channel] for channel in channels])

@@ -7,7 +7,7 @@ from typing import Literal
 import numpy as np
 
 from app.scoring.trend import mann_kendall
-from app.scoring.trial_quality import EDGE, FEWEST, ControlWarning, JointRow, median
+from app.scoring.trial_assessment import EDGE, FEWEST, ControlWarning, JointInTrial, median_of
 
 # Of the dead-zone: with noise at a third of it, chance alone activates a gesture about once a minute.
 NOISE_SHARE = 1.0 / 3.0
@@ -19,11 +19,11 @@ LEAST_SESSIONS = 5  # for a trend over sessions: four in one order are chance on
 SIGNIFICANCE = 0.05
 
 
-def noise_warnings(of_map: Sequence[JointRow], every: Sequence[JointRow]) -> list[ControlWarning]:
+def noise_warnings(of_map: Sequence[JointInTrial], every: Sequence[JointInTrial]) -> list[ControlWarning]:
     """Tell when a joint's noise at rest comes near its dead-zone, or has grown."""
     known = [row for row in of_map if row.joint.rest_rate is not None]
     if len(known) >= FEWEST and known[-1].joint.dead_zone is not None:
-        now, dead_zone, label = median(known[-EDGE:], "rest_rate"), known[-1].joint.dead_zone, known[-1].joint.label
+        now, dead_zone, label = median_of(known[-EDGE:], "rest_rate"), known[-1].joint.dead_zone, known[-1].joint.label
         if now > NOISE_SHARE * dead_zone:
             return [
                 ControlWarning(
@@ -54,7 +54,7 @@ def noise_warnings(of_map: Sequence[JointRow], every: Sequence[JointRow]) -> lis
     ]
 
 
-def span_warnings(every: Sequence[JointRow]) -> list[ControlWarning]:
+def span_warnings(every: Sequence[JointInTrial]) -> list[ControlWarning]:
     """Tell when a joint moves less and less on one task, over sessions or within the last one.
 
     Smaller movements that are also fewer for the same way are skill and no loss: then nothing is said.
@@ -86,12 +86,12 @@ def span_warnings(every: Sequence[JointRow]) -> list[ControlWarning]:
     return [ControlWarning(kind="span", joint=label, words=words, advice=advice)]
 
 
-def _unit(row: JointRow) -> float:
+def _unit(row: JointInTrial) -> float:
     """Return how many signal units a full scale of this trial's map is."""
     return (row.joint.span or 0.0) / row.joint.span_share if row.joint.span_share else 0.0
 
 
-def _per_metre(rows: Sequence[JointRow]) -> list[float]:
+def _per_metre(rows: Sequence[JointInTrial]) -> list[float]:
     known = (row.trial.quality.activations_per_metre for row in rows)
     return [value for value in known if value is not None]
 

@@ -54,7 +54,7 @@ def contacts_at_gaps(plan: FloorPlan, points: Numbers, t: Numbers, touching: NDA
     return int(near.sum())
 
 
-def following(leader: Track, asked: float, rows: Mapping[str, NDArray[Any]]) -> dict[str, float]:
+def following_errors(leader: Track, asked: float, rows: Mapping[str, NDArray[Any]]) -> dict[str, float]:
     """Return how well a leader was followed: errors of the distance between the two middles against `asked` (m)."""
     places = np.array([leader.at(float(scene_t)).pose[:2] for scene_t in rows["scene_t"]])
     error = np.hypot(rows["x"] - places[:, 0], rows["y"] - places[:, 1]) - asked

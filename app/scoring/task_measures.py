@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from app.geometry import Pose
 from app.scoring.command_counts import contact_beginnings
 from app.scoring.path_measures import path_measures
-from app.scoring.scene_measures import cones_touched, contacts_at_gaps, following, gap_clearance
+from app.scoring.scene_measures import cones_touched, contacts_at_gaps, following_errors, gap_clearance
 from app.world.floorplan import FloorPlan, PrescribedPath
 from app.world.scenery import Track
 from app.world.task_progress import CourseProgress, TaskProgress, TurnProgress, progress_of
@@ -72,7 +72,7 @@ def _simple(plan: FloorPlan, path: PrescribedPath, rows: Columns) -> Measures:
     else:
         measures = _along(path, rows)
     if isinstance(path.task, FollowLeader):
-        measures |= following(Track(plan.mover_named(path.task.leader)), path.task.distance, rows)
+        measures |= following_errors(Track(plan.mover_named(path.task.leader)), path.task.distance, rows)
     return measures | _met(plan, rows) | {"reached": progress.reached}
 
 

@@ -114,20 +114,20 @@ def timeline_of(folder: FilePath, path_points: list[Any], end: str | None) -> Ti
     rows = run.columns
     t = since_armed(rows)
     short = Decimation(run.rows, MOST_POINTS)
-    x, y = short.taken(rows["x"]), short.taken(rows["y"])
+    x, y = short.sampled(rows["x"]), short.sampled(rows["y"])
     along, across = _beside(path_points, x, y)
-    scene_t, plan = short.taken(scene_times(rows, t)), plan_of(run)
+    scene_t, plan = short.sampled(scene_times(rows, t)), plan_of(run)
     return Timeline(
-        t=column(short.taken(t)),
+        t=column(short.sampled(t)),
         x=column(x),
         y=column(y),
         along=along,
         across=across,
-        **{name: column(short.taken(rows[name])) for name in ("theta", "v", "omega")},
+        **{name: column(short.sampled(rows[name])) for name in ("theta", "v", "omega")},
         **{name: column(short.peaks(rows[name])) for name in ("u1", "u2")},
         scene_t=column(scene_t),
         movers=_movers(plan, scene_t),
-        state=short.taken(rows["state"]).tolist(),
+        state=short.sampled(rows["state"]).tolist(),
         contact=short.any(rows["in_contact"]).tolist(),
         gestures=_gestures(run, short),
         joints=_joints(run, short),

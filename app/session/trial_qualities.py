@@ -6,7 +6,7 @@ from pathlib import Path
 
 from app.refusals import Full
 from app.scoring.control_quality import ControlQuality
-from app.scoring.trial_quality import JudgedTrial
+from app.scoring.trial_assessment import TrialAssessment
 from app.session.readings import Quality
 from app.store.control_quality import map_version_of, save_quality, stored_quality
 from app.store.database import Database
@@ -36,7 +36,7 @@ class TrialQualities:
             save_quality(db, trial.id, made)
         return made
 
-    def judged(self, trials: list[Trial]) -> list[JudgedTrial]:
+    def judged(self, trials: list[Trial]) -> list[TrialAssessment]:
         """Return those of a patient's trials that count and could be judged, in the order driven."""
         with self._database.transaction() as db:
             places = {
@@ -48,5 +48,5 @@ class TrialQualities:
             quality = self.of(trial) if trial.kept else None
             if quality is not None:
                 task = f"{trial.floorplan}/{trial.path}"
-                found.append(JudgedTrial(trial.id, trial.number, *places[trial.id], task, quality))
+                found.append(TrialAssessment(trial.id, trial.number, *places[trial.id], task, quality))
         return found

@@ -11,8 +11,8 @@ from app.layout import ShirtLayout
 from app.scoring.learning import learning_curves
 from app.settings import data_folder
 from app.signals.signals import read_layout
+from app.study.participant import Participant
 from app.study.simulated_calibration import calibrate
-from app.study.simulated_person import Wearer
 from app.study.simulated_trial import StudyTrial, drive_trial
 from app.world.floorplan import FloorPlan, PrescribedPath
 
@@ -70,11 +70,11 @@ def run_study(
     """
     path = floorplan.path_named(path_name)
     layout = shirt_layout()
-    wearer = Wearer(Person(person, seed), layout, SAMPLE_RATE, seed + SEEDS_APART)
-    parameters = standard_parameters(calibrate(wearer))
+    participant = Participant(Person(person, seed), layout, SAMPLE_RATE, seed + SEEDS_APART)
+    parameters = standard_parameters(calibrate(participant))
     driven = []
     for number in range(1, trials + 1):
-        trial = drive_trial(number, wearer, parameters, floorplan, path)
+        trial = drive_trial(number, participant, parameters, floorplan, path)
         driven.append(trial)
         if progress is not None:
             progress(trial)

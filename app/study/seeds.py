@@ -23,7 +23,7 @@ Progress = Callable[[StudyResult], None]
 
 
 @dataclass(frozen=True, slots=True)
-class OverSeeds:
+class MeasureOverSeeds:
     """What one measure does from trial to trial, in how many of the seeds."""
 
     median: tuple[float | None, ...]  # of each trial, over the seeds in which it reached the goal; None where none did
@@ -81,7 +81,7 @@ def run_seeds(
     return tuple(done[seed] for seed in seeds)
 
 
-def over_seeds(results: Sequence[StudyResult], measure: str) -> OverSeeds:
+def measure_over_seeds(results: Sequence[StudyResult], measure: str) -> MeasureOverSeeds:
     """Say what one measure does over trials in how many of the studies, all with as many trials.
 
     As in a learning curve, a trial that did not reach the goal is left out: its distance and area are those of a part
@@ -92,7 +92,7 @@ def over_seeds(results: Sequence[StudyResult], measure: str) -> OverSeeds:
     directions = [trend.direction for trend in trends]
     steps = [largest_step(row.tolist()) for row in table]
     median = tuple(float(np.median(seen)) if len(seen := column[~np.isnan(column)]) else None for column in table.T)
-    return OverSeeds(
+    return MeasureOverSeeds(
         median=median,
         p=tuple(trend.p for trend in trends),
         falls=directions.count("falls"),
@@ -131,10 +131,10 @@ def _study_of(
     result = run_study(trials, seed, floorplan, path_name, person=person)
     if whole:
         return result
-    return dataclasses.replace(result, trials=tuple(thinned(trial) for trial in result.trials))
+    return dataclasses.replace(result, trials=tuple(decimated(trial) for trial in result.trials))
 
 
-def thinned(trial: StudyTrial) -> StudyTrial:
+def decimated(trial: StudyTrial) -> StudyTrial:
     """Return a trial with every tenth row of its trajectory, and the last one."""
     rows = np.unique(np.append(np.arange(0, len(trial.t), KEPT_EVERY), len(trial.t) - 1))
     columns = {name: getattr(trial, name)[rows] for name in ("t", "x", "y", "theta", "v", "omega")}

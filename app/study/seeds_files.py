@@ -15,14 +15,14 @@ import pyarrow.parquet
 from app import __version__
 from app.source import STUDY_SOURCE, source_words
 from app.study.experiment import StudyResult
-from app.study.seeds import EARLY, MEASURES, OverSeeds, over_seeds, thinned
+from app.study.seeds import EARLY, MEASURES, MeasureOverSeeds, decimated, measure_over_seeds
 from app.study.study_files import (
     TRIAL_COLUMNS,
     Draw,
+    atomic_folder,
     cell,
     person_document,
     trajectories_table,
-    whole_folder,
 )
 
 WORDS = {"dist": ("Dist", "m"), "e_diff": ("E_diff", "m²")}
@@ -40,7 +40,7 @@ def write_seeds(results: Sequence[StudyResult], folder: Path, draw: Draw, overwr
     OSError
         When the place cannot be written; nothing is left behind then.
     """
-    with whole_folder(folder, overwrite) as part:
+    with atomic_folder(folder, overwrite) as part:
         (part / "trials.csv").write_text(seeds_csv(results), encoding="utf-8")
         pyarrow.parquet.write_table(_trajectories(results), part / "trajectories.parquet", compression="zstd")
         document = json.dumps(seeds_summary(results), indent=1, allow_nan=False)
@@ -74,7 +74,7 @@ def seeds_summary(results: Sequence[StudyResult]) -> dict[str, Any]:
         "sample_rate": first.sample_rate,
         "person": person_document(first.person),
         "not_reached": sum(not trial.measures["reached"] for result in results for trial in result.trials),
-        "over_seeds": {measure: dataclasses.asdict(over_seeds(results, measure)) for measure in MEASURES},
+        "over_seeds": {measure: dataclasses.asdict(measure_over_seeds(results, measure)) for measure in MEASURES},
         "studies": [
             {
                 "seed": result.seed,
@@ -91,7 +91,7 @@ def seeds_summary(results: Sequence[StudyResult]) -> dict[str, Any]:
 
 def sentences(results: Sequence[StudyResult]) -> list[str]:
     """Say in plain sentences what comes of all seeds together."""
-    said = [_sentence(measure, over_seeds(results, measure), len(results)) for measure in MEASURES]
+    said = [_sentence(measure, measure_over_seeds(results, measure), len(results)) for measure in MEASURES]
     trials = sum(len(result.trials) for result in results)
     missed = sum(not trial.measures["reached"] for result in results for trial in result.trials)
     if missed:
@@ -99,7 +99,7 @@ def sentences(results: Sequence[StudyResult]) -> list[str]:
     return said
 
 
-def _sentence(measure: str, over: OverSeeds, seeds: int) -> str:
+def _sentence(measure: str, over: MeasureOverSeeds, seeds: int) -> str:
     name, unit = WORDS[measure]
 
     def number(value: float | None) -> str:
@@ -117,7 +117,7 @@ def _sentence(measure: str, over: OverSeeds, seeds: int) -> str:
 def _trajectories(results: Sequence[StudyResult]) -> pa.Table:
     """Return the trajectories of all seeds, about ten rows a second, with the column `seed` first."""
     whole = results[0]
-    sparse = dataclasses.replace(whole, trials=tuple(thinned(trial) for trial in whole.trials))
+    sparse = dataclasses.replace(whole, trials=tuple(decimated(trial) for trial in whole.trials))
     tables = []
     for result in (sparse, *results[1:]):
         table = trajectories_table(result)

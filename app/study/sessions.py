@@ -15,15 +15,15 @@ from app.calibration.vocabulary import DriveParameters, standard_parameters
 from app.hardware.body.person import Person
 from app.hardware.body.person_parameters import DETERIORATING, IMPROVING, PRACTISED, PersonParameters
 from app.study.experiment import SAMPLE_RATE, SEEDS_APART, shirt_layout
+from app.study.participant import Participant
 from app.study.simulated_calibration import calibrate, record_step
-from app.study.simulated_person import Wearer
-from app.study.simulated_trial import Heard, drive_trial
+from app.study.simulated_trial import FrameLog, drive_trial
 from app.world.floorplan import FloorPlan, PrescribedPath
 
 Mode = Literal["off", "suggest", "auto"]
-WhoAdapts = Literal["improving", "deteriorating", "redonned"]
+PersonKind = Literal["improving", "deteriorating", "redonned"]
 
-PERSONS: dict[WhoAdapts, PersonParameters] = {
+PERSONS: dict[PersonKind, PersonParameters] = {
     "improving": IMPROVING,
     "deteriorating": DETERIORATING,
     "redonned": PRACTISED,  # so that nothing but the shirt's seat changes from session to session
@@ -56,24 +56,24 @@ Progress = Callable[[SessionTrial], None]
 
 
 @dataclass(frozen=True, slots=True)
-class Calibrated:
+class CalibratedParticipant:
     """A person in the shirt, just after the calibration: each condition begins with a copy."""
 
-    who: WhoAdapts
+    who: PersonKind
     seed: int
-    wearer: Wearer
+    participant: Participant
     profile: CalibrationProfile
 
 
-def dressed(who: WhoAdapts, seed: int) -> Calibrated:
+def calibrated_participant(who: PersonKind, seed: int) -> CalibratedParticipant:
     """Return a person of this seed in the shirt, calibrated."""
-    wearer = Wearer(Person(PERSONS[who], seed), shirt_layout(), SAMPLE_RATE, seed + SEEDS_APART)
-    return Calibrated(who, seed, wearer, calibrate(wearer))
+    participant = Participant(Person(PERSONS[who], seed), shirt_layout(), SAMPLE_RATE, seed + SEEDS_APART)
+    return CalibratedParticipant(who, seed, participant, calibrate(participant))
 
 
 def run_sessions(
     mode: Mode,
-    first: Calibrated,
+    first: CalibratedParticipant,
     sessions: int,
     trials: int,
     floorplan: FloorPlan,
@@ -86,20 +86,20 @@ def run_sessions(
     moved to where the channels are now, in every mode: otherwise sound channels count as broken and nothing drives at
     all. The map is proposed from the trials of its own session, and in mode `auto` armed before the next trial.
     """
-    wearer, calibrated = deepcopy(first.wearer), first.profile
+    participant, calibrated = deepcopy(first.participant), first.profile
     parameters = standard_parameters(calibrated)
     rows: list[SessionTrial] = []
     for session in range(1, sessions + 1):
-        wearer.person.begin_session(session)
+        participant.person.begin_session(session)
         if first.who == "redonned" and session > 1:
-            wearer.don_again()
-            profile = range_moved(parameters.profile, [_loosened(wearer)], calibrated)
+            participant.don_again()
+            profile = range_moved(parameters.profile, [_loosened(participant)], calibrated)
             parameters = parameters.model_copy(update={"profile": profile})
         movements: list[Movement] = []
         for number in range(1, trials + 1):
-            heard: Heard = []
-            driven = drive_trial(number, wearer, parameters, floorplan, path, heard)
-            movements.append(_movement(heard))
+            frames: FrameLog = []
+            driven = drive_trial(number, participant, parameters, floorplan, path, frames)
+            movements.append(_movement(frames))
             proposal = None if mode == "off" else propose(parameters, movements, calibrated=calibrated, fresh=1)
             row = _row(mode, first.seed, session, number, parameters, driven.measures, driven.faults)
             if proposal is not None:
@@ -113,16 +113,16 @@ def run_sessions(
     return rows
 
 
-def _loosened(wearer: Wearer) -> Movement:
+def _loosened(participant: Participant) -> Movement:
     """Return what the channels do while the person moves freely for ten seconds, as after dressing."""
-    step = next(step for step in calibration_script(wearer.layout) if step.kind == "free")
-    values, _cue = record_step(wearer, step)
-    return Movement(values, wearer.sample_rate, np.zeros(len(values), dtype=np.bool_))
+    step = next(step for step in calibration_script(participant.layout) if step.kind == "free")
+    values, _cue = record_step(participant, step)
+    return Movement(values, participant.sample_rate, np.zeros(len(values), dtype=np.bool_))
 
 
-def _movement(heard: Heard) -> Movement:
-    values = np.array([frame for frame, _ in heard])
-    return Movement(values, SAMPLE_RATE, np.array([permitted for _, permitted in heard], dtype=np.bool_))
+def _movement(frames: FrameLog) -> Movement:
+    values = np.array([frame for frame, _ in frames])
+    return Movement(values, SAMPLE_RATE, np.array([permitted for _, permitted in frames], dtype=np.bool_))
 
 
 def _row(

@@ -12,22 +12,22 @@ from app.calibration.script import Step, calibration_script
 from app.cues import cue_index
 from app.layout import ShirtLayout
 from app.messages import NO_CUE
-from app.study.simulated_person import Wearer
+from app.study.participant import Participant
 
 Recorded = tuple[Step, NDArray[np.float32], NDArray[np.int32]]
 """A step, its frames (n, n_channels), and for each the index of its cue (n,)."""
 
 
-def calibrate(wearer: Wearer) -> CalibrationProfile:
-    """Take the wearer through rest, free movement and prompts, and fit the profile.
+def calibrate(participant: Participant) -> CalibrationProfile:
+    """Take the participant through rest, free movement and prompts, and fit the profile.
 
     Raises
     ------
     ValueError
         When no joint can be mapped.
     """
-    recorded = [(step, *record_step(wearer, step)) for step in calibration_script(wearer.layout)]
-    return fit_recorded(wearer.layout, wearer.sample_rate, recorded)
+    recorded = [(step, *record_step(participant, step)) for step in calibration_script(participant.layout)]
+    return fit_recorded(participant.layout, participant.sample_rate, recorded)
 
 
 def fit_recorded(layout: ShirtLayout, sample_rate: float, recorded: Sequence[Recorded]) -> CalibrationProfile:
@@ -47,14 +47,14 @@ def fit_recorded(layout: ShirtLayout, sample_rate: float, recorded: Sequence[Rec
     return fit_profile(layout, sample_rate, free, rest, repetitions)
 
 
-def record_step(wearer: Wearer, step: Step) -> tuple[NDArray[np.float32], NDArray[np.int32]]:
+def record_step(participant: Participant, step: Step) -> tuple[NDArray[np.float32], NDArray[np.int32]]:
     """Return the frames of one step (n, n_channels), and for each the index of its cue (n,)."""
-    count = round(step.duration * wearer.sample_rate)
-    values = np.empty((count, len(wearer.layout.channels)), dtype=np.float32)
+    count = round(step.duration * participant.sample_rate)
+    values = np.empty((count, len(participant.layout.channels)), dtype=np.float32)
     cue = np.empty(count, dtype=np.int32)
     for i in range(count):
-        run_t = i / wearer.sample_rate
+        run_t = i / participant.sample_rate
         cue[i] = cue_index(step.cues, run_t)
         asked = None if cue[i] == NO_CUE else step.cues[cue[i]]
-        values[i] = wearer.follow(asked, run_t - asked.start if asked else 0.0).values
+        values[i] = participant.follow(asked, run_t - asked.start if asked else 0.0).values
     return values, cue

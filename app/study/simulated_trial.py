@@ -14,7 +14,7 @@ from app.messages import Tick
 from app.pipeline.chain import Chain
 from app.pipeline.safety import Conditions
 from app.scoring.task_measures import task_measures
-from app.study.simulated_person import Wearer
+from app.study.participant import Participant
 from app.world.floorplan import FloorPlan, PrescribedPath
 from app.world.task_progress import leader_of, progress_of
 
@@ -24,7 +24,7 @@ LONGEST_WAIT = 30.0  # s for motion to be permitted at all; then nobody lets the
 COLUMNS = ("t", "x", "y", "theta", "v", "omega", "u1", "u2", "in_contact", "contacts", "scene_t")
 
 Numbers = NDArray[np.float64]
-Heard = list[tuple[NDArray[np.float32], bool]]
+FrameLog = list[tuple[NDArray[np.float32], bool]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,45 +44,45 @@ class StudyTrial:
 
 def drive_trial(
     number: int,
-    wearer: Wearer,
+    participant: Participant,
     parameters: DriveParameters,
     floorplan: FloorPlan,
     path: PrescribedPath,
-    heard: Heard | None = None,
+    frames: FrameLog | None = None,
 ) -> StudyTrial:
     """Drive the path once, until the goal or the path's time limit, and score it.
 
-    `heard` takes every frame with whether motion was permitted, from the rest before the trial on.
+    `frames` takes every frame with whether motion was permitted, from the rest before the trial on.
     """
     chair = VirtualChair(floorplan, path.start)
-    chain = Chain(wearer.sample_rate, parameters, chair)
-    wearer.person.show_task(floorplan, path)
+    chain = Chain(participant.sample_rate, parameters, chair)
+    participant.person.show_task(floorplan, path)
     conditions = Conditions()
-    heard = [] if heard is None else heard
-    _settle(wearer, chain, conditions, heard)
-    rows, faults = _drive(wearer, chain, chair, conditions, floorplan, path, heard)
+    frames = [] if frames is None else frames
+    _settle(participant, chain, conditions, frames)
+    rows, faults = _drive(participant, chain, chair, conditions, floorplan, path, frames)
     column = dict(zip(COLUMNS, np.array(rows, dtype=np.float64).T, strict=True))
     column["t"] = column["t"] - column["t"][0]
     measures = task_measures(floorplan, path, column)
     return StudyTrial(number, measures, faults, *(column[name] for name in ("t", "x", "y", "theta", "v", "omega")))
 
 
-def _settle(wearer: Wearer, chain: Chain, conditions: Conditions, heard: Heard) -> None:
+def _settle(participant: Participant, chain: Chain, conditions: Conditions, frames: FrameLog) -> None:
     """Sit still for a moment, disarmed."""
-    for _ in range(round(REST_BEFORE * wearer.sample_rate)):
-        frame = wearer.rest()
+    for _ in range(round(REST_BEFORE * participant.sample_rate)):
+        frame = participant.rest()
         chain.step(frame, frame.t, conditions)
-        heard.append((frame.values, False))
+        frames.append((frame.values, False))
 
 
 def _drive(
-    wearer: Wearer,
+    participant: Participant,
     chain: Chain,
     chair: VirtualChair,
     conditions: Conditions,
     floorplan: FloorPlan,
     path: PrescribedPath,
-    heard: Heard,
+    frames: FrameLog,
 ) -> tuple[list[tuple[float, ...]], int]:
     """Return one row per tick since motion was permitted, and how many faults were latched on the way."""
     progress, leader = progress_of(floorplan, path), leader_of(floorplan, path)
@@ -90,7 +90,7 @@ def _drive(
     faults = 0
     clear_at = 0.0
     chain.arm()
-    frame = wearer.rest()
+    frame = participant.rest()
     tick = chain.step(frame, frame.t, conditions)
     deadline = frame.t + min(LONGEST_WAIT, path.time_limit)
     while frame.t < deadline:
@@ -102,9 +102,9 @@ def _drive(
             chain.arm()
             clear_at = 0.0
         ahead = None if leader is None else leader.at(chair.state.scene_t)
-        frame = wearer.drive(tick.state is State.ARMED, chair.state, ahead)
+        frame = participant.drive(tick.state is State.ARMED, chair.state, ahead)
         tick = chain.step(frame, frame.t, conditions)
-        heard.append((frame.values, tick.state is State.ARMED))
+        frames.append((frame.values, tick.state is State.ARMED))
         if not rows and tick.state is State.ARMED:
             deadline = frame.t + path.time_limit
         if rows or tick.state is State.ARMED:

@@ -52,7 +52,7 @@ def write_study(result: StudyResult, folder: Path, draw: Draw, overwrite: bool =
     OSError
         When the place cannot be written; nothing is left behind then.
     """
-    with whole_folder(folder, overwrite) as part:
+    with atomic_folder(folder, overwrite) as part:
         (part / "trials.csv").write_text(trials_csv(result), encoding="utf-8")
         pyarrow.parquet.write_table(trajectories_table(result), part / "trajectories.parquet", compression="zstd")
         (part / "study.json").write_text(
@@ -62,7 +62,7 @@ def write_study(result: StudyResult, folder: Path, draw: Draw, overwrite: bool =
 
 
 @contextmanager
-def whole_folder(folder: Path, overwrite: bool) -> Iterator[Path]:
+def atomic_folder(folder: Path, overwrite: bool) -> Iterator[Path]:
     """Yield a folder beside `folder` to write into; it takes that place when all went well, and is gone otherwise.
 
     Raises

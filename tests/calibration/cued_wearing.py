@@ -7,15 +7,15 @@ from app.calibration.script import calibration_script
 from app.hardware.body.person import Person
 from app.hardware.body.person_parameters import PRACTISED
 from app.hardware.shirt.standard import standard_layout
+from app.study.participant import Participant
 from app.study.simulated_calibration import fit_recorded, record_step
-from app.study.simulated_person import Wearer
 
 RATE = 100.0
 
 
 def dressed(seed=1, tremor=0.0, layout=None):
     person = Person(replace(PRACTISED, tremor=tremor), seed)
-    return Wearer(person, layout or standard_layout(), RATE, seed)
+    return Participant(person, layout or standard_layout(), RATE, seed)
 
 
 def recorded(wearer):

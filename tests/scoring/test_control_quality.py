@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from session.known_strokes import COUNT, JOINTS, RATE, SECONDS, along, frames, parameters, strokes, turned
 
 from app.scoring.control_quality import control_quality, cross_talk
-from app.scoring.joint_quality import fit_of_movement, stillest, stretches
+from app.scoring.joint_quality import map_fit, rest_noise, stretches
 
 
 def judged(values: np.ndarray, activation: np.ndarray | None = None, **more: object):
@@ -65,7 +65,7 @@ def test_angle_evr_and_null_space_are_those_of_the_covariance(seed, count, degre
     )
     angle = math.radians(degrees)
     weights = math.cos(angle) * direction + math.sin(angle) * aside
-    fit = fit_of_movement(movement, np.ones(1000, dtype=bool), weights, RATE)
+    fit = map_fit(movement, np.ones(1000, dtype=bool), weights, RATE)
     assert fit is not None
     assert fit.angle_deg == pytest.approx(degrees, abs=1e-4)
     assert fit.evr == pytest.approx(1.0 / (1.0 + across), abs=1e-9)
@@ -110,12 +110,12 @@ def test_noise_at_rest_is_told_among_the_strokes(noise):
     rate = noise * random.standard_normal(6000) + np.where(
         np.arange(6000) % 400 < 200, 3.0 * np.sin(np.arange(6000)), 0
     )
-    found = stillest(rate, np.ones(6000, dtype=bool), RATE)
+    found = rest_noise(rate, np.ones(6000, dtype=bool), RATE)
     assert found == pytest.approx(noise, rel=0.15)
 
 
 def test_a_rest_too_short_is_not_told():
-    assert stillest(np.zeros(200), np.ones(200, dtype=bool), RATE) is None
+    assert rest_noise(np.zeros(200), np.ones(200, dtype=bool), RATE) is None
 
 
 def test_stretches_are_found_to_the_sample():

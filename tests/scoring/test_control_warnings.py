@@ -8,9 +8,9 @@ import pytest
 from scoring.warning_cases import CONDITIONS, sessions_of, warned
 
 from app.scoring.control_quality import BadChannel, ControlQuality
-from app.scoring.control_warnings import warnings_of_control
+from app.scoring.control_warnings import control_warnings
 from app.scoring.joint_quality import JointQuality
-from app.scoring.trial_quality import JudgedTrial
+from app.scoring.trial_assessment import TrialAssessment
 
 CHANNELS = ("e1", "e2", "e3")
 
@@ -35,7 +35,7 @@ def joint(turn_deg: float = 0.0, **more: Any) -> JointQuality:
     return JointQuality.model_validate({**known, **more})
 
 
-def trial(number: int, *joints: JointQuality, session: int = 1, per_metre: float = 2.0, **more: Any) -> JudgedTrial:
+def trial(number: int, *joints: JointQuality, session: int = 1, per_metre: float = 2.0, **more: Any) -> TrialAssessment:
     known = joints or (joint(),)
     quality = ControlQuality(
         map_angle_deg=5.0,
@@ -47,34 +47,36 @@ def trial(number: int, *joints: JointQuality, session: int = 1, per_metre: float
         joints=known,
         bad_channels=more.pop("bad", ()),
     )
-    return JudgedTrial(number, number, session, more.pop("map_version", 1), more.pop("task", "clinic/main"), quality)
+    return TrialAssessment(
+        number, number, session, more.pop("map_version", 1), more.pop("task", "clinic/main"), quality
+    )
 
 
 def bad(name: str, share: float, silent: bool = True) -> BadChannel:
     return BadChannel(name=name, joint="right_elbow", share=share, silent=silent)
 
 
-def kinds(trials: list[JudgedTrial], **more: Any) -> list[str]:
-    found = warnings_of_control(trials, **more).warnings
+def kinds(trials: list[TrialAssessment], **more: Any) -> list[str]:
+    found = control_warnings(trials, **more).warnings
     assert all(len(one.words) > 20 and len(one.advice) > 20 and one.advice.endswith(".") for one in found)
     return [one.kind for one in found]
 
 
 def test_nothing_is_said_of_nothing_and_of_steady_trials():
-    assert warnings_of_control([]) == ([], "")
+    assert control_warnings([]) == ([], "")
     random = np.random.default_rng(1)
     trials = [trial(n, joint(random.normal(0, 1.5), span=random.normal(2, 0.1)), session=1 + n // 4) for n in range(32)]
-    assert warnings_of_control(trials) == ([], "")
+    assert control_warnings(trials) == ([], "")
 
 
 def test_few_trials_are_called_few():
-    assert "1 in the last session, and 1 session" in warnings_of_control([trial(1)]).note
-    assert warnings_of_control([trial(n) for n in range(8)]).note == ""
-    assert "of one task" in warnings_of_control([trial(n, task=f"clinic/{n}") for n in range(8)]).note
+    assert "1 in the last session, and 1 session" in control_warnings([trial(1)]).note
+    assert control_warnings([trial(n) for n in range(8)]).note == ""
+    assert "of one task" in control_warnings([trial(n, task=f"clinic/{n}") for n in range(8)]).note
 
 
 def test_a_sensor_that_died_in_the_last_trial_is_named_with_what_to_do():
-    (warning,) = warnings_of_control([trial(1), trial(2, bad=(bad("e2", 0.64),))]).warnings
+    (warning,) = control_warnings([trial(1), trial(2, bad=(bad("e2", 0.64),))]).warnings
     assert (warning.kind, warning.joint) == ("sensor", "Right elbow")
     assert "e2 gave no signal for 64%" in warning.words
     assert "plug" in warning.advice
@@ -84,7 +86,7 @@ def test_a_sensor_that_died_in_the_last_trial_is_named_with_what_to_do():
 
 def test_sensors_that_leave_their_range_together_are_the_shirts_doing():
     outside = (bad("e1", 1.0, silent=False), bad("e3", 1.0, silent=False))
-    (warning,) = warnings_of_control([trial(1, bad=outside)]).warnings
+    (warning,) = control_warnings([trial(1, bad=outside)]).warnings
     assert (warning.kind, "2 sensors" in warning.words) == ("map", True)
     assert "calibrate again" in warning.advice
     assert kinds([trial(1, bad=outside[:1])]) == ["sensor"]
@@ -102,7 +104,7 @@ def test_a_direction_that_turned_since_the_first_trials_of_the_map(turn_deg, exp
     trials = [trial(n) for n in range(3)] + [trial(3 + n, joint(turn_deg), session=2) for n in range(2)]
     assert kinds(trials) == expected
     if expected:
-        assert "turned by 12°" in warnings_of_control(trials).warnings[0].words
+        assert "turned by 12°" in control_warnings(trials).warnings[0].words
     assert kinds(trials[:-1]) == []  # one trial is none
 
 
@@ -113,7 +115,7 @@ def test_a_new_map_begins_anew():
 
 def test_a_map_that_never_fitted():
     trials = [trial(n, joint(map_angle_deg=41.0, null_space_share=0.43)) for n in range(3)]
-    (warning,) = warnings_of_control(trials).warnings
+    (warning,) = control_warnings(trials).warnings
     assert "41° beside the map" in warning.words
     assert "43%" in warning.words
 
@@ -126,7 +128,7 @@ def test_a_movement_that_falls_apart():
 
 def test_a_guided_joint_is_called_one():
     trials = [trial(n, joint(map_angle_deg=41.0, guided=True, dead_zone=None)) for n in range(3)]
-    assert "guided map decodes" in warnings_of_control(trials).warnings[0].advice
+    assert "guided map decodes" in control_warnings(trials).warnings[0].advice
 
 
 def test_noise_near_the_dead_zone_and_noise_that_grows():
@@ -134,13 +136,13 @@ def test_noise_near_the_dead_zone_and_noise_that_grows():
     assert kinds([trial(n, joint(rest_rate=0.045)) for n in range(2)]) == []
     growing = [trial(n, joint(rest_rate=0.01 * 1.08**n)) for n in range(10)]
     assert kinds(growing) == ["noise"]
-    assert "times that of the first trials" in warnings_of_control(growing).warnings[0].words
+    assert "times that of the first trials" in control_warnings(growing).warnings[0].words
     assert kinds(growing[:7]) == []
     assert kinds([trial(n, joint(rest_rate=0.01 * 1.01**n)) for n in range(10)]) == []
 
 
 def test_a_span_that_falls_over_sessions_or_within_one():
-    def over(fall: float, per_metre: float = 0.0, task: str = "") -> list[JudgedTrial]:
+    def over(fall: float, per_metre: float = 0.0, task: str = "") -> list[TrialAssessment]:
         return [
             trial(
                 3 * s + n,
@@ -154,13 +156,13 @@ def test_a_span_that_falls_over_sessions_or_within_one():
         ]
 
     assert kinds(over(0.02)) == ["span"]
-    assert "10% smaller over 6 sessions" in warnings_of_control(over(0.02)).warnings[0].words
+    assert "10% smaller over 6 sessions" in control_warnings(over(0.02)).warnings[0].words
     assert kinds(over(0.01)) == []
     assert kinds(over(0.02)[:9]) == []  # three sessions
     assert kinds(over(0.02, per_metre=0.02)) == []  # fewer and smaller: skill
     tired = [trial(n, joint(span=2.0 * 0.96**n)) for n in range(9)]
     assert kinds(tired) == ["span"]
-    assert "rest" in warnings_of_control(tired).warnings[0].advice
+    assert "rest" in control_warnings(tired).warnings[0].advice
     other = [trial(n, joint(span=1.0), task="clinic/corner") for n in range(3)]
     assert kinds([trial(n) for n in range(9)] + other) == []
 

@@ -17,7 +17,7 @@ def test_columns_are_short_and_keep_peaks_and_order(n, most, seed):
     column = rng.normal(size=n)
     column[rng.random(n) < 0.2] = np.nan
     short = Decimation(n, most)
-    peaks, taken, touched = short.peaks(column), short.taken(np.arange(n)), short.any(column > 1)
+    peaks, taken, touched = short.peaks(column), short.sampled(np.arange(n)), short.any(column > 1)
     assert len(peaks) == len(taken) == len(touched) == len(short.rows) <= max(most, 2)
     assert (np.diff(short.rows) >= 0).all()
     assert ((short.rows >= 0) & (short.rows < n)).all()

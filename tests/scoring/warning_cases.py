@@ -18,11 +18,11 @@ from app.hardware.body.person_parameters import DETERIORATING, IMPROVING, NOVICE
 from app.messages import SensorFrame
 from app.pipeline.replay.batch import decode_block
 from app.scoring.control_quality import control_quality
-from app.scoring.control_warnings import warnings_of_control
-from app.scoring.trial_quality import ControlWarning, JudgedTrial
+from app.scoring.control_warnings import control_warnings
+from app.scoring.trial_assessment import ControlWarning, TrialAssessment
 from app.study.experiment import SAMPLE_RATE, SEEDS_APART, shirt_layout
+from app.study.participant import Participant
 from app.study.simulated_calibration import calibrate
-from app.study.simulated_person import Wearer
 from app.study.simulated_trial import drive_trial
 from app.world.scene import find_place
 
@@ -54,7 +54,7 @@ CONDITIONS = {
 }
 
 
-class RecordedWearer(Wearer):
+class RecordedParticipant(Participant):
     """Keeps its frames; a channel may stand still from now on."""
 
     def __init__(self, person: Person, seed: int) -> None:
@@ -70,35 +70,35 @@ class RecordedWearer(Wearer):
         return frame
 
 
-def sessions_of(condition: Condition, seed: int, place: str = PLACE, path_name: str = PATH) -> list[JudgedTrial]:
+def sessions_of(condition: Condition, seed: int, place: str = PLACE, path_name: str = PATH) -> list[TrialAssessment]:
     """Drive all sessions of one person, and return the trials in the order driven."""
     plan = find_place(place)
     path = plan.path_named(path_name)
-    wearer = RecordedWearer(Person(condition.person, seed), seed + SEEDS_APART)
-    parameters, version = standard_parameters(calibrate(wearer)), 1
-    trials: list[JudgedTrial] = []
+    participant = RecordedParticipant(Person(condition.person, seed), seed + SEEDS_APART)
+    parameters, version = standard_parameters(calibrate(participant)), 1
+    trials: list[TrialAssessment] = []
     for session in range(1, condition.sessions + 1):
-        wearer.person.begin_session(session)
+        participant.person.begin_session(session)
         if session == condition.turned:
-            offsets = wearer._fabric._offsets
-            wearer._fabric.don_again()
-            wearer._fabric._offsets = offsets
+            offsets = participant._fabric._offsets
+            participant._fabric.don_again()
+            participant._fabric._offsets = offsets
         if session == condition.worn_again or (condition.calibrated_again and session > 1):
-            wearer._fabric.don_again()
+            participant._fabric.don_again()
         if condition.calibrated_again and session > 1:
-            parameters, version = standard_parameters(calibrate(wearer)), version + 1
+            parameters, version = standard_parameters(calibrate(participant)), version + 1
         for number in range(1, condition.trials + 1):
             if session == condition.dies and number == 2:
-                wearer.dead = np.random.default_rng(seed).choice(_used(parameters))
-            wearer.frames.clear()
-            driven = drive_trial(len(trials) + 1, wearer, parameters, plan, path)
-            values = np.array(wearer.frames)
+                participant.dead = np.random.default_rng(seed).choice(_used(parameters))
+            participant.frames.clear()
+            driven = drive_trial(len(trials) + 1, participant, parameters, plan, path)
+            values = np.array(participant.frames)
             t = np.arange(len(values)) / SAMPLE_RATE
             armed = np.arange(len(values)) >= len(values) - len(driven.t)
             activation = decode_block(parameters, SAMPLE_RATE, t, values).activation
             way = float(np.hypot(np.diff(driven.x), np.diff(driven.y)).sum())
             quality = control_quality(parameters, SAMPLE_RATE, values, armed, activation, way)
-            trials.append(JudgedTrial(len(trials) + 1, len(trials) + 1, session, version, path_name, quality))
+            trials.append(TrialAssessment(len(trials) + 1, len(trials) + 1, session, version, path_name, quality))
     return trials
 
 
@@ -107,11 +107,11 @@ def _used(parameters: DriveParameters) -> list[int]:
     return [channel for joint in parameters.profile.joints if joint.name in bound for channel in joint.channels]
 
 
-def warned(trials: list[JudgedTrial]) -> dict[int, list[ControlWarning]]:
+def warned(trials: list[TrialAssessment]) -> dict[int, list[ControlWarning]]:
     """Return what would have been said after each session, as a clinician would have seen it after each."""
     said = {}
     for session in sorted({trial.session for trial in trials}):
-        said[session] = warnings_of_control([trial for trial in trials if trial.session <= session]).warnings
+        said[session] = control_warnings([trial for trial in trials if trial.session <= session]).warnings
     return said
 
 

@@ -11,7 +11,7 @@ import pytest
 
 from app.hardware.body.person_parameters import NOVICE
 from app.hardware.body.person_ranges import RANGES, out_of_range
-from app.study.seeds import comparable_table, over_seeds, run_seeds
+from app.study.seeds import comparable_table, measure_over_seeds, run_seeds
 from app.world.floorplan import FloorPlan
 
 SEEDS = (1, 2)
@@ -53,7 +53,7 @@ def test_the_quick_learner_is_still_human() -> None:
 
 
 def test_with_learning_the_distance_falls_in_everybody(learners) -> None:
-    over = over_seeds(learners, "dist")
+    over = measure_over_seeds(learners, "dist")
     assert over.falls == len(SEEDS), over
     e_diff = comparable_table(learners, "e_diff")
     assert np.all(np.mean(e_diff[:, -3:], axis=1) < 0.8 * np.mean(e_diff[:, :3], axis=1))
@@ -61,7 +61,7 @@ def test_with_learning_the_distance_falls_in_everybody(learners) -> None:
 
 def test_without_learning_nothing_falls(others) -> None:
     for measure in ("dist", "e_diff"):
-        over = over_seeds(others, measure)
+        over = measure_over_seeds(others, measure)
         assert over.falls == 0, over
         assert over.no_trend == len(SEEDS), over
 

@@ -18,7 +18,7 @@ from app.figures.study_figures import draw_seeds
 from app.hardware.body.person_parameters import PRACTISED
 from app.scoring.learning import learning_curves
 from app.study.experiment import StudyResult, run_study
-from app.study.seeds import largest_step, over_seeds, run_seeds, thinned
+from app.study.seeds import decimated, largest_step, measure_over_seeds, run_seeds
 from app.study.seeds_files import seeds_summary, sentences, write_seeds
 from app.study.simulated_trial import StudyTrial
 from app.world.floorplan import bundled_floorplans, load_floorplan
@@ -62,28 +62,28 @@ def test_the_outcome_of_a_seed_does_not_depend_on_the_others(pair) -> None:
     alone = run_study(2, 6, CLINIC, "corridor", person=PRACTISED)
     assert [result.seed for result in pair] == [5, 6]
     assert [trial.measures for trial in pair[1].trials] == [trial.measures for trial in alone.trials]
-    assert np.array_equal(pair[1].trials[1].x, thinned(alone.trials[1]).x)
+    assert np.array_equal(pair[1].trials[1].x, decimated(alone.trials[1]).x)
 
 
 def test_seeds_that_fall_rise_and_stay_are_counted() -> None:
     rising = tuple(reversed(FALLING))
-    over = over_seeds([made(1, FALLING), made(2, LEVEL), made(3, rising), made(4, LATE)], "e_diff")
+    over = measure_over_seeds([made(1, FALLING), made(2, LEVEL), made(3, rising), made(4, LATE)], "e_diff")
     assert (over.falls, over.rises, over.no_trend) == (2, 1, 1)
     assert over.early_steps == 1  # 9 to 5; the others fall most later, or never
     assert over.p[0] < 0.05 < over.p[1]
     assert over.median[0] == pytest.approx(np.median([9.0, 4.0, 2.8, 9.0]))
-    assert over_seeds([made(1, FALLING)], "dist").median[0] == pytest.approx(19.0)
-    assert over_seeds([made(1, FALLING), made(2, LATE)], "e_diff").median_step == 5
+    assert measure_over_seeds([made(1, FALLING)], "dist").median[0] == pytest.approx(19.0)
+    assert measure_over_seeds([made(1, FALLING), made(2, LATE)], "e_diff").median_step == 5
 
 
 def test_a_trial_that_missed_the_goal_is_left_out() -> None:
     missed = [True] * 8
     missed[0] = False
-    over = over_seeds([made(1, FALLING, missed)], "e_diff")
+    over = measure_over_seeds([made(1, FALLING, missed)], "e_diff")
     assert over.median[0] is None
     assert over.early_steps == 1  # from the second to the third
     assert over.median_step == 2
-    nothing = over_seeds([made(1, FALLING, [False] * 8)], "e_diff")
+    nothing = measure_over_seeds([made(1, FALLING, [False] * 8)], "e_diff")
     assert nothing.median == (None,) * 8
     assert (nothing.no_trend, nothing.early_steps, nothing.median_step) == (1, 0, None)
     assert "left out" in sentences([made(1, FALLING, missed)])[-1]
@@ -117,7 +117,7 @@ def test_a_folder_of_several_seeds(pair, tmp_path) -> None:
     assert float(rows[3]["e_diff"]) == pair[1].trials[1].measures["e_diff"]
     table = pyarrow.parquet.read_table(folder / "trajectories.parquet")
     assert table.column_names[0] == "seed"
-    assert table.num_rows == sum(len(thinned(t).t) for t in pair[0].trials) + sum(len(t.t) for t in pair[1].trials)
+    assert table.num_rows == sum(len(decimated(t).t) for t in pair[0].trials) + sum(len(t.t) for t in pair[1].trials)
     document = json.loads((folder / "study.json").read_text(encoding="utf-8"))
     assert document["seeds"] == [5, 6]
     assert document["person"]["learns"] is True
@@ -160,4 +160,4 @@ def test_seeds_beyond_the_largest_are_refused(tmp_path) -> None:
 def test_a_thinned_trial_keeps_its_end() -> None:
     trial = made(1, FALLING).trials[0]
     long = dataclasses.replace(trial, **{name: np.arange(95.0) for name in ("t", "x", "y", "theta", "v", "omega")})
-    assert thinned(long).t.tolist() == [0, 10, 20, 30, 40, 50, 60, 70, 80, 90, 94]
+    assert decimated(long).t.tolist() == [0, 10, 20, 30, 40, 50, 60, 70, 80, 90, 94]

@@ -5,7 +5,7 @@ import json
 import pytest
 
 from app.cli.study import study
-from app.study.sessions import dressed, run_sessions
+from app.study.sessions import calibrated_participant, run_sessions
 from app.world.floorplan import bundled_floorplans, load_floorplan
 
 CLINIC = load_floorplan(bundled_floorplans()["clinic"])
@@ -14,7 +14,7 @@ CORRIDOR = CLINIC.path_named("corridor")
 
 @pytest.fixture(scope="module")
 def first():
-    return dressed("redonned", 5)
+    return calibrated_participant("redonned", 5)
 
 
 def test_both_conditions_begin_alike_and_what_is_applied_keeps_its_limits(first) -> None:

@@ -6,27 +6,27 @@ from app.calibration.vocabulary import DriveParameters, standard_parameters
 from app.hardware.body.person import Person
 from app.hardware.body.person_parameters import PRACTISED
 from app.study.experiment import SAMPLE_RATE, shirt_layout
+from app.study.participant import Participant
 from app.study.simulated_calibration import calibrate
-from app.study.simulated_person import Wearer
 from app.study.simulated_trial import drive_trial
 from app.world.scene import bundled_scenes, load_scene
 
 
 @pytest.fixture(scope="module")
-def dressed() -> tuple[Wearer, DriveParameters]:
+def calibrated_participant() -> tuple[Participant, DriveParameters]:
     """Somebody in the shirt, with the controls that his calibration gave."""
-    wearer = Wearer(Person(PRACTISED, 1), shirt_layout(), SAMPLE_RATE, 2)
-    return wearer, standard_parameters(calibrate(wearer))
+    participant = Participant(Person(PRACTISED, 1), shirt_layout(), SAMPLE_RATE, 2)
+    return participant, standard_parameters(calibrate(participant))
 
 
 @pytest.fixture
-def drive(dressed):
+def drive(calibrated_participant):
     """Return what drives a task of a bundled scene and gives the trial."""
-    wearer, parameters = dressed
+    participant, parameters = calibrated_participant
 
     def measured(scene: str, level: str, task: str):
         plan = load_scene(bundled_scenes()[scene]).plans[level]
-        return drive_trial(1, wearer, parameters, plan, plan.path_named(task))
+        return drive_trial(1, participant, parameters, plan, plan.path_named(task))
 
     return measured
 

@@ -8,8 +8,8 @@ from app.api.deps import Anyone, PeopleParts, RowId
 from app.api.parts import FlowParts
 from app.api.routes.source_view import RequestedGroup
 from app.quantities import Document
-from app.scoring.control_warnings import warnings_of_control
-from app.scoring.trial_quality import ControlWarning, JudgedTrial
+from app.scoring.control_warnings import control_warnings
+from app.scoring.trial_assessment import ControlWarning, TrialAssessment
 from app.source import SourceGroup
 from app.store.log import write_log
 from app.store.parameters import newest_profile
@@ -60,7 +60,7 @@ def quality(
         newest = newest_profile(db, patient_id)
         write_log(db, who.name, "patient viewed", patient=patient_id)
     judged = flows.qualities.judged([trial for trial in trials if trial.run.source.group == source])
-    found = warnings_of_control(judged, None if newest is None else newest.version)
+    found = control_warnings(judged, None if newest is None else newest.version)
     return QualityView(
         source=source,
         trials=[_row(one) for one in judged],
@@ -70,7 +70,7 @@ def quality(
     )
 
 
-def _row(trial: JudgedTrial) -> QualityRow:
+def _row(trial: TrialAssessment) -> QualityRow:
     return QualityRow(
         id=trial.id,
         number=trial.number,

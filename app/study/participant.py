@@ -13,7 +13,7 @@ from app.messages import SensorFrame
 from app.world.scenery import Place
 
 
-class Wearer:
+class Participant:
     """Hands out the shirt's frames as fast as they are asked for; its time is the number of frames over the rate."""
 
     def __init__(self, person: Person, layout: ShirtLayout, sample_rate: float, seed: int) -> None:

@@ -15,7 +15,7 @@ FEWEST = 2  # trials that must agree before anything but a sensor is warned of
 Kind = Literal["sensor", "map", "noise", "span"]
 
 
-class JudgedTrial(NamedTuple):
+class TrialAssessment(NamedTuple):
     """A trial that counts, with how well it was controlled."""
 
     id: int
@@ -35,23 +35,23 @@ class ControlWarning(Document):
     advice: str  # what to do
 
 
-class JointRow(NamedTuple):
+class JointInTrial(NamedTuple):
     """One joint in one trial."""
 
-    trial: JudgedTrial
+    trial: TrialAssessment
     joint: JointQuality
 
 
-def rows_of(trials: Iterable[JudgedTrial], name: str) -> list[JointRow]:
+def trials_of_joint(trials: Iterable[TrialAssessment], name: str) -> list[JointInTrial]:
     """Return one joint of the trials that have it, in their order."""
-    return [JointRow(trial, joint) for trial in trials for joint in trial.quality.joints if joint.name == name]
+    return [JointInTrial(trial, joint) for trial in trials for joint in trial.quality.joints if joint.name == name]
 
 
-def comparable(rows: Sequence[JointRow]) -> list[JointRow]:
+def comparable_trials(rows: Sequence[JointInTrial]) -> list[JointInTrial]:
     """Return those whose map reads the same channels as the last one's: only their signal units are the same."""
     return [row for row in rows if set(row.joint.channels) == set(rows[-1].joint.channels)]
 
 
-def median(rows: Sequence[JointRow], name: str) -> float:
+def median_of(rows: Sequence[JointInTrial], name: str) -> float:
     """Return the median of one of the joint's figures, which each row must have."""
     return float(np.median([getattr(row.joint, name) for row in rows]))
