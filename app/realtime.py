@@ -8,7 +8,7 @@ import sys
 
 LOOP_PRIORITY = 10  # of SCHED_FIFO: above every ordinary program, below the kernel's own threads
 RECORDER_PRIORITY = 5  # below the loop, above what could hold it up while it has the interpreter that the loop wants
-GIVING_WAY = 10  # of nice: a tenth of the time of an ordinary process that wants the same core
+NICENESS = 10  # of nice: a tenth of the time of an ordinary process that wants the same core
 SWITCH_INTERVAL = 1e-4  # s: how long the recorder may hold the interpreter when the loop wants it
 MCL_CURRENT, MCL_FUTURE, MCL_ONFAULT = 1, 2, 4
 LOCK = MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT  # what is in use stays; reserved but untouched memory is not filled
@@ -23,11 +23,11 @@ def go_real_time() -> list[str]:
     words = [_take_loop_priority(), _lock_memory()]
     gc.collect()
     gc.freeze()
-    gc.disable()  # `tidy` collects at moments when nothing moves
+    gc.disable()  # `collect_garbage` collects at moments when nothing moves
     return words
 
 
-def tidy() -> None:
+def collect_garbage() -> None:
     """Collect garbage; to be called only while the chair stands."""
     gc.collect()
     gc.freeze()
@@ -50,9 +50,9 @@ def take_priority(priority: int) -> bool:
     return True
 
 
-def give_way() -> None:
+def lower_priority() -> None:
     """Let ordinary processes run before this one."""
-    os.nice(GIVING_WAY)
+    os.nice(NICENESS)
 
 
 def _take_loop_priority() -> str:

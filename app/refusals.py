@@ -11,7 +11,7 @@ class NotFound(Refusal):
     """What was asked for does not exist, or not for this clinic."""
 
 
-class AnotherClinics(NotFound):
+class OtherClinicRow(NotFound):
     """What was asked for belongs to another clinic: answered as what does not exist, and noted in the log."""
 
     def __init__(self, sentence: str, kind: str, row_id: int) -> None:
@@ -28,5 +28,5 @@ class Unavailable(Refusal):
     """A part that is needed is not there at the moment: try again."""
 
 
-class Full(Refusal):
+class DiskFull(Refusal):
     """There is no room on the disk."""

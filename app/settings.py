@@ -94,7 +94,7 @@ class Settings:
         return self.state / "bodydrive.sqlite"
 
     @property
-    def places(self) -> list[Path]:
+    def state_paths(self) -> list[Path]:
         """Return the files of the program in the state folder, and that folder itself when nothing else lies in it."""
         beside = sorted(self.state.glob(f"*{self.database.name}*"))  # the log's head, the ballast, copies
         folders = [self.files, self.runs, self.models, self.keys, self.floorplans, self.replaced]

@@ -27,7 +27,7 @@ class Speeds(Document):
     turn_jerk: TurnJerk = 60.0  # rad/s3
 
 
-NO_FURTHER = Speeds(
+HIGHEST_SPEEDS = Speeds(
     forward=1.5,
     reverse=1.5,
     turn=2.5,
@@ -45,9 +45,9 @@ def most_restrictive(*levels: Speeds) -> Speeds:
     return Speeds(**{name: min(getattr(level, name) for level in levels) for name in Speeds.model_fields})
 
 
-DIALLED = ("forward", "reverse", "turn")
+DIAL_FIELDS = ("forward", "reverse", "turn")
 
 
-def dialled(speeds: Speeds, share: float) -> Speeds:
+def apply_dial(speeds: Speeds, share: float) -> Speeds:
     """Return what is left of limits under a speed dial that lets a `share` (0.1 to 1) through."""
-    return speeds.model_copy(update={name: share * getattr(speeds, name) for name in DIALLED})
+    return speeds.model_copy(update={name: share * getattr(speeds, name) for name in DIAL_FIELDS})

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.calibration.vocabulary import PAPER_VOCABULARY, ControlMode, DriveParameters, standard_parameters
 from app.layout import Channel, Joint, ShirtLayout
-from app.speeds import NO_FURTHER
+from app.speeds import HIGHEST_SPEEDS
 from app.world.floorplan import FloorPlan
 
 CHANNELS = 52
@@ -92,7 +92,7 @@ def bench_floorplan() -> FloorPlan:
 
 def bench_chair(port: int, key_file: Path) -> dict[str, Any]:
     """Return the configuration of a real chair whose receiver listens on `port` of this machine."""
-    speeds = NO_FURTHER.model_dump(mode="json")
+    speeds = HIGHEST_SPEEDS.model_dump(mode="json")
     return {
         "kind": "udp",
         "name": "bench",

@@ -35,7 +35,7 @@ from app.session.trial import DriveFlow
 from app.session.trial_qualities import TrialQualities
 from app.store.files.disk import DiskWatch
 from app.world.floorplan import FloorPlan, bundled_floorplans, load_floorplan
-from app.world.scene import Offer, bundled_places, find_place
+from app.world.scene import DrivingPlace, bundled_places, find_place
 
 
 @dataclass(slots=True)
@@ -96,12 +96,12 @@ class Flows:
         if before.age is not None and self.driving_sign().age is None:
             self.control.beat()
 
-    def places(self) -> dict[str, Offer]:
+    def places(self) -> dict[str, DrivingPlace]:
         """Return all that can be driven in, by name: scenes, buildings, then the clinic's own that can be read."""
-        own: dict[str, Offer] = {}
+        own: dict[str, DrivingPlace] = {}
         for file in sorted(self.own_floorplans.glob("*.json")):
             with suppress(ValueError):
-                own[file.stem] = Offer(load_floorplan(file))
+                own[file.stem] = DrivingPlace(load_floorplan(file))
         bundled = bundled_places()
         return bundled | {name: offer for name, offer in own.items() if name not in bundled}
 

@@ -11,17 +11,17 @@ from starlette.exceptions import HTTPException
 
 from app.api.deps import People
 from app.api.sign_in.signed_in import find_signed_in
-from app.refusals import NO_ROOM, AnotherClinics, Conflict, Full, NotFound, Refusal, Unavailable
+from app.refusals import NO_ROOM, Conflict, DiskFull, NotFound, OtherClinicRow, Refusal, Unavailable
 from app.sentences import sentence_of
 from app.store.files.taken_names import NameTaken
 from app.store.log import write_log
 
 STATUS: dict[type[Exception], int] = {
     NotFound: 404,
-    AnotherClinics: 404,
+    OtherClinicRow: 404,
     Conflict: 409,
     Unavailable: 503,
-    Full: 507,
+    DiskFull: 507,
 }
 WHERE = {"body": "What was sent", "query": "The address", "path": "The address", "header": "A header"}
 WORDS = {
@@ -42,7 +42,7 @@ async def _broken(request: Request, error: Exception) -> JSONResponse:
     return _answer(500, "Something went wrong inside the application: try again, and report it if it happens again.")
 
 
-def _note(request: Request, error: AnotherClinics) -> None:
+def _note(request: Request, error: OtherClinicRow) -> None:
     """Note in the log who asked for what belongs to another clinic; the answer does not depend on it."""
     parts: People = request.app.state.people
     try:
@@ -63,7 +63,7 @@ def install_refusals(app: FastAPI) -> None:
 
     @app.exception_handler(Refusal)
     async def _refused(request: Request, error: Refusal) -> JSONResponse:
-        if isinstance(error, AnotherClinics):
+        if isinstance(error, OtherClinicRow):
             await run_in_threadpool(_note, request, error)
         return _answer(STATUS.get(type(error), 409), str(error))
 

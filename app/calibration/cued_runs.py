@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from app.calibration.fit.pieces import Frames, held
+from app.calibration.fit.pieces import Frames, fill_forward
 from app.calibration.fit.repetitions import Prompt
 from app.cues import Cue, CueKind
 
@@ -37,7 +37,7 @@ def run_of_cues(values: NDArray[np.floating], cue: NDArray[np.integer], cues: Se
         rows = np.flatnonzero(cue == index)
         if len(rows) > 1:
             phases.append(Phase(asked.kind, slice(int(rows[0]), int(rows[-1]) + 1), asked.joint))
-    return CuedRun(held(np.asarray(values, np.float64)), tuple(phases))
+    return CuedRun(fill_forward(np.asarray(values, np.float64)), tuple(phases))
 
 
 def run_of_prompts(
@@ -63,4 +63,4 @@ def run_of_prompts(
             phases.append(Phase("move", slice(start, end), prompt.joint))
             if back - end > 1:
                 phases.append(Phase("return", slice(end, back), prompt.joint))
-    return CuedRun(held(np.asarray(values, np.float64)), tuple(phases))
+    return CuedRun(fill_forward(np.asarray(values, np.float64)), tuple(phases))

@@ -15,7 +15,7 @@ Span = Annotated[float, Field(strict=True, allow_inf_nan=False, gt=0, le=1e12)]
 MapKind = Literal["pca", "guided"]
 
 # s: time constants of the two slow averages above which a guided map sees a channel's level; the fabric's relaxation
-MEMORIES = (1.5, 10.0)
+AVERAGING_TIMES = (1.5, 10.0)
 LEAST_GAIN = 0.01  # of in-phase share: what less is no reason to leave the map of the paper
 MOST_LESS_HIT = 0.03  # of the hit rate that may be lost for it
 
@@ -36,8 +36,8 @@ class GuidedMap(Document):
     """
 
     rate: Numbers  # FS per signal unit; one per entry of the joint's `channels`, like the next two
-    short: Numbers  # FS/s per signal unit, of the level above its average over MEMORIES[0]
-    long: Numbers  # the same over MEMORIES[1]
+    short: Numbers  # FS/s per signal unit, of the level above its average over AVERAGING_TIMES[0]
+    long: Numbers  # the same over AVERAGING_TIMES[1]
     dead_zone: Threshold  # FS/s, suggested
     full: Threshold  # FS/s, suggested
     lag: Annotated[float, Field(strict=True, allow_inf_nan=False, ge=-10, le=10)]  # s, of the person behind the cues

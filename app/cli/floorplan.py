@@ -14,7 +14,7 @@ from app.world.floorplan import load_floorplan
 from app.world.imports.draft import plan_of
 from app.world.imports.image import THRESHOLD
 from app.world.imports.plan_files import Options, import_plan
-from app.world.scene import bundled_places, is_scene, offers_in
+from app.world.scene import bundled_places, is_scene, places_in
 
 floorplan_app = typer.Typer(
     help="List the places that come with the software, check one, or make one from a file.",
@@ -123,7 +123,7 @@ def check_plan(
 ) -> None:
     """Say whether a floor plan or a scene can be driven in, and if not, what is wrong where."""
     try:
-        plans = list(offers_in(file)) if is_scene(file) else [load_floorplan(file).name]
+        plans = list(places_in(file)) if is_scene(file) else [load_floorplan(file).name]
     except ValueError as error:
         raise InputError(str(error)) from error
     typer.echo(json.dumps({"floorplans": plans}) if as_json else f"{file}: fine ({', '.join(plans)})")

@@ -16,7 +16,7 @@ import uvicorn
 from app.api.app import WebApp, say_goodbye
 from app.cli.errors import InputError
 from app.file_modes import OWNER_FOLDER, keep_new_files_private, restrict
-from app.realtime import tidy
+from app.realtime import collect_garbage
 from app.settings import IN_USE, Settings
 
 PING_EVERY = 2.0  # s
@@ -71,7 +71,7 @@ class WebServer(uvicorn.Server):
         await super().startup(sockets)
         if self.started:
             # What was loaded stays: looking through all of it for garbage takes 0.2 s, in which no Stop would be heard.
-            tidy()
+            collect_garbage()
             typer.echo(self._words)
 
     def capture_signals(self) -> AbstractContextManager[None]:  # type: ignore[override]
@@ -125,7 +125,7 @@ def keep_private(settings: Settings) -> list[str]:
     Return a sentence when others can read something still.
     """
     keep_new_files_private()
-    readable = restrict(settings.places)
+    readable = restrict(settings.state_paths)
     if not readable:
         return []
     return [

@@ -12,7 +12,7 @@ from app.pipeline.decoder import Decoder, periods_between
 from app.pipeline.health import LossWindow
 from app.pipeline.safety import LARGEST_STEP, LOSSY_LIMIT, BadGestures, Conditions, SafetyGate, shirt_limits
 from app.pipeline.shaping import Shaper
-from app.speeds import NO_FURTHER, Speeds, dialled, most_restrictive
+from app.speeds import HIGHEST_SPEEDS, Speeds, apply_dial, most_restrictive
 
 NONE_BAD = BadGestures()
 
@@ -52,7 +52,7 @@ class Chain:
     def __init__(self, sample_rate: float, parameters: DriveParameters | None, chair: Chair) -> None:
         self.parameters = parameters
         self.chair = chair
-        self.clinic = NO_FURTHER
+        self.clinic = HIGHEST_SPEEDS
         self.dial = 1.0  # the speed dial: which share of the speeds is left
         self.gate = SafetyGate(self._limits(self.clinic, self.dial), sample_rate)
         self._decoder = Decoder(parameters, sample_rate) if parameters else None
@@ -95,7 +95,7 @@ class Chain:
 
     def _limits(self, clinic: Speeds, share: float) -> Speeds:
         own = self.parameters.speeds if self.parameters else Speeds()
-        return dialled(most_restrictive(own, clinic, self.chair.speeds), share)
+        return apply_dial(most_restrictive(own, clinic, self.chair.speeds), share)
 
     def reset(self) -> None:
         """Forget the past, disarm: the next frame begins a new run. A latched fault stays."""

@@ -19,7 +19,7 @@ from app.pipeline.setup import Refused
 from app.pipeline.status import status
 from app.process.command_channel import CommandServer
 from app.quantities import Document
-from app.realtime import tidy
+from app.realtime import collect_garbage
 from app.sentences import one_sentence
 
 Answer = dict[str, Any]
@@ -275,7 +275,7 @@ class Commands:
 
     def _settle(self) -> None:
         """Take what was just loaded into the long-lived memory; the loop begins a new deadline."""
-        tidy()
+        collect_garbage()
         self._loop.begin_anew()
 
 

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.butterworth import Coefficients
-from app.calibration.profile import MEMORIES
+from app.calibration.profile import AVERAGING_TIMES
 from app.calibration.vocabulary import DriveParameters, Gesture
 from app.pipeline.filters import LowPass
 
@@ -42,7 +42,7 @@ class GuidedRate:
 
     def __init__(self, coefficients: Coefficients, sample_rate: float) -> None:
         self._low_pass = LowPass(coefficients)
-        self._per_frame = [1.0 / (sample_rate * memory) for memory in MEMORIES]
+        self._per_frame = [1.0 / (sample_rate * memory) for memory in AVERAGING_TIMES]
         self._usual = [1.0 - math.exp(-share) for share in self._per_frame]
         self.reset()
 
@@ -52,7 +52,7 @@ class GuidedRate:
         self._fresh = True
         self._last = [0.0] * PARTS
         self._unseen = [0.0] * PARTS
-        self._slow = [0.0] * len(MEMORIES)
+        self._slow = [0.0] * len(AVERAGING_TIMES)
 
     def step(self, products: list[float], bad: bool, was_bad: bool, periods: float, sample_rate: float) -> float:
         """Return the rate in FS/s after the three projections of a frame, `periods` sample periods after the last.

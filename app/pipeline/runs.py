@@ -11,7 +11,7 @@ from app.pipeline.loop import ControlLoop
 from app.pipeline.open_run import OpenRun
 from app.pipeline.setup import Refused
 from app.process.command_channel import NO_ANSWER, CommandServer
-from app.realtime import tidy
+from app.realtime import collect_garbage
 from app.recording.writer import RunWriter
 
 LEAST_FREE = 500_000_000  # bytes on the disk of the recordings: a drive of 20 minutes with the largest shirt
@@ -48,7 +48,7 @@ class Runs:
             setup.to_start()
         self._count += 1
         writer.start(loop.ring, loop.ring.number, self._count, real_time=True)
-        tidy()
+        collect_garbage()
         loop.run = OpenRun(fields.run_id, self._count, fields.kind, fields.cues, self._clock.now(), writer)
         return self._count
 

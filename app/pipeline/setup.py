@@ -16,7 +16,7 @@ from app.pipeline.chain import Chain
 from app.pipeline.head_pose import Looking
 from app.pipeline.opening import Change, close_quietly, one_line, open_device
 from app.source import UNKNOWN, Source
-from app.speeds import NO_FURTHER, Speeds
+from app.speeds import HIGHEST_SPEEDS, Speeds
 from app.world.floorplan import FloorPlan, PrescribedPath
 from app.world.scenery import Track
 from app.world.task_progress import leader_of
@@ -56,7 +56,7 @@ class Setup:
         self.chair: VirtualChair | ChairLink = VirtualChair(None, ORIGIN)
         self.link: ChairLink | None = None  # the same chair, when it is a real one
         self._dynamics: Dynamics = "unicycle"
-        self._clinic = NO_FURTHER
+        self._clinic = HIGHEST_SPEEDS
         self._dial = 1.0
         self.chain = Chain(IDLE_RATE, None, self.chair)
 

@@ -41,7 +41,7 @@ SCALARS = {
     "in_contact": np.uint8,
     "contacts": np.uint32,
 }
-LATER = {  # older recordings are without them
+ADDED_SCALARS = {  # older recordings are without them
     "driven_v": np.float32,  # as the chair says
     "driven_omega": np.float32,
     "scene_t": np.float64,
@@ -100,7 +100,7 @@ def parse_end(content: bytes) -> dict[str, Any] | None:
 
 def rows_to_columns(rows: NDArray[np.void], n_channels: int, n_gestures: int) -> dict[str, NDArray[Any]]:
     """Return the columns of ticks (n,): (n,) for one number a tick, (n, n_channels) and (n, n_gestures) for lists."""
-    columns: dict[str, NDArray[Any]] = {name: np.ascontiguousarray(rows[name]) for name in SCALARS | LATER}
+    columns: dict[str, NDArray[Any]] = {name: np.ascontiguousarray(rows[name]) for name in SCALARS | ADDED_SCALARS}
     for name in PER_GESTURE:
         columns[name] = np.ascontiguousarray(rows[name][:, :n_gestures])
     columns[PER_CHANNEL] = np.ascontiguousarray(rows[PER_CHANNEL][:, :n_channels])

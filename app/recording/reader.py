@@ -12,10 +12,10 @@ import pyarrow.parquet as pa_parquet
 from numpy.typing import NDArray
 
 from app.recording.format import (
+    ADDED_SCALARS,
     DAMAGE_FILE,
     END_FILE,
     END_OF_STREAM,
-    LATER,
     META_FILE,
     META_KEY,
     PARQUET_FILE,
@@ -165,7 +165,7 @@ def _columns(tables: list[pa.Table], meta: dict[str, Any]) -> Columns:
         return _no_rows(meta)
     rows = pa.concat_tables(tables)
     columns: Columns = {name: rows.column(name).to_numpy() for name in SCALARS}
-    for name, kind in LATER.items():
+    for name, kind in ADDED_SCALARS.items():
         known = name in rows.column_names
         columns[name] = rows.column(name).to_numpy() if known else np.full(rows.num_rows, np.nan, kind)
     for name in (*PER_GESTURE, PER_CHANNEL):
@@ -182,7 +182,7 @@ def _columns(tables: list[pa.Table], meta: dict[str, Any]) -> Columns:
 
 
 def _no_rows(meta: dict[str, Any]) -> Columns:
-    columns: Columns = {name: np.empty(0, kind) for name, kind in (SCALARS | LATER).items()}
+    columns: Columns = {name: np.empty(0, kind) for name, kind in (SCALARS | ADDED_SCALARS).items()}
     columns |= {name: np.empty((0, len(meta.get("gestures") or ()))) for name in PER_GESTURE}
     layout = meta.get("layout")
     channels = layout.get("channels") if isinstance(layout, dict) else None

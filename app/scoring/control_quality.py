@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterable
 import numpy as np
 from numpy.typing import NDArray
 
-from app.calibration.fit.pieces import held
+from app.calibration.fit.pieces import fill_forward
 from app.calibration.vocabulary import DriveParameters
 from app.pipeline.controls import STOP_ACTIVATION
 from app.pipeline.health import ChannelHealth
@@ -91,7 +91,7 @@ def control_quality(
     watched[[channel for joint in joints for channel in joint.channels]] = True
     bad = ChannelHealth(profile, watched, sample_rate).block(signals, None)
     bad_share = bad[armed].mean(axis=0)
-    whole = held(np.where(np.isfinite(signals), signals, np.nan))
+    whole = fill_forward(np.where(np.isfinite(signals), signals, np.nan))
     found = []
     for joint in joints:
         believed = [channel for channel in joint.channels if bad_share[channel] <= MOST_BAD]

@@ -14,7 +14,7 @@ from app.session.equipment.shirt import Equipment
 from app.session.open_session import VisitFlow
 from app.session.words.chair_words import CHAIR_FAULT, is_silent, why_not
 from app.session.words.differences import differences
-from app.speeds import NO_FURTHER, Speeds, dialled, most_restrictive
+from app.speeds import HIGHEST_SPEEDS, Speeds, apply_dial, most_restrictive
 from app.store.database import Database
 from app.store.parameters import as_document, current_parameters, newest_profile
 from app.store.patients import open_session
@@ -99,12 +99,12 @@ class RealArming:
         return {name: value for name, value in held.items() if value < getattr(speeds, name)}
 
     def _without_dial(self, speeds: Speeds) -> Speeds:
-        chair = NO_FURTHER if self._chairs.chosen is None else Speeds.model_validate(self._chairs.chosen.speeds)
+        chair = HIGHEST_SPEEDS if self._chairs.chosen is None else Speeds.model_validate(self._chairs.chosen.speeds)
         return most_restrictive(speeds, self._limits.speeds, chair)
 
     def _speeds(self, parameters: DriveParameters) -> Speeds:
         tick = self._control.newest()
-        return dialled(self._without_dial(parameters.speeds), 1.0 if tick is None else float(tick["dial"]))
+        return apply_dial(self._without_dial(parameters.speeds), 1.0 if tick is None else float(tick["dial"]))
 
     def _about_the_patient(self, found: _Set) -> list[str]:
         if found.session is None:

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
 
-from app.refusals import Full
+from app.refusals import DiskFull
 from app.scoring.control_quality import ControlQuality
 from app.scoring.trial_assessment import TrialAssessment
 from app.session.readings import Quality
@@ -32,7 +32,7 @@ class TrialQualities:
         except (ValueError, OSError):
             self._unreadable.add(trial.id)
             return None
-        with suppress(Full), self._database.transaction() as db:
+        with suppress(DiskFull), self._database.transaction() as db:
             save_quality(db, trial.id, made)
         return made
 

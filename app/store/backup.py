@@ -11,7 +11,7 @@ from typing import Any
 from app.clock import utc_now
 from app.file_modes import OWNER_FILE
 from app.files import sync_folder
-from app.refusals import Full, Unavailable
+from app.refusals import DiskFull, Unavailable
 
 SLACK = 4_000_000  # bytes that must stay free beside a copy
 BUSY_LIMIT = 5.0  # s; another program may write to the database for a moment
@@ -35,7 +35,7 @@ def back_up(database: Path, folder: Path, label: str) -> Backup:
 
     Raises
     ------
-    Full
+    DiskFull
         When there is no room for it.
     Unavailable
         When the copy is not equal to the original.
@@ -69,7 +69,7 @@ def back_up(database: Path, folder: Path, label: str) -> Backup:
 def _require_room(folder: Path, size: int) -> None:
     free = shutil.disk_usage(folder).free
     if free < size + SLACK:
-        raise Full(
+        raise DiskFull(
             f"There is no room for a copy of the database, without which it is not brought up to this version: free "
             f"{(size + SLACK) / 1e6:.0f} MB on the disk of {folder}, then start again. Nothing was changed."
         )

@@ -8,7 +8,7 @@ from sqlalchemy.orm import Session
 
 from app.clock import utc_now
 from app.refusals import Conflict, NotFound
-from app.speeds import NO_FURTHER, Speeds
+from app.speeds import HIGHEST_SPEEDS, Speeds
 from app.store.own_rows import own_row
 from app.store.tables import Chair, Clinic
 
@@ -68,4 +68,4 @@ def remove_chair(db: Session, clinic: Clinic, chair_id: int) -> Chair:
 def limits_of(clinic: Clinic | None) -> Speeds:
     """Return what the clinic's owner allows; a limit that was not set is that of the application."""
     stored: dict[str, Any] = {} if clinic is None else clinic.limits or {}
-    return Speeds.model_validate({**NO_FURTHER.model_dump(mode="json"), **stored})
+    return Speeds.model_validate({**HIGHEST_SPEEDS.model_dump(mode="json"), **stored})

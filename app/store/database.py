@@ -13,7 +13,7 @@ from sqlalchemy.exc import DatabaseError
 from sqlalchemy.orm import Session
 
 from app.file_modes import OWNER_FILE, OWNER_FOLDER
-from app.refusals import NO_ROOM, Full, Unavailable
+from app.refusals import NO_ROOM, DiskFull, Unavailable
 from app.store.files.ballast import Ballast
 from app.store.log import HAS_NEW_ROWS, write_log
 from app.store.log_chain import HEAD_BEGUN, Head, HeadFile, advance
@@ -82,7 +82,7 @@ class Database:
 
         Raises
         ------
-        Full
+        DiskFull
             When there is no room for what was done in it.
         Unavailable
             When another program holds the file for too long, or it is damaged.
@@ -130,7 +130,7 @@ class Database:
         except (DatabaseError, sqlite3.DatabaseError) as error:
             code = getattr(getattr(error, "orig", error), "sqlite_errorcode", 0) & 0xFF  # the upper bits hold details
             if code == sqlite3.SQLITE_FULL or (code in NO_ROOM_PERHAPS and not self.ballast.has_room()):
-                raise Full(NO_ROOM) from error
+                raise DiskFull(NO_ROOM) from error
             if code in {sqlite3.SQLITE_BUSY, sqlite3.SQLITE_LOCKED}:
                 raise Unavailable("Another program holds the database: wait for its end, then try again.") from error
             if code in {sqlite3.SQLITE_NOTADB, sqlite3.SQLITE_CORRUPT}:

@@ -22,7 +22,7 @@ class Encounters:
         """Tell whether there is anybody to meet."""
         return bool(self._tracks)
 
-    def hold(self, x: float, y: float, new_x: float, new_y: float, scene_t: float) -> tuple[float, float, bool]:
+    def slide(self, x: float, y: float, new_x: float, new_y: float, scene_t: float) -> tuple[float, float, bool]:
         """Return where a chair at (x, y) that wants to (new_x, new_y) comes to, and whether it touches anybody.
 
         Of a way that leads nearer to somebody within reach only the part along him is kept; a way off is always free.

@@ -29,7 +29,7 @@ MOST_LOOKS = 20_000_000  # pieces of paths times pieces of walls: each is held a
 Polyline = Annotated[tuple[Point, ...], Field(min_length=2, max_length=MAX_WALLS), FailFast()]
 
 
-class TooNear(ValueError):  # noqa: N818
+class ClearanceError(ValueError):
     """A path or a mover comes too near to something, at (x, y) in m."""
 
     def __init__(self, sentence: str, x: float, y: float) -> None:
@@ -135,7 +135,7 @@ class FloorPlan(Document):
                 raise ValueError(f"{what}: {error}") from error
             found = clearance.along(line)
             if found.distance < radius:
-                raise TooNear(
+                raise ClearanceError(
                     f"{what} comes within {max(found.distance, 0):.2f} m of {found.what} near "
                     f"({found.x:.2f}, {found.y:.2f}), and {radius} m are needed on each side: "
                     f"move it or the {found.kind}",

@@ -85,7 +85,7 @@ def load_scene(file: Path) -> Scene:
     return Scene(head, plans)
 
 
-class Offer(NamedTuple):
+class DrivingPlace(NamedTuple):
     """A floor plan to drive in: a building by itself, or a scene at a level."""
 
     plan: FloorPlan
@@ -93,7 +93,7 @@ class Offer(NamedTuple):
     level: Level | None = None
 
 
-def bundled_places() -> dict[str, Offer]:
+def bundled_places() -> dict[str, DrivingPlace]:
     """Read everything that comes with the software, by the floor plans' names: scenes, easiest first, then buildings.
 
     Raises
@@ -101,18 +101,18 @@ def bundled_places() -> dict[str, Offer]:
     ValueError
         When one of the files is damaged.
     """
-    offers: dict[str, Offer] = {}
+    places: dict[str, DrivingPlace] = {}
     for file in bundled_scenes().values():
-        offers |= offers_in(file)
-    return offers | {name: Offer(load_floorplan(file)) for name, file in bundled_floorplans().items()}
+        places |= places_in(file)
+    return places | {name: DrivingPlace(load_floorplan(file)) for name, file in bundled_floorplans().items()}
 
 
-def offers_in(file: Path) -> dict[str, Offer]:
+def places_in(file: Path) -> dict[str, DrivingPlace]:
     """Return the floor plans of a scene's file by name, easiest first; ValueError as `load_scene`."""
     head, plans = load_scene(file)
     levels = head.levels or (None,)
     return {
-        plan.name: Offer(plan, head, level)
+        plan.name: DrivingPlace(plan, head, level)
         for level, plan in ((level, plans[level.name if level else None]) for level in levels)
     }
 
@@ -122,8 +122,8 @@ def find_place(name: str) -> FloorPlan | None:
     if name in bundled_floorplans():
         return load_floorplan(bundled_floorplans()[name])
     file = bundled_scenes().get(name.partition(".")[0])
-    offer = None if file is None else offers_in(file).get(name)
-    return None if offer is None else offer.plan
+    place = None if file is None else places_in(file).get(name)
+    return None if place is None else place.plan
 
 
 def is_scene(file: Path) -> bool:

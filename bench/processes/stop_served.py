@@ -18,7 +18,7 @@ from app.api.parts import flows_of
 from app.clock import monotonic
 from app.faults import EXPLANATIONS, Fault, State
 from app.process.supervisor import ControlProcess
-from app.realtime import tidy
+from app.realtime import collect_garbage
 from app.refusals import Conflict
 from app.session.control_link import ControlLink, ScreenSign
 from app.session.recordings import recorded_readings
@@ -41,7 +41,7 @@ async def main(chair: dict[str, Any], shirt_port: int, shirt_key: str, folder: P
             if serving.done():
                 raise RuntimeError("the web process of the benchmark did not start: its message stands above")
             await asyncio.sleep(LOOK_EVERY)
-        tidy()  # as the web server does
+        collect_garbage()  # as the web server does
         control = flows_of(app).control
         control.screen_sign = lambda: ScreenSign(0.0)  # a screen that is in view all the time
         digest = await _set_up(control, chair, shirt_port, shirt_key, folder)

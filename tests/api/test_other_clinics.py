@@ -9,8 +9,8 @@ from fake_clinic import Clinic
 
 from app.api import refusals
 from app.clock import utc_now
-from app.refusals import Full
-from app.speeds import NO_FURTHER
+from app.refusals import DiskFull
+from app.speeds import HIGHEST_SPEEDS
 from app.store import tables
 from app.store.chairs import add_chair
 from app.store.patient_screens import add_screen
@@ -74,7 +74,7 @@ def theirs(signed_in: Clinic) -> dict[str, int]:
         patient = add_patient(db, clinic.id, "P-9", "Otter", "")
         session = start_session(db, clinic.id, patient.id)
         run = add_run(db, "their-run", session.id, "drive", "their-run")
-        chair = add_chair(db, clinic, "Red", "10.0.0.9", 5354, 1, NO_FURTHER)
+        chair = add_chair(db, clinic, "Red", "10.0.0.9", 5354, 1, HIGHEST_SPEEDS)
         add_screen(db, session.id, "Eve", None)
         screen = db.query(tables.PatientScreen).one()
         profile = tables.Profile(
@@ -157,7 +157,7 @@ def test_a_full_disk_does_not_tell_that_it_exists(
     signed_in: Clinic, theirs: dict[str, int], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def full(*_given: Any, **_more: Any) -> None:
-        raise Full("The disk is full.")
+        raise DiskFull("The disk is full.")
 
     monkeypatch.setattr(refusals, "write_log", full)
     assert signed_in("DELETE", f"/patients/{theirs['patient']}").status_code == 404

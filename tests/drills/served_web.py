@@ -18,7 +18,7 @@ from app.api.app import create_app
 from app.api.parts import flows_of
 from app.faults import State
 from app.process.supervisor import ControlProcess
-from app.realtime import tidy
+from app.realtime import collect_garbage
 from app.refusals import Refusal
 from app.session.control_link import ScreenSign
 from app.session.recordings import recorded_readings
@@ -34,7 +34,7 @@ async def main(given):
         serving = asyncio.create_task(server.serve([listening]))
         while not server.started:
             await asyncio.sleep(0.01)
-        tidy()
+        collect_garbage()
         control = flows_of(app).control
         control.screen_sign = lambda: ScreenSign(0.0)  # a screen that is in view all the time
         parameters = make_parameters()

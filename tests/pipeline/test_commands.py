@@ -17,7 +17,7 @@ from app.hardware.shirt.packet import encode
 from app.pipeline.runs import LEAST_FREE, require_room
 from app.pipeline.setup import Refused
 from app.session.equipment.pairing import pair_shirt, shirt_key_file
-from app.speeds import NO_FURTHER, Speeds
+from app.speeds import HIGHEST_SPEEDS, Speeds
 
 ONE_WAY = (Binding(control="u2+", gestures=("left_shoulder",)),)
 
@@ -37,7 +37,7 @@ def chair(tmp_path):
 
 
 def limits(**changes):
-    return NO_FURTHER.model_copy(update=changes).model_dump()
+    return HIGHEST_SPEEDS.model_copy(update=changes).model_dump()
 
 
 def test_lower_limits_hold_at_once_and_higher_ones_only_at_rest(office):

@@ -12,7 +12,7 @@ from app.hardware.chair.simulator import VirtualChair
 from app.messages import SensorFrame
 from app.pipeline.chain import Chain
 from app.pipeline.safety import STOP_TIME, ChairCondition, Conditions
-from app.speeds import NO_FURTHER, Speeds
+from app.speeds import HIGHEST_SPEEDS, Speeds
 from building import make_parameters, make_signals
 
 RATE = 100.0
@@ -226,7 +226,7 @@ def test_the_smallest_of_set_clinic_chair_and_dial_holds(ride):
     assert max(v for v, _ in twists) == pytest.approx(0.15, abs=0.02)
     assert max(omega for _, omega in twists) == pytest.approx(0.2, abs=0.02)
     assert not ride.chain.set_dial(1.0)
-    assert not ride.chain.set_clinic(NO_FURTHER)
+    assert not ride.chain.set_clinic(HIGHEST_SPEEDS)
     assert ride.chain.dial == 0.5
 
 

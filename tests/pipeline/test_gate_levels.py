@@ -23,7 +23,7 @@ from app.pipeline.safety import (
     stop_rate,
     towards_zero,
 )
-from app.speeds import NO_FURTHER, Speeds, dialled, most_restrictive
+from app.speeds import HIGHEST_SPEEDS, Speeds, apply_dial, most_restrictive
 
 DT = 0.01
 SPEEDS = Speeds()
@@ -221,7 +221,7 @@ def test_a_lower_limit_holds_at_once_and_a_higher_one_only_at_rest(name):
 
 def test_a_speed_above_a_limit_that_was_lowered_comes_down_at_the_deceleration():
     gate = moving_gate()
-    assert gate.restrict(dialled(SPEEDS, 0.5), neutral=False)
+    assert gate.restrict(apply_dial(SPEEDS, 0.5), neutral=False)
     twists = [gate.limit(Twist(9.0, 9.0), DT) for _ in range(200)]
     speeds = [twist.v for twist in twists]
     assert speeds == sorted(speeds, reverse=True)
@@ -260,7 +260,7 @@ def test_of_several_levels_the_smallest_holds(own, clinic, chair, share):
     smallest = most_restrictive(own, clinic, chair)
     for name in Speeds.model_fields:
         assert getattr(smallest, name) == min(getattr(level, name) for level in (own, clinic, chair))
-        assert getattr(NO_FURTHER, name) >= getattr(dialled(smallest, share), name)
+        assert getattr(HIGHEST_SPEEDS, name) >= getattr(apply_dial(smallest, share), name)
 
 
 def test_after_a_drive_the_ramps_begin_at_nothing():

@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.signal import butter, lfilter
 
-from app.calibration.profile import MEMORIES, GuidedMap, MapCheck
+from app.calibration.profile import AVERAGING_TIMES, GuidedMap, MapCheck
 from app.calibration.vocabulary import DriveParameters
 from app.pipeline.decoder import Decoder
 from app.pipeline.replay.batch import decode_block
@@ -95,7 +95,7 @@ def test_the_rate_is_what_the_definition_says():
     joint = parameters.profile.joints[1]
     own = values[:, joint.channels].astype(float)
     total = np.diff(own @ joint.guided.rate, prepend=own[0] @ joint.guided.rate) * 100
-    for part, memory in zip((joint.guided.short, joint.guided.long), MEMORIES, strict=True):
+    for part, memory in zip((joint.guided.short, joint.guided.long), AVERAGING_TIMES, strict=True):
         level, slow = own @ part, own[0] @ part
         for k, now in enumerate(level):
             slow += (1 - np.exp(-1 / (100 * memory))) * (now - slow)

@@ -8,7 +8,7 @@ import threading
 
 from app.clock import monotonic
 from app.hardware.chair.key import new_key, write_key
-from app.speeds import NO_FURTHER
+from app.speeds import HIGHEST_SPEEDS
 
 PATIENCE = 30.0  # s
 
@@ -56,7 +56,7 @@ class ReceiverProcess:
 
     def config(self, **changes):
         where = {"name": "Salon", "host": "127.0.0.1", "port": self._port, "key_file": str(self.key_file)}
-        return {"kind": "udp", **where, "speeds": NO_FURTHER.model_dump(), **changes}
+        return {"kind": "udp", **where, "speeds": HIGHEST_SPEEDS.model_dump(), **changes}
 
     @property
     def pid(self):

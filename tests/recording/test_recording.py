@@ -15,7 +15,7 @@ from app.messages import Tick
 from app.process.ring import RING_SLOTS, TickRing
 from app.recording import arrow as recording_arrow
 from app.recording import format as recording_format
-from app.recording.format import LATER, SCALARS
+from app.recording.format import ADDED_SCALARS, SCALARS
 from app.recording.reader import read_run
 from app.recording.writer import RunWriter
 from building import make_layout
@@ -91,7 +91,7 @@ def test_what_is_recorded_is_read(ring, tmp_path):
     assert run.rows == 400
     assert run.dropped == 0
     assert_rows_begin(run, 400)
-    assert set(run.columns) == {*SCALARS, *LATER, "score", "rate", "activation", "values"}
+    assert set(run.columns) == {*SCALARS, *ADDED_SCALARS, "score", "rate", "activation", "values"}
     assert run.columns["state"].tolist() == [State.ARMED] * 400
     assert run.columns["cue"].tolist() == [i // 10 for i in range(400)]
     assert run.columns["driven_v"].tolist() == [0.5] * 400
@@ -101,7 +101,7 @@ def test_what_is_recorded_is_read(ring, tmp_path):
 def test_a_recording_from_before_the_driven_columns_is_read(ring, tmp_path, monkeypatch):
     with monkeypatch.context() as before:
         for module in (recording_arrow, recording_format):
-            before.setattr(module, "LATER", {})
+            before.setattr(module, "ADDED_SCALARS", {})
         folder = record(ring, tmp_path / "run", 40)
     run = read_run(folder)
     assert run.words == ""

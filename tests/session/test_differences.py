@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from app.calibration.vocabulary import Binding, DriveParameters, standard_parameters
 from app.session.words.differences import CONTROLS, SPEEDS, differences
-from app.speeds import NO_FURTHER, Speeds
+from app.speeds import HIGHEST_SPEEDS, Speeds
 from small_profile import small_profile
 
 STANDARD = standard_parameters(small_profile())
@@ -84,5 +84,5 @@ def test_each_field_has_its_sentence(now: DriveParameters, sentence: str) -> Non
 def test_every_speed_and_every_field_has_its_words() -> None:
     assert set(SPEEDS) == set(Speeds.model_fields)
     for name in SPEEDS:
-        faster = Speeds(**{name: getattr(NO_FURTHER, name)})
+        faster = Speeds(**{name: getattr(HIGHEST_SPEEDS, name)})
         assert len(differences(changed(speeds=faster), STANDARD)) == 1

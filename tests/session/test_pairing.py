@@ -9,7 +9,7 @@ from sqlalchemy.orm import Session
 from app.hardware.chair.key import read_key
 from app.refusals import Conflict, NotFound
 from app.session.equipment.pairing import key_file, pair_chair, unpair_chair
-from app.speeds import NO_FURTHER, Speeds
+from app.speeds import HIGHEST_SPEEDS, Speeds
 from app.store import chairs
 from app.store.chairs import chairs_of, find_chair, limits_of
 from app.store.people import add_clinic
@@ -68,5 +68,5 @@ def test_when_every_number_was_used_there_is_a_sentence(
 
 def test_a_limit_that_an_older_program_did_not_know_is_that_of_the_application(clinic: Clinic) -> None:
     clinic.limits = {"forward": 0.4}
-    assert limits_of(clinic) == NO_FURTHER.model_copy(update={"forward": 0.4})
-    assert limits_of(None) == NO_FURTHER
+    assert limits_of(clinic) == HIGHEST_SPEEDS.model_copy(update={"forward": 0.4})
+    assert limits_of(None) == HIGHEST_SPEEDS

@@ -10,7 +10,7 @@ import pytest
 from small_disk import fill, small_disk
 from sqlalchemy import text
 
-from app.refusals import Full
+from app.refusals import DiskFull
 from app.store.database import Database
 from app.store.files import ballast as ballast_module
 from app.store.files.ballast import HEADROOM, PART, SIZE, Ballast
@@ -32,7 +32,7 @@ def disk(tmp_path: Path) -> Iterator[Path]:
 def fill_all(database: Database, disk: Path) -> None:
     """Take all room, that within SQLite's files too."""
     fill(disk)
-    with pytest.raises(Full, match="disk is full"):
+    with pytest.raises(DiskFull, match="disk is full"):
         add_without_end(database)
 
 
@@ -118,7 +118,7 @@ QUOTA = """
 import resource, sys
 from pathlib import Path
 from app.store.database import Database
-from app.refusals import Full
+from app.refusals import DiskFull
 from app.store.log import write_log
 
 database = Database(Path(sys.argv[1]))
@@ -128,7 +128,7 @@ resource.setrlimit(resource.RLIMIT_FSIZE, (1, 1))
 try:
     with database.transaction() as db:
         write_log(db, "Ada", "after")
-except Full as full:
+except DiskFull as full:
     print(full)
 database.close()
 """

@@ -10,8 +10,8 @@ from sqlalchemy.exc import IntegrityError, OperationalError
 from sqlalchemy.orm import Session
 
 from app.clock import utc_now
-from app.refusals import Full, Unavailable
-from app.speeds import NO_FURTHER
+from app.refusals import DiskFull, Unavailable
+from app.speeds import HIGHEST_SPEEDS
 from app.store import database as database_module
 from app.store.chairs import add_chair, limits_of
 from app.store.database import Database, make_engine
@@ -100,9 +100,9 @@ def test_what_a_clinic_had_before_real_chairs_is_there_after_going_up_and_down(t
     with Session(engine) as db, db.begin():
         clinic = db.get_one(Clinic, 1)
         assert (clinic.shirt, clinic.unused, clinic.chair, clinic.limits) == ({"kind": "simulator"}, ["a"], None, None)
-        assert limits_of(clinic) == NO_FURTHER
+        assert limits_of(clinic) == HIGHEST_SPEEDS
         clinic.limits = {"forward": 0.4}
-        add_chair(db, clinic, "Blue", "10.0.0.7", 5354, 1, NO_FURTHER)
+        add_chair(db, clinic, "Blue", "10.0.0.7", 5354, 1, HIGHEST_SPEEDS)
     for _later in list((MIGRATIONS / "versions").glob("v*.py"))[1:]:
         migrate(engine, "-1")
     with engine.connect() as connection:
@@ -126,7 +126,7 @@ def test_a_full_disk_is_a_refusal_in_a_sentence_and_what_was_there_stays(tmp_pat
         clinic = add_clinic(db, "Kept")
         pages = db.execute(text("PRAGMA page_count")).scalar_one()
         db.execute(text(f"PRAGMA max_page_count = {pages + 1}"))  # of this connection, which the pool keeps
-    with pytest.raises(Full, match="make room"):
+    with pytest.raises(DiskFull, match="make room"):
         add_many_patients(database, clinic.id)
     with database.transaction() as db:
         assert db.query(Patient).count() == 0

@@ -12,7 +12,7 @@ from alembic.config import Config
 from alembic.script import ScriptDirectory
 from sqlalchemy import text
 
-from app.refusals import Full, Refusal, Unavailable
+from app.refusals import DiskFull, Refusal, Unavailable
 from app.store.backup import back_up
 from app.store.database import Database, make_engine
 from app.store.log import write_log
@@ -109,7 +109,7 @@ def test_without_room_for_the_copy_nothing_is_migrated(tmp_path: Path, monkeypat
     file = make_old(tmp_path / "clinic.sqlite", REVISIONS[0])
     before = contents(tmp_path)
     monkeypatch.setattr("app.store.backup.shutil.disk_usage", lambda _folder: SimpleNamespace(free=4_000_000))
-    with pytest.raises(Full, match=r"no room for a copy .* free 4 MB .* Nothing was changed"):
+    with pytest.raises(DiskFull, match=r"no room for a copy .* free 4 MB .* Nothing was changed"):
         Database(file)
     assert contents(tmp_path) == before
 

@@ -17,7 +17,7 @@ def test_somebody_who_stands_holds_the_chair():
     meets = Encounters([STANDS])
     x, touching = 0.0, False
     for _ in range(400):
-        x, y, touching = meets.hold(x, 0.0, x + 0.01, 0.0, 0.0)
+        x, y, touching = meets.slide(x, 0.0, x + 0.01, 0.0, 0.0)
     assert x == pytest.approx(2.0 - REACH, abs=0.011)
     assert (y, touching) == (0.0, True)
 
@@ -25,7 +25,7 @@ def test_somebody_who_stands_holds_the_chair():
 def test_beside_somebody_the_way_along_is_kept():
     meets = Encounters([STANDS])
     at = (2.0 - REACH * math.cos(0.3), REACH * math.sin(0.3))
-    x, y, touching = meets.hold(*at, at[0] + 0.05, at[1], 0.0)
+    x, y, touching = meets.slide(*at, at[0] + 0.05, at[1], 0.0)
     assert touching
     assert y > at[1]
     assert math.hypot(x - 2.0, y) >= REACH - 1e-3
@@ -34,7 +34,7 @@ def test_beside_somebody_the_way_along_is_kept():
 @settings(max_examples=60, deadline=None)
 @given(NUMBERS, NUMBERS, NUMBERS, NUMBERS)
 def test_a_way_off_is_free_and_no_way_leads_nearer_than_it_was(x, y, new_x, new_y):
-    came_x, came_y, touching = Encounters([STANDS]).hold(x, y, new_x, new_y, 1.0)
+    came_x, came_y, touching = Encounters([STANDS]).slide(x, y, new_x, new_y, 1.0)
     before, wanted, came = (math.hypot(a - 2.0, b) for a, b in ((x, y), (new_x, new_y), (came_x, came_y)))
     if wanted >= min(before, REACH):
         assert (came_x, came_y) == (new_x, new_y)

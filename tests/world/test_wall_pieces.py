@@ -5,32 +5,32 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from app.world.imports.wall_pieces import chained, joined
+from app.world.imports.wall_pieces import chain_pieces, join_pieces
 
 places = st.tuples(st.integers(-20, 20), st.integers(-20, 20)).map(lambda p: (p[0] / 10, p[1] / 10))
 
 
 def test_what_lies_on_one_line_and_touches_is_one_piece():
     pieces = [((0, 0), (1, 0)), ((3, 0), (1, 0)), ((0.5, 0), (2, 0)), ((4, 0), (5, 0)), ((0, 0), (1, 0))]
-    assert sorted(joined(pieces)) == [[(0, 0), (3, 0)], [(4, 0), (5, 0)]]
+    assert sorted(join_pieces(pieces)) == [[(0, 0), (3, 0)], [(4, 0), (5, 0)]]
 
 
 def test_a_square_of_loose_pieces_is_one_closed_line():
     corners = [(0, 0), (4, 0), (4, 3), (0, 3), (0, 0)]
-    (line,) = joined(reversed(list(pairwise(corners))))
+    (line,) = join_pieces(reversed(list(pairwise(corners))))
     assert line[0] == line[-1]
     assert set(line) == set(corners)
     assert len(line) == 5
 
 
 def test_pieces_without_length_are_left_out():
-    assert joined([((1, 1), (1, 1)), ((2, 2), (2.0001, 2))]) == []
+    assert join_pieces([((1, 1), (1, 1)), ((2, 2), (2.0001, 2))]) == []
 
 
 @settings(max_examples=60)
 @given(st.lists(st.tuples(places, places), max_size=12))
 def test_every_place_on_a_piece_stays_on_a_line_and_nothing_is_added(pieces):
-    lines = [(a, b) for line in joined(pieces) for a, b in pairwise(line)]
+    lines = [(a, b) for line in join_pieces(pieces) for a, b in pairwise(line)]
 
     def near(place, segments):
         return min(
@@ -51,7 +51,7 @@ def test_every_place_on_a_piece_stays_on_a_line_and_nothing_is_added(pieces):
 @settings(max_examples=60)
 @given(st.lists(st.tuples(places, places), max_size=12))
 def test_a_chain_uses_every_piece_once(pieces):
-    found = [tuple(sorted(pair)) for line in chained(pieces) for pair in pairwise(line)]
+    found = [tuple(sorted(pair)) for line in chain_pieces(pieces) for pair in pairwise(line)]
     assert sorted(found) == sorted({tuple(sorted(piece)) for piece in pieces if piece[0] != piece[1]})
 
 
@@ -64,8 +64,8 @@ def _distance(place, a, b):
 
 
 def test_chains_of_one_direction():
-    assert chained([((0, 0), (1, 0)), ((1, 0), (1, 1))]) in (
+    assert chain_pieces([((0, 0), (1, 0)), ((1, 0), (1, 1))]) in (
         [[(0, 0), (1, 0), (1, 1)]],
         [[(1, 1), (1, 0), (0, 0)]],
     )
-    assert pytest.approx(0) == len(chained([]))
+    assert pytest.approx(0) == len(chain_pieces([]))

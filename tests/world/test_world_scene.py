@@ -157,7 +157,7 @@ def test_each_task_can_be_begun_with_nobody_in_the_way(name):
     for path in plan.paths:
         x, y, _ = path.start
         assert collision.is_free(x, y)
-        assert movers.hold(x, y, x, y, 0.0) == (x, y, False)
+        assert movers.slide(x, y, x, y, 0.0) == (x, y, False)
 
 
 @pytest.mark.parametrize("name", PLACES)

@@ -14,7 +14,7 @@ from app.sentences import one_sentence
 from app.store.files.plans import OwnPlans
 from app.store.files.taken_names import SameName, log_details
 from app.store.log import write_log
-from app.world.floorplan import FloorPlan, TooNear
+from app.world.floorplan import ClearanceError, FloorPlan
 
 WHERE = "The floor plan"
 MOST_PARTS = 250_000  # lists and objects of a document: far more than a building needs
@@ -77,7 +77,7 @@ def _checked(content: bytes) -> CheckView:
             good=False,
             sentence=one_sentence(error, WHERE) + ".",
             place=list(first["loc"]),
-            at=(cause.x, cause.y) if isinstance(cause, TooNear) else None,
+            at=(cause.x, cause.y) if isinstance(cause, ClearanceError) else None,
         )
     return CheckView(good=True, sentence="", place=[], at=None)
 

@@ -23,7 +23,7 @@ from app.store.patients import find_patient
 from app.store.runs import find_trial, keep_trial, trials_of
 from app.store.tables import Trial
 from app.world.floorplan import FloorPlan
-from app.world.scene import Offer
+from app.world.scene import DrivingPlace
 
 router = APIRouter(tags=["trials"])
 
@@ -157,7 +157,7 @@ def list_floorplans(_who: Anyone, flows: FlowParts) -> list[FloorPlanView]:
     return [_offered(offer) for offer in flows.places().values()]
 
 
-def _offered(offer: Offer) -> FloorPlanView:
+def _offered(offer: DrivingPlace) -> FloorPlanView:
     plan, scene, level = offer
     x_min, y_min, x_max, y_max = plan.bounds
     return FloorPlanView(

@@ -15,14 +15,14 @@ from typing import Any
 from argon2 import PasswordHasher
 from argon2.exceptions import InvalidHashError, VerificationError
 
-from app.realtime import give_way
+from app.realtime import lower_priority
 
 
 def main() -> None:
     """Answer until stdin ends."""
     given = _parser().parse_args()
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the web process, which then ends this one
-    give_way()
+    lower_priority()
     hasher = PasswordHasher(time_cost=given.time, memory_cost=given.memory, parallelism=given.lanes)
     try:
         for line in sys.stdin:

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from app.calibration.adaptation.movement import Movement, Numbers
-from app.calibration.fit.pieces import held
+from app.calibration.fit.pieces import fill_forward
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.calibration.quality import channel_quality
 
@@ -29,7 +29,7 @@ def range_moved(
 
     `calibrated` is the calibration that the profile goes back to; ranges stay within their own width of it.
     """
-    seen = [held(np.asarray(one.values, dtype=np.float64)) for one in movements if len(one.values)]
+    seen = [fill_forward(np.asarray(one.values, dtype=np.float64)) for one in movements if len(one.values)]
     if not seen:
         return profile
     origin = calibrated or profile

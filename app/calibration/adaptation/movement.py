@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from app.calibration.fit.pieces import held
+from app.calibration.fit.pieces import fill_forward
 from app.calibration.profile import JointMap
 from app.calibration.vocabulary import DriveParameters, Gesture
 from app.signals.smoothing import smooth
@@ -53,7 +53,7 @@ def hear(parameters: DriveParameters, movements: Sequence[Movement]) -> list[Hea
 
 
 def _heard(parameters: DriveParameters, movement: Movement) -> Heard:
-    values = held(np.asarray(movement.values, dtype=np.float64))
+    values = fill_forward(np.asarray(movement.values, dtype=np.float64))
     armed = np.asarray(movement.armed, dtype=np.bool_)
     rate, speed, fast = {}, {}, {}
     for joint in parameters.profile.joints:

@@ -5,7 +5,7 @@ from collections.abc import Collection, Mapping, Sequence
 import numpy as np
 
 from app.calibration.fit.gaps import bridge_gaps, why_missing
-from app.calibration.fit.pieces import Frames, held
+from app.calibration.fit.pieces import Frames, fill_forward
 from app.calibration.fit.repetitions import Repetition
 from app.calibration.quality import ChannelQuality, channel_quality, worst
 from app.layout import ShirtLayout
@@ -102,7 +102,7 @@ def _hold_few_missing(values: Frames) -> Frames:
     missing = np.isnan(values)
     lost = missing.all(axis=1, keepdims=True)
     few = (missing & ~lost).sum(axis=0) <= FEW_MISSING * (~lost).sum()
-    return np.where(few & ~lost, held(values), values)
+    return np.where(few & ~lost, fill_forward(values), values)
 
 
 def _is_bad(quality: ChannelQuality, near_too: bool) -> bool:

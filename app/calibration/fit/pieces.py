@@ -50,7 +50,7 @@ def value_range(pieces: Sequence[Frames]) -> tuple[tuple[float, ...], tuple[floa
     return tuple(map(float, lows)), tuple(map(float, highs))
 
 
-def held(values: Frames) -> Frames:
+def fill_forward(values: Frames) -> Frames:
     """Return frames (n, n_channels) in which a missing sample is the last one there was, as the decoder holds it."""
     missing = np.isnan(values)
     if not missing.any():

@@ -10,7 +10,7 @@ from app.calibration.fit.gaps import bridge_gaps
 from app.calibration.fit.joint_evidence import cross_talk, lagged, signal_to_noise
 from app.calibration.fit.joint_fit import FittedJoint, fit_joint
 from app.calibration.fit.omissions import channels_left_out
-from app.calibration.fit.pieces import check_pieces, held, value_range
+from app.calibration.fit.pieces import check_pieces, fill_forward, value_range
 from app.calibration.fit.repetitions import Repetition
 from app.calibration.grades import Findings, grade
 from app.calibration.profile import CalibrationProfile, JointMap
@@ -57,9 +57,11 @@ def fit_profile(
     low, high = value_range(
         [moved, *([] if resting is None else [resting]), *(repetition.values for repetition in repetitions)]
     )
-    moved = held(bridge_gaps(moved, sample_rate))
-    resting = None if resting is None else held(bridge_gaps(resting, sample_rate))
-    repetitions = [Repetition(one.joint, held(bridge_gaps(one.values, sample_rate)), one.moving) for one in repetitions]
+    moved = fill_forward(bridge_gaps(moved, sample_rate))
+    resting = None if resting is None else fill_forward(bridge_gaps(resting, sample_rate))
+    repetitions = [
+        Repetition(one.joint, fill_forward(bridge_gaps(one.values, sample_rate)), one.moving) for one in repetitions
+    ]
     channels = {
         joint: tuple(i for i in indices if layout.channels[i].name not in left_out)
         for joint, indices in layout.channels_of_joint.items()

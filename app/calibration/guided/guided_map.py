@@ -11,11 +11,11 @@ from numpy.typing import NDArray
 from app.calibration.fit.gaps import bridge_gaps
 from app.calibration.fit.joint_evidence import CUTOFF
 from app.calibration.fit.joint_fit import LARGEST_THRESHOLD, LEAST_RANGE, REST_NOISE_FACTOR, SMALLEST_DEAD_ZONE
-from app.calibration.fit.pieces import held
+from app.calibration.fit.pieces import fill_forward
 from app.calibration.fit.repetitions import Stretch
 from app.calibration.guided.check import SHORTEST_REST, check, dead_zone_of
 from app.calibration.guided.labels import Asked, labels, lags_of
-from app.calibration.profile import MEMORIES, CalibrationProfile, GuidedMap, JointMap, MapCheck
+from app.calibration.profile import AVERAGING_TIMES, CalibrationProfile, GuidedMap, JointMap, MapCheck
 from app.signals.smoothing import slow_average, smooth
 
 LARGEST_WEIGHT = 1e12  # FS per signal unit, as `app.quantities.Finite`
@@ -79,7 +79,7 @@ def with_guided_maps(
         Frames of the recording at rest.
     """
     joints, reasons = [], {}
-    resting = None if rest is None else held(bridge_gaps(np.asarray(rest, np.float64), profile.sample_rate))
+    resting = None if rest is None else fill_forward(bridge_gaps(np.asarray(rest, np.float64), profile.sample_rate))
     for joint in profile.joints:
         own = [one for one in stretches if one.joint == joint.name]
         try:
@@ -137,7 +137,7 @@ def _guided_map(joint: JointMap, stretches: Sequence[Stretch], rest: Array | Non
 
 
 def _piece(joint: JointMap, stretch: Stretch, sample_rate: float) -> _Piece:
-    values = held(bridge_gaps(stretch.values, sample_rate))[:, list(joint.channels)]
+    values = fill_forward(bridge_gaps(stretch.values, sample_rate))[:, list(joint.channels)]
     place = (values - np.array(joint.mean)) @ np.array(joint.weights) * (joint.sign / joint.span)
     smoothed = smooth(place, CUTOFF, sample_rate)
     return _Piece(
@@ -153,7 +153,7 @@ def features(values: Array, sample_rate: float) -> Array:
     """Return what a guided map sees of a joint's channels (n, k): rates, and levels above two averages, (n, 3k)."""
     smoothed = smooth(values, CUTOFF, sample_rate)
     rates = np.diff(smoothed, axis=0, prepend=smoothed[:1]) * sample_rate
-    levels = [smoothed - slow_average(smoothed, memory, sample_rate) for memory in MEMORIES]
+    levels = [smoothed - slow_average(smoothed, memory, sample_rate) for memory in AVERAGING_TIMES]
     return np.concatenate([rates, *levels], axis=1)
 
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import Literal, get_args
 
 from app.geometry import STANDSTILL, Pose, Twist
-from app.speeds import NO_FURTHER
+from app.speeds import HIGHEST_SPEEDS
 from app.world import dynamics, kinematics
 from app.world.collision import Collision
 from app.world.dynamics import Motion, Wheelchair
@@ -41,7 +41,7 @@ class VirtualChair:
     """
 
     is_real = False
-    speeds = NO_FURTHER
+    speeds = HIGHEST_SPEEDS
 
     __slots__ = ("_collision", "_contacts", "_encounters", "_free_for", "_motion", "_wheelchair", "state")
 
@@ -93,7 +93,7 @@ class VirtualChair:
         scene_t = self.state.scene_t + dt if permitted else self.state.scene_t
         x, y, touching = self._collision.slide(pose.x, pose.y, wanted.pose.x, wanted.pose.y)
         if self._encounters:
-            x, y, met = self._encounters.hold(pose.x, pose.y, x, y, scene_t)
+            x, y, met = self._encounters.slide(pose.x, pose.y, x, y, scene_t)
             if met:
                 x, y, _ = self._collision.slide(pose.x, pose.y, x, y)  # along somebody, but not into a wall
                 touching = True

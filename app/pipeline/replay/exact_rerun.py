@@ -22,7 +22,7 @@ from app.pipeline.replay.rerun import chair_of, sample_rate_of
 from app.pipeline.safety import BadGestures, Conditions, SafetyGate
 from app.recording.reader import Run
 from app.sentences import one_sentence
-from app.speeds import NO_FURTHER, Speeds
+from app.speeds import HIGHEST_SPEEDS, Speeds
 
 DIAL_DIGITS = 6  # the dial is recorded in single precision; a person sets it in steps of hundredths
 
@@ -115,6 +115,6 @@ def _frame(columns: dict[str, NDArray[Any]], row: int, t: float) -> SensorFrame 
 def _clinic(meta: dict[str, Any]) -> Speeds:
     """Return what the clinic allowed; older recordings do not say, and count as unlimited."""
     try:
-        return Speeds.model_validate(meta["clinic"]) if meta.get("clinic") else NO_FURTHER
+        return Speeds.model_validate(meta["clinic"]) if meta.get("clinic") else HIGHEST_SPEEDS
     except ValidationError as error:
         raise ValueError(one_sentence(error, "its run.json, clinic")) from error

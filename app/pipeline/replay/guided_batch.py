@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from app.calibration.profile import MEMORIES
+from app.calibration.profile import AVERAGING_TIMES
 from app.signals.smoothing import slow_average, smooth
 
 Array = NDArray[np.float64]
@@ -22,7 +22,7 @@ def guided_rate(parts: Array, periods: Array, cutoff: float, sample_rate: float)
         Hz.
     """
     rate = np.diff(parts[:, 0], prepend=parts[:1, 0]) * (sample_rate / periods)
-    for level, memory in zip(parts.T[1:], MEMORIES, strict=True):
+    for level, memory in zip(parts.T[1:], AVERAGING_TIMES, strict=True):
         if level.any():
             rate += level - slow_average(level, memory, sample_rate, periods)
     return smooth(rate, cutoff, sample_rate)

@@ -6,7 +6,7 @@ from contextlib import suppress
 
 from app.refusals import Refusal
 from app.session.control_link import ControlLink
-from app.speeds import NO_FURTHER, Speeds
+from app.speeds import HIGHEST_SPEEDS, Speeds
 from app.store.chairs import limits_of
 from app.store.database import Database
 from app.store.log import write_log
@@ -20,7 +20,7 @@ class ClinicLimits:
         self._database = database
         self._control = control
         self._tell = tell
-        self.speeds = NO_FURTHER
+        self.speeds = HIGHEST_SPEEDS
 
     async def open(self) -> None:
         """Hold what the owner set last."""

@@ -14,7 +14,7 @@ Points = NDArray[np.float64]
 PARALLEL = 1e-300  # m2: what two lines span; below it nothing can be divided by, and no wall is that short
 
 
-class Tightest(NamedTuple):
+class NarrowestPoint(NamedTuple):
     """The tightest place along a path."""
 
     distance: float  # m, from the path to the surface; 0 or less when the path goes through it
@@ -24,7 +24,7 @@ class Tightest(NamedTuple):
     what: str  # in words
 
 
-NOTHING_NEAR = Tightest(np.inf, 0.0, 0.0, "wall", "a wall")
+NO_SURFACE = NarrowestPoint(np.inf, 0.0, 0.0, "wall", "a wall")
 
 
 class Clearance:
@@ -38,32 +38,32 @@ class Clearance:
         self._half_thickness = thickness / 2
         self._obstacles = obstacles
 
-    def along(self, points: Sequence[tuple[float, float]]) -> Tightest:
+    def along(self, points: Sequence[tuple[float, float]]) -> NarrowestPoint:
         """Return the tightest place along the line through `points`."""
-        tightest = NOTHING_NEAR
+        tightest = NO_SURFACE
         for a, b in pairwise(points):
             piece = np.array([*a, *b])
             found = [self._from_walls(piece), *(_from_obstacle(piece, obstacle) for obstacle in self._obstacles)]
             tightest = min(tightest, *found, key=lambda place: place.distance)
         return tightest
 
-    def _from_walls(self, piece: Points) -> Tightest:
+    def _from_walls(self, piece: Points) -> NarrowestPoint:
         if not len(self._walls):
-            return NOTHING_NEAR
+            return NO_SURFACE
         distances, places = between_segments(piece, self._walls)
         nearest = int(np.argmin(distances))
         x, y = places[nearest]
-        return Tightest(float(distances[nearest]) - self._half_thickness, float(x), float(y), "wall", "a wall")
+        return NarrowestPoint(float(distances[nearest]) - self._half_thickness, float(x), float(y), "wall", "a wall")
 
 
-def _from_obstacle(piece: Points, obstacle: Obstacle) -> Tightest:
+def _from_obstacle(piece: Points, obstacle: Obstacle) -> NarrowestPoint:
     what = f"the obstacle '{obstacle.label}'"
     if isinstance(obstacle, Cylinder):
         place = nearest_on_segments(np.array(obstacle.position), piece[np.newaxis])[0]
         distance = float(np.hypot(*(place - obstacle.position))) - obstacle.radius
     else:
         distance, place = _from_box(piece, obstacle)
-    return Tightest(distance, float(place[0]), float(place[1]), "obstacle", what)
+    return NarrowestPoint(distance, float(place[0]), float(place[1]), "obstacle", what)
 
 
 def _from_box(piece: Points, box: Box) -> tuple[float, Points]:

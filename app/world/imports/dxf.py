@@ -10,10 +10,10 @@ import numpy as np
 from app.world.floorplan import MAX_WALLS
 from app.world.imports.draft import Draft, path_document, plain_name
 from app.world.imports.dxf_lines import Drawing, read_dxf
-from app.world.imports.raster import free_cells, inside
+from app.world.imports.raster import enclosed_cells, free_cells
 from app.world.imports.route import propose_route
 from app.world.imports.wall_pieces import DECIMALS as MILLIMETRES
-from app.world.imports.wall_pieces import Point, chained, joined
+from app.world.imports.wall_pieces import Point, chain_pieces, join_pieces
 from app.world.path import Path as Line
 
 PATH_LAYER: Final = "path"
@@ -55,7 +55,7 @@ def import_dxf(
     size = corners.max(axis=0) - low
     _check_size(file, float(size[0]), float(size[1]))
     x, y = float(low[0]), float(low[1])
-    walls = joined(((a[0] - x, a[1] - y), (b[0] - x, b[1] - y)) for a, b in pieces)
+    walls = join_pieces(((a[0] - x, a[1] - y), (b[0] - x, b[1] - y)) for a, b in pieces)
     edges = sum(len(wall) - 1 for wall in walls)
     if edges > MAX_WALLS:
         raise ValueError(
@@ -98,7 +98,7 @@ def _drawn_paths(drawing: Drawing, origin: Point) -> list[dict[str, Any]]:
     lines = [line for layer, found in drawing.layers.items() if layer.lower() == PATH_LAYER for line in found]
     polylines = [line for line in lines if len(line) > 2]
     loose = [(line[0], line[1]) for line in lines if len(line) == 2]
-    polylines += [_as_drawn(chain, loose) for chain in chained(loose)]
+    polylines += [_as_drawn(chain, loose) for chain in chain_pieces(loose)]
     paths: list[dict[str, Any]] = []
     for line in polylines[:MOST_PATHS]:
         points = [[round(x - origin[0], DECIMALS), round(y - origin[1], DECIMALS)] for x, y in line]
@@ -120,7 +120,7 @@ def _proposed(walls: list[list[Point]], size: tuple[float, float]) -> list[dict[
     """Return a path through the largest part of the building, none when a chair fits nowhere."""
     resolution = max(FINEST, float(np.sqrt(size[0] * size[1] / MOST_CELLS)), max(size) / MOST_CELLS)
     free = free_cells(walls, WALL_THICKNESS, size, resolution)
-    route = propose_route(inside(free), resolution)
+    route = propose_route(enclosed_cells(free), resolution)
     if route is None:
         return []
     points = (route.cells * resolution).round(DECIMALS).tolist()

@@ -9,7 +9,7 @@ from PIL import Image, ImageOps, UnidentifiedImageError
 
 from app.world.imports.draft import Draft
 from app.world.imports.occupancy import OccupancyMap
-from app.world.imports.raster import inside
+from app.world.imports.raster import enclosed_cells
 from app.world.imports.ros_map import draft_of_map
 
 FORMATS: Final = ("PNG", "JPEG", "PPM")
@@ -52,7 +52,7 @@ def import_image(
             f"{file}: with this scale the picture is {columns * scale:.2f} x {rows * scale:.2f} m large, correct it"
         )
     times = _coarser(file, rows, columns, scale)
-    free = inside(np.flipud(_coarse(grey >= threshold * 255.0, times)))
+    free = enclosed_cells(np.flipud(_coarse(grey >= threshold * 255.0, times)))
     if not free.any():
         raise ValueError(f"{file}: nothing in this picture is as light as the threshold, lower it")
     occupancy = OccupancyMap(np.ascontiguousarray(free), scale * times, (0.0, 0.0, 0.0))

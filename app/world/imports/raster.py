@@ -29,7 +29,7 @@ def free_cells(
     return np.asarray(distance_transform_edt(~marked) * resolution > thickness / 2)
 
 
-def inside(free: NDArray[np.bool_]) -> NDArray[np.bool_]:
+def enclosed_cells(free: NDArray[np.bool_]) -> NDArray[np.bool_]:
     """Return the free cells that cannot be reached from the edge, all of them when there are no others.
 
     On paper, the place round a building is as white as its rooms.

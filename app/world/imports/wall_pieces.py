@@ -1,4 +1,4 @@
-"""Loose straight pieces, as drawings have them, joined to few long lines."""
+"""Loose straight pieces, as drawings have them, join_pieces to few long lines."""
 
 import math
 from collections import defaultdict
@@ -12,15 +12,15 @@ SAME_ANGLE = 1e-4  # rad
 TOUCHING = 1e-3  # m
 
 
-def joined(pieces: Iterable[Piece]) -> list[list[Point]]:
+def join_pieces(pieces: Iterable[Piece]) -> list[list[Point]]:
     """Return the pieces (m) as lines: what lies on one straight line and touches is one piece, and ends that meet join.
 
     Places are rounded to a millimetre; a piece that is drawn twice, or has no length, is left out.
     """
-    return chained(_merged(pieces))
+    return chain_pieces(_merged(pieces))
 
 
-def chained(pieces: Iterable[Piece]) -> list[list[Point]]:
+def chain_pieces(pieces: Iterable[Piece]) -> list[list[Point]]:
     """Return lines through the pieces, none of which is in two of them; each begins at an open end where it has one."""
     edges = list(dict.fromkeys(tuple(sorted(piece)) for piece in _rounded(pieces)))
     at: dict[Point, list[int]] = defaultdict(list)

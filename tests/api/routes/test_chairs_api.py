@@ -9,7 +9,7 @@ from fake_clinic import Clinic, running
 
 from app.hardware.chair.key import read_key
 from app.settings import Settings
-from app.speeds import NO_FURTHER, Speeds
+from app.speeds import HIGHEST_SPEEDS, Speeds
 
 SLOW = {**Speeds().model_dump(), "forward": 0.4, "turn": 0.6}
 CHAIR = {"name": "Blue chair", "host": "10.0.0.7", "port": 5354, "speeds": SLOW}
@@ -102,11 +102,11 @@ def test_a_virtual_chair_may_move_like_a_wheelchair(signed_in: Clinic) -> None:
 
 
 def test_limits_hold_in_the_control_process_first_and_are_logged(signed_in: Clinic, settings: Settings) -> None:
-    assert signed_in.good("GET", "/limits") == NO_FURTHER.model_dump()
+    assert signed_in.good("GET", "/limits") == HIGHEST_SPEEDS.model_dump()
     assert signed_in.good("PUT", "/limits", json=SLOW) == SLOW
     assert ("limits", {"clinic": SLOW}) in signed_in.process.calls
     signed_in.process.refuse["limits"] = "Limits are raised only while the chair stands."
-    refused = signed_in("PUT", "/limits", json=NO_FURTHER.model_dump())
+    refused = signed_in("PUT", "/limits", json=HIGHEST_SPEEDS.model_dump())
     assert (refused.status_code, refused.json()["detail"]) == (409, signed_in.process.refuse["limits"])
     assert signed_in.good("GET", "/limits") == SLOW
     rows = signed_in.log()

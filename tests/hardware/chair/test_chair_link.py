@@ -16,7 +16,7 @@ from app.hardware.chair.link import HELLO_EVERY, LAST_FRAMES, MOST_DATAGRAMS, PE
 from app.hardware.chair.packet import DRIVE, STOP, encode_telemetry
 from app.hardware.chair.reasons import WORDS, Reason
 from app.hardware.configs import RealChairConfig
-from app.speeds import NO_FURTHER, Speeds
+from app.speeds import HIGHEST_SPEEDS, Speeds
 
 LIMITS = Speeds(forward=0.5, reverse=0.2, turn=1.0)
 AHEAD = Twist(0.25, -0.5)
@@ -359,7 +359,7 @@ def test_what_cannot_be_opened_is_one_sentence_without_the_key(tmp_path, monkeyp
     descriptors = len(os.listdir("/proc/self/fd")) if os.path.isdir("/proc/self/fd") else 0
     for file in ("none.key", "open.key", "bad.key", "good.key"):
         document = {"kind": "udp", "name": "Salon", "host": "no-such-chair", "key_file": str(tmp_path / file)}
-        link = ChairLink(RealChairConfig.model_validate({**document, "speeds": NO_FURTHER.model_dump()}))
+        link = ChairLink(RealChairConfig.model_validate({**document, "speeds": HIGHEST_SPEEDS.model_dump()}))
         with pytest.raises(HardwareError) as refused:
             link.open()
         link.close()

@@ -10,7 +10,7 @@ from app.hardware.chair.packet import DRIVE, STOP
 from app.hardware.chair.reasons import Reason
 from app.hardware.chair.receiver import ReceiverState
 from app.pipeline import safety
-from app.speeds import NO_FURTHER
+from app.speeds import HIGHEST_SPEEDS
 
 ARMED, DISARMED = ReceiverState.ARMED, ReceiverState.DISARMED
 STANDS = (0.0, 0.0)
@@ -64,7 +64,7 @@ def test_a_stall_of_its_own_is_a_hundred_ms(chair):
 def test_the_stop_is_that_of_the_gate():
     names = ("STOP_DECELERATION", "STOP_TURN_DECELERATION", "STOP_TIME", "NEUTRAL_TIME", "NEUTRAL_PATIENCE")
     assert all(getattr(receiver_module, name) == getattr(safety, name) for name in names)
-    assert (NO_FURTHER.forward, NO_FURTHER.turn) == (receiver_module.V_MAX, receiver_module.OMEGA_MAX)
+    assert (HIGHEST_SPEEDS.forward, HIGHEST_SPEEDS.turn) == (receiver_module.V_MAX, receiver_module.OMEGA_MAX)
 
 
 @pytest.mark.parametrize("v", [sign * n / 20 for sign in (-1, 1) for n in range(1, 31)])
