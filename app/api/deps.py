@@ -36,7 +36,7 @@ class People:
 
 
 async def people(connection: HTTPConnection) -> People:
-    """Return the parts that decide who comes in; like `everyone` and `flows` without a thread, for Stop needs them."""
+    """Return the parts that decide who comes in; async, for Stop needs them and must not wait for a thread."""
     found: People = connection.app.state.people
     return found
 

@@ -7,7 +7,7 @@ from starlette.requests import HTTPConnection
 
 from app.api.live.screens import Screen
 from app.api.nearby import require_nearby
-from app.api.parts import Flows
+from app.api.parts import WebParts
 from app.api.sign_in.signed_in import SignedIn
 
 ANOTHER = "Somebody else started this drive, and only they go on or end it here: you can stop it, and ask them."
@@ -21,32 +21,32 @@ class Controller:
     real: bool
 
 
-def controller_of(flows: Flows) -> Controller | None:
+def controller_of(web: WebParts) -> Controller | None:
     """Return whose trial or drive it is that goes on, None when nothing is driven."""
-    drive, trial = flows.real.drive, flows.drive.trial
+    drive, trial = web.real.drive, web.drive.trial
     if drive is not None:
         return Controller(drive.person_id, real=True)
     return None if trial is None else Controller(trial.person_id, real=False)
 
 
-def require_controller(flows: Flows, who: SignedIn) -> Controller | None:
+def require_controller(web: WebParts, who: SignedIn) -> Controller | None:
     """Refuse those who did not start what is being driven; anybody may do what is left when nothing is."""
-    controller = controller_of(flows)
+    controller = controller_of(web)
     if controller is not None and controller.person_id != who.person_id:
         raise HTTPException(409, ANOTHER)
     return controller
 
 
-def require_hand_on_chair(flows: Flows, who: SignedIn, connection: HTTPConnection) -> None:
+def require_hand_on_chair(web: WebParts, who: SignedIn, connection: HTTPConnection) -> None:
     """Refuse, for what sets the chair in motion, those who did not start the drive or are not in the building."""
-    controller = require_controller(flows, who)
+    controller = require_controller(web, who)
     if controller is not None and controller.real:
         require_nearby(connection)
 
 
-def require_picture(flows: Flows) -> None:
+def require_picture(web: WebParts) -> None:
     """Refuse to go on with a trial whose screens have no picture to drive by."""
-    trial = flows.drive.trial
-    refusal = "" if trial is None else flows.pictures.refusal(Screen(trial.person_id, trial.screen))
+    trial = web.drive.trial
+    refusal = "" if trial is None else web.pictures.refusal(Screen(trial.person_id, trial.screen))
     if refusal:
         raise HTTPException(409, refusal)

@@ -1,4 +1,4 @@
-"""The long-lived parts behind the routes: control, equipment, calibration, trials, the live picture."""
+"""The long-lived parts of the web process: control link, equipment, calibration, trials, the live picture."""
 
 import asyncio
 from contextlib import suppress
@@ -39,8 +39,8 @@ from app.world.scene import DrivingPlace, bundled_places, find_place
 
 
 @dataclass(slots=True)
-class Flows:
-    """What goes on, whether or not anybody looks."""
+class WebParts:
+    """The parts of the web process that live as long as it does, also while no page is open."""
 
     control: ControlLink
     equipment: Equipment
@@ -106,40 +106,40 @@ class Flows:
         return bundled | {name: offer for name, offer in own.items() if name not in bundled}
 
 
-def load_plan(flows: Flows, name: str) -> FloorPlan | None:
+def load_plan(web: WebParts, name: str) -> FloorPlan | None:
     """Return a floor plan by its name, None when there is none."""
     bundled = find_place(name)
     if bundled is not None:
         return bundled
-    file = flows.own_floorplans / f"{name}.json"
+    file = web.own_floorplans / f"{name}.json"
     return load_floorplan(file) if file.is_file() else None
 
 
-def plan_to_begin_with(flows: Flows) -> tuple[FloorPlan, str] | None:
+def plan_to_begin_with(web: WebParts) -> tuple[FloorPlan, str] | None:
     """Return the first floor plan that can be read and its first path, for a view that has to show something."""
     for name in bundled_floorplans():
         with suppress(ValueError):
-            plan = load_plan(flows, name)
+            plan = load_plan(web, name)
             if plan is not None:
                 return plan, plan.paths[0].name
     return None
 
 
-async def show_visit(flows: Flows) -> None:
+async def show_visit(web: WebParts) -> None:
     """Open a 3D view for the visit that began."""
-    first = await asyncio.to_thread(plan_to_begin_with, flows)
-    await flows.view.open(*(first or (None, None)))
+    first = await asyncio.to_thread(plan_to_begin_with, web)
+    await web.view.open(*(first or (None, None)))
 
 
-def flows_of(app: FastAPI) -> Flows:
-    """Return the long-lived parts of an application that has started."""
-    found: Flows = app.state.flows
+def web_parts_of(app: FastAPI) -> WebParts:
+    """Return the parts of an application that has started."""
+    found: WebParts = app.state.web
     return found
 
 
-async def flows(connection: HTTPConnection) -> Flows:
-    """Return the long-lived parts; without a thread, for Stop needs them."""
-    return flows_of(connection.app)
+async def web_parts(connection: HTTPConnection) -> WebParts:
+    """Return the parts; async, so that FastAPI starts no thread for it: Stop needs them at once."""
+    return web_parts_of(connection.app)
 
 
-FlowParts = Annotated[Flows, Depends(flows)]
+Web = Annotated[WebParts, Depends(web_parts)]

@@ -14,7 +14,7 @@ from typing import Any
 import uvicorn
 
 from app.api.app import create_app
-from app.api.parts import flows_of
+from app.api.parts import web_parts_of
 from app.clock import monotonic
 from app.faults import EXPLANATIONS, Fault, State
 from app.process.supervisor import ControlProcess
@@ -42,7 +42,7 @@ async def main(chair: dict[str, Any], shirt_port: int, shirt_key: str, folder: P
                 raise RuntimeError("the web process of the benchmark did not start: its message stands above")
             await asyncio.sleep(LOOK_EVERY)
         collect_garbage()  # as the web server does
-        control = flows_of(app).control
+        control = web_parts_of(app).control
         control.screen_sign = lambda: ScreenSign(0.0)  # a screen that is in view all the time
         digest = await _set_up(control, chair, shirt_port, shirt_key, folder)
         _say(str(port))

@@ -228,18 +228,18 @@ class Clinic:
         url = f"{BASE.replace('http', 'ws')}/api/v1/screen"
         with self.client.websocket_connect(url, headers={"Origin": BASE}) as socket:
             socket.send_json({"screen": word, "visible": True, "silence": 0.0})
-            while self.flows.screens.age(Screen(1, word), monotonic()) is None:
+            while self.web.screens.age(Screen(1, word), monotonic()) is None:
                 time.sleep(0.002)
             yield socket
 
     @property
-    def flows(self) -> Any:
-        return self.client.app.state.flows  # type: ignore[attr-defined]
+    def web(self) -> Any:
+        return self.client.app.state.web  # type: ignore[attr-defined]
 
     @property
     def session(self) -> str:
         """What a page that shows who is here now names as its session."""
-        return str(self.flows.visit.session_id or "none")
+        return str(self.web.visit.session_id or "none")
 
     def log(self) -> list[LogEntry]:
         """Return the rows of the log, the newest last."""

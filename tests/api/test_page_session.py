@@ -102,9 +102,9 @@ def test_a_change_that_waited_while_the_session_changed_does_nothing(visited: An
     async def late(what: str) -> None:
         SHOWN_SESSION.set(ShownSession(before))
         if what == "undisturbed":
-            async with visited.flows.visit.undisturbed("change the controls"):
+            async with visited.web.visit.undisturbed("change the controls"):
                 raise AssertionError("it was done")
-        await visited.flows.visit.needed_session(1)
+        await visited.web.visit.needed_session(1)
 
     for what in ("undisturbed", "needed"):
         with pytest.raises(Conflict, match="B-12 was opened"):
@@ -123,7 +123,7 @@ def test_the_dial_goes_down_from_any_page_and_up_from_the_right_one_only(visited
 
 
 def test_the_live_picture_names_the_open_session(visited: Any) -> None:
-    picture = visited.flows.live._picture
+    picture = visited.web.live._picture
     assert picture()["session"] == visited.good("GET", "/visit")["session"]["id"]
     before = second_patient(visited)
     assert picture()["session"] == visited.good("GET", "/visit")["session"]["id"] != int(before)

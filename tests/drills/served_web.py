@@ -15,7 +15,7 @@ import uvicorn
 from processes.running_control import tick_with
 
 from app.api.app import create_app
-from app.api.parts import flows_of
+from app.api.parts import web_parts_of
 from app.faults import State
 from app.process.supervisor import ControlProcess
 from app.realtime import collect_garbage
@@ -35,7 +35,7 @@ async def main(given):
         while not server.started:
             await asyncio.sleep(0.01)
         collect_garbage()
-        control = flows_of(app).control
+        control = web_parts_of(app).control
         control.screen_sign = lambda: ScreenSign(0.0)  # a screen that is in view all the time
         parameters = make_parameters()
         await control.call("shirt", config=given["shirt"])

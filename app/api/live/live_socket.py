@@ -9,7 +9,7 @@ from pydantic import Field, ValidationError
 from starlette.websockets import WebSocketDisconnect
 
 from app.api.live.hub import Viewer
-from app.api.parts import Flows
+from app.api.parts import WebParts
 from app.layout import MAX_JOINTS
 from app.quantities import Document, Fraction, Name, Radians
 
@@ -43,35 +43,35 @@ async def live(websocket: WebSocket) -> None:
     if who is None:
         return
     await websocket.accept()
-    flows: Flows = websocket.app.state.flows
+    web: WebParts = websocket.app.state.web
     viewer = Viewer(websocket)
     async with sockets.guarded(websocket, who):
-        sending = asyncio.create_task(flows.live.serve(viewer))
+        sending = asyncio.create_task(web.live.serve(viewer))
         try:
             while True:
-                await _take(await websocket.receive_text(), flows)
+                await _take(await websocket.receive_text(), web)
         except (WebSocketDisconnect, RuntimeError):
             pass  # gone, or closed by us: in both cases the page comes back by itself
         except KeyError:
             await websocket.close(NOT_TEXT)  # left open, it would show nothing for ever
         finally:
-            flows.live.forget(viewer)
+            web.live.forget(viewer)
             sending.cancel()
             await asyncio.gather(sending, return_exceptions=True)
 
 
-async def _take(text: str, flows: Flows) -> None:
+async def _take(text: str, web: WebParts) -> None:
     """Do what a page asks; what cannot be read is left alone, except that a Stop is looked for first."""
     if len(text) > MESSAGE_LIMIT:
         return
     try:
         said = json.loads(text)
         if isinstance(said, dict) and said.get("stop") is True:
-            await flows.control.stop()
+            await web.control.stop()
         message = Upward.model_validate(said)
     except (ValidationError, ValueError, RecursionError):
         return
     if message.move is not None:
-        flows.control.move(message.move)
+        web.control.move(message.move)
     if message.look is not None:
-        flows.control.look(message.look.yaw, message.look.pitch, message.look.roll)
+        web.control.look(message.look.yaw, message.look.pitch, message.look.roll)

@@ -9,7 +9,7 @@ from starlette.websockets import WebSocketDisconnect
 
 from app.api.live.pictures import Picture
 from app.api.live.screens import PageSign, Screen
-from app.api.parts import Flows
+from app.api.parts import WebParts
 from app.clock import monotonic
 from app.quantities import Document, Seconds
 
@@ -43,7 +43,7 @@ async def screen_socket(websocket: WebSocket) -> None:
     if who is None:
         return
     await websocket.accept()
-    flows: Flows = websocket.app.state.flows
+    web: WebParts = websocket.app.state.web
     screen: Screen | None = None
     async with sockets.guarded(websocket, who):
         try:
@@ -52,21 +52,21 @@ async def screen_socket(websocket: WebSocket) -> None:
                 if said is None:
                     continue
                 if screen is not None and screen.word != said.screen:
-                    flows.lost(screen, websocket)
+                    web.lost(screen, websocket)
                 screen = Screen(who.person_id, said.screen)
-                if not flows.take_sign(screen, PageSign(monotonic(), said.visible, said.silence, websocket)):
+                if not web.take_sign(screen, PageSign(monotonic(), said.visible, said.silence, websocket)):
                     await websocket.close(TAKEN)
                     return
                 if said.picture is not None:
-                    flows.pictures.of_screen(screen, said.picture, websocket)
+                    web.pictures.of_screen(screen, said.picture, websocket)
         except (WebSocketDisconnect, RuntimeError):
             pass  # gone, or closed by us
         except KeyError:
             await websocket.close(NOT_TEXT)
         finally:
-            flows.pictures.forget(websocket)
+            web.pictures.forget(websocket)
             if screen is not None:
-                flows.lost(screen, websocket)
+                web.lost(screen, websocket)
 
 
 def _read(text: str) -> Said | None:

@@ -11,7 +11,7 @@ from pydantic import ValidationError
 from app.api.deps import People
 from app.api.live.hub import Viewer
 from app.api.live.pictures import Picture
-from app.api.parts import Flows
+from app.api.parts import WebParts
 from app.clock import monotonic
 from app.quantities import Document
 from app.store.patient_screens import wishes_of
@@ -35,7 +35,7 @@ class PictureReport(Document):
 async def patient_live(websocket: WebSocket) -> None:
     """Show the newest moment 20 times a second."""
     parts: People = websocket.app.state.people
-    flows: Flows = websocket.app.state.flows
+    web: WebParts = websocket.app.state.web
     who = await parts.sockets.admit_screen(websocket)
     if who is None:
         return
@@ -43,27 +43,27 @@ async def patient_live(websocket: WebSocket) -> None:
 
     def _read() -> None:
         with parts.database.transaction() as db:
-            flows.patient.wishes = wishes_of(db, visit_id)
+            web.patient.wishes = wishes_of(db, visit_id)
 
     await run_in_threadpool(_read)
     await websocket.accept()
     viewer = Viewer(websocket)
     async with parts.sockets.guarded(websocket, who):
-        flows.live.tell("screens")
-        sending = asyncio.create_task(flows.patient_live.serve(viewer))
+        web.live.tell("screens")
+        sending = asyncio.create_task(web.patient_live.serve(viewer))
         try:
-            await _take(websocket, who.screen_id, flows)
+            await _take(websocket, who.screen_id, web)
         except RuntimeError:
             pass  # closed by us
         finally:
-            flows.patient_live.forget(viewer)
-            flows.pictures.forget(websocket)
+            web.patient_live.forget(viewer)
+            web.pictures.forget(websocket)
             sending.cancel()
             await asyncio.gather(sending, return_exceptions=True)
-    flows.live.tell("screens")
+    web.live.tell("screens")
 
 
-async def _take(websocket: WebSocket, screen_id: int, flows: Flows) -> None:
+async def _take(websocket: WebSocket, screen_id: int, web: WebParts) -> None:
     """Receive picture reports until the page leaves, or has sent more than `FLOOD` messages within 10 s.
 
     A page that has reported once must go on: after `SILENCE` it counts as gone, which halts the trial.
@@ -75,8 +75,8 @@ async def _take(websocket: WebSocket, screen_id: int, flows: Flows) -> None:
             async with asyncio.timeout(limit):
                 message = await websocket.receive()
         except TimeoutError:
-            flows.pictures.forget(websocket)
-            flows.live.tell("screens")
+            web.pictures.forget(websocket)
+            web.live.tell("screens")
             limit = None
             continue
         if message["type"] == "websocket.disconnect":
@@ -91,8 +91,8 @@ async def _take(websocket: WebSocket, screen_id: int, flows: Flows) -> None:
         if said is None:
             continue
         limit = SILENCE
-        if flows.pictures.of_patient(screen_id, said.picture, websocket):
-            flows.live.tell("screens")
+        if web.pictures.of_patient(screen_id, said.picture, websocket):
+            web.live.tell("screens")
 
 
 def _read(message: Mapping[str, Any]) -> PictureReport | None:

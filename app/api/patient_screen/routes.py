@@ -10,7 +10,7 @@ from pydantic import Field
 from app.api.deps import Clinician, ForEveryone, People, PeopleParts, RowId
 from app.api.live.pictures import Picture
 from app.api.own_address import own_address
-from app.api.parts import FlowParts, Flows
+from app.api.parts import Web, WebParts
 from app.api.qr import qr_picture
 from app.api.sign_in.sign_in_limits import address_of
 from app.api.sign_in.signed_in import SCREEN_COOKIE, SignedIn
@@ -75,9 +75,9 @@ class MyState(Document):
     state: ScreenState
 
 
-async def _view(parts: People, flows: Flows, who: SignedIn) -> ScreensView:
-    session = await flows.visit.needed_session(who.clinic_id)
-    connected, pictures = parts.sockets.screens(), flows.pictures.patients()
+async def _view(parts: People, web: WebParts, who: SignedIn) -> ScreensView:
+    session = await web.visit.needed_session(who.clinic_id)
+    connected, pictures = parts.sockets.screens(), web.pictures.patients()
 
     def _read() -> ScreensView:
         with parts.database.transaction() as db:
@@ -97,16 +97,16 @@ async def _view(parts: People, flows: Flows, who: SignedIn) -> ScreensView:
 
 
 @router.get("")
-async def look(who: Clinician, parts: PeopleParts, flows: FlowParts) -> ScreensView:
+async def look(who: Clinician, parts: PeopleParts, web: Web) -> ScreensView:
     """Return the screens of this visit."""
-    return await _view(parts, flows, who)
+    return await _view(parts, web, who)
 
 
 @router.post("/pairing", status_code=201)
-async def offer(request: Request, who: Clinician, parts: PeopleParts, flows: FlowParts) -> OfferView:
+async def offer(request: Request, who: Clinician, parts: PeopleParts, web: Web) -> OfferView:
     """Make a link that pairs one screen within ten minutes; the one before is worthless from now on."""
-    session: PatientSession = await flows.visit.needed_session(who.clinic_id)
-    made = flows.pairing.offer(session.id, who.name)
+    session: PatientSession = await web.visit.needed_session(who.clinic_id)
+    made = web.pairing.offer(session.id, who.name)
     address = await asyncio.to_thread(own_address, parts.settings, request)
     # What stands behind # is not sent to a server, and so stands in nobody's log.
     url = f"{address.base}patient.html#pair={made.code}"
@@ -120,10 +120,10 @@ async def offer(request: Request, who: Clinician, parts: PeopleParts, flows: Flo
 
 
 @router.post("/pair", dependencies=[ForEveryone])
-async def pair(body: Code, request: Request, response: Response, parts: PeopleParts, flows: FlowParts) -> MyState:
+async def pair(body: Code, request: Request, response: Response, parts: PeopleParts, web: Web) -> MyState:
     """Make the browser that asks a screen of the visit for which the code was made."""
     attempt = await parts.limits.code(address_of(request))
-    offered = flows.pairing.redeem(body.code)
+    offered = web.pairing.redeem(body.code)
     attempt.take_back()
 
     def _pair() -> str:
@@ -141,7 +141,7 @@ async def pair(body: Code, request: Request, response: Response, parts: PeoplePa
         path="/",
     )
     await parts.sockets.close_ended_screens()
-    flows.live.tell("screens")
+    web.live.tell("screens")
     return MyState(state="paired")
 
 
@@ -153,22 +153,22 @@ def who_am_i(request: Request, parts: PeopleParts) -> MyState:
 
 
 @router.post("/settings")
-async def choose(body: Wishes, who: Clinician, parts: PeopleParts, flows: FlowParts) -> ScreensView:
+async def choose(body: Wishes, who: Clinician, parts: PeopleParts, web: Web) -> ScreensView:
     """Say what the screens of this visit show; it is kept until the visit ends."""
-    session = await flows.visit.needed_session(who.clinic_id)
+    session = await web.visit.needed_session(who.clinic_id)
 
     def _write() -> None:
         with parts.database.transaction() as db:
             set_wishes(db, session.id, body)
 
     await run_in_threadpool(_write)
-    flows.patient.wishes = body
-    flows.live.tell("screens")
-    return await _view(parts, flows, who)
+    web.patient.wishes = body
+    web.live.tell("screens")
+    return await _view(parts, web, who)
 
 
 @router.delete("/{screen_id}")
-async def unpair(screen_id: RowId, who: Clinician, parts: PeopleParts, flows: FlowParts) -> ScreensView:
+async def unpair(screen_id: RowId, who: Clinician, parts: PeopleParts, web: Web) -> ScreensView:
     """Unpair a screen; what it had opened is closed."""
 
     def _unpair() -> None:
@@ -177,5 +177,5 @@ async def unpair(screen_id: RowId, who: Clinician, parts: PeopleParts, flows: Fl
 
     await run_in_threadpool(_unpair)
     await parts.sockets.close_ended_screens()
-    flows.live.tell("screens")
-    return await _view(parts, flows, who)
+    web.live.tell("screens")
+    return await _view(parts, web, who)

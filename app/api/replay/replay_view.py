@@ -6,7 +6,7 @@ from fastapi import APIRouter, Path, Request, Response, WebSocket
 from pydantic import Field
 
 from app.api.deps import Anyone, People, PeopleParts
-from app.api.parts import FlowParts, Flows, flows_of
+from app.api.parts import Web, WebParts, web_parts_of
 from app.api.replay.trial_replay import refuse_while_driving
 from app.api.sockets import OpenSockets
 from app.api.view.view_bridge import NO_VIEW, ViewPage, bridge
@@ -52,33 +52,33 @@ class Shown(Document):
 
 
 @router.post("/replays", status_code=201)
-def open_replay(body: NewReplay, who: Anyone, parts: PeopleParts, flows: FlowParts) -> ReplayView:
+def open_replay(body: NewReplay, who: Anyone, parts: PeopleParts, web: Web) -> ReplayView:
     """Open a trial in 3D, on a server of its own that shows nothing live."""
-    refuse_while_driving(flows)
+    refuse_while_driving(web)
     with parts.database.transaction(closing=True) as db:
         trial = find_trial(db, who.clinic_id, body.trial)
         write_log(db, who.name, "trial viewed", trial=trial.id)
     if trial.status != "done":
         raise Conflict("This trial is still running: look at it when it has ended.")
-    return ReplayView(id=flows.replays.add(who.person_id, lambda: _made(parts, flows, trial)))
+    return ReplayView(id=web.replays.add(who.person_id, lambda: _made(parts, web, trial)))
 
 
 @router.post("/replays/{word}/at", status_code=204)
-def show_moment(word: Word, body: Shown, who: Anyone, flows: FlowParts) -> None:
+def show_moment(word: Word, body: Shown, who: Anyone, web: Web) -> None:
     """Show another moment, or look from somewhere else."""
-    refuse_while_driving(flows)
-    flows.replays.find(word, who.person_id).show(body.t, body.view)
+    refuse_while_driving(web)
+    web.replays.find(word, who.person_id).show(body.t, body.view)
 
 
 @router.delete("/replays/{word}", status_code=204)
-def close_replay(word: Word, who: Anyone, flows: FlowParts) -> None:
+def close_replay(word: Word, who: Anyone, web: Web) -> None:
     """Close a replay; one that is closed already stays so."""
-    flows.replays.close(word, who.person_id)
+    web.replays.close(word, who.person_id)
 
 
-def _made(parts: People, flows: Flows, trial: Trial) -> Replay:
+def _made(parts: People, web: WebParts, trial: Trial) -> Replay:
     try:
-        run = read_run(flows.runs.folder_of(trial.run_id))
+        run = read_run(web.runs.folder_of(trial.run_id))
         plan = plan_of(run)
         if plan is None:
             raise ValueError("it does not say where it was driven")
@@ -91,9 +91,9 @@ page = ViewPage(client_page(MARK))
 
 
 @page_router.get("/view/replay/{word}/", include_in_schema=False)
-def replay_page(word: Word, who: Anyone, flows: FlowParts, request: Request) -> Response:
+def replay_page(word: Word, who: Anyone, web: Web, request: Request) -> Response:
     """Return the page that shows a replay."""
-    flows.replays.find(word, who.person_id)
+    web.replays.find(word, who.person_id)
     return page.answer(request)
 
 
@@ -106,7 +106,7 @@ async def replay_socket(websocket: WebSocket, word: str) -> None:
     if who is None:
         return
     try:
-        port = flows_of(websocket.app).replays.find(word, who.person_id).port
+        port = web_parts_of(websocket.app).replays.find(word, who.person_id).port
     except NotFound:
         await websocket.close(NO_VIEW)
         return

@@ -5,7 +5,7 @@ import gzip
 from fastapi import APIRouter, Request, Response
 
 from app.api.deps import Anyone, PeopleParts, RowId
-from app.api.parts import FlowParts, Flows
+from app.api.parts import Web, WebParts
 from app.refusals import Conflict, NotFound
 from app.scoring.timeline import Timeline
 from app.store.log import write_log
@@ -16,25 +16,25 @@ router = APIRouter(tags=["review"])
 BUSY = "Somebody drives: this trial can be looked at again when the chair stands and the drive is over."
 
 
-def refuse_while_driving(flows: Flows) -> None:
+def refuse_while_driving(web: WebParts) -> None:
     """Refuse while a chair may move: reading a long recording must not make the heartbeat late."""
-    if flows.drive.running or flows.real.running:
+    if web.drive.running or web.real.running:
         raise Conflict(BUSY)
 
 
 @router.get("/trials/{trial_id}/timeline", response_model=Timeline)
-def trial_timeline(trial_id: RowId, who: Anyone, parts: PeopleParts, flows: FlowParts, request: Request) -> Response:
+def trial_timeline(trial_id: RowId, who: Anyone, parts: PeopleParts, web: Web, request: Request) -> Response:
     """Return a trial on one time line: pose, commands, gestures, signals and events."""
     with parts.database.transaction(closing=True) as db:
         trial = find_trial(db, who.clinic_id, trial_id)
         write_log(db, who.name, "trial viewed", trial=trial_id)
     if trial.status != "done":
         raise Conflict("This trial is still running: look at it when it has ended.")
-    folder = flows.runs.folder_of(trial.run_id)
-    if not flows.timelines.has(folder):
-        refuse_while_driving(flows)
+    folder = web.runs.folder_of(trial.run_id)
+    if not web.timelines.has(folder):
+        refuse_while_driving(web)
     try:
-        packed = flows.timelines.of(folder, trial.path_points, trial.end)
+        packed = web.timelines.of(folder, trial.path_points, trial.end)
     except (ValueError, OSError) as error:
         raise NotFound("The recording of this trial cannot be read: restore it from a backup.") from error
     headers = {"Cache-Control": "private, no-cache", "Vary": "Accept-Encoding"}

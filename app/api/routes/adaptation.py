@@ -7,7 +7,7 @@ from fastapi import APIRouter
 from pydantic import Field
 
 from app.api.deps import Anyone, Clinician, PeopleParts, RowId
-from app.api.parts import FlowParts, Flows
+from app.api.parts import Web, WebParts
 from app.calibration.adaptation.proposal import JointChange
 from app.quantities import Document
 from app.scoring.trial_forecast import Effect
@@ -98,9 +98,9 @@ def _proposal(held: Held, labels: dict[str, str]) -> ProposalView:
     )
 
 
-def _view(db: Transaction, flows: Flows, patient_id: int) -> AdaptationView:
+def _view(db: Transaction, web: WebParts, patient_id: int) -> AdaptationView:
     mode: Any = mode_of(db, patient_id)
-    flow = flows.adaptation
+    flow = web.adaptation
     view = AdaptationView(
         mode=mode,
         version=None,
@@ -126,7 +126,7 @@ def _view(db: Transaction, flows: Flows, patient_id: int) -> AdaptationView:
         held, why = None, STALE
     elif held.adapted.proposal.parameters is None:
         why = held.adapted.proposal.reason
-    practice = flow.practised.practice(db, patient_id, parameters.hash, simulated=flows.visit.simulated)
+    practice = flow.practised.practice(db, patient_id, parameters.hash, simulated=web.visit.simulated)
     labels = {joint.name: joint.label for joint in parameters.profile.layout.joints}
     changed = {
         "version": profile.version,
@@ -139,56 +139,56 @@ def _view(db: Transaction, flows: Flows, patient_id: int) -> AdaptationView:
     return view.model_copy(update=changed)
 
 
-async def _look(database: Database, flows: Flows, clinic_id: int) -> AdaptationView:
-    session = await flows.visit.needed_session(clinic_id)
+async def _look(database: Database, web: WebParts, clinic_id: int) -> AdaptationView:
+    session = await web.visit.needed_session(clinic_id)
 
     def _read() -> AdaptationView:
         with database.transaction() as db:
-            return _view(db, flows, session.patient_id)
+            return _view(db, web, session.patient_id)
 
     return await asyncio.to_thread(_read)
 
 
 @router.get("/adaptation")
-async def look(who: Anyone, parts: PeopleParts, flows: FlowParts) -> AdaptationView:
+async def look(who: Anyone, parts: PeopleParts, web: Web) -> AdaptationView:
     """Return what would change of the map, and why."""
-    return await _look(parts.database, flows, who.clinic_id)
+    return await _look(parts.database, web, who.clinic_id)
 
 
 @router.put("/adaptation")
-async def choose_mode(body: WantedMode, who: Clinician, parts: PeopleParts, flows: FlowParts) -> AdaptationView:
+async def choose_mode(body: WantedMode, who: Clinician, parts: PeopleParts, web: Web) -> AdaptationView:
     """Choose whether this patient's map is adapted: off, suggest, or auto (by itself, between trials)."""
-    session = await flows.visit.needed_session(who.clinic_id)
-    await flows.adaptation.set_mode(session, body.mode, who.name)
-    return await _look(parts.database, flows, who.clinic_id)
+    session = await web.visit.needed_session(who.clinic_id)
+    await web.adaptation.set_mode(session, body.mode, who.name)
+    return await _look(parts.database, web, who.clinic_id)
 
 
 @router.post("/adaptation/propose")
-async def propose(who: Clinician, parts: PeopleParts, flows: FlowParts) -> AdaptationView:
+async def propose(who: Clinician, parts: PeopleParts, web: Web) -> AdaptationView:
     """Look now what the last trials would change, whatever the mode is."""
-    await flows.adaptation.propose(await flows.visit.needed_session(who.clinic_id))
-    return await _look(parts.database, flows, who.clinic_id)
+    await web.adaptation.propose(await web.visit.needed_session(who.clinic_id))
+    return await _look(parts.database, web, who.clinic_id)
 
 
 @router.post("/adaptation/apply")
-async def apply(body: WhichProposal, who: Clinician, parts: PeopleParts, flows: FlowParts) -> AdaptationView:
+async def apply(body: WhichProposal, who: Clinician, parts: PeopleParts, web: Web) -> AdaptationView:
     """Make a proposal the next version of the map; only between trials, and never with a real chair."""
-    await flows.adaptation.apply(who.clinic_id, body.proposal, who.name)
-    return await _look(parts.database, flows, who.clinic_id)
+    await web.adaptation.apply(who.clinic_id, body.proposal, who.name)
+    return await _look(parts.database, web, who.clinic_id)
 
 
 @router.post("/adaptation/dismiss")
-async def dismiss(body: WhichProposal, who: Clinician, parts: PeopleParts, flows: FlowParts) -> AdaptationView:
+async def dismiss(body: WhichProposal, who: Clinician, parts: PeopleParts, web: Web) -> AdaptationView:
     """Leave the map as it is for now."""
-    await flows.adaptation.dismiss(await flows.visit.needed_session(who.clinic_id), body.proposal)
-    return await _look(parts.database, flows, who.clinic_id)
+    await web.adaptation.dismiss(await web.visit.needed_session(who.clinic_id), body.proposal)
+    return await _look(parts.database, web, who.clinic_id)
 
 
 @router.post("/adaptation/back")
-async def back(who: Clinician, parts: PeopleParts, flows: FlowParts) -> AdaptationView:
+async def back(who: Clinician, parts: PeopleParts, web: Web) -> AdaptationView:
     """Go back to the map before; that is a new version, too."""
-    await flows.adaptation.back(who.clinic_id, who.name)
-    return await _look(parts.database, flows, who.clinic_id)
+    await web.adaptation.back(who.clinic_id, who.name)
+    return await _look(parts.database, web, who.clinic_id)
 
 
 @router.get("/patients/{patient_id}/maps")

@@ -7,7 +7,7 @@ from fastapi import APIRouter, Path
 from pydantic import Field
 
 from app.api.deps import Clinician, People, PeopleParts
-from app.api.parts import FlowParts, Flows
+from app.api.parts import Web, WebParts
 from app.api.sign_in.signed_in import SignedIn
 from app.calibration.fit.profile_fit import joints_without_map
 from app.calibration.gestures.discovery import Discovery
@@ -135,8 +135,8 @@ def _result(progress: Progress, profile: CalibrationProfile) -> dict[str, Any]:
     }
 
 
-async def _view(flows: Flows, session: PatientSession) -> CalibrationView:
-    progress = await flows.calibration.progress(session.id)
+async def _view(web: WebParts, session: PatientSession) -> CalibrationView:
+    progress = await web.calibration.progress(session.id)
     running = progress.running
     return CalibrationView(
         current=progress.current,
@@ -147,86 +147,86 @@ async def _view(flows: Flows, session: PatientSession) -> CalibrationView:
 
 
 @router.get("")
-async def look(who: Clinician, flows: FlowParts) -> CalibrationView:
+async def look(who: Clinician, web: Web) -> CalibrationView:
     """Return the wizard as it stands."""
-    return await _view(flows, await flows.visit.needed_session(who.clinic_id))
+    return await _view(web, await web.visit.needed_session(who.clinic_id))
 
 
 @router.get("/gestures")
-async def gestures(who: Clinician, parts: PeopleParts, flows: FlowParts) -> Discovery:
+async def gestures(who: Clinician, parts: PeopleParts, web: Web) -> Discovery:
     """Return all gestures that were found in the calibration under way, or else in the newest accepted one."""
-    session = await flows.visit.needed_session(who.clinic_id)
-    return await asyncio.to_thread(of_result, parts.database, flows.runs.folder_of, session.id)
+    session = await web.visit.needed_session(who.clinic_id)
+    return await asyncio.to_thread(of_result, parts.database, web.runs.folder_of, session.id)
 
 
 @router.post("/steps/{step}/start")
-async def start_step(step: StepName, who: Clinician, flows: FlowParts) -> CalibrationView:
+async def start_step(step: StepName, who: Clinician, web: Web) -> CalibrationView:
     """Record a step, for the first time or again."""
-    async with flows.visit.undisturbed("start a step"):
-        session = await flows.visit.needed_session(who.clinic_id)
-        await flows.calibration.start(session.id, step)
-    return await _view(flows, session)
+    async with web.visit.undisturbed("start a step"):
+        session = await web.visit.needed_session(who.clinic_id)
+        await web.calibration.start(session.id, step)
+    return await _view(web, session)
 
 
 @router.post("/steps/{step}/cancel")
-async def cancel_step(step: StepName, who: Clinician, flows: FlowParts) -> CalibrationView:
+async def cancel_step(step: StepName, who: Clinician, web: Web) -> CalibrationView:
     """Stop recording a step."""
-    session = await flows.visit.needed_session(who.clinic_id)
-    await flows.calibration.cancel(session.id, step)
-    return await _view(flows, session)
+    session = await web.visit.needed_session(who.clinic_id)
+    await web.calibration.cancel(session.id, step)
+    return await _view(web, session)
 
 
 @router.post("/steps/{step}/skip")
-async def skip_step(step: StepName, who: Clinician, flows: FlowParts) -> CalibrationView:
+async def skip_step(step: StepName, who: Clinician, web: Web) -> CalibrationView:
     """Go on without a prompted movement that this body cannot make."""
-    async with flows.visit.undisturbed("skip a step"):
-        session = await flows.visit.needed_session(who.clinic_id)
-        await flows.calibration.skip(session.id, step)
-    return await _view(flows, session)
+    async with web.visit.undisturbed("skip a step"):
+        session = await web.visit.needed_session(who.clinic_id)
+        await web.calibration.skip(session.id, step)
+    return await _view(web, session)
 
 
 @router.post("/go")
-async def go_to_step(body: Look, who: Clinician, flows: FlowParts) -> CalibrationView:
+async def go_to_step(body: Look, who: Clinician, web: Web) -> CalibrationView:
     """Look at another step."""
-    session = await flows.visit.needed_session(who.clinic_id)
-    await flows.calibration.go(session.id, body.step)
-    return await _view(flows, session)
+    session = await web.visit.needed_session(who.clinic_id)
+    await web.calibration.go(session.id, body.step)
+    return await _view(web, session)
 
 
 @router.post("/restart")
-async def begin_anew(who: Clinician, flows: FlowParts) -> CalibrationView:
+async def begin_anew(who: Clinician, web: Web) -> CalibrationView:
     """Forget the steps and begin anew."""
-    async with flows.visit.undisturbed("begin anew"):
-        session = await flows.visit.needed_session(who.clinic_id)
-        await flows.calibration.restart(session.id)
-    return await _view(flows, session)
+    async with web.visit.undisturbed("begin anew"):
+        session = await web.visit.needed_session(who.clinic_id)
+        await web.calibration.restart(session.id)
+    return await _view(web, session)
 
 
 @router.post("/map")
-async def choose(body: ChosenMap, who: Clinician, parts: PeopleParts, flows: FlowParts) -> CalibrationView:
+async def choose(body: ChosenMap, who: Clinician, parts: PeopleParts, web: Web) -> CalibrationView:
     """Let a joint be decoded by the study's map or by its guided one; the result then waits to be accepted."""
-    async with flows.visit.undisturbed("choose a map"):
-        session = await flows.visit.needed_session(who.clinic_id)
-        if flows.calibration.running:
+    async with web.visit.undisturbed("choose a map"):
+        session = await web.visit.needed_session(who.clinic_id)
+        if web.calibration.running:
             raise Conflict("A step is being recorded, or the map is being fitted: wait for its end.")
         await asyncio.to_thread(choose_map, parts.database, session.id, body.joint, body.map)
-    flows.live.tell("calibration")
-    return await _view(flows, session)
+    web.live.tell("calibration")
+    return await _view(web, session)
 
 
 @router.post("/accept")
-async def accept(who: Clinician, parts: PeopleParts, flows: FlowParts) -> CalibrationView:
+async def accept(who: Clinician, parts: PeopleParts, web: Web) -> CalibrationView:
     """Save the profile as the patient's newest, and load standard parameters on it."""
-    async with flows.visit.undisturbed("accept the result"):
-        session = await flows.visit.needed_session(who.clinic_id)
-        await _accept(who, parts, flows, session)
+    async with web.visit.undisturbed("accept the result"):
+        session = await web.visit.needed_session(who.clinic_id)
+        await _accept(who, parts, web, session)
     for event in ("calibration", "controls", "visit"):
-        flows.live.tell(event)
-    return await _view(flows, session)
+        web.live.tell(event)
+    return await _view(web, session)
 
 
-async def _accept(who: SignedIn, parts: People, flows: Flows, session: PatientSession) -> None:
-    progress = await flows.calibration.progress(session.id)
+async def _accept(who: SignedIn, parts: People, web: WebParts, session: PatientSession) -> None:
+    progress = await web.calibration.progress(session.id)
     profile = progress.profile
     if profile is None:
         raise Conflict("There is no result yet: do every step first.")
@@ -242,4 +242,4 @@ async def _accept(who: SignedIn, parts: People, flows: Flows, session: PatientSe
             write_log(db, who.name, "calibration accepted", patient=session.patient_id, version=row.version)
 
     await asyncio.to_thread(_save)
-    await flows.visit.try_load_parameters()
+    await web.visit.try_load_parameters()

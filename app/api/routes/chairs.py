@@ -7,7 +7,7 @@ from fastapi import APIRouter
 from pydantic import Field
 
 from app.api.deps import Anyone, Clinician, Owner, People, PeopleParts, RowId
-from app.api.parts import FlowParts, Flows
+from app.api.parts import Web, WebParts
 from app.api.qr import qr_picture
 from app.api.sign_in.signed_in import SignedIn
 from app.hardware.chair.key import Key
@@ -80,17 +80,17 @@ def _chair_view(chair: Chair) -> ChairView:
     )
 
 
-async def _view(parts: People, flows: Flows, who: SignedIn) -> ChairsView:
+async def _view(parts: People, web: WebParts, who: SignedIn) -> ChairsView:
     def _read() -> list[ChairView]:
         with parts.database.transaction() as db:
             return [_chair_view(chair) for chair in chairs_of(db, own_clinic(db, who))]
 
-    chosen = flows.chairs.chosen
+    chosen = web.chairs.chosen
     return ChairsView(
         chairs=await asyncio.to_thread(_read),
         chosen=None if chosen is None else chosen.id,
-        dynamics=flows.chairs.dynamics,
-        words=await flows.chairs.state(),
+        dynamics=web.chairs.dynamics,
+        words=await web.chairs.state(),
     )
 
 
@@ -100,13 +100,13 @@ def own_clinic(db: Transaction, who: SignedIn) -> Clinic:
 
 
 @router.get("")
-async def look(who: Anyone, parts: PeopleParts, flows: FlowParts) -> ChairsView:
+async def look(who: Anyone, parts: PeopleParts, web: Web) -> ChairsView:
     """Return the chairs."""
-    return await _view(parts, flows, who)
+    return await _view(parts, web, who)
 
 
 @router.post("", status_code=201)
-async def pair(body: NewChair, who: Owner, parts: PeopleParts, flows: FlowParts) -> PairedView:
+async def pair(body: NewChair, who: Owner, parts: PeopleParts, web: Web) -> PairedView:
     """Pair a chair: its key is made, kept in a file here, and shown this once."""
 
     def _pair() -> Key:
@@ -118,13 +118,13 @@ async def pair(body: NewChair, who: Owner, parts: PeopleParts, flows: FlowParts)
             return key
 
     key = await asyncio.to_thread(_pair)
-    flows.live.tell("equipment")
-    view = await _view(parts, flows, who)
+    web.live.tell("equipment")
+    view = await _view(parts, web, who)
     return PairedView(**view.model_dump(), key_line=key.line, qr=qr_picture(key.line))
 
 
 @router.delete("/{chair_id}")
-async def unpair(chair_id: RowId, who: Owner, parts: PeopleParts, flows: FlowParts) -> ChairsView:
+async def unpair(chair_id: RowId, who: Owner, parts: PeopleParts, web: Web) -> ChairsView:
     """Unpair a chair; its key is deleted here, and what was chosen with it falls back to the virtual chair."""
 
     def _unpair() -> None:
@@ -132,22 +132,22 @@ async def unpair(chair_id: RowId, who: Owner, parts: PeopleParts, flows: FlowPar
             chair = unpair_chair(db, own_clinic(db, who), parts.settings.keys, chair_id)
             write_log(db, who.name, "chair unpaired", chair=chair.id, key_id=chair.key_id)
 
-    async with flows.visit.undisturbed("unpair a chair"):
-        if flows.chairs.chosen is not None and flows.chairs.chosen.id == chair_id:
-            await flows.chairs.choose(None, flows.chairs.dynamics)
+    async with web.visit.undisturbed("unpair a chair"):
+        if web.chairs.chosen is not None and web.chairs.chosen.id == chair_id:
+            await web.chairs.choose(None, web.chairs.dynamics)
         await asyncio.to_thread(_unpair)
-    flows.live.tell("equipment")
-    return await _view(parts, flows, who)
+    web.live.tell("equipment")
+    return await _view(parts, web, who)
 
 
 @router.put("/chosen")
-async def choose(body: Choice, who: Clinician, parts: PeopleParts, flows: FlowParts) -> ChairsView:
+async def choose(body: Choice, who: Clinician, parts: PeopleParts, web: Web) -> ChairsView:
     """Drive another chair from now on."""
-    async with flows.visit.undisturbed("choose another chair"):
+    async with web.visit.undisturbed("choose another chair"):
         chair = None if body.id is None else await asyncio.to_thread(_found, parts, who, body.id)
-        await flows.chairs.choose(chair, body.dynamics)
+        await web.chairs.choose(chair, body.dynamics)
     await asyncio.to_thread(_note, parts, who, body)
-    return await _view(parts, flows, who)
+    return await _view(parts, web, who)
 
 
 def _found(parts: People, who: SignedIn, chair_id: int) -> Chair:

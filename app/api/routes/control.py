@@ -10,7 +10,7 @@ from pydantic import Field
 from app.api.deps import Clinician, ForEveryone, People, PeopleParts
 from app.api.driving import require_hand_on_chair, require_picture
 from app.api.page_session import require_named
-from app.api.parts import FlowParts
+from app.api.parts import Web
 from app.faults import Fault, State
 from app.quantities import Count, Document
 from app.session.control_link import ControlLink
@@ -51,36 +51,36 @@ def _view(control: ControlLink) -> ControlView:
 
 
 @router.post("/stop", dependencies=[ForEveryone])
-async def stop(flows: FlowParts) -> ControlView:
+async def stop(web: Web) -> ControlView:
     """Stop the chair: latched, beats every motion, for anyone, signed in or not."""
-    if await flows.control.stop():
+    if await web.control.stop():
         return ControlView(state="fault", fault=Fault.STOP_TABLET.name.lower())
     return ControlView(state="fault", fault=Fault.CONTROL_LOST.name.lower())  # it is gone, or is being ended
 
 
 @router.post("/clear")
-async def clear(body: SeenStops, request: Request, who: Clinician, flows: FlowParts) -> ControlView:
+async def clear(body: SeenStops, request: Request, who: Clinician, web: Web) -> ControlView:
     """Clear the latched stop or fault that was seen; in a trial or a drive a new neutral check follows."""
-    require_hand_on_chair(flows, who, request)
-    require_picture(flows)
-    before = flows.control.newest()
-    await flows.control.call("clear", stops=body.stops)
+    require_hand_on_chair(web, who, request)
+    require_picture(web)
+    before = web.control.newest()
+    await web.control.call("clear", stops=body.stops)
     for _ in range(NEXT_TICK_LOOKS):
-        now = flows.control.newest()
+        now = web.control.newest()
         if before is None or now is None or int(now["number"]) > int(before["number"]) + 1:
             break
         await asyncio.sleep(0.01)
-    return _view(flows.control)
+    return _view(web.control)
 
 
 @router.post("/dial")
-async def turn_dial(body: Dial, request: Request, who: Clinician, parts: PeopleParts, flows: FlowParts) -> Dial:
+async def turn_dial(body: Dial, request: Request, who: Clinician, parts: PeopleParts, web: Web) -> Dial:
     """Turn the speed dial: down at once, up only while the chair stands and the patient is at rest."""
-    require_hand_on_chair(flows, who, request)
-    tick = flows.control.newest()
+    require_hand_on_chair(web, who, request)
+    tick = web.control.newest()
     if tick is not None and body.share > float(tick["dial"]):
         await require_named(request, parts)
-    answer = await flows.control.load("dial", share=body.share)
+    answer = await web.control.load("dial", share=body.share)
     share = float(answer.get("share", body.share))
     await asyncio.to_thread(_note, parts, who.name, share)
     return Dial(share=share)

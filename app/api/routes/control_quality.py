@@ -5,7 +5,7 @@ from typing import Annotated, Any
 from fastapi import APIRouter, Query
 
 from app.api.deps import Anyone, PeopleParts, RowId
-from app.api.parts import FlowParts
+from app.api.parts import Web
 from app.api.routes.source_view import RequestedGroup
 from app.quantities import Document
 from app.scoring.control_warnings import control_warnings
@@ -48,7 +48,7 @@ def quality(
     patient_id: RowId,
     who: Anyone,
     parts: PeopleParts,
-    flows: FlowParts,
+    web: Web,
     source: RequestedGroup,
     floorplan: Annotated[str | None, Query(max_length=64)] = None,
     path: Annotated[str | None, Query(max_length=64)] = None,
@@ -59,7 +59,7 @@ def quality(
         trials = trials_of(db, who.clinic_id, patient_id, floorplan, path)
         newest = newest_profile(db, patient_id)
         write_log(db, who.name, "patient viewed", patient=patient_id)
-    judged = flows.qualities.judged([trial for trial in trials if trial.run.source.group == source])
+    judged = web.qualities.judged([trial for trial in trials if trial.run.source.group == source])
     found = control_warnings(judged, None if newest is None else newest.version)
     return QualityView(
         source=source,

@@ -8,7 +8,7 @@ from fastapi import APIRouter, HTTPException
 from pydantic import Field, ValidationError
 
 from app.api.deps import Clinician, People, PeopleParts
-from app.api.parts import FlowParts, Flows
+from app.api.parts import Web, WebParts
 from app.api.sign_in.signed_in import SignedIn
 from app.calibration.gestures.suggestion import SuggestedVocabulary
 from app.calibration.vocabulary import Binding, ControlMode, CruiseTime, DriveParameters, Gesture, TurnCruiseTime
@@ -91,7 +91,7 @@ class ControlsView(Document):
     obstacle: str | None  # why these cannot drive
 
 
-def _view(db: Transaction, flows: Flows, patient_id: int, suggestion: SuggestedVocabulary) -> ControlsView:
+def _view(db: Transaction, web: WebParts, patient_id: int, suggestion: SuggestedVocabulary) -> ControlsView:
     row, profile = current_parameters(db, patient_id)
     parameters = as_document(row, profile)
     before, after = undo_and_redo(db, patient_id)
@@ -103,25 +103,25 @@ def _view(db: Transaction, flows: Flows, patient_id: int, suggestion: SuggestedV
         saved=saved_titles(db, patient_id),
         suggested=Suggested(bindings=suggestion.bindings, reason=suggestion.reason),
         limits=LIMITS,
-        held=flows.arming.held(parameters.speeds),
-        obstacle=flows.visit.obstacle(parameters, simulated=profile.simulated),
+        held=web.arming.held(parameters.speeds),
+        obstacle=web.visit.obstacle(parameters, simulated=profile.simulated),
     )
 
 
-def _suggestion(parts: People, flows: Flows, patient_id: int) -> SuggestedVocabulary:
+def _suggestion(parts: People, web: WebParts, patient_id: int) -> SuggestedVocabulary:
     """Return what the newest map's calibration speaks for; outside of a transaction, for recordings are read."""
-    return of_newest(parts.database, flows.runs.folder_of, patient_id).suggestion
+    return of_newest(parts.database, web.runs.folder_of, patient_id).suggestion
 
 
 @router.get("")
-async def look(who: Clinician, parts: PeopleParts, flows: FlowParts) -> ControlsView:
+async def look(who: Clinician, parts: PeopleParts, web: Web) -> ControlsView:
     """Return the set that drives now."""
-    session = await flows.visit.needed_session(who.clinic_id)
+    session = await web.visit.needed_session(who.clinic_id)
 
     def _read() -> ControlsView:
-        suggestion = _suggestion(parts, flows, session.patient_id)
+        suggestion = _suggestion(parts, web, session.patient_id)
         with parts.database.transaction() as db:
-            return _view(db, flows, session.patient_id, suggestion)
+            return _view(db, web, session.patient_id, suggestion)
 
     return await asyncio.to_thread(_read)
 
@@ -129,33 +129,33 @@ async def look(who: Clinician, parts: PeopleParts, flows: FlowParts) -> Controls
 Change = Callable[[Transaction, PatientSession, SuggestedVocabulary], Parameters]
 
 
-async def _change(who: SignedIn, parts: People, flows: Flows, what: str, change: Change) -> ControlsView:
+async def _change(who: SignedIn, parts: People, web: WebParts, what: str, change: Change) -> ControlsView:
     """Change the current set and load it: what is kept is what drives, from the next arming on."""
 
     def _write(session: PatientSession) -> ControlsView:
-        suggestion = _suggestion(parts, flows, session.patient_id)
+        suggestion = _suggestion(parts, web, session.patient_id)
         with parts.database.transaction() as db:
             row = change(db, session, suggestion)
-            view = _view(db, flows, session.patient_id, suggestion)
+            view = _view(db, web, session.patient_id, suggestion)
             write_log(db, who.name, what, patient=session.patient_id, parameters=row.id, hash=view.hash)
             return view
 
-    async with flows.visit.undisturbed("change the controls"):
-        view = await asyncio.to_thread(_write, await flows.visit.needed_session(who.clinic_id))
-        await flows.visit.try_load_parameters()
-    flows.live.tell("controls")
+    async with web.visit.undisturbed("change the controls"):
+        view = await asyncio.to_thread(_write, await web.visit.needed_session(who.clinic_id))
+        await web.visit.try_load_parameters()
+    web.live.tell("controls")
     return view
 
 
 @router.put("")
-async def set_controls(body: ControlSettings, who: Clinician, parts: PeopleParts, flows: FlowParts) -> ControlsView:
+async def set_controls(body: ControlSettings, who: Clinician, parts: PeopleParts, web: Web) -> ControlsView:
     """Set the controls; an invalid set changes nothing."""
 
     def _set(db: Transaction, session: PatientSession, _suggestion: SuggestedVocabulary) -> Parameters:
         _row, profile = current_parameters(db, session.patient_id)
         return save_parameters(db, profile, _whole(body.model_dump(mode="json"), profile))
 
-    return await _change(who, parts, flows, "controls set", _set)
+    return await _change(who, parts, web, "controls set", _set)
 
 
 def _whole(settings: dict[str, Any], profile: Profile) -> DriveParameters:
@@ -166,23 +166,23 @@ def _whole(settings: dict[str, Any], profile: Profile) -> DriveParameters:
 
 
 @router.post("/undo")
-async def undo(who: Clinician, parts: PeopleParts, flows: FlowParts) -> ControlsView:
+async def undo(who: Clinician, parts: PeopleParts, web: Web) -> ControlsView:
     """Go back to the set before."""
     return await _change(
-        who, parts, flows, "controls undone", lambda db, session, _: step_parameters(db, session.patient_id, back=True)
+        who, parts, web, "controls undone", lambda db, session, _: step_parameters(db, session.patient_id, back=True)
     )
 
 
 @router.post("/redo")
-async def redo(who: Clinician, parts: PeopleParts, flows: FlowParts) -> ControlsView:
+async def redo(who: Clinician, parts: PeopleParts, web: Web) -> ControlsView:
     """Go forward again to the set that was undone."""
     return await _change(
-        who, parts, flows, "controls redone", lambda db, session, _: step_parameters(db, session.patient_id, back=False)
+        who, parts, web, "controls redone", lambda db, session, _: step_parameters(db, session.patient_id, back=False)
     )
 
 
 @router.post("/suggest")
-async def suggest(who: Clinician, parts: PeopleParts, flows: FlowParts) -> ControlsView:
+async def suggest(who: Clinician, parts: PeopleParts, web: Web) -> ControlsView:
     """Bind the gestures that the calibration suggests, with its dead-zones and fulls."""
 
     def _suggest(db: Transaction, session: PatientSession, suggestion: SuggestedVocabulary) -> Parameters:
@@ -190,12 +190,12 @@ async def suggest(who: Clinician, parts: PeopleParts, flows: FlowParts) -> Contr
         settings = {**row.settings, **suggestion.model_dump(mode="json", include={"gestures", "bindings"})}
         return save_parameters(db, profile_row, _whole(settings, profile_row))
 
-    return await _change(who, parts, flows, "controls suggested", _suggest)
+    return await _change(who, parts, web, "controls suggested", _suggest)
 
 
 @router.post("/load")
-async def load(body: LoadTitled, who: Clinician, parts: PeopleParts, flows: FlowParts) -> ControlsView:
+async def load(body: LoadTitled, who: Clinician, parts: PeopleParts, web: Web) -> ControlsView:
     """Make a saved set the current one."""
     return await _change(
-        who, parts, flows, "controls loaded", lambda db, session, _: load_titled(db, session.patient_id, body.title)
+        who, parts, web, "controls loaded", lambda db, session, _: load_titled(db, session.patient_id, body.title)
     )

@@ -12,7 +12,7 @@ from app.api.driving import require_controller
 from app.api.live.screen import ScreenWord
 from app.api.live.screens import Screen
 from app.api.nearby import require_nearby
-from app.api.parts import FlowParts
+from app.api.parts import Web
 from app.api.routes.source_view import SourceView
 from app.calibration.vocabulary import ControlMode
 from app.clock import monotonic
@@ -108,10 +108,10 @@ def _drive_view(drive: Drive) -> DriveView:
 
 
 @router.get("/summary")
-async def summary(who: Anyone, flows: FlowParts) -> Summary:
+async def summary(who: Anyone, web: Web) -> Summary:
     """Return what arming the chosen chair would apply, and what still speaks against it."""
-    now = await flows.arming.look(who.clinic_id)
-    chair, parameters, last = flows.chairs.chosen, now.parameters, now.last_practised
+    now = await web.arming.look(who.clinic_id)
+    chair, parameters, last = web.chairs.chosen, now.parameters, now.last_practised
     return Summary(
         chair=None if chair is None else ArmedChair(id=chair.id, name=chair.name),
         parameters=None
@@ -137,34 +137,34 @@ async def summary(who: Anyone, flows: FlowParts) -> Summary:
 
 
 @router.post("", status_code=201)
-async def arm(body: NewDrive, request: Request, who: Clinician, parts: PeopleParts, flows: FlowParts) -> DriveView:
+async def arm(body: NewDrive, request: Request, who: Clinician, parts: PeopleParts, web: Web) -> DriveView:
     """Arm the real chair with the set that was read about: recorded, and held by this screen."""
     require_nearby(request)
-    async with flows.visit.undisturbed("arm the chair"):
-        now = await flows.arming.look(who.clinic_id)
+    async with web.visit.undisturbed("arm the chair"):
+        now = await web.arming.look(who.clinic_id)
         if now.refusals:
             raise Conflict(now.refusals[0])
-        chair = flows.chairs.chosen
+        chair = web.chairs.chosen
         if chair is None or now.session is None or now.parameters is None or now.parameters_id is None:
             raise HTTPException(409, CHANGED)  # each of these is among the refusals
         if now.parameters.hash != body.hash:
             raise Conflict(CHANGED)
-        age = flows.screens.age(Screen(who.person_id, body.screen), monotonic())
+        age = web.screens.age(Screen(who.person_id, body.screen), monotonic())
         if age is None or age > HEARD_WITHIN:
             raise Conflict(NOT_IN_VIEW)
-        obstacle = await flows.visit.load_parameters()
+        obstacle = await web.visit.load_parameters()
         if obstacle is not None:
             raise Conflict(obstacle)
         starter = Starter(who.person_id, who.name, body.screen)
-        drive_id = await flows.real.start(now.session, starter, chair, now.parameters_id, body.hash)
+        drive_id = await web.real.start(now.session, starter, chair, now.parameters_id, body.hash)
     return await asyncio.to_thread(_one, parts, who.clinic_id, drive_id)
 
 
 @router.post("/current/end")
-async def end_drive(who: Clinician, parts: PeopleParts, flows: FlowParts) -> DriveView:
+async def end_drive(who: Clinician, parts: PeopleParts, web: Web) -> DriveView:
     """End the drive; answered when its recording is closed."""
-    require_controller(flows, who)
-    drive_id = await flows.real.end()
+    require_controller(web, who)
+    drive_id = await web.real.end()
     return await asyncio.to_thread(_one, parts, who.clinic_id, drive_id)
 
 

@@ -7,7 +7,7 @@ from fastapi import APIRouter, UploadFile
 from pydantic import Field
 
 from app.api.deps import Anyone, Clinician, ForEveryone, PeopleParts
-from app.api.parts import FlowParts, Flows
+from app.api.parts import Web, WebParts
 from app.api.routes.uploads import FileView, keep_upload, list_files
 from app.hardware.configs import BodyConfig, HeadConfig, ShirtConfig
 from app.layout import MAX_CHANNELS, ShirtLayout
@@ -109,8 +109,8 @@ class EquipmentView(Document):
     disk: DiskView
 
 
-async def _status(control: ControlLink, flows: Flows) -> tuple[StatusView, HeadView]:
-    worn, head = flows.equipment, flows.head.config
+async def _status(control: ControlLink, web: WebParts) -> tuple[StatusView, HeadView]:
+    worn, head = web.equipment, web.head.config
     try:
         status = await control.call("status")
     except Refusal as refusal:
@@ -126,12 +126,12 @@ async def _status(control: ControlLink, flows: Flows) -> tuple[StatusView, HeadV
         realtime=[str(sentence) for sentence in status.get("realtime", [])],
         control=control.state,
     )
-    return shown, HeadView(config=head, words=flows.head.words or str((status.get("head") or {}).get("words", "")))
+    return shown, HeadView(config=head, words=web.head.words or str((status.get("head") or {}).get("words", "")))
 
 
-async def _view(parts: PeopleParts, flows: Flows) -> EquipmentView:
-    worn = flows.equipment
-    status, head = await _status(flows.control, flows)
+async def _view(parts: PeopleParts, web: WebParts) -> EquipmentView:
+    worn = web.equipment
+    status, head = await _status(web.control, web)
     room = await asyncio.to_thread(disk_room, parts.settings.state)
     return EquipmentView(
         shirt=worn.shirt,
@@ -143,98 +143,98 @@ async def _view(parts: PeopleParts, flows: Flows) -> EquipmentView:
         status=status,
         files=await asyncio.to_thread(list_files, parts.settings.files),
         shirt_keys=await asyncio.to_thread(lambda: worn.key_names),
-        chair=ChairView(words=await flows.chairs.state()),
+        chair=ChairView(words=await web.chairs.state()),
         head=head,
         disk=DiskView(free=room.free, words=room.words),
     )
 
 
 @router.get("")
-async def look(_who: Anyone, parts: PeopleParts, flows: FlowParts) -> EquipmentView:
+async def look(_who: Anyone, parts: PeopleParts, web: Web) -> EquipmentView:
     """Return everything that is connected."""
-    return await _view(parts, flows)
+    return await _view(parts, web)
 
 
 @router.get("/practice", dependencies=[ForEveryone])
-def practice(flows: FlowParts) -> Practice:
+def practice(web: Web) -> Practice:
     """Return whether pages have to show the mark "practice only"; also for pages without a sign-in."""
-    return Practice(kind=flows.equipment.practice)
+    return Practice(kind=web.equipment.practice)
 
 
-async def _noted(parts: PeopleParts, flows: Flows, person: str, what: str, **details: Any) -> EquipmentView:
+async def _noted(parts: PeopleParts, web: WebParts, person: str, what: str, **details: Any) -> EquipmentView:
     def _write() -> None:
         with parts.database.transaction() as db:
             write_log(db, person, what, **details)
 
     await asyncio.to_thread(_write)
-    return await _view(parts, flows)
+    return await _view(parts, web)
 
 
 @router.put("/shirt")
-async def choose_shirt(body: ShirtConfig, who: Clinician, parts: PeopleParts, flows: FlowParts) -> EquipmentView:
+async def choose_shirt(body: ShirtConfig, who: Clinician, parts: PeopleParts, web: Web) -> EquipmentView:
     """Open another shirt; when it does not open, the one before stays."""
     config = body.model_dump(mode="json")
-    async with flows.visit.undisturbed("change the shirt"):
+    async with web.visit.undisturbed("change the shirt"):
         try:
-            await flows.equipment.use_shirt(config)
+            await web.equipment.use_shirt(config)
         finally:
-            await flows.visit.try_load_parameters()
-    return await _noted(parts, flows, who.name, "shirt chosen", kind=config["kind"])
+            await web.visit.try_load_parameters()
+    return await _noted(parts, web, who.name, "shirt chosen", kind=config["kind"])
 
 
 @router.get("/sender")
-async def look_at_senders(_who: Anyone, flows: FlowParts) -> SendersView:
+async def look_at_senders(_who: Anyone, web: Web) -> SendersView:
     """Return who sends frames to the shirt's port."""
-    status = await flows.control.call("status")
+    status = await web.control.call("status")
     return SendersView.model_validate(status["shirt"].get("senders") or {"shirt": "", "other": "", "others": 0})
 
 
 @router.put("/sender")
-async def choose_sender(body: OtherSender, who: Clinician, parts: PeopleParts, flows: FlowParts) -> EquipmentView:
+async def choose_sender(body: OtherSender, who: Clinician, parts: PeopleParts, web: Web) -> EquipmentView:
     """Take another sender as the shirt; refused while anything is armed, driven or recorded."""
-    async with flows.visit.undisturbed("change the shirt's sender"):
-        await flows.equipment.use_sender(body.sender)
-    return await _noted(parts, flows, who.name, "shirt's sender chosen", sender=body.sender)
+    async with web.visit.undisturbed("change the shirt's sender"):
+        await web.equipment.use_sender(body.sender)
+    return await _noted(parts, web, who.name, "shirt's sender chosen", sender=body.sender)
 
 
 @router.put("/body")
-async def choose_body(body: BodyConfig, who: Clinician, parts: PeopleParts, flows: FlowParts) -> EquipmentView:
+async def choose_body(body: BodyConfig, who: Clinician, parts: PeopleParts, web: Web) -> EquipmentView:
     """Let somebody else move inside the simulated shirt."""
     config = body.model_dump(mode="json")
-    async with flows.visit.undisturbed("change the body"):
-        await flows.equipment.use_body(config)
-    return await _noted(parts, flows, who.name, "body chosen", kind=config["kind"])
+    async with web.visit.undisturbed("change the body"):
+        await web.equipment.use_body(config)
+    return await _noted(parts, web, who.name, "body chosen", kind=config["kind"])
 
 
 @router.put("/head")
-async def choose_head(body: ChosenHead, who: Clinician, parts: PeopleParts, flows: FlowParts) -> EquipmentView:
+async def choose_head(body: ChosenHead, who: Clinician, parts: PeopleParts, web: Web) -> EquipmentView:
     """Look with another head tracker, or with none."""
     config = None if body.config is None else body.config.model_dump(mode="json")
-    async with flows.visit.undisturbed("change the head tracker"):
-        await flows.head.use(config)
-    return await _noted(parts, flows, who.name, "head tracker chosen", kind=config["kind"] if config else None)
+    async with web.visit.undisturbed("change the head tracker"):
+        await web.head.use(config)
+    return await _noted(parts, web, who.name, "head tracker chosen", kind=config["kind"] if config else None)
 
 
 @router.post("/head/ahead")
-async def look_ahead(_who: Clinician, parts: PeopleParts, flows: FlowParts) -> EquipmentView:
+async def look_ahead(_who: Clinician, parts: PeopleParts, web: Web) -> EquipmentView:
     """Count where the head looks now as straight ahead."""
-    await flows.head.set_ahead()
-    return await _view(parts, flows)
+    await web.head.set_ahead()
+    return await _view(parts, web)
 
 
 @router.put("/unused")
-async def mark_unused(body: Unused, who: Clinician, parts: PeopleParts, flows: FlowParts) -> EquipmentView:
+async def mark_unused(body: Unused, who: Clinician, parts: PeopleParts, web: Web) -> EquipmentView:
     """Mark channels as unused; the next calibration leaves them out."""
-    async with flows.visit.undisturbed("change the channels"):
-        await flows.equipment.leave_unused(body.channels)
-    return await _noted(parts, flows, who.name, "channels marked", unused=flows.equipment.unused)
+    async with web.visit.undisturbed("change the channels"):
+        await web.equipment.leave_unused(body.channels)
+    return await _noted(parts, web, who.name, "channels marked", unused=web.equipment.unused)
 
 
 @router.post("/files", status_code=201)
 async def bring_file(
-    file: UploadFile, who: Clinician, parts: PeopleParts, flows: FlowParts, same_name: SameName = "ask"
+    file: UploadFile, who: Clinician, parts: PeopleParts, web: Web, same_name: SameName = "ask"
 ) -> EquipmentView:
     """Store a file of recorded signals or of a recorded body; `same_name`: what to do when its name is taken."""
     kept = await asyncio.to_thread(keep_upload, parts.replaced, file.filename or "", file.file, same_name)
-    flows.live.tell("equipment")
-    return await _noted(parts, flows, who.name, "file added", kind=kept.kind, size=kept.size, **log_details(same_name))
+    web.live.tell("equipment")
+    return await _noted(parts, web, who.name, "file added", kind=kept.kind, size=kept.size, **log_details(same_name))

@@ -7,7 +7,7 @@ from fastapi.concurrency import run_in_threadpool
 from pydantic import Field
 
 from app.api.deps import Anyone, Clinician, PeopleParts, RowId
-from app.api.parts import FlowParts, show_visit
+from app.api.parts import Web, show_visit
 from app.quantities import Count, Document, Name, Note, Title
 from app.store.database import Transaction
 from app.store.log import write_log
@@ -147,7 +147,7 @@ def who_is_here(who: Anyone, parts: PeopleParts) -> VisitView:
 
 
 @router.post("/visit")
-async def open_visit(body: OpenVisit, who: Clinician, parts: PeopleParts, flows: FlowParts) -> VisitView:
+async def open_visit(body: OpenVisit, who: Clinician, parts: PeopleParts, web: Web) -> VisitView:
     """Open a visit of a patient; the one that was open is ended, and its patient's parameters are unloaded."""
 
     def _open() -> VisitView:
@@ -156,16 +156,16 @@ async def open_visit(body: OpenVisit, who: Clinician, parts: PeopleParts, flows:
             write_log(db, who.name, "visit opened", patient=body.patient_id, session=session.id)
         return _visit(parts, who.clinic_id)
 
-    async with flows.visit.undisturbed("open a visit"):
+    async with web.visit.undisturbed("open a visit"):
         answer = await run_in_threadpool(_open)
         await parts.sockets.close_ended_screens()
-        await flows.visit.visit_changed()
-        await show_visit(flows)
+        await web.visit.visit_changed()
+        await show_visit(web)
     return answer
 
 
 @router.delete("/visit")
-async def end_visit(who: Clinician, parts: PeopleParts, flows: FlowParts) -> VisitView:
+async def end_visit(who: Clinician, parts: PeopleParts, web: Web) -> VisitView:
     """End the visit."""
 
     def _end() -> VisitView:
@@ -174,9 +174,9 @@ async def end_visit(who: Clinician, parts: PeopleParts, flows: FlowParts) -> Vis
             write_log(db, who.name, "visit ended")
         return _visit(parts, who.clinic_id)
 
-    async with flows.visit.undisturbed("end the visit"):
+    async with web.visit.undisturbed("end the visit"):
         answer = await run_in_threadpool(_end)
         await parts.sockets.close_ended_screens()
-        await flows.view.close()
-        await flows.visit.visit_changed()
+        await web.view.close()
+        await web.visit.visit_changed()
     return answer

@@ -7,7 +7,7 @@ from fastapi import APIRouter, Form, HTTPException, Query, Request, UploadFile
 from pydantic import ValidationError
 
 from app.api.deps import Clinician, People, PeopleParts
-from app.api.parts import FlowParts
+from app.api.parts import Web
 from app.api.routes.plan_files import draft_of_uploads
 from app.quantities import Document, Name
 from app.sentences import one_sentence
@@ -88,9 +88,9 @@ def _log(parts: People, person: str, what: str, **details: Any) -> None:
 
 
 @router.get("/own-floorplans")
-def list_own(_who: Clinician, flows: FlowParts) -> list[OwnPlanView]:
+def list_own(_who: Clinician, web: Web) -> list[OwnPlanView]:
     """List the clinic's own floor plans."""
-    return [OwnPlanView(**plan._asdict()) for plan in OwnPlans(flows.own_floorplans).listed()]
+    return [OwnPlanView(**plan._asdict()) for plan in OwnPlans(web.own_floorplans).listed()]
 
 
 @router.post("/floorplans/check")
@@ -113,13 +113,13 @@ async def import_files(
 
 @router.post("/floorplans", status_code=201)
 async def save_new(
-    request: Request, who: Clinician, parts: PeopleParts, flows: FlowParts, same_name: SameName = "ask"
+    request: Request, who: Clinician, parts: PeopleParts, web: Web, same_name: SameName = "ask"
 ) -> OwnPlanView:
     """Save a document as a new floor plan of the clinic; `same_name`: what to do when its name is taken."""
     content = await request.body()
 
     def save() -> OwnPlanView:
-        saved = OwnPlans(flows.own_floorplans).add(_parsed(content), same_name, parts.replaced)
+        saved = OwnPlans(web.own_floorplans).add(_parsed(content), same_name, parts.replaced)
         _log(parts, who.name, "floor plan saved", floorplan=saved.name, version=saved.version, **log_details(same_name))
         return OwnPlanView(**saved._asdict())
 
@@ -133,7 +133,7 @@ async def save_version(
     request: Request,
     who: Clinician,
     parts: PeopleParts,
-    flows: FlowParts,
+    web: Web,
 ) -> OwnPlanView:
     """Save the next version of a floor plan; refused when somebody saved it after `version` was read."""
     content = await request.body()
@@ -142,7 +142,7 @@ async def save_version(
         plan = _parsed(content)
         if plan.name != name:
             raise HTTPException(422, f"{WHERE}, name: it is not '{name}' as in the address: correct it.")
-        now = OwnPlans(flows.own_floorplans).replace(plan, version)
+        now = OwnPlans(web.own_floorplans).replace(plan, version)
         _log(parts, who.name, "floor plan saved", floorplan=name, version=now)
         return OwnPlanView(name=name, title=plan.title, version=now)
 
@@ -150,16 +150,16 @@ async def save_version(
 
 
 @router.delete("/floorplans/{name}")
-def delete(name: Name, who: Clinician, parts: PeopleParts, flows: FlowParts) -> list[OwnPlanView]:
+def delete(name: Name, who: Clinician, parts: PeopleParts, web: Web) -> list[OwnPlanView]:
     """Take a floor plan out of what is offered; it can be restored."""
-    OwnPlans(flows.own_floorplans).remove(name)
+    OwnPlans(web.own_floorplans).remove(name)
     _log(parts, who.name, "floor plan deleted", floorplan=name)
-    return list_own(who, flows)
+    return list_own(who, web)
 
 
 @router.post("/floorplans/{name}/restore")
-def restore(name: Name, who: Clinician, parts: PeopleParts, flows: FlowParts) -> list[OwnPlanView]:
+def restore(name: Name, who: Clinician, parts: PeopleParts, web: Web) -> list[OwnPlanView]:
     """Offer a deleted floor plan again."""
-    version = OwnPlans(flows.own_floorplans).restore(name)
+    version = OwnPlans(web.own_floorplans).restore(name)
     _log(parts, who.name, "floor plan restored", floorplan=name, version=version)
-    return list_own(who, flows)
+    return list_own(who, web)

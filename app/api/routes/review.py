@@ -6,7 +6,7 @@ from typing import Annotated, Any
 from fastapi import APIRouter, Query
 
 from app.api.deps import Anyone, PeopleParts, RowId
-from app.api.parts import FlowParts
+from app.api.parts import Web
 from app.api.routes.source_view import RequestedGroup
 from app.quantities import Document
 from app.scoring.learning import learning_curves
@@ -47,7 +47,7 @@ def learning(
     source: RequestedGroup,
     who: Anyone,
     parts: PeopleParts,
-    flows: FlowParts,
+    web: Web,
 ) -> LearningView:
     """Return the learning curve of a patient on one path."""
     with parts.database.transaction(closing=True) as db:
@@ -58,7 +58,7 @@ def learning(
     rows = [one.row() for one in counted]
     lines = []
     for trial, *_ in counted[-MOST_TRAJECTORIES:]:
-        found = flows.trajectories.of(flows.runs.folder_of(trial.run_id))
+        found = web.trajectories.of(web.runs.folder_of(trial.run_id))
         if found is not None:
             lines.append(DrivenLine(number=trial.number, x=found.x, y=found.y))
     return LearningView(

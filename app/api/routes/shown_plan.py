@@ -3,7 +3,7 @@
 from fastapi import APIRouter, Depends
 
 from app.api.deps import viewer
-from app.api.parts import FlowParts
+from app.api.parts import Web
 from app.quantities import Document, Name
 from app.world.floorplan import FloorPlan
 
@@ -19,7 +19,7 @@ class ShownPlan(Document):
 
 
 @router.get("/view/{role}/plan", dependencies=[Depends(viewer)])
-def shown_plan(flows: FlowParts) -> ShownPlan | None:
+def shown_plan(web: Web) -> ShownPlan | None:
     """Return the floor plan and the path of the trial that is driven; null while there is none."""
-    trial = flows.drive.trial
+    trial = web.drive.trial
     return None if trial is None else ShownPlan(trial=trial.id, floorplan=trial.plan, path=trial.path.name)

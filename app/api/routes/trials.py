@@ -11,7 +11,7 @@ from app.api.driving import require_controller
 from app.api.live.pictures import NO_PICTURE, Picture
 from app.api.live.screen import ScreenWord
 from app.api.live.screens import Screen
-from app.api.parts import FlowParts, Flows, load_plan
+from app.api.parts import Web, WebParts, load_plan
 from app.api.routes.source_view import SourceView
 from app.api.sign_in.signed_in import SignedIn
 from app.quantities import Document, Line, Name
@@ -152,9 +152,9 @@ def trial_view(trial: Trial) -> TrialView:
 
 
 @router.get("/floorplans")
-def list_floorplans(_who: Anyone, flows: FlowParts) -> list[FloorPlanView]:
+def list_floorplans(_who: Anyone, web: Web) -> list[FloorPlanView]:
     """List what can be driven in: scenes by level, then buildings; one that cannot be read is left out."""
-    return [_offered(offer) for offer in flows.places().values()]
+    return [_offered(offer) for offer in web.places().values()]
 
 
 def _offered(offer: DrivingPlace) -> FloorPlanView:
@@ -174,9 +174,9 @@ def _offered(offer: DrivingPlace) -> FloorPlanView:
     )
 
 
-def _needed_plan(flows: Flows, name: str) -> FloorPlan:
+def _needed_plan(web: WebParts, name: str) -> FloorPlan:
     try:
-        plan = load_plan(flows, name)
+        plan = load_plan(web, name)
     except ValueError as error:
         raise HTTPException(409, f"The floor plan '{name}' cannot be read: import it again.") from error
     if plan is None:
@@ -185,31 +185,31 @@ def _needed_plan(flows: Flows, name: str) -> FloorPlan:
 
 
 @router.get("/floorplans/{name}")
-def one_floorplan(name: Name, _who: Anyone, flows: FlowParts) -> FloorPlan:
+def one_floorplan(name: Name, _who: Anyone, web: Web) -> FloorPlan:
     """Return a floor plan."""
-    return _needed_plan(flows, name)
+    return _needed_plan(web, name)
 
 
 @router.post("/trials", status_code=201)
-async def start_trial(body: NewTrial, who: Clinician, parts: PeopleParts, flows: FlowParts) -> TrialView:
+async def start_trial(body: NewTrial, who: Clinician, parts: PeopleParts, web: Web) -> TrialView:
     """Start a trial: the chair is put on the start, the recording begins, and the chair is armed."""
-    async with flows.visit.undisturbed("start a trial"):
-        session = await flows.visit.needed_session(who.clinic_id)
-        if flows.chairs.chosen is not None:
+    async with web.visit.undisturbed("start a trial"):
+        session = await web.visit.needed_session(who.clinic_id)
+        if web.chairs.chosen is not None:
             raise Conflict("A real chair is chosen: choose the virtual one for a trial.")
-        refusal = NO_PICTURE if body.picture == "none" else flows.pictures.refusal(Screen(who.person_id, body.screen))
+        refusal = NO_PICTURE if body.picture == "none" else web.pictures.refusal(Screen(who.person_id, body.screen))
         if refusal:
             raise Conflict(refusal)
-        plan = await asyncio.to_thread(_needed_plan, flows, body.floorplan)
+        plan = await asyncio.to_thread(_needed_plan, web, body.floorplan)
         try:
             path = plan.path_named(body.path)
         except ValueError as error:
             raise NotFound(f"This floor plan has no path '{body.path}': choose one of the list.") from error
-        obstacle = await flows.visit.load_parameters()
+        obstacle = await web.visit.load_parameters()
         if obstacle is not None:
             raise Conflict(obstacle)
-        await flows.view.show(plan, path.name)
-        trial_id = await flows.drive.start(
+        await web.view.show(plan, path.name)
+        trial_id = await web.drive.start(
             session, Starter(who.person_id, who.name, body.screen, body.picture), plan, path
         )
     return await asyncio.to_thread(_one, parts, who.clinic_id, trial_id)
@@ -221,10 +221,10 @@ def _one(parts: PeopleParts, clinic_id: int, trial_id: int) -> TrialView:
 
 
 @router.post("/trials/current/end")
-async def end_trial(_body: EndTrial, who: Clinician, parts: PeopleParts, flows: FlowParts) -> TrialView:
+async def end_trial(_body: EndTrial, who: Clinician, parts: PeopleParts, web: Web) -> TrialView:
     """End the trial by hand; answered when it has been measured."""
-    require_controller(flows, who)
-    trial_id = await flows.drive.end()
+    require_controller(web, who)
+    trial_id = await web.drive.end()
     return await asyncio.to_thread(_one, parts, who.clinic_id, trial_id)
 
 
@@ -237,19 +237,19 @@ def list_trials(patient: Annotated[int, Query(ge=1, le=2**31)], who: Anyone, par
 
 
 @router.get("/trials/{trial_id}")
-def one_trial(trial_id: RowId, who: Anyone, parts: PeopleParts, flows: FlowParts) -> TrialDetail:
+def one_trial(trial_id: RowId, who: Anyone, parts: PeopleParts, web: Web) -> TrialDetail:
     """Return a trial with its trajectory over its path."""
     with parts.database.transaction(closing=True) as db:
         trial = find_trial(db, who.clinic_id, trial_id)
         write_log(db, who.name, "trial viewed", trial=trial_id)
-    found = flows.trajectories.of(flows.runs.folder_of(trial.run_id)) if trial.status == "done" else None
+    found = web.trajectories.of(web.runs.folder_of(trial.run_id)) if trial.status == "done" else None
     shown = trial_view(trial).model_dump(exclude={"path"})
     return TrialDetail(
         **shown,
         path=[(x, y) for x, y in trial.path_points],
         path_name=trial.path,
         trajectory=None if found is None else TrajectoryView(t=found.t, x=found.x, y=found.y),
-        quality=flows.qualities.of(trial),
+        quality=web.qualities.of(trial),
     )
 
 

@@ -35,7 +35,7 @@ def says(socket: Any, picture: str) -> None:
 
 def until_said(clinic: Any, refused: bool) -> None:
     """Wait until the server has taken what the screens say."""
-    while any(picture == "none" for _, picture in clinic.flows.pictures._screens.values()) is not refused:
+    while any(picture == "none" for _, picture in clinic.web.pictures._screens.values()) is not refused:
         time.sleep(0.002)
 
 
@@ -57,7 +57,7 @@ def test_a_screen_without_a_picture_starts_no_trial(ready: Any) -> None:
 
 
 def test_what_a_dead_socket_said_last_does_not_count_when_another_speaks_for_the_screen(ready: Any) -> None:
-    pictures = ready.flows.pictures
+    pictures = ready.web.pictures
     screen = Screen(1, WORD)
     ready.client.portal.call(pictures.of_screen, screen, "none", "dead")
     assert pictures.refusal(screen)
@@ -85,8 +85,8 @@ def test_a_picture_lost_in_a_trial_halts_it_until_there_is_one_again(ready: Any)
         stops = ready.process.stops
         says(socket, "none")
         says(socket, "plan")
-        trial = ready.flows.drive.trial
-        while ready.flows.pictures.refusal(Screen(trial.person_id, trial.screen)):
+        trial = ready.web.drive.trial
+        while ready.web.pictures.refusal(Screen(trial.person_id, trial.screen)):
             time.sleep(0.002)
         assert ready.process.stops == stops  # what stands is not stopped again
         assert ready.good("POST", "/control/clear", json={"stops": stops})["state"] == "armed"

@@ -80,7 +80,7 @@ def test_hiding_standing_still_and_closing_are_told_apart_with_the_very_message(
 
     with driving.screen() as socket:
         driving.start()
-        monkeypatch.setattr(driving.flows.control, "beat", lambda: beats.append("now"))
+        monkeypatch.setattr(driving.web.control, "beat", lambda: beats.append("now"))
         for _ in range(2):
             socket.send_json(saying(visible=False))
         tells_at_once("hidden")
@@ -99,9 +99,9 @@ def test_a_page_that_stands_still_counts_less_long_on_a_real_chair(driving: Any)
         driving.start()
         socket.send_json(saying(silence=1.1))
         until_told(driving, "in view")
-        driving.flows.real.drive, driving.flows.drive.trial = driving.flows.drive.trial, None
+        driving.web.real.drive, driving.web.drive.trial = driving.web.drive.trial, None
         until_told(driving, "slow")
-        driving.flows.drive.trial, driving.flows.real.drive = driving.flows.real.drive, None
+        driving.web.drive.trial, driving.web.real.drive = driving.web.real.drive, None
 
 
 def test_a_second_socket_with_the_same_word_does_not_keep_the_chair_driving(driving: Any) -> None:
@@ -141,8 +141,8 @@ def test_a_socket_that_is_dead_but_open_gives_way_long_after_the_chair_stopped(
 
 
 def test_a_beat_out_of_turn_reaches_the_control_process(driving: Any) -> None:
-    driving.flows.control.screen_sign = lambda: ScreenSign(0.125, "hidden")
-    driving.flows.control.beat()
+    driving.web.control.screen_sign = lambda: ScreenSign(0.125, "hidden")
+    driving.web.control.beat()
     assert (0.125, "hidden") in next_beats(driving)
 
 

@@ -86,7 +86,7 @@ def test_what_the_clinician_asks_for_is_shown_and_kept_for_the_visit(paired: Cli
         assert paired.good("POST", "/patient-screen/settings", json=wishes)["settings"] == wishes
         while socket.receive_json()["asks"] != wishes:
             pass
-    paired.flows.patient.wishes = Wishes()  # as after a restart
+    paired.web.patient.wishes = Wishes()  # as after a restart
     with paired.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
         assert socket.receive_json()["asks"] == wishes
     assert paired("POST", "/patient-screen/settings", json={"arrow": "yes"}).status_code == 422
@@ -122,4 +122,4 @@ def test_it_is_not_the_screen_that_must_stay_in_view(screen: Clinic) -> None:
     with screen.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
         socket.send_json({"screen": WORD, "visible": True, "silence": 0.0})
         socket.receive_json()
-        assert screen.flows.screens._signs == {}
+        assert screen.web.screens._signs == {}

@@ -20,7 +20,7 @@ def driven(signed_in: Any) -> Any:
     where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}
     with signed_in.screen():
         signed_in.trial = signed_in.good("POST", "/trials", json=where)
-        run = signed_in.flows.drive.trial.run
+        run = signed_in.web.drive.trial.run
         assert signed_in("GET", f"/trials/{signed_in.trial['id']}/timeline").status_code == 409
         signed_in.good("POST", "/trials/current/end", json={"reason": "by hand"})
     signed_in.folder = run.folder
@@ -63,7 +63,7 @@ def test_a_trial_is_shown_in_3d_at_a_moment_and_closed(driven: Any) -> None:
     assert 'content: "Replay"' in page.text
     assert "connect-src" in page.headers["content-security-policy"]
     assert driven("POST", f"/replays/{word}/at", json={"t": 1.5, "view": "top"}).status_code == 204
-    assert driven.flows.replays.find(word, 1)._t == 1.5
+    assert driven.web.replays.find(word, 1)._t == 1.5
     for bad in ({"t": "1"}, {"t": 1e9}, {"t": 1.0, "view": "free fall"}):
         assert driven("POST", f"/replays/{word}/at", json=bad).status_code == 422
     address = f"{BASE.replace('http', 'ws')}/view/replay/{word}"
@@ -75,7 +75,7 @@ def test_a_trial_is_shown_in_3d_at_a_moment_and_closed(driven: Any) -> None:
     with pytest.raises(WebSocketDisconnect), driven.client.websocket_connect(address, headers=foreign):
         pass
     with pytest.raises(Exception, match="closed"):
-        driven.flows.replays.find(word, 2)
+        driven.web.replays.find(word, 2)
     assert driven("DELETE", f"/replays/{word}").status_code == 204
     assert driven("DELETE", f"/replays/{word}").status_code == 204
     assert page_of(driven, word) == 404

@@ -111,7 +111,7 @@ def choose(clinic: Any, mode: str) -> Any:
 
 def settled(clinic: Any) -> Any:
     """Wait until what a trial has begun is done, and return how it stands."""
-    while clinic.flows.adaptation._tasks:
+    while clinic.web.adaptation._tasks:
         time.sleep(0.005)
     return clinic.good("GET", "/adaptation")
 
@@ -297,7 +297,7 @@ def test_nothing_is_adapted_while_the_real_chair_is_armed(ready: Any) -> None:
             answer = ready("POST", f"/adaptation/{path}", json={"proposal": view["proposal"]["id"]})
             assert answer.status_code == 409, path
         ready.process.loop.call_soon_threadsafe(
-            ready.flows.adaptation.trial_over, 1
+            ready.web.adaptation.trial_over, 1
         )  # even if a trial's end were told only now
         settled(ready)
         assert ready.process.parameters is loaded

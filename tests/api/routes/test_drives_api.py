@@ -161,7 +161,7 @@ def test_acceleration_mode_needs_the_stop_switch(calibrated: Any) -> None:
 
 def test_a_shirt_that_cannot_be_trusted_arms_no_real_chair_and_the_page_says_why(ready: Any) -> None:
     """Safety S29: in a demonstration, too."""
-    ready.flows.equipment.mistrust = NO_KEY
+    ready.web.equipment.mistrust = NO_KEY
     assert ready.good("GET", "/drives/summary")["refusals"] == [NO_KEY]
     with ready.screen():
         answer = arm(ready)
@@ -229,7 +229,7 @@ def test_an_arming_that_the_control_process_refuses_leaves_no_drive(ready: Any) 
     assert (answer.status_code, answer.json()["detail"]) == (409, "The chair does not answer.")
     assert ready.process.run == 0
     assert ready.good("GET", f"/drives?patient={ready.patient['id']}") == []
-    assert not ready.flows.real.running
+    assert not ready.web.real.running
 
 
 def test_a_fault_that_nobody_clears_ends_the_drive_and_is_in_the_log(
@@ -291,7 +291,7 @@ def test_the_live_picture_shows_what_the_chair_says(ready: Any) -> None:
         "driven_omega": -0.1,
         "stop_input": 0,
     }
-    picture = ready.flows.live._picture()
+    picture = ready.web.live._picture()
     assert picture["chair"] == {
         "kind": "udp",
         "state": "armed",
@@ -305,10 +305,10 @@ def test_the_live_picture_shows_what_the_chair_says(ready: Any) -> None:
     assert picture["drive"] is None
     with ready.screen():
         drive = arm(ready).json()
-        while not (shown := ready.flows.live._picture()["drive"]) or shown["t"] == 0.0:
+        while not (shown := ready.web.live._picture()["drive"]) or shown["t"] == 0.0:
             time.sleep(0.01)
         assert shown["id"] == drive["id"]
     ready.process.says = {"chair_state": FAULT, "chair_fault": Reason.STOP_INPUT}
-    assert ready.flows.live._picture()["chair"]["words"] == WORDS[Reason.STOP_INPUT]
+    assert ready.web.live._picture()["chair"]["words"] == WORDS[Reason.STOP_INPUT]
     ready.process.chair = "virtual"
-    assert ready.flows.live._picture()["chair"]["words"] == "Blue is not open: choose it again."
+    assert ready.web.live._picture()["chair"]["words"] == "Blue is not open: choose it again."

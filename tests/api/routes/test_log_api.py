@@ -47,8 +47,8 @@ def test_a_disk_that_fills_is_told_to_open_pages_within_two_seconds(
     signed_in: Clinic, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     told: list[str] = []
-    flows = signed_in.flows
-    monkeypatch.setattr(flows.disk, "_tell", told.append)
+    web = signed_in.web
+    monkeypatch.setattr(web.disk, "_tell", told.append)
     usage = SimpleNamespace(free=10_000_000)
     monkeypatch.setattr("app.store.files.disk.shutil.disk_usage", lambda _folder: usage)
     monkeypatch.setattr("app.store.files.disk.LOOK_EVERY", 0.01)

@@ -30,6 +30,6 @@ def test_a_set_that_cannot_be_read_is_a_sentence_and_keeps_nobody_from_anything_
     refused = signed_in("GET", "/controls")
     assert (refused.status_code, "another version" in refused.json()["detail"]) == (409, True)
     signed_in.good("PUT", "/equipment/unused", json={"channels": []})
-    flows = signed_in.client.app.state.flows
-    signed_in.client.portal.call(flows.visit.visit_changed)  # as at the start of the program
-    assert flows.visit.loaded is None
+    web = signed_in.client.app.state.web
+    signed_in.client.portal.call(web.visit.visit_changed)  # as at the start of the program
+    assert web.visit.loaded is None

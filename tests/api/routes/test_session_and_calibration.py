@@ -224,7 +224,7 @@ def test_the_gestures_are_those_of_the_calibration_and_one_suggestion_is_everywh
 def test_another_shirt_does_not_drive_with_this_calibration(signed_in: Clinic) -> None:
     signed_in.visit()
     signed_in.calibrate()
-    worn = signed_in.client.app.state.flows.equipment
+    worn = signed_in.client.app.state.web.equipment
     worn.sample_rate = 250.0
     assert "calibrate again" in signed_in.good("GET", "/controls")["obstacle"]
     plan = signed_in.good("GET", "/floorplans/apartment")

@@ -1,0 +1,150 @@
+"""Makes, starts and ends the parts of the web process."""
+
+import asyncio
+from collections.abc import Awaitable, Callable
+
+from app.api.live.hub import LiveHub
+from app.api.live.picture import LivePicture
+from app.api.live.pictures import Pictures
+from app.api.live.screens import Screens
+from app.api.parts import WebParts, show_visit
+from app.api.patient_screen.patient_picture import PatientPicture
+from app.api.replay.replays import Replays
+from app.api.replay.timelines import Timelines
+from app.api.replay.trajectories import Trajectories
+from app.api.view.view_keeper import OpenScene, ViewKeeper
+from app.session.adaptation import AdaptationFlow
+from app.session.arming import RealArming
+from app.session.calibration import CalibrationFlow
+from app.session.control_link import ControlLink, LinkedProcess
+from app.session.equipment.chairs import Chairs
+from app.session.equipment.head import HeadChoice
+from app.session.equipment.limits import ClinicLimits
+from app.session.equipment.shirt import Equipment
+from app.session.fault_log import FaultLog
+from app.session.open_session import VisitFlow
+from app.session.readings import Readings
+from app.session.real_drive import RealDriveFlow
+from app.session.runs import Runs
+from app.session.screen_codes import PairingCodes
+from app.session.trial import DriveFlow
+from app.session.trial_qualities import TrialQualities
+from app.settings import Settings
+from app.store.calibrations import fail_interrupted_steps
+from app.store.database import Database
+from app.store.drives import close_interrupted_drives
+from app.store.files.disk import DiskWatch
+from app.store.patients import open_session
+from app.store.people import the_clinic
+from app.store.runs import close_interrupted_trials
+
+StartProcess = Callable[[], Awaitable[LinkedProcess]]
+
+
+def make_parts(
+    settings: Settings,
+    database: Database,
+    start_process: StartProcess,
+    readings: Readings,
+    open_scene: OpenScene | None,
+) -> WebParts:
+    """Make the parts of the web process; nothing runs before `start_parts`."""
+    hub: LiveHub
+
+    def tell(event: str) -> None:
+        hub.tell(event)
+
+    control = ControlLink(start_process)
+    runs = Runs(database, control, settings.runs)
+    equipment = Equipment(database, control, settings.files, settings.keys, tell, demonstration=settings.demo)
+    chairs = Chairs(database, control, settings.keys, tell)
+    limits = ClinicLimits(database, control, tell)
+    calibration = CalibrationFlow(database, control, equipment, runs, tell, readings)
+    drive = DriveFlow(database, control, runs, tell, readings)
+    real_drive = RealDriveFlow(database, control, runs, tell, readings)
+    visit = VisitFlow(database, control, equipment, calibration, drive, real_drive, tell)
+    live_picture = LivePicture(control, equipment, chairs, runs, drive, real_drive, visit)
+    hub = LiveHub(live_picture.picture, live_picture.quality)
+    patient = PatientPicture(live_picture, equipment, runs, drive)
+
+    def current_drive() -> dict[str, int]:
+        trial, real = drive.trial, real_drive.drive
+        if real is not None:
+            return {"drive": real.id}
+        return {} if trial is None else {"trial": trial.id}
+
+    async def control_changed(_state: str) -> None:
+        tell("equipment")
+
+    control.on_change.append(control_changed)
+    web = WebParts(
+        control=control,
+        equipment=equipment,
+        runs=runs,
+        calibration=calibration,
+        drive=drive,
+        real=real_drive,
+        chairs=chairs,
+        head=HeadChoice(database, control, equipment.located, tell),
+        limits=limits,
+        arming=RealArming(database, control, equipment, visit, chairs, limits),
+        visit=visit,
+        adaptation=AdaptationFlow(database, control, runs, drive, visit, chairs, tell, readings),
+        screens=Screens(),
+        pictures=Pictures(control, drive),
+        faults=FaultLog(database, control, current_drive),
+        disk=DiskWatch(settings.state, database.ballast, tell),
+        live=hub,
+        pairing=PairingCodes(),
+        patient=patient,
+        patient_live=LiveHub(patient.picture, dict),
+        trajectories=Trajectories(readings.drive),
+        timelines=Timelines(),
+        qualities=TrialQualities(database, runs.folder_of, readings.quality),
+        replays=Replays(),
+        view=ViewKeeper(open_scene, control.newest),
+        own_floorplans=settings.floorplans,
+    )
+
+    control.screen_sign = web.driving_sign
+    return web
+
+
+async def start_parts(database: Database, web: WebParts) -> None:
+    """Start the control process and what watches it; open a 3D view when a session is open."""
+    await asyncio.to_thread(_tidy_up, database)
+    await web.control.start()
+    await web.limits.open()
+    await web.chairs.open()
+    await web.equipment.open()
+    await web.head.open()
+    await web.visit.visit_changed()
+    web.live.start()
+    web.patient_live.start()
+    web.faults.start()
+    web.disk.start()
+    if await asyncio.to_thread(_somebody_is_here, database):
+        await show_visit(web)
+
+
+def _somebody_is_here(database: Database) -> bool:
+    with database.transaction() as db:
+        clinic = the_clinic(db)
+        return clinic is not None and open_session(db, clinic.id) is not None
+
+
+def _tidy_up(database: Database) -> None:
+    """Say of what a dead web process left running that it was interrupted."""
+    with database.transaction(closing=True) as db:
+        fail_interrupted_steps(db)
+        close_interrupted_trials(db)
+        close_interrupted_drives(db)
+
+
+async def end_parts(web: WebParts) -> None:
+    """End what runs, the control process last."""
+    await web.calibration.stop()
+    await asyncio.gather(web.drive.stop(), web.real.stop())
+    await web.adaptation.stop()
+    await asyncio.gather(web.live.close(), web.patient_live.close(), web.faults.close(), web.disk.close())
+    await asyncio.gather(web.view.close(), web.control.close(), asyncio.to_thread(web.replays.close_all))
