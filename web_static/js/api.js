@@ -1,4 +1,12 @@
-/** Calls to /api/v1. Every failure becomes one sentence that can be shown as it is. */
+/**
+ * Calls to /api/v1. Every failure becomes one sentence that can be shown as it is.
+ * @import { Answer, Body, Known } from "types/requests"
+ */
+
+/**
+ * How to go on with an upload whose name is in use.
+ * @typedef {{proposed: string, may_replace: boolean}} NameChoice `proposed`: a free name
+ */
 import { t } from "./texts.js";
 
 const BASE = "/api/v1";
@@ -9,12 +17,20 @@ const ALWAYS = new Set([STOP, "/auth/sign-out"]);
 
 /** A refusal, or no answer; the message is for people. */
 export class ApiError extends Error {
-  /** @param {string} sentence @param {number} status 0 when nothing answered @param {any} [choice] what could be done */
+  /**
+   * @param {string} sentence @param {number} status 0 when nothing answered
+   * @param {NameChoice | null} [choice] what could be done about it
+   */
   constructor(sentence, status, choice = null) {
     super(sentence);
     this.status = status;
     this.choice = choice;
   }
+}
+
+/** What a failure says to people. @param {unknown} error */
+export function failureWords(error) {
+  return error instanceof Error ? error.message : String(error);
 }
 
 /** Whether a path belongs to no sign-in. @param {string} path */
@@ -39,27 +55,36 @@ export class Api {
     this.isOver = true;
   }
 
-  /** @param {string} path @returns {Promise<any>} */
+  /** @template {string} const P @param {P & Known<"get", P>} path @returns {Promise<Answer<"get", P>>} */
   get(path) {
     return this.call("GET", path);
   }
 
-  /** @param {string} path @param {any} [body] @returns {Promise<any>} */
+  /**
+   * @template {string} const P
+   * @param {P & Known<"post", P>} path @param {Body<"post", P>} [body] @returns {Promise<Answer<"post", P>>}
+   */
   post(path, body) {
     return this.call("POST", path, body);
   }
 
-  /** @param {string} path @param {any} body @returns {Promise<any>} */
+  /**
+   * @template {string} const P
+   * @param {P & Known<"put", P>} path @param {Body<"put", P>} body @returns {Promise<Answer<"put", P>>}
+   */
   put(path, body) {
     return this.call("PUT", path, body);
   }
 
-  /** @param {string} path @returns {Promise<any>} */
+  /** @template {string} const P @param {P & Known<"delete", P>} path @returns {Promise<Answer<"delete", P>>} */
   remove(path) {
     return this.call("DELETE", path);
   }
 
-  /** Send a file as multipart form. @param {string} path @param {File} file @returns {Promise<any>} */
+  /**
+   * Send a file as multipart form.
+   * @template {string} const P @param {P & Known<"post", P>} path @param {File} file @returns {Promise<Answer<"post", P>>}
+   */
   upload(path, file) {
     const form = new FormData();
     form.append("file", file);
@@ -71,7 +96,10 @@ export class Api {
     signIns += 1;
   }
 
-  /** @param {string} method @param {string} path @param {any} [body] @returns {Promise<any>} */
+  /**
+   * Send a request. The answer is what the route of the path answers.
+   * @template Content @param {string} method @param {string} path @param {unknown} [body] @returns {Promise<Content>}
+   */
   async call(method, path, body) {
     const signIn = signIns;
     const answer = this.#call(method, path, body);
@@ -84,9 +112,11 @@ export class Api {
     return signIn === signIns ? answer : new Promise(() => {});
   }
 
+  /** @param {string} method @param {string} path @param {unknown} body */
   async #call(method, path, body) {
     if (this.isOver && method !== "GET" && !ALWAYS.has(path)) throw new ApiError(t("session.over"), CONFLICT);
     const isForm = body instanceof FormData;
+    /** @type {Record<string, string>} */
     const headers = method === "GET" ? {} : { "Patient-Session": String(this.session ?? "none") };
     if (body !== undefined && !isForm) headers["Content-Type"] = "application/json";
     let answer;
@@ -107,7 +137,10 @@ export class Api {
   }
 }
 
-/** @param {any} content @param {number} status */
+/**
+ * The sentence of a refusal: the server's own, or of the first field that it did not accept.
+ * @param {{detail?: string | {loc?: (string | number)[], msg: string}[]} | null} content @param {number} status
+ */
 function sentence(content, status) {
   const detail = content?.detail;
   if (typeof detail === "string") return detail;

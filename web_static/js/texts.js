@@ -24,6 +24,9 @@ import uploads from "./texts/en/uploads.js";
 
 export const LANGUAGE = "en";
 
+/** @typedef {string | {one?: string, other: string}} Text */
+
+/** @type {Readonly<Record<string, Text>>} */
 const CATALOGUE = Object.freeze({
   ...shell,
   ...patients,
@@ -54,8 +57,13 @@ const PLURALS = new Intl.PluralRules(LANGUAGE);
 export function t(key, values = {}) {
   const found = CATALOGUE[key];
   if (found === undefined) return key;
-  const text = typeof found === "string" ? found : (found[PLURALS.select(Number(values.count))] ?? found.other);
+  const text = typeof found === "string" ? found : formOf(found, Number(values.count));
   return text.replace(/\{(\w+)\}/g, (_, name) => String(values[name] ?? ""));
+}
+
+/** @param {Exclude<Text, string>} forms @param {number} count */
+function formOf(forms, count) {
+  return PLURALS.select(count) === "one" ? (forms.one ?? forms.other) : forms.other;
 }
 
 /** Tell whether there is a text of this key. @param {string} key */

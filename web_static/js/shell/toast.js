@@ -1,4 +1,5 @@
 /** Short messages at the lower edge, with at most one thing to do about them; read out by screen readers. */
+import { failureWords } from "../api.js";
 import { h } from "../widgets/dom.js";
 
 const SHOWN_FOR = 8000; // ms: long enough to read it, reach for the tablet and tap Undo
@@ -27,6 +28,18 @@ export class Toasts {
       toast.append(h("button", { type: "button", onclick: run }, offer.action));
     }
     this.element.replaceChildren(toast);
+  }
+
+  /**
+   * Do what may be refused, and show why when it is.
+   * @template T @param {() => T | Promise<T>} act @returns {Promise<T | undefined>} undefined when it was refused
+   */
+  async attempt(act) {
+    try {
+      return await act();
+    } catch (error) {
+      this.show(failureWords(error));
+    }
   }
 
   /** Take back everything that was said: it was not meant for the next person at this screen. */

@@ -1,15 +1,15 @@
 /**
  * Elements by function call, so that pages read like the picture they make.
  * Text is always text: nothing here parses HTML.
- * @typedef {Node | string | number | null | undefined | false | Child[]} Child
+ * @import { Attributes, Child } from "types/dom"
  */
 
 const SVG = "http://www.w3.org/2000/svg";
 
 /**
  * Make an HTML element. `on*` attributes are listeners, `true` sets an empty attribute, false and null leave it out.
- * @param {string} tag @param {Record<string, any>} [attributes] @param {...Child} children
- * @returns {HTMLElement & Record<string, any>}
+ * @template {keyof HTMLElementTagNameMap} Tag
+ * @param {Tag} tag @param {Attributes} [attributes] @param {...Child} children
  */
 export function h(tag, attributes = {}, ...children) {
   return fill(document.createElement(tag), attributes, children);
@@ -17,24 +17,33 @@ export function h(tag, attributes = {}, ...children) {
 
 /**
  * Make an SVG element.
- * @param {string} tag @param {Record<string, any>} [attributes] @param {...Child} children
- * @returns {SVGElement & Record<string, any>}
+ * @template {keyof SVGElementTagNameMap} Tag
+ * @param {Tag} tag @param {Attributes} [attributes] @param {...Child} children
+ * @returns {SVGElementTagNameMap[Tag]}
  */
 export function s(tag, attributes = {}, ...children) {
-  return fill(document.createElementNS(SVG, tag), attributes, children);
+  const element = /** @type {SVGElementTagNameMap[Tag]} */ (document.createElementNS(SVG, tag));
+  return fill(element, attributes, children);
 }
 
-/** Replace everything inside an element. @param {Element} element @param {...Child} children */
+/**
+ * Replace everything inside an element.
+ * @template {Element} E @param {E} element @param {...Child} children
+ */
 export function put(element, ...children) {
-  element.replaceChildren(...children.flat(Infinity).filter(shown).map(node));
+  element.replaceChildren(...nodes(children));
   return element;
 }
 
-/** Set attributes of an element. @param {Element} element @param {Record<string, any>} attributes */
+/**
+ * Set attributes of an element; `on*` adds a listener.
+ * @template {Element} E @param {E} element @param {Attributes} attributes
+ */
 export function set(element, attributes) {
   for (const [name, value] of Object.entries(attributes)) {
-    if (name.startsWith("on") && typeof value === "function") element.addEventListener(name.slice(2), value);
-    else if (value === false || value === null || value === undefined) element.removeAttribute(name);
+    if (name.startsWith("on") && typeof value === "function") {
+      element.addEventListener(name.slice(2), /** @type {EventListener} */ (value));
+    } else if (value === false || value === null || value === undefined) element.removeAttribute(name);
     else element.setAttribute(name, value === true ? "" : String(value));
   }
   return element;
@@ -45,16 +54,18 @@ export function write(element, words) {
   if (element.textContent !== words) element.textContent = words;
 }
 
+/** @template {Element} E @param {E} element @param {Attributes} attributes @param {Child[]} children */
 function fill(element, attributes, children) {
   set(element, attributes);
-  element.append(...children.flat(Infinity).filter(shown).map(node));
+  element.append(...nodes(children));
   return element;
 }
 
-function shown(child) {
-  return child !== null && child !== undefined && child !== false;
-}
-
-function node(child) {
-  return child instanceof Node ? child : document.createTextNode(String(child));
+/** The nodes of children, flat. @param {Child[]} children @returns {Node[]} */
+function nodes(children) {
+  return children.flatMap((child) => {
+    if (Array.isArray(child)) return nodes(child);
+    if (child === null || child === undefined || child === false) return [];
+    return child instanceof Node ? child : document.createTextNode(String(child));
+  });
 }
