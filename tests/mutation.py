@@ -17,7 +17,10 @@ from folders import ROOT
 
 REPORT = ROOT / "docs" / "mutation.md"
 MODULES = ("safety", "brakes", "ramp", "shaping")
-TESTS = ("test_safety", "test_gate_levels", "test_brakes", "test_ramp", "test_shaping", "test_drive_modes")
+TESTS = (
+    *("test_safety", "test_gate_states", "test_gate_levels", "test_brakes", "test_ramp", "test_shaping"),
+    "test_drive_modes",
+)
 LEAST_SCORE = 0.95
 STEPS = "1000000"
 LONGEST = 900.0  # s for each part

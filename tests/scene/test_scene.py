@@ -1,94 +1,17 @@
-import socket
-import threading
+"""The scene of a session: the plan, the chair, what moves, each role's camera."""
 
-import msgspec
-import numpy as np
 import pytest
-import websockets.sync.client
-import zstandard
+from scene_messages import everything, of_node, tick
 
-from app.clock import MonotonicClock
 from app.geometry import Pose
-from app.messages import TICK
-from app.scene.bridge_secret import BRIDGE_HEADERS
-from app.scene.client_messages import SUBPROTOCOL
 from app.scene.head_view import Angles
-from app.scene.scene_thread import start_scene
-from app.scene.servers import ROLES, RoleServers
-from app.scene.session_scene import CLOCK_NODE, Scene
-from app.scene.viewer_page import client_page
+from app.scene.servers import ROLES
+from app.scene.session_scene import Scene
 from app.scene.views import VIEWS, EyeSettings, Orbit, chase_camera, eye_camera, free_camera, world_placement
 from app.world.floorplan import FloorPlan, bundled_floorplans, load_floorplan
 from app.world.obstacles import Box
 
 PLAN = load_floorplan(bundled_floorplans()["corridors"])
-
-
-@pytest.fixture
-def servers():
-    with RoleServers() as started:
-        yield started
-
-
-def messages(port, stop):
-    """Read a 3D server as a browser does, until a message satisfies `stop`."""
-    found = []
-    with websockets.sync.client.connect(
-        f"ws://127.0.0.1:{port}",
-        subprotocols=[SUBPROTOCOL],
-        additional_headers=BRIDGE_HEADERS,
-        compression=None,
-        max_size=None,
-        proxy=None,
-    ) as client:
-        while not any(stop(message) for message in found):
-            frame = client.recv(timeout=10)
-            size = int.from_bytes(frame[8:16], "little")
-            inner = zstandard.ZstdDecompressor().decompress(frame[16 : 16 + size], int.from_bytes(frame[:8], "little"))
-            found += msgspec.msgpack.decode(inner)["messages"]
-    return found
-
-
-def everything(port):
-    return messages(port, lambda message: message["type"] == "ReplayDoneMessage")
-
-
-def of_node(found, kind, name):
-    return [message for message in found if message["type"] == kind and message["name"] == name]
-
-
-def tick(number, x, y, theta, t=1.0):
-    made = np.zeros(1, dtype=TICK)[0]
-    made["number"], made["x"], made["y"], made["theta"], made["t"] = number, x, y, theta, t
-    return made
-
-
-def test_servers_listen_here_only_say_nothing_and_end(capfd):
-    before = set(threading.enumerate())
-    servers = RoleServers()
-    ports = [servers.port(role) for role in ROLES]
-    assert len(set(ports)) == len(ROLES)
-    assert {servers[role].get_host() for role in ROLES} == {"127.0.0.1"}
-    servers.stop()
-    servers.stop()
-    assert [thread for thread in set(threading.enumerate()) - before if thread.is_alive()] == []
-    for port in ports:
-        with pytest.raises(ConnectionRefusedError):
-            socket.create_connection(("127.0.0.1", port), timeout=1)
-    assert capfd.readouterr() == ("", "")
-
-
-def test_no_server_can_be_asked_for_a_public_tunnel(servers):
-    for role in ROLES:
-        handled = {kind.__name__ for kind in servers[role]._websock_server._incoming_handlers}
-        assert not {name for name in handled if name.startswith("ShareUrl")}
-
-
-def test_only_the_clinician_gets_plots(servers):
-    Scene(servers)
-    kinds = {role: {message["type"] for message in everything(servers.port(role))} for role in ROLES}
-    assert "GuiUplotMessage" in kinds["clinician"]
-    assert "GuiUplotMessage" not in kinds["patient"]
 
 
 def test_the_world_is_moved_and_the_camera_is_not(servers):
@@ -277,53 +200,3 @@ def test_an_object_that_cannot_be_read_is_a_plain_box_and_said_so(servers, tmp_p
     assert "piano.glb" in caplog.text
     names = {message["name"] for message in everything(servers.port("patient")) if message["type"] == "MeshMessage"}
     assert any(name.startswith("/world/furniture_") for name in names)
-
-
-def test_the_thread_follows_the_newest_tick_and_stamps_the_picture(servers):
-    box = [tick(1, 1.0, 1.0, 0.0)]
-    thread = start_scene(servers, lambda: box[0])
-    try:
-        box[0] = tick(2, 5.0, 4.0, 0.0)
-        messages(
-            servers.port("clinician"),
-            lambda message: (
-                message["type"] == "SetPositionMessage"
-                and message["name"] == "/world/chair"
-                and message["position"][0] == pytest.approx(5.0)
-            ),
-        )
-        stamps = set()
-
-        def third_stamp(message):
-            if message["type"] == "SetPositionMessage" and message["name"] == CLOCK_NODE:
-                stamps.add(message["position"][0])
-            return len(stamps) >= 3
-
-        messages(servers.port("clinician"), third_stamp)
-    finally:
-        thread.stop()
-    thread.stop()
-
-
-def test_the_same_tick_is_drawn_once(servers):
-    drawn, asked = [], []
-
-    def newest():
-        asked.append(None)
-        return tick(7, 1.0, 1.0, 0.0)
-
-    thread = start_scene(servers, newest)
-    follow = thread.scene.follow
-    thread.scene.follow = lambda found: (drawn.append(int(found["number"])), follow(found))
-    clock = MonotonicClock()
-    while len(asked) < 10:
-        clock.sleep_until(clock.now() + 0.01)
-    thread.stop()
-    assert len(drawn) <= 1
-
-
-def test_the_page_is_visers_own_with_our_head():
-    page = client_page().decode()
-    assert page.count("</head>") == 1
-    assert "bodydriveView" in page[: page.index("</head>")]
-    assert "<title>Viser" not in page

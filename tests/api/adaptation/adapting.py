@@ -1,0 +1,101 @@
+"""What a clinician does to adapt a map, and a proposal that is always made."""
+
+import time
+from typing import Any
+
+from app.calibration.adaptation.proposal import JointChange, Proposal
+from app.calibration.vocabulary import DriveParameters
+from app.scoring.trial_forecast import Effect
+from app.session.readings import Adapted
+from app.speeds import Speeds
+
+UP = 0.01
+
+
+EFFECT = Effect(
+    seconds=60.0,
+    activations_before=40,
+    activations_after=42,
+    false_before=3,
+    false_after=1,
+    alike=0.98,
+    felt_change=0.02,
+)
+
+
+def change(parameters: DriveParameters, felt: float = 0.03) -> Adapted:
+    """Return a proposal that raises every dead-zone a little, and moves what the first joint calls its middle."""
+    gestures = tuple(each.model_copy(update={"dead_zone": each.dead_zone + UP}) for each in parameters.gestures)
+    first, *others = parameters.profile.joints
+    moved = first.model_copy(update={"mean": tuple(value + UP for value in first.mean)})
+    profile = parameters.profile.model_copy(update={"joints": (moved, *others)})
+    joint = JointChange(
+        name=first.name,
+        angle_proposed_deg=3.0,
+        angle_applied_deg=2.0,
+        evr_before=0.81,
+        evr_after=0.86,
+        felt_change=felt,
+        cross_talk_before=0.10,
+        cross_talk_after=0.09,
+        dead_zone_before=0.2,
+        dead_zone_after=0.2 + UP,
+        full_before=1.0,
+        full_after=1.0,
+        status="applied",
+        reason="The movement has turned.",
+    )
+    adapted = parameters.model_copy(update={"gestures": gestures, "profile": profile})
+    proposal = Proposal(
+        trials=1,
+        joints=(joint,),
+        felt_change=felt,
+        warns=felt >= 0.05,
+        parameters=adapted,
+        difference={"felt_change": felt, "turned": {first.name: 2.0}},
+        reason="The right elbow would change.",
+    )
+    return Adapted(proposal, EFFECT)
+
+
+def begin(clinic: Any) -> Any:
+    return clinic.good("POST", "/trials", json=clinic.where)
+
+
+def end(clinic: Any) -> Any:
+    return clinic.good("POST", "/trials/current/end", json={"reason": "by hand"})
+
+
+def drive(clinic: Any) -> Any:
+    begin(clinic)
+    return end(clinic)
+
+
+def choose(clinic: Any, mode: str) -> Any:
+    return clinic.good("PUT", "/adaptation", json={"mode": mode})
+
+
+def settled(clinic: Any) -> Any:
+    """Wait until what a trial has begun is done, and return how it stands."""
+    while clinic.web.adaptation._tasks:
+        time.sleep(0.005)
+    return clinic.good("GET", "/adaptation")
+
+
+def proposed(clinic: Any) -> Any:
+    return clinic.good("POST", "/adaptation/propose")
+
+
+def apply(clinic: Any, view: Any) -> Any:
+    return clinic("POST", "/adaptation/apply", json={"proposal": view["proposal"]["id"]})
+
+
+def choose_chair(clinic: Any) -> Any:
+    chair = {"name": "Blue", "host": "10.0.0.7", "port": 5354, "speeds": Speeds().model_dump()}
+    chairs = clinic.good("POST", "/chairs", json=chair)["chairs"]
+    return clinic.good("PUT", "/chairs/chosen", json={"id": chairs[-1]["id"], "dynamics": "unicycle"})
+
+
+def versions(clinic: Any) -> Any:
+    maps = clinic.good("GET", f"/patients/{clinic.patient['id']}/maps")
+    return [(one["version"], one["origin"], one["parent"]) for one in maps]

@@ -1,0 +1,40 @@
+"""A calibrated patient, and trials that always propose something."""
+
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+from adapting import change
+from fake_clinic import WORD, Clinic
+
+from app.api.routes import drives
+from app.calibration.vocabulary import DriveParameters
+from app.session.readings import Adapted
+
+
+@pytest.fixture(autouse=True)
+def _patient_with_this_machine(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(drives, "HEARD_WITHIN", 60.0)
+
+
+@pytest.fixture
+def ready(signed_in: Clinic) -> Any:
+    """A calibrated patient, and trials that always propose something."""
+    signed_in.patient = signed_in.visit()  # type: ignore[attr-defined]
+    signed_in.calibrate()
+    plan = signed_in.good("GET", "/floorplans/apartment")
+    signed_in.where = {  # type: ignore[attr-defined]
+        "floorplan": plan["name"],
+        "path": plan["paths"][0]["name"],
+        "screen": WORD,
+    }
+    signed_in.asked = []  # type: ignore[attr-defined]
+
+    def adapt(
+        parameters: DriveParameters, _calibrated: Any, folders: list[Any], fresh: int, _leave_off: Callable[[], bool]
+    ) -> Adapted:
+        signed_in.asked.append((len(folders), fresh))  # type: ignore[attr-defined]
+        return change(parameters)
+
+    signed_in.readings["adapt"] = adapt
+    return signed_in

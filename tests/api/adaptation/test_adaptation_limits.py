@@ -1,0 +1,178 @@
+"""Where a map is not adapted: a large change, another patient, a real chair, a chair that moves, a reviewer."""
+
+import threading
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+from adapting import apply, begin, change, choose, choose_chair, drive, end, proposed, settled, versions
+from fake_clinic import WORD
+
+from app.calibration.adaptation.proposal import Proposal
+from app.calibration.vocabulary import DriveParameters
+from app.faults import Fault, State
+from app.session.readings import Adapted
+from app.store.people import add_person, sign_in, the_clinic
+
+
+def test_a_large_change_waits_for_a_person(ready: Any) -> None:
+    ready.readings["adapt"] = lambda parameters, *_: change(parameters, felt=0.07)
+    choose(ready, "auto")
+    drive(ready)
+    view = settled(ready)
+    assert view["version"] == 1
+    assert "waits for somebody" in view["proposal"]["words"]
+    assert apply(ready, view).json()["version"] == 2
+
+
+def test_nothing_is_applied_where_nothing_would_change(ready: Any) -> None:
+    nothing = {"trials": 1, "joints": (), "felt_change": 0.0, "warns": False, "parameters": None, "difference": {}}
+    ready.readings["adapt"] = lambda *_: Adapted(Proposal(**nothing, reason="The map fits."), None)
+    choose(ready, "auto")
+    drive(ready)
+    view = settled(ready)
+    assert (view["version"], view["proposal"]["changes"]) == (1, False)
+    assert view["why"] == "The map fits."
+    assert apply(ready, view).status_code == 409
+
+
+def test_a_proposal_that_something_overtook_is_refused(ready: Any) -> None:
+    drive(ready)
+    view = proposed(ready)
+    ready.good("POST", "/controls/suggest")
+    now = ready.good("GET", "/controls")["parameters"]
+    names = ("gestures", "bindings", "mode_u1", "mode_u2", "speeds", "cruise_time", "title")
+    ready.good("PUT", "/controls", json={**{name: now[name] for name in names}, "cutoff": 2.0})
+    answer = apply(ready, view)
+    assert answer.status_code == 409
+    assert "changed since" in answer.json()["detail"]
+    assert "changed since" in ready.good("GET", "/adaptation")["why"]
+    assert versions(ready) == [(1, "calibration", None)]
+
+
+def test_of_another_patient_nothing_is_shown_or_applied(ready: Any) -> None:
+    drive(ready)
+    view = proposed(ready)
+    other = ready.good("POST", "/patients", json={"code": "P-2", "pseudonym": "Stork"})
+    ready.good("POST", "/visit", json={"patient_id": other["id"]})
+    stands = ready.good("GET", "/adaptation")
+    assert (stands["proposal"], stands["version"], stands["mode"]) == (None, None, "off")
+    assert apply(ready, view).status_code == 404
+
+
+def test_nothing_is_adapted_with_a_real_chair_chosen(ready: Any) -> None:
+    choose(ready, "suggest")
+    drive(ready)
+    view = settled(ready)
+    choose_chair(ready)
+    for answer in (apply(ready, view), ready("POST", "/adaptation/propose")):
+        assert answer.status_code == 409
+        assert answer.json()["detail"].startswith("A real chair is chosen")
+    assert ready.good("GET", "/adaptation")["refusal"].startswith("A real chair is chosen")
+    assert versions(ready) == [(1, "calibration", None)]
+
+
+def test_nothing_is_adapted_while_the_real_chair_is_armed(ready: Any) -> None:
+    now = ready.good("GET", "/controls")["parameters"]
+    names = ("gestures", "bindings", "mode_u2", "cutoff", "speeds", "cruise_time", "title")
+    ready.good("PUT", "/controls", json={**{name: now[name] for name in names}, "mode_u1": "velocity"})
+    drive(ready)
+    view = proposed(ready)
+    choose(ready, "auto")
+    choose_chair(ready)
+    with ready.screen():
+        digest = ready.good("GET", "/drives/summary")["parameters"]["hash"]
+        ready.good("POST", "/drives", json={"hash": digest, "screen": WORD})
+        loaded = ready.process.parameters
+        for path in ("apply", "propose", "back"):
+            answer = ready("POST", f"/adaptation/{path}", json={"proposal": view["proposal"]["id"]})
+            assert answer.status_code == 409, path
+        ready.process.loop.call_soon_threadsafe(
+            ready.web.adaptation.trial_over, 1
+        )  # even if a trial's end were told only now
+        settled(ready)
+        assert ready.process.parameters is loaded
+        assert versions(ready) == [(1, "calibration", None)]
+        ready.good("POST", "/drives/current/end")
+    assert ready.good("GET", "/drives/summary")["parameters"]["hash"] == digest
+
+
+def test_an_adapted_set_is_practised_before_a_real_chair_arms_it(ready: Any) -> None:
+    drive(ready)
+    apply(ready, proposed(ready))
+    summary = ready.good("GET", "/drives/summary")
+    assert any("never practised" in refusal for refusal in summary["refusals"])
+    drive(ready)
+    summary = ready.good("GET", "/drives/summary")
+    assert summary["practised"]["trials"] == 1
+    assert not any("never practised" in refusal for refusal in summary["refusals"])
+
+
+@pytest.mark.parametrize("meanwhile", ["trial", "chair", "off"])
+def test_by_itself_it_applies_only_between_trials(ready: Any, meanwhile: str) -> None:
+    """The look at a trial takes a while; what began meanwhile is not disturbed, and what was chosen holds."""
+    go_on, looks, left_off = threading.Event(), threading.Event(), []
+
+    def adapt(
+        parameters: DriveParameters, _calibrated: Any, _folders: Any, _fresh: int, leave_off: Callable[[], bool]
+    ) -> Adapted:
+        looks.set()
+        assert go_on.wait(20)
+        left_off.append(leave_off())
+        return change(parameters)
+
+    ready.readings["adapt"] = adapt
+    choose(ready, "auto")
+    drive(ready)
+    assert looks.wait(20)
+    assert ready.good("GET", "/adaptation")["looking"] is True
+    if meanwhile == "trial":
+        begin(ready)
+    elif meanwhile == "chair":
+        choose_chair(ready)
+    else:
+        choose(ready, "off")
+    loaded = ready.process.parameters
+    go_on.set()
+    view = settled(ready)
+    assert left_off == [meanwhile == "trial"]
+    assert (view["version"], view["proposal"]["applied"]) == (1, None)
+    assert view["proposal"]["words"] != ""
+    assert ready.process.parameters is loaded
+    if meanwhile == "trial":
+        end(ready)
+        assert settled(ready)["version"] == 2
+
+
+def test_it_is_applied_at_a_disarmed_standstill_only(ready: Any) -> None:
+    drive(ready)
+    view = proposed(ready)
+    for says, words in (
+        ({"v": 0.3}, "armed or moves"),
+        ({"driven_omega": -0.3}, "armed or moves"),
+        ({"state": State.ARMED}, "armed or moves"),
+        ({"state": State.CHECKING}, "armed or moves"),
+        ({"state": State.FAULT, "fault": Fault.STOP_TABLET}, "tap Continue"),
+        ({"chair_kind": 1}, "A real chair"),
+    ):
+        ready.process.says = says
+        answer = apply(ready, view)
+        assert answer.status_code == 409
+        assert words in answer.json()["detail"]
+    ready.process.says = {}
+    assert apply(ready, view).status_code == 200
+
+
+def test_a_reviewer_looks_and_changes_nothing(ready: Any) -> None:
+    drive(ready)
+    view = proposed(ready)
+    database = ready.client.app.state.people.database
+    with database.transaction() as db:
+        person = add_person(db, the_clinic(db), "Rita", "reviewer", None)
+        token = sign_in(db, person, "test")
+    ready.client.cookies["bodydrive_session"] = token
+    assert ready.good("GET", "/adaptation")["proposal"]["id"] == view["proposal"]["id"]
+    assert ready.good("GET", f"/patients/{ready.patient['id']}/maps")[0]["version"] == 1
+    assert apply(ready, view).status_code == 403
+    assert ready("PUT", "/adaptation", json={"mode": "auto"}).status_code == 403
+    assert ready("POST", "/adaptation/back").status_code == 403

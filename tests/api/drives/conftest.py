@@ -1,0 +1,36 @@
+"""A calibrated patient, and a real chair that may be armed."""
+
+from typing import Any
+
+import pytest
+from chair_drives import choose_chair, practise, velocity
+from fake_clinic import WORD, Clinic
+
+from app.api.routes import drives
+
+
+@pytest.fixture(autouse=True)
+def _patient_with_this_machine(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(drives, "HEARD_WITHIN", 60.0)
+
+
+@pytest.fixture
+def calibrated(signed_in: Clinic) -> Any:
+    signed_in.patient = signed_in.visit()  # type: ignore[attr-defined]
+    signed_in.calibrate()
+    plan = signed_in.good("GET", "/floorplans/apartment")
+    signed_in.where = {  # type: ignore[attr-defined]
+        "floorplan": plan["name"],
+        "path": plan["paths"][0]["name"],
+        "screen": WORD,
+    }
+    velocity(signed_in)
+    return signed_in
+
+
+@pytest.fixture
+def ready(calibrated: Any) -> Any:
+    """A chair that is chosen, and a set that was practised."""
+    practise(calibrated)
+    choose_chair(calibrated)
+    return calibrated

@@ -1,0 +1,146 @@
+"""What is read before a real chair is armed, what refuses it, and who may arm it."""
+
+from typing import Any
+
+import pytest
+from chair_drives import arm, choose_chair, practise, velocity
+from fake_clinic import WORD, Clinic
+
+from app.hardware.chair.reasons import WORDS, Reason
+from app.hardware.registry import NO_KEY
+from app.speeds import Speeds
+from app.store.tables import Parameters
+
+ARMED, FAULT = 2, 3  # of a chair's telemetry
+
+
+def test_before_anybody_is_here_there_is_nothing_to_arm(signed_in: Clinic) -> None:
+    summary = signed_in.good("GET", "/drives/summary")
+    assert (summary["chair"], summary["parameters"], summary["speeds"]) == (None, None, None)
+    assert summary["practised"] == {"trials": 0, "last": None}
+    assert [sentence.split(":")[0] for sentence in summary["refusals"]] == [
+        "Nobody is here",
+        "The virtual chair is chosen",
+    ]
+    signed_in.visit()
+    assert signed_in.good("GET", "/drives/summary")["refusals"][0].startswith("Nothing is calibrated yet")
+
+
+def test_the_summary_is_what_would_apply(ready: Any) -> None:
+    ready.good("POST", "/control/dial", json={"share": 0.5})
+    ready.good("PUT", "/limits", json={**Speeds().model_dump(), "turn": 0.8})
+    summary = ready.good("GET", "/drives/summary")
+    assert summary["chair"]["name"] == "Blue"
+    assert summary["parameters"]["mode_u1"] == "velocity"
+    assert summary["parameters"]["cruise_time"] == 10.0
+    assert (summary["speeds"]["forward"], summary["speeds"]["turn"]) == (0.25, 0.4)  # chair, clinic, half of both
+    assert summary["practised"]["trials"] == 1
+    assert summary["last_practised"]["hash"] == summary["parameters"]["hash"]
+    assert (summary["differences"], summary["refusals"]) == ([], [])
+
+
+def test_what_was_not_practised_is_not_armed_and_the_differences_are_said(ready: Any) -> None:
+    faster = {**Speeds().model_dump(), "forward": 1.0}
+    digest = velocity(ready, speeds=faster, cutoff=4.0)["hash"]
+    summary = ready.good("GET", "/drives/summary")
+    assert summary["differences"] == ["Tremor damping: 3.0 → 4.0 Hz.", "Forward speed: 0.80 → 1.00 m/s."]
+    assert "never practised" in summary["refusals"][0]
+    with ready.screen():
+        assert arm(ready).status_code == 409
+    assert "arm" not in [do for do, _ in ready.process.calls if do == "arm"][1:]
+    ready.good("PUT", "/chairs/chosen", json={"id": None, "dynamics": "unicycle"})
+    trial = practise(ready)
+    summary = ready.good("GET", "/drives/summary")
+    assert (summary["practised"]["trials"], summary["parameters"]["hash"]) == (1, digest)
+    ready.good("POST", f"/trials/{trial['id']}/discard", json={"reason": "tired"})
+    assert ready.good("GET", "/drives/summary")["practised"]["trials"] == 0
+
+
+def test_a_hash_that_was_stored_by_an_older_program_counts_as_it_is_reckoned_now(ready: Any) -> None:
+    with ready.client.app.state.people.database.transaction() as db:
+        for row in db.query(Parameters):
+            row.hash = "0" * 64
+            row.settings = {name: value for name, value in row.settings.items() if name != "cruise_time"}
+    summary = ready.good("GET", "/drives/summary")
+    assert summary["practised"]["trials"] == 1
+    assert summary["parameters"]["hash"] == ready.good("GET", "/controls")["hash"] != "0" * 64
+    with ready.screen():
+        assert arm(ready).status_code == 201
+    assert ready.process.calls[-1] == ("arm", {"hash": summary["parameters"]["hash"]})
+
+
+@pytest.mark.parametrize(
+    ("says", "words"),
+    [
+        ({"chair_age": 0.5}, "does not answer"),
+        ({"chair_age": float("nan")}, "does not answer"),
+        ({"chair_age": float("inf")}, "does not answer"),
+        ({"stop_input": 1}, "stop switch"),
+        ({"chair_state": FAULT, "chair_fault": Reason.OUTPUT}, WORDS[Reason.OUTPUT]),
+        ({"chair_state": FAULT, "chair_fault": 99}, "does not know"),
+    ],
+)
+def test_a_chair_that_cannot_drive_is_not_armed(ready: Any, says: dict[str, Any], words: str) -> None:
+    ready.process.says = says
+    assert words in ready.good("GET", "/drives/summary")["refusals"][0]
+    with ready.screen():
+        answer = arm(ready)
+    assert answer.status_code == 409
+    assert words in answer.json()["detail"]
+    assert ready.good("GET", f"/drives?patient={ready.patient['id']}") == []
+
+
+def test_a_chosen_chair_that_is_not_open_is_not_taken_for_the_virtual_one(ready: Any) -> None:
+    ready.process.chair = "virtual"
+    assert ready.good("GET", "/drives/summary")["refusals"] == ["Blue is not open: choose it again."]
+    assert ready("POST", "/trials", json=ready.where).status_code == 409
+
+
+def test_acceleration_mode_needs_the_stop_switch(calibrated: Any) -> None:
+    velocity(calibrated, mode_u1="acceleration")
+    practise(calibrated)
+    choose_chair(calibrated)
+    assert "stop switch" in calibrated.good("GET", "/drives/summary")["refusals"][0]
+    calibrated.process.switch_seen = True
+    assert calibrated.good("GET", "/drives/summary")["refusals"] == []
+
+
+def test_a_shirt_that_cannot_be_trusted_arms_no_real_chair_and_the_page_says_why(ready: Any) -> None:
+    """Safety S29: in a demonstration, too."""
+    ready.web.equipment.mistrust = NO_KEY
+    assert ready.good("GET", "/drives/summary")["refusals"] == [NO_KEY]
+    with ready.screen():
+        answer = arm(ready)
+    assert (answer.status_code, answer.json()["detail"]) == (409, NO_KEY)
+    ready.process.mistrust = ""
+    ready.good("PUT", "/equipment/shirt", json={"kind": "simulator"})
+    assert ready.good("GET", "/drives/summary")["refusals"] == []
+
+
+@pytest.mark.parametrize(
+    "header", ["Forwarded", "X-Forwarded-For", "X-Forwarded-Proto", "Via", "X-Real-IP", "x-forwarded-host"]
+)
+def test_nobody_arms_from_outside(ready: Any, header: str) -> None:
+    with ready.screen():
+        answer = arm(ready, **{header: "127.0.0.1"})
+        assert (answer.status_code, "in the building" in answer.json()["detail"]) == (403, True)
+        assert arm(ready).status_code == 201
+        ready.good("POST", "/control/stop")
+        outside = ready("POST", "/control/clear", json={"stops": 1}, headers={header: "127.0.0.1"})
+        assert outside.status_code == 403
+        assert ready("POST", "/control/dial", json={"share": 0.5}, headers={header: "1"}).status_code == 403
+        assert ready("POST", "/control/stop", headers={header: "127.0.0.1"}).status_code == 200
+        assert ready.good("POST", "/control/clear", json={"stops": 2})["state"] == "armed"
+
+
+def test_a_screen_that_was_not_heard_does_not_arm(ready: Any) -> None:
+    answer = arm(ready)
+    assert (answer.status_code, "in view" in answer.json()["detail"]) == (409, True)
+    with ready.screen("another-screen"):
+        assert arm(ready).status_code == 409
+
+
+def test_the_hash_that_was_read_is_the_one_that_is_armed(ready: Any) -> None:
+    with ready.screen():
+        answer = ready("POST", "/drives", json={"hash": "0" * 64, "screen": WORD})
+    assert (answer.status_code, "changed meanwhile" in answer.json()["detail"]) == (409, True)

@@ -1,0 +1,128 @@
+"""Drives of the real chair: from arming to the end, who may hold it, what its picture shows."""
+
+import time
+from typing import Any
+
+import pytest
+from chair_drives import arm
+from fake_clinic import WORD
+
+from app.faults import Fault, State
+from app.hardware.chair.reasons import WORDS, Reason
+from app.store.people import add_person, sign_in, the_clinic
+
+ARMED, FAULT = 2, 3  # of a chair's telemetry
+
+
+def test_a_drive_from_arming_to_its_end(ready: Any) -> None:
+    digest = ready.good("GET", "/drives/summary")["parameters"]["hash"]
+    with ready.screen():
+        drive = arm(ready).json()
+        assert (drive["ended"], drive["end"], drive["hash"]) == (None, None, digest)
+        run = next(fields for do, fields in reversed(ready.process.calls) if do == "run")
+        assert (run["kind"], run["meta"]) == ("drive", {"chair": "Blue", "key_id": 1, "hash": digest})
+        assert ready.process.calls[-1] == ("arm", {"hash": digest})
+        assert ready("POST", "/drives", json={"hash": digest, "screen": WORD}).status_code == 409
+        assert ready("POST", "/trials", json=ready.where).status_code == 409
+        assert ready("PUT", "/chairs/chosen", json={"id": None, "dynamics": "unicycle"}).status_code == 409
+        assert ready("DELETE", "/visit").status_code == 409
+        ended = ready.good("POST", "/drives/current/end")
+    assert (ended["id"], ended["end"], ended["distance"]) == (drive["id"], "by hand", 1.0)
+    assert ended["ended"] > ended["started"]
+    assert ready.good("GET", f"/drives?patient={ready.patient['id']}") == [ended]
+    assert ready("POST", "/drives/current/end").status_code == 409
+    assert ready("GET", "/drives?patient=99").status_code == 404
+    what = [row.what for row in ready.log() if row.details.get("drive") == drive["id"]]
+    assert what == ["armed", "drive ended"]
+
+
+def test_an_arming_that_the_control_process_refuses_leaves_no_drive(ready: Any) -> None:
+    ready.process.refuse["arm"] = "The chair does not answer."
+    with ready.screen():
+        answer = arm(ready)
+    assert (answer.status_code, answer.json()["detail"]) == (409, "The chair does not answer.")
+    assert ready.process.run == 0
+    assert ready.good("GET", f"/drives?patient={ready.patient['id']}") == []
+    assert not ready.web.real.running
+
+
+def test_a_fault_that_nobody_clears_ends_the_drive_and_is_in_the_log(
+    ready: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("app.session.run_watch.HALT_LIMIT", 0.5)
+    with ready.screen():
+        drive = arm(ready).json()
+        ready.process.state, ready.process.fault = State.FAULT, Fault.CHAIR_SILENT
+        drives_now = ready.until(f"/drives?patient={ready.patient['id']}", lambda rows: rows[-1]["ended"])
+    assert drives_now[-1]["end"] == "fault"
+    rows = [(row.what, row.details) for row in ready.log()]
+    assert ("fault", {"fault": "chair_silent", "drive": drive["id"]}) in rows
+    assert ("drive ended", {"drive": drive["id"], "end": "fault"}) in rows
+
+
+def test_a_control_process_that_dies_ends_the_drive(ready: Any) -> None:
+    with ready.screen():
+        arm(ready)
+        ready.process.die()
+        drives_now = ready.until(f"/drives?patient={ready.patient['id']}", lambda rows: rows[-1]["ended"])
+    assert drives_now[-1]["end"] == "fault"
+
+
+def test_only_who_armed_goes_on_and_ends_and_anybody_stops(ready: Any) -> None:
+    database = ready.client.app.state.people.database
+    with database.transaction() as db:
+        other = sign_in(db, add_person(db, the_clinic(db), "Other", "clinician", None), "test")
+    with ready.screen():
+        arm(ready)
+        mine = ready.client.cookies["bodydrive_session"]
+        ready.client.cookies.clear()
+        assert ready.good("POST", "/control/stop")["state"] == "fault"
+        ready.client.cookies["bodydrive_session"] = other
+        for path, body in (
+            ("/control/clear", {"stops": 1}),
+            ("/control/dial", {"share": 0.5}),
+            ("/drives/current/end", None),
+        ):
+            answer = ready("POST", path, json=body)
+            assert (answer.status_code, "Somebody else" in answer.json()["detail"]) == (409, True), path
+        assert ready.good("POST", "/control/stop")["state"] == "fault"
+        ready.client.cookies.clear()
+        ready.client.cookies["bodydrive_session"] = mine
+        assert ready("POST", "/control/clear", json={"stops": 1}).status_code == 409  # there was a second stop
+        while not any(row.what == "stop" for row in ready.log()):
+            time.sleep(0.01)
+        assert ready.good("POST", "/control/clear", json={"stops": 2})["state"] == "armed"
+        ready.good("POST", "/drives/current/end")
+    assert [row.details["fault"] for row in ready.log() if row.what == "stop"] == ["stop_tablet"]
+
+
+def test_the_live_picture_shows_what_the_chair_says(ready: Any) -> None:
+    ready.process.says = {
+        "chair_state": ARMED,
+        "chair_age": 0.08,
+        "battery": float("nan"),
+        "driven_v": 0.3,
+        "driven_omega": -0.1,
+        "stop_input": 0,
+    }
+    picture = ready.web.live._picture()
+    assert picture["chair"] == {
+        "kind": "udp",
+        "state": "armed",
+        "age": 0.08,
+        "battery": None,
+        "stop_input": False,
+        "v": 0.3,
+        "omega": -0.1,
+        "words": "",
+    }
+    assert picture["drive"] is None
+    with ready.screen():
+        drive = arm(ready).json()
+        while not (shown := ready.web.live._picture()["drive"]) or shown["t"] == 0.0:
+            time.sleep(0.01)
+        assert shown["id"] == drive["id"]
+    ready.process.says = {"chair_state": FAULT, "chair_fault": Reason.STOP_INPUT}
+    assert ready.web.live._picture()["chair"]["words"] == WORDS[Reason.STOP_INPUT]
+    ready.process.chair = "virtual"
+    assert ready.web.live._picture()["chair"]["words"] == "Blue is not open: choose it again."

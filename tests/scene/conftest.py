@@ -1,0 +1,11 @@
+"""The 3D servers of all roles, for each test."""
+
+import pytest
+
+from app.scene.servers import RoleServers
+
+
+@pytest.fixture
+def servers():
+    with RoleServers() as started:
+        yield started
