@@ -30,7 +30,27 @@ def openapi() -> dict[str, Any]:
         for path, methods in document["paths"].items()
     }
     schemas = {name: without_texts(schema) for name, schema in document["components"]["schemas"].items()}
+    for name in reachable([m["responses"] for methods in operations.values() for m in methods.values()], schemas):
+        # Answers are written with every field; pydantic calls those with a default optional.
+        schemas[name]["required"] = list(schemas[name].get("properties", {}))
     return {**document, "paths": operations, "components": {"schemas": dict(sorted(schemas.items()))}}
+
+
+def reachable(start: Any, schemas: dict[str, Any]) -> set[str]:
+    """Return the names of the schemas that a part of the document refers to, directly or through others."""
+    found: set[str] = set()
+    waiting = [start]
+    while waiting:
+        part = waiting.pop()
+        if isinstance(part, list):
+            waiting.extend(part)
+        elif isinstance(part, dict):
+            name = str(part.get("$ref", "")).rpartition("/")[2]
+            if name and name not in found:
+                found.add(name)
+                waiting.append(schemas[name])
+            waiting.extend(part.values())
+    return found
 
 
 def exchange(operation: dict[str, Any]) -> dict[str, Any]:

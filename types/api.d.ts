@@ -3127,7 +3127,7 @@ export interface components {
             control: "u1+" | "u1-" | "u2+" | "u2-" | "stop";
             gestures: string[];
             /** @default 1 */
-            gain?: number;
+            gain: number;
         };
         Body_bring_file_api_v1_equipment_files_post: {
             file: string;
@@ -3156,22 +3156,22 @@ export interface components {
                 number
             ];
             /** @default 0.75 */
-            height?: number;
+            height: number;
             /** @default 0 */
-            angle?: number;
-            model?: string | null;
+            angle: number;
+            model: string | null;
         };
         CalibrationProfile: {
             /**
              * @default bodydrive-profile
              * @constant
              */
-            format?: "bodydrive-profile";
+            format: "bodydrive-profile";
             /**
              * @default 1
              * @constant
              */
-            version?: 1;
+            version: 1;
             created: string;
             software: string;
             layout: components["schemas"]["ShirtLayout"];
@@ -3182,7 +3182,7 @@ export interface components {
             low: number[];
             high: number[];
             joints: components["schemas"]["JointMap"][];
-            cross_talk?: number[][] | null;
+            cross_talk: number[][] | null;
         };
         CalibrationView: {
             current: string;
@@ -3211,11 +3211,11 @@ export interface components {
         Channel: {
             name: string;
             joint: string;
-            position?: [
+            position: [
                 number,
                 number
             ] | null;
-            side?: ("front" | "back") | null;
+            side: ("front" | "back") | null;
         };
         ChannelLine: {
             name: string;
@@ -3256,9 +3256,9 @@ export interface components {
                 number
             ];
             /** @default 0.15 */
-            radius?: number;
+            radius: number;
             /** @default 0.5 */
-            height?: number;
+            height: number;
         };
         ControlQuality: {
             map_angle_deg: number | null;
@@ -3340,7 +3340,7 @@ export interface components {
             ];
             radius: number;
             /** @default 0.75 */
-            height?: number;
+            height: number;
         };
         DemoCode: {
             code: string;
@@ -3371,9 +3371,9 @@ export interface components {
                 number
             ];
             /** @default 1 */
-            width?: number;
+            width: number;
             /** @default 0 */
-            heading?: number;
+            heading: number;
         };
         DraftView: {
             document: {
@@ -3385,7 +3385,7 @@ export interface components {
         };
         DriveParameters: {
             /** @default Standard */
-            title?: string;
+            title: string;
             profile: components["schemas"]["CalibrationProfile"];
             gestures: components["schemas"]["Gesture"][];
             bindings: components["schemas"]["Binding"][];
@@ -3393,14 +3393,14 @@ export interface components {
              * @default acceleration
              * @enum {string}
              */
-            mode_u1?: "velocity" | "acceleration";
+            mode_u1: "velocity" | "acceleration";
             /**
              * @default velocity
              * @enum {string}
              */
-            mode_u2?: "velocity" | "acceleration";
+            mode_u2: "velocity" | "acceleration";
             /** @default 3 */
-            cutoff?: number;
+            cutoff: number;
             /**
              * @default {
              *       "forward": 0.8,
@@ -3413,11 +3413,11 @@ export interface components {
              *       "turn_jerk": 60
              *     }
              */
-            speeds?: components["schemas"]["Speeds"];
+            speeds: components["schemas"]["Speeds"];
             /** @default 10 */
-            cruise_time?: number;
+            cruise_time: number;
             /** @default 3 */
-            turn_cruise_time?: number | null;
+            turn_cruise_time: number | null;
         };
         DriveView: {
             id: number;
@@ -3440,7 +3440,7 @@ export interface components {
             ];
             radius: number;
             /** @default 2 */
-            height?: number;
+            height: number;
         };
         Effect: {
             seconds: number;
@@ -3512,29 +3512,29 @@ export interface components {
                 number
             ][][];
             /** @default [] */
-            obstacles?: (components["schemas"]["Box"] | components["schemas"]["Cylinder"])[];
+            obstacles: (components["schemas"]["Box"] | components["schemas"]["Cylinder"])[];
             /** @default [] */
-            rooms?: components["schemas"]["Room"][];
+            rooms: components["schemas"]["Room"][];
             /** @default [] */
-            doors?: components["schemas"]["Door"][];
+            doors: components["schemas"]["Door"][];
             paths: components["schemas"]["PrescribedPath"][];
             /** @default 2.6 */
-            wall_height?: number;
+            wall_height: number;
             /** @default 0.1 */
-            wall_thickness?: number;
+            wall_thickness: number;
             /**
              * @default {
              *       "kind": "hall",
              *       "dunes": []
              *     }
              */
-            ground?: components["schemas"]["Ground"];
+            ground: components["schemas"]["Ground"];
             /** @default [] */
-            cones?: components["schemas"]["Cone"][];
+            cones: components["schemas"]["Cone"][];
             /** @default [] */
-            gaps?: components["schemas"]["Gap"][];
+            gaps: components["schemas"]["Gap"][];
             /** @default [] */
-            movers?: components["schemas"]["Mover"][];
+            movers: components["schemas"]["Mover"][];
             /**
              * @default {
              *       "azimuth": -2.1112,
@@ -3548,7 +3548,7 @@ export interface components {
              *       ]
              *     }
              */
-            lights?: components["schemas"]["Lights"];
+            lights: components["schemas"]["Lights"];
         };
         FloorPlanView: {
             name: string;
@@ -3567,7 +3567,7 @@ export interface components {
             kind: "follow";
             leader: string;
             /** @default 1.5 */
-            distance?: number;
+            distance: number;
         };
         FollowPath: {
             /**
@@ -3586,13 +3586,13 @@ export interface components {
             signal_to_noise: number;
             repeatability: number | null;
             cross_talk: number | null;
-            effort?: number | null;
+            effort: number | null;
             appears_with: components["schemas"]["Companion"] | null;
             brings: components["schemas"]["Companion"] | null;
-            prediction?: components["schemas"]["Prediction"] | null;
+            prediction: components["schemas"]["Prediction"] | null;
             /** @default 0 */
-            score?: number;
-            weakest?: ("signal_to_noise" | "repeatability" | "cross_talk" | "effort") | null;
+            score: number;
+            weakest: ("signal_to_noise" | "repeatability" | "cross_talk" | "effort") | null;
         };
         FreeCamera: {
             azimuth: number;
@@ -3620,7 +3620,7 @@ export interface components {
             ];
             width: number;
             /** @default 0 */
-            heading?: number;
+            heading: number;
         };
         Gesture: {
             name: string;
@@ -3629,12 +3629,12 @@ export interface components {
              * @default 1
              * @enum {integer}
              */
-            direction?: 1 | -1;
+            direction: 1 | -1;
             /**
              * @default rate
              * @enum {string}
              */
-            feature?: "rate" | "displacement";
+            feature: "rate" | "displacement";
             dead_zone: number;
             full: number;
         };
@@ -3655,15 +3655,15 @@ export interface components {
              * @default hall
              * @enum {string}
              */
-            kind?: "hall" | "sand" | "grass" | "asphalt";
-            area?: [
+            kind: "hall" | "sand" | "grass" | "asphalt";
+            area: [
                 number,
                 number,
                 number,
                 number
             ] | null;
             /** @default [] */
-            dunes?: components["schemas"]["Dune"][];
+            dunes: components["schemas"]["Dune"][];
         };
         GuidedMap: {
             rate: number[];
@@ -3707,42 +3707,42 @@ export interface components {
             name: string;
             label: string;
             channels: string[];
-            dead_zone?: number | null;
+            dead_zone: number | null;
             /** @default false */
-            guided?: boolean;
-            map_angle_deg?: number | null;
-            evr?: number | null;
-            null_space_share?: number | null;
-            span?: number | null;
-            span_share?: number | null;
-            rest_rate?: number | null;
+            guided: boolean;
+            map_angle_deg: number | null;
+            evr: number | null;
+            null_space_share: number | null;
+            span: number | null;
+            span_share: number | null;
+            rest_rate: number | null;
             /** @default 0 */
-            moved?: number;
+            moved: number;
             /** @default 0 */
-            activations?: number;
-            direction?: {
+            activations: number;
+            direction: {
                 [key: string]: number;
             } | null;
         };
         JointView: {
             name: string;
-            angle_proposed_deg?: number | null;
+            angle_proposed_deg: number | null;
             /** @default 0 */
-            angle_applied_deg?: number;
+            angle_applied_deg: number;
             /** @default 0 */
-            angle_from_calibration_deg?: number;
-            evr_before?: number | null;
-            evr_after?: number | null;
+            angle_from_calibration_deg: number;
+            evr_before: number | null;
+            evr_after: number | null;
             /** @default 0 */
-            felt_change?: number;
-            cross_talk_before?: number | null;
-            cross_talk_after?: number | null;
-            dead_zone_before?: number | null;
-            dead_zone_after?: number | null;
-            full_before?: number | null;
-            full_after?: number | null;
+            felt_change: number;
+            cross_talk_before: number | null;
+            cross_talk_after: number | null;
+            dead_zone_before: number | null;
+            dead_zone_after: number | null;
+            full_before: number | null;
+            full_after: number | null;
             /** @default false */
-            range_moved?: boolean;
+            range_moved: boolean;
             /** @enum {string} */
             status: "applied" | "shown" | "refused" | "unchanged";
             reason: string;
@@ -3776,13 +3776,13 @@ export interface components {
         };
         Lights: {
             /** @default -2.1112 */
-            azimuth?: number;
+            azimuth: number;
             /** @default 1.0002 */
-            elevation?: number;
+            elevation: number;
             /** @default 0.7 */
-            sun?: number;
+            sun: number;
             /** @default 0.8 */
-            sky?: number;
+            sky: number;
             /**
              * @default [
              *       255,
@@ -3790,7 +3790,7 @@ export interface components {
              *       240
              *     ]
              */
-            colour?: [
+            colour: [
                 number,
                 number,
                 number
@@ -3854,9 +3854,9 @@ export interface components {
                 number
             ][];
             /** @default 0.3 */
-            radius?: number;
+            radius: number;
             /** @default false */
-            returns?: boolean;
+            returns: boolean;
         };
         MoverLine: {
             x: (number | null)[];
@@ -3989,17 +3989,17 @@ export interface components {
                 number
             ][];
             /** @default 0.5 */
-            goal_radius?: number;
+            goal_radius: number;
             /** @default 180 */
-            time_limit?: number;
+            time_limit: number;
             instruction: string;
-            start_heading?: number | null;
+            start_heading: number | null;
             /**
              * @default {
              *       "kind": "path"
              *     }
              */
-            task?: components["schemas"]["FollowPath"] | components["schemas"]["FollowLeader"] | components["schemas"]["Turn"] | components["schemas"]["Back"] | components["schemas"]["Course"];
+            task: components["schemas"]["FollowPath"] | components["schemas"]["FollowLeader"] | components["schemas"]["Turn"] | components["schemas"]["Back"] | components["schemas"]["Course"];
         };
         ProposalView: {
             id: string;
@@ -4182,21 +4182,21 @@ export interface components {
         };
         Speeds: {
             /** @default 0.8 */
-            forward?: number;
+            forward: number;
             /** @default 0.3 */
-            reverse?: number;
+            reverse: number;
             /** @default 1.2 */
-            turn?: number;
+            turn: number;
             /** @default 0.8 */
-            acceleration?: number;
+            acceleration: number;
             /** @default 1.2 */
-            deceleration?: number;
+            deceleration: number;
             /** @default 6 */
-            turn_acceleration?: number;
+            turn_acceleration: number;
             /** @default 8 */
-            jerk?: number;
+            jerk: number;
             /** @default 60 */
-            turn_jerk?: number;
+            turn_jerk: number;
         };
         Stage: {
             title: string;
@@ -4206,13 +4206,13 @@ export interface components {
                 number
             ][];
             /** @default 0.5 */
-            goal_radius?: number;
+            goal_radius: number;
             /**
              * @default {
              *       "kind": "path"
              *     }
              */
-            task?: components["schemas"]["FollowPath"] | components["schemas"]["Turn"] | components["schemas"]["Back"];
+            task: components["schemas"]["FollowPath"] | components["schemas"]["Turn"] | components["schemas"]["Back"];
         };
         StatusView: {
             words: string;
@@ -4322,9 +4322,9 @@ export interface components {
             /** @enum {string} */
             direction: "left" | "right";
             /** @default 0.1745 */
-            tolerance?: number;
+            tolerance: number;
             /** @default 1 */
-            hold?: number;
+            hold: number;
         };
         UdpConfig: {
             /**
@@ -4383,13 +4383,13 @@ export interface components {
         };
         Wishes: {
             /** @default false */
-            arrow?: boolean;
+            arrow: boolean;
             /** @default false */
-            sounds?: boolean;
+            sounds: boolean;
             /** @default false */
-            large?: boolean;
+            large: boolean;
             /** @default false */
-            plan?: boolean;
+            plan: boolean;
         };
         app__api__routes__chairs__ChairView: {
             id: number;

@@ -47,6 +47,6 @@ type Success<Responses> = Json<Responses[keyof Responses]>;
 export type Answer<M extends Method, P extends string> =
   Operation<M, P> extends { responses: infer Responses } ? Success<Responses> : never;
 
-/** What a call sends; undefined when it sends nothing. */
+/** What a call sends; unknown where the API reads the body itself, as of floor plans. */
 export type Body<M extends Method, P extends string> =
-  Operation<M, P> extends { requestBody: { content: { "application/json": infer Value } } } ? Value : undefined;
+  Operation<M, P> extends { requestBody: { content: { "application/json": infer Value } } } ? Value : unknown;
