@@ -306,7 +306,7 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
-    "/api/v1/visit": {
+    "/api/v1/session": {
         parameters: {
             query?: never;
             header?: never;
@@ -327,7 +327,7 @@ export interface paths {
                         [name: string]: unknown;
                     };
                     content: {
-                        "application/json": components["schemas"]["VisitView"];
+                        "application/json": components["schemas"]["CurrentSession"];
                     };
                 };
             };
@@ -342,7 +342,7 @@ export interface paths {
             };
             requestBody: {
                 content: {
-                    "application/json": components["schemas"]["OpenVisit"];
+                    "application/json": components["schemas"]["NewSession"];
                 };
             };
             responses: {
@@ -351,7 +351,7 @@ export interface paths {
                         [name: string]: unknown;
                     };
                     content: {
-                        "application/json": components["schemas"]["VisitView"];
+                        "application/json": components["schemas"]["CurrentSession"];
                     };
                 };
             };
@@ -370,7 +370,7 @@ export interface paths {
                         [name: string]: unknown;
                     };
                     content: {
-                        "application/json": components["schemas"]["VisitView"];
+                        "application/json": components["schemas"]["CurrentSession"];
                     };
                 };
             };
@@ -3327,6 +3327,12 @@ export interface components {
             name: string;
             password: string;
         };
+        CurrentSession: {
+            patient: components["schemas"]["PatientView"] | null;
+            session: components["schemas"]["SessionView"] | null;
+            has_profile: boolean;
+            steps_done: string[];
+        };
         Cylinder: {
             /**
              * @description discriminator enum property added by openapi-typescript
@@ -3887,6 +3893,9 @@ export interface components {
         NewReplay: {
             trial: number;
         };
+        NewSession: {
+            patient_id: number;
+        };
         NewTrial: {
             floorplan: string;
             path: string;
@@ -3899,9 +3908,6 @@ export interface components {
             qr: string;
             expires: string;
             words: string;
-        };
-        OpenVisit: {
-            patient_id: number;
         };
         OpentrackConfig: {
             /**
@@ -4361,12 +4367,6 @@ export interface components {
             head: boolean;
             free: components["schemas"]["FreeCamera"];
         };
-        VisitView: {
-            patient: components["schemas"]["PatientView"] | null;
-            session: components["schemas"]["SessionView"] | null;
-            has_profile: boolean;
-            steps_done: string[];
-        };
         VisitorConfig: {
             /**
              * @description discriminator enum property added by openapi-typescript
@@ -4440,6 +4440,7 @@ export type ControlWarning = components['schemas']['ControlWarning'];
 export type ControlsView = components['schemas']['ControlsView'];
 export type Course = components['schemas']['Course'];
 export type Credentials = components['schemas']['Credentials'];
+export type CurrentSession = components['schemas']['CurrentSession'];
 export type Cylinder = components['schemas']['Cylinder'];
 export type DemoCode = components['schemas']['DemoCode'];
 export type Dial = components['schemas']['Dial'];
@@ -4497,9 +4498,9 @@ export type NewChair = components['schemas']['NewChair'];
 export type NewDrive = components['schemas']['NewDrive'];
 export type NewPatient = components['schemas']['NewPatient'];
 export type NewReplay = components['schemas']['NewReplay'];
+export type NewSession = components['schemas']['NewSession'];
 export type NewTrial = components['schemas']['NewTrial'];
 export type OfferView = components['schemas']['OfferView'];
-export type OpenVisit = components['schemas']['OpenVisit'];
 export type OpentrackConfig = components['schemas']['OpentrackConfig'];
 export type OtherSender = components['schemas']['OtherSender'];
 export type OwnPlanView = components['schemas']['OwnPlanView'];
@@ -4553,7 +4554,6 @@ export type UdpConfig = components['schemas']['UdpConfig'];
 export type Unused = components['schemas']['Unused'];
 export type ValidationError = components['schemas']['ValidationError'];
 export type ViewState = components['schemas']['ViewState'];
-export type VisitView = components['schemas']['VisitView'];
 export type VisitorConfig = components['schemas']['VisitorConfig'];
 export type WantedMode = components['schemas']['WantedMode'];
 export type WhichProposal = components['schemas']['WhichProposal'];

@@ -7,7 +7,7 @@ from app.api.live.hub import LiveHub
 from app.api.live.picture import LivePicture
 from app.api.live.pictures import Pictures
 from app.api.live.screens import Screens
-from app.api.parts import WebParts, show_visit
+from app.api.parts import WebParts, open_view
 from app.api.patient_screen.patient_picture import PatientPicture
 from app.api.replay.replays import Replays
 from app.api.replay.timelines import Timelines
@@ -22,7 +22,7 @@ from app.session.equipment.head import HeadChoice
 from app.session.equipment.limits import ClinicLimits
 from app.session.equipment.shirt import Equipment
 from app.session.fault_log import FaultLog
-from app.session.open_session import VisitFlow
+from app.session.open_session import SessionFlow
 from app.session.readings import Readings
 from app.session.real_drive import RealDriveFlow
 from app.session.runs import Runs
@@ -62,8 +62,8 @@ def make_parts(
     calibration = CalibrationFlow(database, control, equipment, runs, tell, readings)
     drive = DriveFlow(database, control, runs, tell, readings)
     real_drive = RealDriveFlow(database, control, runs, tell, readings)
-    visit = VisitFlow(database, control, equipment, calibration, drive, real_drive, tell)
-    live_picture = LivePicture(control, equipment, chairs, runs, drive, real_drive, visit)
+    session = SessionFlow(database, control, equipment, calibration, drive, real_drive, tell)
+    live_picture = LivePicture(control, equipment, chairs, runs, drive, real_drive, session)
     hub = LiveHub(live_picture.picture, live_picture.quality)
     patient = PatientPicture(live_picture, equipment, runs, drive)
 
@@ -87,9 +87,9 @@ def make_parts(
         chairs=chairs,
         head=HeadChoice(database, control, equipment.located, tell),
         limits=limits,
-        arming=RealArming(database, control, equipment, visit, chairs, limits),
-        visit=visit,
-        adaptation=AdaptationFlow(database, control, runs, drive, visit, chairs, tell, readings),
+        arming=RealArming(database, control, equipment, session, chairs, limits),
+        session=session,
+        adaptation=AdaptationFlow(database, control, runs, drive, session, chairs, tell, readings),
         screens=Screens(),
         pictures=Pictures(control, drive),
         faults=FaultLog(database, control, current_drive),
@@ -118,13 +118,13 @@ async def start_parts(database: Database, web: WebParts) -> None:
     await web.chairs.open()
     await web.equipment.open()
     await web.head.open()
-    await web.visit.visit_changed()
+    await web.session.session_changed()
     web.live.start()
     web.patient_live.start()
     web.faults.start()
     web.disk.start()
     if await asyncio.to_thread(_somebody_is_here, database):
-        await show_visit(web)
+        await open_view(web)
 
 
 def _somebody_is_here(database: Database) -> bool:

@@ -27,7 +27,7 @@ from app.session.equipment.head import HeadChoice
 from app.session.equipment.limits import ClinicLimits
 from app.session.equipment.shirt import Equipment
 from app.session.fault_log import FaultLog
-from app.session.open_session import VisitFlow
+from app.session.open_session import SessionFlow
 from app.session.real_drive import RealDriveFlow
 from app.session.runs import Runs
 from app.session.screen_codes import PairingCodes
@@ -52,7 +52,7 @@ class WebParts:
     head: HeadChoice
     limits: ClinicLimits
     arming: RealArming
-    visit: VisitFlow
+    session: SessionFlow
     adaptation: AdaptationFlow
     screens: Screens
     pictures: Pictures
@@ -125,8 +125,8 @@ def plan_to_begin_with(web: WebParts) -> tuple[FloorPlan, str] | None:
     return None
 
 
-async def show_visit(web: WebParts) -> None:
-    """Open a 3D view for the visit that began."""
+async def open_view(web: WebParts) -> None:
+    """Open a 3D view for the session that began."""
     first = await asyncio.to_thread(plan_to_begin_with, web)
     await web.view.open(*(first or (None, None)))
 

@@ -76,7 +76,7 @@ class OpenSockets:
                 await self._close(websocket)
 
     async def close_ended_screens(self) -> None:
-        """Close every websocket of a patient's screen that was unpaired or whose visit is over."""
+        """Close every websocket of a patient's screen that was unpaired or whose session is over."""
 
         async def close_if_ended(websocket: WebSocket, who: PairedScreen) -> None:
             if not await self._still(websocket, who):

@@ -1,4 +1,4 @@
-"""One 3D server for each role, for the time of a visit: isolated from each other, on this machine only, quiet."""
+"""One 3D server for each role, for the time of a session: isolated from each other, on this machine only, quiet."""
 
 from types import TracebackType
 from typing import Final, Literal, Self, get_args
@@ -14,7 +14,7 @@ ROLES: Final[tuple[Role, ...]] = get_args(Role)
 
 
 class RoleServers:
-    """The 3D servers of one visit. Made anew for each, because a server keeps every message it ever sent.
+    """The 3D servers of one session. Made anew for each, because a server keeps every message it ever sent.
 
     Raises
     ------

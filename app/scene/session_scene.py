@@ -1,4 +1,4 @@
-"""The whole 3D scene of a visit: both roles' pictures follow one chair."""
+"""The whole 3D scene of a session: both roles' pictures follow one chair."""
 
 import math
 import threading

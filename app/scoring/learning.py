@@ -98,16 +98,16 @@ def learning_curves(trials: Sequence[Mapping[str, Any]], *, every_model: bool = 
     ----------
     trials
         In the order driven; each has measures by name, and may have `number` (or `trial`), from 1, `session` (the
-        number of the visit) and `reached`. A trial that did not reach the goal has no comparable distance, area or
+        number of the session) and `reached`. A trial that did not reach the goal has no comparable distance, area or
         time, so that it is left out.
     every_model
         Return the curves that were not chosen, too.
 
     Returns
     -------
-    {measure: {"text": str, "visits": str or None, "fit": None or {"n": [...], "value": [...], "low": [...],
-    "high": [...]}}}; the band is the 95 % band of the curve, and there is no fit where a level line is best. `visits`
-    tells gains within visits from those between them. With `every_model` also "form" ("exponential", "power", "level"
+    {measure: {"text": str, "sessions": str or None, "fit": None or {"n": [...], "value": [...], "low": [...],
+    "high": [...]}}}; the band is the 95 % band of the curve, and there is no fit where a level line is best. `sessions`
+    tells gains within sessions from those between them. With `every_model` also "form" ("exponential", "power", "level"
     or None) and "others": [{"form", "aicc_more", "n", "value", "low", "high"}], the better first.
     """
     curves: dict[str, dict[str, Any]] = {}
@@ -121,13 +121,13 @@ def learning_curves(trials: Sequence[Mapping[str, Any]], *, every_model: bool = 
         ]
         rows.sort(key=lambda row: row[0])
         numbers, values = [row[0] for row in rows], [row[1] for row in rows]
-        visits = [row[2] for row in rows if row[2] is not None]
+        sessions = [row[2] for row in rows if row[2] is not None]
         learning = fit_learning_curve(numbers, values)
-        curve = curves[name] = {"text": _too_few(len(rows)), "visits": None, "fit": None}
+        curve = curves[name] = {"text": _too_few(len(rows)), "sessions": None, "fit": None}
         if learning is not None:
-            kept = retention(visits, values) if len(visits) == len(values) else None
+            kept = retention(sessions, values) if len(sessions) == len(values) else None
             curve["text"] = describe(measure, learning)
-            curve["visits"] = kept and describe_retention(kept, measure.unit)
+            curve["sessions"] = kept and describe_retention(kept, measure.unit)
             curve["fit"] = None if learning.curve.form == "level" else _drawn(learning.n, learning.curve)
         if every_model:
             curve["form"] = learning and learning.curve.form

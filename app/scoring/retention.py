@@ -1,4 +1,4 @@
-"""What a visit gave, and what was left of it at the next: change within visits against change between them."""
+"""What a session gave, and what was left of it at the next: change within sessions against change between them."""
 
 from collections.abc import Sequence
 from itertools import groupby, pairwise
@@ -6,50 +6,50 @@ from typing import NamedTuple
 
 import numpy as np
 
-EDGE = 2  # trials at either end of a visit whose mean stands for its start and its end
-MIN_TRIALS = 2 * EDGE  # of a visit; below, its start and its end would be the same trials
-MIN_VISITS = 4  # below, the mean of the changes between them has no interval worth saying
+EDGE = 2  # trials at either end of a session whose mean stands for its start and its end
+MIN_TRIALS = 2 * EDGE  # of a session; below, its start and its end would be the same trials
+MIN_SESSIONS = 4  # below, the mean of the changes between them has no interval worth saying
 
 
 class Change(NamedTuple):
-    """A mean change over visits with its 95 % interval."""
+    """A mean change over sessions with its 95 % interval."""
 
     mean: float
     low: float
     high: float
-    visits: int
+    sessions: int
 
 
 class Retention(NamedTuple):
-    """How a measure changed within visits, and from the end of one to the start of the next."""
+    """How a measure changed within sessions, and from the end of one to the start of the next."""
 
     within: Change
     between: Change
 
 
-def retention(visits: Sequence[int], values: Sequence[float]) -> Retention | None:
-    """Compare the changes within visits with those between them; None with fewer than 4 visits of 4 trials.
+def retention(sessions: Sequence[int], values: Sequence[float]) -> Retention | None:
+    """Compare the changes within sessions with those between them; None with fewer than 4 sessions of 4 trials.
 
-    `visits` (n,) are the numbers of the visits, rising, and `values` (n,) the measure, in the order of the trials. The
-    change between two visits is from the last two trials of one to the first two of the next in which the path was
-    driven; a visit of fewer than 4 trials is left out with the changes before and after it.
+    `sessions` (n,) are the numbers of the sessions, rising, and `values` (n,) the measure, in the order of the trials.
+    The change between two sessions is from the last two trials of one to the first two of the next in which the path
+    was driven; a session of fewer than 4 trials is left out with the changes before and after it.
     """
-    ends: list[tuple[float, float] | None] = []  # of each visit: where it began and where it ended
-    for _visit, rows in groupby(zip(visits, values, strict=True), key=lambda row: row[0]):
+    ends: list[tuple[float, float] | None] = []  # of each session: where it began and where it ended
+    for _session, rows in groupby(zip(sessions, values, strict=True), key=lambda row: row[0]):
         series = [value for _, value in rows]
         enough = len(series) >= MIN_TRIALS
         ends.append((float(np.mean(series[:EDGE])), float(np.mean(series[-EDGE:]))) if enough else None)
-    if sum(end is not None for end in ends) < MIN_VISITS:
+    if sum(end is not None for end in ends) < MIN_SESSIONS:
         return None
     within = [end[1] - end[0] for end in ends if end]
     between = [after[0] - before[1] for before, after in pairwise(ends) if before and after]
-    return Retention(_mean(within), _mean(between)) if len(between) >= MIN_VISITS - 1 else None
+    return Retention(_mean(within), _mean(between)) if len(between) >= MIN_SESSIONS - 1 else None
 
 
 def describe_retention(kept: Retention, unit: str) -> str:
-    """Say in one sentence what a visit gave and what was left of it at the next."""
+    """Say in one sentence what a session gave and what was left of it at the next."""
     return (
-        f"In the mean of {kept.within.visits} visits it {_moved(kept.within, unit)} within a visit, "
+        f"In the mean of {kept.within.sessions} sessions it {_moved(kept.within, unit)} within a session, "
         f"and {_moved(kept.between, unit)} from its last trials to the first of the next."
     )
 

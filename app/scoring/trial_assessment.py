@@ -20,7 +20,7 @@ class TrialAssessment(NamedTuple):
 
     id: int
     number: int
-    session: int  # 1, 2, 3 ... of the patient's visits
+    session: int  # 1, 2, 3 ... of the patient's sessions
     map_version: int
     task: str  # floor plan and path: how far a movement goes is compared on one task only
     quality: ControlQuality

@@ -27,7 +27,7 @@ def cut_at_goal(t: Numbers, points: Numbers, path: Path, goal_radius: float) -> 
     """Return the trajectory up to where it first reaches the goal, or the whole of it when it never does.
 
     The goal is reached when the chair comes within `goal_radius` (m) of the path's end after most of the path was
-    covered; the cut is where it comes nearest in that first visit, between two rows when need be, so that the ways of
+    covered; the cut is where it comes nearest in that first stay, between two rows when need be, so that the ways of
     driven and prescribed line have the same end. A trial that was ended at the goal's edge ends there anyway.
     """
     goal = np.array(path.points[-1])
@@ -41,8 +41,8 @@ def cut_at_goal(t: Numbers, points: Numbers, path: Path, goal_radius: float) -> 
     if not len(inside):
         return Cut(t, points, len(t) - 1, False)
     apart = np.flatnonzero(np.diff(inside) > 1)
-    visit = inside[: apart[0] + 1] if len(apart) else inside
-    nearest = int(visit[np.argmin(distance[visit])])
+    stay = inside[: apart[0] + 1] if len(apart) else inside
+    nearest = int(stay[np.argmin(distance[stay])])
     at = share[nearest]
     if at == 0.0:
         return Cut(t[: nearest + 1], points[: nearest + 1], nearest, True)

@@ -12,7 +12,7 @@ from app.faults import State
 from app.refusals import Conflict, NotFound, Refusal, Unavailable
 from app.session.control_link import ControlLink
 from app.session.equipment.chairs import Chairs
-from app.session.open_session import VisitFlow
+from app.session.open_session import SessionFlow
 from app.session.readings import Adapted, Readings
 from app.session.runs import Runs
 from app.session.trial import DriveFlow
@@ -67,7 +67,7 @@ class AdaptationFlow:
         control: ControlLink,
         runs: Runs,
         drive: DriveFlow,
-        visit: VisitFlow,
+        session: SessionFlow,
         chairs: Chairs,
         tell: Callable[[str], None],
         readings: Readings,
@@ -75,7 +75,7 @@ class AdaptationFlow:
         self._database = database
         self._control = control
         self._runs = runs
-        self._visit = visit
+        self._session = session
         self._chairs = chairs
         self._tell = tell
         self._readings = readings
@@ -126,27 +126,27 @@ class AdaptationFlow:
         if self._chairs.chosen is not None:
             raise Conflict(REAL_CHAIR)
         async with self._one_at_a_time:
-            self._visit.refuse_while_busy("look what would change")
+            self._session.refuse_while_busy("look what would change")
             await asyncio.to_thread(self._propose, session.patient_id, session.id)
         self._tell("adaptation")
 
     async def apply(self, clinic_id: int, proposal: str, person: str | None) -> int:
         """Make a proposal the patient's next map, and return its version; `person` None: it applies by itself."""
-        async with self._visit.undisturbed("apply the adapted map"):
+        async with self._session.undisturbed("apply the adapted map"):
             self._require_standstill()
-            session = await self._visit.needed_session(clinic_id)
+            session = await self._session.needed_session(clinic_id)
             version = await asyncio.to_thread(self._save, session, proposal, person)
-            await self._visit.try_load_parameters()
+            await self._session.try_load_parameters()
         self._tell("controls")
         self._tell("adaptation")
         return version
 
     async def back(self, clinic_id: int, person: str) -> int:
         """Go back to the map before the current one, and return the version that it becomes."""
-        async with self._visit.undisturbed("go back"):
-            session = await self._visit.needed_session(clinic_id)
+        async with self._session.undisturbed("go back"):
+            session = await self._session.needed_session(clinic_id)
             version = await asyncio.to_thread(self._back, session, person)
-            await self._visit.try_load_parameters()
+            await self._session.try_load_parameters()
         self._tell("controls")
         self._tell("adaptation")
         return version
@@ -209,11 +209,11 @@ class AdaptationFlow:
 
     def _disturbed(self) -> bool:
         """Tell whether to leave off: the application ends, or somebody drives."""
-        return self._ending.is_set() or self._visit.driving
+        return self._ending.is_set() or self._session.driving
 
     def _propose(self, patient_id: int, session_id: int) -> None:
         with self._database.transaction() as db:
-            shown = material_for(db, patient_id, session_id, simulated=self._visit.simulated)
+            shown = material_for(db, patient_id, session_id, simulated=self._session.simulated)
         folders = [self._runs.folder_of(run_id) for run_id in shown.run_ids]
         self._held, adapted = None, None
         if shown.fresh:

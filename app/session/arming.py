@@ -11,7 +11,7 @@ from app.session.control_link import ControlLink
 from app.session.equipment.chairs import Chairs
 from app.session.equipment.limits import ClinicLimits
 from app.session.equipment.shirt import Equipment
-from app.session.open_session import VisitFlow
+from app.session.open_session import SessionFlow
 from app.session.words.chair_words import CHAIR_FAULT, is_silent, why_not
 from app.session.words.differences import differences
 from app.speeds import HIGHEST_SPEEDS, Speeds, apply_dial, most_restrictive
@@ -65,14 +65,14 @@ class RealArming:
         database: Database,
         control: ControlLink,
         equipment: Equipment,
-        visit: VisitFlow,
+        session: SessionFlow,
         chairs: Chairs,
         limits: ClinicLimits,
     ) -> None:
         self._database = database
         self._control = control
         self._equipment = equipment
-        self._visit = visit
+        self._session = session
         self._chairs = chairs
         self._limits = limits
         self._practised = Practised()
@@ -112,7 +112,7 @@ class RealArming:
         if found.parameters is None:
             return [NOT_CALIBRATED]
         refusals = []
-        obstacle = self._visit.obstacle(found.parameters, simulated=found.simulated)
+        obstacle = self._session.obstacle(found.parameters, simulated=found.simulated)
         if obstacle is not None:
             refusals.append(obstacle)
         if self._equipment.mistrust:

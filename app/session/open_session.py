@@ -1,4 +1,4 @@
-"""The visit that is going on: what its patient drives with, and what may not be done meanwhile."""
+"""The session that is going on: what its patient drives with, and what may not be done meanwhile."""
 
 import asyncio
 from collections.abc import AsyncIterator, Callable
@@ -20,7 +20,7 @@ from app.store.people import the_clinic
 from app.store.tables import PatientSession
 
 
-class VisitFlow:
+class SessionFlow:
     """Keeps what is loaded in the control process in step with who is here and what they are wearing."""
 
     def __init__(
@@ -48,7 +48,7 @@ class VisitFlow:
     async def undisturbed(self, what: str) -> AsyncIterator[None]:
         """Refuse what must not happen during a step, a trial or a drive, and let none begin until it is done.
 
-        Two screens may ask at the same moment: a visit must not change under a trial that is just being started.
+        Two screens may ask at the same moment: a session must not change under a trial that is just being started.
         """
         async with self._one_at_a_time:
             await asyncio.to_thread(self._require_shown)  # the request may have waited while the session changed
@@ -79,7 +79,7 @@ class VisitFlow:
             raise Conflict(f"A calibration step is running: cancel it first, then {what}.")
 
     async def needed_session(self, clinic_id: int) -> PatientSession:
-        """Return the visit that is going on, refusing when nobody is here."""
+        """Return the session that is going on, refusing when nobody is here."""
 
         def _read() -> PatientSession | None:
             with self._database.transaction() as db:
@@ -91,11 +91,11 @@ class VisitFlow:
             raise Conflict("Nobody is here: choose a patient on the Patients page first.")
         return session
 
-    async def visit_changed(self) -> None:
+    async def session_changed(self) -> None:
         """Load what the patient who is here now drives with, or nothing."""
         self.session_id = await asyncio.to_thread(self._open_id)
         await self.try_load_parameters()
-        self._tell("visit")
+        self._tell("session")
 
     async def load_parameters(self) -> str | None:
         """Load the current parameters into the control process; return in one sentence why they cannot drive."""

@@ -16,7 +16,7 @@ WRONG = "This code is wrong, used or older than 10 minutes: ask for a new one on
 
 @dataclass(frozen=True, slots=True)
 class Offer:
-    """A code that pairs one screen with a visit."""
+    """A code that pairs one screen with a session."""
 
     code: str
     session_id: int
@@ -33,7 +33,7 @@ class PairingCodes:
         self._offer: Offer | None = None
 
     def offer(self, session_id: int, person: str) -> Offer:
-        """Make a code for a visit."""
+        """Make a code for a session."""
         expires = utc_now() + timedelta(seconds=VALID_FOR)
         made = Offer(secrets.token_urlsafe(CODE_BYTES), session_id, person, monotonic() + VALID_FOR, expires)
         with self._lock:

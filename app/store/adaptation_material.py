@@ -27,9 +27,9 @@ class Material(NamedTuple):
 
 
 def material_for(db: Session, patient_id: int, session_id: int, *, simulated: bool | None) -> Material:
-    """Return the last trials of a visit that count, and were driven with a map of the same calibration.
+    """Return the last trials of a session that count, and were driven with a map of the same calibration.
 
-    Those of earlier visits tell nothing: the shirt was put on again since. `simulated` says of the shirt in use
+    Those of earlier sessions tell nothing: the shirt was put on again since. `simulated` says of the shirt in use
     whether nobody wears it: a simulated movement never changes the map of a person, nor the other way round.
     """
     row, profile = current_parameters(db, patient_id)

@@ -1,4 +1,4 @@
-"""The trials that count for a learning curve, each with the visit and the version of the map it was driven with."""
+"""The trials that count for a learning curve, each with the session and the version of the map it was driven with."""
 
 from typing import Any, NamedTuple
 
@@ -13,7 +13,7 @@ class CountedTrial(NamedTuple):
     """A finished trial that was kept and measured."""
 
     trial: Trial
-    session: int  # number of the visit: 1, 2, 3 ... per patient
+    session: int  # number of the session: 1, 2, 3 ... per patient
     profile_version: int
     origin: str  # of that version: calibration, adaptation, back
 
@@ -37,7 +37,7 @@ class CountedTrial(NamedTuple):
 
 
 def counted_trials(db: Session, clinic_id: int, patient_id: int, floorplan: str, path: str) -> list[CountedTrial]:
-    """Return a patient's trials on one path over all visits, of every source, the newest last."""
+    """Return a patient's trials on one path over all sessions, of every source, the newest last."""
     found = db.execute(
         select(Trial, PatientSession.number, Profile.version, Profile.origin)
         .join(PatientSession, PatientSession.id == Trial.session_id)

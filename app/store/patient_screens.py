@@ -1,4 +1,4 @@
-"""The patient's screens: paired for one visit, found by their token, and what they are asked to show."""
+"""The patient's screens: paired for one session, found by their token, and what they are asked to show."""
 
 import hashlib
 import secrets
@@ -17,14 +17,14 @@ from app.store.own_rows import own_row
 from app.store.tables import PatientScreen, PatientSession
 
 TOKEN_BYTES = 32
-PAIRED_FOR = timedelta(hours=12)  # a visit ends sooner; nobody's forgotten visit keeps a screen for longer
-MOST = 8  # screens of one visit: a person looks at one or two
+PAIRED_FOR = timedelta(hours=12)  # a session ends sooner; nobody's forgotten session keeps a screen for longer
+MOST = 8  # screens of one session: a person looks at one or two
 
 ScreenState = Literal["paired", "over", "unpaired", "none"]
 
 
 class Wishes(Document):
-    """What the clinician asks the patient's screens to show; kept for the visit."""
+    """What the clinician asks the patient's screens to show; kept for the session."""
 
     arrow: StrictBool = False  # to where the chair shall go
     sounds: StrictBool = False
@@ -37,13 +37,13 @@ def _hash(token: str) -> str:
 
 
 def add_screen(db: Session, session_id: int, person: str, old_token: str | None) -> str:
-    """Pair a screen with a visit that is going on, and return its token, which is stored nowhere but with the browser.
+    """Pair a screen with the open session, and return its token, which is stored nowhere but with the browser.
 
     The browser's earlier pairing ends: a page that is paired anew is the same screen.
     """
     session = db.get_one(PatientSession, session_id)
     if session.ended is not None:
-        raise Conflict("The visit of this code has ended: ask for a new code.")
+        raise Conflict("The session of this code has ended: ask for a new code.")
     now = utc_now()
     for old in db.scalars(select(PatientScreen).where(PatientScreen.expires < now)):
         db.delete(old)
@@ -71,7 +71,7 @@ def add_screen(db: Session, session_id: int, person: str, old_token: str | None)
 
 
 def screens_of(db: Session, session_id: int) -> list[PatientScreen]:
-    """Return the screens that are paired with a visit, the newest last."""
+    """Return the screens that are paired with a session, the newest last."""
     return list(
         db.scalars(
             select(PatientScreen)
@@ -113,10 +113,10 @@ def unpair_screen(db: Session, clinic_id: int, screen_id: int, person: str) -> N
 
 
 def wishes_of(db: Session, session_id: int) -> Wishes:
-    """Return what the screens of a visit are asked to show."""
+    """Return what the screens of a session are asked to show."""
     return Wishes.model_validate(db.get_one(PatientSession, session_id).screen or {})
 
 
 def set_wishes(db: Session, session_id: int, wishes: Wishes) -> None:
-    """Keep what the screens of a visit are asked to show."""
+    """Keep what the screens of a session are asked to show."""
     db.get_one(PatientSession, session_id).screen = wishes.model_dump(mode="json")

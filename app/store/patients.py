@@ -1,4 +1,4 @@
-"""Patients and their visits: who comes, and who is here now."""
+"""Patients and their sessions: who comes, and who is here now."""
 
 from sqlalchemy import func, select
 from sqlalchemy.orm import Session
@@ -35,7 +35,7 @@ def find_patient(db: Session, clinic_id: int, patient_id: int, *, deleted: bool 
 
 
 def all_patients(db: Session, clinic_id: int) -> list[Patient]:
-    """Return the clinic's patients, the ones of the last visits first."""
+    """Return the clinic's patients, the ones of the last sessions first."""
     last = select(func.max(PatientSession.started)).where(PatientSession.patient_id == Patient.id).scalar_subquery()
     return list(
         db.scalars(
@@ -51,7 +51,7 @@ def delete_patient(db: Session, clinic_id: int, patient_id: int) -> Patient:
     patient = find_patient(db, clinic_id, patient_id)
     session = open_session(db, clinic_id)
     if session is not None and session.patient_id == patient_id:
-        raise Conflict(f"{patient.pseudonym} is here now: end the visit first, then delete.")
+        raise Conflict(f"{patient.pseudonym} is here now: end the session first, then delete.")
     patient.deleted = utc_now()
     return patient
 
@@ -64,14 +64,14 @@ def restore_patient(db: Session, clinic_id: int, patient_id: int) -> Patient:
 
 
 def open_session(db: Session, clinic_id: int) -> PatientSession | None:
-    """Return the visit that is going on, None when nobody is here."""
+    """Return the session that is going on, None when nobody is here."""
     return db.scalar(
         select(PatientSession).where(PatientSession.clinic_id == clinic_id, PatientSession.ended.is_(None))
     )
 
 
 def start_session(db: Session, clinic_id: int, patient_id: int, person: str | None = None) -> PatientSession:
-    """Open a visit; the one that was open is ended. For the patient who is here already it simply goes on.
+    """Open a session; the one that was open is ended. For the patient who is here already it simply goes on.
 
     `person` is the name of who opens it, which other screens show.
     """
@@ -100,7 +100,7 @@ def start_session(db: Session, clinic_id: int, patient_id: int, person: str | No
 
 
 def end_session(db: Session, clinic_id: int) -> None:
-    """End the visit that is going on, if there is one."""
+    """End the session that is going on, if there is one."""
     session = open_session(db, clinic_id)
     if session is not None:
         session.ended = utc_now()

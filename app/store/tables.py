@@ -1,4 +1,4 @@
-"""The tables of a clinic: people, patients, visits, screens, calibrations, parameters, trials, chairs, drives, log."""
+"""The tables of a clinic: people, patients, sessions, screens, calibrations, parameters, trials, chairs, drives."""
 
 from datetime import UTC, datetime
 from typing import Any
@@ -107,12 +107,12 @@ class Patient(Table):
 
 
 class PatientSession(Table):
-    """One visit of a patient."""
+    """A session: one visit of a patient."""
 
     __tablename__ = "session"
     __table_args__ = (
         UniqueConstraint("patient_id", "number"),
-        # One machine has one visit: at most one session of a clinic is open.
+        # At most one session of a clinic is open: a clinic has one machine.
         Index("uq_session_open", "clinic_id", unique=True, sqlite_where=text("ended IS NULL")),
     )
     id: Mapped[int] = mapped_column(primary_key=True)
@@ -130,14 +130,14 @@ class PatientSession(Table):
 
 
 class PatientScreen(Table):
-    """A screen that the patient looks at, paired for one visit; its token itself is never stored."""
+    """A screen that the patient looks at, paired for one session; its token itself is never stored."""
 
     __tablename__ = "patient_screen"
     id: Mapped[int] = mapped_column(primary_key=True)
     clinic_id: Mapped[int] = mapped_column(ForeignKey("clinic.id"))
     session_id: Mapped[int] = mapped_column(ForeignKey("session.id"), index=True)
     token_hash: Mapped[str] = mapped_column(String(64), unique=True)
-    number: Mapped[int]  # 1, 2, 3 ... per visit
+    number: Mapped[int]  # 1, 2, 3 ... per session
     paired: Mapped[datetime]
     expires: Mapped[datetime]
     unpaired: Mapped[datetime | None]

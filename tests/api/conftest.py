@@ -54,17 +54,17 @@ def signed_in(clinic: Clinic) -> Clinic:
 
 
 @pytest.fixture
-def visited(signed_in: Clinic) -> Clinic:
+def in_session(signed_in: Clinic) -> Clinic:
     """A demonstration with its clinician, and a patient who is here."""
-    signed_in.visit()
+    signed_in.begin_session()
     return signed_in
 
 
 @pytest.fixture
-def paired(visited: Clinic) -> Clinic:
+def paired(in_session: Clinic) -> Clinic:
     """A browser that is signed in and the patient's screen as well."""
-    assert pair(visited, code_of(visited)).status_code == 200
-    return visited
+    assert pair(in_session, code_of(in_session)).status_code == 200
+    return in_session
 
 
 @pytest.fixture

@@ -239,16 +239,16 @@ class Clinic:
     @property
     def session(self) -> str:
         """What a page that shows who is here now names as its session."""
-        return str(self.web.visit.session_id or "none")
+        return str(self.web.session.session_id or "none")
 
     def log(self) -> list[LogEntry]:
         """Return the rows of the log, the newest last."""
         with self.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
             return list(db.query(LogEntry).order_by(LogEntry.id))
 
-    def visit(self) -> Any:
+    def begin_session(self) -> Any:
         patient = self.good("POST", "/patients", json={"code": "P-1", "pseudonym": "Heron"})
-        return self.good("POST", "/visit", json={"patient_id": patient["id"]})["patient"]
+        return self.good("POST", "/session", json={"patient_id": patient["id"]})["patient"]
 
     def calibrate(self) -> Any:
         for step in self.good("GET", "/calibration")["steps"][:-1]:

@@ -114,10 +114,10 @@ def test_what_is_no_text_closes_the_live_socket(signed_in: Any) -> None:
     assert closed.value.code == 1003
 
 
-def test_a_visit_does_not_change_under_a_trial_that_is_being_started(
+def test_a_session_does_not_change_under_a_trial_that_is_being_started(
     signed_in: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    patient = signed_in.visit()
+    patient = signed_in.begin_session()
     signed_in.calibrate()
     other = signed_in.good("POST", "/patients", json={"code": "P-2", "pseudonym": "Otter"})
     plan = signed_in.good("GET", "/floorplans/apartment")
@@ -127,7 +127,7 @@ def test_a_visit_does_not_change_under_a_trial_that_is_being_started(
     with ThreadPoolExecutor(1) as screen:
 
         async def slowly(self: DriveFlow, *given: Any) -> int:
-            asked.append(screen.submit(signed_in, "POST", "/visit", json={"patient_id": other["id"]}))
+            asked.append(screen.submit(signed_in, "POST", "/session", json={"patient_id": other["id"]}))
             await asyncio.sleep(0.3)
             return await start(self, *given)
 
@@ -136,12 +136,12 @@ def test_a_visit_does_not_change_under_a_trial_that_is_being_started(
             "POST", "/trials", json={"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}
         )
         assert "A trial is running" in sentence(asked[0].result(), 409)
-    assert signed_in.good("GET", "/visit")["patient"]["id"] == patient["id"]
+    assert signed_in.good("GET", "/session")["patient"]["id"] == patient["id"]
     signed_in.good("POST", "/trials/current/end", json={})
 
 
 def test_a_step_whose_end_cannot_be_written_is_over(signed_in: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    signed_in.visit()
+    signed_in.begin_session()
     signed_in.good("POST", "/calibration/steps/rest/start")
 
     def full(*_given: Any) -> None:

@@ -41,7 +41,7 @@ def second_patient(clinic: Any) -> Any:
     """Open another patient's session on another screen; return the session that the first page still shows."""
     before = clinic.session
     patient = clinic.good("POST", "/patients", json={"code": "B-12", "pseudonym": "Otter"})
-    clinic.good("POST", "/visit", json={"patient_id": patient["id"]})
+    clinic.good("POST", "/session", json={"patient_id": patient["id"]})
     return before
 
 
@@ -53,11 +53,11 @@ def asked(clinic: Any, route: str, session: str | None) -> Any:
     )
 
 
-def test_every_changing_route_refuses_another_session_and_none_or_is_listed_with_its_reason(visited: Any) -> None:
-    database = visited.client.app.state.people.database
-    name = visited.good("GET", "/auth/me")["name"]
-    before = second_patient(visited)
-    routes = changing(visited)
+def test_every_changing_route_refuses_another_session_and_none_or_is_listed_with_its_reason(in_session: Any) -> None:
+    database = in_session.client.app.state.people.database
+    name = in_session.good("GET", "/auth/me")["name"]
+    before = second_patient(in_session)
+    routes = changing(in_session)
     assert len(routes) >= 50
     assert set(WITHOUT_SESSION) <= set(routes)
     assert all(WITHOUT_SESSION.values())
@@ -66,8 +66,8 @@ def test_every_changing_route_refuses_another_session_and_none_or_is_listed_with
         refused = {}
         for named in (before, "none", "999999", None, "B-12", "0", "-1"):
             with database.transaction() as db:  # anew: one of the routes signs out
-                visited.client.cookies["bodydrive_session"] = sign_in(db, find_person(db, name), "test")
-            answer = asked(visited, route, named)
+                in_session.client.cookies["bodydrive_session"] = sign_in(db, find_person(db, name), "test")
+            answer = asked(in_session, route, named)
             refused[named] = (
                 (answer.status_code == 409 and OTHER in answer.text),
                 (answer.status_code == 422 and UNNAMED in answer.text),
@@ -78,54 +78,54 @@ def test_every_changing_route_refuses_another_session_and_none_or_is_listed_with
         if {*stale, *nameless} != {expected}:
             wrong.append((route, refused))
     assert wrong == []
-    assert visited.good("GET", "/visit")["patient"]["code"] == "B-12"
+    assert in_session.good("GET", "/session")["patient"]["code"] == "B-12"
 
 
-def test_the_refusal_says_who_is_open_who_opened_it_when_and_whose_page_this_is(visited: Any) -> None:
-    before = second_patient(visited)
-    session = visited.good("GET", "/visit")["session"]
-    answer = visited("PUT", "/adaptation", json={"mode": "suggest"}, headers={"Patient-Session": before})
+def test_the_refusal_says_who_is_open_who_opened_it_when_and_whose_page_this_is(in_session: Any) -> None:
+    before = second_patient(in_session)
+    session = in_session.good("GET", "/session")["session"]
+    answer = in_session("PUT", "/adaptation", json={"mode": "suggest"}, headers={"Patient-Session": before})
     assert answer.status_code == 409
     sentence = answer.json()["detail"]
     assert sentence.startswith(f"B-12 was opened on another screen by {session['opened_by']} at ")
     assert "What this page shows belongs to P-1 and can no longer be sent" in sentence
-    assert visited.good("GET", "/adaptation")["mode"] == "off"
-    visited.good("DELETE", "/visit")
-    ended = visited("POST", "/adaptation/propose", headers={"Patient-Session": before})
+    assert in_session.good("GET", "/adaptation")["mode"] == "off"
+    in_session.good("DELETE", "/session")
+    ended = in_session("POST", "/adaptation/propose", headers={"Patient-Session": before})
     assert "was ended on another screen, and nobody is here now" in ended.json()["detail"]
 
 
-def test_a_change_that_waited_while_the_session_changed_does_nothing(visited: Any) -> None:
+def test_a_change_that_waited_while_the_session_changed_does_nothing(in_session: Any) -> None:
     """The check is made again where the change is made: a request may have waited for the one that opened B."""
-    before = int(second_patient(visited))
+    before = int(second_patient(in_session))
 
     async def late(what: str) -> None:
         SHOWN_SESSION.set(ShownSession(before))
         if what == "undisturbed":
-            async with visited.web.visit.undisturbed("change the controls"):
+            async with in_session.web.session.undisturbed("change the controls"):
                 raise AssertionError("it was done")
-        await visited.web.visit.needed_session(1)
+        await in_session.web.session.needed_session(1)
 
     for what in ("undisturbed", "needed"):
         with pytest.raises(Conflict, match="B-12 was opened"):
-            visited.client.portal.call(late, what)
+            in_session.client.portal.call(late, what)
 
 
-def test_the_dial_goes_down_from_any_page_and_up_from_the_right_one_only(visited: Any) -> None:
-    before = second_patient(visited)
+def test_the_dial_goes_down_from_any_page_and_up_from_the_right_one_only(in_session: Any) -> None:
+    before = second_patient(in_session)
     stale = {"headers": {"Patient-Session": before}}
-    assert visited("POST", "/control/dial", json={"share": 0.5}, **stale).json() == {"share": 0.5}
-    up = visited("POST", "/control/dial", json={"share": 0.9}, **stale)
+    assert in_session("POST", "/control/dial", json={"share": 0.5}, **stale).json() == {"share": 0.5}
+    up = in_session("POST", "/control/dial", json={"share": 0.9}, **stale)
     assert (up.status_code, OTHER in up.json()["detail"]) == (409, True)
-    assert visited("POST", "/control/dial", json={"share": 0.9}, headers={"Patient-Session": ""}).status_code == 422
-    assert visited.good("POST", "/control/dial", json={"share": 0.9}) == {"share": 0.9}
-    assert visited("POST", "/control/stop", **stale).status_code == 200
+    assert in_session("POST", "/control/dial", json={"share": 0.9}, headers={"Patient-Session": ""}).status_code == 422
+    assert in_session.good("POST", "/control/dial", json={"share": 0.9}) == {"share": 0.9}
+    assert in_session("POST", "/control/stop", **stale).status_code == 200
 
 
-def test_the_live_picture_names_the_open_session(visited: Any) -> None:
-    picture = visited.web.live._picture
-    assert picture()["session"] == visited.good("GET", "/visit")["session"]["id"]
-    before = second_patient(visited)
-    assert picture()["session"] == visited.good("GET", "/visit")["session"]["id"] != int(before)
-    visited.good("DELETE", "/visit")
+def test_the_live_picture_names_the_open_session(in_session: Any) -> None:
+    picture = in_session.web.live._picture
+    assert picture()["session"] == in_session.good("GET", "/session")["session"]["id"]
+    before = second_patient(in_session)
+    assert picture()["session"] == in_session.good("GET", "/session")["session"]["id"] != int(before)
+    in_session.good("DELETE", "/session")
     assert picture()["session"] is None

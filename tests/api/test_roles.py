@@ -33,7 +33,7 @@ FOR_PATIENTS_SCREENS = {"GET /view/{role}/", "GET /view/{role}/plan"}  # the pat
 FOR_OWNERS = {"POST /chairs", "DELETE /chairs/{chair_id}", "PUT /limits", "GET /log/check", "GET /openapi.json"}
 FOR_REVIEWERS = {
     "GET /patients",
-    "GET /visit",
+    "GET /session",
     "GET /equipment",
     "GET /equipment/sender",
     "GET /chairs",

@@ -96,7 +96,7 @@ def odd_values() -> list[str]:
 
 
 def test_odd_values_are_refused_with_a_sentence_or_kept_exactly(signed_in: Any) -> None:
-    signed_in.visit()
+    signed_in.begin_session()
     kept = 0
     values = odd_values()
     assert len(values) == 200

@@ -82,7 +82,7 @@ class ClinicApp(ServedClinic):
 
     def open_session(self, code: str) -> None:
         """Open a patient's session in the owner's own browser."""
-        self.good("POST", "/visit", {"patient_id": self.patients[code]})
+        self.good("POST", "/session", {"patient_id": self.patients[code]})
 
     def sign_in(self, page: Any) -> None:
         """Sign a page in as the owner."""

@@ -42,12 +42,12 @@ def tablet(request, browser, page_log, demo):
     expect.set_options(timeout=5000)
 
 
-def visit(page, step):
+def go_to(page, step):
     page.goto(page.url.split("#")[0] + f"#/{step}")
 
 
 def drive_for_a_while(page):
-    visit(page, "drive")
+    go_to(page, "drive")
     page.get_by_role("button", name="Start trial").click()
     clock = page.locator(".place .big")
     expect(clock).to_be_visible()
@@ -65,7 +65,7 @@ def large_enough_to_touch(page):
 
 def test_a_suggestion_is_looked_at_applied_and_taken_back(tablet):
     page, keep = tablet
-    visit(page, "controls")
+    go_to(page, "controls")
     page.get_by_role("link", name="What would change?").click()
     expect(page.get_by_role("heading", name=TITLE)).to_be_visible()
     page.get_by_role("button", name="Look now").click()

@@ -91,13 +91,13 @@ class StandInChair:
                 process.terminate()
 
 
-def visit(page, step):
+def go_to(page, step):
     page.goto(page.url.split("#")[0] + f"#/{step}")
 
 
 def wear(page, keep, shirt):
     """Choose the patient's shirt, which has a key, on the Shirt page."""
-    visit(page, "shirt")
+    go_to(page, "shirt")
     card = page.locator("section.card", has=page.get_by_role("heading", name="Source"))
     card.locator("summary").click()
     card.get_by_role("radio", name="A shirt over the network").check(force=True)
@@ -110,7 +110,7 @@ def wear(page, keep, shirt):
 
 def pair(page, keep, port) -> str:
     """Pair a chair on the settings page, and return its key line."""
-    visit(page, "settings")
+    go_to(page, "settings")
     page.get_by_role("button", name="Pair a chair").click()
     page.get_by_label("Name").fill("Ward 3")
     page.get_by_label("Address").fill("127.0.0.1")
@@ -130,7 +130,7 @@ def pair(page, keep, port) -> str:
 
 def practise(page, bend):
     """Drive a moment on the virtual chair, so that the set is one that was practised in this shirt."""
-    visit(page, "drive")
+    go_to(page, "drive")
     page.get_by_text("Straight ahead", exact=True).click()
     page.get_by_role("button", name="Start trial").click()
     clock = page.locator(".place .big")
@@ -145,7 +145,7 @@ def practise(page, bend):
 
 
 def choose_chair(page):
-    visit(page, "drive")
+    go_to(page, "drive")
     page.get_by_role("button", name="Drive “Ward 3”").click()
     expect(page.get_by_role("heading", name="Drive “Ward 3”")).to_be_visible()
 
@@ -231,7 +231,7 @@ def stops_when_hidden_or_loaded_again(page, keep):
 
 
 def ends_by_hand(page, keep, chair):
-    visit(page, "shirt")
+    go_to(page, "shirt")
     expect(page.get_by_text("A real chair is being driven.")).to_be_visible()
     page.get_by_role("link", name="Go there").click()
     until_driving(page)
@@ -269,7 +269,7 @@ def test_a_real_chair_is_armed_driven_stopped_and_ended(tablet, tmp_path):
         stops_when_hidden_or_loaded_again(page, keep)
         ends_by_hand(page, keep, chair)
 
-    visit(page, "settings")
+    go_to(page, "settings")
     page.get_by_role("button", name="Unpair Ward 3").click()
     keep("chair-unpair")
     page.get_by_role("button", name="Unpair", exact=True).click()

@@ -171,7 +171,7 @@ def test_the_patients_screen_falls_back_on_the_drawn_plan_once_the_chair_stands(
     choose_straight_ahead(page)
     base = demo.split("/#")[0]
     calls = page.context.request
-    session = calls.get(f"{base}/api/v1/visit").json()["session"]["id"]
+    session = calls.get(f"{base}/api/v1/session").json()["session"]["id"]
     headers = {"Origin": base, "Patient-Session": str(session)}
     offer = calls.post(f"{base}/api/v1/patient-screen/pairing", headers=headers).json()
     patient = opened(offer["url"], "dark")

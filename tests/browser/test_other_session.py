@@ -50,7 +50,7 @@ def tablets(browser, page_log, served):
 def opens(page, code):
     go(page, "patients")
     row = page.get_by_role("listitem").filter(has_text=code)
-    row.get_by_role("button", name=re.compile("Start|Open|Visit", re.IGNORECASE)).click()
+    row.get_by_role("button", name=re.compile("Start|Open|Session", re.IGNORECASE)).click()
     expect(page.locator(".who")).to_contain_text(code)
 
 
@@ -103,7 +103,7 @@ def test_a_page_of_another_patient_is_covered_and_sends_nothing(tablets, served)
     first.get_by_role("slider").first.focus()
     first.keyboard.press("ArrowRight")
     expect(first.get_by_role("status").filter(has_text="Saved")).to_be_visible()
-    assert {session for _, session in sent} == {str(served.good("GET", "/visit")["session"]["id"])}
+    assert {session for _, session in sent} == {str(served.good("GET", "/session")["session"]["id"])}
 
 
 def test_what_was_entered_and_not_sent_is_named(tablets, served):
@@ -134,7 +134,7 @@ def test_a_page_that_belongs_to_no_session_is_left_alone_and_names_the_new_one(t
     expect(first.locator(".who")).to_contain_text("B-12")
     expect(first.locator(COVER)).to_have_count(0)
     go(second, "controls")
-    served.good("DELETE", "/visit")
+    served.good("DELETE", "/session")
     cover = second.locator(COVER)
     expect(cover).to_contain_text("The session of patient B-12 was ended on another screen, and nobody is here now.")
     expect(first.locator(".who")).to_contain_text("Nobody is here")

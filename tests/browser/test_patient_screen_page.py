@@ -143,7 +143,7 @@ def is_readable_in_the_dark_and_large(clinician, patient, keep):
 
 def headers_of(calls, base):
     """Return what a page of ours sends with a change: its origin, and the session that it shows."""
-    session = calls.get(f"{base}/api/v1/visit").json()["session"]
+    session = calls.get(f"{base}/api/v1/session").json()["session"]
     return {"Origin": base, "Patient-Session": str(session["id"])}
 
 
@@ -188,7 +188,7 @@ def test_a_screen_is_paired_shown_the_drive_and_thanked(screens, demo):
     changes_nothing(clinician, patient, base)
     is_prompted(clinician, patient, keep, base)
     calls = clinician.context.request
-    assert calls.delete(f"{base}/api/v1/visit", headers=headers_of(calls, base)).ok
+    assert calls.delete(f"{base}/api/v1/session", headers=headers_of(calls, base)).ok
     expect(patient.get_by_role("heading", name="Thank you")).to_be_visible()
     keep(patient, "patient-thanks")
 
@@ -205,7 +205,7 @@ def test_it_comes_back_when_the_program_was_away(browser, tmp_path, page_log):
         with SessionClient(base) as client:
             client.post("/auth/setup", json={"code": code, "name": "Ada", "password": "correct horse battery"})
             patient_id = client.post("/patients", json={"code": "P-1", "pseudonym": "Heron"}).json()["id"]
-            assert client.post("/visit", json={"patient_id": patient_id}).is_success
+            assert client.post("/session", json={"patient_id": patient_id}).is_success
             link = client.post("/patient-screen/pairing").json()["url"]
         log = page_log(base)
         page = log.watch(browser.new_page(viewport={"width": 640, "height": 480}))

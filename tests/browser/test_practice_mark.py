@@ -59,14 +59,14 @@ def calibrated(route):
 
 def test_who_was_calibrated_before_shirts_had_to_be_chosen_finds_the_way_to_one(page, served):
     assert served.good("GET", "/equipment")["shirt"] is None
-    page.route("**/api/v1/visit", calibrated)
+    page.route("**/api/v1/session", calibrated)
     page.reload()
     go(page, "drive")
     expect(page.get_by_role("heading", name="Where to?")).to_be_visible()
     expect(page.locator(".foot")).to_contain_text("No shirt yet")
     page.locator(".foot").get_by_role("link", name="Change").click()
     expect(page.get_by_text("No shirt yet: choose one").first).to_be_visible()
-    page.unroute("**/api/v1/visit")
+    page.unroute("**/api/v1/session")
 
 
 def test_no_shirt_is_chosen_at_first_and_the_lamps_are_grey(page, served):

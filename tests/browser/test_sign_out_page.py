@@ -80,7 +80,7 @@ def test_a_toast_that_names_a_patient_goes_with_the_sign_in(page):
 
 def test_an_answer_that_comes_after_the_sign_out_says_nothing(page):
     late = []
-    page.route("**/api/v1/visit", lambda route: late.append((route, route.fetch())))
+    page.route("**/api/v1/session", lambda route: late.append((route, route.fetch())))
     page.get_by_role("button", name="Delete P-71").click()
     while not late:
         page.wait_for_timeout(50)

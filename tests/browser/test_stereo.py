@@ -238,7 +238,7 @@ def test_a_paired_screen_sees_it_and_it_comes_back_by_itself(browser, tmp_path, 
         with SessionClient(base) as client:
             client.post("/auth/setup", json={"code": code, "name": "Ada", "password": "correct horse battery"})
             patient_id = client.post("/patients", json={"code": "P-1", "pseudonym": "Heron"}).json()["id"]
-            assert client.post("/visit", json={"patient_id": patient_id}).is_success
+            assert client.post("/session", json={"patient_id": patient_id}).is_success
             link = client.post("/patient-screen/pairing").json()["url"]
         page.goto(link)
         expect(page.get_by_text("All is ready")).to_be_visible(timeout=PATIENCE)

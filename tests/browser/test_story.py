@@ -63,7 +63,7 @@ def tablets(browser, page_log, demo):
         yield [stack.enter_context(signed_in(name, browser, page_log, demo[1])) for name in TABLETS]
 
 
-def visit(page, step):
+def go_to(page, step):
     page.goto(page.url.split("#")[0] + f"#/{step}")
 
 
@@ -91,18 +91,18 @@ def test_from_the_shirt_to_a_scored_drive(tablet):
     keep("drive-choose")
     expect(page.get_by_text("demonstration", exact=False).first).to_be_visible()
 
-    visit(page, "patients")
+    go_to(page, "patients")
     expect(page.get_by_text("Kingfisher").first).to_be_visible()
     keep("patients")
 
-    visit(page, "shirt")
+    go_to(page, "shirt")
     lamps = page.locator(".bodies .sensor")
     expect(lamps).to_have_count(52)
     lamps.nth(20).click()
     page.wait_for_timeout(1500)
     keep("shirt")
 
-    visit(page, "controls")
+    go_to(page, "controls")
     handle = page.get_by_role("slider").first
     before = float(handle.get_attribute("aria-valuenow"))
     handle.focus()
@@ -114,7 +114,7 @@ def test_from_the_shirt_to_a_scored_drive(tablet):
     page.wait_for_timeout(500)
     assert float(page.get_by_role("slider").first.get_attribute("aria-valuenow")) == pytest.approx(before)
 
-    visit(page, "drive")
+    go_to(page, "drive")
     page.get_by_text("Straight ahead", exact=True).click()
     keep("drive-chosen")
     drives_to_the_goal(page, keep)
@@ -127,7 +127,7 @@ def test_from_the_shirt_to_a_scored_drive(tablet):
     expect(page.get_by_text("Trial 1").first).to_be_visible()
     keep("trial-over-second")
 
-    visit(page, "review")
+    go_to(page, "review")
     expect(page.locator(".js-plotly-plot").first).to_be_visible(timeout=PATIENCE)
     page.wait_for_timeout(1000)
     keep("review")
@@ -142,7 +142,7 @@ def test_the_calibration_is_walked_through_and_survives_a_reload(tablets):
             keep_one(picture)
 
     for one in (follower, page):
-        visit(one, "calibrate")
+        go_to(one, "calibrate")
         expect(one.get_by_role("button", name="Start")).to_be_visible()
         one.get_by_role("switch", name="Go on by itself").set_checked(False, force=True)
     keep("calibrate-rest")
@@ -166,10 +166,10 @@ def test_the_calibration_is_walked_through_and_survives_a_reload(tablets):
 
 def test_the_visitor_drives_by_pads_stops_and_goes_on(tablet, demo):
     page, keep = tablet
-    visit(page, "shirt")
+    go_to(page, "shirt")
     become_the_body(page)
     keep("shirt-visitor")
-    visit(page, "drive")
+    go_to(page, "drive")
     page.get_by_role("button", name="Start trial").click()
     expect(page.locator(".pad-dock")).to_be_visible()
     clock = page.locator(".place .big")

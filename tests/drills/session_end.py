@@ -26,7 +26,7 @@ CHILDREN_GO = 20.0  # s
 
 
 async def session_end(runs, dice):
-    """D3: the disk is filled while a step of the calibration is recorded; then the visit ends, and who is here goes."""
+    """D3: fill the disk while a step of the calibration is recorded; then end the session and sign out."""
     result = Result("disk full at the end of a session", None)
     told, whole, mounted = [], [], True
     for _ in range(runs):
@@ -35,7 +35,7 @@ async def session_end(runs, dice):
         result.add(None)
     result.remark = f"told after at most {1e3 * max(told):.0f} ms (limit {1e3 * TOLD:.0f}), what was written read; "
     if mounted:
-        result.remark += f"visit ended, signed out and in; the ballast whole {max(whole):.1f} s after there was room"
+        result.remark += f"session ended, signed out and in; the ballast whole {max(whole):.1f} s after there was room"
     else:
         result.remark += "no disk may be mounted here: files could grow no more, and the ballast was not tried"
     return result
@@ -89,18 +89,18 @@ def _fill_database(demo):
 
 
 def _leave(demo, state, expect):
-    """End the step and the visit, sign out, and come in again."""
+    """End the step and the session, sign out, and come in again."""
     answers = [
         demo.client.post("/calibration/steps/rest/cancel"),
-        demo.client.delete("/visit"),
+        demo.client.delete("/session"),
         demo.client.post("/auth/sign-out"),
     ]
     expect(not demo.client.get("/auth/me").json()["signed_in"], "still signed in")
     answers.append(demo.client.post("/auth/demo", json={"code": demo.code}))
-    answers.append(demo.client.get("/visit"))
+    answers.append(demo.client.get("/session"))
     for answer in answers:
         expect(answer.status_code == 200, f"{answer.request.method} {answer.request.url.path}: {answer.text}")
-    expect(answers[-1].json()["patient"] is None, "the visit goes on")
+    expect(answers[-1].json()["patient"] is None, "the session goes on")
     with closing(sqlite3.connect(state / "bodydrive.sqlite")) as connection:
         for table in ("session", "run"):
             left = connection.execute(f"SELECT COUNT(*) FROM {table} WHERE ended IS NULL").fetchone()[0]

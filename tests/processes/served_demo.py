@@ -60,8 +60,8 @@ class SessionClient(httpx.Client):
 
     def request(self, method: str, url: Any, **more: Any) -> httpx.Response:
         if method != "GET":
-            visit = super().request("GET", "/visit")
-            session = (visit.json()["session"] or {}).get("id") if visit.is_success else None
+            answer = super().request("GET", "/session")
+            session = (answer.json()["session"] or {}).get("id") if answer.is_success else None
             more["headers"] = {"Patient-Session": str(session or "none"), **(more.get("headers") or {})}
         return super().request(method, url, **more)
 

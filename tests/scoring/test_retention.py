@@ -1,4 +1,4 @@
-"""Gains within visits against gains between them: told apart, and only where there are visits enough."""
+"""Gains within sessions against gains between them: told apart, and only where there are sessions enough."""
 
 import numpy as np
 import pytest
@@ -7,13 +7,15 @@ from app.scoring.learning import learning_curves
 from app.scoring.retention import describe_retention, retention
 
 
-def sawtooth(visits: int, trials: int, within: float, back: float, noise: float = 0.0) -> tuple[list[int], list[float]]:
-    """Return visits in which a value changes by `within` from the first two trials to the last two, then by `back`."""
+def sawtooth(
+    sessions: int, trials: int, within: float, back: float, noise: float = 0.0
+) -> tuple[list[int], list[float]]:
+    """Return sessions in which a value changes by `within` from first two to last two trials, then by `back`."""
     rng = np.random.default_rng(1)
     numbers, values, start = [], [], 10.0
-    for visit in range(1, visits + 1):
+    for session in range(1, sessions + 1):
         series = start + within * np.linspace(0, 1, trials)
-        numbers += [visit] * trials
+        numbers += [session] * trials
         values += (series + rng.normal(0, noise, trials)).tolist()
         start = float(series[-1]) + back
     return numbers, values
@@ -24,16 +26,16 @@ def test_a_sawtooth_is_told_apart() -> None:
     kept = retention(numbers, values)
     assert kept is not None
     # Means of two trials at either end: two thirds of the way of four.
-    assert (kept.within.mean, kept.within.visits) == (pytest.approx(-2.0), 6)
-    assert (kept.between.mean, kept.between.visits) == (pytest.approx(0.0), 5)
+    assert (kept.within.mean, kept.within.sessions) == (pytest.approx(-2.0), 6)
+    assert (kept.between.mean, kept.between.sessions) == (pytest.approx(0.0), 5)
     assert kept.within.low <= kept.within.mean <= kept.within.high
 
 
-def test_what_is_lost_between_visits_rises_and_noise_is_called_chance() -> None:
+def test_what_is_lost_between_sessions_rises_and_noise_is_called_chance() -> None:
     kept = retention(*sawtooth(6, 8, -3.0, 3.0, noise=0.2))
     assert kept is not None
     sentence = describe_retention(kept, "m²")
-    assert "In the mean of 6 visits it fell by" in sentence
+    assert "In the mean of 6 sessions it fell by" in sentence
     assert "and rose by" in sentence
     assert sentence.count(" m²") == 2
     kept = retention(*sawtooth(6, 8, 0.0, 0.0, noise=1.0))
@@ -41,24 +43,24 @@ def test_what_is_lost_between_visits_rises_and_noise_is_called_chance() -> None:
     assert describe_retention(kept, "m²").count("may be chance") == 2
 
 
-@pytest.mark.parametrize(("visits", "trials"), [(3, 8), (8, 3), (1, 30)])
-def test_too_few_visits_or_trials_say_nothing(visits: int, trials: int) -> None:
-    assert retention(*sawtooth(visits, trials, -3.0, 1.0)) is None
-    numbers, values = sawtooth(visits, trials, -3.0, 1.0)
-    rows = [{"session": visit, "time": value} for visit, value in zip(numbers, values, strict=True)]
-    assert learning_curves(rows)["time"]["visits"] is None
+@pytest.mark.parametrize(("sessions", "trials"), [(3, 8), (8, 3), (1, 30)])
+def test_too_few_sessions_or_trials_say_nothing(sessions: int, trials: int) -> None:
+    assert retention(*sawtooth(sessions, trials, -3.0, 1.0)) is None
+    numbers, values = sawtooth(sessions, trials, -3.0, 1.0)
+    rows = [{"session": session, "time": value} for session, value in zip(numbers, values, strict=True)]
+    assert learning_curves(rows)["time"]["sessions"] is None
 
 
-def test_a_short_visit_is_left_out_with_the_changes_around_it() -> None:
+def test_a_short_session_is_left_out_with_the_changes_around_it() -> None:
     numbers, values = sawtooth(7, 6, -3.0, 1.0)
-    without = [i for i, visit in enumerate(numbers) if visit != 4 or i % 6 < 2]
+    without = [i for i, session in enumerate(numbers) if session != 4 or i % 6 < 2]
     kept = retention([numbers[i] for i in without], [values[i] for i in without])
     assert kept is not None
-    assert (kept.within.visits, kept.between.visits) == (6, 4)
+    assert (kept.within.sessions, kept.between.sessions) == (6, 4)
 
 
 def test_equal_values_are_no_change_and_the_sentence_stands_with_the_curve() -> None:
     numbers, _ = sawtooth(5, 4, 0.0, 0.0)
-    rows = [{"session": visit, "stops": 2.0} for visit in numbers]
-    assert "changed by 0 (may be chance)" in learning_curves(rows)["stops"]["visits"]
-    assert learning_curves([{"stops": 2.0} for _ in numbers])["stops"]["visits"] is None
+    rows = [{"session": session, "stops": 2.0} for session in numbers]
+    assert "changed by 0 (may be chance)" in learning_curves(rows)["stops"]["sessions"]
+    assert learning_curves([{"stops": 2.0} for _ in numbers])["stops"]["sessions"] is None

@@ -1,4 +1,4 @@
-"""On a full disk a visit can be ended and people can sign out; on a really full one where it may be mounted."""
+"""On a full disk a session can be ended and people can sign out; on a really full one where it may be mounted."""
 
 import os
 import subprocess
@@ -43,7 +43,7 @@ def add_without_end(database: Database) -> None:
                 add_patient(db, 1, os.urandom(8).hex(), "Heron", "n" * 2000)
 
 
-def test_a_visit_ends_and_people_sign_out_on_a_full_disk(disk: Path) -> None:
+def test_a_session_ends_and_people_sign_out_on_a_full_disk(disk: Path) -> None:
     file = disk / "clinic.sqlite"
     database = Database(file)
     database.ballast.refill()
@@ -56,7 +56,7 @@ def test_a_visit_ends_and_people_sign_out_on_a_full_disk(disk: Path) -> None:
 
     with database.transaction(closing=True) as db:
         end_session(db, clinic.id)
-        write_log(db, "Ada", "visit ended")
+        write_log(db, "Ada", "session ended")
     with database.transaction(closing=True) as db:
         assert sign_out(db, token) is not None
     assert SIZE - 2 * PART <= database.ballast.size < SIZE
@@ -90,7 +90,7 @@ def test_another_program_that_takes_what_becomes_free_does_not_take_all(disk: Pa
     for _ in range(4):
         fill_all(database, disk)
         with database.transaction(closing=True) as db:
-            write_log(db, "Ada", "visit ended")
+            write_log(db, "Ada", "session ended")
     database.close()
 
 

@@ -22,7 +22,7 @@ def patient(db: Session) -> Patient:
     return add_patient(db, clinic.id, "P-1", "Heron", "")
 
 
-def visit(db: Session, patient: Patient, number: int) -> PatientSession:
+def add_session(db: Session, patient: Patient, number: int) -> PatientSession:
     row = PatientSession(
         clinic_id=patient.clinic_id,
         patient_id=patient.id,
@@ -53,10 +53,10 @@ def drive(db: Session, patient: Patient, session: PatientSession, run: str, meas
     return trial.id
 
 
-def test_each_trial_names_its_visit_and_the_version_of_its_map(
+def test_each_trial_names_its_session_and_the_version_of_its_map(
     db: Session, patient: Patient, profile: CalibrationProfile
 ) -> None:
-    first, second = visit(db, patient, 1), visit(db, patient, 2)
+    first, second = add_session(db, patient, 1), add_session(db, patient, 2)
     save_profile(db, patient.id, first.id, profile)
     one = drive(db, patient, first, "a", {"dist": 12.0, "session": "a measure may not hide what the trial is"})
     save_profile(db, patient.id, second.id, profile, origin="adaptation", parent=1, difference={})
@@ -75,7 +75,7 @@ def test_each_trial_names_its_visit_and_the_version_of_its_map(
 def test_only_measured_and_kept_trials_of_this_path_count(
     db: Session, patient: Patient, profile: CalibrationProfile
 ) -> None:
-    session = visit(db, patient, 1)
+    session = add_session(db, patient, 1)
     save_profile(db, patient.id, session.id, profile)
     drive(db, patient, session, "a", None)
     discarded = drive(db, patient, session, "b", {"dist": 11.0})

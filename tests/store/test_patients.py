@@ -1,4 +1,4 @@
-"""Patients, visits, controls, trials: what is kept, what can be undone."""
+"""Patients, sessions, controls, trials: what is kept, what can be undone."""
 
 from typing import Any
 
@@ -64,11 +64,11 @@ def test_another_clinic_does_not_see_the_patient(db: Session, patient: Patient) 
         find_patient(db, patient.clinic_id + 1, patient.id)
 
 
-def test_one_visit_at_a_time_counted_per_patient(db: Session, patient: Patient) -> None:
+def test_one_session_at_a_time_counted_per_patient(db: Session, patient: Patient) -> None:
     clinic = patient.clinic_id
     first = start_session(db, clinic, patient.id)
     assert start_session(db, clinic, patient.id) is first
-    with pytest.raises(Conflict, match="end the visit"):
+    with pytest.raises(Conflict, match="end the session"):
         delete_patient(db, clinic, patient.id)
     other = add_patient(db, clinic, "P-2", "Otter", "")
     assert start_session(db, clinic, other.id).number == 1

@@ -3,11 +3,11 @@ import assert from "node:assert/strict";
 import { pathToFileURL } from "node:url";
 
 globalThis.matchMedia = () => ({ matches: false, addEventListener() {} });
-const { mapTraces, visitShapes, visitWords } = await import(pathToFileURL(`${process.argv[2]}/charts/curve_marks.js`));
+const { mapTraces, sessionShapes, sessionWords } = await import(pathToFileURL(`${process.argv[2]}/charts/curve_marks.js`));
 
 const colours = { text: "rgb(1, 2, 3)", "path-prescribed": "rgb(4, 5, 6)" };
 const row = (number, session, profile_version, origin) => ({ number, session, profile_version, origin });
-// Trial 4 was discarded, and a map was made and taken back within the second visit.
+// Trial 4 was discarded, and a map was made and taken back within the second session.
 const rows = [
   row(1, 1, 1, "calibration"),
   row(2, 1, 1, "calibration"),
@@ -17,7 +17,7 @@ const rows = [
   row(7, 3, 3, "back"),
 ];
 
-const bands = visitShapes(rows, colours);
+const bands = sessionShapes(rows, colours);
 assert.deepEqual(
   bands.map(({ x0, x1 }) => [x0, x1]),
   [
@@ -26,15 +26,15 @@ assert.deepEqual(
   ],
 );
 assert.deepEqual(
-  visitWords(rows).map(({ text, x }) => [text, x]),
+  sessionWords(rows).map(({ text, x }) => [text, x]),
   [
-    ["visit 1", 1.5],
-    ["visit 2", 4.5],
-    ["visit 3", 7],
+    ["session 1", 1.5],
+    ["session 2", 4.5],
+    ["session 3", 7],
   ],
 );
 const many = Array.from({ length: 8 }, (_, i) => row(i + 1, i + 1, 1, "calibration"));
-assert.deepEqual(visitWords(many).map(({ text }) => text).slice(0, 3), ["visit 1", "2", "3"]);
+assert.deepEqual(sessionWords(many).map(({ text }) => text).slice(0, 3), ["session 1", "2", "3"]);
 
 const maps = mapTraces(rows, colours);
 assert.deepEqual(
@@ -51,5 +51,5 @@ const crowded = Array.from({ length: 60 }, (_, i) => row(i + 1, 1, i + 1, i ? "a
 const [, adapted] = mapTraces(crowded, colours);
 assert.equal(adapted.x.length, 59);
 assert.deepEqual(adapted.text.filter(Boolean), ["60"]);
-assert.deepEqual([mapTraces([], colours), visitShapes([], colours), visitWords([])], [[], [], []]);
+assert.deepEqual([mapTraces([], colours), sessionShapes([], colours), sessionWords([])], [[], [], []]);
 console.log("curve_marks.mjs holds");

@@ -1,4 +1,4 @@
-"""Visits and versions of the map along a learning curve; the module runs in node, without a page."""
+"""Sessions and versions of the map along a learning curve; the module runs in node, without a page."""
 
 import shutil
 import subprocess
@@ -9,7 +9,7 @@ import pytest
 from app.settings import static_folder
 
 
-def test_visits_and_maps_stand_where_they_belong(tmp_path):
+def test_sessions_and_maps_stand_where_they_belong(tmp_path):
     node = shutil.which("node")
     if node is None:
         pytest.skip("there is no node here: install Debian's package 'nodejs' to run this test")

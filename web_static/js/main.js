@@ -18,7 +18,7 @@ const DEMO_LINK = /^#demo=(.+)$/;
 const LOOK_AT_DISK_EVERY = 60_000; // ms
 const WITHOUT_PROGRAM = new Set(["plans"]); // pages that work without the program: drawings are kept in this browser
 
-/** Events: `me`, `visit`, `route`, `trial-view`, `disk`, `practice`, `drafts` (detail: a list to add to, of what was not sent). */
+/** Events: `me`, `session`, `route`, `trial-view`, `disk`, `practice`, `drafts` (detail: a list to add to, of what was not sent). */
 export class App extends EventTarget {
   /** The calls of the API, which name the session of the page; a page that is left keeps its own instance. */
   api = new Api(() => this.signedOut());
@@ -29,7 +29,7 @@ export class App extends EventTarget {
   /** @type {any} */
   me = null;
   /** @type {any} */
-  visit = null;
+  session = null;
   #shown = new ShownSession(this);
   /** Kind of the shirt in use when nobody wears it. @type {string | null} */
   practice = null;
@@ -96,7 +96,7 @@ export class App extends EventTarget {
     this.screen.close();
     this.api.forget();
     this.me = { ...this.me, signed_in: false };
-    this.visit = null;
+    this.session = null;
     put(this.root);
     this.toasts.clear();
     put(this.question);
@@ -107,9 +107,9 @@ export class App extends EventTarget {
   }
 
   /** Read again who is here. */
-  async readVisit() {
-    this.visit = await this.api.get("/visit");
-    this.dispatchEvent(new Event("visit"));
+  async readSession() {
+    this.session = await this.api.get("/session");
+    this.dispatchEvent(new Event("session"));
   }
 
   /** @param {string} hash like "#/drive" */
@@ -144,7 +144,7 @@ export class App extends EventTarget {
     this.dispatchEvent(new Event("trial-view"));
   }
 
-  /** Show the page that the address names; without one, the page that comes next in this visit. */
+  /** Show the page that the address names; without one, the page that comes next in this session. */
   async show() {
     this.#leave.abort();
     this.#shown.adopt();
@@ -185,8 +185,8 @@ export class App extends EventTarget {
 
   /** Where somebody goes on who names no page. */
   #next() {
-    if (!this.visit?.patient) return "patients";
-    return this.visit.has_profile ? "drive" : "calibrate";
+    if (!this.session?.patient) return "patients";
+    return this.session.has_profile ? "drive" : "calibrate";
   }
 
   #failed(error) {
@@ -201,7 +201,7 @@ export class App extends EventTarget {
 
   async #signedIn() {
     if (this.me?.signed_in) {
-      await this.readVisit().catch((error) => this.toasts.show(error.message));
+      await this.readSession().catch((error) => this.toasts.show(error.message));
       this.live.open();
       this.screen.open();
       this.#lookAtDisk();
@@ -258,7 +258,7 @@ export class App extends EventTarget {
 
   #changed(what) {
     if (what === "sign-in") this.#whoAmI();
-    else if (what !== "controls" && this.me?.signed_in) this.readVisit().catch(() => null);
+    else if (what !== "controls" && this.me?.signed_in) this.readSession().catch(() => null);
     if (what === "equipment" || what === "trial" || what === "disk") this.#lookAtDisk();
   }
 }

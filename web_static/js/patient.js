@@ -1,4 +1,4 @@
-/** The patient's screen: paired by its link, shown while the visit goes on, and a word of thanks at its end. */
+/** The patient's screen: paired by its link, shown while the session goes on, and a word of thanks at its end. */
 import { Api } from "./api.js";
 import { Live } from "./live/live.js";
 import { h, put } from "./widgets/dom.js";

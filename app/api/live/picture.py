@@ -14,7 +14,7 @@ from app.messages import NO_CUE
 from app.session.control_link import ControlLink
 from app.session.equipment.chairs import Chairs
 from app.session.equipment.shirt import Equipment
-from app.session.open_session import VisitFlow
+from app.session.open_session import SessionFlow
 from app.session.real_drive import RealDriveFlow
 from app.session.run_watch import Halt
 from app.session.runs import Runs
@@ -38,7 +38,7 @@ class LivePicture:
         runs: Runs,
         drive: DriveFlow,
         real: RealDriveFlow,
-        visit: VisitFlow,
+        session: SessionFlow,
     ) -> None:
         self._control = control
         self._equipment = equipment
@@ -46,7 +46,7 @@ class LivePicture:
         self._runs = runs
         self._drive = drive
         self._real = real
-        self._visit = visit
+        self._session = session
         self._number = 0
         self._pose: list[float | None] = [0.0, 0.0, 0.0]
         self._scene_t = 0.0
@@ -59,7 +59,7 @@ class LivePicture:
             return self._nothing()
         self._pose = [_number(tick[name], 4) for name in ("x", "y", "theta")]
         self._scene_t = float(tick["scene_t"])
-        gestures = [gesture.name for gesture in self._visit.loaded.gestures] if self._visit.loaded else []
+        gestures = [gesture.name for gesture in self._session.loaded.gestures] if self._session.loaded else []
         n = min(int(tick["n_gestures"]), len(gestures))
         age = float(tick["t"] - self._frame["t"]) if self._frame is not None else None
         return {
@@ -211,7 +211,7 @@ class LivePicture:
     def _who_and_what(self) -> dict[str, Any]:
         """Return the id of the open session, and the kind of the chosen shirt when nobody wears it."""
         return {
-            "session": self._visit.session_id,
+            "session": self._session.session_id,
             "practice": self._equipment.practice,
         }
 

@@ -23,7 +23,7 @@ class PatientPicture:
         self._equipment = equipment
         self._runs = runs
         self._drive = drive
-        self.wishes = Wishes()  # of the visit that goes on
+        self.wishes = Wishes()  # of the session that goes on
 
     def picture(self) -> dict[str, Any]:
         """Return the message of this moment."""

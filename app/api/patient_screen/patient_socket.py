@@ -39,11 +39,11 @@ async def patient_live(websocket: WebSocket) -> None:
     who = await parts.sockets.admit_screen(websocket)
     if who is None:
         return
-    visit_id = who.visit_id
+    session_id = who.session_id
 
     def _read() -> None:
         with parts.database.transaction() as db:
-            web.patient.wishes = wishes_of(db, visit_id)
+            web.patient.wishes = wishes_of(db, session_id)
 
     await run_in_threadpool(_read)
     await websocket.accept()

@@ -47,7 +47,7 @@ class ScreenView(Document):
 
 
 class ScreensView(Document):
-    """The screens of this visit, and what they show."""
+    """The screens of this session, and what they show."""
 
     screens: list[ScreenView]
     settings: Wishes
@@ -70,13 +70,13 @@ class Code(Document):
 
 
 class MyState(Document):
-    """What a page that asks is: a paired screen, one whose visit is over, one that was unpaired, or none of them."""
+    """What a page that asks is: a paired screen, one whose session is over, one that was unpaired, or none of them."""
 
     state: ScreenState
 
 
 async def _view(parts: People, web: WebParts, who: SignedIn) -> ScreensView:
-    session = await web.visit.needed_session(who.clinic_id)
+    session = await web.session.needed_session(who.clinic_id)
     connected, pictures = parts.sockets.screens(), web.pictures.patients()
 
     def _read() -> ScreensView:
@@ -98,14 +98,14 @@ async def _view(parts: People, web: WebParts, who: SignedIn) -> ScreensView:
 
 @router.get("")
 async def look(who: Clinician, parts: PeopleParts, web: Web) -> ScreensView:
-    """Return the screens of this visit."""
+    """Return the screens of this session."""
     return await _view(parts, web, who)
 
 
 @router.post("/pairing", status_code=201)
 async def offer(request: Request, who: Clinician, parts: PeopleParts, web: Web) -> OfferView:
     """Make a link that pairs one screen within ten minutes; the one before is worthless from now on."""
-    session: PatientSession = await web.visit.needed_session(who.clinic_id)
+    session: PatientSession = await web.session.needed_session(who.clinic_id)
     made = web.pairing.offer(session.id, who.name)
     address = await asyncio.to_thread(own_address, parts.settings, request)
     # What stands behind # is not sent to a server, and so stands in nobody's log.
@@ -121,7 +121,7 @@ async def offer(request: Request, who: Clinician, parts: PeopleParts, web: Web) 
 
 @router.post("/pair", dependencies=[ForEveryone])
 async def pair(body: Code, request: Request, response: Response, parts: PeopleParts, web: Web) -> MyState:
-    """Make the browser that asks a screen of the visit for which the code was made."""
+    """Make the browser that asks a screen of the session for which the code was made."""
     attempt = await parts.limits.code(address_of(request))
     offered = web.pairing.redeem(body.code)
     attempt.take_back()
@@ -154,8 +154,8 @@ def who_am_i(request: Request, parts: PeopleParts) -> MyState:
 
 @router.post("/settings")
 async def choose(body: Wishes, who: Clinician, parts: PeopleParts, web: Web) -> ScreensView:
-    """Say what the screens of this visit show; it is kept until the visit ends."""
-    session = await web.visit.needed_session(who.clinic_id)
+    """Say what the screens of this session show; it is kept until the session ends."""
+    session = await web.session.needed_session(who.clinic_id)
 
     def _write() -> None:
         with parts.database.transaction() as db:

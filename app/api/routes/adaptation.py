@@ -126,7 +126,7 @@ def _view(db: Transaction, web: WebParts, patient_id: int) -> AdaptationView:
         held, why = None, STALE
     elif held.adapted.proposal.parameters is None:
         why = held.adapted.proposal.reason
-    practice = flow.practised.practice(db, patient_id, parameters.hash, simulated=web.visit.simulated)
+    practice = flow.practised.practice(db, patient_id, parameters.hash, simulated=web.session.simulated)
     labels = {joint.name: joint.label for joint in parameters.profile.layout.joints}
     changed = {
         "version": profile.version,
@@ -140,7 +140,7 @@ def _view(db: Transaction, web: WebParts, patient_id: int) -> AdaptationView:
 
 
 async def _look(database: Database, web: WebParts, clinic_id: int) -> AdaptationView:
-    session = await web.visit.needed_session(clinic_id)
+    session = await web.session.needed_session(clinic_id)
 
     def _read() -> AdaptationView:
         with database.transaction() as db:
@@ -158,7 +158,7 @@ async def look(who: Anyone, parts: PeopleParts, web: Web) -> AdaptationView:
 @router.put("/adaptation")
 async def choose_mode(body: WantedMode, who: Clinician, parts: PeopleParts, web: Web) -> AdaptationView:
     """Choose whether this patient's map is adapted: off, suggest, or auto (by itself, between trials)."""
-    session = await web.visit.needed_session(who.clinic_id)
+    session = await web.session.needed_session(who.clinic_id)
     await web.adaptation.set_mode(session, body.mode, who.name)
     return await _look(parts.database, web, who.clinic_id)
 
@@ -166,7 +166,7 @@ async def choose_mode(body: WantedMode, who: Clinician, parts: PeopleParts, web:
 @router.post("/adaptation/propose")
 async def propose(who: Clinician, parts: PeopleParts, web: Web) -> AdaptationView:
     """Look now what the last trials would change, whatever the mode is."""
-    await web.adaptation.propose(await web.visit.needed_session(who.clinic_id))
+    await web.adaptation.propose(await web.session.needed_session(who.clinic_id))
     return await _look(parts.database, web, who.clinic_id)
 
 
@@ -180,7 +180,7 @@ async def apply(body: WhichProposal, who: Clinician, parts: PeopleParts, web: We
 @router.post("/adaptation/dismiss")
 async def dismiss(body: WhichProposal, who: Clinician, parts: PeopleParts, web: Web) -> AdaptationView:
     """Leave the map as it is for now."""
-    await web.adaptation.dismiss(await web.visit.needed_session(who.clinic_id), body.proposal)
+    await web.adaptation.dismiss(await web.session.needed_session(who.clinic_id), body.proposal)
     return await _look(parts.database, web, who.clinic_id)
 
 

@@ -149,21 +149,21 @@ async def _view(web: WebParts, session: PatientSession) -> CalibrationView:
 @router.get("")
 async def look(who: Clinician, web: Web) -> CalibrationView:
     """Return the wizard as it stands."""
-    return await _view(web, await web.visit.needed_session(who.clinic_id))
+    return await _view(web, await web.session.needed_session(who.clinic_id))
 
 
 @router.get("/gestures")
 async def gestures(who: Clinician, parts: PeopleParts, web: Web) -> Discovery:
     """Return all gestures that were found in the calibration under way, or else in the newest accepted one."""
-    session = await web.visit.needed_session(who.clinic_id)
+    session = await web.session.needed_session(who.clinic_id)
     return await asyncio.to_thread(of_result, parts.database, web.runs.folder_of, session.id)
 
 
 @router.post("/steps/{step}/start")
 async def start_step(step: StepName, who: Clinician, web: Web) -> CalibrationView:
     """Record a step, for the first time or again."""
-    async with web.visit.undisturbed("start a step"):
-        session = await web.visit.needed_session(who.clinic_id)
+    async with web.session.undisturbed("start a step"):
+        session = await web.session.needed_session(who.clinic_id)
         await web.calibration.start(session.id, step)
     return await _view(web, session)
 
@@ -171,7 +171,7 @@ async def start_step(step: StepName, who: Clinician, web: Web) -> CalibrationVie
 @router.post("/steps/{step}/cancel")
 async def cancel_step(step: StepName, who: Clinician, web: Web) -> CalibrationView:
     """Stop recording a step."""
-    session = await web.visit.needed_session(who.clinic_id)
+    session = await web.session.needed_session(who.clinic_id)
     await web.calibration.cancel(session.id, step)
     return await _view(web, session)
 
@@ -179,8 +179,8 @@ async def cancel_step(step: StepName, who: Clinician, web: Web) -> CalibrationVi
 @router.post("/steps/{step}/skip")
 async def skip_step(step: StepName, who: Clinician, web: Web) -> CalibrationView:
     """Go on without a prompted movement that this body cannot make."""
-    async with web.visit.undisturbed("skip a step"):
-        session = await web.visit.needed_session(who.clinic_id)
+    async with web.session.undisturbed("skip a step"):
+        session = await web.session.needed_session(who.clinic_id)
         await web.calibration.skip(session.id, step)
     return await _view(web, session)
 
@@ -188,7 +188,7 @@ async def skip_step(step: StepName, who: Clinician, web: Web) -> CalibrationView
 @router.post("/go")
 async def go_to_step(body: Look, who: Clinician, web: Web) -> CalibrationView:
     """Look at another step."""
-    session = await web.visit.needed_session(who.clinic_id)
+    session = await web.session.needed_session(who.clinic_id)
     await web.calibration.go(session.id, body.step)
     return await _view(web, session)
 
@@ -196,8 +196,8 @@ async def go_to_step(body: Look, who: Clinician, web: Web) -> CalibrationView:
 @router.post("/restart")
 async def begin_anew(who: Clinician, web: Web) -> CalibrationView:
     """Forget the steps and begin anew."""
-    async with web.visit.undisturbed("begin anew"):
-        session = await web.visit.needed_session(who.clinic_id)
+    async with web.session.undisturbed("begin anew"):
+        session = await web.session.needed_session(who.clinic_id)
         await web.calibration.restart(session.id)
     return await _view(web, session)
 
@@ -205,8 +205,8 @@ async def begin_anew(who: Clinician, web: Web) -> CalibrationView:
 @router.post("/map")
 async def choose(body: ChosenMap, who: Clinician, parts: PeopleParts, web: Web) -> CalibrationView:
     """Let a joint be decoded by the study's map or by its guided one; the result then waits to be accepted."""
-    async with web.visit.undisturbed("choose a map"):
-        session = await web.visit.needed_session(who.clinic_id)
+    async with web.session.undisturbed("choose a map"):
+        session = await web.session.needed_session(who.clinic_id)
         if web.calibration.running:
             raise Conflict("A step is being recorded, or the map is being fitted: wait for its end.")
         await asyncio.to_thread(choose_map, parts.database, session.id, body.joint, body.map)
@@ -217,10 +217,10 @@ async def choose(body: ChosenMap, who: Clinician, parts: PeopleParts, web: Web) 
 @router.post("/accept")
 async def accept(who: Clinician, parts: PeopleParts, web: Web) -> CalibrationView:
     """Save the profile as the patient's newest, and load standard parameters on it."""
-    async with web.visit.undisturbed("accept the result"):
-        session = await web.visit.needed_session(who.clinic_id)
+    async with web.session.undisturbed("accept the result"):
+        session = await web.session.needed_session(who.clinic_id)
         await _accept(who, parts, web, session)
-    for event in ("calibration", "controls", "visit"):
+    for event in ("calibration", "controls", "session"):
         web.live.tell(event)
     return await _view(web, session)
 
@@ -242,4 +242,4 @@ async def _accept(who: SignedIn, parts: People, web: WebParts, session: PatientS
             write_log(db, who.name, "calibration accepted", patient=session.patient_id, version=row.version)
 
     await asyncio.to_thread(_save)
-    await web.visit.try_load_parameters()
+    await web.session.try_load_parameters()

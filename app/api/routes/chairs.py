@@ -132,7 +132,7 @@ async def unpair(chair_id: RowId, who: Owner, parts: PeopleParts, web: Web) -> C
             chair = unpair_chair(db, own_clinic(db, who), parts.settings.keys, chair_id)
             write_log(db, who.name, "chair unpaired", chair=chair.id, key_id=chair.key_id)
 
-    async with web.visit.undisturbed("unpair a chair"):
+    async with web.session.undisturbed("unpair a chair"):
         if web.chairs.chosen is not None and web.chairs.chosen.id == chair_id:
             await web.chairs.choose(None, web.chairs.dynamics)
         await asyncio.to_thread(_unpair)
@@ -143,7 +143,7 @@ async def unpair(chair_id: RowId, who: Owner, parts: PeopleParts, web: Web) -> C
 @router.put("/chosen")
 async def choose(body: Choice, who: Clinician, parts: PeopleParts, web: Web) -> ChairsView:
     """Drive another chair from now on."""
-    async with web.visit.undisturbed("choose another chair"):
+    async with web.session.undisturbed("choose another chair"):
         chair = None if body.id is None else await asyncio.to_thread(_found, parts, who, body.id)
         await web.chairs.choose(chair, body.dynamics)
     await asyncio.to_thread(_note, parts, who, body)

@@ -104,7 +104,7 @@ def _view(db: Transaction, web: WebParts, patient_id: int, suggestion: Suggested
         suggested=Suggested(bindings=suggestion.bindings, reason=suggestion.reason),
         limits=LIMITS,
         held=web.arming.held(parameters.speeds),
-        obstacle=web.visit.obstacle(parameters, simulated=profile.simulated),
+        obstacle=web.session.obstacle(parameters, simulated=profile.simulated),
     )
 
 
@@ -116,7 +116,7 @@ def _suggestion(parts: People, web: WebParts, patient_id: int) -> SuggestedVocab
 @router.get("")
 async def look(who: Clinician, parts: PeopleParts, web: Web) -> ControlsView:
     """Return the set that drives now."""
-    session = await web.visit.needed_session(who.clinic_id)
+    session = await web.session.needed_session(who.clinic_id)
 
     def _read() -> ControlsView:
         suggestion = _suggestion(parts, web, session.patient_id)
@@ -140,9 +140,9 @@ async def _change(who: SignedIn, parts: People, web: WebParts, what: str, change
             write_log(db, who.name, what, patient=session.patient_id, parameters=row.id, hash=view.hash)
             return view
 
-    async with web.visit.undisturbed("change the controls"):
-        view = await asyncio.to_thread(_write, await web.visit.needed_session(who.clinic_id))
-        await web.visit.try_load_parameters()
+    async with web.session.undisturbed("change the controls"):
+        view = await asyncio.to_thread(_write, await web.session.needed_session(who.clinic_id))
+        await web.session.try_load_parameters()
     web.live.tell("controls")
     return view
 

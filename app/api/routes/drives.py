@@ -140,7 +140,7 @@ async def summary(who: Anyone, web: Web) -> Summary:
 async def arm(body: NewDrive, request: Request, who: Clinician, parts: PeopleParts, web: Web) -> DriveView:
     """Arm the real chair with the set that was read about: recorded, and held by this screen."""
     require_nearby(request)
-    async with web.visit.undisturbed("arm the chair"):
+    async with web.session.undisturbed("arm the chair"):
         now = await web.arming.look(who.clinic_id)
         if now.refusals:
             raise Conflict(now.refusals[0])
@@ -152,7 +152,7 @@ async def arm(body: NewDrive, request: Request, who: Clinician, parts: PeoplePar
         age = web.screens.age(Screen(who.person_id, body.screen), monotonic())
         if age is None or age > HEARD_WITHIN:
             raise Conflict(NOT_IN_VIEW)
-        obstacle = await web.visit.load_parameters()
+        obstacle = await web.session.load_parameters()
         if obstacle is not None:
             raise Conflict(obstacle)
         starter = Starter(who.person_id, who.name, body.screen)

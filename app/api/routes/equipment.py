@@ -174,11 +174,11 @@ async def _noted(parts: PeopleParts, web: WebParts, person: str, what: str, **de
 async def choose_shirt(body: ShirtConfig, who: Clinician, parts: PeopleParts, web: Web) -> EquipmentView:
     """Open another shirt; when it does not open, the one before stays."""
     config = body.model_dump(mode="json")
-    async with web.visit.undisturbed("change the shirt"):
+    async with web.session.undisturbed("change the shirt"):
         try:
             await web.equipment.use_shirt(config)
         finally:
-            await web.visit.try_load_parameters()
+            await web.session.try_load_parameters()
     return await _noted(parts, web, who.name, "shirt chosen", kind=config["kind"])
 
 
@@ -192,7 +192,7 @@ async def look_at_senders(_who: Anyone, web: Web) -> SendersView:
 @router.put("/sender")
 async def choose_sender(body: OtherSender, who: Clinician, parts: PeopleParts, web: Web) -> EquipmentView:
     """Take another sender as the shirt; refused while anything is armed, driven or recorded."""
-    async with web.visit.undisturbed("change the shirt's sender"):
+    async with web.session.undisturbed("change the shirt's sender"):
         await web.equipment.use_sender(body.sender)
     return await _noted(parts, web, who.name, "shirt's sender chosen", sender=body.sender)
 
@@ -201,7 +201,7 @@ async def choose_sender(body: OtherSender, who: Clinician, parts: PeopleParts, w
 async def choose_body(body: BodyConfig, who: Clinician, parts: PeopleParts, web: Web) -> EquipmentView:
     """Let somebody else move inside the simulated shirt."""
     config = body.model_dump(mode="json")
-    async with web.visit.undisturbed("change the body"):
+    async with web.session.undisturbed("change the body"):
         await web.equipment.use_body(config)
     return await _noted(parts, web, who.name, "body chosen", kind=config["kind"])
 
@@ -210,7 +210,7 @@ async def choose_body(body: BodyConfig, who: Clinician, parts: PeopleParts, web:
 async def choose_head(body: ChosenHead, who: Clinician, parts: PeopleParts, web: Web) -> EquipmentView:
     """Look with another head tracker, or with none."""
     config = None if body.config is None else body.config.model_dump(mode="json")
-    async with web.visit.undisturbed("change the head tracker"):
+    async with web.session.undisturbed("change the head tracker"):
         await web.head.use(config)
     return await _noted(parts, web, who.name, "head tracker chosen", kind=config["kind"] if config else None)
 
@@ -225,7 +225,7 @@ async def look_ahead(_who: Clinician, parts: PeopleParts, web: Web) -> Equipment
 @router.put("/unused")
 async def mark_unused(body: Unused, who: Clinician, parts: PeopleParts, web: Web) -> EquipmentView:
     """Mark channels as unused; the next calibration leaves them out."""
-    async with web.visit.undisturbed("change the channels"):
+    async with web.session.undisturbed("change the channels"):
         await web.equipment.leave_unused(body.channels)
     return await _noted(parts, web, who.name, "channels marked", unused=web.equipment.unused)
 

@@ -7,7 +7,7 @@ from fastapi.concurrency import run_in_threadpool
 from pydantic import Field
 
 from app.api.deps import Anyone, Clinician, PeopleParts, RowId
-from app.api.parts import Web, show_visit
+from app.api.parts import Web, open_view
 from app.quantities import Count, Document, Name, Note, Title
 from app.store.database import Transaction
 from app.store.log import write_log
@@ -49,14 +49,14 @@ class PatientView(Document):
     last_seen: str | None
 
 
-class OpenVisit(Document):
+class NewSession(Document):
     """Who has come."""
 
     patient_id: Count
 
 
 class SessionView(Document):
-    """The visit that is going on."""
+    """The open session."""
 
     id: int
     number: int
@@ -64,7 +64,7 @@ class SessionView(Document):
     opened_by: str | None  # a person's name
 
 
-class VisitView(Document):
+class CurrentSession(Document):
     """Who is here now, and how far they have come."""
 
     patient: PatientView | None
@@ -121,13 +121,13 @@ def undo_removal(patient_id: RowId, who: Clinician, parts: PeopleParts) -> Patie
         return _view(db, patient)
 
 
-def _visit(parts: PeopleParts, clinic_id: int) -> VisitView:
+def _session(parts: PeopleParts, clinic_id: int) -> CurrentSession:
     with parts.database.transaction() as db:
         session = open_session(db, clinic_id)
         if session is None:
-            return VisitView(patient=None, session=None, has_profile=False, steps_done=[])
+            return CurrentSession(patient=None, session=None, has_profile=False, steps_done=[])
         has_profile, done = session_progress(db, session)
-        return VisitView(
+        return CurrentSession(
             patient=_view(db, find_patient(db, clinic_id, session.patient_id)),
             session=SessionView(
                 id=session.id,
@@ -140,43 +140,43 @@ def _visit(parts: PeopleParts, clinic_id: int) -> VisitView:
         )
 
 
-@router.get("/visit")
-def who_is_here(who: Anyone, parts: PeopleParts) -> VisitView:
+@router.get("/session")
+def who_is_here(who: Anyone, parts: PeopleParts) -> CurrentSession:
     """Tell who is here now."""
-    return _visit(parts, who.clinic_id)
+    return _session(parts, who.clinic_id)
 
 
-@router.post("/visit")
-async def open_visit(body: OpenVisit, who: Clinician, parts: PeopleParts, web: Web) -> VisitView:
-    """Open a visit of a patient; the one that was open is ended, and its patient's parameters are unloaded."""
+@router.post("/session")
+async def begin_session(body: NewSession, who: Clinician, parts: PeopleParts, web: Web) -> CurrentSession:
+    """Open a session of a patient; the one that was open is ended, and its patient's parameters are unloaded."""
 
-    def _open() -> VisitView:
+    def _open() -> CurrentSession:
         with parts.database.transaction() as db:
             session = start_session(db, who.clinic_id, body.patient_id, who.name)
-            write_log(db, who.name, "visit opened", patient=body.patient_id, session=session.id)
-        return _visit(parts, who.clinic_id)
+            write_log(db, who.name, "session opened", patient=body.patient_id, session=session.id)
+        return _session(parts, who.clinic_id)
 
-    async with web.visit.undisturbed("open a visit"):
+    async with web.session.undisturbed("open a session"):
         answer = await run_in_threadpool(_open)
         await parts.sockets.close_ended_screens()
-        await web.visit.visit_changed()
-        await show_visit(web)
+        await web.session.session_changed()
+        await open_view(web)
     return answer
 
 
-@router.delete("/visit")
-async def end_visit(who: Clinician, parts: PeopleParts, web: Web) -> VisitView:
-    """End the visit."""
+@router.delete("/session")
+async def close_session(who: Clinician, parts: PeopleParts, web: Web) -> CurrentSession:
+    """End the session."""
 
-    def _end() -> VisitView:
+    def _end() -> CurrentSession:
         with parts.database.transaction(closing=True) as db:
             end_session(db, who.clinic_id)
-            write_log(db, who.name, "visit ended")
-        return _visit(parts, who.clinic_id)
+            write_log(db, who.name, "session ended")
+        return _session(parts, who.clinic_id)
 
-    async with web.visit.undisturbed("end the visit"):
+    async with web.session.undisturbed("end the session"):
         answer = await run_in_threadpool(_end)
         await parts.sockets.close_ended_screens()
         await web.view.close()
-        await web.visit.visit_changed()
+        await web.session.session_changed()
     return answer

@@ -29,7 +29,7 @@ class DrivenLine(Document):
 
 
 class LearningView(Document):
-    """Kept trials of one source on one path over all visits, what can be said of them, and their trajectories."""
+    """Kept trials of one source on one path over all sessions, what can be said of them, and their trajectories."""
 
     source: SourceGroup  # of all that is shown; trials of another one are in no curve with these
     others: dict[SourceGroup, int]  # how many kept trials there are of the other sources

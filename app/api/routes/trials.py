@@ -193,8 +193,8 @@ def one_floorplan(name: Name, _who: Anyone, web: Web) -> FloorPlan:
 @router.post("/trials", status_code=201)
 async def start_trial(body: NewTrial, who: Clinician, parts: PeopleParts, web: Web) -> TrialView:
     """Start a trial: the chair is put on the start, the recording begins, and the chair is armed."""
-    async with web.visit.undisturbed("start a trial"):
-        session = await web.visit.needed_session(who.clinic_id)
+    async with web.session.undisturbed("start a trial"):
+        session = await web.session.needed_session(who.clinic_id)
         if web.chairs.chosen is not None:
             raise Conflict("A real chair is chosen: choose the virtual one for a trial.")
         refusal = NO_PICTURE if body.picture == "none" else web.pictures.refusal(Screen(who.person_id, body.screen))
@@ -205,7 +205,7 @@ async def start_trial(body: NewTrial, who: Clinician, parts: PeopleParts, web: W
             path = plan.path_named(body.path)
         except ValueError as error:
             raise NotFound(f"This floor plan has no path '{body.path}': choose one of the list.") from error
-        obstacle = await web.visit.load_parameters()
+        obstacle = await web.session.load_parameters()
         if obstacle is not None:
             raise Conflict(obstacle)
         await web.view.show(plan, path.name)

@@ -37,14 +37,14 @@ def find_signed_in(database: Database, cookies: Mapping[str, str]) -> SignedIn |
 
 @dataclass(frozen=True, slots=True)
 class PairedScreen:
-    """A screen of the patient, as long as its visit goes on."""
+    """A screen of the patient, as long as its session goes on."""
 
     screen_id: int
-    visit_id: int  # the session
+    session_id: int
 
 
 def find_paired_screen(database: Database, cookies: Mapping[str, str]) -> PairedScreen | None:
-    """Return which of the patient's screens the cookie belongs to, None when its visit is over or it was unpaired."""
+    """Return which of the patient's screens the cookie belongs to, None when its session is over or it was unpaired."""
     token = cookies.get(SCREEN_COOKIE)
     if not token:
         return None

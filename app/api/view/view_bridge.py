@@ -28,7 +28,7 @@ Admission = Callable[[WebSocket, Role], AbstractAsyncContextManager[bool]]
 """Entered before a websocket is accepted: gives whether it may look, and holds as long as it looks."""
 
 PortOf = Callable[[Role], int | None]
-"""Returns the port of a role's 3D server, None while nobody is visiting."""
+"""Returns the port of a role's 3D server, None while no session is open."""
 
 SEND_WITHIN = 3.0  # s; a browser that takes nothing for this long is cut off, and comes back with the present picture
 OPEN_WITHIN = 3.0  # s

@@ -12,7 +12,7 @@ from app.scene.session_scene import Scene
 from app.scene.views import Orbit, View
 
 SceneNow = Callable[[], Scene | None]
-"""Returns the scene of the visit, None while nobody is visiting."""
+"""Returns the scene of the session, None while no session is open."""
 
 FieldOfView = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=30, le=110)]  # degrees, vertical
 EyeHeight = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0.8, le=1.6)]  # m
@@ -64,7 +64,7 @@ def view_controls(scene_now: SceneNow, clinician: Callable[..., Any]) -> APIRout
     Parameters
     ----------
     scene_now
-        The scene of the visit.
+        The scene of the session.
     clinician
         Dependency that refuses those who may not drive.
     """
@@ -73,26 +73,26 @@ def view_controls(scene_now: SceneNow, clinician: Callable[..., Any]) -> APIRout
     def scene() -> Scene:
         found = scene_now()
         if found is None:
-            raise HTTPException(409, "There is no 3D view while nobody is visiting: open a visit first.")
+            raise HTTPException(409, "There is no 3D view while no session is open: open one first.")
         return found
 
-    SceneOfVisit = Annotated[Scene, Depends(scene)]  # noqa: N806
+    SceneOfSession = Annotated[Scene, Depends(scene)]  # noqa: N806
 
     @router.post("/{role}/camera")
-    def look(role: Role, choice: CameraChoice, shown: SceneOfVisit) -> ViewState:
+    def look(role: Role, choice: CameraChoice, shown: SceneOfSession) -> ViewState:
         """Look from the patient's eye, from behind the chair, from above, or from anywhere."""
         changes = choice.model_dump(exclude={"view"}, exclude_none=True)
         shown.set_view(role, choice.view or shown.view(role), shown.settings(role)._replace(**changes))
         return _state(shown, role)
 
     @router.post("/{role}/free")
-    def turn(role: Role, place: FreeCamera, shown: SceneOfVisit) -> ViewState:
+    def turn(role: Role, place: FreeCamera, shown: SceneOfSession) -> ViewState:
         """Put the free camera somewhere else; it is seen while the view is `free`."""
         shown.set_orbit(role, Orbit(**place.model_dump()))
         return _state(shown, role)
 
     @router.post("/clinician/plots")
-    def show_plots(choice: PlotsChoice, shown: SceneOfVisit) -> ViewState:
+    def show_plots(choice: PlotsChoice, shown: SceneOfSession) -> ViewState:
         """Show or hide the plots inside the clinician's view."""
         shown.open_plots(choice.open)
         return _state(shown, "clinician")

@@ -1,4 +1,4 @@
-"""The 3D view of the visit: opened with it, closed with it, and shown the plan that is driven."""
+"""The 3D view of the session: opened with it, closed with it, and shown the plan that is driven."""
 
 import asyncio
 from collections.abc import AsyncIterator, Callable
@@ -18,8 +18,8 @@ from app.world.floorplan import FloorPlan
 ReadNewest = Callable[[], "np.void | None"]
 
 
-class VisitScene(Protocol):
-    """One visit's scene and the ports of its servers."""
+class SessionScene(Protocol):
+    """One session's scene and the ports of its servers."""
 
     @property
     def scene(self) -> Scene:
@@ -61,39 +61,39 @@ class ServedScene:
         self._servers.stop()
 
 
-OpenScene = Callable[[ReadNewest], VisitScene]
+OpenScene = Callable[[ReadNewest], SessionScene]
 
 
 class ViewKeeper:
-    """Holds the scene of the visit that is going on; without `open_scene` there is never one."""
+    """Holds the scene of the session that is going on; without `open_scene` there is never one."""
 
     def __init__(self, open_scene: OpenScene | None, read_newest: ReadNewest) -> None:
         self._open_scene = open_scene
         self._read_newest = read_newest
-        self._visit: VisitScene | None = None
+        self._session: SessionScene | None = None
         self._shown: tuple[FloorPlan, str] | None = None
         self._one_at_a_time = asyncio.Lock()
 
     @property
     def scene(self) -> Scene | None:
-        """Return the scene, None while nobody is visiting."""
-        return None if self._visit is None else self._visit.scene
+        """Return the scene, None while no session is open."""
+        return None if self._session is None else self._session.scene
 
     def port(self, role: Role) -> int | None:
-        """Return the port of a role's server, None while nobody is visiting."""
-        return None if self._visit is None else self._visit.port(role)
+        """Return the port of a role's server, None while no session is open."""
+        return None if self._session is None else self._session.port(role)
 
     async def open(self, plan: FloorPlan | None, path: str | None) -> None:
-        """Open a new scene for a new visit, the old one closed, showing a plan to begin with."""
+        """Open a new scene for a new session, the old one closed, showing a plan to begin with."""
         async with self._one_at_a_time:
             await self._close()
             if self._open_scene is not None:
-                self._visit = await asyncio.to_thread(self._open_scene, self._read_newest)
+                self._session = await asyncio.to_thread(self._open_scene, self._read_newest)
                 if plan is not None and path is not None:
                     await self._show(plan, path)
 
     async def close(self) -> None:
-        """Close the scene: the visit is over."""
+        """Close the scene: the session is over."""
         async with self._one_at_a_time:
             await self._close()
 
@@ -113,10 +113,10 @@ class ViewKeeper:
             self._shown = (plan, path)
 
     async def _close(self) -> None:
-        visit, self._visit, self._shown = self._visit, None, None
-        if visit is not None:
+        session, self._session, self._shown = self._session, None, None
+        if session is not None:
             with suppress(RuntimeError):  # its servers may have ended by themselves
-                await asyncio.to_thread(visit.stop)
+                await asyncio.to_thread(session.stop)
 
 
 @asynccontextmanager

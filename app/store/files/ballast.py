@@ -1,4 +1,4 @@
-"""Room on the disk that is kept back, so that on a full disk a visit can be ended and people can sign out."""
+"""Room on the disk that is kept back, so that on a full disk a session can be ended and people can sign out."""
 
 import errno
 import os

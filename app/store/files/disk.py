@@ -31,7 +31,7 @@ def disk_room(folder: Path) -> DiskRoom:
     if free < NO_ROOM:
         return DiskRoom(
             free,
-            "The disk of the recordings is full: nothing more is recorded, driven or saved. The visit can still be "
+            "The disk of the recordings is full: nothing more is recorded, driven or saved. The session can still be "
             "ended, and people can sign out. Make room on the computer that runs bodydrive.",
         )
     if free < LITTLE_ROOM:

@@ -20,7 +20,7 @@ def _patient_with_this_machine(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.fixture
 def ready(signed_in: Clinic) -> Any:
     """A calibrated patient, and trials that always propose something."""
-    signed_in.patient = signed_in.visit()  # type: ignore[attr-defined]
+    signed_in.patient = signed_in.begin_session()  # type: ignore[attr-defined]
     signed_in.calibrate()
     plan = signed_in.good("GET", "/floorplans/apartment")
     signed_in.where = {  # type: ignore[attr-defined]

@@ -100,5 +100,5 @@ def test_bad_wishes_are_refused_in_a_sentence(ready: Any) -> None:
     assert ready("POST", "/adaptation/apply", json={"proposal": "../.."}).status_code == 422
     assert ready("POST", "/adaptation/apply", json={"proposal": "0" * 32}).status_code == 404
     assert ready("GET", "/patients/999/maps").status_code == 404
-    ready.good("DELETE", "/visit")
+    ready.good("DELETE", "/session")
     assert ready("GET", "/adaptation").status_code == 409

@@ -22,7 +22,7 @@ def test_before_anybody_is_here_there_is_nothing_to_arm(signed_in: Clinic) -> No
         "Nobody is here",
         "The virtual chair is chosen",
     ]
-    signed_in.visit()
+    signed_in.begin_session()
     assert signed_in.good("GET", "/drives/summary")["refusals"][0].startswith("Nothing is calibrated yet")
 
 

@@ -25,7 +25,7 @@ def test_a_drive_from_arming_to_its_end(ready: Any) -> None:
         assert ready("POST", "/drives", json={"hash": digest, "screen": WORD}).status_code == 409
         assert ready("POST", "/trials", json=ready.where).status_code == 409
         assert ready("PUT", "/chairs/chosen", json={"id": None, "dynamics": "unicycle"}).status_code == 409
-        assert ready("DELETE", "/visit").status_code == 409
+        assert ready("DELETE", "/session").status_code == 409
         ended = ready.good("POST", "/drives/current/end")
     assert (ended["id"], ended["end"], ended["distance"]) == (drive["id"], "by hand", 1.0)
     assert ended["ended"] > ended["started"]

@@ -33,8 +33,8 @@ def test_the_newest_tick_twenty_times_a_second(signed_in: Any) -> None:
 def test_an_event_names_what_changed(signed_in: Any) -> None:
     with signed_in.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
         socket.receive_json()
-        signed_in.visit()
-        assert next_with(socket, "event")["event"] == "visit"
+        signed_in.begin_session()
+        assert next_with(socket, "event")["event"] == "session"
 
 
 @pytest.mark.parametrize("headers", [{}, {"Origin": "http://evil.example"}])
@@ -84,7 +84,7 @@ def test_a_stop_counts_whatever_else_the_message_says(signed_in: Any) -> None:
 
 
 def test_a_trial_shows_where_it_stands(signed_in: Any) -> None:
-    signed_in.visit()
+    signed_in.begin_session()
     signed_in.calibrate()
     plan = signed_in.good("GET", "/floorplans/apartment")
     with signed_in.client.websocket_connect(LIVE, headers=ORIGIN) as socket:

@@ -38,7 +38,7 @@ def until_told(clinic: Any, wanted: str | None) -> None:
 
 @pytest.fixture
 def driving(signed_in: Any) -> Any:
-    signed_in.visit()
+    signed_in.begin_session()
     signed_in.calibrate()
     plan = signed_in.good("GET", "/floorplans/apartment")
     signed_in.start = lambda: signed_in.good(

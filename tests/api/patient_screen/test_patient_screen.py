@@ -1,4 +1,4 @@
-"""The patient's screen: paired once by a code, opened by its own cookie, closed with the visit."""
+"""The patient's screen: paired once by a code, opened by its own cookie, closed with the session."""
 
 from datetime import timedelta
 
@@ -20,52 +20,52 @@ WS = BASE.replace("http", "ws")
 LIVE = f"{WS}/api/v1/patient/live"
 
 
-def test_a_code_pairs_one_screen_with_a_cookie_of_its_own(visited: Clinic) -> None:
-    offered = visited.good("POST", "/patient-screen/pairing")
+def test_a_code_pairs_one_screen_with_a_cookie_of_its_own(in_session: Clinic) -> None:
+    offered = in_session.good("POST", "/patient-screen/pairing")
     assert offered["url"] == f"{BASE}/patient.html#pair={offered['code']}"
     assert offered["qr"].startswith("<svg")
     assert "only this machine" in offered["words"].lower()
     assert len(offered["code"]) >= 22  # 128 bits, six to a letter
-    answer = pair(visited, offered["code"])
+    answer = pair(in_session, offered["code"])
     assert answer.json() == {"state": "paired"}
     cookie = answer.headers["set-cookie"]
     assert cookie.startswith("bodydrive_screen=")
     assert {"httponly", "samesite=lax", "max-age=43200"} <= {part.strip().lower() for part in cookie.split(";")}
-    again = pair(visited, offered["code"])
+    again = pair(in_session, offered["code"])
     assert (again.status_code, "used" in again.json()["detail"]) == (409, True)
-    (shown,) = visited.good("GET", "/patient-screen")["screens"]
+    (shown,) = in_session.good("GET", "/patient-screen")["screens"]
     assert (shown["number"], shown["connected"]) == (1, False)
     token = answer.cookies["bodydrive_screen"]
-    for file in visited.client.app.state.people.settings.state.glob("bodydrive.sqlite*"):  # type: ignore[attr-defined]
+    for file in in_session.client.app.state.people.settings.state.glob("bodydrive.sqlite*"):  # type: ignore[attr-defined]
         assert token.encode() not in file.read_bytes()
-    entry = visited.log()[-1]
+    entry = in_session.log()[-1]
     assert (entry.person, entry.what) == ("Demo clinician", "patient's screen paired")
 
 
-def test_nobody_pairs_without_a_visit(signed_in: Clinic) -> None:
+def test_nobody_pairs_without_a_session(signed_in: Clinic) -> None:
     assert signed_in("POST", "/patient-screen/pairing").status_code == 409
     assert signed_in("GET", "/patient-screen").status_code == 409
-    signed_in.visit()
+    signed_in.begin_session()
     code = code_of(signed_in)
-    signed_in.good("DELETE", "/visit")
+    signed_in.good("DELETE", "/session")
     assert pair(signed_in, code).status_code == 409
     assert "bodydrive_screen" not in signed_in.client.cookies
 
 
-def test_only_the_newest_code_pairs_and_not_for_long(visited: Clinic, monkeypatch: pytest.MonkeyPatch) -> None:
-    first, second = code_of(visited), code_of(visited)
+def test_only_the_newest_code_pairs_and_not_for_long(in_session: Clinic, monkeypatch: pytest.MonkeyPatch) -> None:
+    first, second = code_of(in_session), code_of(in_session)
     assert first != second
-    assert pair(visited, first).status_code == 409
+    assert pair(in_session, first).status_code == 409
     now = screen_codes.monotonic()
     monkeypatch.setattr(screen_codes, "monotonic", lambda: now + 601.0)
-    assert pair(visited, second).status_code == 409
+    assert pair(in_session, second).status_code == 409
 
 
-def test_guesses_are_slowed_down_and_a_right_code_has_to_wait_with_them(visited: Clinic) -> None:
-    code = code_of(visited)
-    answers = [pair(visited, f"guess-{i}").status_code for i in range(12)]
+def test_guesses_are_slowed_down_and_a_right_code_has_to_wait_with_them(in_session: Clinic) -> None:
+    code = code_of(in_session)
+    answers = [pair(in_session, f"guess-{i}").status_code for i in range(12)]
     assert answers == [409] * 10 + [429] * 2
-    assert pair(visited, code).status_code == 429
+    assert pair(in_session, code).status_code == 429
 
 
 def test_its_cookie_opens_no_other_route(screen: Clinic) -> None:
@@ -109,10 +109,10 @@ def test_another_origin_opens_no_socket_and_pairs_nothing(screen: Clinic, header
     assert screen.client.post("/api/v1/patient-screen/pair", json={"code": "x"}, headers=headers).status_code == 403
 
 
-def test_a_sign_in_alone_is_no_patients_screen(visited: Clinic) -> None:
-    with pytest.raises(WebSocketDisconnect), visited.client.websocket_connect(LIVE, headers=ORIGIN):
+def test_a_sign_in_alone_is_no_patients_screen(in_session: Clinic) -> None:
+    with pytest.raises(WebSocketDisconnect), in_session.client.websocket_connect(LIVE, headers=ORIGIN):
         pass
-    assert visited.good("GET", "/patient-screen/me") == {"state": "none"}
+    assert in_session.good("GET", "/patient-screen/me") == {"state": "none"}
 
 
 def test_unpairing_closes_its_sockets_and_leaves_the_sign_in_alone(paired: Clinic) -> None:
@@ -130,19 +130,19 @@ def test_unpairing_closes_its_sockets_and_leaves_the_sign_in_alone(paired: Clini
     assert paired("GET", "/patients").status_code == 200
 
 
-def test_the_end_of_the_visit_is_the_end_of_its_screens(paired: Clinic) -> None:
+def test_the_end_of_the_session_is_the_end_of_its_screens(paired: Clinic) -> None:
     with paired.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
         socket.receive_json()
-        paired.good("DELETE", "/visit")
+        paired.good("DELETE", "/session")
         assert closing(socket) == 4401
     assert paired.good("GET", "/patient-screen/me") == {"state": "over"}
     other = paired.good("POST", "/patients", json={"code": "P-2", "pseudonym": "Plover"})
-    paired.good("POST", "/visit", json={"patient_id": other["id"]})
+    paired.good("POST", "/session", json={"patient_id": other["id"]})
     only(paired, "bodydrive_screen")
     assert paired.client.get("/view/patient/", headers=ORIGIN).status_code == 401
 
 
-def test_a_forgotten_visit_keeps_no_screen_for_more_than_twelve_hours(
+def test_a_forgotten_session_keeps_no_screen_for_more_than_twelve_hours(
     screen: Clinic, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     now = store_patient_screens.utc_now()

@@ -79,7 +79,7 @@ def test_a_prompt_of_the_calibration_is_a_cue(paired: Clinic) -> None:
         paired.good("POST", f"/calibration/steps/{step['id']}/cancel")
 
 
-def test_what_the_clinician_asks_for_is_shown_and_kept_for_the_visit(paired: Clinic) -> None:
+def test_what_the_clinician_asks_for_is_shown_and_kept_for_the_session(paired: Clinic) -> None:
     wishes = {"arrow": True, "sounds": False, "large": True, "plan": False}
     with paired.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
         assert socket.receive_json()["asks"] == {"arrow": False, "sounds": False, "large": False, "plan": False}
@@ -91,7 +91,7 @@ def test_what_the_clinician_asks_for_is_shown_and_kept_for_the_visit(paired: Cli
         assert socket.receive_json()["asks"] == wishes
     assert paired("POST", "/patient-screen/settings", json={"arrow": "yes"}).status_code == 422
     other = paired.good("POST", "/patients", json={"code": "P-2", "pseudonym": "Plover"})
-    paired.good("POST", "/visit", json={"patient_id": other["id"]})
+    paired.good("POST", "/session", json={"patient_id": other["id"]})
     assert paired.good("GET", "/patient-screen")["settings"]["arrow"] is False
 
 

@@ -14,7 +14,7 @@ from building import make_parameters
 @pytest.fixture
 def driven(signed_in: Any) -> Any:
     """A clinic with one trial that is over, and its recording."""
-    signed_in.visit()
+    signed_in.begin_session()
     signed_in.calibrate()
     plan = signed_in.good("GET", "/floorplans/apartment")
     where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}

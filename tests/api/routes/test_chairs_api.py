@@ -115,7 +115,7 @@ def test_limits_hold_in_the_control_process_first_and_are_logged(signed_in: Clin
 
 
 def test_a_set_above_the_limits_keeps_its_numbers_and_says_what_holds(signed_in: Clinic) -> None:
-    signed_in.visit()
+    signed_in.begin_session()
     signed_in.calibrate()
     assert signed_in.good("GET", "/controls")["held"] == {}
     signed_in.good("PUT", "/limits", json=SLOW)

@@ -38,7 +38,7 @@ def fitted(signed_in: Any, monkeypatch: pytest.MonkeyPatch) -> Any:
         return profile.model_copy(update={"joints": (right, left, *others)})
 
     monkeypatch.setattr(fake_clinic, "profile_for", with_guided)
-    signed_in.visit()
+    signed_in.begin_session()
     signed_in.calibrate()
     return signed_in
 
@@ -97,7 +97,7 @@ def test_what_is_not_offered_is_refused(fitted: Any, joint: str, kind: str, stat
 
 
 def test_before_there_is_a_result_there_is_nothing_to_choose(signed_in: Any) -> None:
-    signed_in.visit()
+    signed_in.begin_session()
     answer = choose(signed_in, "right_elbow", "guided")
     assert answer.status_code == 409
     assert "do every step" in answer.json()["detail"]

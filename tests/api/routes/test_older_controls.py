@@ -10,7 +10,7 @@ WITH_A_JOINER = "\U0001f469\u200d\U0001f9bd slow"  # a woman in a wheelchair: na
 
 
 def change_saved(clinic: Any, **settings: Any) -> None:
-    clinic.visit()
+    clinic.begin_session()
     clinic.calibrate()
     clinic.good("GET", "/controls")
     with clinic.client.app.state.people.database.transaction() as db:
@@ -31,5 +31,5 @@ def test_a_set_that_cannot_be_read_is_a_sentence_and_keeps_nobody_from_anything_
     assert (refused.status_code, "another version" in refused.json()["detail"]) == (409, True)
     signed_in.good("PUT", "/equipment/unused", json={"channels": []})
     web = signed_in.client.app.state.web
-    signed_in.client.portal.call(web.visit.visit_changed)  # as at the start of the program
-    assert web.visit.loaded is None
+    signed_in.client.portal.call(web.session.session_changed)  # as at the start of the program
+    assert web.session.loaded is None

@@ -1,4 +1,4 @@
-"""Patients, visits, the wizard and the controls, as a page goes through them."""
+"""Patients, sessions, the wizard and the controls, as a page goes through them."""
 
 from typing import Any
 
@@ -9,7 +9,15 @@ from app.settings import Settings
 
 
 def test_nobody_signed_in_sees_no_patient(clinic: Any) -> None:
-    for path in ("/patients", "/visit", "/equipment", "/calibration", "/controls", "/floorplans", "/trials?patient=1"):
+    for path in (
+        "/patients",
+        "/session",
+        "/equipment",
+        "/calibration",
+        "/controls",
+        "/floorplans",
+        "/trials?patient=1",
+    ):
         answer = clinic("GET", path)
         assert answer.status_code == 401, path
         assert answer.json()["detail"].startswith("You are not signed in")
@@ -54,7 +62,7 @@ def test_what_is_not_json_is_said_so(signed_in: Any) -> None:
 
 
 def test_without_a_patient_there_is_nothing_to_calibrate(signed_in: Any) -> None:
-    assert signed_in.good("GET", "/visit") == {
+    assert signed_in.good("GET", "/session") == {
         "patient": None,
         "session": None,
         "has_profile": False,
@@ -66,7 +74,7 @@ def test_without_a_patient_there_is_nothing_to_calibrate(signed_in: Any) -> None
 
 
 def test_the_wizard_goes_from_rest_to_a_saved_profile(signed_in: Any) -> None:
-    signed_in.visit()
+    signed_in.begin_session()
     wizard = signed_in.good("GET", "/calibration")
     assert [step["kind"] for step in wizard["steps"]] == ["rest", "free"] + ["prompt"] * 4 + ["result"]
     assert (wizard["current"], wizard["result"], wizard["running"]) == ("rest", None, None)
@@ -77,24 +85,24 @@ def test_the_wizard_goes_from_rest_to_a_saved_profile(signed_in: Any) -> None:
     assert started["running"] == {"step": "rest", "started_run": 1}
     assert started["steps"][0]["status"] == "running"
     assert signed_in("POST", "/calibration/steps/free/start").status_code == 409
-    assert signed_in("DELETE", "/visit").status_code == 409
+    assert signed_in("DELETE", "/session").status_code == 409
     signed_in.process.run_t = 1000.0
     wizard = signed_in.until("/calibration", lambda c: c["current"] == "free")
     assert wizard["steps"][0]["status"] == "done"
-    assert signed_in.good("GET", "/visit")["steps_done"] == ["rest"]
+    assert signed_in.good("GET", "/session")["steps_done"] == ["rest"]
 
     wizard = signed_in.calibrate()
     assert [joint["name"] for joint in wizard["result"]["joints"]] == list(JOINTS)
     assert wizard["result"]["accepted"] is True
     assert wizard["current"] == "result"
     assert {step["status"] for step in wizard["steps"]} == {"done"}
-    assert signed_in.good("GET", "/visit")["has_profile"] is True
+    assert signed_in.good("GET", "/session")["has_profile"] is True
     assert signed_in.process.parameters["profile"]["joints"][0]["name"] == "right_elbow"
     assert signed_in("POST", "/calibration/accept").status_code == 409
 
 
 def test_a_step_can_be_cancelled_repeated_and_fail_in_words(signed_in: Any) -> None:
-    signed_in.visit()
+    signed_in.begin_session()
     signed_in.good("POST", "/calibration/steps/rest/start")
     wizard = signed_in.good("POST", "/calibration/steps/rest/cancel")
     assert (wizard["running"], wizard["steps"][0]["status"]) == (None, "waiting")
@@ -118,7 +126,7 @@ def test_a_step_can_be_cancelled_repeated_and_fail_in_words(signed_in: Any) -> N
 
 
 def test_a_movement_that_a_body_cannot_make_is_skipped(signed_in: Any) -> None:
-    signed_in.visit()
+    signed_in.begin_session()
     assert signed_in("POST", "/calibration/steps/rest/skip").status_code == 409
     assert signed_in("POST", "/calibration/steps/nonsense/skip").status_code == 404
     for step in ("rest", "free", "prompt-right_elbow"):
@@ -133,7 +141,7 @@ def test_a_movement_that_a_body_cannot_make_is_skipped(signed_in: Any) -> None:
 
 
 def test_a_fit_that_fails_says_why(signed_in: Any) -> None:
-    signed_in.visit()
+    signed_in.begin_session()
     signed_in.readings["fit"] = "No joint moved: repeat the free movement."
     for step in signed_in.good("GET", "/calibration")["steps"][:-1]:
         signed_in.good("POST", f"/calibration/steps/{step['id']}/start")
@@ -145,7 +153,7 @@ def test_a_fit_that_fails_says_why(signed_in: Any) -> None:
 
 
 def test_a_step_fails_in_words_when_the_control_process_dies_and_the_next_one_is_loaded_again(signed_in: Any) -> None:
-    signed_in.visit()
+    signed_in.begin_session()
     signed_in.calibrate()
     signed_in.good("POST", "/calibration/steps/rest/start")
     signed_in.process.die()
@@ -159,7 +167,7 @@ def test_a_step_fails_in_words_when_the_control_process_dies_and_the_next_one_is
 
 
 def test_a_restart_of_the_web_process_comes_back_to_the_same_step(settings: Settings, signed_in: Any) -> None:
-    signed_in.visit()
+    signed_in.begin_session()
     signed_in.good("POST", "/calibration/steps/rest/start")
     signed_in.process.run_t = 1000.0
     signed_in.until("/calibration", lambda c: c["current"] == "free")
@@ -172,7 +180,7 @@ def test_a_restart_of_the_web_process_comes_back_to_the_same_step(settings: Sett
 
 
 def test_controls_are_set_undone_named_and_never_half(signed_in: Any) -> None:
-    signed_in.visit()
+    signed_in.begin_session()
     signed_in.calibrate()
     controls = signed_in.good("GET", "/controls")
     parameters = controls["parameters"]
@@ -205,7 +213,7 @@ def test_controls_are_set_undone_named_and_never_half(signed_in: Any) -> None:
 
 
 def test_the_gestures_are_those_of_the_calibration_and_one_suggestion_is_everywhere(signed_in: Clinic) -> None:
-    signed_in.visit()
+    signed_in.begin_session()
     refused = signed_in("GET", "/calibration/gestures")
     assert refused.status_code == 409
     assert "Nothing is calibrated yet" in refused.json()["detail"]
@@ -222,7 +230,7 @@ def test_the_gestures_are_those_of_the_calibration_and_one_suggestion_is_everywh
 
 
 def test_another_shirt_does_not_drive_with_this_calibration(signed_in: Clinic) -> None:
-    signed_in.visit()
+    signed_in.begin_session()
     signed_in.calibrate()
     worn = signed_in.client.app.state.web.equipment
     worn.sample_rate = 250.0

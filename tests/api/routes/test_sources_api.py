@@ -50,7 +50,7 @@ def test_a_real_clinic_begins_without_a_shirt_and_keeps_the_one_that_was_chosen(
     assert {one["kind"]: one["simulated"] for one in equipment["shirts"]}["simulator"] is True
     assert "shirt" not in [do for do, _ in clinic.process.calls]
     assert clinic.web.live._picture()["shirt"]["chosen"] is False
-    clinic.visit()
+    clinic.begin_session()
     refused = clinic("POST", "/calibration/steps/rest/start")
     assert refused.status_code in {404, 409}
     clinic.good("PUT", "/equipment/shirt", json=SIMULATED)
@@ -83,7 +83,7 @@ def test_anybody_may_ask_whether_a_page_is_to_be_marked(clinic_for_real: Clinic)
 
 def test_trials_say_their_source_and_worn_and_simulated_ones_are_never_mixed(clinic_for_real: Clinic) -> None:
     clinic = clinic_for_real
-    patient = clinic.visit()["id"]
+    patient = clinic.begin_session()["id"]
     made: dict[str, list[int]] = {}
     for config in (WORN, SIMULATED, WORN):
         clinic.good("PUT", "/equipment/shirt", json=config)
@@ -119,7 +119,7 @@ def test_trials_say_their_source_and_worn_and_simulated_ones_are_never_mixed(cli
 
 def test_a_simulated_calibration_drives_no_worn_shirt_and_no_calibration_mixes_both(clinic_for_real: Clinic) -> None:
     clinic = clinic_for_real
-    clinic.visit()
+    clinic.begin_session()
     clinic.good("PUT", "/equipment/shirt", json=SIMULATED)
     clinic.calibrate()
     assert clinic.process.parameters is not None

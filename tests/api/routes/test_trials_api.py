@@ -12,7 +12,7 @@ from fake_clinic import WORD
 
 @pytest.fixture
 def ready(signed_in: Any) -> Any:
-    signed_in.patient = signed_in.visit()
+    signed_in.patient = signed_in.begin_session()
     signed_in.calibrate()
     plan = signed_in.good("GET", "/floorplans/apartment")
     signed_in.where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}

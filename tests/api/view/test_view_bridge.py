@@ -240,7 +240,7 @@ def test_the_free_camera_goes_where_it_is_put(served):
         assert httpx.post(f"{api}/patient/free", json=place | bad).status_code == 422
 
 
-def test_without_a_visit_the_controls_say_what_to_do():
+def test_without_a_session_the_controls_say_what_to_do():
     answer = application(admitted=True, port=None).post("/api/v1/view/clinician/camera", json={"view": "top"})
     assert answer.status_code == 409
-    assert "open a visit" in answer.json()["detail"]
+    assert "no session is open: open one" in answer.json()["detail"]

@@ -1,6 +1,6 @@
-/** A measure over trials with its fitted curve, the visits behind it and the versions of the map above it. */
+/** A measure over trials with its fitted curve, the sessions behind it and the versions of the map above it. */
 import { t } from "../texts.js";
-import { ABOVE, mapAxis, mapTraces, visitShapes, visitWords } from "./curve_marks.js";
+import { ABOVE, mapAxis, mapTraces, sessionShapes, sessionWords } from "./curve_marks.js";
 import { comparable, MEASURES } from "../results/measures.js";
 import { chart, faint } from "./plotly.js";
 
@@ -26,8 +26,8 @@ export function curveChart(learning, measure, fit, opens, signal) {
         xaxis: { title: { text: t("review.trial") }, dtick: rows.length > 12 ? undefined : 1, range },
         yaxis: { title: { text: title }, rangemode: better === "low" ? "tozero" : "normal", domain: [0, ABOVE] },
         yaxis2: mapAxis(),
-        shapes: visitShapes(rows, colours),
-        annotations: visitWords(rows),
+        shapes: sessionShapes(rows, colours),
+        annotations: sessionWords(rows),
         hoverdistance: 30, // px: a finger is not exact
       },
     };

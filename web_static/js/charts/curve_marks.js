@@ -1,16 +1,16 @@
-/** What stands along a learning curve: the visits as light bands, and where the map became another version. */
+/** What stands along a learning curve: the sessions as light bands, and where the map became another version. */
 import { t } from "../texts.js";
 import { faint } from "./plotly.js";
 
-export const ABOVE = 0.82; // share of the chart's height that the curve has; visits and maps stand above it
+export const ABOVE = 0.82; // share of the chart's height that the curve has; sessions and maps stand above it
 const MAPS = [0.84, 0.93]; // of the height
-const VISITS = 0.94;
-const MANY = 6; // visits: from then on the word stands only at the first
+const SESSIONS = 0.94;
+const MANY = 6; // sessions: from then on the word stands only at the first
 const ROOM = 40; // numbers of maps side by side over the whole width; closer ones would stand on one another
 const SYMBOLS = { calibration: "diamond", adaptation: "triangle-up", back: "triangle-left" };
 
-/** The visits: number, and from which to which trial. @param {any[]} rows trials in order */
-function visits(rows) {
+/** The sessions: number, and from which to which trial. @param {any[]} rows trials in order */
+function sessions(rows) {
   const found = [];
   for (const { session, number } of rows) {
     if (found.at(-1)?.session === session) found.at(-1).last = number;
@@ -19,9 +19,9 @@ function visits(rows) {
   return found;
 }
 
-/** Every other visit has a light band. @param {any[]} rows @param {Record<string, string>} colours */
-export function visitShapes(rows, colours) {
-  return visits(rows)
+/** Every other session has a light band. @param {any[]} rows @param {Record<string, string>} colours */
+export function sessionShapes(rows, colours) {
+  return sessions(rows)
     .filter((_, i) => i % 2 === 0)
     .map(({ first, last }) => ({
       type: "rect",
@@ -37,12 +37,12 @@ export function visitShapes(rows, colours) {
 }
 
 /** @param {any[]} rows */
-export function visitWords(rows) {
-  const all = visits(rows);
+export function sessionWords(rows) {
+  const all = sessions(rows);
   return all.map(({ session, first, last }, i) => ({
-    text: all.length > MANY && i > 0 ? String(session) : t("review.visit", { number: session }),
+    text: all.length > MANY && i > 0 ? String(session) : t("review.session", { number: session }),
     x: (first + last) / 2,
-    y: VISITS,
+    y: SESSIONS,
     yref: "paper",
     yanchor: "bottom",
     showarrow: false,

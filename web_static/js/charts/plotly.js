@@ -6,7 +6,7 @@ import { palette } from "../shell/theme.js";
 const SCRIPT = "/vendor/plotly.min.js";
 const CONFIG = { displaylogo: false, displayModeBar: false, responsive: true, scrollZoom: false, doubleClick: false };
 
-/** @type {Promise<any> | null} one script for the whole visit of the page */
+/** @type {Promise<any> | null} one script for as long as the page is open */
 let loading = null;
 
 /** @returns {Promise<any>} plotly itself */

@@ -1,9 +1,9 @@
-/** The visit that the page shows: its changes name that session, and the page is covered when another one is open. */
+/** The session that the page shows: its changes name that session, and the page is covered when another one is open. */
 import { changedFields, OTHER_SESSION, otherSession, SESSION_PAGES } from "../shell/other_session.js";
 
 export class ShownSession {
   /** @type {any} */
-  #visit = null;
+  #session = null;
   #cover = null;
   #isAsking = false;
   #app;
@@ -16,9 +16,9 @@ export class ShownSession {
   /** Show the open session from now on, and name it with each change. */
   adopt() {
     const app = this.#app;
-    if (idOf(app.visit) !== idOf(this.#visit)) app.toasts.clear(); // their buttons were meant for the session before
-    this.#visit = app.visit;
-    app.useSession(idOf(app.visit));
+    if (idOf(app.session) !== idOf(this.#session)) app.toasts.clear(); // their buttons were meant for the session before
+    this.#session = app.session;
+    app.useSession(idOf(app.session));
     this.#cover?.remove();
     this.#cover = null;
     app.root.inert = false;
@@ -27,17 +27,17 @@ export class ShownSession {
   /** Take which session is open now; when it is another one, opened here or elsewhere, act on it. @param {number | null} id */
   async follow(id) {
     const app = this.#app;
-    if (id === idOf(this.#visit) || this.#cover || this.#isAsking || !app.me?.signed_in) return;
+    if (id === idOf(this.#session) || this.#cover || this.#isAsking || !app.me?.signed_in) return;
     this.#isAsking = true;
     try {
-      await app.readVisit();
+      await app.readSession();
     } catch {
       return; // the next tick asks again
     } finally {
       this.#isAsking = false;
     }
-    if (this.#cover || idOf(app.visit) === idOf(this.#visit)) return;
-    if (this.#visit?.session && SESSION_PAGES.has(app.route.page)) return this.#coverPage();
+    if (this.#cover || idOf(app.session) === idOf(this.#session)) return;
+    if (this.#session?.session && SESSION_PAGES.has(app.route.page)) return this.#coverPage();
     this.adopt();
     if (app.root.querySelector(".body.empty")) app.show(); // the page said that nobody is here
   }
@@ -51,14 +51,14 @@ export class ShownSession {
     app.api.end();
     app.leavePage(OTHER_SESSION);
     app.root.inert = true;
-    const cover = otherSession(this.#visit, app.visit, drafts, { onGo: () => app.show() });
+    const cover = otherSession(this.#session, app.session, drafts, { onGo: () => app.show() });
     this.#cover = cover.element;
     app.root.after(cover.element);
     cover.focus();
   }
 }
 
-/** @param {any} visit @returns {number | null} */
-function idOf(visit) {
-  return visit?.session?.id ?? null;
+/** @param {any} session @returns {number | null} */
+function idOf(session) {
+  return session?.session?.id ?? null;
 }

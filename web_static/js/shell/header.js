@@ -42,13 +42,13 @@ export function header(app) {
   );
 
   const showWho = () => {
-    const { patient, session } = app.visit ?? {};
+    const { patient, session } = app.session ?? {};
     const signedIn = Boolean(app.me?.signed_in);
     demo.hidden = !app.me?.demo;
     leave.hidden = !signedIn || app.me.demo;
     lamps.style.visibility = signedIn ? "" : "hidden";
     who.hidden = !signedIn;
-    write(who, patient ? t("who.visit", { code: patient.code, number: session?.number ?? 1 }) : t("who.nobody"));
+    write(who, patient ? t("who.session", { code: patient.code, number: session?.number ?? 1 }) : t("who.nobody"));
   };
   const showShirt = () => {
     if (!app.live.present) return unknown(shirt, "lamp.shirt.unknown", "");
@@ -76,7 +76,7 @@ export function header(app) {
   const showPractice = () => practice.show(app.me?.demo ? null : app.practice);
   for (const event of ["me", "practice"]) app.addEventListener(event, showPractice);
   app.addEventListener("me", showWho);
-  app.addEventListener("visit", showWho);
+  app.addEventListener("session", showWho);
   app.live.addEventListener("quality", showShirt);
   app.live.addEventListener("tick", showChair);
   app.live.addEventListener("connection", () => {

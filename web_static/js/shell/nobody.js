@@ -18,7 +18,7 @@ export function emptyPage(root, title, lead, hash, action) {
 
 /** Show the empty page when nobody is here. @param {import("../main.js").App} app @param {HTMLElement} root */
 export function nobodyIsHere(app, root) {
-  if (app.visit?.patient) return false;
+  if (app.session?.patient) return false;
   emptyPage(root, t("nobody.title"), t("nobody.lead"), "#/patients", t("nobody.go"));
   return true;
 }

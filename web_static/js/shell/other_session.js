@@ -13,7 +13,7 @@ export const OTHER_SESSION = "other session";
 const FIELDS = "form :is(input:not([type=radio], [type=hidden], [type=file]), textarea)";
 
 /**
- * @param {any} before the visit that the page shows @param {any} now the visit that is open
+ * @param {any} before the session that the page shows @param {any} now the session that is open
  * @param {string[]} drafts what was entered and not sent
  * @param {{onGo: () => void}} actions
  */

@@ -1,4 +1,4 @@
-/** The rail: the six steps of a visit, which of them are done, where one is, and the settings. */
+/** The rail: the six steps of a session, which of them are done, where one is, and the settings. */
 import { t } from "../texts.js";
 import { h, set } from "../widgets/dom.js";
 import { icon } from "../widgets/icons.js";
@@ -7,15 +7,15 @@ const STEPS = ["patients", "shirt", "calibrate", "controls", "drive", "review"];
 const RAIL = [...STEPS, "settings"];
 export const PAGES = [...RAIL, "plans", "adapt"]; // those that have an address of their own
 
-/** Which steps are done, by what the visit says. @param {import("../main.js").App} app @returns {Set<string>} */
+/** Which steps are done, by what the session says. @param {import("../main.js").App} app @returns {Set<string>} */
 export function stepsDone(app) {
-  const visit = app.visit;
+  const session = app.session;
   const done = new Set();
-  if (!visit?.patient) return done;
+  if (!session?.patient) return done;
   done.add("patients");
   if (app.live.latest?.shirt.alive) done.add("shirt");
-  if (visit.has_profile) done.add("calibrate").add("controls");
-  if (visit.patient.trials > 0) done.add("drive");
+  if (session.has_profile) done.add("calibrate").add("controls");
+  if (session.patient.trials > 0) done.add("drive");
   return done;
 }
 
@@ -38,7 +38,7 @@ export function rail(app) {
       set(link, { "aria-current": step === app.route.page ? "page" : null });
     }
   };
-  for (const event of ["visit", "route"]) app.addEventListener(event, show);
+  for (const event of ["session", "route"]) app.addEventListener(event, show);
   app.live.addEventListener("quality", show);
   show();
   return h(

@@ -1,4 +1,4 @@
-/** The patient's screens of this visit: pair one by a code, what they show, unpair one. */
+/** The patient's screens of this session: pair one by a code, what they show, unpair one. */
 import { t } from "../texts.js";
 import { h, put, write } from "./dom.js";
 import { toggle } from "./fields.js";
@@ -52,7 +52,7 @@ export function patientScreenCard(app, signal) {
     }
   };
   const read = () => {
-    if (app.visit?.patient) return call(app.api.get("/patient-screen"));
+    if (app.session?.patient) return call(app.api.get("/patient-screen"));
     shown = null;
     put(list);
     put(wishes);
@@ -92,17 +92,17 @@ export function patientScreenCard(app, signal) {
   };
   app.live.addEventListener(
     "changed",
-    ({ detail }) => ["screens", "visit", "everything"].includes(detail) && read(),
+    ({ detail }) => ["screens", "session", "everything"].includes(detail) && read(),
     { signal },
   );
-  let visit = app.visit?.session?.id;
-  const showVisit = () => {
-    if (app.visit?.session?.id === visit) return;
-    visit = app.visit?.session?.id;
-    offer(); // a code is for one visit
+  let session = app.session?.session?.id;
+  const showSession = () => {
+    if (app.session?.session?.id === session) return;
+    session = app.session?.session?.id;
+    offer(); // a code is for one session
     read();
   };
-  app.addEventListener("visit", showVisit, { signal });
+  app.addEventListener("session", showSession, { signal });
   offer();
   read();
   return element;

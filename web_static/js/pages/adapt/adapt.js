@@ -15,9 +15,9 @@ const CONCERNS = ["adaptation", "controls", "trial", "drive", "equipment", "ever
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal}} page */
 export async function show(app, root, { signal }) {
   if (nobodyIsHere(app, root)) return;
-  if (!app.visit.has_profile)
+  if (!app.session.has_profile)
     return emptyPage(root, t("adapt.none.title"), t("adapt.none.lead"), "#/calibrate", t("controls.none.go"));
-  const patient = app.visit.patient.id;
+  const patient = app.session.patient.id;
   const mayChange = app.me.role !== "reviewer";
   const [lead, problem] = [h("p", { class: "lead" }), h("p", { class: "problem", role: "alert" })];
   const [place, versions, foot] = [h("div", { class: "stack" }), h("div", {}), h("div", { class: "foot" })];

@@ -81,7 +81,7 @@ export async function show(app, root, { signal }) {
   const accept = async () => {
     try {
       await api.post("/calibration/accept");
-      await app.readVisit();
+      await app.readSession();
       app.go("#/controls");
     } catch (error) {
       app.toasts.show(error.message);

@@ -5,7 +5,7 @@ import { clock, moment, number } from "../../widgets/format.js";
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {number} id @param {AbortSignal} signal */
 export async function showDriven(app, root, id, signal) {
-  const drives = await app.api.get(`/drives?patient=${app.visit.patient.id}`);
+  const drives = await app.api.get(`/drives?patient=${app.session.patient.id}`);
   if (signal.aborted) return;
   const drive = drives.find((one) => one.id === id);
   put(

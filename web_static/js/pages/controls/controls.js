@@ -19,7 +19,7 @@ const CONTROLS = ["u1+", "u1-", "u2+", "u2-", "stop"];
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal}} page */
 export async function show(app, root, { signal }) {
   if (nobodyIsHere(app, root)) return;
-  if (!app.visit.has_profile) {
+  if (!app.session.has_profile) {
     emptyPage(root, t("controls.none.title"), t("controls.none.lead"), "#/calibrate", t("controls.none.go"));
     return;
   }

@@ -6,7 +6,7 @@ import { h, write } from "../../widgets/dom.js";
 export function adaptLink(app, trial, signal) {
   const link = h("a", { class: "btn bare", href: "#/adapt", hidden: true });
   const read = async () => {
-    if (trial.patient_id !== app.visit?.patient?.id) return;
+    if (trial.patient_id !== app.session?.patient?.id) return;
     const { proposal } = await app.api.get("/adaptation").catch(() => ({ proposal: null }));
     const concerns = proposal?.changes && proposal.trials.includes(trial.id);
     link.hidden = !concerns;

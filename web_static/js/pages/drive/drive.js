@@ -15,13 +15,13 @@ import { t } from "../../texts.js";
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal, rest: string[]}} page */
 export async function show(app, root, { signal, rest }) {
   if (nobodyIsHere(app, root)) return;
-  const trials = await app.api.get(`/trials?patient=${app.visit.patient.id}`);
+  const trials = await app.api.get(`/trials?patient=${app.session.patient.id}`);
   if (signal.aborted) return;
   const running = trials.find(({ status }) => status === "running");
   const where = app.takeWanted();
   if (running || where) return drive(app, root, running, where, signal);
   if (rest[0] === "over") return over(app, root, rest[1], signal);
-  if (!app.visit.has_profile)
+  if (!app.session.has_profile)
     return emptyPage(root, t("drive.none.title"), t("drive.none.lead"), "#/calibrate", t("drive.none.go"));
   if (rest[0] === "chair") return (await import("../chair/chair.js")).show(app, root, { signal, rest });
   return choose(app, root, signal);
@@ -66,7 +66,7 @@ async function choose(app, root, signal) {
       ),
       !has3d && h("p", { class: "card no-view", role: "status" }, t("picture.choose")),
       chairChoice(app, chairs),
-      warningsPlace(app, app.visit.patient.id, signal),
+      warningsPlace(app, app.session.patient.id, signal),
       chooser.element,
       app.me.role !== "reviewer" && patientScreenCard(app, signal),
     ),

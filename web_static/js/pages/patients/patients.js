@@ -1,4 +1,4 @@
-/** Patients: list, search, new, delete with undo, and whose visit this is. */
+/** Patients: list, search, new, delete with undo, and whose session this is. */
 import { h, put } from "../../widgets/dom.js";
 import { day } from "../../widgets/format.js";
 import { icon } from "../../widgets/icons.js";
@@ -18,15 +18,15 @@ export async function show(app, root, { signal }) {
     showList();
   };
   const open = async (patient, button = null) => {
-    if (button) button.disabled = true; // opening a visit takes a moment: a second tap shall do nothing
-    const isOpen = await attempt(app, () => app.api.post("/visit", { patient_id: patient.id }));
+    if (button) button.disabled = true; // opening a session takes a moment: a second tap shall do nothing
+    const isOpen = await attempt(app, () => app.api.post("/session", { patient_id: patient.id }));
     if (!isOpen) return read();
-    await app.readVisit();
-    app.go(app.visit.has_profile ? "#/drive" : "#/shirt");
+    await app.readSession();
+    app.go(app.session.has_profile ? "#/drive" : "#/shirt");
   };
   const remove = async (patient) => {
     if (!(await attempt(app, () => app.api.remove(`/patients/${patient.id}`)))) return;
-    await Promise.all([read(), app.readVisit()]);
+    await Promise.all([read(), app.readSession()]);
     const restore = async () => {
       await attempt(app, () => app.api.post(`/patients/${patient.id}/restore`));
       await read();
@@ -34,8 +34,8 @@ export async function show(app, root, { signal }) {
     app.toasts.show(t("patients.deleted", { code: patient.code }), { action: t("undo"), run: restore });
   };
   const end = async () => {
-    if (!(await attempt(app, () => app.api.remove("/visit")))) return;
-    await app.readVisit();
+    if (!(await attempt(app, () => app.api.remove("/session")))) return;
+    await app.readSession();
     showList();
     app.toasts.show(t("patients.ended"));
   };
@@ -59,7 +59,7 @@ export async function show(app, root, { signal }) {
     form.querySelector("input").focus();
   };
   search.addEventListener("input", showList);
-  app.addEventListener("visit", showList, { signal });
+  app.addEventListener("session", showList, { signal });
   showList();
   put(
     root,
@@ -92,7 +92,7 @@ async function attempt(app, call) {
 }
 
 function row(app, patient, { open, remove, end }) {
-  const isHere = app.visit?.patient?.id === patient.id;
+  const isHere = app.session?.patient?.id === patient.id;
   const figures = [
     t("patients.sessions", { count: patient.sessions }),
     t("patients.trials", { count: patient.trials }),
@@ -117,7 +117,7 @@ function row(app, patient, { open, remove, end }) {
           h("button", { type: "button", class: "btn", onclick: end }, t("patients.end")),
           h(
             "button",
-            { type: "button", class: "btn go", onclick: () => app.go(app.visit.has_profile ? "#/drive" : "#/shirt") },
+            { type: "button", class: "btn go", onclick: () => app.go(app.session.has_profile ? "#/drive" : "#/shirt") },
             t("patients.go-on"),
           ),
         ]
@@ -136,7 +136,7 @@ function row(app, patient, { open, remove, end }) {
             "button",
             {
               type: "button",
-              class: `btn${app.visit?.patient ? "" : " go"}`,
+              class: `btn${app.session?.patient ? "" : " go"}`,
               onclick: (event) => open(patient, event.currentTarget),
             },
             t("patients.start"),

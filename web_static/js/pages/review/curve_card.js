@@ -13,7 +13,7 @@ const CLEARLY_WORSE = 2; // of AICc; below it two curves describe the trials abo
  * @param {(trial: number) => void} opens what a tap on a trial does @param {AbortSignal} signal
  */
 export async function curveCard(learning, measure, opens, signal) {
-  const curve = learning.curves[measure] ?? { text: "", fit: null, form: null, others: [], visits: null };
+  const curve = learning.curves[measure] ?? { text: "", fit: null, form: null, others: [], sessions: null };
   const models = [{ form: curve.form, aicc_more: 0, ...curve.fit }, ...curve.others];
   const place = h("div", {});
   const words = h("p", { class: "small quiet", role: "status" });
@@ -43,7 +43,7 @@ export async function curveCard(learning, measure, opens, signal) {
       ),
     words,
     h("p", { class: "small" }, curve.text),
-    curve.visits && h("p", { class: "small" }, curve.visits),
+    curve.sessions && h("p", { class: "small" }, curve.sessions),
     learning.trials.length > 0 && h("p", { class: "small quiet" }, t("review.tap")),
   );
 }

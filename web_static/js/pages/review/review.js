@@ -21,7 +21,7 @@ export async function show(app, root, { signal, rest }) {
   const patients = await app.api.get("/patients");
   const patient =
     patients.find(({ id }) => String(id) === rest[0]) ??
-    patients.find(({ id }) => id === app.visit?.patient?.id) ??
+    patients.find(({ id }) => id === app.session?.patient?.id) ??
     patients.find(({ trials }) => trials) ??
     patients[0];
   if (signal.aborted) return;

@@ -151,7 +151,7 @@ export async function show(app, root, { signal }) {
   app.live.addEventListener("changed", readAgain, { signal });
   app.addEventListener("equipment", ({ detail }) => take(detail), { signal });
 
-  const onwards = app.visit?.has_profile ? ["#/drive", "shirt.drive"] : ["#/calibrate", "shirt.calibrate"];
+  const onwards = app.session?.has_profile ? ["#/drive", "shirt.drive"] : ["#/calibrate", "shirt.calibrate"];
   put(
     root,
     h(

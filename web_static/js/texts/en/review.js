@@ -32,7 +32,7 @@ export default {
   "review.model.as-well":
     "{model}: describes these trials about as well as the best, {best} (AICc only {amount} higher).",
   "review.tap": "Tap a trial to open it.",
-  "review.visit": "visit {number}",
+  "review.session": "session {number}",
   "review.map.calibration": "map calibrated",
   "review.map.adaptation": "map adapted",
   "review.map.back": "map taken back",

@@ -6,7 +6,7 @@ export default {
   "stereo.title": "bodydrive · stereo view",
   "stereo.settings": "How the two eyes see",
   "stereo.lost": "Connection lost, trying again. Nothing to do: the picture comes back by itself.",
-  "stereo.waiting": "There is no picture at the moment. It comes by itself when a visit goes on.",
+  "stereo.waiting": "There is no picture at the moment. It comes by itself when a session goes on.",
   "stereo.refused.title": "This screen may not see the view yet",
   "stereo.refused.clinician": "Clinicians: sign in on this screen, then open this page again.",
   "stereo.refused.sign-in": "Sign in",
