@@ -9,6 +9,7 @@ from drills.machine import disk_full, wall_clock
 from drills.network import forgeries, weather
 from drills.odd_names import odd_names
 from drills.processes import hold_control, kill_control, kill_receiver, kill_web, web_silent
+from drills.results import Result
 from drills.second_sender import second_sender
 from drills.second_socket import second_socket
 from drills.session_end import session_end
@@ -43,6 +44,11 @@ DRILLS = {
 
 
 def run_drill(name, runs, seed):
-    """Run one drill in this process; return its result."""
+    """Run one drill in this process; return its result, a violation where the drill itself came to an end."""
     drill, *_ = DRILLS[name]
-    return asyncio.run(drill(runs, random.Random(seed)))
+    try:
+        return asyncio.run(drill(runs, random.Random(seed)))
+    except Exception as error:  # the other drills go on, and their rows are kept
+        ended = Result(f"{name}: the drill ended early", None)
+        ended.violations.append(f"{type(error).__name__}: {error}")
+        return ended
