@@ -1,63 +1,64 @@
-"""Counts in a trial: standstills, contacts, command pulses, changes of the turn's direction."""
+"""Counts of a trial: standstills, contacts, command pulses, changes of the turning direction."""
 
 import numpy as np
 from numpy.typing import NDArray
 
 Numbers = NDArray[np.float64]
 
-MOVING = 0.10  # m/s, from here a chair moves
-STANDING = 0.05  # m/s, below this it stands; between the two it goes on doing what it did
+MOVING = 0.10  # m/s; at this speed or above, the chair moves
+STANDING = 0.05  # m/s; below, the chair stands; between the two limits its state does not change
 SHORTEST_STOP = 0.5  # s; a shorter standstill is not a stop
-ON = 0.10  # of a control, from here it is a command
-OFF = 0.05  # below this it is none
-FREE_AGAIN = 0.25  # s without touching, after which the next touch is a new contact
+ON = 0.10  # of a control; at this value or above, it is a command
+OFF = 0.05  # of a control; below, it is no command; between the two limits its state does not change
+NEW_CONTACT_AFTER = 0.25  # s without touching, after which the next touch is a new contact
 
 
 def standstills(speed: Numbers, sample_rate: float) -> int:
-    """Return how often a chair that moved stood for at least half a second and then moved on.
+    """Return how often the chair stood for at least half a second between two movements.
 
-    `speed` (n,) in m/s, evenly sampled at `sample_rate` (Hz). Waiting at the start or standing at the end is no stop.
+    `speed` (n,) in m/s, evenly sampled at `sample_rate` (Hz). Standing before the first movement or after the last one
+    is no stop.
     """
-    moving = _switched(speed, MOVING, STANDING)
+    moving = _hysteresis(speed, MOVING, STANDING)
     edges = np.flatnonzero(np.diff(moving.astype(np.int8)))
     if not len(edges):
         return 0
     if not moving[0]:
-        edges = edges[1:]  # the beginning of the first movement
+        edges = edges[1:]  # leave out the beginning of the first movement
     pauses = edges[1 : len(edges) // 2 * 2 : 2] - edges[0 : len(edges) // 2 * 2 : 2]
     return int(np.count_nonzero(pauses >= SHORTEST_STOP * sample_rate))
 
 
 def onsets(control: Numbers) -> int:
-    """Return how many command pulses a control (n,) holds: beginnings, in either direction."""
-    return sum(_rises(_switched(side, ON, OFF)) for side in (control, -control))
+    """Return how many command pulses begin in a control (n,), in both directions together."""
+    return sum(_rises(_hysteresis(side, ON, OFF)) for side in (control, -control))
 
 
 def reversals(control: Numbers) -> int:
-    """Return how often a control (n,) that commanded one direction went on to command the other."""
-    left, right = _switched(control, ON, OFF), _switched(-control, ON, OFF)
+    """Return how often the commands of a control (n,) change from one direction to the other."""
+    left, right = _hysteresis(control, ON, OFF), _hysteresis(-control, ON, OFF)
     direction = left.astype(np.int8) - right.astype(np.int8)
     direction = direction[direction != 0]
     return int(np.count_nonzero(np.diff(direction)))
 
 
 def contact_beginnings(touching: NDArray[np.bool_], t: Numbers) -> int:
-    """Return how many contacts there were; a touch within 0.25 s of the last belongs to the same contact."""
+    """Return how many contacts there were; a touch within 0.25 s of the last one belongs to that contact."""
     return len(contact_rows(touching, t))
 
 
 def contact_rows(touching: NDArray[np.bool_], t: Numbers) -> NDArray[np.intp]:
-    """Return the rows in which a contact begins."""
+    """Return the rows in which a contact begins, of `touching` (n,) at the times `t` (n,) in s."""
     rows = np.flatnonzero(touching)
-    return rows[np.diff(t[rows], prepend=-np.inf) >= FREE_AGAIN]
+    return rows[np.diff(t[rows], prepend=-np.inf) >= NEW_CONTACT_AFTER]
 
 
 def _rises(on: NDArray[np.bool_]) -> int:
     return int(np.count_nonzero(np.diff(on.astype(np.int8), prepend=0) == 1))
 
 
-def _switched(values: Numbers, on: float, off: float) -> NDArray[np.bool_]:
-    """Return whether a switch with hysteresis is on: from `on` upwards, until it falls below `off`."""
+def _hysteresis(values: Numbers, on: float, off: float) -> NDArray[np.bool_]:
+    """Return (n,) whether a switch with hysteresis is on: from a value of `on` or more until one below `off`."""
     decided = np.where(values >= on, 1, np.where(values < off, 0, -1))
     last = np.maximum.accumulate(np.where(decided >= 0, np.arange(len(values)), -1))
     return np.asarray((last >= 0) & (decided[last] == 1))

@@ -1,7 +1,7 @@
-"""How well the map fitted the movements of one trial: what each joint gave, and what reached the control.
+"""How well the map fitted the movements of one trial: per joint, and of the controls.
 
-Pure functions on arrays. Of a joint that a guided map decodes, the figures of its PCA map are told all the same: they
-say how the person moves, not how the guided map decodes it.
+Pure functions on arrays. For a joint that a guided map decodes, the figures are those of its PCA map: they describe how
+the person moves, not how the guided map decodes the movement.
 """
 
 from collections.abc import Callable, Iterable
@@ -17,9 +17,9 @@ from app.quantities import Count, Document, Fraction, Name
 from app.scoring.command_counts import onsets
 from app.scoring.joint_quality import Amount, Degrees, JointQuality, joint_quality
 
-MOST_BAD = 0.1  # of the time; a channel that was bad for longer is left out of its joint's figures
-MOSTLY = 0.5  # of the frames in which a channel was not believed
-LEAST_DISTANCE = 0.5  # m; on a shorter way, activations per metre say nothing
+MOST_BAD = 0.1  # share of the time; a channel that was bad for longer is left out of its joint's figures
+SILENT_SHARE = 0.5  # of a bad channel's frames; with more of them constant or missing, the channel is called silent
+LEAST_DISTANCE = 0.5  # m; activations per metre are not computed for less
 
 Numbers = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -60,17 +60,17 @@ def control_quality(
     Parameters
     ----------
     parameters
-        With which it was driven.
+        The parameters of the trial.
     sample_rate
         Hz.
     values
         (n, n_channels) signal units: all frames of the recording, NaN where a sample is missing.
     armed
-        (n,) where motion was permitted: only then is anything looked at.
+        (n,) where motion was permitted; all figures are of these frames.
     activation
-        (n, n_gestures) as they were decoded.
+        (n, n_gestures) as decoded in the trial.
     distance
-        m driven.
+        Distance driven, m.
 
     Raises
     ------
@@ -87,31 +87,31 @@ def control_quality(
     joint_of = [parameters.gestures[gesture].joint for gesture in bound]
     joints = [joint for joint in profile.joints if joint.name in joint_of]
     signals = np.asarray(values, dtype=np.float64)
-    watched = np.zeros(signals.shape[1], dtype=np.bool_)
-    watched[[channel for joint in joints for channel in joint.channels]] = True
-    bad = ChannelHealth(profile, watched, sample_rate).block(signals, None)
+    used = np.zeros(signals.shape[1], dtype=np.bool_)
+    used[[channel for joint in joints for channel in joint.channels]] = True
+    bad = ChannelHealth(profile, used, sample_rate).block(signals, None)
     bad_share = bad[armed].mean(axis=0)
     whole = fill_forward(np.where(np.isfinite(signals), signals, np.nan))
-    found = []
+    qualities = []
     for joint in joints:
-        believed = [channel for channel in joint.channels if bad_share[channel] <= MOST_BAD]
-        usable = armed & ~bad[:, believed].any(axis=1)
-        own = sum(count for count, name in zip(counts, joint_of, strict=True) if name == joint.name)
-        handles = [
+        good = [channel for channel in joint.channels if bad_share[channel] <= MOST_BAD]
+        usable = armed & ~bad[:, good].any(axis=1)
+        activations = sum(count for count, name in zip(counts, joint_of, strict=True) if name == joint.name)
+        dead_zones = [
             one.dead_zone
             for one in (parameters.gestures[gesture] for gesture in bound)
             if one.joint == joint.name and one.feature == "rate"
         ]
-        dead_zone = min(handles, default=None)
-        found.append(joint_quality(joint, believed, profile.layout, whole, usable, sample_rate, own, dead_zone))
+        dead_zone = min(dead_zones, default=None)
+        qualities.append(joint_quality(joint, good, profile.layout, whole, usable, sample_rate, activations, dead_zone))
     return ControlQuality(
-        map_angle_deg=_worst(max, (one.map_angle_deg for one in found)),
-        evr=_worst(min, (one.evr for one in found)),
-        null_space_share=_worst(max, (one.null_space_share for one in found)),
+        map_angle_deg=_worst(max, (one.map_angle_deg for one in qualities)),
+        evr=_worst(min, (one.evr for one in qualities)),
+        null_space_share=_worst(max, (one.null_space_share for one in qualities)),
         cross_talk=cross_talk(activation[armed][:, bound], _stops(parameters, bound)),
         activations=sum(counts),
         activations_per_metre=sum(counts) / distance if distance >= LEAST_DISTANCE else None,
-        joints=tuple(found),
+        joints=tuple(qualities),
         bad_channels=tuple(
             BadChannel(
                 name=profile.layout.channels[index].name,
@@ -125,23 +125,24 @@ def control_quality(
 
 
 def bound_gestures(parameters: DriveParameters) -> list[int]:
-    """Return the indices of the gestures that do something."""
+    """Return the indices of the gestures that are bound to a control."""
     bound = {name for binding in parameters.bindings for name in binding.gestures}
     return [index for index, gesture in enumerate(parameters.gestures) if gesture.name in bound]
 
 
 def cross_talk(activation: Numbers, stops: Iterable[list[int]] = ()) -> float | None:
-    """Return which share of all activation is not that of the strongest gesture of its moment, None without any.
+    """Return the share of all activation that is not the strongest gesture's of its frame; None without activation.
 
-    0 where one gesture is there at a time; at most (k - 1) / k, where all are there alike. Two gestures on purpose,
-    such as a turn while speeding up, count too; a stop, which asks for gestures together, does not.
+    0 when only one gesture is active at a time; at most (k - 1) / k, when all k are equally active. Two gestures made
+    together on purpose, such as a turn while speeding up, count as cross-talk; those of a stop, which asks for several
+    gestures together, do not.
 
     Parameters
     ----------
     activation
         (n, k) of the bound gestures, 0..1.
     stops
-        Per stop, the columns whose gestures together are one.
+        For each stop, the columns of the gestures that it asks for together.
     """
     deliberate = np.zeros(len(activation), dtype=np.bool_)
     for stop in stops:
@@ -154,13 +155,14 @@ def cross_talk(activation: Numbers, stops: Iterable[list[int]] = ()) -> float | 
 
 
 def _silent(signal: Numbers, where: Flags) -> bool:
-    """Return whether a channel (n,) mostly stood still or gave no numbers in the frames `where` (n,)."""
+    """Return whether a channel (n,) was constant or not finite in more than half of the frames `where` (n,)."""
     still = ~np.isfinite(signal)
     still[1:] |= signal[1:] == signal[:-1]
-    return bool(still[where].mean() > MOSTLY)
+    return bool(still[where].mean() > SILENT_SHARE)
 
 
 def _stops(parameters: DriveParameters, bound: list[int]) -> list[list[int]]:
+    """Return, for each stop of several gestures, their columns among the bound gestures."""
     names = [parameters.gestures[gesture].name for gesture in bound]
     return [
         [names.index(name) for name in binding.gestures]

@@ -1,4 +1,4 @@
-"""What a clinician had better look at, from how well the trials were controlled: each with what to do about it."""
+"""Warnings for the clinician from the control quality of a patient's trials, each with advice."""
 
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -11,41 +11,41 @@ ORDER: tuple[Kind, ...] = ("sensor", "map", "noise", "span")
 
 
 class ControlWarnings(NamedTuple):
-    """All warnings, and what cannot be told yet; the note is empty when there are trials enough."""
+    """All warnings; the note says what needs more trials, and is empty when there are enough."""
 
     warnings: list[ControlWarning]
     note: str
 
 
 def control_warnings(trials: Sequence[TrialAssessment], map_version: int | None = None) -> ControlWarnings:
-    """Return what to look at.
+    """Return the warnings from the trials of one patient.
 
     Parameters
     ----------
     trials
-        Of one patient, in the order driven, discarded ones left out.
+        In the order driven, without discarded ones.
     map_version
-        The patient's newest map: of an older one, nothing is said of sensors and fit any more. The last trial's when
-        not given.
+        The patient's newest map, that of the last trial when not given. Warnings of sensors and of the map's fit are
+        made from trials with this map only.
     """
     if not trials:
         return ControlWarnings([], "")
     newest = trials[-1].map_version if map_version is None else map_version
     of_map = [trial for trial in trials if trial.map_version == newest]
-    found = sensor_warnings(of_map[-1]) if of_map else []
+    warnings = sensor_warnings(of_map[-1]) if of_map else []
     for name in dict.fromkeys(joint.name for joint in trials[-1].quality.joints):
-        found += fit_warnings(trials_of_joint(of_map, name))
+        warnings += fit_warnings(trials_of_joint(of_map, name))
         every = comparable_trials(trials_of_joint(trials, name))
-        found += noise_warnings(trials_of_joint(of_map, name), every)
-        found += span_warnings([row for row in every if row.trial.task == trials[-1].task])
-    return ControlWarnings(sorted(found, key=lambda one: ORDER.index(one.kind)), _note(trials))
+        warnings += noise_warnings(trials_of_joint(of_map, name), every)
+        warnings += span_warnings([row for row in every if row.trial.task == trials[-1].task])
+    return ControlWarnings(sorted(warnings, key=lambda one: ORDER.index(one.kind)), _note(trials))
 
 
 def _note(trials: Sequence[TrialAssessment]) -> str:
-    """Say what cannot be told yet."""
-    alike = [trial for trial in trials if trial.task == trials[-1].task]
-    sessions = len({trial.session for trial in alike})
-    here = sum(trial.session == trials[-1].session for trial in alike)
+    """Say how many more trials the trends need; empty when there are enough."""
+    same_task = [trial for trial in trials if trial.task == trials[-1].task]
+    sessions = len({trial.session for trial in same_task})
+    here = sum(trial.session == trials[-1].session for trial in same_task)
     if sessions >= LEAST_SESSIONS or here >= LEAST_TRIALS:
         return ""
     return (

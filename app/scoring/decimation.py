@@ -1,4 +1,4 @@
-"""Long columns made short for the screen: taken at an even rate, or so that no peak is lost."""
+"""Decimation of long columns for the screen: by even sampling, or by minimum and maximum so that no peak is lost."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -8,16 +8,16 @@ Numbers = NDArray[np.float64]
 
 
 class Decimation:
-    """Short columns of one length out of long ones.
+    """Reduces columns of `n_rows` rows to at most `most` points.
 
-    The rows are dealt into buckets of one size, and each bucket gives two points. A column that is taken gives its
-    rows at a quarter and at three quarters of the bucket, a column of which no peak may be lost its smallest and its
-    largest value in the order in which they came. A column that is short enough stays as it is.
+    The rows are divided into buckets of equal size, and each bucket gives two points. `sampled` returns the values at
+    a quarter and at three quarters of the bucket, `peaks` the smallest and the largest value in their order of time.
+    Columns that are short enough are returned whole.
 
     Attributes
     ----------
     rows : ndarray of int (n_points,)
-        The rows that are taken; their times are the times of all points.
+        The sampled rows; their times are the times of all points.
     """
 
     def __init__(self, n_rows: int, most: int) -> None:
@@ -35,11 +35,11 @@ class Decimation:
         self._n_rows = n_rows
 
     def sampled(self, column: NDArray[np.generic]) -> NDArray[np.generic]:
-        """Return the column (n_rows,) at an even rate (n_points,)."""
+        """Return the column (n_rows,) sampled evenly (n_points,)."""
         return column[self.rows]
 
     def peaks(self, column: NDArray[np.floating]) -> Numbers:
-        """Return the column (n_rows,) with its smallest and largest values (n_points,); NaN only where all are NaN."""
+        """Return each bucket's smallest and largest value of a column (n_rows,): (n_points,), NaN where all are NaN."""
         if self._size == 1:
             return np.asarray(column, dtype=np.float64)
         buckets = -(-self._n_rows // self._size)
@@ -52,11 +52,11 @@ class Decimation:
         lowest = (np.where(unknown, np.inf, grid) if some else grid).argmin(axis=1)
         highest = (np.where(unknown, -np.inf, grid) if some else grid).argmax(axis=1)
         order = np.stack([np.minimum(lowest, highest), np.maximum(lowest, highest)], axis=1)
-        # A bucket in which nothing is known has NaN at every place.
+        # In a bucket without a number, the value at either index is NaN.
         return np.take_along_axis(grid, order, axis=1).reshape(-1)
 
     def any(self, column: NDArray[np.generic]) -> NDArray[np.bool_]:
-        """Return where the column (n_rows,) is true anywhere in the bucket (n_points,)."""
+        """Return whether the column (n_rows,) is true anywhere in the point's bucket (n_points,)."""
         if self._size == 1:
             return column.astype(np.bool_)
         starts = np.arange(0, self._n_rows, self._size)

@@ -1,4 +1,4 @@
-"""What one joint did in a trial: which way it moved, how much of that the map sees, how far, how still its rest."""
+"""Quality of one joint in a trial: direction of its movement, share that the map decodes, span, noise at rest."""
 
 from typing import Annotated, NamedTuple
 
@@ -14,12 +14,12 @@ from app.quantities import Count, Document, Fraction, Name, Title
 from app.scoring.command_counts import ON
 from app.signals.smoothing import smooth
 
-LEAST_TIME = 2.0  # s that can be looked at: with less, nothing is told
-LEAST_MOVEMENT = 2.0  # s of movement in a trial, before its direction is told: a handful of strokes
+LEAST_TIME = 2.0  # s of usable signal; with less, no figure is computed
+LEAST_MOVEMENT = 2.0  # s of movement in a trial, about five strokes; with less, no direction is computed
 SHORTEST_STRETCH = 0.1  # s; a shorter stretch of movement is a twitch
-SETTLING = 0.3  # s: the low-pass forgets its first sample within it
-STILL = 0.5  # s, length of the stretches among which rest is looked for
-STILL_SHARE = 0.2  # the stillest fifth of them is rest: who drives by strokes rests each limb more than that
+SETTLING = 0.3  # s after which the low-pass no longer depends on its first sample
+STILL = 0.5  # s, length of the stretches of which some are taken as rest
+STILL_SHARE = 0.2  # of the stretches, the stillest ones, are rest: driving by strokes leaves each limb more rest
 
 Numbers = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -47,7 +47,7 @@ class JointQuality(Document):
 
 
 class MapFit(NamedTuple):
-    """How a map lies in a movement."""
+    """How well a map's direction agrees with a movement."""
 
     angle_deg: float  # between the movement's PC1 and the map, 0..90
     evr: float
@@ -65,26 +65,26 @@ def joint_quality(
     activations: int,
     dead_zone: float | None = None,
 ) -> JointQuality:
-    """Return what one joint did.
+    """Return the quality of one joint in a trial.
 
     Parameters
     ----------
     joint
-        Its map.
+        The joint's map.
     channels
-        Those of its channels that can be believed.
+        Indices of the joint's channels that were not bad.
     layout
-        Of the shirt: what joint and channels are called.
+        The shirt's; it gives the names of joint and channels.
     values
-        (n, n_channels) signal units, without holes.
+        (n, n_channels) signal units, without missing samples.
     usable
-        (n,) where motion was permitted and these channels can be believed.
+        (n,) where motion was permitted and none of `channels` was bad.
     sample_rate
         Hz.
     activations
-        How often its gestures were there.
+        Number of activations of the joint's gestures.
     dead_zone
-        FS/s, the smallest of its gestures.
+        FS/s, the smallest dead-zone of the joint's gestures.
     """
     names = layout.channel_names
     label = next(one.label for one in layout.joints if one.name == joint.name)
@@ -103,7 +103,8 @@ def joint_quality(
         return known
     smoothed = smooth(values[:, channels], CUTOFF, sample_rate)
     rates = np.diff(smoothed, axis=0, prepend=smoothed[:1]) * (sample_rate / joint.span)
-    # Moving: as fast, whichever way, as a command along the map is; what leaks in from a neighbour is slower.
+    # A joint moves when its rate, in any direction, is that of a command along the map; leakage from other joints is
+    # slower.
     least = joint.dead_zone + ON * (joint.full - joint.dead_zone)
     moving = usable & (np.linalg.norm(rates, axis=1) > least)
     fit = map_fit(smoothed, moving, weights / length, sample_rate)
@@ -122,18 +123,18 @@ def joint_quality(
 
 
 def map_fit(values: Numbers, moving: Flags, weights: Numbers, sample_rate: float) -> MapFit | None:
-    """Return how a map lies in a movement, None for less than 2 s of it.
+    """Return how well a map agrees with a movement, None for less than 2 s of movement.
 
-    Each stretch of movement counts about its own mean, so that the fabric's slow drift between them is no movement.
-    With C the covariance so pooled, evr = l1 / tr C of its largest eigenvalue, and the share of the null space is
-    1 - w C w / tr C: at least 1 - evr, and just that where map and movement agree.
+    The mean of each stretch of movement is subtracted, so that the fabric's slow drift between stretches does not
+    count. With C the covariance of all stretches together and l1 its largest eigenvalue, evr = l1 / tr C, and the share
+    of the null space is 1 - w C w / tr C: at least 1 - evr, and equal to it where map and movement agree.
 
     Parameters
     ----------
     values
-        (n, k) a joint's channels.
+        (n, k) a joint's channels, signal units.
     moving
-        (n,) where it moves.
+        (n,) where the joint moves.
     weights
         (k,) the map, unit length.
     sample_rate
@@ -164,10 +165,10 @@ def stretches(flags: Flags, shortest: float) -> list[slice]:
 
 
 def rest_noise(rate: Numbers, usable: Flags, sample_rate: float) -> float | None:
-    """Return the noise of a rate (n,) at rest: the median of the standard deviations of the stillest fifth of all
-    half-second stretches; None where there are fewer than five such stretches.
+    """Return the noise of a rate (n,) at rest; None with fewer than five half-second stretches.
 
-    No limit says what rest is, so that a tremor that grows is seen growing.
+    That is the median of the standard deviations of the stillest fifth of all half-second stretches. No fixed limit
+    decides what rest is, so that a growing tremor shows as growing noise.
     """
     length = max(2, round(STILL * sample_rate))
     settled = usable.copy()

@@ -1,4 +1,4 @@
-"""Learning curves over trials, and what they say in plain sentences."""
+"""Learning curves over trials, and plain sentences that describe them."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -10,14 +10,14 @@ from app.scoring.learning_fit import Curve, Numbers, fit_exponential, fit_level,
 from app.scoring.retention import describe_retention, retention
 from app.scoring.trend import Trend, mann_kendall, theil_sen
 
-MIN_TRIALS = 8  # below: not enough for a curve of three parameters
-MIN_TRIALS_FOR_CONSTANT = 20  # below: the learning constant is too uncertain to be told, and trials are called few
-EDGE = 3  # trials at either end whose median stands for "at first" and "at last"
-LARGEST = 1e100  # no measure is meant beyond it, and sums of squares would overflow
+MIN_TRIALS = 8  # a curve has three parameters
+MIN_TRIALS_FOR_CONSTANT = 20  # with fewer, the learning constant is too uncertain to be given
+EDGE = 3  # trials at either end whose medians are compared
+LARGEST = 1e100  # larger values are left out: sums of squares would overflow
 
 
 class Measure(NamedTuple):
-    """How a measure is called and counted."""
+    """The words and the unit of a measure."""
 
     words: str
     unit: str
@@ -51,21 +51,21 @@ MEASURES: dict[str, Measure] = {
 
 
 class LearningCurve(NamedTuple):
-    """What can be said about one measure over trials."""
+    """One measure over trials, its trend and its fitted curves."""
 
     n: Numbers  # (n,) trial numbers, from 1
     values: Numbers  # (n,)
     trend: Trend
-    curves: tuple[Curve, ...]  # level line, exponential and power law, the one that costs the least information first
+    curves: tuple[Curve, ...]  # level line, exponential and power law, the one with the smallest AICc first
 
     @property
     def curve(self) -> Curve:
-        """The best one; its form is "level" where nothing was learnt."""
+        """The best curve; its form is "level" where nothing was learnt."""
         return self.curves[0]
 
     @property
     def levels_off(self) -> bool:
-        """Whether the exponential's constant is surely smaller than the number of trials (false also where NaN)."""
+        """Whether the constant's whole confidence interval is below the number of trials (false where it is NaN)."""
         return self.curve.form == "exponential" and self.curve.c_high <= self.n[-1]
 
     @property
@@ -79,8 +79,8 @@ class LearningCurve(NamedTuple):
 def fit_learning_curve(n: Sequence[float], values: Sequence[float]) -> LearningCurve | None:
     """Fit one measure over trials; None with fewer than 8 trials.
 
-    `n` are trial numbers from 1, rising; `values` (n,) are finite and below 1e100. A curve with a bend is preferred to
-    a level line only where AICc says that it is worth its parameters.
+    `n` are trial numbers from 1, rising; `values` (n,) are finite and below 1e100. The curves are compared by AICc,
+    which prefers the level line unless a bent curve fits well enough for its additional parameters.
     """
     if len(values) < MIN_TRIALS:
         return None
@@ -92,23 +92,23 @@ def fit_learning_curve(n: Sequence[float], values: Sequence[float]) -> LearningC
 
 
 def learning_curves(trials: Sequence[Mapping[str, Any]], *, every_model: bool = False) -> dict[str, dict[str, Any]]:
-    """Return, per measure that the trials have, what can be said of it and the fitted curve, ready for JSON.
+    """Return, for each measure that the trials have, sentences and the fitted curve, ready for JSON.
 
     Parameters
     ----------
     trials
-        In the order driven; each has measures by name, and may have `number` (or `trial`), from 1, `session` (the
-        number of the session) and `reached`. A trial that did not reach the goal has no comparable distance, area or
-        time, so that it is left out.
+        In the order driven; each has measures by name, and may have `number` (or `trial`), from 1, `session` (its
+        number) and `reached`. A trial that did not reach the goal is left out: its distance, area and time are those
+        of a part of the path.
     every_model
-        Return the curves that were not chosen, too.
+        Whether to return the curves that were not chosen, too.
 
     Returns
     -------
     {measure: {"text": str, "sessions": str or None, "fit": None or {"n": [...], "value": [...], "low": [...],
     "high": [...]}}}; the band is the 95 % band of the curve, and there is no fit where a level line is best. `sessions`
-    tells gains within sessions from those between them. With `every_model` also "form" ("exponential", "power", "level"
-    or None) and "others": [{"form", "aicc_more", "n", "value", "low", "high"}], the better first.
+    compares the changes within sessions with those between sessions. With `every_model` also "form" ("exponential",
+    "power", "level" or None) and "others": [{"form", "aicc_more", "n", "value", "low", "high"}], the better first.
     """
     curves: dict[str, dict[str, Any]] = {}
     for name, measure in MEASURES.items():
@@ -128,7 +128,7 @@ def learning_curves(trials: Sequence[Mapping[str, Any]], *, every_model: bool = 
             kept = retention(sessions, values) if len(sessions) == len(values) else None
             curve["text"] = describe(measure, learning)
             curve["sessions"] = kept and describe_retention(kept, measure.unit)
-            curve["fit"] = None if learning.curve.form == "level" else _drawn(learning.n, learning.curve)
+            curve["fit"] = None if learning.curve.form == "level" else _curve_document(learning.n, learning.curve)
         if every_model:
             curve["form"] = learning and learning.curve.form
             curve["others"] = [] if learning is None else _others(learning)
@@ -136,11 +136,11 @@ def learning_curves(trials: Sequence[Mapping[str, Any]], *, every_model: bool = 
 
 
 def describe(measure: Measure, learning: LearningCurve) -> str:
-    """Say in plain sentences what the curve shows."""
+    """Describe the trend and the curve of a measure in plain sentences."""
     count, trend = len(learning.n), learning.trend
     first, last = float(np.median(learning.values[:EDGE])), float(np.median(learning.values[-EDGE:]))
     p = "p < 0.001" if trend.p < 0.001 else f"p = {trend.p:.2g}"
-    # An odd trial or two at an end must not make a sentence that contradicts the trend.
+    # A few unusual trials at an end may contradict the trend; the sentence must not.
     went = {("falls", True): "fell", ("rises", False): "rose"}.get((trend.direction, last < first), "went")
     change = (
         f"{measure.words} {went} from {_number(first, measure.unit)} to {_number(last, measure.unit)} "
@@ -155,7 +155,7 @@ def describe(measure: Measure, learning: LearningCurve) -> str:
 
 
 def _slope_in_words(measure: Measure, learning: LearningCurve) -> str:
-    """Say by how much, where that is surely not nothing: counts may fall although most of them are the same."""
+    """Say how steep the trend is; nothing where the slope's interval contains 0, as for mostly equal counts."""
     slope = theil_sen(learning.n.tolist(), learning.values.tolist())
     if slope.low * slope.high <= 0:
         return ""
@@ -187,14 +187,14 @@ def _shape_in_words(measure: Measure, learning: LearningCurve) -> str:
     return f"{levels} within the first trials."
 
 
-def _drawn(n: Numbers, curve: Curve) -> dict[str, list[float]]:
+def _curve_document(n: Numbers, curve: Curve) -> dict[str, list[float]]:
     return {"n": n.tolist(), "value": curve.value.tolist(), "low": curve.low.tolist(), "high": curve.high.tolist()}
 
 
 def _others(learning: LearningCurve) -> list[dict[str, Any]]:
     best = learning.curve.aicc
     return [
-        {"form": curve.form, "aicc_more": curve.aicc - best, **_drawn(learning.n, curve)}
+        {"form": curve.form, "aicc_more": curve.aicc - best, **_curve_document(learning.n, curve)}
         for curve in learning.curves[1:]
     ]
 

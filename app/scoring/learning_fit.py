@@ -1,4 +1,4 @@
-"""Curves over trials: an exponential, a power law and a level line, compared by the information they cost."""
+"""Curves over trials: an exponential, a power law and a level line, each with its AICc for comparison."""
 
 import math
 from typing import Literal, NamedTuple
@@ -11,19 +11,19 @@ Numbers = NDArray[np.float64]
 Form = Literal["exponential", "power", "level"]
 
 CONFIDENCE = 0.95
-STARTS = 25  # over the logarithm of the shape: the residual may have more than one valley
-ROUNDING = 1e-12  # of the series' own scale: below it a difference is rounding
+STARTS = 25  # start values over the logarithm of c: the residual may have more than one local minimum
+ROUNDING = 1e-12  # relative to the series' scale; smaller differences are rounding errors
 
 
 class Curve(NamedTuple):
-    """A fitted curve a + b shape(n, c); c is tau (trials) of the exponential, the exponent of the power law."""
+    """A fitted curve a + b shape(n, c); c is the exponential's tau (trials) or the power law's exponent."""
 
     form: Form
     a: float
     b: float
     c: float
     aicc: float  # comparable between curves through the same values only
-    c_low: float  # confidence interval of c; NaN where it leaves the range that is searched
+    c_low: float  # confidence interval of c; NaN where it leaves the searched range
     c_high: float
     value: Numbers  # (n,) the curve at each trial
     low: Numbers  # (n,) confidence band of the curve's mean
@@ -48,7 +48,7 @@ SHAPES = {"exponential": exponential, "power": power}
 
 
 def fit_level(values: Numbers) -> Curve:
-    """Fit a constant: nothing was learnt."""
+    """Fit a constant, the curve of a series without learning."""
     scaled, centre, scale = _scaled(values)
     mean = float(np.mean(scaled))
     half, _interval = _uncertainty(scaled - mean, np.ones((len(scaled), 1)))
@@ -78,19 +78,19 @@ def _fit(form: Form, n: Numbers, values: Numbers, bounds: tuple[float, float]) -
     scaled, centre, scale = _scaled(values)
 
     def linear(log_c: float) -> tuple[Numbers, Numbers]:
-        """Return (a, b) that fit best at this shape, and what they leave."""
+        """Return the best (a, b) for this c, and their residual (n,)."""
         columns = np.column_stack([np.ones(len(n)), shape(n, log_c)[0]])
         solution = np.linalg.lstsq(columns, scaled, rcond=None)[0].astype(np.float64)
         return solution, scaled - columns @ solution
 
-    def left(x: Numbers) -> Numbers:
+    def residual_at(x: Numbers) -> Numbers:
         return linear(float(x[0]))[1]
 
     lowest, highest = math.log(bounds[0]), math.log(bounds[1])
     starts: list[float] = np.linspace(lowest, highest, STARTS)[1:-1].tolist()
     start = min(starts, key=lambda log_c: float(np.sum(linear(log_c)[1] ** 2)))
-    found = least_squares(left, [start], bounds=(lowest, highest), x_scale=0.1)
-    log_c = float(found.x[0])
+    solution = least_squares(residual_at, [start], bounds=(lowest, highest), x_scale=0.1)
+    log_c = float(solution.x[0])
     (a, b), residual = linear(log_c)
 
     at, slope = shape(n, log_c)
@@ -116,9 +116,9 @@ def _uncertainty(residual: Numbers, jacobian: Numbers) -> tuple[Numbers, tuple[f
     from statsmodels.regression.linear_model import OLS  # noqa: PLC0415  (slow to import, and most pages fit nothing)
 
     columns = jacobian.shape[1]
-    while np.linalg.matrix_rank(jacobian[:, :columns]) < columns:  # as where b is 0, so that c means nothing
+    while np.linalg.matrix_rank(jacobian[:, :columns]) < columns:  # for example b = 0: c has no effect
         columns -= 1
-    # Columns at right angles span the same plane and round better; the last one belongs to the last parameter alone.
+    # Orthogonal columns span the same plane with smaller rounding errors; the last one belongs to the last parameter.
     orthogonal, triangle = np.linalg.qr(jacobian[:, :columns])
     tangent = OLS(residual, orthogonal).fit()
     band = tangent.get_prediction().conf_int(alpha=1 - CONFIDENCE)
@@ -136,12 +136,12 @@ def _aicc(residual: Numbers, parameters: int) -> float:
     """
     from statsmodels.tools.eval_measures import aicc_sigma  # noqa: PLC0415
 
-    variance = max(float(np.mean(residual**2)), ROUNDING**2)  # the curve may go exactly through the points
+    variance = max(float(np.mean(residual**2)), ROUNDING**2)  # a curve through all points has a residual of 0
     return len(residual) * float(aicc_sigma(variance, len(residual), parameters))
 
 
 def _scaled(values: Numbers) -> tuple[Numbers, float, float]:
-    """Return the series between -1 and 1 around its median, the median and the scale, so that no unit matters."""
+    """Return the series around its median, scaled to -1..1, the median, and the scale: fits do not depend on units."""
     centre = float(np.median(values))
     scale = float(np.max(np.abs(values - centre)))
     if scale <= ROUNDING * abs(centre) or scale == 0.0:

@@ -1,4 +1,4 @@
-"""Warnings of a sensor that failed, and of a map that fits no longer."""
+"""Warnings of failed sensors, and of a map that no longer fits the movement."""
 
 from collections.abc import Sequence
 
@@ -9,26 +9,27 @@ from app.calibration.grades import EVR_LIMITS, LARGEST_ANGLE
 from app.scoring.control_quality import BadChannel
 from app.scoring.trial_assessment import EDGE, FEWEST, ControlWarning, JointInTrial, TrialAssessment, median_of
 
-# Of the time. For less of it, a channel rested at the edge of its calibrated range, or somebody pulled; the simulated
-# fabric drifts out of its range for up to 4 % of a trial in one wearer of ten, and for more in another one.
-DROPPED = 0.05
-# Degrees by which a joint's main direction may turn against its first trials with the same map. A simulated person's
-# wanders by 2 degrees; putting a real knit on again turned it by 8 to 17.
-TURNED = 6.0
-EVR_FALL = 0.1  # by which the EVR must have fallen, too: some joints move in two ways from the first day
+# Share of the time for which a failed channel was bad. Smaller shares occur when a channel rests at the edge of its
+# calibrated range or the fabric is pulled; the simulated fabric drifts out of its range for up to 4 % of a trial in one
+# person of ten, and for more in another one.
+FAILED_SHARE = 0.05
+# Degrees by which a joint's main direction may differ from that of its first trials with the same map. In simulated
+# people it varies by 2 degrees; putting a real knit on again turned it by 8 to 17.
+LARGEST_TURN = 6.0
+EVR_FALL = 0.1  # least fall of the EVR for a warning: some joints have a low EVR from the first trial on
 
 
 def sensor_warnings(trial: TrialAssessment) -> list[ControlWarning]:
-    """Name the sensors that failed in the last trial; several that left their range together are the shirt's doing."""
+    """Warn of sensors that failed in the last trial; several sensors outside their range mean that the shirt moved."""
     labels = {joint.name: joint.label for joint in trial.quality.joints}
-    failed = [channel for channel in trial.quality.bad_channels if channel.share >= DROPPED]
+    failed = [channel for channel in trial.quality.bad_channels if channel.share >= FAILED_SHARE]
     outside = [channel for channel in failed if not channel.silent]
-    found = [_sensor(trial, channel, labels[channel.joint]) for channel in failed if channel.silent]
+    warnings = [_sensor_warning(trial, channel, labels[channel.joint]) for channel in failed if channel.silent]
     if len(outside) == 1:
-        found.append(_sensor(trial, outside[0], labels[outside[0].joint]))
+        warnings.append(_sensor_warning(trial, outside[0], labels[outside[0].joint]))
     elif outside:
         where = ", ".join(dict.fromkeys(labels[channel.joint] for channel in outside))
-        found.append(
+        warnings.append(
             ControlWarning(
                 kind="map",
                 joint=where,
@@ -37,15 +38,15 @@ def sensor_warnings(trial: TrialAssessment) -> list[ControlWarning]:
                 advice="Set the shirt straight. When it was put on again, calibrate again.",
             )
         )
-    return found
+    return warnings
 
 
-def _sensor(trial: TrialAssessment, channel: BadChannel, label: str) -> ControlWarning:
-    seen = "gave no signal" if channel.silent else "lay outside its calibrated range"
+def _sensor_warning(trial: TrialAssessment, channel: BadChannel, label: str) -> ControlWarning:
+    fault = "gave no signal" if channel.silent else "lay outside its calibrated range"
     return ControlWarning(
         kind="sensor",
         joint=label,
-        words=f"{label}: sensor {channel.name} {seen} for {channel.share:.0%} of trial {trial.number}; meanwhile this "
+        words=f"{label}: sensor {channel.name} {fault} for {channel.share:.0%} of trial {trial.number}; meanwhile this "
         "joint's gestures did nothing.",
         advice="Look at it on the Shirt page, set the shirt straight and press the plug home. If it stays so, mark "
         "the sensor as unused and calibrate again: the map is then built without it.",
@@ -53,15 +54,15 @@ def _sensor(trial: TrialAssessment, channel: BadChannel, label: str) -> ControlW
 
 
 def fit_warnings(rows: Sequence[JointInTrial]) -> list[ControlWarning]:
-    """Tell when a joint's movement no longer lies along its map; `rows` are of one map."""
-    told = [row for row in rows if row.joint.direction is not None]
-    if len(told) < FEWEST:
+    """Warn when a joint's movement no longer lies along its map; `rows` are of one map."""
+    rows = [row for row in rows if row.joint.direction is not None]
+    if len(rows) < FEWEST:
         return []
-    now, label = told[-min(EDGE, len(told)) :], told[-1].joint.label
-    guided = " A guided map decodes this joint: look whether it still does as meant." if told[-1].joint.guided else ""
+    now, label = rows[-min(EDGE, len(rows)) :], rows[-1].joint.label
+    guided = " A guided map decodes this joint: look whether it still does as meant." if rows[-1].joint.guided else ""
     angle, evr = median_of(now, "map_angle_deg"), median_of(now, "evr")
-    turn = _turn(told)
-    if turn > TURNED:
+    turn = _turn(rows)
+    if turn > LARGEST_TURN:
         words = f"{label}: the movement has turned by {turn:.0f}° against the first trials with this map."
         advice = "Was the shirt put on again, or has it slipped? Set it straight, or calibrate again."
     elif angle > LARGEST_ANGLE and evr >= EVR_LIMITS[0]:
@@ -70,7 +71,7 @@ def fit_warnings(rows: Sequence[JointInTrial]) -> list[ControlWarning]:
             "it never reaches the control."
         )
         advice = "Repeat this joint's free movement and prompts as the person moves it while driving."
-    elif evr < EVR_LIMITS[0] and evr < median_of(told[:EDGE], "evr") - EVR_FALL:
+    elif evr < EVR_LIMITS[0] and evr < median_of(rows[:EDGE], "evr") - EVR_FALL:
         words = f"{label}: one direction explains only {evr:.0%} of the movement, less than in the first trials."
         advice = "Ask the person to move this joint one way only; if that does not help, calibrate again."
     else:
@@ -78,19 +79,21 @@ def fit_warnings(rows: Sequence[JointInTrial]) -> list[ControlWarning]:
     return [ControlWarning(kind="map", joint=label, words=words, advice=advice + guided)]
 
 
-def _turn(told: Sequence[JointInTrial]) -> float:
-    """Return by how many degrees a joint's direction has turned since the first trials of this map.
+def _turn(rows: Sequence[JointInTrial]) -> float:
+    """Return by how many degrees a joint's direction has turned since the first trials with this map.
 
-    The smallest turn of the last two trials counts, so that one odd trial is no warning.
+    Of the last two trials the one with the smaller turn counts, so that one unusual trial makes no warning. 0 when the
+    trials to be compared have other channels.
     """
-    latest = told[-FEWEST:]
-    first = [row for row in told[:EDGE] if row not in latest and set(_direction(row)) == set(_direction(told[-1]))]
-    alike = [row for row in latest if set(_direction(row)) == set(_direction(told[-1]))]
-    if not first or len(alike) < FEWEST:
+    names = set(_direction(rows[-1]))
+    latest = rows[-FEWEST:]
+    first = [row for row in rows[:EDGE] if row not in latest and set(_direction(row)) == names]
+    last = [row for row in latest if set(_direction(row)) == names]
+    if not first or len(last) < FEWEST:
         return 0.0
-    channels = sorted(_direction(told[-1]))
+    channels = sorted(names)
     base = np.mean([_vector(row, channels) for row in first], axis=0)
-    cosines = [abs(float(base @ _vector(row, channels))) / float(np.linalg.norm(base)) for row in alike]
+    cosines = [abs(float(base @ _vector(row, channels))) / float(np.linalg.norm(base)) for row in last]
     return float(np.degrees(np.arccos(min(1.0, max(cosines)))))
 
 

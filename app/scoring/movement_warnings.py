@@ -1,4 +1,4 @@
-"""Warnings of noise that grows, and of a movement that gets smaller."""
+"""Warnings of noise that is large or grows, and of a movement that becomes smaller."""
 
 from collections.abc import Sequence
 from itertools import groupby
@@ -9,18 +9,18 @@ import numpy as np
 from app.scoring.trend import mann_kendall
 from app.scoring.trial_assessment import EDGE, FEWEST, ControlWarning, JointInTrial, median_of
 
-# Of the dead-zone: with noise at a third of it, chance alone activates a gesture about once a minute.
+# Share of the dead-zone: noise of a third of the dead-zone activates a gesture by chance about once a minute.
 NOISE_SHARE = 1.0 / 3.0
-NOISE_GROWTH = 1.5  # times that of the first trials: between sessions, steady noise differs by 1.2 at most
-SPAN_FALL = 0.08  # of the first session's: what a loss of 2 % a session comes to within five sessions
-SPAN_FALL_WITHIN = 0.15  # of this session's first trials: strokes chosen a little smaller make less
-LEAST_TRIALS = 8  # of one session, for a trend within it; the learning curves ask for as many
-LEAST_SESSIONS = 5  # for a trend over sessions: four in one order are chance once in twelve times
+NOISE_GROWTH = 1.5  # ratio to the first trials' noise; between sessions, constant noise differs by a factor of 1.2
+SPAN_FALL = 0.08  # share of the first session's span: a loss of 2 % a session over five sessions
+SPAN_FALL_WITHIN = 0.15  # share of the session's first trials' span; smaller strokes on purpose make a smaller fall
+LEAST_TRIALS = 8  # of one session, for a trend within it, as for a learning curve
+LEAST_SESSIONS = 5  # for a trend over sessions; four values rise or fall throughout by chance once in twelve times
 SIGNIFICANCE = 0.05
 
 
 def noise_warnings(of_map: Sequence[JointInTrial], every: Sequence[JointInTrial]) -> list[ControlWarning]:
-    """Tell when a joint's noise at rest comes near its dead-zone, or has grown."""
+    """Warn when a joint's noise at rest is near its dead-zone, or has grown."""
     known = [row for row in of_map if row.joint.rest_rate is not None]
     if len(known) >= FEWEST and known[-1].joint.dead_zone is not None:
         now, dead_zone, label = median_of(known[-EDGE:], "rest_rate"), known[-1].joint.dead_zone, known[-1].joint.label
@@ -40,7 +40,7 @@ def noise_warnings(of_map: Sequence[JointInTrial], every: Sequence[JointInTrial]
         return []
     values = [float(row.joint.rest_rate or 0.0) * _unit(row) for row in rows]
     first, last = float(np.median(values[:EDGE])), float(np.median(values[-EDGE:]))
-    if first <= 0 or last < NOISE_GROWTH * first or not _goes(values, "rises"):
+    if first <= 0 or last < NOISE_GROWTH * first or not _has_trend(values, "rises"):
         return []
     label = rows[-1].joint.label
     return [
@@ -55,12 +55,12 @@ def noise_warnings(of_map: Sequence[JointInTrial], every: Sequence[JointInTrial]
 
 
 def span_warnings(every: Sequence[JointInTrial]) -> list[ControlWarning]:
-    """Tell when a joint moves less and less on one task, over sessions or within the last one.
+    """Warn when a joint's movement becomes smaller on one task, over sessions or within the last session.
 
-    Smaller movements that are also fewer for the same way are skill and no loss: then nothing is said.
+    No warning when the person also needs fewer and fewer movements per metre: that is skill and no loss.
     """
     rows = [row for row in every if row.joint.span]
-    if not rows or _goes(_per_metre(rows), "falls"):
+    if not rows or _has_trend(_per_metre(rows), "falls"):
         return []
     label = rows[-1].joint.label
     sessions = [
@@ -68,14 +68,15 @@ def span_warnings(every: Sequence[JointInTrial]) -> list[ControlWarning]:
         for _, group in groupby(rows, key=lambda row: row.trial.session)
     ]
     here = [float(row.joint.span or 0.0) for row in rows if row.trial.session == rows[-1].trial.session]
-    if len(sessions) >= LEAST_SESSIONS and sessions[-1] < (1 - SPAN_FALL) * sessions[0] and _goes(sessions, "falls"):
+    has_fallen = len(sessions) >= LEAST_SESSIONS and sessions[-1] < (1 - SPAN_FALL) * sessions[0]
+    if has_fallen and _has_trend(sessions, "falls"):
         fall = 1 - sessions[-1] / sessions[0]
         words = f"{label}: the movement has become {fall:.0%} smaller over {len(sessions)} sessions."
         advice = (
             "Ask about strength and pain. When it stays, calibrate again, so that full scale is what the person "
             "can do now; the range of motion is worth a note in the record."
         )
-    elif len(here) >= LEAST_TRIALS and _goes(here, "falls"):
+    elif len(here) >= LEAST_TRIALS and _has_trend(here, "falls"):
         first, last = float(np.median(here[:EDGE])), float(np.median(here[-EDGE:]))
         if last >= (1 - SPAN_FALL_WITHIN) * first:
             return []
@@ -87,7 +88,7 @@ def span_warnings(every: Sequence[JointInTrial]) -> list[ControlWarning]:
 
 
 def _unit(row: JointInTrial) -> float:
-    """Return how many signal units a full scale of this trial's map is."""
+    """Return the full scale of the trial's map in signal units; 0 when unknown."""
     return (row.joint.span or 0.0) / row.joint.span_share if row.joint.span_share else 0.0
 
 
@@ -96,6 +97,6 @@ def _per_metre(rows: Sequence[JointInTrial]) -> list[float]:
     return [value for value in known if value is not None]
 
 
-def _goes(values: Sequence[float], direction: Literal["falls", "rises"]) -> bool:
+def _has_trend(values: Sequence[float], direction: Literal["falls", "rises"]) -> bool:
     trend = mann_kendall(values)
     return trend.p < SIGNIFICANCE and trend.direction == direction

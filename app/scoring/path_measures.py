@@ -1,4 +1,4 @@
-"""All measures of one trial: how far, how near the path, how fast, how smoothly."""
+"""Measures of one trial along a path: distance, deviation from the path, time, speed, smoothness."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -15,8 +15,8 @@ from app.world.path import Path
 Numbers = NDArray[np.float64]
 Measures = dict[str, float | int | bool | None]
 
-HIGHEST_RATE = 100.0  # Hz; the speed is not looked at more finely
-LOWEST_RATE = 20.0  # Hz, so that 10 Hz, the highest frequency of SPARC, can be seen
+HIGHEST_RATE = 100.0  # Hz, at which the speed is sampled at most
+LOWEST_RATE = 20.0  # Hz, twice the highest frequency of SPARC
 
 
 def path_measures(
@@ -36,7 +36,7 @@ def path_measures(
     Parameters
     ----------
     t
-        (n,) s, never backwards.
+        (n,) s, never decreasing.
     x, y
         (n,) m.
     path_points
@@ -46,7 +46,7 @@ def path_measures(
     in_contact
         (n,) whether the chair touched something.
     contacts
-        (n,) contacts counted so far; counted from `in_contact` when not given.
+        (n,) number of contacts up to each row; computed from `in_contact` when not given.
     u1, u2
         (n,) controls, -1..1.
 
@@ -54,7 +54,7 @@ def path_measures(
     -------
     dict
         dist, path_length (m), dist_ratio, e_diff (m2), cross_track_rms, cross_track_max (the largest distance),
-        cross_track_mean (signed, left positive; m, over the rows), time (s), mean_speed (m/s), stops, sparc, ldlj,
+        cross_track_mean (signed, left positive; m, mean of the rows), time (s), mean_speed (m/s), stops, sparc, ldlj,
         reached; collisions and contact_time (s) with `in_contact`; turn_reversals with u2; pulses_per_metre with u1 or
         u2. None where a measure has no value, such as the smoothness of a chair that stood.
 
@@ -112,7 +112,7 @@ def _control_measures(cut: Cut, t: Numbers, dist: float, u1: ArrayLike | None, u
 
 
 def _speed(cut: Cut) -> tuple[Numbers, float]:
-    """Return the speed (m/s) at evenly spaced times, and their rate (Hz)."""
+    """Return the speed (n,) in m/s at evenly spaced times, and their rate (Hz)."""
     t, first = np.unique(cut.t, return_index=True)
     if len(t) < 2:
         return np.zeros(0), HIGHEST_RATE

@@ -1,4 +1,4 @@
-"""What a session gave, and what was left of it at the next: change within sessions against change between them."""
+"""Retention: the change of a measure within sessions, compared with its change from one session to the next."""
 
 from collections.abc import Sequence
 from itertools import groupby, pairwise
@@ -6,9 +6,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-EDGE = 2  # trials at either end of a session whose mean stands for its start and its end
-MIN_TRIALS = 2 * EDGE  # of a session; below, its start and its end would be the same trials
-MIN_SESSIONS = 4  # below, the mean of the changes between them has no interval worth saying
+EDGE = 2  # trials at either end of a session whose mean is its start and its end
+MIN_TRIALS = 2 * EDGE  # of a session; with fewer, its start and its end would share trials
+MIN_SESSIONS = 4  # with fewer, the interval of the mean change between sessions is too wide
 
 
 class Change(NamedTuple):
@@ -34,7 +34,7 @@ def retention(sessions: Sequence[int], values: Sequence[float]) -> Retention | N
     The change between two sessions is from the last two trials of one to the first two of the next in which the path
     was driven; a session of fewer than 4 trials is left out with the changes before and after it.
     """
-    ends: list[tuple[float, float] | None] = []  # of each session: where it began and where it ended
+    ends: list[tuple[float, float] | None] = []  # start and end of each session; None with too few trials
     for _session, rows in groupby(zip(sessions, values, strict=True), key=lambda row: row[0]):
         series = [value for _, value in rows]
         enough = len(series) >= MIN_TRIALS
@@ -47,10 +47,10 @@ def retention(sessions: Sequence[int], values: Sequence[float]) -> Retention | N
 
 
 def describe_retention(kept: Retention, unit: str) -> str:
-    """Say in one sentence what a session gave and what was left of it at the next."""
+    """Describe the changes within and between sessions in one sentence."""
     return (
-        f"In the mean of {kept.within.sessions} sessions it {_moved(kept.within, unit)} within a session, "
-        f"and {_moved(kept.between, unit)} from its last trials to the first of the next."
+        f"In the mean of {kept.within.sessions} sessions it {_change_words(kept.within, unit)} within a session, "
+        f"and {_change_words(kept.between, unit)} from its last trials to the first of the next."
     )
 
 
@@ -61,7 +61,7 @@ def _mean(changes: Sequence[float]) -> Change:
     return Change(float(np.mean(changes)), float(low), float(high), len(changes))
 
 
-def _moved(change: Change, unit: str) -> str:
+def _change_words(change: Change, unit: str) -> str:
     amount = f"{abs(change.mean):.2g} {unit}".rstrip()
     if change.low <= 0 <= change.high:
         return f"changed by {'-' if change.mean < 0 else ''}{amount} (may be chance)"

@@ -1,18 +1,18 @@
-"""How smooth a movement's speed is: spectral arc length and log dimensionless jerk."""
+"""Smoothness of a movement's speed: spectral arc length and log dimensionless jerk."""
 
 import math
 
 import numpy as np
 from numpy.typing import NDArray
 
-PAD_LEVEL = 4  # the spectrum is sampled 2 ** 4 times finer than the signal's length asks for
+PAD_LEVEL = 4  # zeros are appended, so that the spectrum is sampled 2 ** 4 times as finely
 HIGHEST_FREQUENCY = 10.0  # Hz
-LEAST_JERK = 1e-6  # dimensionless; any movement from rest to rest has more than 10, and rounding leaves less
-THRESHOLD = 0.05  # of the spectrum's maximum; what is beyond the last frequency above it is noise
+LEAST_JERK = 1e-6  # dimensionless; a movement from rest to rest has more than 10, rounding errors alone have less
+THRESHOLD = 0.05  # of the spectrum's maximum; frequencies beyond the last one above the threshold are noise
 
 
 def sparc(speed: NDArray[np.float64], sample_rate: float) -> float | None:
-    """Return the spectral arc length of a speed profile: 0 downwards, nearer to 0 is smoother, None without movement.
+    """Return the spectral arc length of a speed profile: at most 0, smoother nearer to 0, None without movement.
 
     Parameters
     ----------
@@ -41,7 +41,7 @@ def sparc(speed: NDArray[np.float64], sample_rate: float) -> float | None:
 
 
 def log_dimensionless_jerk(speed: NDArray[np.float64], sample_rate: float) -> float | None:
-    """Return -ln of a speed profile's dimensionless jerk: nearer to 0 is smoother, None at a constant speed.
+    """Return -ln of a speed profile's dimensionless jerk: smoother nearer to 0, None at a constant speed.
 
     Parameters
     ----------

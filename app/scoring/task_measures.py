@@ -1,4 +1,4 @@
-"""All measures of a trial of any task: the path's, where it has one, and those of what it met on the way."""
+"""All measures of a trial of any task: those of its path, of its scene and of the task itself."""
 
 import math
 from collections.abc import Mapping
@@ -23,25 +23,24 @@ NEEDED = ("t", "x", "y", "theta", "v", "scene_t", "in_contact", "contacts", "u1"
 
 
 def task_measures(plan: FloorPlan, path: PrescribedPath, columns: Mapping[str, ArrayLike]) -> Measures:
-    """Return the measures of a trial from when motion was first permitted to when its task was done.
+    """Return the measures of a trial, from the time that motion was first permitted until the task was done.
 
     Parameters
     ----------
     plan, path
-        Where it was driven, and what was asked.
+        The floor plan, and the path with its task.
     columns
-        (n,) each: t (s), x, y (m), theta (rad), v (m/s), scene_t (s; NaN in recordings from before there were
-        scenes), in_contact, contacts (counted so far), u1, u2 (-1..1).
+        (n,) each: t (s), x, y (m), theta (rad), v (m/s), scene_t (s; NaN in recordings made before scenes existed),
+        in_contact, contacts (number up to each row), u1, u2 (-1..1).
 
     Returns
     -------
     dict
-        The measures of `app.scoring.path_measures`, but for a turn; `reached` by the task's own judgement. With cones:
-        cones_touched, cones. With gaps: gaps (how many there are). With gaps or doors: gap_clearance (m; None when
-        none was passed), door_contacts. Following: follow_error_rms, follow_error_max (m), follow_near (share of
-        time). Turning: heading_error_deg (beside the mark, either way), turn_drift (m), time, collisions,
-        contact_time (s). A course: stages_done, stages and parts, a list of each stage's own measures with its title
-        and kind.
+        For every task but a turn, the measures of `app.scoring.path_measures`; `reached` as the task defines it.
+        With cones: cones_touched, cones. With gaps: gaps (their number). With gaps or doors: gap_clearance (m; None
+        when none was passed), door_contacts. Following: follow_error_rms, follow_error_max (m), follow_near (share of
+        time). Turning: heading_error_deg (absolute), turn_drift (m), time, collisions, contact_time (s). A course:
+        stages_done, stages and parts, a list of each stage's own measures with its title and kind.
 
     Raises
     ------
@@ -51,16 +50,16 @@ def task_measures(plan: FloorPlan, path: PrescribedPath, columns: Mapping[str, A
     rows = {name: np.asarray(columns[name], dtype=np.float64) for name in NEEDED}
     rows["scene_t"] = np.where(np.isfinite(rows["scene_t"]), rows["scene_t"], rows["t"] - rows["t"][:1])
     if isinstance(path.task, Course):
-        return _course(plan, path, rows)
-    return _simple(plan, path, rows)
+        return _course_measures(plan, path, rows)
+    return _single_task_measures(plan, path, rows)
 
 
-def _simple(plan: FloorPlan, path: PrescribedPath, rows: Columns) -> Measures:
+def _single_task_measures(plan: FloorPlan, path: PrescribedPath, rows: Columns) -> Measures:
     progress = progress_of(plan, path)
     if isinstance(path.task, FollowPath):
-        # Its measures find their own end: where the chair comes nearest to the goal, not where it comes within reach.
-        return _along(path, rows) | _met(plan, _until(rows, progress))
-    rows = _until(rows, progress)
+        # The path's measures end where the chair is nearest to the goal, not where it comes within the goal's radius.
+        return _path_measures(path, rows) | _scene_measures(plan, _rows_until_done(rows, progress))
+    rows = _rows_until_done(rows, progress)
     if isinstance(progress, TurnProgress):
         measures: Measures = {
             "time": _duration(rows),
@@ -70,13 +69,13 @@ def _simple(plan: FloorPlan, path: PrescribedPath, rows: Columns) -> Measures:
             "contact_time": _time_in_contact(rows),
         }
     else:
-        measures = _along(path, rows)
+        measures = _path_measures(path, rows)
     if isinstance(path.task, FollowLeader):
         measures |= following_errors(Track(plan.mover_named(path.task.leader)), path.task.distance, rows)
-    return measures | _met(plan, rows) | {"reached": progress.reached}
+    return measures | _scene_measures(plan, rows) | {"reached": progress.reached}
 
 
-def _course(plan: FloorPlan, path: PrescribedPath, rows: Columns) -> Measures:
+def _course_measures(plan: FloorPlan, path: PrescribedPath, rows: Columns) -> Measures:
     progress = progress_of(plan, path)
     assert isinstance(progress, CourseProgress)
     stage = np.empty(len(rows["t"]), dtype=np.intp)
@@ -92,17 +91,17 @@ def _course(plan: FloorPlan, path: PrescribedPath, rows: Columns) -> Measures:
     parts = []
     for number, part in enumerate(progress.parts):
         own = {name: column[stage == number] for name, column in rows.items()}
-        words: Measures = {"title": part.title, "kind": part.task.kind, "reached": False}
+        measures: Measures = {"title": part.title, "kind": part.task.kind, "reached": False}
         if len(own["t"]) > 1:
-            words |= _simple(plan, part, own)
-        words["reached"] = number < progress.stage or progress.reached
-        parts.append(words)
+            measures |= _single_task_measures(plan, part, own)
+        measures["reached"] = number < progress.stage or progress.reached
+        parts.append(measures)
     return {
         "time": _duration(rows),
         "dist": float(np.hypot(np.diff(rows["x"]), np.diff(rows["y"])).sum()),
         "collisions": contact_beginnings(rows["in_contact"] != 0, rows["t"]),
         "contact_time": _time_in_contact(rows),
-        **_met(plan, rows),
+        **_scene_measures(plan, rows),
         "stages_done": sum(part["reached"] for part in parts),
         "stages": len(parts),
         "parts": parts,
@@ -110,14 +109,14 @@ def _course(plan: FloorPlan, path: PrescribedPath, rows: Columns) -> Measures:
     }
 
 
-def _along(path: PrescribedPath, rows: Columns) -> Measures:
+def _path_measures(path: PrescribedPath, rows: Columns) -> Measures:
     names = ("in_contact", "contacts", "u1", "u2")
     extras = {name: rows[name] for name in names}
     return dict(path_measures(rows["t"], rows["x"], rows["y"], path.points, path.goal_radius, **extras))
 
 
-def _met(plan: FloorPlan, rows: Columns) -> Measures:
-    """Return what a trial met on its way: cones, gaps and doors, as far as the plan has any."""
+def _scene_measures(plan: FloorPlan, rows: Columns) -> Measures:
+    """Return the measures of cones, gaps and doors, for those that the plan has."""
     points = np.column_stack([rows["x"], rows["y"]])
     measures: Measures = {}
     if plan.cones:
@@ -130,8 +129,8 @@ def _met(plan: FloorPlan, rows: Columns) -> Measures:
     return measures
 
 
-def _until(rows: Columns, progress: TaskProgress) -> Columns:
-    """Return the rows up to the one with which the task was done."""
+def _rows_until_done(rows: Columns, progress: TaskProgress) -> Columns:
+    """Return the rows up to and with the one in which the task was done."""
     for row, (pose, v, scene_t) in enumerate(_states(rows)):
         progress.update(pose, v, scene_t)
         if progress.reached:

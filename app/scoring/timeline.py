@@ -1,4 +1,7 @@
-"""One trial on one time base, short enough to be looked at: where the chair was, and what led to it."""
+"""The time line of a recorded trial for the screen: chair, controls, gestures and signals on one time base.
+
+The columns are decimated to at most 2000 points.
+"""
 
 from pathlib import Path as FilePath
 from typing import Any, NamedTuple
@@ -20,9 +23,9 @@ from app.world.scenery import Track
 
 MOST_POINTS = 2000
 CHANNELS_SHOWN = 4  # of a joint: those that weigh most in its map
-WINDOW = 1.5  # m along the path within which the chair is looked for
-LOST = 1.0  # m beside the path: perhaps the chair is near another part of it
-PLACES = 4  # digits behind the point: a tenth of a millimetre
+WINDOW = 1.5  # m along the path, around the last place, that is searched for the chair's place
+LOST = 1.0  # m beside the path; when further, the whole path is searched
+DIGITS = 4  # after the decimal point: a tenth of a millimetre
 
 Numbers = NDArray[np.float64]
 Column = list[float | None]  # None: not known at that moment
@@ -99,38 +102,38 @@ def timeline_of(folder: FilePath, path_points: list[Any], end: str | None) -> Ti
     folder
         Of the recording.
     path_points
-        The prescribed path as it was driven, (x, y) in m each.
+        The prescribed path of the trial, (x, y) in m each.
     end
         How the trial ended.
 
     Raises
     ------
     ValueError
-        In one sentence, when there is no recording, or it holds nothing.
+        One sentence, when there is no recording, or the recording holds nothing.
     """
     run = read_run(folder)
     if run.rows == 0:
         raise ValueError(f"The recording of this trial holds nothing. {run.words}".strip())
     rows = run.columns
     t = since_armed(rows)
-    short = Decimation(run.rows, MOST_POINTS)
-    x, y = short.sampled(rows["x"]), short.sampled(rows["y"])
-    along, across = _beside(path_points, x, y)
-    scene_t, plan = short.sampled(scene_times(rows, t)), plan_of(run)
+    decimation = Decimation(run.rows, MOST_POINTS)
+    x, y = decimation.sampled(rows["x"]), decimation.sampled(rows["y"])
+    along, across = _path_coordinates(path_points, x, y)
+    scene_t, plan = decimation.sampled(scene_times(rows, t)), plan_of(run)
     return Timeline(
-        t=column(short.sampled(t)),
+        t=column(decimation.sampled(t)),
         x=column(x),
         y=column(y),
         along=along,
         across=across,
-        **{name: column(short.sampled(rows[name])) for name in ("theta", "v", "omega")},
-        **{name: column(short.peaks(rows[name])) for name in ("u1", "u2")},
+        **{name: column(decimation.sampled(rows[name])) for name in ("theta", "v", "omega")},
+        **{name: column(decimation.peaks(rows[name])) for name in ("u1", "u2")},
         scene_t=column(scene_t),
         movers=_movers(plan, scene_t),
-        state=short.sampled(rows["state"]).tolist(),
-        contact=short.any(rows["in_contact"]).tolist(),
-        gestures=_gestures(run, short),
-        joints=_joints(run, short),
+        state=decimation.sampled(rows["state"]).tolist(),
+        contact=decimation.any(rows["in_contact"]).tolist(),
+        gestures=_gestures(run, decimation),
+        joints=_joints(run, decimation),
         events=events_of(rows, t, end),
         floorplan=plan,
         words=run.words,
@@ -138,7 +141,7 @@ def timeline_of(folder: FilePath, path_points: list[Any], end: str | None) -> Ti
 
 
 class Poses(NamedTuple):
-    """Where the chair was, and what else a picture of it needs; (n,) each."""
+    """The chair's poses over time, with the speed, the scene's time and the head for a 3D view; (n,) each."""
 
     t: Numbers  # s since motion was first permitted
     x: Numbers  # m
@@ -146,17 +149,17 @@ class Poses(NamedTuple):
     theta: Numbers  # rad
     v: Numbers  # m/s
     scene_t: Numbers  # s
-    head: NDArray[np.float64]  # (n, 3) yaw, pitch, roll in rad; NaN: not known
+    head: NDArray[np.float64]  # (n, 3) yaw, pitch, roll in rad; NaN where unknown
 
 
 def poses_of(run: Run, most_per_second: float) -> Poses:
-    """Return the poses of a recorded run, at most so many a second; ValueError when it holds nothing."""
+    """Return the poses of a recorded run, at most `most_per_second`; ValueError when the recording holds nothing."""
     rows = run.columns
     if run.rows == 0:
         raise ValueError("The recording of this trial holds nothing: choose another trial.")
     t = since_armed(rows)
-    places = np.floor((t - t[0]) * most_per_second)
-    chosen = np.flatnonzero(np.diff(places, prepend=-1.0) > 0)
+    periods = np.floor((t - t[0]) * most_per_second)
+    chosen = np.flatnonzero(np.diff(periods, prepend=-1.0) > 0)  # the first row of each period
     head = [rows[f"head_{axis}"][chosen] for axis in ("yaw", "pitch", "roll")]
     return Poses(
         t=t[chosen],
@@ -167,7 +170,7 @@ def poses_of(run: Run, most_per_second: float) -> Poses:
 
 
 def since_armed(rows: Columns) -> Numbers:
-    """Return the times (n,) s since motion was first permitted, or since the beginning when it never was."""
+    """Return the times (n,) s since motion was first permitted, or since the first row when it never was."""
     t: Numbers = rows["t"]
     armed = np.flatnonzero(rows["state"] == State.ARMED)
     since: Numbers = t - t[armed[0] if len(armed) else 0]
@@ -175,32 +178,32 @@ def since_armed(rows: Columns) -> Numbers:
 
 
 def scene_times(rows: Columns, t: Numbers) -> Numbers:
-    """Return the scene's times (n,) s; recordings from before there were scenes have none, and nothing moved then."""
+    """Return the scene's times (n,) s; recordings made before scenes existed have none, and no mover."""
     return np.where(np.isfinite(rows["scene_t"]), rows["scene_t"], np.maximum(t, 0.0))
 
 
 def column(values: NDArray[Any]) -> Column:
     """Return rounded numbers for JSON, None where one is not finite."""
-    rounded = np.round(values.astype(np.float64), PLACES)
+    rounded = np.round(values.astype(np.float64), DIGITS)
     if np.isfinite(rounded).all():
         finite: Column = rounded.tolist()
         return finite
     return [value if np.isfinite(value) else None for value in rounded.tolist()]
 
 
-def _beside(path_points: list[Any], x: NDArray[Any], y: NDArray[Any]) -> tuple[Column, Column]:
-    """Return how far along the path and how far beside it each place is; two empty columns for a path of no length."""
+def _path_coordinates(path_points: list[Any], x: NDArray[Any], y: NDArray[Any]) -> tuple[Column, Column]:
+    """Return each place's distance along the path and beside it (m); two empty columns for a path without length."""
     try:
         line = Path(path_points)
     except ValueError:
         return [], []
-    found, along = [], 0.0
+    coordinates, along = [], 0.0
     for place in zip(x.tolist(), y.tolist(), strict=True):
         along, across = line.project_near(*place, along, WINDOW)
         if abs(across) > LOST:
             along, across = line.project(*place)
-        found.append((along, across))
-    both = np.array(found)
+        coordinates.append((along, across))
+    both = np.array(coordinates)
     return column(both[:, 0]), column(both[:, 1])
 
 
@@ -214,31 +217,31 @@ def _movers(plan: FloorPlan | None, scene_t: NDArray[Any]) -> list[MoverLine]:
 
 
 def plan_of(run: Run) -> FloorPlan | None:
-    """Return where a run was driven, as its recording says; None when it does not."""
+    """Return the floor plan that a run's recording names; None when it names none."""
     try:
         return FloorPlan.model_validate(run.meta.get("floorplan"))
     except ValidationError:
         return None
 
 
-def _gestures(run: Run, short: Decimation) -> list[GestureLine]:
+def _gestures(run: Run, decimation: Decimation) -> list[GestureLine]:
     parameters = parameters_of(run)
     if parameters is None or run.columns["score"].shape[1] != len(parameters.gestures):
         return []
     lines = []
     for i, gesture in enumerate(parameters.gestures):
-        three = {name: column(short.peaks(run.columns[name][:, i])) for name in ("score", "rate", "activation")}
+        columns = {name: column(decimation.peaks(run.columns[name][:, i])) for name in ("score", "rate", "activation")}
         lines.append(
             GestureLine(
                 **gesture.model_dump(include={"name", "joint", "direction", "feature", "dead_zone", "full"}),
                 controls=[one.control for one in parameters.bindings if gesture.name in one.gestures],
-                **three,
+                **columns,
             )
         )
     return lines
 
 
-def _joints(run: Run, short: Decimation) -> list[JointLines]:
+def _joints(run: Run, decimation: Decimation) -> list[JointLines]:
     try:
         layout = ShirtLayout.model_validate(run.meta.get("layout"))
     except ValidationError:
@@ -250,14 +253,15 @@ def _joints(run: Run, short: Decimation) -> list[JointLines]:
     labels = {joint.name: joint.label for joint in layout.joints}
     lines = []
     for joint, channels in layout.channels_of_joint.items():
-        # Those that weigh most, in the order of the shirt; a joint without a map shows its first ones.
+        # The channels with the largest weights, in the order of the shirt; without a map, the first ones.
         chosen = sorted(sorted(channels, key=lambda channel: -weights[channel])[:CHANNELS_SHOWN])
         lines.append(
             JointLines(
                 name=joint,
                 label=labels.get(joint, joint),
                 channels=[
-                    ChannelLine(name=layout.channels[i].name, values=column(short.peaks(values[:, i]))) for i in chosen
+                    ChannelLine(name=layout.channels[i].name, values=column(decimation.peaks(values[:, i])))
+                    for i in chosen
                 ],
                 of=len(channels),
             )
@@ -266,7 +270,7 @@ def _joints(run: Run, short: Decimation) -> list[JointLines]:
 
 
 def parameters_of(run: Run) -> DriveParameters | None:
-    """Return what a run was driven with, as its recording says; None when it does not."""
+    """Return the parameters that a run's recording holds; None when it holds none."""
     try:
         return recorded_parameters(run.meta.get("parameters"))
     except ValidationError:
@@ -274,7 +278,7 @@ def parameters_of(run: Run) -> DriveParameters | None:
 
 
 def _weights(parameters: DriveParameters | None, n_channels: int) -> Numbers:
-    """Return how much each channel (n_channels,) weighs in the map of its joint; 0 where it is in none."""
+    """Return each channel's absolute weight (n_channels,) in the map of its joint; 0 where it is in none."""
     weights = np.zeros(n_channels)
     for joint in parameters.profile.joints if parameters else ():
         weights[list(joint.channels)] = np.abs(joint.weights)

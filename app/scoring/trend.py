@@ -1,4 +1,4 @@
-"""The Mann-Kendall test: does a measure rise or fall from trial to trial? And by how much."""
+"""Trend of a measure over trials: the Mann-Kendall test, and the Theil-Sen slope."""
 
 from collections.abc import Sequence
 from typing import Literal, NamedTuple
@@ -10,7 +10,7 @@ SIGNIFICANCE = 0.05
 
 
 class Trend(NamedTuple):
-    """The outcome of a Mann-Kendall test."""
+    """The result of a Mann-Kendall test."""
 
     s: int  # pairs that rise minus pairs that fall
     tau: float  # Kendall's tau-b, -1 to 1
@@ -18,7 +18,7 @@ class Trend(NamedTuple):
 
     @property
     def direction(self) -> Literal["falls", "rises", "none"]:
-        """Which way the measure goes, at a significance of 0.05."""
+        """Whether the measure falls or rises, at a significance level of 0.05."""
         if self.p >= SIGNIFICANCE or self.s == 0:
             return "none"
         return "falls" if self.s < 0 else "rises"
@@ -35,9 +35,9 @@ class Slope(NamedTuple):
 def mann_kendall(values: Sequence[float]) -> Trend:
     """Test `values` (n,), in the order of the trials, for a monotonic trend.
 
-    Mann-Kendall's S is Kendall's S between the values and their order, so the p-value is that of Kendall's tau:
-    exact where no two values are equal and n <= 33, otherwise by the normal approximation, with the variance
-    corrected for ties.
+    Mann-Kendall's S is Kendall's S between the values and their order. The p-value therefore is that of Kendall's tau:
+    exact when no two values are equal and n <= 33, otherwise by the normal approximation, with the variance corrected
+    for ties.
 
     Sources: Mann, Econometrica 13 (1945); Kendall, Rank Correlation Methods (1975).
     """
@@ -50,7 +50,7 @@ def mann_kendall(values: Sequence[float]) -> Trend:
 
 
 def theil_sen(n: Sequence[float], values: Sequence[float]) -> Slope:
-    """Return the median of the slopes between all pairs of `values` (n,) over trial numbers `n`, which are rising.
+    """Return the median of the slopes between all pairs of `values` (n,) over rising trial numbers `n` (n,).
 
     Source: Sen, Journal of the American Statistical Association 63 (1968).
     """

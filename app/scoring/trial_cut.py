@@ -1,4 +1,4 @@
-"""Where a trial's trajectory ends for its measures: where it first reaches the goal."""
+"""The part of a trial's trajectory that is measured: from its start to where it first reaches the goal."""
 
 import math
 from typing import NamedTuple
@@ -11,11 +11,11 @@ from app.world.progress import Progress
 
 Numbers = NDArray[np.float64]
 
-SPACING = 0.25  # m; the path is followed in steps no longer than this
+SPACING = 0.25  # m; progress along the path is updated in steps no longer than this
 
 
 class Cut(NamedTuple):
-    """A trajectory from its start to the goal; `last` is the row of the whole one at or before its end."""
+    """A trajectory from its start to the goal; `last` is the last row of the whole trajectory that is in it."""
 
     t: Numbers  # (n,) s
     points: Numbers  # (n, 2) m
@@ -24,11 +24,12 @@ class Cut(NamedTuple):
 
 
 def cut_at_goal(t: Numbers, points: Numbers, path: Path, goal_radius: float) -> Cut:
-    """Return the trajectory up to where it first reaches the goal, or the whole of it when it never does.
+    """Return the trajectory up to where it first reaches the goal, or the whole trajectory when it never does.
 
     The goal is reached when the chair comes within `goal_radius` (m) of the path's end after most of the path was
-    covered; the cut is where it comes nearest in that first stay, between two rows when need be, so that the ways of
-    driven and prescribed line have the same end. A trial that was ended at the goal's edge ends there anyway.
+    covered. The cut is at the place nearest to the path's end before the chair leaves the radius again, between two
+    rows if necessary, so that trajectory and path end at the same place. A trial that was ended at the edge of the
+    goal's circle ends there.
     """
     goal = np.array(path.points[-1])
     start, along = points[:-1], np.diff(points, axis=0)
@@ -41,8 +42,8 @@ def cut_at_goal(t: Numbers, points: Numbers, path: Path, goal_radius: float) -> 
     if not len(inside):
         return Cut(t, points, len(t) - 1, False)
     apart = np.flatnonzero(np.diff(inside) > 1)
-    stay = inside[: apart[0] + 1] if len(apart) else inside
-    nearest = int(stay[np.argmin(distance[stay])])
+    first_stay = inside[: apart[0] + 1] if len(apart) else inside
+    nearest = int(first_stay[np.argmin(distance[first_stay])])
     at = share[nearest]
     if at == 0.0:
         return Cut(t[: nearest + 1], points[: nearest + 1], nearest, True)
@@ -57,7 +58,7 @@ def cut_at_goal(t: Numbers, points: Numbers, path: Path, goal_radius: float) -> 
 
 
 def _covered_from(points: Numbers, path: Path, goal_radius: float) -> int:
-    """Return the first piece of the trajectory after which most of the path is covered; their number when none."""
+    """Return the first piece of the trajectory after which most of the path is covered; their number when none is."""
     progress = Progress(path, goal_radius)
     x, y = (float(value) for value in points[0])
     progress.update(x, y)

@@ -1,4 +1,4 @@
-"""What happened in a recorded trial and when: armed, stops, faults, contacts, the goal."""
+"""The events of a recorded trial: armed, stops, faults, contacts, the goal."""
 
 from typing import Any, Literal
 
@@ -11,8 +11,8 @@ from app.recording.reader import Columns
 
 EventKind = Literal["checking", "armed", "stop", "fault", "disarmed", "contact", "goal"]
 
-STOPS = frozenset({Fault.STOP_TABLET, Fault.STOP_GESTURE, Fault.STOP_KEY, Fault.STOP_CHAIR})  # somebody wanted them
-ONE_CONTACT = 0.5  # s: what touches again so soon is still the same contact
+STOPS = frozenset({Fault.STOP_TABLET, Fault.STOP_GESTURE, Fault.STOP_KEY, Fault.STOP_CHAIR})  # made on purpose
+ONE_CONTACT = 0.5  # s; a touch within this time after a contact's beginning belongs to that contact
 WORDS = {
     "checking": "The neutral check began.",
     "armed": "Motion was permitted.",
@@ -31,31 +31,31 @@ class Event(Document):
 
 
 def events_of(columns: Columns, t: NDArray[np.float64], end: str | None) -> list[Event]:
-    """Return what happened, in order.
+    """Return the events of a trial in the order of time.
 
     Parameters
     ----------
     columns
         Of the whole recording: `state`, `fault` and `contacts`, (n,) each.
     t
-        (n,) s, by the clock of the events.
+        (n,) s, times of the rows; the events' times are taken from them.
     end
-        How the trial ended; the goal was reached when motion was withdrawn because of it.
+        How the trial ended; "goal" adds the event of reaching the goal, at the last row with motion permitted.
     """
-    events = _of_state(columns, t) + _contacts(columns["contacts"], t)
+    events = _state_events(columns, t) + _contacts(columns["contacts"], t)
     armed = np.flatnonzero(columns["state"] == State.ARMED)
     if end == "goal" and len(armed):
         events.append(_event(t[armed[-1]], "goal"))
     return sorted(events, key=lambda event: event.t)
 
 
-def _of_state(columns: Columns, t: NDArray[np.float64]) -> list[Event]:
+def _state_events(columns: Columns, t: NDArray[np.float64]) -> list[Event]:
     state = columns["state"]
     changes = np.flatnonzero(np.diff(state, prepend=np.uint8(State.DISARMED)))
-    return [_turned(int(state[row]), int(columns["fault"][row]), t[row]) for row in changes]
+    return [_state_event(int(state[row]), int(columns["fault"][row]), t[row]) for row in changes]
 
 
-def _turned(state: int, fault: int, t: float) -> Event:
+def _state_event(state: int, fault: int, t: float) -> Event:
     if state != State.FAULT:
         kinds: dict[int, EventKind] = {
             State.DISARMED: "disarmed",

@@ -1,7 +1,7 @@
-"""What a recorded trial would have been like with another parameter set: its signals, decoded again.
+"""A recorded trial decoded with another parameter set: how the same movements would have been read.
 
-The person is not in it. They would have moved otherwise had the chair gone otherwise: where the chair would have ended
-says nothing, and is not said; what their movements would have meant, does.
+The forecast says what the recorded movements would have commanded. It does not say where the chair would have gone:
+the person would have moved otherwise had the chair moved otherwise.
 """
 
 import numpy as np
@@ -13,7 +13,7 @@ from app.pipeline.replay.batch import Decoded, decode_block
 from app.quantities import Document
 from app.recording.reader import Columns, Run
 
-BRIEF = 0.1  # s: shorter than any movement that somebody makes on purpose
+BRIEF = 0.1  # s; an activation shorter than this is shorter than any deliberate movement
 
 
 class Effect(Document):
@@ -29,14 +29,14 @@ class Effect(Document):
 
 
 def predicted_effect(run: Run, before: DriveParameters, after: DriveParameters) -> Effect | None:
-    """Return what `after` would have made of a recorded trial, beside what `before` makes of it.
+    """Decode a recorded trial with the parameters `before` and `after`, and compare the results.
 
-    None when motion was never permitted in it.
+    None when motion was never permitted in the trial.
 
     Raises
     ------
     ValueError
-        In one sentence, when the run is of another shirt.
+        One sentence, when the run is of another shirt.
     """
     frames = run.frames()
     permitted = np.asarray(frames["state"] == State.ARMED)
@@ -78,7 +78,7 @@ def _decoded(frames: Columns, parameters: DriveParameters) -> Decoded:
 def _activations(
     decoded: Decoded, parameters: DriveParameters, permitted: NDArray[np.bool_], period: float
 ) -> tuple[int, int]:
-    """Return how many activations there were of bound gestures, and how many of them were too brief to be meant."""
+    """Return the number of activations of bound gestures, and how many of them were shorter than `BRIEF`."""
     bound = {name for binding in parameters.bindings for name in binding.gestures}
     lengths = [
         _lengths((decoded.activation[:, i] > 0.0) & permitted) * period
@@ -90,12 +90,12 @@ def _activations(
 
 
 def _lengths(mask: NDArray[np.bool_]) -> NDArray[np.intp]:
-    """Return how many frames each stretch lasts in which a mask (n,) is true."""
+    """Return the length (frames) of each stretch in which a mask (n,) is true."""
     edges = np.flatnonzero(np.diff(np.concatenate(([False], mask, [False])).astype(np.int8)))
     return edges[1::2] - edges[::2]
 
 
 def _share(change: NDArray[np.float64], of: NDArray[np.float64]) -> float:
-    """Return rms(change) / rms(of); 0 where nothing was asked for at all."""
+    """Return rms(change) / rms(of); 0 where `of` is 0 throughout."""
     whole = float(np.sqrt(np.mean(of**2)))
     return float(np.sqrt(np.mean(change**2))) / whole if whole > 0.0 else 0.0

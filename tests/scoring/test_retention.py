@@ -1,4 +1,4 @@
-"""Gains within sessions against gains between them: told apart, and only where there are sessions enough."""
+"""Changes within sessions and between them: compared, and only with enough sessions."""
 
 import numpy as np
 import pytest
@@ -10,7 +10,7 @@ from app.scoring.retention import describe_retention, retention
 def sawtooth(
     sessions: int, trials: int, within: float, back: float, noise: float = 0.0
 ) -> tuple[list[int], list[float]]:
-    """Return sessions in which a value changes by `within` from first two to last two trials, then by `back`."""
+    """Return sessions with a change by `within` from the first two trials to the last two, then one by `back`."""
     rng = np.random.default_rng(1)
     numbers, values, start = [], [], 10.0
     for session in range(1, sessions + 1):
@@ -21,7 +21,7 @@ def sawtooth(
     return numbers, values
 
 
-def test_a_sawtooth_is_told_apart() -> None:
+def test_changes_within_and_between_sessions_are_separated() -> None:
     numbers, values = sawtooth(6, 4, -3.0, 1.0)
     kept = retention(numbers, values)
     assert kept is not None
