@@ -37,7 +37,7 @@ STYLE = {
     "axes.linewidth": 0.8,
     "xtick.color": INK,
     "ytick.color": INK,
-    "svg.hashsalt": "bodydrive",  # the same study gives the same file
+    "svg.hashsalt": "bodydrive",  # equal studies give equal files
 }
 
 
@@ -46,7 +46,7 @@ def trajectories_figure(
 ) -> Figure:
     """Draw trajectories, each (x, y) in m, in red over the prescribed path in blue, within the walls.
 
-    One panel for each of `panels`, which are a title and what to draw under it.
+    One panel for each of `panels`: its title and its trajectories.
     """
     with paper_style():
         return _draw_trajectories(floorplan, path, panels)
@@ -132,7 +132,7 @@ def _draw_errors(
 
 
 def style_axes(axes: Axes, numbers: Sequence[int]) -> None:
-    """Give a panel over trials its frame, its grid and whole numbers below."""
+    """Set the limits, frame, grid and whole numbers of a panel over trials."""
     axes.set_xlim(min(numbers) - 0.5, max(numbers) + 0.5)
     axes.locator_params(axis="x", integer=True)
     axes.spines[["top", "right"]].set_visible(False)
@@ -141,7 +141,7 @@ def style_axes(axes: Axes, numbers: Sequence[int]) -> None:
 
 
 def save_figure(figure: Figure, file: FilePath, file_format: FigureFormat) -> None:
-    """Write a figure of a study, which says below that its person is simulated; the same figure, the same bytes."""
+    """Write a figure of a study, marked as simulated; equal figures give equal bytes."""
     metadata = {"Date": None} if file_format == "svg" else {"Software": None}
     with paper_style():
         figure.text(0.995, 0.005, source_words(STUDY_SOURCE), ha="right", va="bottom", size=MARK_SIZE, color="0.4")
@@ -149,14 +149,14 @@ def save_figure(figure: Figure, file: FilePath, file_format: FigureFormat) -> No
 
 
 def paper_style() -> AbstractContextManager[None]:
-    """Return the style in which all figures of a study are drawn and saved."""
+    """Return a context with the style of all figures of a study, for drawing and saving."""
     from matplotlib import rc_context  # noqa: PLC0415  (slow to import, and most commands draw nothing)
 
     return rc_context(STYLE)
 
 
 def new_figure(width: float, height: float, rows: int) -> tuple[Figure, tuple[Axes, ...]]:
-    """Return a figure (inches) with its axes, one below the other, apart from any window system."""
+    """Return a figure (inches) with `rows` axes, one below the other, that needs no window system."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg  # noqa: PLC0415
     from matplotlib.figure import Figure  # noqa: PLC0415
 

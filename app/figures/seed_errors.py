@@ -1,4 +1,4 @@
-"""The figure of a study with several seeds: each measure from trial to trial, everybody thin, the median thick."""
+"""The figure of a study with several seeds: both measures over trials, each person's and the median."""
 
 from __future__ import annotations
 

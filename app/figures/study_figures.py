@@ -10,7 +10,7 @@ from app.study.seeds import MEASURES, comparable_table
 
 
 def draw_study(result: StudyResult, folder: Path, figure_format: FigureFormat, suffix: str = "") -> None:
-    """Draw a study as the paper does: the first trajectory and all of them over the path, and both errors."""
+    """Draw a study as the paper does: the first trajectory and all trajectories over the path, and both errors."""
     driven = [(trial.x, trial.y) for trial in result.trials]
     panels = [("(a) Trial 1", driven[:1])]
     if len(driven) > 1:
@@ -28,7 +28,7 @@ def draw_study(result: StudyResult, folder: Path, figure_format: FigureFormat, s
 
 
 def draw_seeds(results: Sequence[StudyResult], folder: Path, figure_format: FigureFormat) -> None:
-    """Draw studies of several seeds together, and the first of them by itself."""
+    """Draw studies of several seeds together, and the first study on its own."""
     first, last = results[0], len(results[0].trials)
     panels = [
         (f"({letter}) Trial {number}, {len(results)} people", _trajectories_of(results, number))

@@ -1,4 +1,4 @@
-"""What adapting the map did to E_diff, person by person: the same seed with the map fixed and with it following."""
+"""Comparison of E_diff with a fixed and with an adapted map, for the same seeds of simulated people."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -11,20 +11,20 @@ from app.study.sessions import SessionTrial
 
 RESAMPLES = 9999
 CONFIDENCE = 0.95
-CLAIM = -0.25  # relative difference of E_diff in the last session
-FELT_LIMIT = 0.10
-LEAST_AREA = 0.01  # m2: a smaller one is none, and nothing is measured against none
+CLAIM = -0.25  # relative difference of E_diff in the last session that is claimed
+FELT_LIMIT = 0.10  # largest felt change of one adaptation step
+LEAST_AREA = 0.01  # m2, least divisor of a relative difference
 
 
 def compare(fixed: Sequence[SessionTrial], other: Sequence[SessionTrial]) -> dict[str, Any]:
     """Return the comparison over seeds, ready for JSON.
 
     Per session: the median over seeds of each seed's mean E_diff (m2), the share of trials that reached the goal, and
-    over the seeds that always reached it in both conditions the median of (adapted - fixed) / fixed. For the last
-    session also each seed's figures, and a bootstrap interval of the median (scipy, percentile, 95 %).
+    the median of (adapted - fixed) / fixed over the seeds that reached the goal in all trials of both conditions. For
+    the last session also each seed's figures, and a bootstrap interval of the median (scipy, percentile, 95 %).
 
-    A trial in which the chair was never permitted to move scores the area between its standing place and the path,
-    like any other trial that ends there: hence the shares beside the areas.
+    A trial that did not reach the goal has an area, too: that between its trajectory, or the place where the chair
+    stood, and the path. The shares of trials that reached the goal are therefore given beside the areas.
     """
     seeds = sorted({row.seed for row in fixed})
     last = max(row.session for row in fixed)
@@ -74,12 +74,12 @@ def compare(fixed: Sequence[SessionTrial], other: Sequence[SessionTrial]) -> dic
 
 
 def table(comparison: dict[str, Any]) -> str:
-    """Return the comparison as text: sessions, then the seeds of the last session, then the sentence."""
+    """Return the comparison as text: the sessions, the seeds of the last session, and a sentence."""
     lines = ["session  E_diff fixed  adapted  reached fixed  adapted  both drove  relative there  95 %"]
     lines += [
         f"{one['session']:7d}  {one['fixed']:12.2f}  {one['adapted']:7.2f}  {one['reached_fixed']:13.0%}  "
         f"{one['reached_adapted']:7.0%}  {one['seeds_that_always_drove']:10d}  {_percent(one['relative'], 14)}  "
-        f"{_both(one['interval'])}"
+        f"{_interval_words(one['interval'])}"
         for one in comparison["sessions"]
     ]
     last = comparison["last_session"]
@@ -93,7 +93,7 @@ def table(comparison: dict[str, Any]) -> str:
     lines += [
         "",
         f"Median over {comparison['seeds']} seeds in the last session: {_percent(last['median_relative'], 0)} "
-        f"(95 % {_both(last['interval'])}). Steps applied: {applied['steps']}; largest felt change "
+        f"(95 % {_interval_words(last['interval'])}). Steps applied: {applied['steps']}; largest felt change "
         f"{applied['largest_felt_change']:.1%}, largest turn {applied['largest_turn_deg']:.2f} degrees, "
         f"sign flips {applied['sign_flips']}.",
     ]
@@ -119,7 +119,7 @@ def _session(
 
 
 def _means(rows: Sequence[SessionTrial], seeds: list[int], session: int) -> NDArray[np.float64]:
-    """Return each seed's mean E_diff (m2) in a session."""
+    """Return each seed's mean E_diff (n_seeds,) in m2 in a session."""
     return np.array([np.mean([one.e_diff for one in rows if (one.seed, one.session) == (s, session)]) for s in seeds])
 
 
@@ -133,10 +133,10 @@ def _reached(rows: Sequence[SessionTrial], seed: int, session: int) -> float:
 
 
 def _median(values: NDArray[np.float64]) -> tuple[float | None, tuple[float, float] | None]:
-    """Return the median with its bootstrap interval; None for what too few values do not tell."""
+    """Return the median with its bootstrap interval; no interval for fewer than 3 values, no median for none."""
     if len(values) < 3 or not np.isfinite(values).all():
         return (float(np.median(values)) if len(values) else None), None
-    found = bootstrap(
+    bounds = bootstrap(
         (values,),
         np.median,
         n_resamples=RESAMPLES,
@@ -144,12 +144,12 @@ def _median(values: NDArray[np.float64]) -> tuple[float | None, tuple[float, flo
         method="percentile",
         rng=np.random.default_rng(1),
     ).confidence_interval
-    return float(np.median(values)), (float(found.low), float(found.high))
+    return float(np.median(values)), (float(bounds.low), float(bounds.high))
 
 
 def _percent(share: float | None, width: int) -> str:
     return f"{'-' if share is None else f'{share:+.0%}':>{width}}"
 
 
-def _both(interval: tuple[float, float] | None) -> str:
+def _interval_words(interval: tuple[float, float] | None) -> str:
     return "-" if interval is None else f"{interval[0]:+.0%} to {interval[1]:+.0%}"

@@ -1,4 +1,4 @@
-"""The paper's experiment without a screen: calibrate once, then drive the same path again and again."""
+"""The paper's experiment with a simulated person: calibrate once, then drive one path repeatedly."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -18,14 +18,14 @@ from app.world.floorplan import FloorPlan, PrescribedPath
 
 SAMPLE_RATE = 100.0  # Hz
 SHIRT = "bodydrive-52.json"
-SEEDS_APART = 1_000_003  # the fabric's seed is another one than the person's
+SEEDS_APART = 1_000_003  # added to the person's seed, it is the fabric's
 
 Progress = Callable[[StudyTrial], None]
 
 
 @dataclass(frozen=True, slots=True)
 class StudyResult:
-    """What was asked and what came of it."""
+    """The conditions of a study, its trials and its learning curves."""
 
     seed: int
     floorplan: FloorPlan
@@ -47,8 +47,8 @@ def run_study(
 ) -> StudyResult:
     """Let a simulated person in the simulated shirt calibrate, then drive one path `trials` times.
 
-    Everything between the body and the chair is what the application uses: the fabric, the calibration's script and
-    fit, the chain with its gate, the scoring. The same seed gives the same numbers, bit for bit.
+    The fabric, the calibration's script and fit, the chain with its gate, the virtual chair and the scoring are those
+    of the application. Equal seeds give equal numbers, bit for bit.
 
     Parameters
     ----------
@@ -57,11 +57,11 @@ def run_study(
     seed
         Of the person and of the fabric.
     floorplan, path_name
-        Where to drive; `path_name` is one of the plan's paths.
+        The floor plan, and the name of one of its paths.
     progress
         Called with each trial when it is scored.
     person
-        Who drives; a novice unless told otherwise. Learning is in the person, never in the scoring.
+        Parameters of the person; a novice by default. The person learns; the scoring knows nothing of learning.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""A simulated person in the simulated shirt: one frame at a time, without a clock of the machine."""
+"""The participant of a study: a simulated person in the simulated shirt, one frame at a time, without a clock."""
 
 import numpy as np
 
@@ -14,10 +14,14 @@ from app.world.scenery import Place
 
 
 class Participant:
-    """Hands out the shirt's frames as fast as they are asked for; its time is the number of frames over the rate."""
+    """A simulated person in the simulated shirt.
+
+    Each of `follow`, `rest` and `drive` advances the body by one frame and returns the shirt's frame. Time is the
+    number of frames divided by the sample rate.
+    """
 
     def __init__(self, person: Person, layout: ShirtLayout, sample_rate: float, seed: int) -> None:
-        """Dress `person`; `seed` is the fabric's, `sample_rate` in Hz."""
+        """Put the shirt on `person`; `seed` is the fabric's, `sample_rate` in Hz."""
         self.person = person
         self.layout = layout
         self.sample_rate = sample_rate
@@ -32,17 +36,17 @@ class Participant:
         self._fabric.don_again()
 
     def follow(self, cue: Cue | None, elapsed: float) -> SensorFrame:
-        """Return the next frame of somebody who is asked to do `cue`, which came up `elapsed` (s) ago."""
+        """Return the next frame of the person following `cue`, which was shown `elapsed` (s) ago."""
         self._view = BodyView(cue=cue, cue_elapsed=elapsed)
         return self._frame()
 
     def rest(self) -> SensorFrame:
-        """Return the next frame of somebody who has nothing to do."""
+        """Return the next frame of the person at rest."""
         self._view = BodyView()
         return self._frame()
 
     def drive(self, permitted: bool, chair: ChairState, leader: Place | None = None) -> SensorFrame:
-        """Return the next frame of somebody who sees what chair and leader do, and whether motion is `permitted`."""
+        """Return the next frame of the person driving, who sees chair, leader and whether motion is `permitted`."""
         view = self._view
         view.cue = None
         view.driving = permitted

@@ -1,4 +1,4 @@
-"""The study with several seeds: in how many of them somebody learns, and where the largest step is."""
+"""The study with several seeds: in how many of them a measure falls, and at which trial it falls most."""
 
 import dataclasses
 import os
@@ -16,15 +16,15 @@ from app.study.simulated_trial import StudyTrial
 from app.world.floorplan import FloorPlan
 
 MEASURES = ("dist", "e_diff")
-EARLY = 3  # trials among which the paper's figures have their largest step
-KEPT_EVERY = 10  # of a trajectory's rows: ten a second are enough to draw and to look at
+EARLY = 3  # trials; in the paper's figures, the largest step is among them
+KEPT_EVERY = 10  # rows of a trajectory of which one is kept: ten a second are enough for drawings
 
 Progress = Callable[[StudyResult], None]
 
 
 @dataclass(frozen=True, slots=True)
 class MeasureOverSeeds:
-    """What one measure does from trial to trial, in how many of the seeds."""
+    """One measure over trials: its median over the seeds, and the number of seeds with each trend."""
 
     median: tuple[float | None, ...]  # of each trial, over the seeds in which it reached the goal; None where none did
     p: tuple[float, ...]  # of the Mann-Kendall test, one per seed
@@ -44,9 +44,9 @@ def run_seeds(
     progress: Progress | None = None,
     processes: int | None = None,
 ) -> tuple[StudyResult, ...]:
-    """Run one study per seed, several at a time, and return them in the order of `seeds`.
+    """Run one study per seed, several in parallel, and return the results in the order of `seeds`.
 
-    The numbers do not depend on how many run at a time. Of the first seed whole trajectories are kept, of the others
+    The results do not depend on the number of processes. The first seed's trajectories are kept whole, of the others'
     every tenth row.
 
     Parameters
@@ -54,23 +54,23 @@ def run_seeds(
     seeds, trials, floorplan, path_name, person
         As for `run_study`.
     progress
-        Called with each study when it is done, in whatever order that is.
+        Called with each result when its study is done, in the order in which they finish.
     processes
-        At most so many at a time; as many as the machine has processors for us unless told otherwise.
+        Largest number of parallel processes; by default the number of processors.
 
     Raises
     ------
     ValueError
         When one of the studies cannot be made.
     """
-    at_a_time = min(len(seeds), processes or os.cpu_count() or 1)
+    workers = min(len(seeds), processes or os.cpu_count() or 1)
     done: dict[int, StudyResult] = {}
-    with ProcessPoolExecutor(at_a_time) as pool:
-        asked = [
+    with ProcessPoolExecutor(workers) as pool:
+        studies = [
             pool.submit(_study_of, seed, trials, floorplan, path_name, person, whole=seed == seeds[0]) for seed in seeds
         ]
         try:
-            for finished in as_completed(asked):
+            for finished in as_completed(studies):
                 result = finished.result()
                 done[result.seed] = result
                 if progress is not None:
@@ -82,9 +82,9 @@ def run_seeds(
 
 
 def measure_over_seeds(results: Sequence[StudyResult], measure: str) -> MeasureOverSeeds:
-    """Say what one measure does over trials in how many of the studies, all with as many trials.
+    """Return the trend of one measure over trials in all studies, which have equally many trials.
 
-    As in a learning curve, a trial that did not reach the goal is left out: its distance and area are those of a part
+    A trial that did not reach the goal is left out, as in a learning curve: its distance and area are those of a part
     of the path.
     """
     table = comparable_table(results, measure)
@@ -104,9 +104,9 @@ def measure_over_seeds(results: Sequence[StudyResult], measure: str) -> MeasureO
 
 
 def largest_step(values: Sequence[float]) -> int | None:
-    """Return the trial (from 1) from which `values` fall most to the next one, None when they never fall.
+    """Return the trial (from 1) after which `values` fall most, None when they never fall.
 
-    NaN stands for a trial that did not reach the goal: there is no step to it nor from it.
+    NaN stands for a trial that did not reach the goal: steps to it and from it are left out.
     """
     falls = -np.diff(np.asarray(values, dtype=np.float64))
     falls[np.isnan(falls)] = -np.inf

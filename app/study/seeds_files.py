@@ -1,4 +1,4 @@
-"""What a study with several seeds leaves behind: the same files as one, over all seeds, all or nothing."""
+"""The files of a study with several seeds: as those of a study with one seed, over all seeds, all files or none."""
 
 import csv
 import dataclasses
@@ -29,9 +29,9 @@ WORDS = {"dist": ("Dist", "m"), "e_diff": ("E_diff", "m²")}
 
 
 def write_seeds(results: Sequence[StudyResult], folder: Path, draw: Draw, overwrite: bool = False) -> None:
-    """Write several studies of one kind into `folder`, whole or not at all.
+    """Write studies that differ in their seeds into `folder`, all files or none.
 
-    `draw` draws the figures into the folder that it is given.
+    `draw` draws the figures into the folder given to it.
 
     Raises
     ------
@@ -49,7 +49,7 @@ def write_seeds(results: Sequence[StudyResult], folder: Path, draw: Draw, overwr
 
 
 def seeds_csv(results: Sequence[StudyResult]) -> str:
-    """Return the table of all trials of all seeds, one row each; the columns of one study behind `seed`."""
+    """Return the table of all trials of all seeds, one row each: `seed`, then the columns of a study with one seed."""
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(("seed", *TRIAL_COLUMNS))
@@ -61,7 +61,7 @@ def seeds_csv(results: Sequence[StudyResult]) -> str:
 
 
 def seeds_summary(results: Sequence[StudyResult]) -> dict[str, Any]:
-    """Return what was asked, what comes of it over all seeds, and every study's trials, ready for JSON."""
+    """Return the conditions, the measures over all seeds, and each study's trials, ready for JSON."""
     first = results[0]
     return {
         "software": f"bodydrive {__version__}",
@@ -90,7 +90,7 @@ def seeds_summary(results: Sequence[StudyResult]) -> dict[str, Any]:
 
 
 def sentences(results: Sequence[StudyResult]) -> list[str]:
-    """Say in plain sentences what comes of all seeds together."""
+    """Return the measures over all seeds in plain sentences."""
     said = [_sentence(measure, measure_over_seeds(results, measure), len(results)) for measure in MEASURES]
     trials = sum(len(result.trials) for result in results)
     missed = sum(not trial.measures["reached"] for result in results for trial in result.trials)

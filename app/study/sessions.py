@@ -1,4 +1,4 @@
-"""The study over sessions: one calibration, then trials session by session, with the map fixed or following."""
+"""The study over sessions: one calibration, then sessions of trials, with a fixed or an adapted map."""
 
 from collections.abc import Callable
 from copy import deepcopy
@@ -26,13 +26,13 @@ PersonKind = Literal["improving", "deteriorating", "redonned"]
 PERSONS: dict[PersonKind, PersonParameters] = {
     "improving": IMPROVING,
     "deteriorating": DETERIORATING,
-    "redonned": PRACTISED,  # so that nothing but the shirt's seat changes from session to session
+    "redonned": PRACTISED,  # only the position of the shirt changes from session to session
 }
 
 
 @dataclass(frozen=True, slots=True)
 class SessionTrial:
-    """One trial of one seed, and what came of the map after it."""
+    """One trial of one seed, and the adaptation of the map after it."""
 
     seed: int
     mode: Mode
@@ -43,13 +43,13 @@ class SessionTrial:
     time: float  # s
     reached: bool
     faults: int
-    felt_change: float  # of what was applied, or would be in mode `suggest`
-    angle_deg: float  # the largest turn of a joint, the same
-    flips: int  # joints whose direction points against that before
-    refused: int  # joints that a gate kept
-    dead_zone: float  # FS/s, mean over the bound gestures, as driven
-    full: float  # FS/s, the same
-    from_calibration_deg: float  # the largest, over the bound joints, as driven
+    felt_change: float  # of the applied step; in mode `suggest`, of the proposed one
+    angle_deg: float  # largest turn of a joint in that step
+    flips: int  # joints whose direction that step reverses
+    refused: int  # joints whose step was refused
+    dead_zone: float  # FS/s, mean over the bound gestures, in this trial
+    full: float  # FS/s, mean over the bound gestures, in this trial
+    from_calibration_deg: float  # largest angle of a joint to its calibration, in this trial
 
 
 Progress = Callable[[SessionTrial], None]
@@ -57,7 +57,7 @@ Progress = Callable[[SessionTrial], None]
 
 @dataclass(frozen=True, slots=True)
 class CalibratedParticipant:
-    """A person in the shirt, just after the calibration: each condition begins with a copy."""
+    """A participant just after the calibration; each condition of the study begins with a copy."""
 
     who: PersonKind
     seed: int
@@ -66,7 +66,7 @@ class CalibratedParticipant:
 
 
 def calibrated_participant(who: PersonKind, seed: int) -> CalibratedParticipant:
-    """Return a person of this seed in the shirt, calibrated."""
+    """Return a participant with this seed, with the profile of the calibration."""
     participant = Participant(Person(PERSONS[who], seed), shirt_layout(), SAMPLE_RATE, seed + SEEDS_APART)
     return CalibratedParticipant(who, seed, participant, calibrate(participant))
 
@@ -80,11 +80,12 @@ def run_sessions(
     path: PrescribedPath,
     progress: Progress | None = None,
 ) -> list[SessionTrial]:
-    """Return all trials of one person who has calibrated once and comes to `sessions` sessions of `trials` trials.
+    """Drive `sessions` sessions of `trials` trials with one calibrated person, and return all trials.
 
-    `redonned` puts the shirt on again before each session but the first. Then the ranges that safety's S5 watches are
-    moved to where the channels are now, in every mode: otherwise sound channels count as broken and nothing drives at
-    all. The map is proposed from the trials of its own session, and in mode `auto` armed before the next trial.
+    `redonned` puts the shirt on again before each session but the first. The channel ranges of safety rule S5 are then
+    moved to the present signals, in every mode: otherwise sound channels would count as broken and the chair would not
+    move. An adapted map is proposed after each trial from the session's trials; mode `auto` applies it before the next
+    trial.
     """
     participant, calibrated = deepcopy(first.participant), first.profile
     parameters = standard_parameters(calibrated)
@@ -93,7 +94,7 @@ def run_sessions(
         participant.person.begin_session(session)
         if first.who == "redonned" and session > 1:
             participant.don_again()
-            profile = range_moved(parameters.profile, [_loosened(participant)], calibrated)
+            profile = range_moved(parameters.profile, [_free_movement(participant)], calibrated)
             parameters = parameters.model_copy(update={"profile": profile})
         movements: list[Movement] = []
         for number in range(1, trials + 1):
@@ -103,8 +104,8 @@ def run_sessions(
             proposal = None if mode == "off" else propose(parameters, movements, calibrated=calibrated, fresh=1)
             row = _row(mode, first.seed, session, number, parameters, driven.measures, driven.faults)
             if proposal is not None:
-                row = replace(row, **_told(parameters, proposal))
-            row = replace(row, from_calibration_deg=_away(parameters, standard_parameters(calibrated)))
+                row = replace(row, **_step_measures(parameters, proposal))
+            row = replace(row, from_calibration_deg=_largest_angle(parameters, standard_parameters(calibrated)))
             rows.append(row)
             if progress is not None:
                 progress(row)
@@ -113,8 +114,8 @@ def run_sessions(
     return rows
 
 
-def _loosened(participant: Participant) -> Movement:
-    """Return what the channels do while the person moves freely for ten seconds, as after dressing."""
+def _free_movement(participant: Participant) -> Movement:
+    """Return the channels during ten seconds of free movement, as after putting the shirt on."""
     step = next(step for step in calibration_script(participant.layout) if step.kind == "free")
     values, _cue = record_step(participant, step)
     return Movement(values, participant.sample_rate, np.zeros(len(values), dtype=np.bool_))
@@ -156,22 +157,23 @@ def _row(
     )
 
 
-def _told(before: DriveParameters, proposal: Proposal) -> dict[str, Any]:
-    """Return what was applied, measured on the parameters themselves and not on what the proposal says of them."""
+def _step_measures(before: DriveParameters, proposal: Proposal) -> dict[str, Any]:
+    """Return the measures of a proposed step; angles and flips are computed from the parameters themselves."""
     after = proposal.parameters or before
     return {
         "felt_change": proposal.felt_change,
-        "angle_deg": _away(before, after),
-        "flips": sum(one < 0.0 for one in _along(before, after)),
+        "angle_deg": _largest_angle(before, after),
+        "flips": sum(cosine < 0.0 for cosine in _cosines(before, after)),
         "refused": sum(joint.status == "refused" for joint in proposal.joints),
     }
 
 
-def _away(before: DriveParameters, after: DriveParameters) -> float:
-    """Return the largest angle (degrees) between the directions of the same joint."""
-    return float(np.degrees(np.arccos(np.clip(min(_along(before, after)), -1.0, 1.0))))
+def _largest_angle(before: DriveParameters, after: DriveParameters) -> float:
+    """Return the largest angle (degrees) by which a joint's direction differs between two parameter sets."""
+    return float(np.degrees(np.arccos(np.clip(min(_cosines(before, after)), -1.0, 1.0))))
 
 
-def _along(before: DriveParameters, after: DriveParameters) -> list[float]:
+def _cosines(before: DriveParameters, after: DriveParameters) -> list[float]:
+    """Return each joint's cosine of the angle between its directions in two parameter sets."""
     pairs = zip(before.profile.joints, after.profile.joints, strict=True)
     return [float(one.sign * np.array(one.weights) @ np.array(other.weights) * other.sign) for one, other in pairs]

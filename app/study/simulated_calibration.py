@@ -1,4 +1,4 @@
-"""The calibration of a study: the application's own script and fit, with a simulated person in the shirt."""
+"""The calibration of a study's participant, with the script and the fit of the application."""
 
 from collections.abc import Sequence
 
@@ -14,12 +14,12 @@ from app.layout import ShirtLayout
 from app.messages import NO_CUE
 from app.study.participant import Participant
 
-Recorded = tuple[Step, NDArray[np.float32], NDArray[np.int32]]
-"""A step, its frames (n, n_channels), and for each the index of its cue (n,)."""
+StepRecording = tuple[Step, NDArray[np.float32], NDArray[np.int32]]
+"""A step, its frames (n, n_channels), and the index of each frame's cue (n,)."""
 
 
 def calibrate(participant: Participant) -> CalibrationProfile:
-    """Take the participant through rest, free movement and prompts, and fit the profile.
+    """Record rest, free movement and prompts of the participant, and fit the profile.
 
     Raises
     ------
@@ -30,8 +30,8 @@ def calibrate(participant: Participant) -> CalibrationProfile:
     return fit_recorded(participant.layout, participant.sample_rate, recorded)
 
 
-def fit_recorded(layout: ShirtLayout, sample_rate: float, recorded: Sequence[Recorded]) -> CalibrationProfile:
-    """Return the profile of recorded steps, as the application fits it; ValueError when no joint can be mapped."""
+def fit_recorded(layout: ShirtLayout, sample_rate: float, recorded: Sequence[StepRecording]) -> CalibrationProfile:
+    """Fit the profile of recorded steps as the application does; ValueError when no joint can be mapped."""
     rest = free = None
     repetitions: list[Repetition] = []
     for step, values, cue in recorded:
@@ -48,7 +48,7 @@ def fit_recorded(layout: ShirtLayout, sample_rate: float, recorded: Sequence[Rec
 
 
 def record_step(participant: Participant, step: Step) -> tuple[NDArray[np.float32], NDArray[np.int32]]:
-    """Return the frames of one step (n, n_channels), and for each the index of its cue (n,)."""
+    """Return the frames of one step (n, n_channels), and the index of each frame's cue (n,)."""
     count = round(step.duration * participant.sample_rate)
     values = np.empty((count, len(participant.layout.channels)), dtype=np.float32)
     cue = np.empty(count, dtype=np.int32)

@@ -1,4 +1,4 @@
-"""One trial of a study: armed behind the neutral check, driven through the chain, scored like any other."""
+"""One trial of a study: armed after the neutral check, driven through the chain, scored as any trial."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -18,13 +18,14 @@ from app.study.participant import Participant
 from app.world.floorplan import FloorPlan, PrescribedPath
 from app.world.task_progress import leader_of, progress_of
 
-REST_BEFORE = 2.0  # s at rest before a trial, so that the last one's strokes are over
-CLEAR_AFTER = 2.0  # s from a latched fault until somebody has looked and lets the person go on
-LONGEST_WAIT = 30.0  # s for motion to be permitted at all; then nobody lets the person try on
+REST_BEFORE = 2.0  # s at rest before a trial, so that the filters forget the last trial's strokes
+CLEAR_AFTER = 2.0  # s from a latched fault until a clinician would clear it and arm again
+LONGEST_WAIT = 30.0  # s until motion is permitted; after that the trial is given up
 COLUMNS = ("t", "x", "y", "theta", "v", "omega", "u1", "u2", "in_contact", "contacts", "scene_t")
 
 Numbers = NDArray[np.float64]
 FrameLog = list[tuple[NDArray[np.float32], bool]]
+"""Frames (n_channels,), each with whether motion was permitted."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,9 +51,9 @@ def drive_trial(
     path: PrescribedPath,
     frames: FrameLog | None = None,
 ) -> StudyTrial:
-    """Drive the path once, until the goal or the path's time limit, and score it.
+    """Drive the path once, until the goal or the path's time limit, and score the trial.
 
-    `frames` takes every frame with whether motion was permitted, from the rest before the trial on.
+    All frames from the rest before the trial on are appended to `frames`.
     """
     chair = VirtualChair(floorplan, path.start)
     chain = Chain(participant.sample_rate, parameters, chair)
@@ -68,7 +69,7 @@ def drive_trial(
 
 
 def _settle(participant: Participant, chain: Chain, conditions: Conditions, frames: FrameLog) -> None:
-    """Sit still for a moment, disarmed."""
+    """Let the participant rest for 2 s, disarmed."""
     for _ in range(round(REST_BEFORE * participant.sample_rate)):
         frame = participant.rest()
         chain.step(frame, frame.t, conditions)
@@ -84,7 +85,7 @@ def _drive(
     path: PrescribedPath,
     frames: FrameLog,
 ) -> tuple[list[tuple[float, ...]], int]:
-    """Return one row per tick since motion was permitted, and how many faults were latched on the way."""
+    """Return one row per tick since motion was permitted, and the number of latched faults."""
     progress, leader = progress_of(floorplan, path), leader_of(floorplan, path)
     rows: list[tuple[float, ...]] = []
     faults = 0

@@ -1,4 +1,4 @@
-"""What a study leaves behind: tables, figures and the parameters that made them, all or nothing."""
+"""The files of a study: tables, figures and its parameters, all files or none."""
 
 import csv
 import io
@@ -27,7 +27,7 @@ TRAJECTORY_COLUMNS = ("t", "x", "y", "theta", "v", "omega")
 
 
 def check_folder(folder: Path, overwrite: bool) -> None:
-    """Refuse a place that the study could not be written to, before an hour is spent on it.
+    """Check before a study runs that its files can be written to `folder`.
 
     Raises
     ------
@@ -41,9 +41,9 @@ def check_folder(folder: Path, overwrite: bool) -> None:
 
 
 def write_study(result: StudyResult, folder: Path, draw: Draw, overwrite: bool = False) -> None:
-    """Write a study into `folder`: made beside it and then renamed, so that it is whole or not there.
+    """Write a study into `folder`, all files or none.
 
-    `draw` draws the figures into the folder that it is given.
+    `draw` draws the figures into the folder given to it.
 
     Raises
     ------
@@ -63,7 +63,7 @@ def write_study(result: StudyResult, folder: Path, draw: Draw, overwrite: bool =
 
 @contextmanager
 def atomic_folder(folder: Path, overwrite: bool) -> Iterator[Path]:
-    """Yield a folder beside `folder` to write into; it takes that place when all went well, and is gone otherwise.
+    """Yield a temporary folder beside `folder`; it is renamed to `folder` at the end, and removed after an error.
 
     Raises
     ------
@@ -106,7 +106,7 @@ def trajectories_table(result: StudyResult) -> pa.Table:
 
 
 def summary(result: StudyResult) -> dict[str, Any]:
-    """Return what was asked, what was calibrated, what came of each trial, and the learning curves, ready for JSON."""
+    """Return the conditions, the calibration, the trials and the learning curves, ready for JSON."""
     return {
         "software": f"bodydrive {__version__}",
         "source": source_words(STUDY_SOURCE),
@@ -129,13 +129,13 @@ def summary(result: StudyResult) -> dict[str, Any]:
 
 
 def person_document(person: PersonParameters) -> dict[str, Any]:
-    """Return a person's numbers by name, ready for JSON."""
+    """Return a person's parameters by name, ready for JSON."""
     numbers = ((field.name, getattr(person, field.name)) for field in fields(person))
     return {name: value._asdict() if isinstance(value, Practised) else value for name, value in numbers}
 
 
 def _put_in_place(part: Path, folder: Path) -> None:
-    """Rename `part` to `folder`; what was there before goes only when the new one stands."""
+    """Rename `part` to `folder`; an existing folder is removed only after the new one is in its place."""
     old = None
     if folder.exists():
         old = Path(tempfile.mkdtemp(dir=folder.parent, prefix=f".{folder.name}.", suffix=".old"))
