@@ -7,6 +7,7 @@ import { practiceMark } from "./practice_mark.js";
 import { stopButton } from "./stop.js";
 import { chosenTheme, nextTheme } from "./theme.js";
 
+/** @type {Record<import("./theme.js").Theme, import("../widgets/icons.js").IconName>} */
 const THEME_ICONS = { system: "sun", light: "sun", dark: "moon", contrast: "contrast" };
 
 /** @param {import("../main.js").App} app */

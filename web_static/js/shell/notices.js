@@ -1,4 +1,8 @@
-/** The strip under the header: connection lost, control process lost, a stop or fault that waits for Continue, a full disk. */
+/**
+ * The strip under the header: connection lost, control process lost, a stop or fault that waits for Continue, a full disk.
+ * @import { Child } from "types/dom"
+ * @import { App } from "../main.js"
+ */
 import { t } from "../texts.js";
 import { h, put } from "../widgets/dom.js";
 import { timeOfDay } from "../widgets/format.js";
@@ -22,36 +26,40 @@ export function notices(app) {
   return element;
 }
 
-/** The one thing that most needs to be known; empty when all is well. */
+/** The one thing that most needs to be known; empty when all is well. @param {App} app */
 function wanted(app) {
   if (!app.live.connected) return "lost";
   const now = app.live.latest;
   if (!now) return "";
   if (now.control !== "alive") return "control";
   // While driving, the drive page shows faults over the picture itself.
-  if (now.fault && !app.showsTrial) return faultKey(now);
+  if (now.fault && !app.showsTrial) return faultKey(now.fault, now.stops);
   if (now.drive && !app.showsTrial) return "driving";
   return app.diskWords && !app.showsTrial ? `disk ${app.diskWords}` : "";
 }
 
-/** What is said of a fault is said anew with each further stop. @param {any} now the live picture */
-export function faultKey(now) {
-  return `fault ${now.fault.name} ${now.stops}`;
+/** What is said of a fault is said anew with each further stop. @param {{name: string}} fault @param {number} stops */
+export function faultKey(fault, stops) {
+  return `fault ${fault.name} ${stops}`;
 }
 
+/** @param {App} app @param {string} kind @returns {Child} */
 function note(app, kind) {
   if (kind === "lost") return strip("bad", t("note.lost", { time: timeOfDay(app.live.saidAt) }), t("note.lost.why"));
   if (kind === "control") return strip("bad", t("note.control"), t("note.control.why"));
   if (kind === "driving")
     return strip("", t("note.driving"), "", h("a", { class: "btn go", href: "#/drive/chair" }, t("note.driving.go")));
   if (kind.startsWith("disk")) return strip("", app.diskWords, "");
-  const { happened, next_step: next } = app.live.latest.fault;
+  const fault = app.live.latest?.fault;
+  if (!fault) return null;
+  const { happened, next_step: next } = fault;
   return strip("", happened, next, continueButton(app));
 }
 
 /** It takes back the stops that are shown beside it, and none that came after. @param {import("../main.js").App} app */
 export function continueButton(app) {
-  const { stops } = app.live.latest;
+  const stops = app.live.latest?.stops ?? 0;
+  /** @param {boolean} off */
   const isOff = (off) => button.setAttribute("aria-disabled", String(off));
   const button = h("button", { type: "button", class: "btn go continue" }, t("note.fault.continue"));
   isOff(true);
@@ -59,16 +67,13 @@ export function continueButton(app) {
   button.addEventListener("click", async () => {
     if (button.getAttribute("aria-disabled") === "true") return;
     isOff(true);
-    try {
-      await app.api.post("/control/clear", { stops });
-    } catch (error) {
-      app.toasts.show(error.message);
-    }
+    await app.toasts.attempt(() => app.api.post("/control/clear", { stops }));
     isOff(false);
   });
   return button;
 }
 
+/** @param {string} tone @param {string} happened @param {string} why @param {Node | null} [button] */
 function strip(tone, happened, why, button = null) {
   return h(
     "div",

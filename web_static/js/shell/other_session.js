@@ -1,4 +1,7 @@
-/** The card over a page whose session is no longer open: who is here now, whose page this is, and where to go. */
+/**
+ * The card over a page whose session is no longer open: who is here now, whose page this is, and where to go.
+ * @import { VisitView } from "types/api"
+ */
 import { t } from "../texts.js";
 import { h } from "../widgets/dom.js";
 import { minuteOfDay } from "../widgets/format.js";
@@ -13,19 +16,20 @@ export const OTHER_SESSION = "other session";
 const FIELDS = "form :is(input:not([type=radio], [type=hidden], [type=file]), textarea)";
 
 /**
- * @param {any} before the session that the page shows @param {any} now the session that is open
+ * @param {VisitView} before the session that the page shows @param {VisitView} now the session that is open
  * @param {string[]} drafts what was entered and not sent
  * @param {{onGo: () => void}} actions
  */
 export function otherSession(before, now, drafts, { onGo }) {
-  const belongs = t("session.belongs", { code: before.patient.code });
+  const codeBefore = before.patient?.code ?? "";
+  const belongs = t("session.belongs", { code: codeBefore });
   const sentence = now.patient
-    ? t(now.session.opened_by ? "session.opened" : "session.opened.somebody", {
+    ? t(now.session?.opened_by ? "session.opened" : "session.opened.somebody", {
         code: now.patient.code,
-        name: now.session.opened_by,
-        time: minuteOfDay(now.session.started),
+        name: now.session?.opened_by ?? "",
+        time: now.session ? minuteOfDay(now.session.started) : "",
       })
-    : t("session.ended", { code: before.patient.code });
+    : t("session.ended", { code: codeBefore });
   const title = h("h1", { id: "other-session", tabindex: "-1" }, t("session.other"));
   const element = h(
     "section",
@@ -53,7 +57,9 @@ export function otherSession(before, now, drafts, { onGo }) {
 
 /** The labels of the fields that a person changed in the page's forms. @param {HTMLElement} root @returns {string[]} */
 export function changedFields(root) {
-  return [...root.querySelectorAll(FIELDS)]
+  /** @type {NodeListOf<HTMLInputElement>} */
+  const fields = root.querySelectorAll(FIELDS); // or HTMLTextAreaElement, which has the same members but `checked`
+  return [...fields]
     .filter((field) => (field.type === "checkbox" ? field.checked !== field.defaultChecked : field.value !== field.defaultValue))
     .map((field) => {
       const label = field.labels?.[0]?.textContent ?? field.getAttribute("aria-label") ?? "";

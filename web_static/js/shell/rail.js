@@ -3,8 +3,9 @@ import { t } from "../texts.js";
 import { h, set } from "../widgets/dom.js";
 import { icon } from "../widgets/icons.js";
 
-const STEPS = ["patients", "shirt", "calibrate", "controls", "drive", "review"];
-const RAIL = [...STEPS, "settings"];
+const STEPS = /** @type {const} */ (["patients", "shirt", "calibrate", "controls", "drive", "review"]);
+const RAIL = /** @type {const} */ ([...STEPS, "settings"]);
+/** @type {string[]} */
 export const PAGES = [...RAIL, "plans", "adapt"]; // those that have an address of their own
 
 /** Which steps are done, by what the session says. @param {import("../main.js").App} app @returns {Set<string>} */

@@ -36,11 +36,14 @@ export function stopButton(app) {
 
 /**
  * Let the space bar stop while the chair is armed, whatever has the focus.
- * @param {import("../main.js").App} app @param {EventTarget} where a window: ours, or the 3D view's
+ * @param {import("../main.js").App} app @param {Window} where a window: ours, or the 3D view's
  * @param {AbortSignal} [signal]
  */
 export function stopOnSpace(app, where, signal) {
-  const stops = (event) => event.code === "Space" && MOVING.has(app.live.latest?.state) && !isWriting(event.target);
+  /** @param {KeyboardEvent} event */
+  const stops = (event) =>
+    event.code === "Space" && MOVING.has(app.live.latest?.state ?? "") && !isWriting(event.target);
+  /** @param {KeyboardEvent} event */
   const down = (event) => {
     if (!stops(event)) return;
     event.preventDefault();
@@ -56,11 +59,16 @@ export function stopOnSpace(app, where, signal) {
   );
 }
 
+/** @param {import("../main.js").App} app */
 function isDriven({ live: { latest } }) {
   return Boolean(latest?.trial || latest?.drive);
 }
 
-/** Tell whether a key belongs to a field that somebody writes into. @param {any} target */
+/**
+ * Tell whether a key belongs to a field that somebody writes into.
+ * @param {EventTarget | null} target an element of this window or of the 3D view's, which has classes of its own
+ */
 export function isWriting(target) {
-  return target?.matches?.("input:not([type=radio]):not([type=checkbox]), textarea, select") ?? false;
+  const element = /** @type {Partial<Element> | null} */ (target);
+  return element?.matches?.("input:not([type=radio]):not([type=checkbox]), textarea, select") ?? false;
 }

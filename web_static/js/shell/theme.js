@@ -1,14 +1,16 @@
 /** Light, dark or high contrast: what a person chose on this screen, otherwise what the system prefers. */
 
 const PLACE = "bodydrive-theme";
-const CHOICES = ["system", "light", "dark", "contrast"];
+const CHOICES = /** @type {const} */ (["system", "light", "dark", "contrast"]);
 const DARK = matchMedia("(prefers-color-scheme: dark)");
 const CONTRAST = matchMedia("(prefers-contrast: more)");
 
-/** @returns {string} one of CHOICES */
+/** @typedef {typeof CHOICES[number]} Theme */
+
+/** @returns {Theme} */
 export function chosenTheme() {
   const stored = localStorage.getItem(PLACE);
-  return CHOICES.includes(stored) ? stored : "system";
+  return CHOICES.find((choice) => choice === stored) ?? "system";
 }
 
 /** Take the next choice, and return it. */
@@ -39,10 +41,12 @@ export function colour(name) {
   return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
 }
 
-/** A colour that follows the theme, looked up only when it changes: canvases ask for it in every picture. */
+/**
+ * Colours that follow the theme, looked up only when it changes: canvases ask for them in every picture.
+ * @template {string} Name @param {...Name} names without the dashes
+ */
 export function palette(...names) {
-  /** @type {Record<string, string>} */
-  const colours = {};
+  const colours = /** @type {Record<Name, string>} */ ({});
   const read = () => {
     for (const name of names) {
       // A custom property may name another one: the browser resolves it only on a real property.

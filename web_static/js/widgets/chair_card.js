@@ -9,7 +9,12 @@ const JUST_NOW = 0.2; // s: it tells every 0.1 s
 const DEGREES = 180 / Math.PI;
 const TONES = { silent: "bad", fault: "bad", disarmed: "plain", checking: "att", armed: "" };
 
-/** @param {any} chair of the live picture @returns {"silent" | "disarmed" | "checking" | "armed" | "fault"} */
+/**
+ * @import { ChairMoment } from "../live/live.js"
+ * @typedef {"silent" | ChairMoment["state"]} ChairState
+ */
+
+/** @param {ChairMoment} chair @returns {ChairState} */
 export function chairState({ state, age }) {
   return age === null || age > SILENT ? "silent" : state;
 }
@@ -30,6 +35,7 @@ export function chairCard(live, signal, { hasWhy = true } = {}) {
     write(tag, t(`chair.state.${state}`));
     write(why, whyNot(chair, state));
     // What a silent chair said last is not how it is.
+    /** @param {string} words */
     const said = (words) => (state === "silent" ? number(null, 0) : words);
     const twist = { v: number(chair.v, 2), omega: number(chair.omega * DEGREES, 0) };
     list.write("chair.drives", said(t("chair.drives.value", twist)));
@@ -44,11 +50,13 @@ export function chairCard(live, signal, { hasWhy = true } = {}) {
   return { element, title };
 }
 
+/** @param {ChairMoment} chair @param {ChairState} state */
 function whyNot({ stop_input: isPressed, words }, state) {
   if (isPressed && state !== "silent") return t("chair.switch.why");
   return state === "silent" || state === "fault" ? words : "";
 }
 
+/** @param {number} age s */
 function ageWords(age) {
   if (age < JUST_NOW) return t("chair.now");
   return t("chair.age.value", { age: number(age, age < 10 ? 1 : 0) });

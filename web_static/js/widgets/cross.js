@@ -7,6 +7,7 @@ const HALF = 100;
 /** @param {{hasWords?: boolean}} [options] */
 export function cross({ hasWords = true } = {}) {
   const dot = s("circle", { class: "dot", r: 13 });
+  /** @param {number} x @param {number} y @param {string} key */
   const word = (x, y, key) => s("text", { x, y, "text-anchor": "middle" }, t(key));
   const element = s(
     "svg",
@@ -22,5 +23,7 @@ export function cross({ hasWords = true } = {}) {
     ],
     dot,
   );
-  return { element, show: (u1, u2) => set(dot, { cx: -u2 * (HALF - 14), cy: -u1 * (HALF - 14) }) };
+  /** @param {number} u1 @param {number} u2 */
+  const show = (u1, u2) => set(dot, { cx: -u2 * (HALF - 14), cy: -u1 * (HALF - 14) });
+  return { element, show };
 }

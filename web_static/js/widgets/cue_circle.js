@@ -11,16 +11,20 @@ const DISC_LARGE = 100; // radius at the end of the movement
 const LONG_WORD = 8; // letters; longer ones are written smaller, to stay inside the ring
 const COUNTED = new Set(["ready", "rest", "free"]); // whole seconds; the others are too short to be counted
 
+/** @typedef {{kind: string, joint: string | null, start: number, end: number}} Cue start and end in s of its run */
+
 /** What a cue asks for, in one word or two. @param {{kind: string, joint: string | null}} cue */
 export function cueWords(cue) {
   if (cue.kind !== "move") return t(`cue.${cue.kind}`);
   const part = cue.joint?.split("_").at(-1);
-  return ["elbow", "wrist", "shoulder"].includes(part) ? t(`cue.move.${part}`) : t("cue.move");
+  return part && ["elbow", "wrist", "shoulder"].includes(part) ? t(`cue.move.${part}`) : t("cue.move");
 }
 
 /**
- * @param {import("../main.js").App} app @param {any} step @param {boolean} isRunning @param {AbortSignal} signal
- * @param {(cue: any) => void} onCue told of each new cue
+ * @param {import("../main.js").App} app @param {{cues: Cue[]}} step
+ * @param {object} options
+ * @param {boolean} options.isRunning @param {string} options.idleWords what stands below while nothing runs
+ * @param {AbortSignal} options.signal @param {(cue: Cue) => void} options.onCue called with each new cue
  */
 export function cueCircle(app, step, { isRunning, idleWords, signal, onCue }) {
   const disc = s("circle", { class: "disc", cx: 150, cy: 150, r: DISC_SMALL });
@@ -56,6 +60,7 @@ export function cueCircle(app, step, { isRunning, idleWords, signal, onCue }) {
     write(next, idleWords);
     element.dataset.kind = "idle";
   };
+  /** @param {{t: number, index: number}} now */
   const show = (now) => {
     const cue = step.cues[now.index];
     if (!cue) return idle();
@@ -85,7 +90,7 @@ export function cueCircle(app, step, { isRunning, idleWords, signal, onCue }) {
   return element;
 }
 
-/** The disc leads the movement: smoothly up, smoothly back. */
+/** The disc leads the movement: smoothly up, smoothly back. @param {string} kind of the cue @param {number} share of its time, 0..1 */
 export function discRadius(kind, share) {
   const ease = 0.5 - 0.5 * Math.cos(Math.PI * Math.min(1, Math.max(0, share)));
   if (kind === "move") return DISC_SMALL + (DISC_LARGE - DISC_SMALL) * ease;

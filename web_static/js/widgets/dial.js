@@ -1,4 +1,8 @@
-/** The speed dial: which share of its speeds the chair may use. Lower at once; whether higher is possible now, the gate decides. */
+/**
+ * The speed dial: which share of its speeds the chair may use. Lower at once; whether higher is possible now, the gate
+ * decides.
+ * @import { LiveMessage } from "../live/live.js"
+ */
 import { t } from "../texts.js";
 import { stepper } from "./fields.js";
 
@@ -8,6 +12,7 @@ const ANSWERED_FOR = 400; // ms after an answer in which a live picture may stil
 
 /** @param {import("../main.js").App} app @param {AbortSignal} signal */
 export function speedDial(app, signal) {
+  /** @type {number | null} */
   let wanted = null; // %, while the server has not answered
   let answeredAt = -Infinity;
   const element = stepper({
@@ -20,29 +25,29 @@ export function speedDial(app, signal) {
     unit: "%",
     onChange: (value) => turn(value),
   });
+  /** @param {CustomEvent<LiveMessage>} event */
   const follow = ({ detail: now }) => {
     if (wanted === null && performance.now() - answeredAt > ANSWERED_FOR) element.setValue(share(now));
   };
-  /** Send what was wanted last; while one call is under way, the next waits. */
+  /** Send what was wanted last; while one call is under way, the next waits. @param {number} value in % */
   const turn = async (value) => {
     const isUnderWay = wanted !== null;
     wanted = value;
     if (isUnderWay) return;
-    try {
-      for (let sent = null; sent !== wanted; ) {
+    await app.toasts.attempt(async () => {
+      for (let sent = null; sent !== wanted && wanted !== null; ) {
         sent = wanted;
         await app.api.post("/control/dial", { share: sent / 100 });
       }
       answeredAt = performance.now();
-    } catch (error) {
-      app.toasts.show(error.message);
-    }
+    });
     wanted = null;
   };
   app.live.addEventListener("tick", follow, { signal });
   return element;
 }
 
+/** @param {LiveMessage | null} now @returns {number} in % */
 function share(now) {
   return Math.round(100 * (now?.dial ?? 1));
 }

@@ -1,13 +1,19 @@
-/** All gestures that were found, best first, with their numbers, and the suggestion with a tap that takes it. */
+/**
+ * All gestures that were found, best first, with their numbers, and the suggestion with a tap that takes it.
+ * @import { Discovery, FoundGesture, Prediction } from "types/api"
+ * @typedef {typeof NUMBERS[number]} NumberName
+ * @typedef {(gesture: FoundGesture) => string} Words
+ */
 import { t } from "../texts.js";
 import { h, put } from "./dom.js";
 import { number, percent } from "./format.js";
 import { gestureWords, withLabels } from "./gestures.js";
+import { scrollTable } from "./scroll_table.js";
 
-const NUMBERS = ["signal_to_noise", "repeatability", "cross_talk", "effort"];
+const NUMBERS = /** @type {const} */ (["signal_to_noise", "repeatability", "cross_talk", "effort"]);
 const LEAST_SAID = 0.1; // false activations a minute: a forecast is no finer than that
 
-/** How each number is written. @type {Record<string, (value: number | null) => string>} */
+/** How each number is written. @type {Record<NumberName, (value: number | null) => string>} */
 const WRITTEN = {
   signal_to_noise: (value) => number(value, 0),
   repeatability: percent,
@@ -35,10 +41,13 @@ export function discoveryCard(api, labels, onTake) {
   return card;
 }
 
+/** @param {Discovery} found @param {Record<string, string>} labels @param {(() => void) | null} onTake */
 function content(found, labels, onTake) {
+  /** @type {Map<string, string>} what each gesture does in the suggestion */
   const controls = new Map();
   for (const { control, gestures } of found.suggestion.bindings)
     if (control !== "stop") gestures.forEach((name) => controls.set(name, control));
+  /** @type {Words} */
   const words = (gesture) => gestureWords({ ...gesture, feature: "rate" }, labels);
   return [
     found.words && h("p", { class: "small reason" }, found.words),
@@ -56,14 +65,19 @@ function content(found, labels, onTake) {
       h("p", { class: "small reason" }, `${labels[joint] ?? joint.replaceAll("_", " ")}: ${reason}`),
     ),
     checks(
-      found.gestures.filter(({ name, prediction }) => controls.has(name) && prediction),
+      found.gestures.flatMap(({ prediction, ...gesture }) =>
+        controls.has(gesture.name) && prediction ? [{ ...gesture, prediction }] : [],
+      ),
       words,
     ),
   ];
 }
 
+/** @param {FoundGesture[]} gestures @param {Map<string, string>} controls @param {Words} words */
 function table(gestures, controls, words) {
+  /** @param {string} name */
   const head = (name) => h("th", { scope: "col", title: t(`found.means.${name}`) }, t(`found.${name}`));
+  /** @param {FoundGesture} gesture */
   const row = (gesture) =>
     h(
       "tr",
@@ -79,22 +93,19 @@ function table(gestures, controls, words) {
       h("td", {}, falseWords(gesture.prediction)),
       h("td", {}, percent(gesture.prediction?.hit_rate)),
     );
-  return h(
-    "div",
-    { class: "scroll-x", tabindex: "0", role: "region", "aria-label": t("found.title") },
+  return scrollTable(
+    t("found.title"),
+    "measures",
     h(
-      "table",
-      { class: "measures" },
-      h(
-        "thead",
-        {},
-        h("tr", {}, h("th", { scope: "col" }, t("found.gesture")), ["score", ...NUMBERS, "false", "hits"].map(head)),
-      ),
-      h("tbody", {}, gestures.map(row)),
+      "thead",
+      {},
+      h("tr", {}, h("th", { scope: "col" }, t("found.gesture")), ["score", ...NUMBERS, "false", "hits"].map(head)),
     ),
+    h("tbody", {}, gestures.map(row)),
   );
 }
 
+/** @param {FoundGesture} gesture @param {NumberName} name */
 function numberCell(gesture, name) {
   const isWeakest = gesture.weakest === name;
   return h(
@@ -104,19 +115,25 @@ function numberCell(gesture, name) {
   );
 }
 
+/** @param {number} score 0..1 */
 function scoreBar(score) {
   const value = Math.round(100 * score);
   return [h("span", { class: "score-bar", "aria-hidden": "true" }, h("i", { style: `width:${value}%` })), h("b", {}, `${value}`)];
 }
 
+/** @param {{false_per_minute: number | null} | null} prediction */
 function falseWords(prediction) {
   const rate = prediction?.false_per_minute;
-  if (!Number.isFinite(rate)) return number(null, 1);
+  if (typeof rate !== "number" || !Number.isFinite(rate)) return number(null, 1);
   return rate < LEAST_SAID ? t("found.less", { value: LEAST_SAID }) : number(rate, 1);
 }
 
-/** What was predicted from one part of the recordings beside what was counted in the other. */
+/**
+ * What was predicted from one part of the recordings beside what was counted in the other.
+ * @param {(FoundGesture & {prediction: Prediction})[]} gestures @param {Words} words
+ */
 function checks(gestures, words) {
+  /** @param {FoundGesture & {prediction: Prediction}} gesture */
   const line = (gesture) => {
     const { rest_check: rest, hit_check: hits, rest_seconds, counted_at_most, hit_at_least } = gesture.prediction;
     return h(

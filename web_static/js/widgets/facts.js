@@ -18,8 +18,10 @@ export function facts(keys) {
     { class: "fact-list" },
     [...rows.values()].map((row) => row.element),
   );
+  /** @param {string} key @param {string} words */
   const show = (key, words) => {
     const row = rows.get(key);
+    if (!row) return;
     row.element.hidden = words === "";
     write(row.words, words);
   };

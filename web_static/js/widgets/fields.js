@@ -1,4 +1,7 @@
-/** Form pieces: labelled fields, choices, segments, steppers. */
+/**
+ * Form pieces: labelled fields, choices, segments, steppers.
+ * @import { Child } from "types/dom"
+ */
 import { h, set, write } from "./dom.js";
 import { number } from "./format.js";
 
@@ -8,7 +11,7 @@ const REPEAT_EVERY = 90; // ms
 
 /**
  * A labelled input, select or textarea.
- * @param {string} label @param {HTMLElement & Record<string, any>} input @param {string} [hint]
+ * @param {string} label @param {HTMLElement} input @param {string} [hint]
  */
 export function field(label, input, hint) {
   const id = `field-${++made}`;
@@ -22,13 +25,17 @@ export function field(label, input, hint) {
   );
 }
 
+/** @typedef {{value: string, label: string, group?: string}} Option */
+
 /**
  * Options of one group stand together, under its words.
- * @param {{value: string, label: string, group?: string}[]} options @param {string} chosen @param {(value: string) => void} [onChange]
+ * @param {Option[]} options @param {string} chosen @param {(value: string) => void} [onChange]
  */
 export function selection(options, chosen, onChange) {
+  /** @param {Option} option */
   const option = ({ value, label }) => h("option", { value, selected: value === chosen }, label);
   const groups = [...new Set(options.map(({ group }) => group))];
+  /** @param {string | undefined} group */
   const members = (group) => options.filter((one) => one.group === group).map(option);
   const select = h(
     "select",
@@ -66,13 +73,18 @@ export function segments(label, options, chosen, onChange) {
 }
 
 /**
- * Choices with an explanation each, one below the other; those of one group stand together, under its words.
  * @typedef {{value: string, label: string, hint?: string}} Choice
- * @param {string} label @param {(Choice | {words: string, options: Choice[]})[]} options @param {string} chosen
+ * @typedef {{words: string, options: Choice[]}} ChoiceGroup
+ */
+
+/**
+ * Choices with an explanation each, one below the other; those of one group stand together, under its words.
+ * @param {string} label @param {(Choice | ChoiceGroup)[]} options @param {string} chosen
  * @param {(value: string) => void} onChange
  */
 export function choices(label, options, chosen, onChange) {
   const name = `choices-${++made}`;
+  /** @param {Choice} option */
   const one = (option) =>
     h(
       "label",
@@ -86,6 +98,7 @@ export function choices(label, options, chosen, onChange) {
       }),
       h("span", { class: "grow" }, h("b", {}, option.label), option.hint && h("span", {}, option.hint)),
     );
+  /** @param {ChoiceGroup} choices */
   const group = ({ words, options: members }) =>
     h("div", { class: "stack", role: "group", "aria-label": words }, h("h3", {}, words), members.map(one));
   return h(
@@ -116,19 +129,18 @@ export function stepper({ label, value, low, high, step, digits, unit, onChange 
     less.disabled = now <= low + step / 1000;
     more.disabled = now >= high - step / 1000;
   };
+  /** @param {1 | -1} direction */
   const turn = (direction) => {
     const next = Math.min(high, Math.max(low, Math.round((now + direction * step) / step) * step));
     now = Number(next.toFixed(6));
     show();
     onChange(now);
   };
-  for (const [button, direction] of [
-    [less, -1],
-    [more, 1],
-  ])
-    repeatWhileHeld(button, () => turn(direction));
+  repeatWhileHeld(less, () => turn(-1));
+  repeatWhileHeld(more, () => turn(1));
   show();
   const element = h("span", { class: "stepper", role: "group", "aria-label": label }, less, shown, more);
+  /** @param {number} other */
   const setValue = (other) => {
     now = other;
     show();
@@ -138,7 +150,7 @@ export function stepper({ label, value, low, high, step, digits, unit, onChange 
 
 /**
  * A line with words at the left and its control at the right.
- * @param {string} title @param {import("./dom.js").Child} hint a text, or several of them @param {Node} control
+ * @param {string} title @param {Child} hint a text, or several of them @param {Node} control
  */
 export function setting(title, hint, control) {
   const hints = [hint].flat().filter(Boolean);
@@ -155,7 +167,7 @@ export function setting(title, hint, control) {
   );
 }
 
-/** @param {HTMLElement} button @param {() => void} act */
+/** @param {HTMLButtonElement} button @param {() => void} act */
 export function repeatWhileHeld(button, act) {
   let timer = 0;
   const end = () => clearTimeout(timer);

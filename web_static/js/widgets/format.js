@@ -22,12 +22,12 @@ export function number(value, digits) {
 /** With its sign, also when it is positive. @param {number | null | undefined} value @param {number} digits */
 export function signed(value, digits) {
   const words = number(value, digits);
-  return Number.isFinite(value) && value > 0 && Number(value.toFixed(digits)) !== 0 ? `+${words}` : words;
+  return typeof value === "number" && Number.isFinite(value) && value > 0 && Number(value.toFixed(digits)) !== 0 ? `+${words}` : words;
 }
 
 /** @param {number | null | undefined} share 0..1 */
 export function percent(share) {
-  return Number.isFinite(share) ? `${Math.round(share * 100)} %` : NONE;
+  return typeof share === "number" && Number.isFinite(share) ? `${Math.round(share * 100)} %` : NONE;
 }
 
 /** Minutes and seconds. @param {number} seconds */

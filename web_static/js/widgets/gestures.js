@@ -1,10 +1,14 @@
-/** Gestures in words, and found by what they are. */
+/**
+ * Gestures in words, and found by what they are.
+ * @import { Joint } from "types/api"
+ */
 import { t } from "../texts.js";
 
-/** @param {any} profile @returns {Record<string, string>} joint name -> label, of the joints that have a map */
+/** @param {{layout: {joints: Joint[]}, joints: {name?: unknown}[]}} profile @returns {Record<string, string>} joint name -> label, of the joints that have a map */
 export function jointLabels(profile) {
   const labels = Object.fromEntries(profile.layout.joints.map(({ name, label }) => [name, label]));
-  return Object.fromEntries(profile.joints.map(({ name }) => [name, labels[name] ?? name]));
+  const names = profile.joints.map(({ name }) => String(name));
+  return Object.fromEntries(names.map((name) => [name, labels[name] ?? name]));
 }
 
 /** @param {{joint: string, direction: number, feature: string}} gesture @param {Record<string, string>} labels */
@@ -13,7 +17,10 @@ export function gestureWords({ joint, direction, feature }, labels) {
   return feature === "displacement" ? t("gesture.held", { joint: words }) : words;
 }
 
-/** @param {any[]} gestures @param {string} joint @param {number} direction */
+/**
+ * @template {{joint: string, direction: number}} Gesture
+ * @param {Gesture[]} gestures @param {string} joint @param {number} direction
+ */
 export function gestureFor(gestures, joint, direction) {
   return gestures.find((gesture) => gesture.joint === joint && gesture.direction === direction);
 }

@@ -37,7 +37,9 @@ const PATHS = {
   pause: ["M8 5v14M16 5v14"],
 };
 
-/** @param {keyof typeof PATHS} name @param {number} [size] in px */
+/** @typedef {keyof typeof PATHS} IconName */
+
+/** @param {IconName} name @param {number} [size] in px */
 export function icon(name, size = 24) {
   return s(
     "svg",

@@ -5,6 +5,7 @@
 
 const SEND_EVERY = 34; // ms: at most 30 messages a second
 export const JOINTS = ["left_shoulder", "left_elbow", "right_elbow", "right_shoulder"];
+/** @type {Record<string, string>} */
 const KEYS = {
   KeyW: "right_elbow",
   ArrowUp: "right_elbow",
@@ -21,8 +22,11 @@ const STICKS = { left_shoulder: 1, right_shoulder: 3 };
 const STICK_REST = 0.12; // a worn stick does not stand quite at 0
 const TAKES_ARROWS = "input, select, textarea, [role=slider], [role=radio]";
 
+/** @typedef {"pad" | "key" | "gamepad"} Source */
+
 export class Movement extends EventTarget {
-  #held = { pad: new Map(), key: new Map(), gamepad: new Map() };
+  /** @type {Record<Source, Map<string, number>>} */
+  #levels = { pad: new Map(), key: new Map(), gamepad: new Map() };
   #sent = "";
   #timer = 0;
 
@@ -36,16 +40,17 @@ export class Movement extends EventTarget {
     window.addEventListener("blur", () => this.#letGo("key"), { signal });
     this.#readGamepad();
     signal.addEventListener("abort", () => {
-      for (const source of Object.keys(this.#held)) this.#held[source].clear();
+      for (const levels of Object.values(this.#levels)) levels.clear();
       this.#send();
     });
   }
 
-  /** Take keys from a window: ours, and that of the 3D view when it has the focus. @param {EventTarget} where */
+  /** Take keys from a window: ours, and that of the 3D view when it has the focus. @param {Window} where */
   listenTo(where) {
+    /** @param {KeyboardEvent} event @param {number} level */
     const key = (event, level) => {
       const joint = KEYS[event.code];
-      if (!joint || event.ctrlKey || event.metaKey || event.altKey || event.target?.closest?.(TAKES_ARROWS)) return;
+      if (!joint || event.ctrlKey || event.metaKey || event.altKey || takesArrows(event.target)) return;
       event.preventDefault();
       if (!event.repeat) this.hold("key", joint, level);
     };
@@ -53,20 +58,21 @@ export class Movement extends EventTarget {
     where.addEventListener("keyup", (event) => key(event, 0), { signal: this.signal });
   }
 
-  /** @param {"pad" | "key" | "gamepad"} source @param {string} joint @param {number} level 0..1 */
+  /** @param {Source} source @param {string} joint @param {number} level 0..1 */
   hold(source, joint, level) {
-    if (level > 0) this.#held[source].set(joint, level);
-    else this.#held[source].delete(joint);
+    if (level > 0) this.#levels[source].set(joint, level);
+    else this.#levels[source].delete(joint);
     this.#changed();
   }
 
   /** @param {string} joint @returns {number} the strongest wish among the sources */
   level(joint) {
-    return Math.max(0, ...Object.values(this.#held).map((levels) => levels.get(joint) ?? 0));
+    return Math.max(0, ...Object.values(this.#levels).map((levels) => levels.get(joint) ?? 0));
   }
 
+  /** @param {Source} source */
   #letGo(source) {
-    this.#held[source].clear();
+    this.#levels[source].clear();
     this.#changed();
   }
 
@@ -95,11 +101,18 @@ export class Movement extends EventTarget {
       for (const [joint, button] of Object.entries(TRIGGERS)) this.#follow(joint, pad.buttons[button].value);
       for (const [joint, axis] of Object.entries(STICKS))
         this.#follow(joint, Math.max(0, -pad.axes[axis] - STICK_REST) / (1 - STICK_REST));
-    } else if (this.#held.gamepad.size) this.#letGo("gamepad");
+    } else if (this.#levels.gamepad.size) this.#letGo("gamepad");
     requestAnimationFrame(() => this.#readGamepad());
   }
 
+  /** @param {string} joint @param {number} level of the gamepad, 0..1 */
   #follow(joint, level) {
-    if (Math.abs((this.#held.gamepad.get(joint) ?? 0) - level) > 0.005) this.hold("gamepad", joint, level);
+    if (Math.abs((this.#levels.gamepad.get(joint) ?? 0) - level) > 0.005) this.hold("gamepad", joint, level);
   }
+}
+
+/** @param {EventTarget | null} target an element of this window or of the 3D view's, which has classes of its own */
+function takesArrows(target) {
+  const element = /** @type {Partial<Element> | null} */ (target);
+  return Boolean(element?.closest?.(TAKES_ARROWS));
 }

@@ -16,6 +16,7 @@ export function pairedCard(app, { key_line: line, qr }, { name, host, port }, on
       app.toasts.show(t("paired.copy-failed")); // browsers give the clipboard to encrypted pages only
     }
   };
+  /** @param {string} words */
   const code = (words) => h("pre", {}, h("code", {}, words));
   return h(
     "section",

@@ -18,6 +18,7 @@ export function pads(app, signal, { hasNote = true } = {}) {
       button.style.setProperty("--level", String(movement.level(joint)));
     });
   movement.addEventListener("change", show);
+  /** @param {keyof typeof SIDES} name */
   const side = (name) =>
     h(
       "div",
@@ -35,6 +36,7 @@ export function pads(app, signal, { hasNote = true } = {}) {
   return { element, movement };
 }
 
+/** @param {string} joint @param {Movement} movement */
 function pad(joint, movement) {
   const verb = joint.endsWith("elbow") ? t("pads.bend") : t("pads.forward");
   const button = h(

@@ -1,4 +1,7 @@
-/** The patient's screens of this session: pair one by a code, what they show, unpair one. */
+/**
+ * The patient's screens of this session: pair one by a code, what they show, unpair one.
+ * @import { OfferView, ScreensView, ScreenView, Wishes } from "types/api"
+ */
 import { t } from "../texts.js";
 import { h, put, write } from "./dom.js";
 import { toggle } from "./fields.js";
@@ -6,7 +9,7 @@ import { moment } from "./format.js";
 import { icon } from "./icons.js";
 import { pictureOf } from "./one_time_key.js";
 
-const WISHES = ["arrow", "sounds", "large", "plan"];
+const WISHES = /** @type {const} */ (["arrow", "sounds", "large", "plan"]);
 const LOOK_EVERY = 5000; // ms between two looks at the time that a code has left
 const MINUTE = 60_000; // ms
 
@@ -25,32 +28,32 @@ export function patientScreenCard(app, signal) {
     below,
   );
   let isOpen = false; // a code is shown
+  /** @type {ScreensView | null} */
   let shown = null;
 
+  /** @param {ScreensView} read */
   const draw = (read) => {
-    if (isOpen && shown && read.screens.some(({ id }) => !shown.screens.some((screen) => screen.id === id))) {
+    const before = shown;
+    if (isOpen && before && read.screens.some(({ id }) => !before.screens.some((screen) => screen.id === id))) {
       app.toasts.show(t("screens.paired"));
       offer();
     }
     shown = read;
     put(list, read.screens.map(row));
     const hadFocus = wishes.contains(document.activeElement);
-    const at = [...wishes.querySelectorAll("input")].indexOf(document.activeElement);
+    const at = [...wishes.querySelectorAll("input")].findIndex((input) => input === document.activeElement);
     put(
       wishes,
       WISHES.map((wish) => toggle(t(`screens.${wish}`), read.settings[wish], (on) => choose({ ...read.settings, [wish]: on }))),
     );
     if (hadFocus) wishes.querySelectorAll("input")[at]?.focus();
   };
-  const call = async (asked) => {
-    try {
-      draw(await asked);
+  /** Draw what a call answers. @param {Promise<ScreensView>} answer @returns {Promise<boolean | undefined>} whether it was done */
+  const call = (answer) =>
+    app.toasts.attempt(async () => {
+      draw(await answer);
       return true;
-    } catch (error) {
-      app.toasts.show(error.message);
-      return false;
-    }
-  };
+    });
   const read = () => {
     if (app.session?.patient) return call(app.api.get("/patient-screen"));
     shown = null;
@@ -58,10 +61,13 @@ export function patientScreenCard(app, signal) {
     put(wishes);
     put(below, h("p", { class: "quiet" }, t("screens.nobody")));
   };
+  /** @param {Wishes} settings */
   const choose = async (settings) => (await call(app.api.post("/patient-screen/settings", settings))) || read();
+  /** @param {ScreenView} screen */
   const unpair = async ({ id, number }) => {
     if (await call(app.api.remove(`/patient-screen/${id}`))) app.toasts.show(t("screens.unpaired", { number }));
   };
+  /** @param {ScreenView} screen */
   const row = (screen) => {
     const label = t("screens.unpair.label", { number: screen.number });
     const action = { type: "button", class: "btn", "aria-label": label, onclick: () => unpair(screen) };
@@ -80,16 +86,14 @@ export function patientScreenCard(app, signal) {
     isOpen = false;
     put(below, h("button", { type: "button", class: "btn", onclick: open }, icon("plus", 20), t("screens.pair")));
   };
-  const open = async () => {
-    try {
+  /** @returns {Promise<void>} */
+  const open = () =>
+    app.toasts.attempt(async () => {
       const made = await app.api.post("/patient-screen/pairing");
       isOpen = true;
       put(below, codeView(app, made, { onAgain: open, onClose: offer }, signal));
-      below.querySelector("h3").focus();
-    } catch (error) {
-      app.toasts.show(error.message);
-    }
-  };
+      below.querySelector("h3")?.focus();
+    });
   app.live.addEventListener(
     "changed",
     ({ detail }) => ["screens", "session", "everything"].includes(detail) && read(),
@@ -108,7 +112,11 @@ export function patientScreenCard(app, signal) {
   return element;
 }
 
-/** The code to scan, its link, and how long they hold. */
+/**
+ * The code to scan, its link, and how long they hold.
+ * @param {import("../main.js").App} app @param {OfferView} offer
+ * @param {{onAgain: () => void, onClose: () => void}} actions @param {AbortSignal} signal
+ */
 function codeView(app, { url, qr, words, expires }, { onAgain, onClose }, signal) {
   const about = h("p", { role: "status" });
   const link = h("code", {}, url);
@@ -120,6 +128,7 @@ function codeView(app, { url, qr, words, expires }, { onAgain, onClose }, signal
       app.toasts.show(t("screens.copy-failed")); // browsers give the clipboard to encrypted pages only
     }
   };
+  /** @param {string} text @param {() => void} run */
   const button = (text, run) => h("button", { type: "button", class: "btn", onclick: run }, text);
   const picture = h("img", { class: "qr", src: pictureOf(qr), alt: t("screens.qr"), width: 240, height: 240 });
   const element = h(

@@ -1,4 +1,7 @@
-/** What was replaced in the last 30 days, each with a button that puts it back under a free name. */
+/**
+ * What was replaced in the last 30 days, each with a button that puts it back under a free name.
+ * @import { ReplacedView } from "types/api"
+ */
 import { t } from "../texts.js";
 import { h, put } from "./dom.js";
 import { day } from "./format.js";
@@ -6,7 +9,7 @@ import { day } from "./format.js";
 /**
  * @param {import("../main.js").App} app
  * @param {string[]} kinds of those that are listed: file, model, floorplan
- * @param {() => any} onBack called after a file was put back
+ * @param {() => unknown} onBack called after a file was put back
  * @returns {{element: HTMLElement, show: () => Promise<void>}} hidden while there is nothing
  */
 export function replacedList(app, kinds, onBack) {
@@ -17,16 +20,15 @@ export function replacedList(app, kinds, onBack) {
     put(rows, list.map(row));
     element.hidden = !list.length;
   };
-  const putBack = async (one) => {
-    try {
+  /** @param {ReplacedView} one */
+  const putBack = (one) =>
+    app.toasts.attempt(async () => {
       const { name } = await app.api.post(`/replaced/${one.kind}/${encodeURIComponent(one.id)}/restore`);
       app.toasts.show(t("replaced.back", { name }));
       await onBack();
       await show();
-    } catch (error) {
-      app.toasts.show(error.message);
-    }
-  };
+    });
+  /** @param {ReplacedView} one */
   const row = (one) =>
     h(
       "div",
@@ -48,6 +50,6 @@ export function replacedList(app, kinds, onBack) {
         t("replaced.put-back"),
       ),
     );
-  show().catch((error) => app.toasts.show(error.message));
+  app.toasts.attempt(show);
   return { element, show };
 }

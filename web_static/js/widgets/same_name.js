@@ -1,4 +1,9 @@
-/** The question about an upload whose name is taken: a person keeps both, replaces the old one, or cancels. */
+/**
+ * The question about an upload whose name is taken: a person keeps both, replaces the old one, or cancels.
+ * @import { NameChoice } from "../api.js"
+ * @typedef {"ask" | "keep-both" | "replace"} SameName
+ */
+import { ApiError } from "../api.js";
 import { t } from "../texts.js";
 import { h, put } from "./dom.js";
 
@@ -10,25 +15,29 @@ export function questionPlace() {
 /**
  * Send an upload; when its name is taken, ask and send it again. The page around the question stays usable, Stop above
  * all.
+ * @template Answer
  * @param {HTMLElement} place the page frame's, as of `questionPlace`
- * @param {(sameName: "ask" | "keep-both" | "replace") => Promise<any>} send
- * @returns {Promise<any>} the answer; null when the person cancelled
+ * @param {(sameName: SameName) => Promise<Answer>} send
+ * @returns {Promise<Answer | null>} the answer; null when the person cancelled
  */
 export async function sendUnderName(place, send) {
   try {
     return await send("ask");
   } catch (error) {
-    if (!error.choice) throw error;
-    const chosen = await asked(place, error);
+    if (!(error instanceof ApiError && error.choice)) throw error;
+    const chosen = await choiceOf(place, error.message, error.choice);
     return chosen ? send(chosen) : null;
   }
 }
 
-/** @param {HTMLElement} place @param {import("../api.js").ApiError} error @returns {Promise<any>} */
-function asked(place, error) {
-  const { proposed, may_replace: mayReplace } = error.choice;
-  const before = document.activeElement;
+/**
+ * What the person chose; null when they cancelled.
+ * @param {HTMLElement} place @param {string} question @param {NameChoice} choice @returns {Promise<SameName | null>}
+ */
+function choiceOf(place, question, { proposed, may_replace: mayReplace }) {
+  const before = /** @type {HTMLElement | null} */ (document.activeElement);
   return new Promise((resolve) => {
+    /** @param {SameName | null} sameName */
     const choose = (sameName) => {
       place.hidden = true;
       place.onkeydown = null;
@@ -38,11 +47,12 @@ function asked(place, error) {
       resolve(sameName);
     };
     const leave = () => choose(null);
+    /** @param {SameName | null} sameName @param {string} words */
     const button = (sameName, words, kind = "btn") =>
       h("button", { type: "button", class: kind, onclick: () => choose(sameName) }, words);
     put(
       place,
-      h("p", {}, error.message),
+      h("p", {}, question),
       mayReplace && h("p", { class: "quiet small" }, t("same-name.kept")),
       h(
         "div",
@@ -53,7 +63,7 @@ function asked(place, error) {
       ),
     );
     place.onkeydown = (event) => event.key === "Escape" && choose(null);
-    place.setAttribute("aria-label", error.message);
+    place.setAttribute("aria-label", question);
     addEventListener("hashchange", leave);
     place.hidden = false;
     place.focus();

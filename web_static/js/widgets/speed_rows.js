@@ -1,4 +1,7 @@
-/** The limits of speed and of its change, as steppers and in words: those of a set, of the clinic, of a chair. */
+/**
+ * The limits of speed and of its change, as steppers and in words: those of a set, of the clinic, of a chair.
+ * @import { Speeds } from "types/api"
+ */
 import { hasText, t } from "../texts.js";
 import { h, write } from "./dom.js";
 import { setting, stepper } from "./fields.js";
@@ -10,6 +13,7 @@ const DEGREES = 180 / Math.PI; // people read degrees, the chair radians
  * In the order of wheelchair programming. `range` is what anybody may choose from, in SI units, where the server names
  * no other: that of app/calibration/speeds.py.
  */
+/** @type {{name: keyof Speeds, unit: string, step: number, digits: number, factor: number, range: [number, number]}[]} */
 export const SPEEDS = [
   { name: "forward", unit: "speed", step: 0.05, digits: 2, factor: 1, range: [0.05, 1.5] },
   { name: "reverse", unit: "speed", step: 0.05, digits: 2, factor: 1, range: [0.05, 1.5] },
@@ -28,10 +32,11 @@ export function speedWords({ unit, digits, factor }, value) {
 
 /**
  * A stepper for each limit; `note` writes a remark below one.
- * @param {Record<string, number>} speeds in SI units @param {Record<string, [number, number]>} limits
- * @param {(name: string, value: number) => void} onChange
+ * @param {Speeds} speeds in SI units @param {Partial<Record<string, [number, number]>>} limits
+ * @param {(name: keyof Speeds, value: number) => void} onChange
  */
 export function speedRows(speeds, limits, onChange) {
+  /** @type {Map<string, HTMLElement>} */
   const notes = new Map();
   const elements = SPEEDS.map(({ name, unit, step, digits, factor, range }) => {
     const [low, high] = limits[name] ?? range;
@@ -40,6 +45,7 @@ export function speedRows(speeds, limits, onChange) {
     const note = h("span", { class: "held" });
     notes.set(name, note);
     // Whole steps of what people read, within what the chair may do.
+    /** @param {number} value as people read it */
     const change = (value) => onChange(name, Math.min(high, Math.max(low, value / factor)));
     const control = stepper({
       label,
@@ -53,5 +59,10 @@ export function speedRows(speeds, limits, onChange) {
     });
     return setting(label, [hasText(hint) && t(hint), note], control);
   });
-  return { elements, note: (name, words) => write(notes.get(name), words) };
+  /** @param {keyof Speeds} name @param {string} words */
+  const note = (name, words) => {
+    const place = notes.get(name);
+    if (place) write(place, words);
+  };
+  return { elements, note };
 }

@@ -1,4 +1,8 @@
-/** The card over the picture: the starting cue, what to do after a stop or fault, and what to do without a picture. */
+/**
+ * The card over the picture: the starting cue, what to do after a stop or fault, and what to do without a picture.
+ * @import { App } from "../main.js"
+ * @import { FaultWords, LiveMessage } from "../live/live.js"
+ */
 import { t } from "../texts.js";
 import { h, put, write } from "./dom.js";
 import { clock } from "./format.js";
@@ -18,6 +22,7 @@ export function trialCue(app, picture, onEnd, onPlan) {
   let shown = "";
   let isBegun = false;
   let timer = 0;
+  /** @param {string} big @param {string} small */
   const word = (big, small, tone = "") =>
     h(
       "div",
@@ -32,16 +37,17 @@ export function trialCue(app, picture, onEnd, onPlan) {
     if (!why || why === "coming") put(element, word(t("trial.moment"), t("trial.moment.why")));
     else put(element, withoutPicture(why, onPlan));
   };
+  /** @param {LiveMessage} now */
   const show = (now) => {
     waits.show(now.trial?.waits);
-    const isFault = now.fault && now.control === "alive";
-    const phase = now.control !== "alive" ? "control" : now.fault ? faultKey(now) : now.state;
-    const key = isFault ? `${phase} ${missing()}` : phase;
+    const fault = now.control === "alive" ? now.fault : null;
+    const phase = now.control !== "alive" ? "control" : fault ? faultKey(fault, now.stops) : now.state;
+    const key = fault ? `${phase} ${missing()}` : phase;
     if (key === shown) return;
     shown = key;
-    if (isFault) {
+    if (fault) {
       clearTimeout(timer);
-      return put(element, overView(app, now.fault, missing(), waits.element, onEnd, onPlan));
+      return put(element, overView(app, fault, missing(), waits.element, onEnd, onPlan));
     }
     if (key === "disarmed" && !isBegun) return; // not begun: what was prepared stays
     clearTimeout(timer);
@@ -56,18 +62,23 @@ export function trialCue(app, picture, onEnd, onPlan) {
   return { element, show, prepare };
 }
 
+/**
+ * @param {App} app @param {FaultWords} fault @param {string} missing why there is no picture; empty when there is one
+ * @param {Node} waits @param {() => Promise<void>} onEnd @param {() => void} onPlan
+ */
 function overView(app, fault, missing, waits, onEnd, onPlan) {
   const end = h("button", { type: "button", class: "btn", onclick: onEnd }, t("trial.end"));
   if (!missing) return faultCard(app, fault, waits, end);
   return card(fault.happened, t(`picture.${missing}`), waits, planButton("picture.plan.show", onPlan), end);
 }
 
-/** The card while there is no picture to drive by. */
+/** The card while there is no picture to drive by. @param {string} why @param {() => void} onPlan */
 function withoutPicture(why, onPlan) {
   const back = h("a", { class: "btn", href: "#/drive" }, t("picture.back"));
   return card(t("picture.none"), t(`picture.${why}`), null, planButton("picture.plan.start", onPlan), back);
 }
 
+/** @param {string} words @param {() => void} onPlan */
 function planButton(words, onPlan) {
   return h("button", { type: "button", class: "btn go", onclick: onPlan }, t(words));
 }
@@ -79,10 +90,12 @@ function planButton(words, onPlan) {
 export function waitWords(key) {
   const left = h("b", { class: "number", role: "timer" });
   const element = h("p", { class: "waits" }, t(key), " ", left);
-  return { element, show: (seconds) => write(left, clock(seconds)) };
+  /** @param {number | null | undefined} seconds */
+  const show = (seconds) => write(left, clock(seconds ?? 0));
+  return { element, show };
 }
 
-/** What happened, what to do, Continue, and how to end. @param {import("../main.js").App} app @param {{happened: string, next_step: string}} fault @param {Node} waits @param {Node} end */
+/** What happened, what to do, Continue, and how to end. @param {import("../main.js").App} app @param {FaultWords} fault @param {Node} waits @param {Node} end */
 export function faultCard(app, { happened, next_step: next }, waits, end) {
   return card(happened, next, waits, continueButton(app), end);
 }

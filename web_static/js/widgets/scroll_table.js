@@ -1,0 +1,10 @@
+/** A table in a region of its own that scrolls sideways: a narrow screen keeps all of its columns. */
+import { h } from "./dom.js";
+
+/**
+ * @param {string} label what the region is called @param {string} kind classes of the table
+ * @param {...import("types/dom").Child} parts head and body of the table
+ */
+export function scrollTable(label, kind, ...parts) {
+  return h("div", { class: "scroll-x", tabindex: "0", role: "region", "aria-label": label }, h("table", { class: kind }, parts));
+}
