@@ -1,5 +1,8 @@
-/** The application: who is signed in, who is here, the live link, and which page is shown. */
-import { Api } from "./api.js";
+/**
+ * The application: who is signed in, who is here, the live link, and which page is shown.
+ * @import { CurrentSession, Me } from "types/api"
+ */
+import { Api, failureWords } from "./api.js";
 import { Live } from "./live/live.js";
 import { h, put } from "./widgets/dom.js";
 import { header } from "./shell/header.js";
@@ -26,13 +29,14 @@ export class App extends EventTarget {
   screen = new Screen();
   toasts = new Toasts();
   question = questionPlace();
-  /** @type {any} */
+  /** Who is signed in here. @type {Me | null} */
   me = null;
-  /** @type {any} */
+  /** The open session and its patient. @type {CurrentSession | null} */
   session = null;
   #shown = new ShownSession(this);
   /** Kind of the shirt in use when nobody wears it. @type {string | null} */
   practice = null;
+  /** What the address names: a page, and what it shall show. @type {{page: string, rest: string[]}} */
   route = { page: "", rest: [] };
   /** Why the disk is a worry; empty when it is none. */
   diskWords = "";
@@ -42,10 +46,11 @@ export class App extends EventTarget {
   /** @type {{floorplan: string, path: string} | null} the trial that the drive page shall start */
   #wanted = null;
 
+  root = h("main", { class: "page", tabindex: "-1" });
+  rail = rail(this);
+  frame = h("div", { class: "app alone" }, header(this), this.rail, notices(this), this.root);
+
   async start() {
-    this.root = h("main", { class: "page", tabindex: "-1" });
-    this.rail = rail(this);
-    this.frame = h("div", { class: "app alone" }, header(this), this.rail, notices(this), this.root);
     document.body.replaceChildren(this.frame, this.question, this.toasts.element, this.toasts.voice, this.toasts.urgent);
     stopOnSpace(this, window);
     this.live.addEventListener("changed", (event) => this.#changed(event.detail));
@@ -69,7 +74,7 @@ export class App extends EventTarget {
         : await this.api.get("/auth/me");
     } catch (error) {
       this.me = await this.api.get("/auth/me").catch(() => null);
-      this.toasts.show(error.message);
+      this.toasts.show(failureWords(error));
     }
     // The code must not stay in the address, where the next person could read it.
     if (link) history.replaceState(null, "", location.pathname);
@@ -77,7 +82,7 @@ export class App extends EventTarget {
     await this.#signedIn();
   }
 
-  /** Go on with what a sign-in answered. @param {any} me */
+  /** Go on with what a sign-in answered. @param {Me} me */
   async signedIn(me) {
     this.me = me;
     await this.#signedIn();
@@ -85,7 +90,7 @@ export class App extends EventTarget {
 
   async signOut() {
     let words = "";
-    await this.api.post("/auth/sign-out").catch((error) => (words = error.message));
+    await this.api.post("/auth/sign-out").catch((error) => (words = failureWords(error)));
     this.signedOut(words);
   }
 
@@ -123,7 +128,7 @@ export class App extends EventTarget {
     if (this.live.latest?.fault) {
       // A stop is taken back by Continue and by nothing else.
       this.toasts.show(t("note.fault.first"));
-      this.frame.querySelector(".note .btn")?.focus();
+      /** @type {HTMLElement | null} */ (this.frame.querySelector(".note .btn"))?.focus();
       return;
     }
     this.#wanted = where;
@@ -189,19 +194,20 @@ export class App extends EventTarget {
     return this.session.has_profile ? "drive" : "calibrate";
   }
 
+  /** @param {unknown} error */
   #failed(error) {
     console.warn(error);
     put(
       this.root,
       h("h1", { tabindex: "-1" }, t("error.page")),
-      h("p", { class: "lead" }, error.message),
+      h("p", { class: "lead" }, failureWords(error)),
       h("div", {}, h("button", { type: "button", class: "btn go", onclick: () => this.show() }, t("try-again"))),
     );
   }
 
   async #signedIn() {
     if (this.me?.signed_in) {
-      await this.readSession().catch((error) => this.toasts.show(error.message));
+      await this.toasts.attempt(() => this.readSession());
       this.live.open();
       this.screen.open();
       this.#lookAtDisk();
@@ -250,12 +256,14 @@ export class App extends EventTarget {
     this.#leave.abort(why);
   }
 
+  /** @param {string | null} kind */
   #setPractice(kind) {
     if (this.practice === kind) return;
     this.practice = kind;
     this.dispatchEvent(new Event("practice"));
   }
 
+  /** @param {string} what changed on the server */
   #changed(what) {
     if (what === "sign-in") this.#whoAmI();
     else if (what !== "controls" && this.me?.signed_in) this.readSession().catch(() => null);

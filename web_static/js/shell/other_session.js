@@ -1,6 +1,6 @@
 /**
  * The card over a page whose session is no longer open: who is here now, whose page this is, and where to go.
- * @import { VisitView } from "types/api"
+ * @import { CurrentSession } from "types/api"
  */
 import { t } from "../texts.js";
 import { h } from "../widgets/dom.js";
@@ -16,7 +16,7 @@ export const OTHER_SESSION = "other session";
 const FIELDS = "form :is(input:not([type=radio], [type=hidden], [type=file]), textarea)";
 
 /**
- * @param {VisitView} before the session that the page shows @param {VisitView} now the session that is open
+ * @param {CurrentSession} before the session that the page shows @param {CurrentSession} now the session that is open
  * @param {string[]} drafts what was entered and not sent
  * @param {{onGo: () => void}} actions
  */
