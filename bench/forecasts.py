@@ -13,10 +13,10 @@ from numpy.typing import NDArray
 
 from app.calibration.cued_runs import CuedRun, run_of_cues
 from app.calibration.gestures.ability import Ability, abilities
-from app.calibration.gestures.cross_check import answered_from
+from app.calibration.gestures.cross_check import hit_level
 from app.calibration.gestures.discovery import discover
-from app.calibration.gestures.evidence import Evidence, gather
-from app.calibration.gestures.prediction import false_per_minute, passes, quiet_of
+from app.calibration.gestures.evidence import Evidence, gather_evidence
+from app.calibration.gestures.prediction import count_crossings, false_per_minute, rest_statistics
 from app.calibration.profile import CalibrationProfile
 from app.calibration.script import MOVE, PAUSE, RETURN, Step, calibration_script
 from app.cues import Cue
@@ -95,12 +95,12 @@ def watch(kind: Kind, seed: int, tally: Tally, rest: float = REST, repetitions: 
     profile = fit_recorded(participant.layout, SAMPLE_RATE, recorded)
     runs = [run_of_cues(values, cue, step.cues) for step, values, cue in recorded]
     found = discover(profile, runs)
-    before = gather(profile, runs)
+    before = gather_evidence(profile, runs)
     bound = {name for binding in found.suggestion.bindings for name in binding.gestures}
     chosen = [gesture for gesture in found.gestures if gesture.name in bound]
     later = [_more(participant, _rest(rest))]
     later += [_more(participant, _prompts(gesture.joint, repetitions)) for gesture in chosen]
-    after = gather(profile, later)
+    after = gather_evidence(profile, later)
     made = {ability.name: ability for ability in abilities(profile, after)}
     for gesture in chosen:
         forecast, truth = gesture.prediction, made[gesture.name]
@@ -108,9 +108,9 @@ def watch(kind: Kind, seed: int, tally: Tally, rest: float = REST, repetitions: 
             raise ValueError(f"seed {seed}: '{gesture.name}' has no forecast")
         quiet = [gesture.direction * piece for piece in after.at_rest(truth.column)]
         minutes = sum(map(len, quiet)) / SAMPLE_RATE / 60.0
-        counted = passes(quiet, gesture.dead_zone)
+        counted = count_crossings(quiet, gesture.dead_zone)
         _count_lowered(tally, profile, before, truth, quiet, minutes)
-        level = answered_from(gesture.dead_zone, gesture.full)
+        level = hit_level(gesture.dead_zone, gesture.full)
         hits = sum(peak >= level for peak in truth.peaks)
         tally.gestures += 1
         tally.minutes += minutes
@@ -132,10 +132,12 @@ def _count_lowered(
     minutes: float,
 ) -> None:
     lowered = LOWERED * profile.joints[truth.column].rest_rate
-    known = quiet_of([*before.at_rest(truth.column), *before.in_pauses(truth.column, truth.joint.name)], SAMPLE_RATE)
+    known = rest_statistics(
+        [*before.at_rest(truth.column), *before.in_pauses(truth.column, truth.joint.name)], SAMPLE_RATE
+    )
     if known is not None:
         tally.predicted_lowered += false_per_minute(known, lowered) * minutes
-        tally.counted_lowered += passes(quiet, lowered)
+        tally.counted_lowered += count_crossings(quiet, lowered)
 
 
 def _more(participant: Participant, cues: Sequence[Cue]) -> CuedRun:

@@ -1,4 +1,4 @@
-"""Recordings made to cues, cut into phases: at rest, moving freely, moving towards a gesture, on the way back."""
+"""Cuts recordings made to cues into phases: rest, free movement, movement towards a gesture, way back."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -11,11 +11,11 @@ from app.calibration.fit.pieces import Frames, fill_forward
 from app.calibration.fit.repetitions import Prompt
 from app.cues import Cue, CueKind
 
-WAY_BACK = 1.5  # of a prompt's length: how long the way back may take where nothing says how long it was
+WAY_BACK = 1.5  # assumed duration of the way back, over that of the prompt, where no cue gives it
 
 
 class Phase(NamedTuple):
-    """What was asked for during some rows of a recording."""
+    """The rows of a recording during which one thing was asked for."""
 
     kind: CueKind
     rows: slice
@@ -24,19 +24,19 @@ class Phase(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class CuedRun:
-    """One recording without holes, (n, n_channels), and what was asked for when."""
+    """One recording with its phases."""
 
-    values: Frames
+    values: Frames  # (n, n_channels), without NaN
     phases: tuple[Phase, ...]
 
 
 def run_of_cues(values: NDArray[np.floating], cue: NDArray[np.integer], cues: Sequence[Cue]) -> CuedRun:
-    """Return the recording of one step; `cue` (n,) holds for each frame the index into `cues`."""
+    """Return the recording of one step; `cue` (n,) is the index into `cues` of each frame."""
     phases = []
-    for index, asked in enumerate(cues):
+    for index, one in enumerate(cues):
         rows = np.flatnonzero(cue == index)
         if len(rows) > 1:
-            phases.append(Phase(asked.kind, slice(int(rows[0]), int(rows[-1]) + 1), asked.joint))
+            phases.append(Phase(one.kind, slice(int(rows[0]), int(rows[-1]) + 1), one.joint))
     return CuedRun(fill_forward(np.asarray(values, np.float64)), tuple(phases))
 
 
@@ -47,10 +47,10 @@ def run_of_prompts(
     free: slice,
     rest: slice | None = None,
 ) -> CuedRun:
-    """Return one long recording whose prompts stand in a table (times in s, as `t` (n,) counts them).
+    """Return one long recording with the phases of a table of prompts (times in s, on the time axis `t` (n,)).
 
-    The table does not say when the way back was made: it is looked for right after each prompt, for one and a half
-    times its length, at most until the next prompt of the same joint.
+    The table does not contain the ways back: each is taken to follow its prompt for 1.5 times the prompt's duration, at
+    most until the next prompt of the same joint.
     """
     phases = [Phase("free", free, None)]
     if rest is not None:

@@ -1,24 +1,24 @@
-"""Grades of a joint's map, with the reason in words and what to do about it."""
+"""Grades a joint's map, with the reasons in words and what to do about them."""
 
 import math
 from dataclasses import dataclass
 
 from app.calibration.profile import Grade
 
-# Below the first number a map is only usable, below the second its movement has to be repeated.
+# Limits come in pairs: beyond the first a map is `usable` only, beyond the second its movement has to be repeated.
 EVR_LIMITS = (0.80, 0.50)  # the paper reports 80-90 %
 SIGNAL_TO_NOISE_LIMITS = (8.0, 4.0)  # the dead-zone alone is 4 times the noise
-SPREAD_LIMITS = (0.30, 0.60)  # of the repetitions' peaks; above these
+SPREAD_LIMITS = (0.30, 0.60)  # of the repetitions' peaks, upper limits
 PROMPTED_SHARE_LIMITS = (0.30, 0.10)  # of the span
-CROSS_TALK_LIMIT = 0.30  # above it, two gestures answer together
+CROSS_TALK_LIMIT = 0.30  # above it, two gestures are active together
 AGREEMENT_LIMITS = (0.90, 0.70)  # of the repetitions' directions
 LARGEST_ANGLE = 30.0  # degrees between free and prompted movement
 ORDER: dict[Grade, int] = {"good": 0, "usable": 1, "repeat": 2}
 
 
 @dataclass(frozen=True, slots=True)
-class Findings:
-    """What was measured of one joint; None where there was nothing to measure it from."""
+class JointMeasurements:
+    """The measurements of one joint from a calibration; None where the recordings lack the data."""
 
     evr: float
     signal_to_noise: float
@@ -26,26 +26,26 @@ class Findings:
     repeatability: float | None
     agreement: float | None  # None: never prompted
     angle_deg: float | None
-    strongest_cross_talk: tuple[str, float] | None  # joint that answers too, and how much
-    channels: int
-    channels_out: int
-    prompted_share: float | None  # of the span: how far the prompted movements go
-    span_from_prompts: bool
+    strongest_cross_talk: tuple[str, float] | None  # joint that answers most, and its share
+    channels: int  # in the map
+    channels_out: int  # left out of it
+    prompted_share: float | None  # extent of the prompted movements as a share of the span
+    span_from_prompts: bool  # whether the prompts set the span, not the free movement
     had_rest: bool
 
 
-def grade(found: Findings) -> tuple[Grade, str]:
-    """Return the worst grade that any finding gives, and the sentences for it: the worst first."""
+def grade(found: JointMeasurements) -> tuple[Grade, str]:
+    """Return the worst grade over all criteria, and the sentences for them, the worst first."""
     sentences = [*_of_movement(found), *_of_prompts(found), *_of_channels(found)]
     sentences.sort(key=lambda finding: -ORDER[finding[0]])
     worst: Grade = sentences[0][0] if sentences else "good"
     words = [words for _, words in sentences if words]
     if worst == "good":
-        words.insert(0, _praise(found))
+        words.insert(0, _good_sentence(found))
     return worst, " ".join(words)
 
 
-def _of_movement(found: Findings) -> list[tuple[Grade, str]]:
+def _of_movement(found: JointMeasurements) -> list[tuple[Grade, str]]:
     findings: list[tuple[Grade, str]] = []
     if not found.reaches_full:
         findings.append(("repeat", "The movement does not rise above the noise: repeat it larger and quicker."))
@@ -73,7 +73,7 @@ def _of_movement(found: Findings) -> list[tuple[Grade, str]]:
     return findings
 
 
-def _of_prompts(found: Findings) -> list[tuple[Grade, str]]:
+def _of_prompts(found: JointMeasurements) -> list[tuple[Grade, str]]:
     if found.agreement is None:
         return [("usable", "It was not prompted: its sign is arbitrary and may be the wrong way round, so prompt it.")]
     findings: list[tuple[Grade, str]] = []
@@ -102,7 +102,7 @@ def _of_prompts(found: Findings) -> list[tuple[Grade, str]]:
     return findings
 
 
-def _of_channels(found: Findings) -> list[tuple[Grade, str]]:
+def _of_channels(found: JointMeasurements) -> list[tuple[Grade, str]]:
     if found.channels == 1 and found.channels_out:
         return [("usable", "Only one of its channels is left: check the others on the Shirt page.")]
     if found.channels_out:
@@ -110,7 +110,7 @@ def _of_channels(found: Findings) -> list[tuple[Grade, str]]:
     return []
 
 
-def _praise(found: Findings) -> str:
+def _good_sentence(found: JointMeasurements) -> str:
     times = f"{found.signal_to_noise:.0f}" if found.signal_to_noise < 100 else "more than 100"
     words = f"One direction explains {found.evr:.0%}, and it moves {times} times above the noise."
     if found.repeatability is not None:

@@ -1,4 +1,4 @@
-"""The calibration profile: what was learnt of this body in this shirt, as a versioned document."""
+"""The calibration profile: the map of one body in one shirt, as a versioned document."""
 
 from typing import Annotated, Any, Literal, Self
 
@@ -14,50 +14,51 @@ Span = Annotated[float, Field(strict=True, allow_inf_nan=False, gt=0, le=1e12)]
 
 MapKind = Literal["pca", "guided"]
 
-# s: time constants of the two slow averages above which a guided map sees a channel's level; the fabric's relaxation
+# s: time constants of the two slow averages that a guided map subtracts from a channel's level; they are those of the
+# fabric's relaxation.
 AVERAGING_TIMES = (1.5, 10.0)
-LEAST_GAIN = 0.01  # of in-phase share: what less is no reason to leave the map of the paper
-MOST_LESS_HIT = 0.03  # of the hit rate that may be lost for it
+LEAST_GAIN = 0.01  # of in-phase share that a guided map must gain over the PCA map
+LARGEST_LOSS = 0.03  # of the hit rate that a guided map may lose
 
 
 class MapCheck(Document):
-    """How one map did on repetitions that it had not seen (docs/learning.md, "The guided map")."""
+    """The check of one map on held-out repetitions (docs/learning.md, "The guided map")."""
 
-    in_phase: Fraction  # of all activation, the share that falls into the prompted movements
-    hit_rate: Fraction  # of the time of the prompted movements, the share with activation
+    in_phase: Fraction  # share of all activation during the prompted movements
+    hit_rate: Fraction  # share of the time of the prompted movements with activation
     false_per_minute: Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0, le=1e6)]  # activations at rest
-    false_count: Annotated[int, Field(strict=True, ge=0)]  # the same, as they were counted
+    false_count: Annotated[int, Field(strict=True, ge=0)]  # number of activations at rest
 
 
 class GuidedMap(Document):
     """A linear map fitted to the prompts: low-pass(rate . dx/dt + short . (x - slow x) + long . (x - slower x)).
 
-    Scaled so that the prompted movements are as fast, in FS/s, as on the joint's PCA map.
+    Scaled so that the prompted movements have the same rate in FS/s as with the joint's PCA map.
     """
 
     rate: Numbers  # FS per signal unit; one per entry of the joint's `channels`, like the next two
     short: Numbers  # FS/s per signal unit, of the level above its average over AVERAGING_TIMES[0]
-    long: Numbers  # the same over AVERAGING_TIMES[1]
+    long: Numbers  # FS/s per signal unit, of the level above its average over AVERAGING_TIMES[1]
     dead_zone: Threshold  # FS/s, suggested
     full: Threshold  # FS/s, suggested
-    lag: Annotated[float, Field(strict=True, allow_inf_nan=False, ge=-10, le=10)]  # s, of the person behind the cues
+    lag: Annotated[float, Field(strict=True, allow_inf_nan=False, ge=-10, le=10)]  # s of the person behind the cues
     repetitions: Annotated[int, Field(strict=True, ge=1)]
     pca_check: MapCheck
     guided_check: MapCheck
 
     @property
     def is_better(self) -> bool:
-        """Whether it beats the PCA map on the held-out repetitions, so that it may be offered."""
+        """Whether the guided map beats the PCA map on the held-out repetitions and may be offered."""
         pca, guided = self.pca_check, self.guided_check
         return (
             guided.in_phase >= pca.in_phase + LEAST_GAIN
-            and guided.hit_rate >= pca.hit_rate - MOST_LESS_HIT
+            and guided.hit_rate >= pca.hit_rate - LARGEST_LOSS
             and guided.false_count <= pca.false_count + 1
         )
 
 
 class JointMap(Document):
-    """How one joint's channels become one score: sign * weights . (x[channels] - mean) / span."""
+    """The map of one joint: score = sign * weights . (x[channels] - mean) / span."""
 
     name: Name
     channels: Annotated[tuple[int, ...], Field(min_length=1, max_length=MAX_CHANNELS)]  # indices into a frame
@@ -75,8 +76,8 @@ class JointMap(Document):
     full: Threshold  # FS/s, suggested
     grade: Grade
     reason: str
-    map: MapKind = "pca"  # which one gives the rate; the score is always that of PC1
-    guided: GuidedMap | None = None  # the candidate, with how it did
+    map: MapKind = "pca"  # the map that gives the rate; the score is always that of PC1
+    guided: GuidedMap | None = None  # the fitted guided map, with its check
 
     @model_validator(mode="after")
     def _lengths_agree(self) -> Self:
@@ -91,7 +92,7 @@ class JointMap(Document):
 
     @model_serializer(mode="wrap")
     def _as_before(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
-        """Leave out what says nothing: a joint without a guided map is written and hashed as before there were any."""
+        """Leave out default values, so that profiles from before the guided maps keep their hash."""
         document: dict[str, Any] = handler(self)
         if document.get("map") == "pca":
             del document["map"]
@@ -101,13 +102,13 @@ class JointMap(Document):
 
     @property
     def handles(self) -> tuple[float, float]:
-        """Dead-zone and full (FS/s) that the calibration suggests for the map that is chosen."""
+        """Dead-zone and full (FS/s) that the calibration suggests for the chosen map."""
         chosen = self.guided if self.map == "guided" and self.guided else self
         return chosen.dead_zone, chosen.full
 
 
 class CalibrationProfile(Document):
-    """Saved once, never changed, only succeeded by a newer version."""
+    """The saved result of a calibration; never changed, only succeeded by a newer version."""
 
     format: Literal["bodydrive-profile"] = "bodydrive-profile"
     version: Literal[1] = 1
@@ -116,8 +117,8 @@ class CalibrationProfile(Document):
     layout: ShirtLayout
     sample_rate: Hertz
     left_out: dict[str, str]  # channel name -> why it is not in the map
-    low: Numbers  # (n_channels,) smallest value seen in the calibration
-    high: Numbers  # (n_channels,) largest
+    low: Numbers  # (n_channels,) smallest value in the calibration
+    high: Numbers  # (n_channels,) largest value in the calibration
     joints: Annotated[tuple[JointMap, ...], Field(min_length=1, max_length=MAX_JOINTS)]
     cross_talk: tuple[tuple[Finite, ...], ...] | None = None
     """Row: joint that was prompted; column: joint that answered, as a share of its activation when prompted itself.

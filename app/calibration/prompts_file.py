@@ -1,4 +1,4 @@
-"""The table of prompts that goes with a recorded file: start, end, joint."""
+"""Reads the table of prompts of a recorded file: start, end, joint."""
 
 from pathlib import Path
 
@@ -10,7 +10,7 @@ from app.signals.columns import read_columns, require_column, row_words
 def read_prompts(path: Path, layout: ShirtLayout, first: float, last: float) -> list[Prompt]:
     """Return the rows of a table of prompts for a recording that lasts from `first` to `last` (s).
 
-    A prompt may reach over the end of the recording, but not lie outside of it.
+    A prompt may reach beyond the end of the recording, but not lie outside of it.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Which channels a map can be built on, and what is wrong with the others."""
+"""The condition of each channel of a recording: good, near its rails, railed, flat, noisy, or without numbers."""
 
 from collections.abc import Sequence
 from typing import Literal, NamedTuple
@@ -10,17 +10,17 @@ Condition = Literal["good", "near", "railed", "flat", "noisy", "nan"]
 
 RAILED = 0.9  # of full scale
 NEAR_RAILED = 0.75
-CLIPPED_SHARE = 0.05  # of the samples at the very extreme, when nobody knows the full scale
-COARSE = 50  # distinct values: a channel of so few steps rests on its extreme without being clipped
-STILL_TIME = 0.2  # s: fabric always trembles a little
+CLIPPED_SHARE = 0.05  # of the samples at the extreme value, when the full scale is unknown
+COARSE = 50  # distinct values: a channel with at most so many can stay at its extreme without being clipped
+STILL_TIME = 0.2  # s without any change, after which a channel counts as still: fabric always trembles a little
 STILL_SHARE = 0.5  # of the time in which the joint's other channels moved
-NOISE_SHARE = 0.5  # of the channel's own standard deviation: above it, it is mostly noise
-NOISE_THAT_MATTERS = 0.1  # of the joint's strongest channel; PCA gives weaker ones no weight anyway
-LOOK_RATE = 100.0  # Hz: noise is judged at this rate, because oversampled noise hides from differences
+NOISE_SHARE = 0.5  # of the channel's standard deviation: above it, the channel is mostly noise
+NOISE_THAT_MATTERS = 0.1  # of the joint's strongest channel: PCA gives weaker channels hardly any weight
+NOISE_RATE = 100.0  # Hz at which noise is measured: in oversampled signals, differences understate it
 
 
 class ChannelQuality(NamedTuple):
-    """The condition of one channel and the words for it."""
+    """The condition of one channel, also in words."""
 
     condition: Condition
     words: str
@@ -36,47 +36,46 @@ def channel_quality(
     full_scale: float | None = None,
     moving: bool = True,
 ) -> list[ChannelQuality]:
-    """Return the condition of every channel over one stretch of a recording.
+    """Return the condition of every channel over one part of a recording.
 
     Parameters
     ----------
     values : (n, n_channels) array
-        Signal units, NaN where a sample is missing. Frames without any number at all are lost ones, and no channel's
-        fault.
+        Signal units, NaN where a sample is missing. Frames without any number are lost frames and are not counted.
     groups : sequence of index lists
-        The channels of each joint: a channel is still or clipped only when its neighbours moved meanwhile.
+        The channels of each joint: a channel is flat or clipped only when other channels of its joint moved meanwhile.
     sample_rate : float
         Hz.
     full_scale : float or None
         Largest absolute value that the shirt's electronics can give, in signal units. When it is not known, a channel
-        counts as railed if it sits at its very extreme for more than 5 % of the time.
+        counts as railed if it is at its extreme value for more than 5 % of the time.
     moving : bool
-        False for a stretch at rest: then nothing is said about being flat or noisy.
+        False for a recording at rest: then `flat` and `noisy` are not tested.
     """
     quality = [GOOD] * values.shape[1]
-    heard = values[~np.isnan(values).all(axis=1)]
-    if not len(heard):
+    frames = values[~np.isnan(values).all(axis=1)]
+    if not len(frames):
         return [ChannelQuality("nan", "gives no numbers")] * values.shape[1]
-    gaps = np.isnan(heard).sum(axis=0)
-    thinned = heard[:: max(1, round(sample_rate / LOOK_RATE))]
-    block = max(2, round(STILL_TIME * min(sample_rate, LOOK_RATE)))
+    gaps = np.isnan(frames).sum(axis=0)
+    thinned = frames[:: max(1, round(sample_rate / NOISE_RATE))]
+    block = max(2, round(STILL_TIME * min(sample_rate, NOISE_RATE)))
     for channels in groups:
         whole = [i for i in channels if not gaps[i]]
         for i in channels:
             if gaps[i]:
-                quality[i] = ChannelQuality("nan", f"{gaps[i]} of {len(heard)} samples are not numbers")
+                quality[i] = ChannelQuality("nan", f"{gaps[i]} of {len(frames)} samples are not numbers")
             else:
-                quality[i] = _railed(heard[:, i], full_scale)
+                quality[i] = _railed(frames[:, i], full_scale)
         if full_scale is None:
-            _find_clipped(heard, whole, quality)
+            _find_clipped(frames, whole, quality)
         if moving and whole:
             _find_flat(thinned, block, whole, quality)
             _find_noisy(thinned, [i for i in whole if quality[i].condition == "good"], quality)
     return quality
 
 
-def worst(one: ChannelQuality, other: ChannelQuality) -> ChannelQuality:
-    """Return whichever of two findings on one channel is not good; the first one when both are bad."""
+def worse_of(one: ChannelQuality, other: ChannelQuality) -> ChannelQuality:
+    """Return the worse of two qualities of one channel; the first one when both are bad."""
     if one.condition == "good" or (one.condition == "near" and other.condition not in {"good", "near"}):
         return other
     return one
@@ -94,7 +93,7 @@ def _railed(signal: NDArray[np.float64], full_scale: float | None) -> ChannelQua
 
 
 def _find_clipped(values: NDArray[np.float64], channels: list[int], quality: list[ChannelQuality]) -> None:
-    """Mark channels that stay at their very extreme while the joint's other channels move."""
+    """Mark channels that stay at their extreme value while other channels of the joint move."""
     if len(channels) < 2:
         return
     signals = values[:, channels]
@@ -103,15 +102,15 @@ def _find_clipped(values: NDArray[np.float64], channels: list[int], quality: lis
     for column, i in enumerate(channels):
         signal = signals[:, column]
         others_moved = some_moved - changed[:, column] > 0
-        held = ~changed[:, column] & others_moved
+        stuck = ~changed[:, column] & others_moved
         for end, extreme in (("upper", signal.max()), ("lower", signal.min())):
-            share = float((held & (signal[1:] == extreme)).mean())
+            share = float((stuck & (signal[1:] == extreme)).mean())
             if CLIPPED_SHARE < share < STILL_SHARE and len(np.unique(signal)) > COARSE:
                 quality[i] = ChannelQuality("railed", f"sits at the {end} end of its range for {share:.0%} of the time")
 
 
 def _find_flat(values: NDArray[np.float64], block: int, channels: list[int], quality: list[ChannelQuality]) -> None:
-    """Mark channels that never change, or stand still for most of the time in which their neighbours move."""
+    """Mark channels that never change, or are still for most of the time in which other channels of the joint move."""
     signals = values[:, channels]
     for i in np.array(channels)[np.ptp(signals, axis=0) == 0]:
         quality[i] = ChannelQuality("flat", "never changes: it is dead or not connected")
@@ -129,11 +128,11 @@ def _find_flat(values: NDArray[np.float64], block: int, channels: list[int], qua
 
 
 def _find_noisy(values: NDArray[np.float64], channels: list[int], quality: list[ChannelQuality]) -> None:
-    """Mark channels that are mostly noise; when all of them are, the joint did not move and none is to blame."""
+    """Mark channels that are mostly noise; when all of them are, the joint did not move, and none is marked."""
     if len(values) < 3 or not channels:
         return
     signals = values[:, channels]
-    noise = np.diff(signals, n=2, axis=0).std(axis=0) / np.sqrt(6.0)  # of white noise, exactly its own
+    noise = np.diff(signals, n=2, axis=0).std(axis=0) / np.sqrt(6.0)  # the standard deviation of white noise
     strength = signals.std(axis=0)
     noisy = (noise > NOISE_SHARE * strength) & (noise > NOISE_THAT_MATTERS * strength.max())
     if noisy.all():

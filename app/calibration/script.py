@@ -1,4 +1,4 @@
-"""The calibration's steps: what is asked of the patient, in which order, for how long."""
+"""The steps of the calibration, with their order, instructions and durations."""
 
 from dataclasses import dataclass
 from typing import Literal
@@ -6,15 +6,15 @@ from typing import Literal
 from app.cues import Cue
 from app.layout import Joint, ShirtLayout
 
-READY = 2.0  # s: a countdown before each step
+READY = 2.0  # s of countdown before each step
 REST = 3.0  # s
-FREE = 10.0  # s, the paper's
+FREE = 10.0  # s, as in the paper
 REPETITIONS = 3
 MOVE = 1.0  # s
-RETURN = 1.5  # s: slower than the movement, so that the two can be told apart
+RETURN = 1.5  # s: slower than the movement, so that the fit can tell the two apart
 PAUSE = 1.0  # s at rest between repetitions
 
-# What to ask for, by the part of the body; `{side}` is "left" or "right".
+# Instructions by body part; `{side}` is "left" or "right".
 MOVEMENTS = {
     "elbow": "Bend your {side} elbow",
     "shoulder": "Push your {side} shoulder forward",
@@ -41,7 +41,7 @@ def calibration_script(layout: ShirtLayout) -> tuple[Step, ...]:
 
 
 def movement_words(joint: Joint) -> str:
-    """Return what to say to a patient who shall move this joint."""
+    """Return the instruction to the patient to move this joint."""
     side, _, part = joint.name.partition("_")
     if side in {"left", "right"} and part in MOVEMENTS:
         return MOVEMENTS[part].format(side=side)

@@ -1,4 +1,4 @@
-"""Gestures, what each of them does, and the parameter set that is armed."""
+"""Gestures, their bindings to controls, and the parameter set that drives."""
 
 import hashlib
 import json
@@ -16,7 +16,9 @@ Feature = Literal["rate", "displacement"]
 ControlMode = Literal["velocity", "acceleration"]
 
 CruiseTime = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=1, le=30)]  # s
-SetTitle = Annotated[str, Field(min_length=1, max_length=80)]  # checked where it is typed: sets of before stay readable
+SetTitle = Annotated[
+    str, Field(min_length=1, max_length=80)
+]  # visible characters are checked on input only: older sets stay readable
 TurnCruiseTime = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=1, le=10)]  # s
 
 
@@ -44,7 +46,7 @@ class Gesture(Document):
 
 
 class Binding(Document):
-    """What gestures do. For `stop`, all of the named gestures together; otherwise each on its own."""
+    """What gestures control. For `stop`, all of the named gestures together; otherwise each on its own."""
 
     control: Control
     gestures: Annotated[tuple[Name, ...], Field(max_length=MAX_GESTURES)]
@@ -52,7 +54,7 @@ class Binding(Document):
 
 
 class DriveParameters(Document):
-    """Everything that decides how a body's movement becomes a twist. What was practised is what drives."""
+    """All parameters that turn a body's movement into a twist; the same set is used to practise and to drive."""
 
     title: SetTitle = "Standard"
     profile: CalibrationProfile
@@ -62,7 +64,7 @@ class DriveParameters(Document):
     mode_u2: ControlMode = "velocity"
     cutoff: Cutoff = 3.0  # Hz: tremor damping
     speeds: Speeds = Speeds()
-    cruise_time: CruiseTime = 10.0  # s: a chair that cruises without being asked to for so long slows to standstill
+    cruise_time: CruiseTime = 10.0  # s without a gesture for u1, after which a cruising chair slows to standstill
     turn_cruise_time: TurnCruiseTime | None = 3.0  # s: the time-out of turning; None only in sets older than this field
 
     @model_validator(mode="after")
@@ -88,7 +90,7 @@ class DriveParameters(Document):
 
     @property
     def hash(self) -> str:
-        """SHA-256 of the canonical JSON, hex: two sets with one hash drive alike."""
+        """SHA-256 of the canonical JSON, hex: sets with equal hashes drive alike."""
         document = self.model_dump(mode="json")
         if self.turn_cruise_time is None:
             del document["turn_cruise_time"]  # such a set keeps the hash that its recordings carry
@@ -99,15 +101,19 @@ class DriveParameters(Document):
 def recorded_parameters(document: Any) -> DriveParameters:
     """Return the parameter set in the header of a recording.
 
-    A set that is older than the time-out of turning gets none, so that a replay drives as the recording did. Raise
-    pydantic's ValidationError for anything else.
+    A set from before the field `turn_cruise_time` gets None for it, so that a replay drives as the recording did.
+
+    Raises
+    ------
+    pydantic.ValidationError
+        When the document is no parameter set.
     """
     if isinstance(document, dict):
         document = {"turn_cruise_time": None, **document}
     return DriveParameters.model_validate(document)
 
 
-# The paper's vocabulary: which joint's movement does what, where the shirt has these joints.
+# The paper's vocabulary: joint -> control, for shirts with these joints.
 PAPER_VOCABULARY: dict[str, Control] = {
     "right_elbow": "u1+",
     "left_elbow": "u1-",
@@ -120,7 +126,7 @@ STOP_TOGETHER = ("right_elbow", "left_elbow")
 def standard_parameters(profile: CalibrationProfile) -> DriveParameters:
     """Return the paper's vocabulary on `profile`, with the dead-zones and fulls that the calibration suggests.
 
-    A joint that was not prompted while others were is bound to nothing: its direction is not known.
+    A joint that was not prompted while others were is not bound: its direction is not known.
     """
     gestures = tuple(
         Gesture(name=joint.name, joint=joint.name, dead_zone=joint.handles[0], full=joint.handles[1])

@@ -5,7 +5,7 @@ from functools import lru_cache
 from pathlib import Path
 
 from app.calibration.cued_runs import CuedRun, run_of_cues
-from app.calibration.gestures.discovery import Discovery, discover, known_of
+from app.calibration.gestures.discovery import Discovery, discover, discovery_from_profile
 from app.calibration.profile import CalibrationProfile
 from app.calibration.script import Step, calibration_script
 from app.recording.reader import read_run
@@ -64,7 +64,7 @@ def _found(profile: CalibrationProfile, folders: dict[str, str], folder_of: Call
             return _discovered(profile.model_dump_json(), recorded)
         except (ValueError, OSError):  # a disk that was tidied up; the profile's own numbers are still there
             pass
-    return known_of(profile, GONE)
+    return discovery_from_profile(profile, GONE)
 
 
 @lru_cache(maxsize=KEPT)

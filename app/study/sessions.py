@@ -7,7 +7,7 @@ from typing import Any, Literal
 
 import numpy as np
 
-from app.calibration.adaptation.channel_range import range_moved
+from app.calibration.adaptation.channel_range import shift_ranges
 from app.calibration.adaptation.proposal import Movement, Proposal, propose
 from app.calibration.profile import CalibrationProfile
 from app.calibration.script import calibration_script
@@ -94,7 +94,7 @@ def run_sessions(
         participant.person.begin_session(session)
         if first.who == "redonned" and session > 1:
             participant.don_again()
-            profile = range_moved(parameters.profile, [_free_movement(participant)], calibrated)
+            profile = shift_ranges(parameters.profile, [_free_movement(participant)], calibrated)
             parameters = parameters.model_copy(update={"profile": profile})
         movements: list[Movement] = []
         for number in range(1, trials + 1):

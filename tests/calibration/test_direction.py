@@ -14,7 +14,7 @@ from app.calibration.adaptation.direction import (
     felt_change,
     principal,
     share_along,
-    turned,
+    turn_towards,
 )
 
 SIZES = st.sampled_from([1e-12, 1e-3, 1.0, 1e6, 1e12])
@@ -55,7 +55,7 @@ def test_over_any_updates_no_step_is_too_long_and_no_sign_flips(data, k, most) -
             continue
         assert found.weights @ weights > 0.0
         assert 0.0 <= found.share <= 1.0
-        step = turned(weights, found.weights, most)
+        step = turn_towards(weights, found.weights, most)
         assert np.linalg.norm(step) == pytest.approx(1.0)
         assert angle(weights, step) <= most + 1e-6
         assert step @ weights > 0.99

@@ -7,7 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from app.calibration.cued_runs import CuedRun
-from app.calibration.gestures.discovery import discover, known_of
+from app.calibration.gestures.discovery import discover, discovery_from_profile
 from app.calibration.gestures.numbers import ratios, score_of
 from app.calibration.profile import GuidedMap, MapCheck
 from app.layout import ShirtLayout
@@ -141,7 +141,7 @@ def test_a_joint_that_was_skipped_is_ranked_without_what_only_prompts_tell(weare
 
 
 def test_without_recordings_the_profile_speaks_and_says_what_is_missing(wearer, steps):
-    discovery = known_of(profile_of(wearer.layout, steps), "They are gone.")
+    discovery = discovery_from_profile(profile_of(wearer.layout, steps), "They are gone.")
     assert (discovery.source, discovery.words) == ("profile", "They are gone.")
     assert {one.direction for one in discovery.gestures} == {1}
     assert all(one.prediction is None and one.effort is None for one in discovery.gestures)

@@ -8,9 +8,9 @@ from app.calibration.cued_runs import run_of_prompts
 from app.calibration.fit.profile_fit import fit_profile
 from app.calibration.fit.repetitions import Prompt, repetitions_of_prompts
 from app.calibration.gestures.ability import abilities
-from app.calibration.gestures.cross_check import answered_from
+from app.calibration.gestures.cross_check import hit_level
 from app.calibration.gestures.discovery import discover
-from app.calibration.gestures.evidence import gather
+from app.calibration.gestures.evidence import gather_evidence
 from app.signals.columns import read_columns
 from app.signals.signals import read_signals
 from app.signals.smoothing import smooth
@@ -47,7 +47,7 @@ def test_the_forecast_holds_for_what_is_done_later():
         repetitions=repetitions_of_prompts(signals.t, signals.values, before, signals.sample_rate),
     )
     found = discover(profile, [run_of_prompts(signals.t, signals.values, before, free)])
-    later = gather(profile, [run_of_prompts(signals.t, signals.values, after, signals.between(SEEN, None))])
+    later = gather_evidence(profile, [run_of_prompts(signals.t, signals.values, after, signals.between(SEEN, None))])
     made = {ability.name: ability for ability in abilities(profile, later)}
     assert {(one.joint, one.direction) for one in found.gestures} == {
         (joint, way) for joint in JOINTS for way in (1, -1)
@@ -58,7 +58,7 @@ def test_the_forecast_holds_for_what_is_done_later():
         if one.direction == 1:
             peaks = made[one.name].peaks
             predicted += one.prediction.hit_rate * len(peaks)
-            counted += sum(peak >= answered_from(one.dead_zone, one.full) for peak in peaks)
+            counted += sum(peak >= hit_level(one.dead_zone, one.full) for peak in peaks)
             movements += len(peaks)
     assert movements > 40
     assert predicted / movements == pytest.approx(counted / movements, abs=0.15)

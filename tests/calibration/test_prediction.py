@@ -8,10 +8,10 @@ from hypothesis import strategies as st
 from app.calibration.gestures.prediction import (
     at_least_share,
     at_most_per_minute,
+    count_crossings,
     false_per_minute,
     hit_probability,
-    passes,
-    quiet_of,
+    rest_statistics,
 )
 from app.signals.smoothing import smooth
 
@@ -25,10 +25,10 @@ def rest(seconds, seed, noise=1.0):
 
 
 def test_rices_formula_counts_what_long_noise_does():
-    quiet = quiet_of([rest(600, 1)], RATE)
+    quiet = rest_statistics([rest(600, 1)], RATE)
     later = rest(6000, 2)
     for z in (2.0, 3.0, 3.5):
-        counted = passes([later], z * quiet.noise) / 100.0
+        counted = count_crossings([later], z * quiet.noise) / 100.0
         assert false_per_minute(quiet, z * quiet.noise) == pytest.approx(counted, rel=0.35)
 
 
@@ -36,14 +36,14 @@ def test_what_short_noise_predicts_is_right_on_average():
     """Three seconds each: a dead-zone at three times the noise that was seen."""
     predicted, counted = [], []
     for seed in range(150):
-        quiet = quiet_of([rest(3, seed)], RATE)
+        quiet = rest_statistics([rest(3, seed)], RATE)
         predicted.append(false_per_minute(quiet, 3.0 * quiet.noise))
-        counted.append(passes([rest(60, 1000 + seed)], 3.0 * quiet.noise))
+        counted.append(count_crossings([rest(60, 1000 + seed)], 3.0 * quiet.noise))
     assert np.mean(predicted) == pytest.approx(np.mean(counted), rel=0.35)
 
 
 def test_less_data_predict_more_false_activations():
-    short, long = quiet_of([rest(3, 4)], RATE), quiet_of([rest(3, 4)] * 20, RATE)
+    short, long = rest_statistics([rest(3, 4)], RATE), rest_statistics([rest(3, 4)] * 20, RATE)
     assert short.noise == pytest.approx(long.noise)
     assert false_per_minute(short, 4 * short.noise) > false_per_minute(long, 4 * long.noise)
 
@@ -51,22 +51,22 @@ def test_less_data_predict_more_false_activations():
 @settings(max_examples=30, deadline=None)
 @given(st.floats(0.01, 10.0), st.floats(0.01, 10.0), st.floats(1e-3, 1e3))
 def test_a_larger_dead_zone_is_never_worse_and_the_unit_does_not_matter(one, other, scale):
-    quiet = quiet_of([rest(3, 7)], RATE)
+    quiet = rest_statistics([rest(3, 7)], RATE)
     low, high = sorted((one * quiet.noise, other * quiet.noise))
     assert false_per_minute(quiet, low) >= false_per_minute(quiet, high)
-    scaled = quiet_of([scale * rest(3, 7)], RATE)
+    scaled = rest_statistics([scale * rest(3, 7)], RATE)
     assert false_per_minute(scaled, scale * low) == pytest.approx(false_per_minute(quiet, low), rel=1e-6)
 
 
 def test_silence_and_nothing():
-    assert quiet_of([], RATE) is None
-    assert quiet_of([np.zeros(2)], RATE) is None
-    assert false_per_minute(quiet_of([np.zeros(300)], RATE), 0.15) == 0.0
+    assert rest_statistics([], RATE) is None
+    assert rest_statistics([np.zeros(2)], RATE) is None
+    assert false_per_minute(rest_statistics([np.zeros(300)], RATE), 0.15) == 0.0
     assert at_most_per_minute(0, 0.0) is None
 
 
 def test_passes_are_counted_once_each():
-    assert passes([np.array([0, 2, 2, 0, 2]), np.array([2, 2]), np.array([0.0])], 1.0) == 3
+    assert count_crossings([np.array([0, 2, 2, 0, 2]), np.array([2, 2]), np.array([0.0])], 1.0) == 3
 
 
 def test_the_count_alone_proves_three_per_time():

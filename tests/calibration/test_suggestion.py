@@ -1,7 +1,7 @@
 from wearing import JOINTS, Wearer, layout_of
 
 from app.calibration.fit.profile_fit import fit_profile
-from app.calibration.gestures.discovery import known_of
+from app.calibration.gestures.discovery import discovery_from_profile
 from app.calibration.vocabulary import PAPER_VOCABULARY, standard_parameters
 
 
@@ -17,7 +17,7 @@ def calibrated(joints, along=None):
 
 def suggested(profile):
     """What the profile's own numbers speak for, as when its recordings are gone."""
-    return known_of(profile, "No recordings.").suggestion
+    return discovery_from_profile(profile, "No recordings.").suggestion
 
 
 def bound(suggestion):

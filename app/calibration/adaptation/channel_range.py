@@ -1,9 +1,9 @@
-"""Which values of a channel are this body's, after the shirt was put on again.
+"""Shifts the calibrated ranges of the channels after the shirt was put on again.
 
-Safety's S5 silences a gesture while one of its channels is outside 1.5 times its calibrated range. Putting the shirt on
-again moves the levels of the channels by up to two standard deviations of their movement, and then sound channels
-are taken for broken ones. So the range is moved along, never widened, and only for a channel that is seen to move with
-its joint as it did: one that hangs loose keeps the range that exposes it.
+Safety rule S5 silences a gesture while one of its channels is outside 1.5 times its calibrated range. Putting the shirt
+on again moves the levels of the channels by up to two standard deviations of their movement, so that S5 would take
+sound channels for broken ones. Therefore the range of a channel is shifted, never widened, and only while the channel
+still moves with its joint. A loose channel does not, keeps its calibrated range and is detected by S5.
 """
 
 from collections.abc import Sequence
@@ -15,40 +15,40 @@ from app.calibration.fit.pieces import fill_forward
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.calibration.quality import channel_quality
 
-SEEN = (0.5, 99.5)  # percentiles: a single spike is no range
-LEAST_AGREEMENT = 0.7  # multiple correlation: half of a channel is told by the rest of its joint
-FURTHEST = 1.0  # of the range's own width, away from the calibration
-SLACK = 0.1  # of the width, either way: S5 leaves a quarter on either side of it
-SOUND = {"good", "near", "noisy"}
+RANGE_PERCENTILES = (0.5, 99.5)  # of the samples of the last trials: single spikes are left out
+LEAST_AGREEMENT = 0.7  # multiple correlation: the joint's other channels explain half of the channel's variance
+LARGEST_SHIFT = 1.0  # as a share of the range's width, from the calibrated range
+SLACK = 0.1  # as a share of the range's width: smaller shifts are not made. S5 allows 0.25 on either side
+SOUND_CONDITIONS = {"good", "near", "noisy"}
 
 
-def range_moved(
+def shift_ranges(
     profile: CalibrationProfile, movements: Sequence[Movement], calibrated: CalibrationProfile | None = None
 ) -> CalibrationProfile:
-    """Return the profile with ranges and means moved to where the channels are now; the same when all fit.
+    """Return the profile with ranges and means shifted to the present levels; `profile` itself when all ranges fit.
 
-    `calibrated` is the calibration that the profile goes back to; ranges stay within their own width of it.
+    `calibrated` is the calibration that `profile` descends from: no range is shifted further from it than its width.
     """
-    seen = [fill_forward(np.asarray(one.values, dtype=np.float64)) for one in movements if len(one.values)]
-    if not seen:
+    trials = [fill_forward(np.asarray(one.values, dtype=np.float64)) for one in movements if len(one.values)]
+    if not trials:
         return profile
     origin = calibrated or profile
-    values = np.concatenate(seen)
-    shift = np.zeros(values.shape[1])
+    values = np.concatenate(trials)
+    shifts = np.zeros(values.shape[1])
     for joint in profile.joints:
         for channel in sound_channels(profile, joint, movements):
-            moved = _shift(profile, origin, channel, values[:, channel])
-            if moved and _agreement(joint, channel, values) >= LEAST_AGREEMENT:
-                shift[channel] = moved
-    if not shift.any():
+            shift = _shift(profile, origin, channel, values[:, channel])
+            if shift and _agreement(joint, channel, values) >= LEAST_AGREEMENT:
+                shifts[channel] = shift
+    if not shifts.any():
         return profile
     return profile.model_copy(
         update={
-            "low": tuple(float(value) for value in np.array(profile.low) + shift),
-            "high": tuple(float(value) for value in np.array(profile.high) + shift),
+            "low": tuple(float(value) for value in np.array(profile.low) + shifts),
+            "high": tuple(float(value) for value in np.array(profile.high) + shifts),
             "joints": tuple(
                 joint.model_copy(
-                    update={"mean": tuple(float(v) for v in np.array(joint.mean) + shift[list(joint.channels)])}
+                    update={"mean": tuple(float(v) for v in np.array(joint.mean) + shifts[list(joint.channels)])}
                 )
                 for joint in profile.joints
             ),
@@ -57,21 +57,21 @@ def range_moved(
 
 
 def sound_channels(profile: CalibrationProfile, joint: JointMap, movements: Sequence[Movement]) -> list[int]:
-    """Return which of the joint's channels the map weighs, and that were neither dead nor railed nor gone."""
+    """Return the joint's channels that have a weight in the map and were neither flat nor railed nor missing."""
     sound = {channel for channel, weight in zip(joint.channels, joint.weights, strict=True) if weight != 0.0}
     groups = [profile.layout.channels_of_joint[joint.name]]
     for one in movements:
         if len(one.values):
             quality = channel_quality(np.asarray(one.values, dtype=np.float64), groups, one.sample_rate)
-            sound -= {channel for channel in sound if quality[channel].condition not in SOUND}
+            sound -= {channel for channel in sound if quality[channel].condition not in SOUND_CONDITIONS}
     return sorted(sound)
 
 
 def _agreement(joint: JointMap, channel: int, values: Numbers) -> float:
-    """Return how well the joint's other channels tell a channel: their multiple correlation, 1 when it is alone.
+    """Return the multiple correlation (0..1) of a channel with the joint's other channels, 1 when there are none.
 
-    Not its correlation with the map: a channel that feels the joint's second way to move, and so has next to no weight,
-    is sound all the same.
+    The correlation with the map's score would not do: a sound channel may measure a second movement of the joint, which
+    the map hardly weighs.
     """
     others = [other for other in joint.channels if other != channel]
     if not others:
@@ -81,19 +81,19 @@ def _agreement(joint: JointMap, channel: int, values: Numbers) -> float:
     if not 0.0 < total < np.inf or not np.isfinite(known).all():
         return 0.0
     shared = known.T @ signal
-    told = float(shared @ np.linalg.pinv(known.T @ known, hermitian=True) @ shared)
-    return float(np.sqrt(min(1.0, max(0.0, told / total))))
+    explained = float(shared @ np.linalg.pinv(known.T @ known, hermitian=True) @ shared)
+    return float(np.sqrt(min(1.0, max(0.0, explained / total))))
 
 
 def _shift(profile: CalibrationProfile, origin: CalibrationProfile, channel: int, signal: Numbers) -> float:
-    """Return the smallest shift of the range (signal units) that takes in what is seen, kept near the calibration."""
+    """Return the smallest shift (signal units) after which the range holds `signal` (n,), limited by LARGEST_SHIFT."""
     low, high = profile.low[channel], profile.high[channel]
-    bottom, top = (float(value) for value in np.percentile(signal, SEEN))
+    bottom, top = (float(value) for value in np.percentile(signal, RANGE_PERCENTILES))
     if top - bottom > high - low:
-        wanted = (top + bottom - high - low) / 2  # it does not fit: about the middle
+        wanted = (top + bottom - high - low) / 2  # the signal is wider than the range: align their middles
     else:
         wanted = max(0.0, top - high) + min(0.0, bottom - low)
         if abs(wanted) <= SLACK * (high - low):
             return 0.0
-    reach = FURTHEST * (high - low)
+    reach = LARGEST_SHIFT * (high - low)
     return min(max(wanted, origin.low[channel] - reach - low), origin.low[channel] + reach - low)

@@ -1,4 +1,7 @@
-"""How far a joint's direction may turn towards what the last movements show (signal-chain.md, section 6)."""
+"""Directions of a joint in the space of its channels: covariance, principal direction, limited turn, felt change.
+
+See signal-chain.md, section 6.
+"""
 
 import math
 from typing import NamedTuple
@@ -6,8 +9,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-HALF_LIFE = 90.0  # s of movement of the joint, after which a movement counts half
-LAST_MINUTE = 60.0  # s of movement over which a change is felt
+HALF_LIFE = 90.0  # s of the joint's movement after which a row's weight has halved
+FELT_WINDOW = 60.0  # s of the joint's movement over which the felt change is computed
 
 Vector = NDArray[np.float64]
 
@@ -15,16 +18,16 @@ Vector = NDArray[np.float64]
 class Principal(NamedTuple):
     """The main direction of a covariance."""
 
-    weights: Vector  # (k,) unit length, pointing as the direction before did
-    share: float  # of the variance that lies along it: the EVR
+    weights: Vector  # (k,) unit length, with the sign of the previous direction
+    share: float  # of the variance, along `weights`: the EVR
 
 
 def exponential_covariance(moved: Vector, sample_rate: float, half_life: float = HALF_LIFE) -> Vector:
     """Return C (k, k) after C <- lam C + (1 - lam) x x^T over all rows x of `moved` (m, k), oldest first.
 
-    `half_life` in s of movement: lam = 0.5 ** (1 / (half_life * sample_rate)). The weights are made to sum to one, so
-    that the beginning is not held for stillness; and the rows are divided by their largest entry, which changes no
-    direction and keeps huge numbers finite. Zeros when nothing moved or a number is not finite.
+    `half_life` in s of movement: lam = 0.5 ** (1 / (half_life * sample_rate)). The weights are normalised to a sum of
+    one, which makes the start value of C irrelevant. The rows are divided by their largest entry: this changes no
+    direction and prevents overflow. Returns zeros when nothing moved or a number is not finite.
     """
     count, channels = moved.shape
     largest = float(np.abs(moved).max(initial=0.0))
@@ -37,9 +40,10 @@ def exponential_covariance(moved: Vector, sample_rate: float, half_life: float =
 
 
 def principal(covariance: Vector, before: Vector) -> Principal | None:
-    """Return the top eigenvector of a covariance with the sign that `before` (k,) has; None when there is none.
+    """Return the top eigenvector of a covariance, with the sign that points along `before` (k,).
 
-    None too when it stands square to `before`: then neither sign is that of the old direction.
+    None when the covariance is zero or not finite, or when the eigenvector is orthogonal to `before`: then neither sign
+    points along it.
     """
     total = float(np.trace(covariance))
     if not 0.0 < total < math.inf or not np.isfinite(covariance).all():
@@ -52,18 +56,18 @@ def principal(covariance: Vector, before: Vector) -> Principal | None:
 
 
 def share_along(covariance: Vector, weights: Vector) -> float:
-    """Return the share (0..1) of the variance that lies along a unit vector."""
+    """Return the share (0..1) of the variance along the unit vector `weights` (k,)."""
     total = float(np.trace(covariance))
     return min(1.0, max(0.0, float(weights @ covariance @ weights) / total)) if total > 0 else 0.0
 
 
 def angle(one: Vector, other: Vector) -> float:
-    """Return the angle (degrees, 0..180) between two unit vectors, exact also where it is tiny."""
+    """Return the angle (degrees, 0..180) between two unit vectors, by atan2, which is exact for small angles too."""
     along = float(one @ other)
     return math.degrees(math.atan2(float(np.linalg.norm(other - along * one)), along))
 
 
-def turned(before: Vector, towards: Vector, most: float) -> Vector:
+def turn_towards(before: Vector, towards: Vector, most: float) -> Vector:
     """Return the unit vector `before` turned towards the unit vector `towards` by at most `most` degrees."""
     if angle(before, towards) <= most:
         return towards
@@ -77,10 +81,10 @@ def turned(before: Vector, towards: Vector, most: float) -> Vector:
 def felt_change(before: Vector, after: Vector, moved: Vector, sample_rate: float) -> float:
     """Return rms(W_new x - W_old x) / rms(W_old x) over the last minute of movement.
 
-    `before` and `after` (k,) take channels to a command; `moved` (m, k), oldest first. Infinite where the old map felt
-    nothing and the new one does.
+    W_old is `before` (k,), W_new is `after` (k,), the rows x are those of `moved` (m, k), oldest first. Infinite where
+    only the new map gives an output.
     """
-    last = moved[-max(1, round(LAST_MINUTE * sample_rate)) :]
+    last = moved[-max(1, round(FELT_WINDOW * sample_rate)) :]
     difference, old = last @ (after - before), last @ before
     change, felt = float(np.sqrt(np.mean(difference**2))), float(np.sqrt(np.mean(old**2)))
     if felt > 0.0:

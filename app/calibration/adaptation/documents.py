@@ -1,4 +1,4 @@
-"""What an adaptation may change, how far, and what it says of each joint."""
+"""Documents of the adaptation: its limits, the change of each joint, and the proposal."""
 
 from dataclasses import dataclass
 from typing import Any, Literal
@@ -14,24 +14,24 @@ ALL_PARTS: tuple[Part, ...] = ("map", "dead_zones", "full")
 
 @dataclass(frozen=True, slots=True)
 class Limits:
-    """How far a map may change so that a person can follow."""
+    """Limits of a map's change, so small that a person can adapt to it."""
 
     per_trial_deg: float = 2.0
     per_update_deg: float = 5.0
     least_evr: float = 0.8
     largest_angle_deg: float = 30.0  # from the calibration's direction
-    cross_talk_slack: float = 0.01  # shares that differ by less do so by chance
-    warn: float = 0.05  # felt change
-    refuse: float = 0.10
-    least_movement: float = 3.0  # s of the joint's own movement: less says nothing about its direction
-    worth_it_deg: float = 0.5  # a smaller turn is chance, and no new version
+    cross_talk_slack: float = 0.01  # smaller differences of the share are chance
+    warn: float = 0.05  # felt change from which on the proposal warns
+    refuse: float = 0.10  # felt change from which on a joint's change is refused
+    least_movement: float = 3.0  # s of the joint's own movement, from which its direction is estimated
+    worth_it_deg: float = 0.5  # smaller turns are chance and make no new version
 
 
 STANDARD_LIMITS = Limits()
 
 
 class JointChange(Document):
-    """What would change for one joint; None where the movements said nothing."""
+    """The proposed change of one joint; None where the movements were too few to compute a value."""
 
     name: str
     angle_proposed_deg: float | None = None  # between the map and the main direction of the movements
@@ -46,23 +46,23 @@ class JointChange(Document):
     dead_zone_after: float | None = None
     full_before: float | None = None  # FS/s
     full_after: float | None = None
-    range_moved: bool = False  # whether S5's range follows levels that the shirt's new seat has moved
+    range_moved: bool = False  # whether the range that S5 checks was shifted to the shirt's present levels
     status: Status
     reason: str
 
 
 class Proposal(Document):
-    """What would be armed after the last trials, and why.
+    """The parameter set proposed after the last trials, with the reasons; what drives now is not changed by it.
 
-    `applied` of a joint means: in `parameters`. `shown`: the movements ask for a change, but its part is not to be
-    adapted. `refused`: a gate is closed, and the figures after are those before;
-    S5's range may follow the shirt all the same. Nothing here changes anything that drives.
+    Status of a joint: `applied`, its change is in `parameters`; `shown`, the movements ask for a change, but that part
+    is not to be adapted; `refused`, a limit forbids the change, and the values after are those before. The range that
+    S5 checks may be shifted in each case.
     """
 
     trials: int
     joints: tuple[JointChange, ...]
     felt_change: float  # the largest of those applied
-    warns: bool  # the person will feel it: 5 % or more
+    warns: bool  # whether the felt change is 5 % or more
     parameters: DriveParameters | None  # None when nothing changes
-    difference: dict[str, Any]  # to the parent, for its version
-    reason: str  # in one sentence
+    difference: dict[str, Any]  # from the parent version, kept with the new version
+    reason: str  # one sentence

@@ -1,4 +1,4 @@
-"""What the last trials show of each joint: when it moved, when it rested, how strong its strokes were."""
+"""Movements of each joint in the last trials: when it moved, its strokes, and its noise at rest."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -11,12 +11,12 @@ from app.calibration.profile import JointMap
 from app.calibration.vocabulary import DriveParameters, Gesture
 from app.signals.smoothing import smooth
 
-MOST = 2.0  # times as fast as any other joint, each against its own full: then a movement is this joint's own
-CLOSED = 0.2  # s: a stroke turns round at its top, which is no pause
+OWN_FACTOR = 2.0  # a movement is this joint's own when it is so many times as fast as any other joint's (rate / full)
+LONGEST_BREAK = 0.2  # s: shorter breaks, such as the turning point of a stroke, do not end a movement
 SHORTEST_PIECE = 0.25  # s
 SHORTEST_STROKE = 0.1  # s above the dead-zone
 REST_WINDOW = 0.5  # s
-REST_SHARE = 0.3  # of the windows are surely at rest: strokes leave every limb more than half of the time
+REST_QUANTILE = 0.3  # of the windows' spreads: between strokes, each limb rests for more than half of the time
 
 Numbers = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -24,42 +24,41 @@ Mask = NDArray[np.bool_]
 
 @dataclass(frozen=True, slots=True)
 class Movement:
-    """One trial's frames, NaN where a sample is missing, and where motion was permitted."""
+    """The frames of one trial, NaN where a sample is missing, and whether motion was permitted."""
 
     values: NDArray[np.floating]  # (n, n_channels) signal units
     sample_rate: float  # Hz
-    armed: Mask  # (n,)
+    armed: Mask  # (n,) whether motion was permitted
 
 
 @dataclass(frozen=True, slots=True)
-class Heard:
-    """One trial as the map of today hears it."""
+class MappedTrial:
+    """The rates of all joints in one trial, computed with the present map."""
 
     values: Numbers  # (n, n_channels), without holes
     sample_rate: float
     armed: Mask
     rate: dict[str, Numbers]  # joint -> (n,) FS/s, rising towards the gesture of the calibration
-    own: dict[str, Mask]  # joint -> (n,) where it moves, and moves most
+    own: dict[str, Mask]  # joint -> (n,) whether it makes a movement of its own
 
 
-def hear(parameters: DriveParameters, movements: Sequence[Movement]) -> list[Heard]:
-    """Return the trials as the map hears them; those without a frame are left out.
+def map_trials(parameters: DriveParameters, movements: Sequence[Movement]) -> list[MappedTrial]:
+    """Return the rates and own movements of all joints in each trial; trials without a frame are left out.
 
-    A joint *moves* while motion is permitted, its rate (either way: a limb that comes back moves too) is beyond its
-    dead-zone, and it is at least twice as fast as any other joint, each measured against its own full. So neither
-    tremor nor what leaks from a neighbour counts as its movement.
+    A joint makes a movement of its own while motion is permitted, its rate in either direction is beyond its dead-zone,
+    and rate / full is at least twice that of any other joint. Tremor and cross-talk from a neighbour do not count.
     """
-    return [_heard(parameters, one) for one in movements if len(one.values)]
+    return [_map_trial(parameters, one) for one in movements if len(one.values)]
 
 
-def _heard(parameters: DriveParameters, movement: Movement) -> Heard:
+def _map_trial(parameters: DriveParameters, movement: Movement) -> MappedTrial:
     values = fill_forward(np.asarray(movement.values, dtype=np.float64))
     armed = np.asarray(movement.armed, dtype=np.bool_)
     rate, speed, fast = {}, {}, {}
     for joint in parameters.profile.joints:
         rate[joint.name] = rate_along(joint, np.array(joint.weights), values, movement.sample_rate, parameters.cutoff)
         gesture = gesture_of(parameters, joint.name)
-        on_pc1 = gesture is not None and joint.map == "pca"  # the handles of a guided map are of another scale
+        on_pc1 = gesture is not None and joint.map == "pca"  # the handles of a guided map have another scale
         dead_zone, full = (gesture.dead_zone, gesture.full) if gesture and on_pc1 else (joint.dead_zone, joint.full)
         size = np.abs(rate[joint.name])
         speed[joint.name], fast[joint.name] = size / max(full, 1e-9), size > dead_zone
@@ -67,8 +66,8 @@ def _heard(parameters: DriveParameters, movement: Movement) -> Heard:
     for name in rate:
         others = [other for key, other in speed.items() if key != name]
         strongest = np.max(others, axis=0) if others else np.zeros(len(values))
-        own[name] = armed & fast[name] & (speed[name] >= MOST * strongest)
-    return Heard(values, movement.sample_rate, armed, rate, own)
+        own[name] = armed & fast[name] & (speed[name] >= OWN_FACTOR * strongest)
+    return MappedTrial(values, movement.sample_rate, armed, rate, own)
 
 
 def gesture_of(parameters: DriveParameters, joint: str) -> Gesture | None:
@@ -81,40 +80,40 @@ def gesture_of(parameters: DriveParameters, joint: str) -> Gesture | None:
 
 
 def rate_along(joint: JointMap, weights: Numbers, values: Numbers, sample_rate: float, cutoff: float) -> Numbers:
-    """Return the rate (n,) in FS/s that a joint has with these weights, as the decoder makes it."""
+    """Return the rate (n,) in FS/s of a joint with `weights`, computed as by the decoder."""
     place = (values[:, list(joint.channels)] - np.array(joint.mean)) @ weights
     smoothed = smooth(place * (joint.sign / joint.span), cutoff, sample_rate)
     return np.diff(smoothed, prepend=smoothed[0]) * sample_rate
 
 
-def moved_rows(heard: Sequence[Heard], joint: JointMap) -> Numbers:
-    """Return what the joint's channels did while it moved (m, k), oldest first.
+def movement_rows(trials: Sequence[MappedTrial], joint: JointMap) -> Numbers:
+    """Return the values (m, k) of the joint's channels during its own movements, oldest first.
 
-    Each stretch of movement is taken about its own mean, as the calibration takes its prompts: drift between two
-    movements is no movement.
+    The mean of each movement is subtracted, as the calibration does with its prompts: drift between two movements is
+    no movement.
     """
     rows = [np.empty((0, len(joint.channels)))]
-    for trial in heard:
+    for trial in trials:
         signals = trial.values[:, list(joint.channels)]
-        pieces = stretches(trial.own[joint.name], CLOSED, SHORTEST_PIECE, trial.sample_rate)
+        pieces = stretches(trial.own[joint.name], LONGEST_BREAK, SHORTEST_PIECE, trial.sample_rate)
         rows.extend(signals[piece] - signals[piece].mean(axis=0) for piece in pieces)
     return np.concatenate(rows)
 
 
-def strokes(heard: Sequence[Heard], joint: str, rates: Sequence[Numbers], dead_zone: float) -> list[Numbers]:
+def strokes(trials: Sequence[MappedTrial], joint: str, rates: Sequence[Numbers], dead_zone: float) -> list[Numbers]:
     """Return the rates (FS/s) of each of the joint's strokes above the dead-zone; `rates` (n,) one per trial."""
     found = []
-    for trial, rate in zip(heard, rates, strict=True):
+    for trial, rate in zip(trials, rates, strict=True):
         above = trial.own[joint] & (rate > dead_zone)
         found += [rate[piece] for piece in stretches(above, 0.0, SHORTEST_STROKE, trial.sample_rate)]
     return found
 
 
 def rest_noise(rates: Sequence[Numbers], sample_rates: Sequence[float]) -> float | None:
-    """Return the rate's noise at rest (FS/s), None for less than a few seconds.
+    """Return the rate's noise at rest (FS/s), None for less than 5 s of trials.
 
-    Whether somebody rests cannot be told from the dead-zone when tremor has outgrown it. But strokes leave a limb at
-    rest for more than half of the time: the typical one among the calmest half seconds tells the noise.
+    The dead-zone cannot tell rest from movement when tremor exceeds it. But between strokes a limb rests for more than
+    half of the time: the noise is the 0.3 quantile of the standard deviations of all half-second windows.
     """
     spreads: list[Numbers] = []
     for rate, sample_rate in zip(rates, sample_rates, strict=True):
@@ -122,15 +121,15 @@ def rest_noise(rates: Sequence[Numbers], sample_rates: Sequence[float]) -> float
         count = len(rate) // length
         spreads.append(rate[: count * length].reshape(count, length).std(axis=1))
     windows = np.concatenate(spreads) if spreads else np.empty(0)
-    return float(np.quantile(windows, REST_SHARE)) if len(windows) >= 10 else None
+    return float(np.quantile(windows, REST_QUANTILE)) if len(windows) >= 10 else None
 
 
-def stretches(mask: Mask, closed: float, shortest: float, sample_rate: float) -> list[slice]:
-    """Return where a mask (n,) is true without a break longer than `closed` (s), for at least `shortest` (s)."""
+def stretches(mask: Mask, longest_break: float, shortest: float, sample_rate: float) -> list[slice]:
+    """Return where a mask (n,) is true for at least `shortest` (s), breaks of up to `longest_break` (s) included."""
     edges = np.flatnonzero(np.diff(np.concatenate(([False], mask, [False])).astype(np.int8)))
     joined: list[list[int]] = []
     for start, stop in edges.reshape(-1, 2).tolist():
-        if joined and start - joined[-1][1] <= closed * sample_rate:
+        if joined and start - joined[-1][1] <= longest_break * sample_rate:
             joined[-1][1] = stop
         else:
             joined.append([start, stop])

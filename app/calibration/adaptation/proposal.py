@@ -1,8 +1,8 @@
-"""What a map would become after the last trials, and why: proposed beside the live map (signal-chain.md, section 6)."""
+"""Proposes an adapted parameter set after the last trials, beside the one that drives (signal-chain.md, section 6)."""
 
 from collections.abc import Collection, Sequence
 
-from app.calibration.adaptation.channel_range import range_moved
+from app.calibration.adaptation.channel_range import shift_ranges
 from app.calibration.adaptation.documents import (
     ALL_PARTS,
     STANDARD_LIMITS,
@@ -12,8 +12,8 @@ from app.calibration.adaptation.documents import (
     Proposal,
     Status,
 )
-from app.calibration.adaptation.joint_proposal import Evidence, Judged, judged
-from app.calibration.adaptation.movement import Movement, gesture_of, hear
+from app.calibration.adaptation.joint_proposal import AdaptationInput, JointAssessment, assess_joint
+from app.calibration.adaptation.movement import Movement, gesture_of, map_trials
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.calibration.vocabulary import DriveParameters, Gesture
 
@@ -29,48 +29,48 @@ def propose(
     calibrated: CalibrationProfile | None = None,
     fresh: int | None = None,
 ) -> Proposal:
-    """Return what map, dead-zones and fulls would become.
+    """Return the proposed changes of map, dead-zones and fulls.
 
     Parameters
     ----------
     parameters
-        What drives now.
+        The parameter set that drives now.
     movements
-        The last trials with these parameters or their parents, oldest first, all in one wearing of the shirt: what was
-        recorded before it was put on again tells nothing of how it sits now.
+        The last trials with these parameters or their parents, oldest first, all recorded since the shirt was last put
+        on.
     parts
         What may change.
     limits
-        How far.
+        How far it may change.
     calibrated
-        The calibration that these parameters go back to: 30 degrees are counted from its direction. The profile of
-        `parameters` when not given.
+        The calibration that these parameters descend from, whose directions the limit of 30 degrees refers to; the
+        profile of `parameters` when not given.
     fresh
         How many of the trials are new since the map last changed; all when not given. The map may turn by 2 degrees
         for each, and by 5 at once.
     """
     count = len(movements)
     origin = calibrated or parameters.profile
-    evidence = Evidence(
+    evidence = AdaptationInput(
         parameters,
         movements,
-        hear(parameters, movements),
+        map_trials(parameters, movements),
         parts,
         limits,
         count if fresh is None else max(0, min(count, fresh)),
         {joint.name: joint for joint in origin.joints},
     )
     found = [
-        judged(evidence, joint, gesture)
+        assess_joint(evidence, joint, gesture)
         for joint in parameters.profile.joints
         if (gesture := gesture_of(parameters, joint.name)) is not None
     ]
     profile = parameters.profile
     if "map" in parts and evidence.fresh:
-        profile = range_moved(profile, movements, calibrated)
+        profile = shift_ranges(profile, movements, calibrated)
     moved = _joints_moved(parameters.profile, profile)
     changes = tuple(_with_range(one.change, one.change.name in moved) for one in found)
-    new = _built(parameters, profile, found)
+    new = _new_parameters(parameters, profile, found)
     applied = [one for one in changes if one.status == "applied"]
     felt = max((one.felt_change for one in applied), default=0.0)
     return Proposal(
@@ -88,7 +88,7 @@ def propose(
 
 
 def _joints_moved(before: CalibrationProfile, after: CalibrationProfile) -> set[str]:
-    """Return the joints whose ranges follow the shirt's new seat."""
+    """Return the joints of which a channel's range was shifted."""
     return {
         joint.name
         for joint in before.joints
@@ -106,30 +106,32 @@ def _with_range(change: JointChange, moved: bool) -> JointChange:
     return change.model_copy(update={"range_moved": True, "status": status, "reason": reason})
 
 
-def _built(parameters: DriveParameters, profile: CalibrationProfile, found: Sequence[Judged]) -> DriveParameters:
-    """Return the parameters with new weights and handles; sign, span and what was calibrated stay."""
+def _new_parameters(
+    parameters: DriveParameters, profile: CalibrationProfile, found: Sequence[JointAssessment]
+) -> DriveParameters:
+    """Return the parameters with new weights and handles; sign, span and all else stay."""
     new = {one.change.name: one for one in found}
-    joints = tuple(_turned(joint, new.get(joint.name)) for joint in profile.joints)
-    gestures = tuple(_moved(parameters, gesture, new.get(gesture.joint)) for gesture in parameters.gestures)
+    joints = tuple(_with_weights(joint, new.get(joint.name)) for joint in profile.joints)
+    gestures = tuple(_with_handles(parameters, gesture, new.get(gesture.joint)) for gesture in parameters.gestures)
     document = parameters.model_dump()
     document["profile"] = profile.model_copy(update={"joints": joints}).model_dump()
     document["gestures"] = [gesture.model_dump() for gesture in gestures]
     return DriveParameters.model_validate(document)
 
 
-def _turned(joint: JointMap, new: Judged | None) -> JointMap:
+def _with_weights(joint: JointMap, new: JointAssessment | None) -> JointMap:
     return joint if new is None else joint.model_copy(update={"weights": tuple(float(w) for w in new.weights)})
 
 
-def _moved(parameters: DriveParameters, gesture: Gesture, new: Judged | None) -> Gesture:
-    """Return a gesture with its new handles: only the one that was looked at has any."""
+def _with_handles(parameters: DriveParameters, gesture: Gesture, new: JointAssessment | None) -> Gesture:
+    """Return a gesture with its new handles; unchanged when its joint was assessed by another gesture."""
     if new is None or gesture_of(parameters, gesture.joint) != gesture:
         return gesture
     return gesture.model_copy(update={"dead_zone": new.handles.dead_zone, "full": new.handles.full})
 
 
 def _sentence(changes: Sequence[JointChange], trials: int) -> str:
-    """Return what would change, in one sentence."""
+    """Return one sentence on which joints would change."""
     applied = [one.name.replace("_", " ") for one in changes if one.status == "applied"]
     refused = [one.name.replace("_", " ") for one in changes if one.status == "refused"]
     after = "the last trial" if trials == 1 else f"the last {trials} trials"

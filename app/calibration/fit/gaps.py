@@ -1,6 +1,6 @@
-"""Gaps of single channels: short ones are bridged where a map is fitted, and nowhere else.
+"""Gaps of single channels: short ones are filled by straight lines before a map is fitted.
 
-The live chain and `decode` never fill a gap: a sensor that is missing there is a fault (safety.md, S5).
+Only the fitting fills gaps. In the live chain and in `decode` a missing sensor is a fault (safety.md, S5).
 """
 
 from collections.abc import Sequence
@@ -8,17 +8,17 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-LONGEST = 0.2  # s of a gap that is bridged
-MOST = 0.01  # of a channel's samples that may be missing within what is fitted
+LONGEST_GAP = 0.2  # s that are bridged
+LARGEST_SHARE = 0.01  # of a channel's samples that may be missing from the data to be fitted
 
 Frames = NDArray[np.float64]
 
 
 def bridge_gaps(values: Frames, sample_rate: float) -> Frames:
-    """Return frames (n, n_channels) in which gaps of at most 0.2 s are straight lines; longer ones stay NaN.
+    """Return frames (n, n_channels) with gaps of at most 0.2 s filled by straight lines; longer gaps stay NaN.
 
-    A gap at either end of the recording takes the nearest sample. Frames that were lost altogether do not make the
-    gap of a channel longer.
+    A gap at either end of the recording is filled with the nearest sample. Frames without any value (lost frames) do
+    not count towards the length of a channel's gap.
     """
     if not np.isnan(values).any():
         return values
@@ -29,22 +29,22 @@ def bridge_gaps(values: Frames, sample_rate: float) -> Frames:
 
 
 def why_missing(pieces: Sequence[Frames], channel: int, sample_rate: float) -> str:
-    """Return why a channel of the pieces that are fitted misses too much, in words; nothing when it does not.
+    """Return in words why too many samples of a channel are missing from the pieces; an empty string when not.
 
-    Frames that were lost altogether are no channel's fault.
+    Lost frames are not counted.
     """
     if any(map(len, pieces)) and not any(np.isnan(piece[:, channel]).any() for piece in pieces):
-        return ""  # most channels of most recordings: the frames need not be looked through for lost ones
+        return ""  # the usual case, answered before the slower search for lost frames
     missing = [np.isnan(piece[~np.isnan(piece).all(axis=1), channel]) for piece in pieces]
     total = sum(len(one) for one in missing)
     share = sum(int(one.sum()) for one in missing) / max(total, 1)
     if share == 1.0 or not total:
         return "gives no numbers"
     longest = max((int(lengths.max(initial=0)) for _, lengths in map(_gaps, missing)), default=0)
-    if longest > _most(sample_rate):
-        return f"misses {longest / sample_rate:.2f} s at once, and at most {LONGEST:g} s are bridged"
-    if share > MOST:
-        return f"misses {share:.1%} of its samples, and at most {MOST:.0%} are bridged"
+    if longest > _longest_gap(sample_rate):
+        return f"misses {longest / sample_rate:.2f} s at once, and at most {LONGEST_GAP:g} s are bridged"
+    if share > LARGEST_SHARE:
+        return f"misses {share:.1%} of its samples, and at most {LARGEST_SHARE:.0%} are bridged"
     return ""
 
 
@@ -53,7 +53,7 @@ def _fill_short_gaps(values: Frames, sample_rate: float) -> Frames:
     filled = values.copy()
     for column in np.flatnonzero(missing.any(axis=0) & ~missing.all(axis=0)):
         starts, lengths = _gaps(missing[:, column])
-        short = lengths <= _most(sample_rate)
+        short = lengths <= _longest_gap(sample_rate)
         known = np.flatnonzero(~missing[:, column])
         for start, length in zip(starts[short], lengths[short], strict=True):
             rows = np.arange(start, start + length)
@@ -68,5 +68,6 @@ def _gaps(missing: NDArray[np.bool_]) -> tuple[NDArray[np.intp], NDArray[np.intp
     return starts, np.flatnonzero(edges == -1) - starts
 
 
-def _most(sample_rate: float) -> int:
-    return max(1, round(LONGEST * sample_rate))
+def _longest_gap(sample_rate: float) -> int:
+    """Return the length of the longest gap that is bridged, in samples."""
+    return max(1, round(LONGEST_GAP * sample_rate))

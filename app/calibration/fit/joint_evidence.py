@@ -1,4 +1,4 @@
-"""What the rest, the free movement and the repetitions say about one joint's map."""
+"""Measures of one joint's map from rest, free movement and repetitions: span, sign, noise, full, cross-talk."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -10,10 +10,10 @@ from app.calibration.fit.repetitions import Repetition
 from app.signals.smoothing import smooth
 
 CUTOFF = 3.0  # Hz: the chain's standard low-pass
-LAG = 0.3  # s: people move that much after the cue
-SETTLING = 0.3  # s: the low-pass forgets its first sample within it
-STILLEST = 0.5  # s: without a recording at rest, noise is that of the stillest such stretch
-SHORTEST_PEAK = 0.25  # s: shorter prompts are parts of a movement and say nothing about its strength
+LAG = 0.3  # s by which people move after the cue
+SETTLING = 0.3  # s within which the low-pass settles after its first sample
+STILLEST = 0.5  # s: without a recording at rest, the noise is that of the stillest window of this length
+SHORTEST_PEAK = 0.25  # s: shorter prompts cover a part of a movement only, so that their peak is not used
 MOST_SIGNAL_TO_NOISE = 1000.0
 
 
@@ -26,61 +26,61 @@ class Direction:
     mean: NDArray[np.float64]  # (k,)
 
     def place(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return where frames (n, n_channels) lie on the axis, (n,) in signal units."""
+        """Return the projection (n,) of frames (n, n_channels) on the axis, in signal units."""
         place: NDArray[np.float64] = (values[:, list(self.channels)] - self.mean) @ self.weights
         return place
 
 
 @dataclass(frozen=True, slots=True)
-class Rise:
-    """How clearly the prompted movements point one way."""
+class PromptSign:
+    """The direction of the prompted movements along the axis."""
 
-    sign: int  # 1 or -1: the way along the axis that the prompts go
-    agreement: float  # 0.5 (as much one way as the other) to 1 (all of it one way)
+    sign: int  # 1 or -1
+    agreement: float  # 0.5 (as much movement one way as the other) to 1 (all of it one way)
 
 
-def lagged(repetition: Repetition, sample_rate: float) -> slice:
-    """Return the moving part, made longer by the person's lag (by half of itself at most)."""
+def with_lag(repetition: Repetition, sample_rate: float) -> slice:
+    """Return the rows of the prompted movement, extended by LAG, but by at most half of their number."""
     moving = repetition.moving
     extra = min(round(LAG * sample_rate), (moving.stop - moving.start + 1) // 2)
     return slice(moving.start, min(len(repetition.values), moving.stop + extra))
 
 
 def percentile_span(place: NDArray[np.float64]) -> float:
-    """Return the 1st to 99th percentile of places on the axis; all of it when the joint moved only for a moment."""
+    """Return the distance between the 1st and 99th percentile of `place` (n,); the whole range when that is zero."""
     low, high = np.percentile(place, (1, 99))
     return float(high - low) or float(np.ptp(place))
 
 
 def prompted_span(direction: Direction, repetitions: Sequence[Repetition]) -> float:
-    """Return how far a typical repetition goes: each for itself, so that drift between them does not count."""
+    """Return the median span of the repetitions (signal units); drift between repetitions does not enter it."""
     return float(np.median([percentile_span(direction.place(repetition.values)) for repetition in repetitions]))
 
 
-def rise(direction: Direction, repetitions: Sequence[Repetition], span: float, sample_rate: float) -> Rise:
-    """Return which way the prompted movements go.
+def prompt_sign(direction: Direction, repetitions: Sequence[Repetition], span: float, sample_rate: float) -> PromptSign:
+    """Return the direction of the prompted movements along the axis, by a vote of the repetitions.
 
-    Each repetition votes with how far its mean and its end lie above its start: the mean still tells the direction
-    when the way back was taken for part of the prompt, the end still does when the last return was. One repetition
-    gone wild has no more weight than one full span.
+    The vote of a repetition is (mean - start) + (end - start) of its place, clipped to one span, so that no repetition
+    dominates. The mean is right also when the prompt covers the way back, the end also when the prompt begins during
+    the previous way back.
     """
     votes = []
     for repetition in repetitions:
         place = smooth(direction.place(repetition.values), CUTOFF, sample_rate) / span
-        stretch = place[lagged(repetition, sample_rate)]
+        stretch = place[with_lag(repetition, sample_rate)]
         votes.append(float(np.clip((stretch.mean() - stretch[0]) + (stretch[-1] - stretch[0]), -1.0, 1.0)))
     total, size = sum(votes), sum(abs(vote) for vote in votes)
-    return Rise(sign=1 if total >= 0 else -1, agreement=0.5 + 0.5 * abs(total) / size if size else 0.5)
+    return PromptSign(sign=1 if total >= 0 else -1, agreement=0.5 + 0.5 * abs(total) / size if size else 0.5)
 
 
 def rate_of(direction: Direction, values: NDArray[np.float64], scale: float, sample_rate: float) -> NDArray[np.float64]:
-    """Return the rate (n,) in FS/s of frames, `scale` being sign / span."""
+    """Return the rate (n,) in FS/s of frames (n, n_channels); `scale` is sign / span."""
     smoothed = smooth(direction.place(values) * scale, CUTOFF, sample_rate)
     return np.diff(smoothed, prepend=smoothed[0]) * sample_rate
 
 
 def rest_rate(rate: NDArray[np.float64], sample_rate: float, at_rest: bool) -> float:
-    """Return the noise of the rate (FS/s, standard deviation) over a rest, or over the stillest part of a movement."""
+    """Return the standard deviation of the rate (FS/s) over a rest, or over the stillest half second of a movement."""
     settled = rate[round(SETTLING * sample_rate) :]
     if not len(settled):
         settled = rate
@@ -92,7 +92,7 @@ def rest_rate(rate: NDArray[np.float64], sample_rate: float, at_rest: bool) -> f
 
 
 def full_rate(rates: Sequence[NDArray[np.float64]], dead_zone: float) -> float | None:
-    """Return the 90th percentile of the rates above the dead-zone (FS/s), None when the movement does not reach it."""
+    """Return the 90th percentile of the rates above the dead-zone (FS/s), None when no rate is above it."""
     active = np.concatenate([rate[rate > dead_zone] for rate in rates])
     return float(np.percentile(active, 90)) if len(active) else None
 
@@ -105,7 +105,7 @@ def repeatability(rates: Sequence[NDArray[np.float64]], sample_rate: float) -> f
 
 
 def signal_to_noise(full: float, noise: float) -> float:
-    """Return how many times the movement stands above the noise; 1000 also stands for more."""
+    """Return full / noise, at most 1000."""
     return min(MOST_SIGNAL_TO_NOISE, full / noise) if noise > 0 else MOST_SIGNAL_TO_NOISE
 
 
@@ -117,7 +117,7 @@ def cross_talk(own: NDArray[np.float64], floor: float = 0.05) -> NDArray[np.floa
     own : (k, k) array
         Mean activation, row: joint that was prompted, column: joint that answered.
     floor : float
-        Smallest activation to divide by: a joint that did not answer its own prompts is no measure for others.
+        Smallest activation to divide by, for joints that hardly answered their own prompts.
     """
     shares: NDArray[np.float64] = own / np.maximum(np.diag(own), floor)
     np.fill_diagonal(shares, 1.0)

@@ -1,4 +1,4 @@
-"""Fits the map of one joint: direction, sign, span, and the two handles of its gesture."""
+"""Fits the map of one joint: direction, sign, span, and dead-zone and full of its gesture."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -9,13 +9,13 @@ from numpy.typing import NDArray
 from app.calibration.fit.joint_evidence import (
     Direction,
     full_rate,
-    lagged,
     percentile_span,
+    prompt_sign,
     prompted_span,
     rate_of,
     repeatability,
     rest_rate,
-    rise,
+    with_lag,
 )
 from app.calibration.fit.pca import JointPCA, angle_between
 from app.calibration.fit.pieces import Frames
@@ -25,13 +25,13 @@ from app.calibration.grades import LARGEST_ANGLE
 REST_NOISE_FACTOR = 4.0
 SMALLEST_DEAD_ZONE = 0.15  # FS/s
 LARGEST_THRESHOLD = 99.0  # FS/s
-LEAST_RANGE = 0.1  # FS/s between dead-zone and full, so that the gesture is a slope and not a switch
-SPAN_FACTOR = 1.25  # how much further the prompts must go than the free movement to set the span
+LEAST_RANGE = 0.1  # FS/s between dead-zone and full: less would make the gesture a switch
+SPAN_FACTOR = 1.25  # of the free movement's span: prompts that go further than this set the span
 
 
 @dataclass(frozen=True, slots=True)
 class FittedJoint:
-    """One joint half way: its map is fixed, what it answers to the others' prompts is not known yet."""
+    """The fitted map of one joint, without its cross-talk, which needs the maps of all joints."""
 
     direction: Direction
     sign: int
@@ -48,14 +48,14 @@ class FittedJoint:
     repeatability: float | None
 
     def rate(self, values: Frames, sample_rate: float) -> Frames:
-        """Return the rate (n,) of frames (n, n_channels), FS/s."""
+        """Return the rate (n,) in FS/s of frames (n, n_channels)."""
         return rate_of(self.direction, values, self.sign / self.span, sample_rate)
 
 
 def fit_joint(
     channels: tuple[int, ...], free: Frames, rest: Frames | None, own: Sequence[Repetition], sample_rate: float
 ) -> FittedJoint:
-    """Return the map of one joint from frames without holes; `own` are the joint's own repetitions."""
+    """Return the map of one joint from frames (n, n_channels) without NaN; `own` are the joint's own repetitions."""
     pca = JointPCA(channels).fit(free)
     direction = Direction(channels, pca.components_[0], pca.mean_)
     angle = None
@@ -68,15 +68,15 @@ def fit_joint(
     own_span = prompted_span(direction, own) if own else 0.0
     from_prompts = own_span > SPAN_FACTOR * free_span
     span = own_span if from_prompts else free_span
-    pointing = rise(direction, own, span, sample_rate) if own else None
-    # Without prompts the sign is arbitrary; that the heaviest channel rises makes it at least the same every time.
+    pointing = prompt_sign(direction, own, span, sample_rate) if own else None
+    # Without prompts the sign is arbitrary: a positive weight of the heaviest channel makes it reproducible.
     sign = pointing.sign if pointing else (1 if direction.weights[np.abs(direction.weights).argmax()] > 0 else -1)
     scale = sign / span
     quiet = rate_of(direction, free if rest is None else rest, scale, sample_rate)
     noise = min(rest_rate(quiet, sample_rate, at_rest=rest is not None), LARGEST_THRESHOLD)
     dead_zone = round(min(max(REST_NOISE_FACTOR * noise, SMALLEST_DEAD_ZONE), LARGEST_THRESHOLD), 4)
     if own:
-        rates = [rate_of(direction, one.values, scale, sample_rate)[lagged(one, sample_rate)] for one in own]
+        rates = [rate_of(direction, one.values, scale, sample_rate)[with_lag(one, sample_rate)] for one in own]
     else:
         rates = [np.abs(rate_of(direction, free, scale, sample_rate))]
     reached = full_rate(rates, dead_zone)
@@ -101,8 +101,8 @@ def fit_joint(
 def _prompted_direction(
     channels: tuple[int, ...], own: Sequence[Repetition], sample_rate: float
 ) -> NDArray[np.float64] | None:
-    """Return PC1 of the prompted movements, each about its own mean so that drift between them is no movement."""
-    moved = [one.values[lagged(one, sample_rate)] for one in own]
+    """Return PC1 (k,) of the prompted movements about their own means (because of drift); None for too few rows."""
+    moved = [one.values[with_lag(one, sample_rate)] for one in own]
     if sum(map(len, moved)) <= 3 * len(channels):
         return None
     pca = JointPCA(channels).fit(np.concatenate([piece - piece.mean(axis=0) for piece in moved]))

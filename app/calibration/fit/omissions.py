@@ -7,12 +7,12 @@ import numpy as np
 from app.calibration.fit.gaps import bridge_gaps, why_missing
 from app.calibration.fit.pieces import Frames, fill_forward
 from app.calibration.fit.repetitions import Repetition
-from app.calibration.quality import ChannelQuality, channel_quality, worst
+from app.calibration.quality import ChannelQuality, channel_quality, worse_of
 from app.layout import ShirtLayout
 
-# What the short stretches of the prompts can show; noise is judged on the long free movement.
-SEEN_IN_PROMPTS = {"near", "railed", "flat", "nan"}
-FEW_MISSING = 0.05  # of a channel's samples: so many may repeat the sample before, where a joint has no better channel
+# Conditions that the short prompts can show; noise is measured in the longer free movement.
+PROMPT_CONDITIONS = {"near", "railed", "flat", "nan"}
+FEW_MISSING = 0.05  # share of a channel's samples that may be filled forward where a joint has no better channel
 
 
 def channels_left_out(
@@ -24,10 +24,10 @@ def channels_left_out(
     unused: Collection[str],
     full_scale: float | None,
 ) -> dict[str, str]:
-    """Return why channels are left out of the map.
+    """Return the names of the channels to leave out of the map, each with the reason in words.
 
-    Gaps of at most 0.2 s, and at most 1 % of a channel within what its joint is fitted to, leave nothing out. A channel
-    near its rails, or with at most 5 % missing, is left out only where the joint keeps a better channel.
+    A channel is kept with gaps of at most 0.2 s and at most 1 % of missing samples in the data that its joint is fitted
+    to. A channel near its rails, or with at most 5 % missing, is left out only where the joint keeps a better channel.
     """
     groups = layout.channels_of_joint
     pieces = [free] if rest is None else [free, rest]
@@ -77,19 +77,19 @@ def _quality(
     repetitions: Sequence[Repetition],
     full_scale: float | None,
 ) -> list[ChannelQuality]:
-    """Return the worst that the pieces of a calibration say of each channel."""
+    """Return the worst condition of each channel over all pieces of a calibration."""
     quality = channel_quality(free, list(groups.values()), sample_rate, full_scale)
     if rest is not None:
         at_rest = channel_quality(rest, list(groups.values()), sample_rate, full_scale, moving=False)
-        quality = [worst(one, other) for one, other in zip(quality, at_rest, strict=True)]
+        quality = [worse_of(one, other) for one, other in zip(quality, at_rest, strict=True)]
     for joint, indices in groups.items():
         own = _values_of(joint, repetitions)
         if own:
             prompted = channel_quality(np.concatenate(own), [indices], sample_rate, full_scale)
-            findings = {i: prompted[i] for i in indices if prompted[i].condition in SEEN_IN_PROMPTS}
-            if len(findings) < len(indices):  # all of them: the joint stood still, which is no channel's fault
+            findings = {i: prompted[i] for i in indices if prompted[i].condition in PROMPT_CONDITIONS}
+            if len(findings) < len(indices):  # when all channels are affected, the joint stood still
                 for i, finding in findings.items():
-                    quality[i] = worst(quality[i], finding)
+                    quality[i] = worse_of(quality[i], finding)
     return quality
 
 
@@ -98,7 +98,7 @@ def _values_of(joint: str, repetitions: Sequence[Repetition]) -> list[Frames]:
 
 
 def _hold_few_missing(values: Frames) -> Frames:
-    """Return frames in which channels that miss few samples hold the one before; frames that were lost stay so."""
+    """Return frames (n, n_channels) with the channels that miss few samples filled forward; lost frames stay NaN."""
     missing = np.isnan(values)
     lost = missing.all(axis=1, keepdims=True)
     few = (missing & ~lost).sum(axis=0) <= FEW_MISSING * (~lost).sum()

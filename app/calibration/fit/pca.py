@@ -1,4 +1,4 @@
-"""Principal components of one joint's channels: the map of the paper."""
+"""Principal component analysis of one joint's channels: the map of the paper."""
 
 from collections.abc import Sequence
 from typing import Self
@@ -27,7 +27,7 @@ class JointPCA:
         self.channels = list(channels)
 
     def fit(self, values: NDArray[np.float64]) -> Self:
-        """Learn from frames (n, n_channels); only the joint's k channels are looked at, none may hold NaN."""
+        """Fit to the joint's k channels in frames (n, n_channels), which may not hold NaN."""
         fitted = PCA(svd_solver="covariance_eigh").fit(values[:, self.channels])
         self.components_: NDArray[np.float64] = fitted.components_
         self.mean_: NDArray[np.float64] = fitted.mean_
@@ -36,11 +36,11 @@ class JointPCA:
         return self
 
     def transform(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return the place of frames (n, n_channels) on the first component, (n,) in signal units."""
+        """Return the projection (n,) of frames (n, n_channels) on the first component, in signal units."""
         place: NDArray[np.float64] = (values[:, self.channels] - self.mean_) @ self.components_[0]
         return place
 
 
 def angle_between(one: NDArray[np.float64], other: NDArray[np.float64]) -> float:
-    """Return the angle (degrees, 0..90) between two unit vectors, whichever way they point."""
+    """Return the angle (degrees, 0..90) between the lines along two unit vectors, whose signs do not matter."""
     return float(np.degrees(np.arccos(min(1.0, abs(float(one @ other))))))

@@ -1,4 +1,4 @@
-"""The pieces of a calibration recording, before anything is fitted: checked, and without holes."""
+"""Prepares the pieces of a calibration recording for fitting: checks them and fills missing samples."""
 
 from collections.abc import Collection, Sequence
 
@@ -22,7 +22,13 @@ def check_pieces(
     repetitions: Sequence[Repetition],
     unused: Collection[str],
 ) -> None:
-    """Raise ValueError with one sentence when pieces are too short or do not fit the layout."""
+    """Check that the pieces are long enough and fit the layout.
+
+    Raises
+    ------
+    ValueError
+        One sentence: which piece is wrong, and what to do.
+    """
     count = len(layout.channels)
     for what, piece in (("free movement", free), ("rest", rest), *((one.joint, one.values) for one in repetitions)):
         if piece is not None and (piece.ndim != 2 or piece.shape[1] != count):
@@ -42,7 +48,7 @@ def check_pieces(
 
 
 def value_range(pieces: Sequence[Frames]) -> tuple[tuple[float, ...], tuple[float, ...]]:
-    """Return the smallest and largest value of each channel over everything; 0 for one that never gave a number."""
+    """Return the smallest and the largest value of each channel over all pieces; 0 for a channel without values."""
     lows = np.min([np.where(np.isnan(piece), np.inf, piece).min(axis=0) for piece in pieces], axis=0)
     highs = np.max([np.where(np.isnan(piece), -np.inf, piece).max(axis=0) for piece in pieces], axis=0)
     silent = ~np.isfinite(lows)
@@ -51,7 +57,10 @@ def value_range(pieces: Sequence[Frames]) -> tuple[tuple[float, ...], tuple[floa
 
 
 def fill_forward(values: Frames) -> Frames:
-    """Return frames (n, n_channels) in which a missing sample is the last one there was, as the decoder holds it."""
+    """Return frames (n, n_channels) with each NaN replaced by the channel's last value, as the decoder does.
+
+    NaN before a channel's first value take that value; a channel without values becomes zero.
+    """
     missing = np.isnan(values)
     if not missing.any():
         return values

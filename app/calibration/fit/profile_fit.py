@@ -7,12 +7,12 @@ from numpy.typing import NDArray
 
 import app
 from app.calibration.fit.gaps import bridge_gaps
-from app.calibration.fit.joint_evidence import cross_talk, lagged, signal_to_noise
+from app.calibration.fit.joint_evidence import cross_talk, signal_to_noise, with_lag
 from app.calibration.fit.joint_fit import FittedJoint, fit_joint
 from app.calibration.fit.omissions import channels_left_out
 from app.calibration.fit.pieces import check_pieces, fill_forward, value_range
 from app.calibration.fit.repetitions import Repetition
-from app.calibration.grades import Findings, grade
+from app.calibration.grades import JointMeasurements, grade
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.clock import utc_now
 from app.layout import ShirtLayout
@@ -40,14 +40,14 @@ def fit_profile(
     repetitions : sequence of Repetition
         Prompted movements towards the gesture; they fix the sign.
     unused : names of channels
-        What a person has marked as not to be used.
+        Channels that a person has marked as unused.
     full_scale : float or None
         Largest absolute value of the shirt's electronics, in signal units, when it is known.
 
     Raises
     ------
     ValueError
-        One sentence: what is too short or unknown, or that no joint has a channel to build a map on.
+        One sentence: what is too short or unknown, or that no joint has a usable channel.
     """
     moved = np.asarray(free, dtype=np.float64)
     resting = None if rest is None else np.asarray(rest, dtype=np.float64)
@@ -69,7 +69,7 @@ def fit_profile(
     fitted = {
         joint: fit_joint(used, moved, resting, [one for one in repetitions if one.joint == joint], sample_rate)
         for joint, used in channels.items()
-        if used and moved[:, list(used)].var(axis=0).any()  # 0 also where numbers are too small to be squared
+        if used and moved[:, list(used)].var(axis=0).any()  # 0 also where squares underflow
     }
     if not fitted:
         raise ValueError(
@@ -106,7 +106,7 @@ def joints_without_map(profile: CalibrationProfile) -> dict[str, str]:
 def _cross_talk(
     fitted: Mapping[str, FittedJoint], repetitions: Sequence[Repetition], sample_rate: float
 ) -> NDArray[np.float64] | None:
-    """Return the matrix of the profile: 0 where one of the two joints was not prompted, None when no joint was."""
+    """Return the cross-talk matrix (k, k): 0 where one of the two joints was not prompted; None when no joint was."""
     prompted = [i for i, joint in enumerate(fitted.values()) if joint.agreement is not None]
     if not prompted:
         return None
@@ -116,7 +116,7 @@ def _cross_talk(
         own = [one for one in repetitions if one.joint == names[row]]
         for column in prompted:
             joint = fitted[names[column]]
-            rates = [joint.rate(one.values, sample_rate)[lagged(one, sample_rate)] for one in own]
+            rates = [joint.rate(one.values, sample_rate)[with_lag(one, sample_rate)] for one in own]
             above = (np.concatenate(rates) - joint.dead_zone) / (joint.full - joint.dead_zone)
             activation[row, column] = np.clip(above, 0.0, 1.0).mean()
     return cross_talk(activation)
@@ -134,7 +134,7 @@ def _joint_map(
     used = len(joint.direction.channels)
     ratio = signal_to_noise(joint.full if joint.reaches_full else 0.0, joint.rest_rate)
     letter, reason = grade(
-        Findings(
+        JointMeasurements(
             evr=joint.evr,
             signal_to_noise=ratio,
             reaches_full=joint.reaches_full,

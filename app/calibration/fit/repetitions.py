@@ -8,15 +8,15 @@ from numpy.typing import NDArray
 
 from app.cues import Cue
 
-BEFORE = 0.5  # s: what is kept before the movement, so that the low-pass has settled
-AFTER = 1.0  # s: what is kept after it, because people lag behind the cue
-AROUND = 3.0  # s: what a stretch keeps before its first and after its last prompt: the way back and some rest
-LONGEST_PAUSE = 10.0  # s: prompts further apart are two stretches, for nobody said what the joint did meanwhile
+BEFORE = 0.5  # s kept before a movement, in which the low-pass settles
+AFTER = 1.0  # s kept after a movement, because people lag behind the cue
+AROUND = 3.0  # s kept before the first and after the last prompt of a stretch: the way back and some rest
+LONGEST_PAUSE = 10.0  # s: prompts further apart belong to two stretches, as the movement between them is unknown
 
 
 @dataclass(frozen=True, slots=True)
 class Repetition:
-    """One prompted movement: the frames around it, and which of them are the movement towards the gesture."""
+    """One prompted movement: the frames around it, and the rows of the movement towards the gesture."""
 
     joint: str
     values: NDArray[np.float64]  # (n, n_channels)
@@ -25,7 +25,7 @@ class Repetition:
 
 @dataclass(frozen=True, slots=True)
 class Stretch:
-    """An unbroken recording around some prompted movements of one joint, ways back and pauses included."""
+    """A continuous recording of several prompted movements of one joint, with ways back and pauses."""
 
     joint: str
     values: NDArray[np.float64]  # (n, n_channels)
@@ -34,7 +34,7 @@ class Stretch:
 
 @dataclass(frozen=True, slots=True)
 class Prompt:
-    """One row of a table of prompts: from `start` to `end` (s) the joint moved towards the gesture."""
+    """One row of a table of prompts: the joint moved towards the gesture from `start` to `end` (s)."""
 
     start: float
     end: float
@@ -53,7 +53,7 @@ def repetitions_of_run(
     cue : (n,) array
         Index into `cues` for each frame, as the recording carries it.
     cues : sequence of Cue
-        What was asked, in the order that `cue` counts.
+        The cues of the step, to which `cue` refers.
     sample_rate : float
         Hz.
     """
@@ -66,7 +66,7 @@ def repetitions_of_run(
 
 
 def stretch_of_run(values: NDArray[np.floating], cue: NDArray[np.integer], cues: Sequence[Cue]) -> Stretch | None:
-    """Return the whole of one recorded `prompt` step, parameters as of `repetitions_of_run`; None without a prompt."""
+    """Return one recorded `prompt` step as a stretch, None without a prompt; parameters as of `repetitions_of_run`."""
     moving = []
     for index, prompt in enumerate(cues):
         rows = np.flatnonzero(cue == index)
@@ -83,9 +83,9 @@ def stretches_of_prompts(
     sample_rate: float,
     until: float | None = None,
 ) -> list[Stretch]:
-    """Return the stretches around the prompts of a table, a joint's in order of time.
+    """Return the stretches around the prompts of a table, those of a joint in order of time.
 
-    Nothing after `until` (s) is taken that lies behind the last prompt.
+    A stretch ends at `until` (s) at the latest, but not before its last prompt.
     """
     merged = _merged(prompts)
     stretches = []
@@ -103,7 +103,7 @@ def stretches_of_prompts(
 def repetitions_of_prompts(
     t: NDArray[np.float64], values: NDArray[np.floating], prompts: Sequence[Prompt], sample_rate: float
 ) -> list[Repetition]:
-    """Return the repetitions that a table of prompts names in one long recording; overlapping rows count as one."""
+    """Return the repetitions of a table of prompts from one long recording; overlapping prompts count as one."""
     found = []
     for prompt in _merged(prompts):
         first, last = np.searchsorted(t, (prompt.start, prompt.end))
@@ -135,7 +135,7 @@ def _stretch(
 
 
 def _merged(prompts: Sequence[Prompt]) -> list[Prompt]:
-    """Return the prompts in order of time, those of one joint that overlap joined into one."""
+    """Return the prompts in order of time, overlapping prompts of one joint merged into one."""
     merged: list[Prompt] = []
     newest: dict[str, int] = {}
     for prompt in sorted(prompts, key=lambda row: row.start):

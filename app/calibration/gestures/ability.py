@@ -1,4 +1,4 @@
-"""What one joint can do in one direction: how fast, how evenly, and what else moves with it."""
+"""The ability of a joint to move in one direction: its rates, travel, effort and cross-talk in the recordings."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -10,11 +10,13 @@ from numpy.typing import NDArray
 from app.calibration.fit.joint_evidence import full_rate
 from app.calibration.fit.joint_fit import LARGEST_THRESHOLD, LEAST_RANGE
 from app.calibration.fit.pieces import Frames
-from app.calibration.gestures.evidence import Evidence, MadeOnce
+from app.calibration.gestures.evidence import Evidence, RepetitionRates
 from app.calibration.profile import CalibrationProfile, JointMap
 
-LEAST_ACTIVATION = 0.05  # s: a gesture that hardly answers its own prompts is no measure for others
-WAY_BACK_EFFORT = 2.0  # the way there does nothing, and has to be made all the same
+LEAST_ACTIVATION = (
+    0.05  # s: lower limit of the divisor of the shares, for gestures that hardly answer their own prompts
+)
+WAY_BACK_EFFORT = 2.0  # a gesture made by moving back needs the movement there too, which drives nothing
 
 Direction = Literal[1, -1]
 WAYS: tuple[Direction, Direction] = (1, -1)
@@ -22,21 +24,21 @@ WAYS: tuple[Direction, Direction] = (1, -1)
 
 @dataclass(frozen=True, slots=True)
 class Ability:
-    """One gesture, not judged yet."""
+    """What the recordings show of one gesture: a joint moved in one direction."""
 
     joint: JointMap
     column: int
     direction: Direction
     dead_zone: float  # FS/s
     full: float  # FS/s
-    reached: float  # FS/s, the full that was measured; 0 where no movement left the dead-zone
-    rates: list[NDArray[np.float64]]  # FS/s in its own repetitions, rising this way
-    travels: list[float]  # FS in each of them
-    shares: Mapping[str, float]  # of its own activation, in whole repetitions of other joints
+    reached: float  # FS/s, the measured full; 0 where no movement left the dead-zone
+    rates: list[NDArray[np.float64]]  # FS/s, positive in this direction, one array for each own repetition
+    travels: list[float]  # FS, one for each own repetition
+    shares: Mapping[str, float]  # other joint -> activation in its repetitions, over that in the own ones
 
     @property
     def name(self) -> str:
-        """As a gesture is called that is made by hand."""
+        """Name of the gesture; that of the opposite direction ends in `_back`."""
         return self.joint.name if self.direction > 0 else f"{self.joint.name}_back"
 
     @property
@@ -46,9 +48,10 @@ class Ability:
 
     @property
     def effort(self) -> float | None:
-        """FS to be moved for a full activation, in the time that the person takes; both ways where only one counts.
+        """Distance (FS) to move for a full activation, at the person's usual duration of this movement.
 
-        With the time held, the rate grows with the size of the movement.
+        At a constant duration the rate is proportional to the distance. For a gesture made by moving back, the distance
+        counts twice. None without repetitions.
         """
         if not self.rates or not all(peak > 0 for peak in self.peaks):
             return None
@@ -57,21 +60,21 @@ class Ability:
 
 
 def abilities(profile: CalibrationProfile, evidence: Evidence) -> list[Ability]:
-    """Return what every joint of the profile can do, there and back, in the profile's order."""
+    """Return the abilities of every joint of the profile in both directions, in the profile's order."""
     return [
-        _ability(evidence, joint, column, direction, [one for one in evidence.made if one.joint == joint.name])
+        _ability(evidence, joint, column, direction, [one for one in evidence.repetitions if one.joint == joint.name])
         for column, joint in enumerate(profile.joints)
         for direction in WAYS
     ]
 
 
 def _ability(
-    evidence: Evidence, joint: JointMap, column: int, direction: Direction, own: Sequence[MadeOnce]
+    evidence: Evidence, joint: JointMap, column: int, direction: Direction, own: Sequence[RepetitionRates]
 ) -> Ability:
     windows = [(one.there, one.travel_there) if direction > 0 else (one.back, one.travel_back) for one in own]
     windows = [(rates, travel) for rates, travel in windows if len(rates)]
     rates = [direction * window[:, column] for window, _ in windows]
-    # The prompts show the way there as it was asked for; nobody was asked to hurry back, so that more is looked at.
+    # The prompts ask for the way there. No cue asks for a fast way back: there, the free movement is used as well.
     strokes = rates if direction > 0 and rates else rates + [direction * piece[:, column] for piece in evidence.free]
     dead_zone, full = joint.handles
     reached = (full_rate(strokes, dead_zone) if strokes else None) or 0.0
@@ -87,13 +90,13 @@ def _ability(
         reached=reached,
         rates=rates,
         travels=[travel for _, travel in windows],
-        shares=_shares(answer, joint.name, [window for window, _ in windows], evidence.made),
+        shares=_shares(answer, joint.name, [window for window, _ in windows], evidence.repetitions),
     )
 
 
 @dataclass(frozen=True, slots=True)
 class _Answer:
-    """How a gesture answers to rates (n, n_joints)."""
+    """The activation of a gesture by given rates."""
 
     column: int
     direction: Direction
@@ -102,7 +105,7 @@ class _Answer:
     sample_rate: float
 
     def seconds(self, pieces: Sequence[Frames]) -> float:
-        """Return its activation times time, s, in the mean over the pieces."""
+        """Return the integral of the activation over time (s), as the mean over the pieces (n, n_joints) of rates."""
         reach = self.full - self.dead_zone
         return float(
             np.mean(
@@ -115,8 +118,8 @@ class _Answer:
         )
 
 
-def _shares(answer: _Answer, joint: str, own: Sequence[Frames], made: Sequence[MadeOnce]) -> dict[str, float]:
-    """Return how much it answers to whole repetitions of each other joint, as a share of its own."""
+def _shares(answer: _Answer, joint: str, own: Sequence[Frames], made: Sequence[RepetitionRates]) -> dict[str, float]:
+    """Return the activation during whole repetitions of each other joint, as a share of that during its own."""
     if not own:
         return {}
     least = max(answer.seconds(own), LEAST_ACTIVATION)

@@ -1,4 +1,4 @@
-"""Finds all gestures that a body can make: every joint, there and back, ranked by what the recordings say of them."""
+"""Finds all gestures of a body: every joint in both directions, ranked by measures from the recordings."""
 
 from collections.abc import Mapping, Sequence
 from typing import Literal
@@ -8,7 +8,7 @@ from app.calibration.fit.joint_evidence import repeatability, signal_to_noise
 from app.calibration.fit.profile_fit import joints_without_map
 from app.calibration.gestures.ability import abilities
 from app.calibration.gestures.cross_check import predict
-from app.calibration.gestures.evidence import gather
+from app.calibration.gestures.evidence import gather_evidence
 from app.calibration.gestures.numbers import Companion, FoundGesture, ratios, score_of, weakest_of
 from app.calibration.gestures.suggestion import Shares, SuggestedVocabulary, suggest_vocabulary
 from app.calibration.profile import CalibrationProfile
@@ -16,10 +16,10 @@ from app.quantities import Document
 
 
 class Discovery(Document):
-    """All gestures, the best first, and the vocabulary that they speak for."""
+    """All gestures, the best first, and the vocabulary suggested from them."""
 
     source: Literal["recordings", "profile"]
-    words: str  # what is missing, in one sentence; empty when nothing is
+    words: str  # one sentence on missing data; empty when nothing is missing
     gestures: tuple[FoundGesture, ...]
     not_found: dict[str, str]  # joints without a map, with the reason and what to do
     suggestion: SuggestedVocabulary
@@ -28,24 +28,24 @@ class Discovery(Document):
 def discover(profile: CalibrationProfile, runs: Sequence[CuedRun]) -> Discovery:
     """Rank the gestures of every joint that has a map, by the recordings of a calibration.
 
-    The direction -1 is the way back made as a gesture of its own; it is judged by the ways back from the prompts and
-    by the free movement. Each gesture has four numbers and one score of them (`gesture_numbers`):
+    The direction -1 is the way back used as a gesture; it is measured on the ways back from the prompts and on the free
+    movement. Each gesture has four numbers and a score made of them (`app.calibration.gestures.numbers`):
 
     - signal to noise: the measured full over the noise of the rate at rest, as in the profile;
     - repeatability: spread of the repetitions' peak rates over their mean;
-    - cross-talk: time of activation during whole repetitions (there and back) of another joint, as a share of that
-      in its own; the larger of how much it answers to another's prompts, and how much another answers to its own;
-    - effort: FS that have to be moved for a full activation, in the time that the person takes for this movement:
-      that time hardly depends on the size (Viviani and Terzuolo, in: Tutorials in Motor Behavior, 1980).
+    - cross-talk: activation time during whole repetitions (there and back) of another joint, as a share of that during
+      its own; the larger of this gesture's answer to another joint's prompts, and another's answer to its prompts;
+    - effort: distance (FS) to move for a full activation, in the person's usual duration of the movement, which hardly
+      depends on its size (Viviani and Terzuolo, in: Tutorials in Motor Behavior, 1980).
     """
-    evidence = gather(profile, runs)
+    evidence = gather_evidence(profile, runs)
     able = abilities(profile, evidence)
     shares = {one.name: one.shares for one in able}
     found = []
     for one in able:
         appears, brings = _companions(one.name, one.joint.name, shares)
         found.append(
-            _judged(
+            _with_score(
                 FoundGesture(
                     name=one.name,
                     joint=one.joint.name,
@@ -62,13 +62,14 @@ def discover(profile: CalibrationProfile, runs: Sequence[CuedRun]) -> Discovery:
                 )
             )
         )
-    return _ranked(profile, found, shares, "recordings", "")
+    return _discovery(profile, found, shares, "recordings", "")
 
 
-def known_of(profile: CalibrationProfile, words: str) -> Discovery:
-    """Rank by the profile's own numbers where there are no recordings, `words` saying why.
+def discovery_from_profile(profile: CalibrationProfile, words: str) -> Discovery:
+    """Rank the gestures by the numbers in the profile where there are no recordings; `words` say why there are none.
 
-    Only the way there is known then; its cross-talk is that of the way there alone, effort and forecast are unknown.
+    The profile knows the prompted direction only: its cross-talk is that of the prompted movements without the ways
+    back, effort and prediction are unknown.
     """
     shares: dict[str, dict[str, float]] = {joint.name: {} for joint in profile.joints}
     if profile.cross_talk is not None:
@@ -81,7 +82,7 @@ def known_of(profile: CalibrationProfile, words: str) -> Discovery:
     for joint in profile.joints:
         appears, brings = _companions(joint.name, joint.name, shares)
         found.append(
-            _judged(
+            _with_score(
                 FoundGesture(
                     name=joint.name,
                     joint=joint.name,
@@ -96,15 +97,15 @@ def known_of(profile: CalibrationProfile, words: str) -> Discovery:
                 )
             )
         )
-    return _ranked(profile, found, shares, "profile", words)
+    return _discovery(profile, found, shares, "profile", words)
 
 
-def _judged(gesture: FoundGesture) -> FoundGesture:
+def _with_score(gesture: FoundGesture) -> FoundGesture:
     of_limits = ratios(gesture)
     return gesture.model_copy(update={"score": score_of(of_limits), "weakest": weakest_of(of_limits)})
 
 
-def _ranked(
+def _discovery(
     profile: CalibrationProfile,
     found: Sequence[FoundGesture],
     shares: Mapping[str, Shares],
@@ -121,7 +122,7 @@ def _ranked(
 
 
 def _companions(name: str, joint: str, shares: Mapping[str, Shares]) -> tuple[Companion | None, Companion | None]:
-    """Return with whose prompts a gesture appears most, and whose way there appears most with its own prompts."""
+    """Return the joint whose prompts activate a gesture most, and the joint that its own prompts activate most."""
     brought = {other: share[joint] for other, share in shares.items() if joint in share and other in shares[name]}
     return _largest(shares[name]), _largest(brought)
 

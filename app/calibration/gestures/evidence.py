@@ -1,4 +1,4 @@
-"""What all joints did during each phase of a calibration: their places and rates, seen through the profile's map."""
+"""Rates of all joints during each phase of a calibration, computed with the profile's map."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
@@ -13,12 +13,12 @@ from app.calibration.guided.guided_map import features
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.signals.smoothing import smooth
 
-WAITING = 0.5  # s before a prompt begins: who waits for it sits still
+WAITING = 0.5  # s before a prompt, in which a person waits at rest
 
 
 @dataclass(frozen=True, slots=True)
-class MadeOnce:
-    """One repetition: the rates (n, n_joints) in FS/s on the way there, on the way back, and over all of it."""
+class RepetitionRates:
+    """The rates (n, n_joints) in FS/s of one repetition: on the way there, on the way back, and of both."""
 
     joint: str
     there: Frames
@@ -30,32 +30,32 @@ class MadeOnce:
 
 @dataclass(frozen=True, slots=True)
 class Evidence:
-    """The rates (n, n_joints) in FS/s of everything that was recorded, one column per joint of the profile."""
+    """The rates (n, n_joints) in FS/s of all recordings, one column per joint of the profile."""
 
     sample_rate: float
     rest: list[Frames] = field(default_factory=list)  # the step at rest
-    pauses: list[tuple[str | None, Frames]] = field(default_factory=list)  # after whose movement, and the rates
+    pauses: list[tuple[str | None, Frames]] = field(default_factory=list)  # joint that moved before, rates
     free: list[Frames] = field(default_factory=list)
-    made: list[MadeOnce] = field(default_factory=list)
+    repetitions: list[RepetitionRates] = field(default_factory=list)
 
     def at_rest(self, column: int) -> list[NDArray[np.float64]]:
         """Return one joint's rates in the step at rest."""
         return [piece[:, column] for piece in self.rest]
 
     def noise_of(self, joint: JointMap, column: int) -> float:
-        """Return the noise of a joint's rate at rest, FS/s: the profile's, which is that of the paper's map."""
+        """Return the noise (FS/s) of a joint's rate at rest: the profile's for a PCA map, measured for a guided map."""
         pieces = self.at_rest(column)
         if joint.map == "pca" or not pieces:
             return joint.rest_rate
         return float(np.concatenate(pieces).std())
 
     def in_pauses(self, column: int, joint: str) -> list[NDArray[np.float64]]:
-        """Return one joint's rates between the prompts, except after its own movements: it may still come back."""
+        """Return one joint's rates between the prompts, except after its own movements, when it may still move back."""
         return [piece[:, column] for after, piece in self.pauses if after != joint]
 
 
-def gather(profile: CalibrationProfile, runs: Sequence[CuedRun]) -> Evidence:
-    """Return what the profile's joints did in the recordings, behind the chain's own low-pass."""
+def gather_evidence(profile: CalibrationProfile, runs: Sequence[CuedRun]) -> Evidence:
+    """Return the rates of the profile's joints in the recordings, filtered by the chain's low-pass."""
     rate_of = profile.sample_rate
     evidence = Evidence(rate_of)
     for run in runs:
@@ -66,7 +66,7 @@ def gather(profile: CalibrationProfile, runs: Sequence[CuedRun]) -> Evidence:
                 weights = np.concatenate((joint.guided.rate, joint.guided.short, joint.guided.long))
                 rates[:, column] = features(run.values[:, list(joint.channels)], rate_of) @ weights
         for index, phase in enumerate(run.phases):
-            _take(evidence, profile, run.phases, index, phase, places, rates)
+            _add_phase(evidence, profile, run.phases, index, phase, places, rates)
     return evidence
 
 
@@ -80,7 +80,7 @@ def _scores(profile: CalibrationProfile, values: Frames) -> Frames:
     return values @ weights - offsets
 
 
-def _take(
+def _add_phase(
     evidence: Evidence,
     profile: CalibrationProfile,
     phases: Sequence[Phase],
@@ -89,7 +89,7 @@ def _take(
     places: Frames,
     rates: Frames,
 ) -> None:
-    """Add one phase to what it is evidence of."""
+    """Append the rates of one phase to the list of its kind."""
     rows, late = phase.rows, round(LAG * evidence.sample_rate)
     match phase.kind:
         case "rest" if phase.joint is None:
@@ -103,7 +103,7 @@ def _take(
             evidence.free.append(rates[rows])
         case "move" if phase.joint is not None:
             back = phases[index + 1].rows if _is_way_back(phases, index) else slice(rows.stop, rows.stop)
-            evidence.made.append(_made(profile, phase.joint, rows, back, late, places, rates))
+            evidence.repetitions.append(_repetition_rates(profile, phase.joint, rows, back, late, places, rates))
 
 
 def _is_way_back(phases: Sequence[Phase], index: int) -> bool:
@@ -111,15 +111,15 @@ def _is_way_back(phases: Sequence[Phase], index: int) -> bool:
     return bool(following) and following[0].kind == "return" and following[0].joint == phases[index].joint
 
 
-def _made(
+def _repetition_rates(
     profile: CalibrationProfile, joint: str, rows: slice, back: slice, late: int, places: Frames, rates: Frames
-) -> MadeOnce:
-    """Cut one repetition; people lag behind the cue, by half of a prompt at most."""
+) -> RepetitionRates:
+    """Return the rates of one repetition, with LAG, or half of the prompt if that is less, added at its end."""
     last = min(len(rates), rows.stop + min(late, (rows.stop - rows.start + 1) // 2))
     end = last if back.stop == back.start else min(len(rates), back.stop + late)
     there, way_back = slice(rows.start, last), slice(back.start, end)
     own = [index for index, one in enumerate(profile.joints) if one.name == joint]  # none when it has no map
-    return MadeOnce(
+    return RepetitionRates(
         joint,
         rates[there],
         rates[way_back],

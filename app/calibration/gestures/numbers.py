@@ -1,4 +1,4 @@
-"""What a calibration's recordings say about one gesture: the four numbers, and the one score that they make."""
+"""The documents of a found gesture: its four numbers, their score, and the prediction of its behaviour."""
 
 import math
 from typing import Annotated, Literal
@@ -11,19 +11,19 @@ from app.quantities import Document, Finite, Fraction, Name, Threshold
 NumberName = Literal["signal_to_noise", "repeatability", "cross_talk", "effort"]
 Positive = Annotated[Finite, Field(ge=0)]
 
-EFFORT_LIMIT = 1.0  # FS: more than the whole span would be needed
-WORST_RATIO = 10.0  # of a number to its limit: beyond, worse is no worse
+EFFORT_LIMIT = 1.0  # FS: the whole span
+WORST_RATIO = 10.0  # upper limit of a number's ratio to its limit
 
 
 class Companion(Document):
-    """Another joint's movement, and how much of a gesture's own activation goes with it."""
+    """Another joint that moves together with a gesture, and the activation as a share of the gesture's own."""
 
     joint: Name
     share: Positive
 
 
 class RestCheck(Document):
-    """False activations as they were predicted from the first rest, and as they were counted in another."""
+    """False activations predicted from one recording of rest, and counted in another."""
 
     predicted: Positive  # per minute
     counted: Annotated[int, Field(ge=0)]
@@ -31,7 +31,7 @@ class RestCheck(Document):
 
 
 class HitCheck(Document):
-    """Repetitions that were answered, each predicted from the others, and as they were counted."""
+    """Hits among the repetitions: predicted for each repetition from the others, and counted."""
 
     predicted: Fraction
     counted: Annotated[int, Field(ge=0)]
@@ -39,20 +39,20 @@ class HitCheck(Document):
 
 
 class Prediction(Document):
-    """How a gesture will behave with its dead-zone and full; None where nothing was recorded that could tell."""
+    """Predicted behaviour of a gesture with its dead-zone and full; None where the recordings lack the data."""
 
     false_per_minute: Positive | None  # at rest
-    counted: Annotated[int, Field(ge=0)]  # passes of the dead-zone in all that was recorded at rest
+    counted: Annotated[int, Field(ge=0)]  # upward crossings of the dead-zone in all that was recorded at rest
     rest_seconds: Positive
-    counted_at_most: Positive | None  # per minute, 95 %, from the count alone
-    hit_rate: Fraction | None  # share of movements that reach half of full
-    hit_at_least: Fraction | None  # 95 %, from the count alone
+    counted_at_most: Positive | None  # per minute, upper 95 % bound computed from the count
+    hit_rate: Fraction | None  # share of movements that reach half of a full activation
+    hit_at_least: Fraction | None  # lower 95 % bound computed from the count
     rest_check: RestCheck | None
     hit_check: HitCheck | None
 
 
 class FoundGesture(Document):
-    """One gesture that the body can make, with the numbers that speak for it and against it."""
+    """One gesture that the body can make, with its four numbers and their score."""
 
     name: Name
     joint: Name
@@ -61,17 +61,17 @@ class FoundGesture(Document):
     full: Threshold  # FS/s
     signal_to_noise: Positive
     repeatability: Positive | None  # spread of the repetitions' peaks / their mean
-    cross_talk: Positive | None  # the larger of the two below
-    effort: Positive | None = None  # FS, share of the joint's span that has to be moved for a full activation
-    appears_with: Companion | None  # whose prompts it answers most
-    brings: Companion | None  # who answers most while it is made
+    cross_talk: Positive | None  # the larger share of `appears_with` and `brings`
+    effort: Positive | None = None  # FS, share of the joint's span to move for a full activation
+    appears_with: Companion | None  # the joint whose prompts activate this gesture most
+    brings: Companion | None  # the joint that is activated most while this gesture is made
     prediction: Prediction | None = None
-    score: Fraction = 0.0  # of the four numbers, `score_of`
-    weakest: NumberName | None = None  # which of them lies furthest beyond its limit, None where none does
+    score: Fraction = 0.0  # of the four numbers, by `score_of`
+    weakest: NumberName | None = None  # the number furthest beyond its limit, None where none is beyond
 
 
 def ratios(gesture: FoundGesture) -> dict[NumberName, float]:
-    """Return each number over the limit beyond which a joint is only usable, at most 10; 1 for what is not known."""
+    """Return the ratio of each number to the limit of the grade `good`, at most 10; 1 for an unknown number."""
 
     def _over(value: float | None, limit: float) -> float:
         return 1.0 if value is None else min(value / limit, WORST_RATIO)
@@ -86,11 +86,11 @@ def ratios(gesture: FoundGesture) -> dict[NumberName, float]:
 
 
 def score_of(of_limits: dict[NumberName, float]) -> float:
-    """Return 1 / (1 + mean of the ratios): 1 is perfect, 0.5 stands at the limits on average."""
+    """Return 1 / (1 + mean of the ratios): 1 is perfect, 0.5 means at the limits on average."""
     return 1.0 / (1.0 + math.fsum(of_limits.values()) / len(of_limits))
 
 
 def weakest_of(of_limits: dict[NumberName, float]) -> NumberName | None:
-    """Return the number that lies furthest beyond its limit, None when none does."""
+    """Return the number that is furthest beyond its limit, None when none is beyond."""
     worst = max(of_limits, key=lambda name: of_limits[name])
     return worst if of_limits[worst] > 1.0 else None

@@ -1,8 +1,8 @@
-"""Predicts how a gesture will behave, from few data: false activations at rest, and movements that are answered.
+"""Predicts from few data how a gesture will behave: its false activations at rest, and its hit rate.
 
-Both predictions carry what so few data leave open. A noise that is known from three seconds may be larger than it
-looked, and a movement that was seen three times may once be smaller: the one is averaged over what the noise may be,
-the other is a t distribution, so that less data predict more errors and never fewer.
+Both predictions include the uncertainty of their estimates, so that fewer data predict more errors. The noise, known
+from a few seconds of rest, is averaged over its possible values; the next peak of a movement, known from three
+repetitions, follows a t distribution.
 """
 
 import math
@@ -13,29 +13,29 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.stats import beta, chi2, t
 
-SURE = 0.95  # of every bound that is said
-HIT = 0.5  # of a full activation: from here on a movement counts as answered
-MEMORY = 0.3  # s: over which the rate behind the low-pass remembers itself
-PRIOR_FREEDOM = 4.0  # how many repetitions' worth the other gestures' spread counts
-USUAL_SPREAD = 0.15  # of a peak, where no other gesture tells: able movements differ by about a tenth
-LEAST_SPREAD = 0.03  # of a peak: nobody repeats a movement better than that
+CONFIDENCE = 0.95  # of every bound
+HIT_ACTIVATION = 0.5  # of a full activation: from here on a movement counts as a hit
+CORRELATION_TIME = 0.3  # s: over longer times, samples of the filtered rate are taken as independent
+PRIOR_FREEDOM = 4.0  # weight of the other gestures' spread, in repetitions
+USUAL_SPREAD = 0.15  # relative, of a peak, where no other gesture gives one: repeated movements differ by about a tenth
+LEAST_SPREAD = 0.03  # relative, of a peak: no person repeats a movement more exactly
 
 
-class Quiet(NamedTuple):
-    """The rate of a joint at rest."""
+class RestStatistics(NamedTuple):
+    """Statistics of a joint's rate at rest."""
 
     noise: float  # FS/s, root mean square
-    crossings: float  # upward crossings of zero per s that a Gaussian rate of this roughness has
-    seconds: float
+    crossings: float  # expected upward crossings of zero per s, for a Gaussian process
+    seconds: float  # duration of the rest
     freedom: float  # degrees of freedom of `noise`
 
 
-def quiet_of(pieces: Sequence[NDArray[np.float64]], sample_rate: float) -> Quiet | None:
-    """Return what the pieces at rest (n,) of a rate in FS/s say together, None when there is nothing to say.
+def rest_statistics(pieces: Sequence[NDArray[np.float64]], sample_rate: float) -> RestStatistics | None:
+    """Return the statistics over all pieces (n,) of a rate at rest in FS/s, None when every piece is too short.
 
     The crossings are those of a Gaussian process, sigma of the derivative / sigma / 2 pi (Rice, Bell System Technical
-    Journal 24, 1945). Samples that follow one another are not independent: n of them are worth n / (sum of the
-    squared autocorrelations) for a variance (Bartlett, Journal of the Royal Statistical Society B 8, 1946).
+    Journal 24, 1945). Successive samples are not independent: for a variance, n samples count as n / (sum of the
+    squared autocorrelations) (Bartlett, Journal of the Royal Statistical Society B 8, 1946).
     """
     pieces = [piece for piece in pieces if len(piece) > 2]
     if not pieces:
@@ -43,21 +43,21 @@ def quiet_of(pieces: Sequence[NDArray[np.float64]], sample_rate: float) -> Quiet
     count = sum(map(len, pieces))
     noise = math.sqrt(float(np.mean(np.concatenate(pieces) ** 2)))
     if noise == 0:
-        return Quiet(0.0, 0.0, count / sample_rate, float(count))
+        return RestStatistics(0.0, 0.0, count / sample_rate, float(count))
     steps = np.concatenate([np.diff(piece) for piece in pieces]) * sample_rate
     crossings = math.sqrt(float(np.mean(steps**2))) / noise / (2.0 * math.pi)
     alike = 1.0
-    for lag in range(1, max(2, round(MEMORY * sample_rate))):
+    for lag in range(1, max(2, round(CORRELATION_TIME * sample_rate))):
         products = [piece[lag:] * piece[:-lag] for piece in pieces if len(piece) > lag]
         alike += 2.0 * (sum(float(one.sum()) for one in products) / count / noise**2) ** 2
-    return Quiet(noise, crossings, count / sample_rate, max(1.0, count / alike))
+    return RestStatistics(noise, crossings, count / sample_rate, max(1.0, count / alike))
 
 
-def false_per_minute(quiet: Quiet, dead_zone: float) -> float:
-    """Return how often per minute a rate at rest is expected to pass `dead_zone` (FS/s) upwards.
+def false_per_minute(quiet: RestStatistics, dead_zone: float) -> float:
+    """Return how often per minute a rate at rest is expected to cross `dead_zone` (FS/s) upwards.
 
-    Rice's formula, crossings exp(-z^2 / 2) with z = dead_zone / noise, averaged over what the noise may really be:
-    with n degrees of freedom that is crossings (1 + z^2 / n)^(-n / 2).
+    Rice's formula, crossings exp(-z^2 / 2) with z = dead_zone / noise, averaged over the possible values of the noise:
+    with n degrees of freedom the average is crossings (1 + z^2 / n)^(-n / 2).
     """
     if quiet.noise == 0:
         return 0.0
@@ -65,31 +65,31 @@ def false_per_minute(quiet: Quiet, dead_zone: float) -> float:
     return 60.0 * quiet.crossings * math.exp(-0.5 * quiet.freedom * math.log1p(z * z / quiet.freedom))
 
 
-def passes(pieces: Sequence[NDArray[np.float64]], dead_zone: float) -> int:
-    """Return how often the pieces of a rate pass `dead_zone` upwards; one that begins above it counts, too."""
+def count_crossings(pieces: Sequence[NDArray[np.float64]], dead_zone: float) -> int:
+    """Return how often the pieces (n,) of a rate cross `dead_zone` upwards; a piece that begins above it counts one."""
     above = [np.concatenate(([False], piece > dead_zone)) for piece in pieces]
     return int(sum(np.count_nonzero(~one[:-1] & one[1:]) for one in above))
 
 
 def at_most_per_minute(counted: int, seconds: float) -> float | None:
-    """Return the largest rate per minute under which so few events in `seconds` still happen (95 %).
+    """Return the upper 95 % bound of the rate per minute when `counted` events happened in `seconds`.
 
-    Exact for a Poisson process (Garwood, Biometrika 28, 1936); three per time when nothing was counted.
+    Exact for a Poisson process (Garwood, Biometrika 28, 1936); about three events per `seconds` when none was counted.
     """
-    return None if seconds <= 0 else float(chi2.ppf(SURE, 2 * counted + 2)) / 2.0 * 60.0 / seconds
+    return None if seconds <= 0 else float(chi2.ppf(CONFIDENCE, 2 * counted + 2)) / 2.0 * 60.0 / seconds
 
 
 def at_least_share(hits: int, of: int) -> float:
-    """Return the smallest probability under which so many of so few succeed (Clopper and Pearson, one-sided 95 %)."""
-    return float(beta.ppf(1.0 - SURE, hits, of - hits + 1)) if hits else 0.0
+    """Return the lower 95 % bound of the probability of a hit (Clopper and Pearson, one-sided)."""
+    return float(beta.ppf(1.0 - CONFIDENCE, hits, of - hits + 1)) if hits else 0.0
 
 
 def hit_probability(peaks: Sequence[float], level: float, others: Sequence[Sequence[float]] = ()) -> float:
     """Return the probability that the next movement's peak reaches `level`.
 
-    Peaks are taken as log-normal, for their noise grows with their size. Their spread is moderated: with few
-    repetitions of a gesture, that of the person's `others` counts as much as four more (as Smyth, Statistical
-    Applications in Genetics and Molecular Biology 3, 2004, does for genes). All in FS/s.
+    Peaks are taken as log-normal, because their noise grows with their size. Their variance is moderated by that of
+    the person's other gestures (`others`: peaks of each), which counts as four repetitions (method: Smyth, Statistical
+    Applications in Genetics and Molecular Biology 3, 2004). All peaks in FS/s.
     """
     logs = np.log(np.maximum(peaks, 1e-3 * level))
     count = len(logs)

@@ -1,4 +1,4 @@
-"""The suggested vocabulary: which four gestures to drive with, and the numbers that speak for them."""
+"""Suggests a vocabulary: the four gestures to drive with, chosen by their numbers."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -13,17 +13,17 @@ from app.quantities import Document
 
 FORWARD_PART = "elbow"  # the paper drives forward and back with the elbows, and turns with the shoulders
 EQUAL_COST = 0.1  # smaller differences are chance
-REPEAT_PENALTY = 1.0  # a joint graded `repeat` is taken only when nothing else is there
-LEAST_SAID = 0.1  # false activations a minute: a forecast is no finer than that
-MIRROR_WORTH = 0.25  # how much worse left and right of one body part may be than any other four: they are remembered
+REPEAT_PENALTY = 1.0  # added to the cost of a joint graded `repeat`, so that it is taken last
+LEAST_SAID = 0.1  # false activations a minute: smaller predictions are written as "fewer than 0.1"
+MIRROR_WORTH = 0.25  # by which left and right of one body part may cost more: they are easier to remember
 
 Shares = Mapping[str, float]
-"""Another joint, and how much of a gesture's own activation appears when that joint is prompted."""
+"""Name of another joint -> activation of a gesture during that joint's prompts, over that during its own prompts."""
 Pair = tuple[FoundGesture, FoundGesture]
 
 
 class SuggestedVocabulary(Document):
-    """Bindings, all gestures that go with them, and why these."""
+    """The suggested gestures and bindings, and the reason for them."""
 
     gestures: tuple[Gesture, ...]
     bindings: tuple[Binding, ...]
@@ -31,7 +31,7 @@ class SuggestedVocabulary(Document):
 
 
 class _Costs:
-    """What it costs to drive with some gestures: the mean of their ratios to the limits, 1 standing at all limits."""
+    """Costs of sets of gestures: the mean ratio of their numbers to the limits; 1 means at all limits."""
 
     def __init__(
         self, profile: CalibrationProfile, found: Sequence[FoundGesture], shares: Mapping[str, Shares]
@@ -45,7 +45,7 @@ class _Costs:
             self._alone[gesture.name] = alone / len(of_limits) + REPEAT_PENALTY * (grades[gesture.joint] == "repeat")
 
     def cross_talk(self, chosen: Sequence[FoundGesture]) -> float | None:
-        """Return the mean share over all that are chosen; only what they do to each other counts."""
+        """Return the mean cross-talk among the chosen gestures, None when it is unknown."""
         known = [
             self._shares[one.name][other.joint]
             for one in chosen
@@ -55,7 +55,7 @@ class _Costs:
         return math.fsum(known) / len(known) if known else None
 
     def of(self, chosen: Sequence[FoundGesture]) -> float:
-        """Return the cost of driving with these."""
+        """Return the cost of the chosen gestures."""
         alone = math.fsum(self._alone[one.name] for one in chosen) / len(chosen)
         mutual = self.cross_talk(chosen)
         return alone + (1.0 if mutual is None else min(mutual / CROSS_TALK_LIMIT, WORST_RATIO)) / 4.0
@@ -64,12 +64,12 @@ class _Costs:
 def suggest_vocabulary(
     profile: CalibrationProfile, found: Sequence[FoundGesture], shares: Mapping[str, Shares]
 ) -> SuggestedVocabulary:
-    """Return the two antagonist pairs with the best numbers, u1 first, and the stop.
+    """Return the two pairs of gestures with the lowest cost, that for u1 first, and the stop.
 
-    Left and right of one body part, moved the same way, make a pair, unless any other four gestures are clearly
-    better. No two gestures read one joint: who moves there has to come back. A joint that was not prompted while
-    others were is not chosen, for nobody knows which way it goes. With fewer than four joints, one pair (or one
-    gesture) drives forward and back, and what is left turns. Both gestures of the first pair together stop.
+    A pair is left and right of one body part moved in the same direction, unless four other gestures cost clearly less.
+    No two gestures use one joint, because each movement there is followed by one back. A joint that was not prompted
+    while others were is not chosen, because its sign is unknown. With fewer than four joints, the first two gestures
+    drive forward and back, and a third one turns. Both gestures of the first pair made together stop.
     """
     prompted = {joint.name for joint in profile.joints if joint.prompted}
     candidates = [one for one in found if one.joint in prompted] or list(found)
@@ -87,7 +87,7 @@ def suggest_vocabulary(
 
 
 def _chosen(profile: CalibrationProfile, candidates: Sequence[FoundGesture], costs: _Costs) -> list[FoundGesture]:
-    """Return at most four gestures, u1+ u1- u2+ u2-, no two of one joint."""
+    """Return at most four gestures in the order u1+, u1-, u2+, u2-, no two of one joint."""
     order = [joint.name for joint in profile.joints]
     better = {
         joint: min((one for one in candidates if one.joint == joint), key=lambda one: costs.of([one]))
@@ -110,7 +110,7 @@ def _chosen(profile: CalibrationProfile, candidates: Sequence[FoundGesture], cos
 
 
 def _best(pairs_of_pairs: Sequence[list[Pair]], costs: _Costs) -> list[Pair]:
-    """Return the cheapest; among equals the first: the layout's own order, in which the main joints come first."""
+    """Return the two pairs of lowest cost; of nearly equal ones the first, as layouts name their main joints first."""
     all_costs = [costs.of([*one, *other]) for one, other in pairs_of_pairs]
     enough = min(all_costs) + EQUAL_COST
     return next(pairs for pairs, cost in zip(pairs_of_pairs, all_costs, strict=True) if cost <= enough)
@@ -131,7 +131,7 @@ def _right_first(pair: Pair) -> Pair:
 
 
 def _gestures(found: Sequence[FoundGesture], chosen: Sequence[FoundGesture]) -> tuple[Gesture, ...]:
-    """Return what the controls need: every joint's way there, as the calibration always gives it, and what is bound."""
+    """Return the bound gestures and, as far as there is room, the prompted direction of every other joint."""
     bound = {gesture.name for gesture in chosen}
     others = [gesture for gesture in found if gesture.direction == 1 and gesture.name not in bound]
     kept = bound | {gesture.name for gesture in others[: MAX_GESTURES - len(bound)]}
@@ -154,7 +154,7 @@ def _reason(chosen: Sequence[FoundGesture], cross_talk: float | None) -> str:
 
 
 def _forecast(chosen: Sequence[FoundGesture]) -> str:
-    """Return what is expected of them all, and what so short a rest proves."""
+    """Return sentences on the predicted hit rate and false activations, and on the bound that the rest proves."""
     forecasts = [one.prediction for one in chosen if one.prediction is not None]
     hits = [one.hit_rate for one in forecasts if one.hit_rate is not None]
     rates = [one.false_per_minute for one in forecasts if one.false_per_minute is not None]

@@ -1,12 +1,12 @@
-"""How well a map does on labelled frames: in-phase share, hit rate, false activations at rest."""
+"""Checks a map on labelled frames: in-phase share, hit rate, false activations at rest."""
 
 import numpy as np
 from numpy.typing import NDArray
 
 from app.calibration.profile import MapCheck
 
-SHORTEST_REST = 2.0  # s: from less, false activations at rest cannot be told
-BESIDE = 0.3  # s: rest does not begin, nor end, right beside a movement, whose edges are as exact as the lag
+SHORTEST_REST = 2.0  # s: less rest is too short to count false activations in
+MARGIN = 0.3  # s before and after a movement that do not count as rest, because the lag is not known more exactly
 
 Array = NDArray[np.float64]
 
@@ -24,7 +24,7 @@ def check(
     full: float,
     sample_rate: float,
 ) -> MapCheck:
-    """Return how a map's rate (n,) does.
+    """Return the measures of a map's rate against the labels.
 
     Parameters
     ----------
@@ -33,7 +33,7 @@ def check(
     label : (n,) array
         +1 in the prompted movement, -1 on the way back, 0 at rest.
     repetition : (n,) array
-        Frames of one number follow one another in time.
+        Number of the repetition that a frame belongs to; its frames are consecutive.
     dead_zone, full : float
         FS/s.
     sample_rate : float
@@ -45,7 +45,7 @@ def check(
     count, seconds = 0, 0.0
     for name in np.unique(repetition):
         rows = repetition == name
-        resting = _at_rest(label[rows], round(BESIDE * sample_rate))
+        resting = _at_rest(label[rows], round(MARGIN * sample_rate))
         active = (activation[rows] > 0.0) & resting
         count += int(np.count_nonzero(np.diff(active.astype(np.int8), prepend=0) > 0))
         seconds += float(resting.sum()) / sample_rate
@@ -57,9 +57,9 @@ def check(
     )
 
 
-def _at_rest(label: NDArray[np.int8], beside: int) -> NDArray[np.bool_]:
-    """Return where (n,) nothing is asked for, and nothing was or will be within `beside` rows."""
-    asked = np.concatenate(([0], np.cumsum(label != 0)))
+def _at_rest(label: NDArray[np.int8], margin: int) -> NDArray[np.bool_]:
+    """Return where (n,) no label other than 0 is within `margin` rows before or after."""
+    busy = np.concatenate(([0], np.cumsum(label != 0)))
     rows = np.arange(len(label))
-    calm: NDArray[np.bool_] = asked[np.minimum(rows + beside + 1, len(label))] == asked[np.maximum(rows - beside, 0)]
-    return calm
+    resting: NDArray[np.bool_] = busy[np.minimum(rows + margin + 1, len(label))] == busy[np.maximum(rows - margin, 0)]
+    return resting

@@ -1,4 +1,4 @@
-"""Fits the guided map of each joint: ridge regression to the prompts, judged on repetitions it has not seen."""
+"""Fits the guided map of each joint: ridge regression to the prompts, checked on held-out repetitions."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -14,52 +14,52 @@ from app.calibration.fit.joint_fit import LARGEST_THRESHOLD, LEAST_RANGE, REST_N
 from app.calibration.fit.pieces import fill_forward
 from app.calibration.fit.repetitions import Stretch
 from app.calibration.guided.check import SHORTEST_REST, check, dead_zone_of
-from app.calibration.guided.labels import Asked, labels, lags_of
+from app.calibration.guided.labels import CuedMovement, labels, lags_of
 from app.calibration.profile import AVERAGING_TIMES, CalibrationProfile, GuidedMap, JointMap, MapCheck
 from app.signals.smoothing import slow_average, smooth
 
 LARGEST_WEIGHT = 1e12  # FS per signal unit, as `app.quantities.Finite`
-FEWEST = 3  # repetitions: one is held out, and two others must agree
-SHORTEST_CUE = 0.25  # s: a shorter one is part of a movement
-ALIGNMENTS = 3  # how often the lag is found again, with the map that the lag before gave
-DELAY = 0.075  # s: of the low-pass at 3 Hz
-SOONER = 0.05  # s: what the map is asked to make good of it
-RIDGE = 0.03  # of each channel's own variance: on the rates
-LEVEL_RIDGES = (np.inf, 30.0, 10.0, 3.0, 1.0, 0.3)  # on the levels; inf leaves them out. Held-out repetitions choose
-MOST_OF_FULL = 0.3  # the dead-zone at most: a movement much weaker than the prompted ones is still to drive
-LEVELS_MUST_GAIN = 0.02  # of in-phase share: levels follow drift as well as the fabric, so they have to earn it
+FEWEST = 3  # repetitions: one is held out, and two are fitted to
+SHORTEST_CUE = 0.25  # s: a shorter cue covers a part of a movement only
+ALIGNMENTS = 3  # iterations of fitting the map and estimating the lags with it
+DELAY = 0.075  # s: delay of the low-pass at 3 Hz
+LEAD = 0.05  # s by which the labels are shifted ahead, so that the map makes up for a part of the delay
+RIDGE = 0.03  # ridge on the rates, relative to each channel's variance
+LEVEL_RIDGES = (np.inf, 30.0, 10.0, 3.0, 1.0, 0.3)  # ridges on the levels to choose from; inf leaves the levels out
+LARGEST_DEAD_ZONE = 0.3  # of full: movements much weaker than the prompted ones are still to drive
+LEVELS_MUST_GAIN = 0.02  # in-phase share that a smaller ridge must gain: levels contain drift
 
 Array = NDArray[np.float64]
 
 
 class GuidedMapError(Exception):
-    """Why a joint has no guided map, in one sentence that says what to do."""
+    """A joint can have no guided map; the message says in one sentence why, and what to do."""
 
 
 class GuidedFit(NamedTuple):
-    """A profile whose joints carry guided maps where one could be made, and why the others have none."""
+    """A profile with guided maps where one could be fitted."""
 
     profile: CalibrationProfile
-    reasons: dict[str, str]
+    reasons: dict[str, str]  # joint without a guided map -> why
 
 
 @dataclass(frozen=True, slots=True)
 class _Piece:
-    """One stretch of one joint, ready to be fitted to."""
+    """One stretch of one joint, with the features to fit to."""
 
-    features: Array  # (n, 3k): rates, levels above the short, levels above the long average
-    pca: Array  # (n,) FS/s
-    asked: tuple[Asked, ...]
+    features: Array  # (n, 3k): rates, levels above the short average, levels above the long average
+    pca: Array  # (n,) rate of the PCA map, FS/s
+    cued: tuple[CuedMovement, ...]
 
 
 @dataclass(frozen=True, slots=True)
-class _Labelled:
-    """Everything of one joint, one row per frame."""
+class _TrainingRows:
+    """All frames of one joint with their labels, one row per frame."""
 
-    features: Array
-    pca: Array
-    label: NDArray[np.int8]
-    repetition: NDArray[np.int_]  # which one a row belongs to; -1: the recording at rest
+    features: Array  # (n, 3k)
+    pca: Array  # (n,) FS/s
+    label: NDArray[np.int8]  # (n,) +1 in the prompted movement, -1 on the way back, 0 elsewhere
+    repetition: NDArray[np.int_]  # (n,) number of the repetition; -1: the recording at rest
 
 
 def with_guided_maps(
@@ -67,14 +67,14 @@ def with_guided_maps(
 ) -> GuidedFit:
     """Return the profile with a guided map beside the PCA map of each joint that has enough prompted repetitions.
 
-    Which of the two decodes does not change: that is for a person to choose.
+    The map that decodes is not changed: a person chooses it.
 
     Parameters
     ----------
     profile : CalibrationProfile
-        As fitted; its sample rate is that of all frames here.
+        With PCA maps; its sample rate is that of all frames.
     stretches : sequence of Stretch
-        Unbroken recordings around prompted movements.
+        Continuous recordings of prompted movements.
     rest : (n, n_channels) array or None
         Frames of the recording at rest.
     """
@@ -93,7 +93,7 @@ def with_guided_maps(
 def _guided_map(joint: JointMap, stretches: Sequence[Stretch], rest: Array | None, sample_rate: float) -> GuidedMap:
     """Return the guided map of one joint, or raise GuidedMapError."""
     pieces = [_piece(joint, one, sample_rate) for one in stretches]
-    count = sum(len(piece.asked) for piece in pieces)
+    count = sum(len(piece.cued) for piece in pieces)
     if not joint.prompted or count == 0:
         raise GuidedMapError("No guided map, because its movement was never prompted: prompt it at least three times.")
     if count < FEWEST:
@@ -101,14 +101,14 @@ def _guided_map(joint: JointMap, stretches: Sequence[Stretch], rest: Array | Non
             f"No guided map from {count} prompted repetition{'s' if count > 1 else ''}: prompt at least {FEWEST}, so "
             f"that it can be judged on one that it has not seen."
         )
-    pieces = [piece for piece in pieces if piece.asked]
-    lags = [lags_of(piece.pca, piece.asked, sample_rate) for piece in pieces]
+    pieces = [piece for piece in pieces if piece.cued]
+    lags = [lags_of(piece.pca, piece.cued, sample_rate) for piece in pieces]
     for _ in range(ALIGNMENTS):
-        data = _labelled(joint, pieces, lags, rest, sample_rate)
+        data = _training_rows(joint, pieces, lags, rest, sample_rate)
         weights = _Ridge(data, np.inf).weights()
-        lags = [lags_of(piece.features @ weights, piece.asked, sample_rate) for piece in pieces]
-    data = _labelled(
-        joint, pieces, [[lag - round(SOONER * sample_rate) for lag in own] for own in lags], rest, sample_rate
+        lags = [lags_of(piece.features @ weights, piece.cued, sample_rate) for piece in pieces]
+    data = _training_rows(
+        joint, pieces, [[lag - round(LEAD * sample_rate) for lag in own] for own in lags], rest, sample_rate
     )
     if (data.label == 0).sum() < SHORTEST_REST * sample_rate:
         raise GuidedMapError(
@@ -143,31 +143,33 @@ def _piece(joint: JointMap, stretch: Stretch, sample_rate: float) -> _Piece:
     return _Piece(
         features=features(values, sample_rate),
         pca=np.diff(smoothed, prepend=smoothed[:1]) * sample_rate,
-        asked=tuple(
-            Asked(one.start, one.stop) for one in stretch.moving if one.stop - one.start >= SHORTEST_CUE * sample_rate
+        cued=tuple(
+            CuedMovement(one.start, one.stop)
+            for one in stretch.moving
+            if one.stop - one.start >= SHORTEST_CUE * sample_rate
         ),
     )
 
 
 def features(values: Array, sample_rate: float) -> Array:
-    """Return what a guided map sees of a joint's channels (n, k): rates, and levels above two averages, (n, 3k)."""
+    """Return the features (n, 3k) of a guided map from a joint's channels (n, k): rates, levels above two averages."""
     smoothed = smooth(values, CUTOFF, sample_rate)
     rates = np.diff(smoothed, axis=0, prepend=smoothed[:1]) * sample_rate
     levels = [smoothed - slow_average(smoothed, memory, sample_rate) for memory in AVERAGING_TIMES]
     return np.concatenate([rates, *levels], axis=1)
 
 
-def _labelled(
+def _training_rows(
     joint: JointMap, pieces: Sequence[_Piece], lags: Sequence[Sequence[int]], rest: Array | None, sample_rate: float
-) -> _Labelled:
-    """Return all rows with their labels; a repetition is held out together with the rest around it."""
+) -> _TrainingRows:
+    """Return all rows with their labels; the rest around a repetition gets that repetition's number."""
     label, repetition, before = [], [], 0
     for piece, own in zip(pieces, lags, strict=True):
-        label.append(labels(piece.pca, piece.asked, own, sample_rate))
-        starts = [one.start + lag for one, lag in zip(piece.asked, own, strict=True)]
+        label.append(labels(piece.pca, piece.cued, own, sample_rate))
+        starts = [one.start + lag for one, lag in zip(piece.cued, own, strict=True)]
         edges = [_middle_of_pause(label[-1], one, start) for one, start in pairwise(starts)]
         repetition.append(before + np.searchsorted(np.array(edges, dtype=np.int_), np.arange(len(piece.pca)), "right"))
-        before += len(piece.asked)
+        before += len(piece.cued)
     parts = [piece.features for piece in pieces]
     pca = [piece.pca for piece in pieces]
     if rest is not None:
@@ -176,7 +178,7 @@ def _labelled(
         pca.append(still.pca)
         label.append(np.zeros(len(rest), dtype=np.int8))
         repetition.append(np.full(len(rest), -1))
-    return _Labelled(np.concatenate(parts), np.concatenate(pca), np.concatenate(label), np.concatenate(repetition))
+    return _TrainingRows(np.concatenate(parts), np.concatenate(pca), np.concatenate(label), np.concatenate(repetition))
 
 
 def _middle_of_pause(label: NDArray[np.int8], start: int, following: int) -> int:
@@ -187,9 +189,9 @@ def _middle_of_pause(label: NDArray[np.int8], start: int, following: int) -> int
 
 
 class _Ridge:
-    """Ridge regression of the labels, with which a repetition can be left out at no further cost."""
+    """Ridge regression to the labels; keeps a Gram matrix per repetition, so that leaving one out costs no new pass."""
 
-    def __init__(self, data: _Labelled, level_ridge: float) -> None:
+    def __init__(self, data: _TrainingRows, level_ridge: float) -> None:
         deviation = data.features.std(axis=0)
         strength = np.repeat([RIDGE, level_ridge, level_ridge], data.features.shape[1] // 3)
         alive = (deviation > 0.0) & np.isfinite(strength)
@@ -199,15 +201,15 @@ class _Ridge:
         rows = {int(name): data.repetition == name for name in names}
         self._count = {name: int(mask.sum()) for name, mask in rows.items()}
         self._gram = {name: scaled[mask].T @ scaled[mask] for name, mask in rows.items()}
-        self._aim = {name: scaled[mask].T @ data.label[mask] for name, mask in rows.items()}
+        self._moment = {name: scaled[mask].T @ data.label[mask] for name, mask in rows.items()}
 
     def weights(self, without: int | None = None) -> Array:
         """Return the weights (3k,) fitted to all repetitions, or to all but one."""
         names = [name for name in self._gram if name != without]
         gram = sum(self._gram[name] for name in names)
-        aim = sum(self._aim[name] for name in names)
+        moment = sum(self._moment[name] for name in names)
         count = sum(self._count[name] for name in names)
-        solved: Array = np.linalg.solve(gram + count * np.eye(len(self._scale)), aim) * self._scale
+        solved: Array = np.linalg.solve(gram + count * np.eye(len(self._scale)), moment) * self._scale
         return solved
 
 
@@ -218,8 +220,10 @@ class _Candidate(NamedTuple):
     check: MapCheck
 
 
-def _candidate(data: _Labelled, level_ridge: float, joint: JointMap, pca: MapCheck, sample_rate: float) -> _Candidate:
-    """Return one strength of the ridge, with its handles and how it does on each repetition that was left out."""
+def _candidate(
+    data: _TrainingRows, level_ridge: float, joint: JointMap, pca: MapCheck, sample_rate: float
+) -> _Candidate:
+    """Return the map for one ridge on the levels, with its handles and its check on held-out repetitions."""
     ridge = _Ridge(data, level_ridge)
     held_out = data.features @ ridge.weights()
     for name in np.unique(data.repetition[data.repetition >= 0]):
@@ -233,7 +237,7 @@ def _candidate(data: _Labelled, level_ridge: float, joint: JointMap, pca: MapChe
     held_out = held_out * scale
     resting = held_out[data.repetition < 0]
     noise = float(resting.std()) if len(resting) else 0.0
-    same_hits = min(dead_zone_of(held_out, data.label, pca.hit_rate), MOST_OF_FULL * joint.full)
+    same_hits = min(dead_zone_of(held_out, data.label, pca.hit_rate), LARGEST_DEAD_ZONE * joint.full)
     dead_zone = round(min(max(same_hits, REST_NOISE_FACTOR * noise, SMALLEST_DEAD_ZONE), LARGEST_THRESHOLD), 4)
     full = round(min(max(joint.full, dead_zone + LEAST_RANGE), LARGEST_THRESHOLD + LEAST_RANGE), 4)
     return _Candidate(

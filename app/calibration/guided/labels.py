@@ -1,4 +1,7 @@
-"""When the body did what the cues asked for: the prompts shifted by the person's lag, and the way back."""
+"""Labels the frames of a recording: movement towards the gesture, way back, or neither.
+
+The movement is the cue shifted by the person's lag.
+"""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -6,34 +9,35 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-EARLIEST, LATEST = -0.2, 1.2  # s behind the cue: where a joint's lag is looked for
-OWN_LAG = 0.35  # s: how far one repetition may be from the joint's lag
-WAY_BACK = 1.5  # of the movement's duration, as the calibration's script asks for
-LONGEST_HOLD = 3.0  # s: how long a posture may be held before the way back
-AT_ONCE = 0.5  # of the largest fall: from here on the way back is taken to have followed at once
+EARLIEST, LATEST = -0.2, 1.2  # s after the cue: limits of a joint's lag
+OWN_LAG = 0.35  # s: largest difference of one repetition's lag from the joint's
+WAY_BACK = 1.5  # duration of the way back over that of the movement, as in the calibration's script
+LONGEST_HOLD = 3.0  # s for which a posture may be held before the way back
+AT_ONCE = 0.5  # share of the largest fall of place: when the first fall reaches it, the way back began at once
 
 Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)
-class Asked:
-    """One repetition in a recording: the rows in which the cue asked for the movement."""
+class CuedMovement:
+    """The rows of a recording in which the cue asked for one movement."""
 
     start: int
     stop: int
 
 
-def lags_of(rate: Array, asked: Sequence[Asked], sample_rate: float) -> list[int]:
-    """Return by how many rows each repetition comes after its cue.
+def lags_of(rate: Array, cued: Sequence[CuedMovement], sample_rate: float) -> list[int]:
+    """Return the lag of each repetition behind its cue, in rows.
 
-    A lag is good when the joint's place rises over the shifted cue and falls over as much of a way back. All
-    repetitions together decide on the joint's lag, each with the same weight; then each finds its own near to it.
+    The score of a lag is the rise of the joint's place over the shifted cue plus its fall over the way back. The
+    joint's lag maximises the sum of the normalised scores of all repetitions; the lag of each repetition maximises its
+    own score within OWN_LAG of the joint's lag.
 
     Parameters
     ----------
     rate : (n,) array
         Rate of the joint, rising in the prompted direction.
-    asked : sequence of Asked
+    cued : sequence of CuedMovement
         In order of time, within the n rows.
     sample_rate : float
         Hz.
@@ -46,7 +50,7 @@ def lags_of(rate: Array, asked: Sequence[Asked], sample_rate: float) -> list[int
         return fits
 
     scores = []
-    for one in asked:
+    for one in cued:
         back = one.stop + round(WAY_BACK * (one.stop - one.start))
         score = 2.0 * at(one.stop + lags) - at(one.start + lags) - at(back + lags)
         scores.append(score / max(float(np.abs(score).max()), np.finfo(float).tiny))
@@ -57,16 +61,16 @@ def lags_of(rate: Array, asked: Sequence[Asked], sample_rate: float) -> list[int
     return [int(lags[near][score[near].argmax()]) for score in scores]
 
 
-def labels(rate: Array, asked: Sequence[Asked], lags: Sequence[int], sample_rate: float) -> NDArray[np.int8]:
+def labels(rate: Array, cued: Sequence[CuedMovement], lags: Sequence[int], sample_rate: float) -> NDArray[np.int8]:
     """Return (n,) +1 in the prompted movements, -1 on the ways back, 0 elsewhere; parameters as of `lags_of`.
 
-    A cue says nothing about the way back: it follows at once, unless the place falls much more a while later, which is
-    how a posture looks that is held.
+    No cue marks the way back. It is taken to begin right after the movement; or where the place falls most, when that
+    fall is more than twice the first one: then the person held the posture for a while.
     """
     place = np.concatenate(([0.0], np.cumsum(rate)))
-    moved = [(max(0, one.start + lag), min(len(rate), one.stop + lag)) for one, lag in zip(asked, lags, strict=True)]
+    moved = [(max(0, one.start + lag), min(len(rate), one.stop + lag)) for one, lag in zip(cued, lags, strict=True)]
     found = np.zeros(len(rate), dtype=np.int8)
-    for (_, stop), one, following in zip(moved, asked, [*moved[1:], (len(rate), 0)], strict=True):
+    for (_, stop), one, following in zip(moved, cued, [*moved[1:], (len(rate), 0)], strict=True):
         length = round(WAY_BACK * (one.stop - one.start))
         last = min(following[0] - length, stop + round(LONGEST_HOLD * sample_rate))
         starts = np.arange(stop, max(stop, last) + 1)
