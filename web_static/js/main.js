@@ -14,7 +14,7 @@ import { followSystem } from "./shell/theme.js";
 import { questionPlace } from "./widgets/same_name.js";
 import { Toasts } from "./shell/toast.js";
 import { Screen } from "./live/screen.js";
-import { ShownSession } from "./live/page_session.js";
+import { PageSession } from "./live/page_session.js";
 import { t } from "./texts.js";
 
 const DEMO_LINK = /^#demo=(.+)$/;
@@ -33,7 +33,7 @@ export class App extends EventTarget {
   me = null;
   /** The open session and its patient. @type {CurrentSession | null} */
   session = null;
-  #shown = new ShownSession(this);
+  #pageSession = new PageSession(this);
   /** Kind of the shirt in use when nobody wears it. @type {string | null} */
   practice = null;
   /** What the address names: a page, and what it shall show. @type {{page: string, rest: string[]}} */
@@ -58,7 +58,7 @@ export class App extends EventTarget {
     this.addEventListener("route", () => this.#showWhetherOffline());
     this.live.addEventListener("tick", ({ detail }) => {
       this.#setPractice(detail.practice);
-      this.#shown.follow(detail.session);
+      this.#pageSession.follow(detail.session);
     });
     window.addEventListener("hashchange", () => this.show());
     setInterval(() => this.#lookAtDisk(), LOOK_AT_DISK_EVERY);
@@ -152,7 +152,7 @@ export class App extends EventTarget {
   /** Show the page that the address names; without one, the page that comes next in this session. */
   async show() {
     this.#leave.abort();
-    this.#shown.adopt();
+    this.#pageSession.adopt();
     const leave = (this.#leave = new AbortController());
     this.setShowsTrial(false);
     const name = this.#page();

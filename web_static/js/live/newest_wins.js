@@ -1,11 +1,12 @@
-/** Sends what changes faster than it should be sent: one at a time, never more often than asked, the newest always. */
+/** Sends values that change faster than they should be sent: one at a time, at a limited rate, always the newest. */
 
 /**
- * @template T
- * @param {(value: T) => Promise<any>} send its failures are its own @param {number} every ms between two
- * @returns {(value: T) => void}
+ * @template Value
+ * @param {(value: Value) => Promise<unknown>} send handles its own failures @param {number} every ms from one call to the next
+ * @returns {(value: Value) => void}
  */
 export function newestWins(send, every) {
+  /** @type {{value: Value} | null} */
   let waiting = null;
   let isBusy = false;
   return async (value) => {
@@ -13,6 +14,7 @@ export function newestWins(send, every) {
     if (isBusy) return;
     isBusy = true;
     while (waiting) {
+      /** @type {{value: Value}} */
       const { value: now } = waiting;
       waiting = null;
       await Promise.all([send(now), new Promise((resolve) => setTimeout(resolve, every))]);

@@ -1,9 +1,12 @@
-/** The session that the page shows: its changes name that session, and the page is covered when another one is open. */
+/** The session that the page shows: requests of the page name it, and the page is covered when another one is open. */
 import { changedFields, OTHER_SESSION, otherSession, SESSION_PAGES } from "../shell/other_session.js";
 
-export class ShownSession {
-  /** @type {any} */
+/** @typedef {import("types/api").CurrentSession} CurrentSession */
+
+export class PageSession {
+  /** @type {CurrentSession | null} */
   #session = null;
+  /** @type {HTMLElement | null} */
   #cover = null;
   #isAsking = false;
   #app;
@@ -13,10 +16,10 @@ export class ShownSession {
     this.#app = app;
   }
 
-  /** Show the open session from now on, and name it with each change. */
+  /** Show the open session from now on, and name it in each request that changes something. */
   adopt() {
     const app = this.#app;
-    if (idOf(app.session) !== idOf(this.#session)) app.toasts.clear(); // their buttons were meant for the session before
+    if (idOf(app.session) !== idOf(this.#session)) app.toasts.clear(); // their buttons belong to the earlier session
     this.#session = app.session;
     app.useSession(idOf(app.session));
     this.#cover?.remove();
@@ -24,7 +27,10 @@ export class ShownSession {
     app.root.inert = false;
   }
 
-  /** Take which session is open now; when it is another one, opened here or elsewhere, act on it. @param {number | null} id */
+  /**
+   * Compare the open session with the page's; when they differ, cover the page or show the open one.
+   * @param {number | null} id of the open session
+   */
   async follow(id) {
     const app = this.#app;
     if (id === idOf(this.#session) || this.#cover || this.#isAsking || !app.me?.signed_in) return;
@@ -39,10 +45,10 @@ export class ShownSession {
     if (this.#cover || idOf(app.session) === idOf(this.#session)) return;
     if (this.#session?.session && SESSION_PAGES.has(app.route.page)) return this.#coverPage();
     this.adopt();
-    if (app.root.querySelector(".body.empty")) app.show(); // the page said that nobody is here
+    if (app.root.querySelector(".body.empty")) app.show(); // the page says that nobody is here
   }
 
-  /** Cover the page of the session before, list what was entered and not sent, and send nothing of it. */
+  /** Cover the page of the earlier session, list the entries that were not sent, and send none of them. */
   #coverPage() {
     const app = this.#app;
     const drafts = changedFields(app.root);
@@ -58,7 +64,7 @@ export class ShownSession {
   }
 }
 
-/** @param {any} session @returns {number | null} */
+/** @param {CurrentSession | null} session @returns {number | null} */
 function idOf(session) {
   return session?.session?.id ?? null;
 }

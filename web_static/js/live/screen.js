@@ -1,62 +1,69 @@
 /**
- * This page as a screen that may arm a chair: its word, and the heartbeat that a worker sends for it.
- * The worker is a thread of its own, so that drawing cannot hold the heartbeat up; this side only tells it what is so.
+ * This page as a screen that may arm a chair: its identifying word, and its heartbeat.
+ * The heartbeat is sent by a worker, a thread of its own, so that drawing cannot delay it; this module reports the page's
+ * state to the worker.
  */
 
-const SIGN_EVERY = 100; // ms between two signs of life to the worker
-const WORD_PLACE = "bodydrive-screen";
+const REPORT_EVERY = 100; // ms between two reports to the worker
+const STORAGE_KEY = "bodydrive-screen";
+
+/** @typedef {import("./screen_worker.js").Picture} Picture */
 
 export class Screen {
-  /** A random word, by which the server knows this screen again. */
-  word = wordOfThisPage();
+  /** A random word by which the server recognizes this screen. */
+  word = pageWord();
   #isWanted = false;
-  /** @type {"view" | "plan" | "none"} */
+  /** @type {Picture} */
   #picture = "none";
   #worker = new Worker(new URL("./screen_worker.js", import.meta.url), { type: "module" });
 
   constructor() {
     this.#worker.onmessage = () => {
-      this.word = keptWord(randomWord()); // another page has the word of this one
-      this.#tell();
+      this.word = storeWord(randomWord()); // another page has the same word
+      this.#report();
     };
-    document.addEventListener("visibilitychange", () => this.#tell());
-    // A page that is left, or put to sleep with its tab, is out of view before it can be asked.
-    window.addEventListener("pagehide", () => this.#tell(false));
-    window.addEventListener("pageshow", () => this.#tell());
-    setInterval(() => this.#tell(), SIGN_EVERY);
+    document.addEventListener("visibilitychange", () => this.#report());
+    // A page that is left or suspended reports at once that it is out of view: later it cannot.
+    window.addEventListener("pagehide", () => this.#report(false));
+    window.addEventListener("pageshow", () => this.#report());
+    setInterval(() => this.#report(), REPORT_EVERY);
   }
 
-  /** Say that this page is here, from now on. */
+  /** Send heartbeats from now on. */
   open() {
     this.#isWanted = true;
-    this.#tell();
+    this.#report();
   }
 
-  /** Say nothing any more, as when somebody signs out. */
+  /** Send no more heartbeats, as after a sign-out. */
   close() {
     this.#isWanted = false;
-    this.#tell();
+    this.#report();
   }
 
-  /** Say what this page shows to drive by. @param {"view" | "plan" | "none"} picture */
+  /** Report which picture this page shows. @param {Picture} picture */
   show(picture) {
     this.#picture = picture;
-    this.#tell();
+    this.#report();
   }
 
-  #tell(visible = document.visibilityState === "visible") {
-    this.#worker.postMessage({ screen: this.word, visible, picture: this.#picture, isWanted: this.#isWanted });
+  #report(visible = document.visibilityState === "visible") {
+    /** @type {import("./screen_worker.js").ScreenReport} */
+    const report = { screen: this.word, visible, picture: this.#picture, isWanted: this.#isWanted };
+    this.#worker.postMessage(report);
   }
 }
 
-/** A page that was loaded again is still the screen that it was: after Continue it drives on. Another tab is another screen. */
-function wordOfThisPage() {
-  const isReload = performance.getEntriesByType("navigation")[0]?.type === "reload";
-  return keptWord((isReload && sessionStorage.getItem(WORD_PLACE)) || randomWord());
+/** The word of this page: a reloaded page keeps its word, so that it drives on after Continue; another tab has another. */
+function pageWord() {
+  const [navigation] = performance.getEntriesByType("navigation");
+  const isReload = navigation instanceof PerformanceNavigationTiming && navigation.type === "reload";
+  return storeWord((isReload && sessionStorage.getItem(STORAGE_KEY)) || randomWord());
 }
 
-function keptWord(word) {
-  sessionStorage.setItem(WORD_PLACE, word);
+/** @param {string} word */
+function storeWord(word) {
+  sessionStorage.setItem(STORAGE_KEY, word);
   return word;
 }
 

@@ -1,78 +1,89 @@
 /**
- * The heartbeat of a screen, in a worker: it says over a socket of its own whether the page is in view, and for how long
- * the page's own thread has said nothing. The chair that this page armed stops after 300 ms without a word.
+ * The heartbeat of a screen, in a worker: it reports over a socket of its own whether the page is in view, and how long ago
+ * the page's own thread reported. The chair that this page armed stops after 300 ms without a heartbeat.
  */
 
-const SAY_EVERY = 50; // ms: twice the ten a second that are needed, because a busy machine delivers some of them late
+const BEAT_EVERY = 50; // ms: twice the ten a second that are needed, because a busy machine delivers some of them late
 const FIRST_PAUSE = 50; // ms before the socket is opened again; doubled with each failure, up to ...
 const LONGEST_PAUSE = 800; // ms
 const OPENING_LIMIT = 2000; // ms for a socket to open
-const TAKEN = 4409; // close code: another socket has the word of this page
-const TAKEN_LIMIT = 5000; // ms of refusals: the server gives up a dead socket after 2 s, so the other socket belongs to a page that lives
-const KEPT_AFTER = 500; // ms after which an open socket counts as accepted
+const WORD_IN_USE = 4409; // close code: another socket has the word of this page
+const REFUSAL_LIMIT = 5000; // ms of refusals: the server gives up a dead socket after 2 s, so the other socket belongs to a page that lives
+const ACCEPTED_AFTER = 500; // ms after which an open socket counts as accepted
 
-/** What the page said last. */
+/**
+ * What a page shows to drive by: the 3D view, the drawn plan, or nothing.
+ * @typedef {"view" | "plan" | "none"} Picture
+ * @typedef {{screen: string, visible: boolean, picture: Picture, isWanted: boolean}} ScreenReport from the page to this
+ *   worker; screen: the page's word; isWanted: whether heartbeats are sent at all
+ */
+
+/** The newest report of the page. @type {ScreenReport} */
 let page = { screen: "", visible: false, picture: "none", isWanted: false };
-let heardAt = 0; // ms of performance.now
+let reportedAt = 0; // ms of performance.now
 /** @type {WebSocket | null} */
 let socket = null;
 let pause = FIRST_PAUSE;
 let openAgainAt = 0; // ms of performance.now
-let askedAt = 0; // ms of performance.now, when the socket was asked for
+let requestedAt = 0; // ms of performance.now, when the socket was requested
 let openedAt = 0; // ms of performance.now
-let refusedAt = 0; // ms of performance.now, when a socket was refused first; 0: none was
+let refusedAt = 0; // ms of performance.now, of the first refusal in a row; 0: none
 
+/** @param {MessageEvent<ScreenReport>} event */
 self.onmessage = ({ data }) => {
-  const isNews = ["visible", "picture", "isWanted"].some((name) => data[name] !== page[name]);
+  const { visible, picture, isWanted } = page;
+  const isNews = data.visible !== visible || data.picture !== picture || data.isWanted !== isWanted;
   page = data;
-  heardAt = performance.now();
+  reportedAt = performance.now();
   if (isNews) beat();
 };
-setInterval(beat, SAY_EVERY);
+setInterval(beat, BEAT_EVERY);
 
-/** Say how things are; see that there is a socket as long as the page wants one. */
+/** Send a heartbeat; open a socket when the page wants one and there is none. */
 function beat() {
   const now = performance.now();
   if (!page.isWanted) return leave();
   if (!socket) {
     if (now >= openAgainAt) connect(now);
-  } else if (socket.readyState === WebSocket.OPEN) say(now);
-  else if (now - askedAt > OPENING_LIMIT) lost(socket);
+  } else if (socket.readyState === WebSocket.OPEN) send(socket, now);
+  else if (now - requestedAt > OPENING_LIMIT) reopen(socket);
 }
 
-function say(now) {
-  if (now - openedAt > KEPT_AFTER) refusedAt = 0;
+/** @param {WebSocket} open @param {number} now ms of performance.now */
+function send(open, now) {
+  if (now - openedAt > ACCEPTED_AFTER) refusedAt = 0;
   const { screen, visible, picture } = page;
-  socket.send(JSON.stringify({ screen, visible, silence: (now - heardAt) / 1000, picture }));
+  open.send(JSON.stringify({ screen, visible, silence: (now - reportedAt) / 1000, picture }));
 }
 
+/** @param {number} now ms of performance.now */
 function connect(now) {
   const scheme = self.location.protocol === "https:" ? "wss" : "ws";
   const mine = new WebSocket(`${scheme}://${self.location.host}/api/v1/screen`);
   socket = mine;
-  askedAt = now;
+  requestedAt = now;
   mine.onopen = () => {
     if (mine !== socket) return;
     pause = FIRST_PAUSE;
     openedAt = performance.now();
-    say(openedAt);
+    send(mine, openedAt);
   };
   mine.onclose = ({ code }) => {
-    if (code === TAKEN) refused(performance.now());
-    lost(mine);
+    if (code === WORD_IN_USE) refuse(performance.now());
+    reopen(mine);
   };
 }
 
-/** Another page has the word of this one: ask for a new word. */
-function refused(now) {
+/** Another page has the word of this one: ask the page for a new word. @param {number} now ms of performance.now */
+function refuse(now) {
   refusedAt ||= now;
-  if (now - refusedAt < TAKEN_LIMIT) return;
+  if (now - refusedAt < REFUSAL_LIMIT) return;
   refusedAt = 0;
-  self.postMessage("taken");
+  self.postMessage("word in use");
 }
 
 /** @param {WebSocket} gone */
-function lost(gone) {
+function reopen(gone) {
   if (gone !== socket) return;
   leave();
   openAgainAt = performance.now() + pause;
@@ -80,7 +91,9 @@ function lost(gone) {
 }
 
 function leave() {
-  const left = socket;
+  const last = socket;
   socket = null;
-  left?.close();
+  last?.close();
 }
+
+export {}; // makes this file a module, so that screen.js can import its types

@@ -4,33 +4,33 @@ import { h } from "../widgets/dom.js";
 import { planPicture } from "./plan_svg.js";
 
 const STEP = 0.05; // m between two points of the driven line
-const PLACE = "bodydrive-mini-plan";
+const STORAGE_KEY = "bodydrive-mini-plan";
 
-/** @param {any} plan @param {any} path */
+/** @param {import("./floor_plan.js").FloorPlan} plan @param {import("./floor_plan.js").PrescribedPath} path */
 export function miniPlan(plan, path) {
   const picture = planPicture(plan, path.points, {
     label: t("drive.plan.label", { plan: plan.title, path: path.title }),
     isNear: path.task.kind === "path" || path.task.kind === "follow",
-    asked: path,
+    request: path,
   });
-  /** @type {[number, number][]} */
+  /** @type {import("./floor_plan.js").Point[]} */
   const driven = [];
   const details = h(
     "details",
-    { class: "hud mini", open: localStorage.getItem(PLACE) !== "closed" },
+    { class: "hud mini", open: localStorage.getItem(STORAGE_KEY) !== "closed" },
     h("summary", {}, t("trial.above")),
     picture.element,
   );
-  details.addEventListener("toggle", () => localStorage.setItem(PLACE, details.open ? "open" : "closed"));
-  /** @param {number[]} pose @param {{leader: number[] | null, target: number[]}} trial */
+  details.addEventListener("toggle", () => localStorage.setItem(STORAGE_KEY, details.open ? "open" : "closed"));
+  /** @param {(number | null)[]} pose @param {Pick<import("../live/live.js").TrialMoment, "leader" | "target">} trial */
   const show = (pose, { leader, target }) => {
     if (leader) picture.setLeader(leader);
     picture.setGoal(target);
     const [x, y] = pose;
     const last = driven.at(-1);
-    if (!last || Math.hypot(x - last[0], y - last[1]) >= STEP) {
+    if (x !== null && y !== null && (!last || Math.hypot(x - last[0], y - last[1]) >= STEP)) {
       driven.push([x, y]);
-      picture.setDriven(driven);
+      picture.setTrajectory(driven);
     }
     picture.setPose(pose);
   };

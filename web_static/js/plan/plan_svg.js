@@ -1,6 +1,11 @@
 /** A floor plan from above: ground, walls, furniture, rooms, the prescribed path and what was driven. */
 import { put, s, set } from "../widgets/dom.js";
-import { chairOutline, door, gap, headingBefore, marks, mover, placed, points } from "./plan_marks.js";
+import { chairOutline, door, gap, headingBefore, marks, mover, placement, points } from "./plan_marks.js";
+
+/**
+ * @typedef {import("./floor_plan.js").Point} Point
+ * @typedef {readonly (number | null)[]} AnyPose x, y in m, heading in rad
+ */
 
 const MARGIN = 0.4; // m around the walls
 const NEAR = 1.8; // m around the path: as far as a chair strays
@@ -8,16 +13,21 @@ const BORDER = 0.3; // m around an open ground
 const LIFE = 18; // m: of a plan that is wider, marks are drawn larger than life
 const CHAIR = "M.55 0 L-.35 .34 L-.35 -.34 Z"; // m, pointing ahead
 
-/** @typedef {{walls: [number, number][][], obstacles: any[], rooms: any[], doors: any[], paths: any[], wall_thickness: number, ground: any, cones: any[], gaps: any[], movers: any[]}} FloorPlan */
-
 /**
- * @param {FloorPlan} plan @param {[number, number][]} path
- * @param {{label: string, hasRooms?: boolean, isNear?: boolean, asked?: any, isTrue?: boolean}} options isNear: show only what lies near the path;
- * asked: the prescribed path, for what is asked along it; isTrue: chair and marks true to size, whatever the size of the plan
+ * @param {import("./floor_plan.js").FloorPlan} plan @param {Point[]} path
+ * @param {{label: string, hasRooms?: boolean, isNear?: boolean, request?: import("./floor_plan.js").PrescribedPath | null, isTrue?: boolean}} options
+ * isNear: show only what lies near the path; request: the prescribed path with its task; isTrue: draw chair and marks true
+ * to size, whatever the size of the plan
  */
-export function planPicture(plan, path, { label, hasRooms = false, isNear = false, asked = null, isTrue = false }) {
+export function planPicture(plan, path, { label, hasRooms = false, isNear = false, request = null, isTrue = false }) {
   const { area } = plan.ground;
-  const corners = area ? [area.slice(0, 2), area.slice(2)] : [];
+  /** @type {Point[]} */
+  const corners = area
+    ? [
+        [area[0], area[1]],
+        [area[2], area[3]],
+      ]
+    : [];
   const box = isNear ? bounds(path, NEAR) : bounds([...plan.walls.flat(), ...path, ...corners], area ? BORDER : MARGIN);
   const scale = isTrue ? 1 : Math.max(1, box.width / LIFE);
   const driven = s("polyline", { class: "driven" });
@@ -25,9 +35,9 @@ export function planPicture(plan, path, { label, hasRooms = false, isNear = fals
   set(chair, { visibility: "hidden" });
   const movers = plan.movers.map((one) => mover(one, scale));
   const ends = s("g", {});
-  let { element: marked, goal } = marks(path, asked, scale);
+  let { element: marked, goal } = marks(path, request, scale);
   put(ends, marked);
-  const prescribed = prescribedLine(path, asked?.task.kind ?? "path", isTrue);
+  const prescribed = prescribedLine(path, request?.task.kind ?? "path", isTrue);
   const lines = s("g", { class: "lines" }, prescribed, ends, driven, chair);
   // The plan's y goes up, the picture's down.
   const scene = s(
@@ -63,32 +73,39 @@ export function planPicture(plan, path, { label, hasRooms = false, isNear = fals
     all,
   );
   element.style.setProperty("--unit", String(Math.max(box.width, box.height) / 100));
-  const leader = movers[plan.movers.findIndex(({ name }) => name === asked?.task.leader)]?.body;
-  /** A second trajectory and its chair, told apart by their colour. */
+  const task = request?.task;
+  const leader = movers[plan.movers.findIndex(({ name }) => task?.kind === "follow" && name === task.leader)]?.body;
+  /** Add a second trajectory and its chair, in another colour. */
   const another = () => {
     const line = s("polyline", { class: "driven second" });
     const other = s("path", { class: "chair second", d: CHAIR, visibility: "hidden" });
     driven.after(line);
     chair.after(other);
     return {
-      setDriven: (way) => set(line, { points: points(way) }),
+      /** @param {readonly (readonly number[])[]} trajectory */
+      setTrajectory: (trajectory) => set(line, { points: points(trajectory) }),
+      /** @param {AnyPose} pose */
       setPose: ([x, y, theta]) =>
-        set(other, { visibility: "visible", transform: `${placed([x, y], theta)} scale(${scale})` }),
+        set(other, { visibility: "visible", transform: `${placement([x, y], theta)} scale(${scale})` }),
     };
   };
-  const stages = asked?.task.stages ?? [];
+  const stages = task?.kind === "course" ? task.stages : [];
   let stage = -1;
-  /** Mark what is asked in one stage of a course: its way, how it begins, where to get. @param {number} number from 0 */
+  /** Draw the path, start and goal of one stage of a course. @param {number} number from 0 */
   const setStage = (number) => {
     if (number === stage || !stages[number]) return;
     stage = number;
-    const { points: way, task } = stages[number];
-    ({ element: marked, goal } = marks(way, { task, start_heading: headingBefore(stages, number) }, scale));
-    put(ends, prescribedLine(way, task.kind, isTrue), marked);
+    const { points: line, task: stageTask } = stages[number];
+    const startHeading = headingBefore(stages, number);
+    ({ element: marked, goal } = marks(line, { task: stageTask, start_heading: startHeading }, scale));
+    put(ends, prescribedLine(line, stageTask.kind, isTrue), marked);
     prescribed.classList.add("later");
   };
-  /** Look at a point so near that `metres` are seen across the shorter side. @param {{x: number, y: number, turn: number, metres: number, middle: number}} camera
-   * turn: degrees clockwise; middle: at which share of the height the point is seen */
+  /**
+   * Show `metres` of the floor across the shorter side of the picture.
+   * @param {{x: number, y: number, turn: number, metres: number, middle: number}} camera x, y: the point of the floor (m);
+   *   turn: degrees clockwise; middle: share of the picture's height at which the point lies
+   */
   const look = ({ x, y, turn, metres, middle }) => {
     set(element, { viewBox: `${-metres / 2} ${-metres * middle} ${metres} ${metres}` });
     element.style.setProperty("--unit", String(metres / 100));
@@ -101,27 +118,34 @@ export function planPicture(plan, path, { label, hasRooms = false, isNear = fals
     another,
     look,
     setStage,
-    setDriven: (line) => set(driven, { points: points(line) }),
-    setLeader: ([x, y, theta]) => leader && set(leader, { transform: placed([x, y], theta) }),
-    /** Where all movers are, in the plan's order. @param {number[][]} places */
-    setMovers: (places) =>
-      places.forEach(([x, y, theta], i) => set(movers[i].body, { transform: placed([x, y], theta) })),
-    /** Where to get now: the stages of a course each have their own. */
+    /** @param {readonly (readonly number[])[]} trajectory */
+    setTrajectory: (trajectory) => set(driven, { points: points(trajectory) }),
+    /** @param {AnyPose} pose */
+    setLeader: ([x, y, theta]) => leader && set(leader, { transform: placement([x, y], theta) }),
+    /** Move all movers. @param {AnyPose[]} poses in the plan's order */
+    setMovers: (poses) =>
+      poses.forEach(([x, y, theta], i) => set(movers[i].body, { transform: placement([x, y], theta) })),
+    /** Move the goal: each stage of a course has its own. @param {readonly number[]} place */
     setGoal: ([x, y]) => goal && set(goal, { cx: x, cy: y }),
+    /** @param {AnyPose} pose */
     setPose: ([x, y, theta]) =>
       set(chair, {
         visibility: "visible",
-        transform: `${placed([x, y], theta)} scale(${scale})`,
+        transform: `${placement([x, y], theta)} scale(${scale})`,
       }),
   };
 }
 
-/** The prescribed line; one that is driven by has a rim, because it is white as on the floor of the 3D view. */
+/**
+ * The prescribed line; in the picture to drive by it has a rim, because there it is white as on the floor of the 3D view.
+ * @param {Point[]} line @param {string} kind of the task @param {boolean} hasRim
+ */
 function prescribedLine(line, kind, hasRim) {
   const at = points(line);
   return s("g", {}, hasRim && s("polyline", { class: `rim ${kind}`, points: at }), s("polyline", { class: `prescribed ${kind}`, points: at }));
 }
 
+/** @param {import("./floor_plan.js").Obstacle} one */
 function obstacle(one) {
   const [x, y] = one.position;
   if (one.kind === "cylinder") return s("circle", { cx: x, cy: y, r: one.radius });
@@ -136,6 +160,7 @@ function obstacle(one) {
   });
 }
 
+/** The upright rectangle around some points. @param {Point[]} line @param {number} margin m */
 function bounds(line, margin) {
   const xs = line.map(([x]) => x);
   const ys = line.map(([, y]) => y);

@@ -4,13 +4,19 @@ import { planPicture } from "./plan_svg.js";
 import { placeOf } from "../pages/review/play_head.js";
 
 /**
- * @param {any} plan @param {any} trial what GET /trials/ID answered @param {any} line its time line
- * @param {string} label
+ * @typedef {import("./floor_plan.js").FloorPlan} FloorPlan
+ * @typedef {import("types/requests").Complete<import("types/api").Timeline>} Timeline
+ * @typedef {import("types/requests").Complete<import("types/api").TrialDetail>} Trial
+ */
+
+/**
+ * The whole floor plan in a replay, with what was driven.
+ * @param {FloorPlan} plan @param {Trial} trial @param {Timeline} line @param {string} label
  */
 export function replayPlan(plan, trial, line, label) {
-  const asked = plan.paths.find(({ name }) => name === trial.path_name) ?? null;
-  const picture = planPicture(plan, trial.path, { label, hasRooms: true, asked });
-  picture.setDriven(trajectoryOf(line));
+  const request = plan.paths.find(({ name }) => name === trial.path_name) ?? null;
+  const picture = planPicture(plan, trial.path, { label, hasRooms: true, request });
+  picture.setTrajectory(trajectoryOf(line));
   /** @param {number} t s */
   const show = (t) => {
     const { pose, movers } = momentAt(line, t);
@@ -21,38 +27,48 @@ export function replayPlan(plan, trial, line, label) {
 }
 
 /**
- * The drawn plan of a replay, which follows the chair as it did while driving.
- * @param {any} plan @param {any} trial @param {any} line
+ * The drawn plan in a replay, which follows the chair as in a trial; null when the plan has the trial's path no more.
+ * @param {FloorPlan} plan @param {Trial} trial @param {Timeline} line
  */
 export function replayDrawn(plan, trial, line) {
   const path = plan.paths.find(({ name }) => name === trial.path_name);
   if (!path) return null;
   const drawn = drawnPlan(plan, path);
-  drawn.setDriven(trajectoryOf(line));
-  return { ...drawn, show: (t) => drawn.show(momentAt(line, t)) };
+  drawn.setTrajectory(trajectoryOf(line));
+  /** @param {number} t s */
+  const show = (t) => drawn.show(momentAt(line, t));
+  return { ...drawn, show };
 }
 
-/** @param {any} line @returns {[number, number][]} */
+/** @param {Timeline} line @returns {import("./floor_plan.js").Point[]} */
 function trajectoryOf(line) {
-  return line.x.map((x, i) => [x, line.y[i]]);
+  return line.x.map((x, i) => [Number(x), Number(line.y[i])]);
 }
 
-/** Where the chair and all that moves by itself were. @param {any} line @param {number} t s */
+/** The poses of the chair and of all movers. @param {Timeline} line @param {number} t s */
 function momentAt(line, t) {
   const { place, pose } = poseAt(line, t);
   return { pose, movers: line.movers.map(({ x, y, theta }) => [x[place], y[place], theta[place]]) };
 }
 
-/** Where the chair was, between two points of the time line too. @param {any} line @param {number} t s */
+/**
+ * The pose of the chair, interpolated between two points of the time line, and the place of the first of them.
+ * @param {Pick<Timeline, "t" | "x" | "y" | "theta">} line @param {number} t s
+ * @returns {{place: number, pose: import("./floor_plan.js").Pose}}
+ */
 export function poseAt(line, t) {
   const place = placeOf(line.t, t);
   const next = Math.min(place + 1, line.t.length - 1);
-  const step = line.t[next] - line.t[place];
-  const share = step > 0 ? Math.min(1, Math.max(0, (t - line.t[place]) / step)) : 0;
-  const between = (column) => column[place] + share * (column[next] - column[place]);
-  const turned = Math.atan2(
-    Math.sin(line.theta[next] - line.theta[place]),
-    Math.cos(line.theta[next] - line.theta[place]),
-  );
-  return { place, pose: [between(line.x), between(line.y), line.theta[place] + share * turned] };
+  /** @param {(number | null)[]} column @returns {[number, number]} */
+  const ends = (column) => [Number(column[place]), Number(column[next])];
+  const [before, after] = ends(line.t);
+  const share = after > before ? Math.min(1, Math.max(0, (t - before) / (after - before))) : 0;
+  /** @param {(number | null)[]} column */
+  const between = (column) => {
+    const [from, to] = ends(column);
+    return from + share * (to - from);
+  };
+  const [from, to] = ends(line.theta);
+  const turn = Math.atan2(Math.sin(to - from), Math.cos(to - from));
+  return { place, pose: [between(line.x), between(line.y), from + share * turn] };
 }

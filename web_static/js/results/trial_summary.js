@@ -62,7 +62,7 @@ function figureOf(name, measures) {
   return [number(measures[name], MEASURES[name].digits), " ", h("small", {}, unitOf(name, measures))];
 }
 
-function askedOf(trial, plan) {
+function requestOf(trial, plan) {
   return plan.paths.find(({ name }) => name === trial.path_name) ?? null;
 }
 
@@ -100,8 +100,8 @@ function drivenCard(trial, plan) {
       h("h2", {}, t("over.driven")),
       h("p", { class: "quiet" }, t("over.no-trajectory")),
     );
-  const picture = planPicture(plan, trial.path, { label: t("over.driven"), hasRooms: true, asked: askedOf(trial, plan) });
-  picture.setDriven(trajectory.x.map((x, i) => [x, trajectory.y[i]]));
+  const picture = planPicture(plan, trial.path, { label: t("over.driven"), hasRooms: true, request: requestOf(trial, plan) });
+  picture.setTrajectory(trajectory.x.map((x, i) => [x, trajectory.y[i]]));
   return h("section", { class: "card driven-card" }, h("h2", {}, t("over.driven")), picture.element);
 }
 

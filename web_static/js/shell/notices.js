@@ -45,7 +45,7 @@ export function faultKey(fault, stops) {
 
 /** @param {App} app @param {string} kind @returns {Child} */
 function note(app, kind) {
-  if (kind === "lost") return strip("bad", t("note.lost", { time: timeOfDay(app.live.saidAt) }), t("note.lost.why"));
+  if (kind === "lost") return strip("bad", t("note.lost", { time: timeOfDay(app.live.receivedAt) }), t("note.lost.why"));
   if (kind === "control") return strip("bad", t("note.control"), t("note.control.why"));
   if (kind === "driving")
     return strip("", t("note.driving"), "", h("a", { class: "btn go", href: "#/drive/chair" }, t("note.driving.go")));

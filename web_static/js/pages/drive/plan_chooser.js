@@ -70,7 +70,7 @@ function placeCard(levels, chosen, read, remember) {
     if (wanted !== plan.name || !document) return;
     const task = document.paths.find(({ name }) => name === path) ?? document.paths[0];
     const label = t("drive.plan.label", { plan: plan.title, path: task.title });
-    put(picture, planPicture(document, task.points, { label, asked: task }).element);
+    put(picture, planPicture(document, task.points, { label, request: task }).element);
   };
   const choose = (name) => {
     path = name;

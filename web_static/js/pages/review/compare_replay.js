@@ -61,12 +61,12 @@ export async function compareReplay(root, trials, lines, plan, signal) {
 }
 
 function bothOnOne(plan, trial, lines) {
-  const asked = plan.paths.find(({ name }) => name === trial.path_name) ?? null;
-  const picture = planPicture(plan, trial.path, { label: t("compare.plan"), hasRooms: true, asked });
+  const request = plan.paths.find(({ name }) => name === trial.path_name) ?? null;
+  const picture = planPicture(plan, trial.path, { label: t("compare.plan"), hasRooms: true, request });
   const second = picture.another();
   const way = (line) => line.x.map((x, i) => [x, line.y[i]]);
-  picture.setDriven(way(lines[0]));
-  second.setDriven(way(lines[1]));
+  picture.setTrajectory(way(lines[0]));
+  second.setTrajectory(way(lines[1]));
   return { element: picture.element, setPose: [picture.setPose, second.setPose] };
 }
 

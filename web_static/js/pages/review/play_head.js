@@ -59,12 +59,12 @@ export class PlayHead extends EventTarget {
   }
 }
 
-/** The last place in rising numbers that is not above a value; 0 before the first. @param {number[]} values @param {number} value */
+/** The last place in rising numbers that is not above a value; 0 before the first. @param {readonly (number | null)[]} values @param {number} value */
 export function placeOf(values, value) {
   let [low, high] = [0, values.length - 1];
   while (low < high) {
     const middle = (low + high + 1) >> 1;
-    if (values[middle] <= value) low = middle;
+    if (Number(values[middle]) <= value) low = middle;
     else high = middle - 1;
   }
   return low;
