@@ -1,11 +1,13 @@
-"""A web application of its own for each test."""
+"""A clinic of its own for each test: a copy of one that was made once, opened by the web application."""
 
+import shutil
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from fake_clinic import Clinic, running
+from fake_clinic import Clinic
 from pairing import code_of, only, pair
+from running_app import running
 
 from app.api.sign_in import hashing
 from app.session import calibration, run_watch
@@ -14,42 +16,82 @@ from app.store.database import Database
 from app.store.files import ballast
 from app.store.people import add_clinic
 
-
-@pytest.fixture
-def settings(tmp_path: Path) -> Settings:
-    return Settings(state=tmp_path / "state", demo_code="the-code-of-the-link")
+CODE = "the-code-of-the-link"
 
 
-@pytest.fixture(autouse=True)
-def _light_passwords(monkeypatch: pytest.MonkeyPatch) -> None:
+def demonstration(state: Path) -> Settings:
+    return Settings(state=state, demo_code=CODE)
+
+
+def sign_in(clinic: Clinic) -> None:
+    clinic.good("POST", "/auth/demo", json={"code": CODE})
+
+
+def quick(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Take the time out of what a test waits for: hashing passwords, filling the ballast, looking again."""
     monkeypatch.setattr(hashing, "COST", hashing.Cost(time=1, memory=8, lanes=1))
-
-
-@pytest.fixture(autouse=True)
-def _little_ballast(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(ballast, "SIZE", 65_536)  # each test keeps its folder for a while
-
-
-@pytest.fixture(autouse=True)
-def _quick_looks(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(calibration, "LOOK_EVERY", 0.002)
     monkeypatch.setattr(run_watch, "LOOK_EVERY", 0.002)
 
 
 @pytest.fixture
-def clinic(settings: Settings) -> Iterator[Clinic]:
-    """A demonstration, nobody signed in."""
+def settings(tmp_path: Path) -> Settings:
+    return demonstration(tmp_path / "state")
+
+
+@pytest.fixture(autouse=True)
+def _quick(monkeypatch: pytest.MonkeyPatch) -> None:
+    quick(monkeypatch)
+
+
+@pytest.fixture(scope="session")
+def new_state(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The folder of a demonstration that nobody used yet."""
+    settings = demonstration(tmp_path_factory.mktemp("new") / "state")
     database = Database(settings.database)
     with database.transaction() as db:
         add_clinic(db, "Demonstration")
     database.close()
+    return settings.state
+
+
+@pytest.fixture(scope="session")
+def calibrated_state(new_state: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The folder of a demonstration whose first patient is here and was calibrated just now."""
+    settings = demonstration(tmp_path_factory.mktemp("calibrated") / "state")
+    shutil.copytree(new_state, settings.state)
+    with pytest.MonkeyPatch.context() as monkeypatch:
+        quick(monkeypatch)
+        for clinic in running(settings):
+            sign_in(clinic)
+            clinic.begin_session()
+            clinic.calibrate()
+            clinic.good("POST", "/auth/sign-out")
+    return settings.state
+
+
+@pytest.fixture
+def clinic(settings: Settings, new_state: Path) -> Iterator[Clinic]:
+    """A demonstration, nobody signed in."""
+    shutil.copytree(new_state, settings.state)
     yield from running(settings)
+
+
+@pytest.fixture
+def calibrated(settings: Settings, calibrated_state: Path) -> Iterator[Clinic]:
+    """A demonstration with its clinician, and a calibrated patient who is here."""
+    shutil.copytree(calibrated_state, settings.state)
+    for clinic in running(settings):
+        sign_in(clinic)
+        clinic.patient = clinic.good("GET", "/session")["patient"]
+        yield clinic
 
 
 @pytest.fixture
 def signed_in(clinic: Clinic) -> Clinic:
     """A demonstration with its clinician."""
-    clinic.good("POST", "/auth/demo", json={"code": "the-code-of-the-link"})
+    sign_in(clinic)
     return clinic
 
 

@@ -5,16 +5,13 @@ import time
 import warnings
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from app.api.app import create_app
 from app.api.live.screens import Screen
 from app.calibration.profile import CalibrationProfile, JointMap
-from app.calibration.script import Step
 from app.clock import monotonic
 from app.faults import Fault, State
 from app.hardware.registry import SHIRTS
@@ -22,9 +19,6 @@ from app.layout import Channel, Joint, ShirtLayout
 from app.messages import NO_CUE, TICK
 from app.pipeline.commands import STOPPED_BY
 from app.process.command_channel import LinkLost, LinkRefused
-from app.scoring.control_quality import ControlQuality
-from app.session.readings import Driven, Readings
-from app.settings import Settings
 from app.store.tables import LogEntry
 
 with warnings.catch_warnings():
@@ -200,6 +194,7 @@ class Clinic:
         self.client = client
         self.processes = processes
         self.readings = readings
+        self.patient: Any = None  # who is here from the start
 
     @property
     def process(self) -> FakeProcess:
@@ -257,35 +252,3 @@ class Clinic:
             self.until("/calibration", lambda c: c["running"] is None)
         self.until("/calibration", lambda c: c["result"] is not None and c["running"] is None)
         return self.good("POST", "/calibration/accept")
-
-
-def running(settings: Settings) -> Iterator[Clinic]:
-    processes: list[FakeProcess] = []
-    answers: dict[str, Any] = {"judge": None, "measures": {"dist": 12.0, "e_diff": 1.5, "reached": True}}
-
-    async def start_process() -> FakeProcess:
-        processes.append(FakeProcess())
-        return processes[-1]
-
-    def fit(layout: ShirtLayout, _recorded: list[tuple[Step, Path]], _unused: list[str]) -> CalibrationProfile:
-        if "fit" in answers:
-            raise ValueError(answers["fit"])
-        return profile_for(layout)
-
-    def quality() -> ControlQuality:
-        if "quality" not in answers:
-            raise ValueError("The recording does not say with what parameters it was driven.")
-        return ControlQuality.model_validate(answers["quality"])
-
-    line = np.linspace(0.0, 1.0, 101)
-    readings = Readings(
-        judge=lambda _folder, _duration: answers["judge"],
-        fit=fit,
-        measure=lambda _folder, _plan, _path: answers["measures"],
-        drive=lambda _folder: Driven(line, line, 0 * line),
-        quality=lambda _folder: quality(),
-        adapt=lambda *given: answers["adapt"](*given) if "adapt" in answers else None,
-    )
-    app = create_app(settings, start_process, readings)
-    with TestClient(app, base_url=BASE, raise_server_exceptions=False, client=("127.0.0.1", 50_000)) as client:
-        yield Clinic(client, processes, answers)

@@ -115,29 +115,28 @@ def test_what_is_no_text_closes_the_live_socket(signed_in: Any) -> None:
 
 
 def test_a_session_does_not_change_under_a_trial_that_is_being_started(
-    signed_in: Any, monkeypatch: pytest.MonkeyPatch
+    calibrated: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    patient = signed_in.begin_session()
-    signed_in.calibrate()
-    other = signed_in.good("POST", "/patients", json={"code": "P-2", "pseudonym": "Otter"})
-    plan = signed_in.good("GET", "/floorplans/apartment")
+    patient = calibrated.patient
+    other = calibrated.good("POST", "/patients", json={"code": "P-2", "pseudonym": "Otter"})
+    plan = calibrated.good("GET", "/floorplans/apartment")
     asked: list[Any] = []
     start = DriveFlow.start
 
     with ThreadPoolExecutor(1) as screen:
 
         async def slowly(self: DriveFlow, *given: Any) -> int:
-            asked.append(screen.submit(signed_in, "POST", "/session", json={"patient_id": other["id"]}))
+            asked.append(screen.submit(calibrated, "POST", "/session", json={"patient_id": other["id"]}))
             await asyncio.sleep(0.3)
             return await start(self, *given)
 
         monkeypatch.setattr(DriveFlow, "start", slowly)
-        signed_in.good(
+        calibrated.good(
             "POST", "/trials", json={"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}
         )
         assert "A trial is running" in sentence(asked[0].result(), 409)
-    assert signed_in.good("GET", "/session")["patient"]["id"] == patient["id"]
-    signed_in.good("POST", "/trials/current/end", json={})
+    assert calibrated.good("GET", "/session")["patient"]["id"] == patient["id"]
+    calibrated.good("POST", "/trials/current/end", json={})
 
 
 def test_a_step_whose_end_cannot_be_written_is_over(signed_in: Any, monkeypatch: pytest.MonkeyPatch) -> None:

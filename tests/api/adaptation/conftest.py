@@ -18,23 +18,21 @@ def _patient_with_this_machine(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.fixture
-def ready(signed_in: Clinic) -> Any:
+def ready(calibrated: Clinic) -> Any:
     """A calibrated patient, and trials that always propose something."""
-    signed_in.patient = signed_in.begin_session()  # type: ignore[attr-defined]
-    signed_in.calibrate()
-    plan = signed_in.good("GET", "/floorplans/apartment")
-    signed_in.where = {  # type: ignore[attr-defined]
+    plan = calibrated.good("GET", "/floorplans/apartment")
+    calibrated.where = {  # type: ignore[attr-defined]
         "floorplan": plan["name"],
         "path": plan["paths"][0]["name"],
         "screen": WORD,
     }
-    signed_in.asked = []  # type: ignore[attr-defined]
+    calibrated.asked = []  # type: ignore[attr-defined]
 
     def adapt(
         parameters: DriveParameters, _calibrated: Any, folders: list[Any], fresh: int, _leave_off: Callable[[], bool]
     ) -> Adapted:
-        signed_in.asked.append((len(folders), fresh))  # type: ignore[attr-defined]
+        calibrated.asked.append((len(folders), fresh))  # type: ignore[attr-defined]
         return change(parameters)
 
-    signed_in.readings["adapt"] = adapt
-    return signed_in
+    calibrated.readings["adapt"] = adapt
+    return calibrated

@@ -15,17 +15,15 @@ def _patient_with_this_machine(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.fixture
-def calibrated(signed_in: Clinic) -> Any:
-    signed_in.patient = signed_in.begin_session()  # type: ignore[attr-defined]
-    signed_in.calibrate()
-    plan = signed_in.good("GET", "/floorplans/apartment")
-    signed_in.where = {  # type: ignore[attr-defined]
+def calibrated(calibrated: Clinic) -> Any:
+    plan = calibrated.good("GET", "/floorplans/apartment")
+    calibrated.where = {  # type: ignore[attr-defined]
         "floorplan": plan["name"],
         "path": plan["paths"][0]["name"],
         "screen": WORD,
     }
-    velocity(signed_in)
-    return signed_in
+    velocity(calibrated)
+    return calibrated
 
 
 @pytest.fixture

@@ -83,12 +83,10 @@ def test_a_stop_counts_whatever_else_the_message_says(signed_in: Any) -> None:
             pytest.fail("the stop was lost")
 
 
-def test_a_trial_shows_where_it_stands(signed_in: Any) -> None:
-    signed_in.begin_session()
-    signed_in.calibrate()
-    plan = signed_in.good("GET", "/floorplans/apartment")
-    with signed_in.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
-        signed_in.good(
+def test_a_trial_shows_where_it_stands(calibrated: Any) -> None:
+    plan = calibrated.good("GET", "/floorplans/apartment")
+    with calibrated.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+        calibrated.good(
             "POST", "/trials", json={"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}
         )
         message = next_with(socket, "trial")

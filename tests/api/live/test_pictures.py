@@ -5,6 +5,7 @@ from typing import Any
 
 import pytest
 from fake_clinic import BASE, WORD
+from pairing import code_of, pair
 
 from app.api.live.screens import Screen
 from app.api.patient_screen import patient_socket
@@ -15,11 +16,11 @@ PLACE = "follow_me.easy"  # somebody walks ahead
 
 
 @pytest.fixture
-def ready(paired: Any) -> Any:
-    paired.calibrate()
-    plan = paired.good("GET", f"/floorplans/{PLACE}")
-    paired.where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD, "picture": "view"}
-    return paired
+def ready(calibrated: Any) -> Any:
+    assert pair(calibrated, code_of(calibrated)).status_code == 200
+    plan = calibrated.good("GET", f"/floorplans/{PLACE}")
+    calibrated.where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD, "picture": "view"}
+    return calibrated
 
 
 def until_state(clinic: Any, state: str) -> Any:

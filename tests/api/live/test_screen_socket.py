@@ -37,14 +37,12 @@ def until_told(clinic: Any, wanted: str | None) -> None:
 
 
 @pytest.fixture
-def driving(signed_in: Any) -> Any:
-    signed_in.begin_session()
-    signed_in.calibrate()
-    plan = signed_in.good("GET", "/floorplans/apartment")
-    signed_in.start = lambda: signed_in.good(
+def driving(calibrated: Any) -> Any:
+    plan = calibrated.good("GET", "/floorplans/apartment")
+    calibrated.start = lambda: calibrated.good(
         "POST", "/trials", json={"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}
     )
-    return signed_in
+    return calibrated
 
 
 @pytest.mark.parametrize("headers", [{}, {"Origin": "http://evil.example"}])

@@ -12,19 +12,17 @@ from building import make_parameters
 
 
 @pytest.fixture
-def driven(signed_in: Any) -> Any:
+def driven(calibrated: Any) -> Any:
     """A clinic with one trial that is over, and its recording."""
-    signed_in.begin_session()
-    signed_in.calibrate()
-    plan = signed_in.good("GET", "/floorplans/apartment")
+    plan = calibrated.good("GET", "/floorplans/apartment")
     where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}
-    with signed_in.screen():
-        signed_in.trial = signed_in.good("POST", "/trials", json=where)
-        run = signed_in.web.drive.trial.run
-        assert signed_in("GET", f"/trials/{signed_in.trial['id']}/timeline").status_code == 409
-        signed_in.good("POST", "/trials/current/end", json={"reason": "by hand"})
-    signed_in.folder = run.folder
-    return signed_in
+    with calibrated.screen():
+        calibrated.trial = calibrated.good("POST", "/trials", json=where)
+        run = calibrated.web.drive.trial.run
+        assert calibrated("GET", f"/trials/{calibrated.trial['id']}/timeline").status_code == 409
+        calibrated.good("POST", "/trials/current/end", json={"reason": "by hand"})
+    calibrated.folder = run.folder
+    return calibrated
 
 
 def test_a_time_line_is_answered_kept_and_logged(driven: Any) -> None:

@@ -5,7 +5,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from fake_clinic import Clinic, running
+from fake_clinic import Clinic
+from running_app import running
 
 from app.hardware.chair.key import read_key
 from app.settings import Settings
@@ -114,17 +115,15 @@ def test_limits_hold_in_the_control_process_first_and_are_logged(signed_in: Clin
     assert signed_in("PUT", "/limits", json={**SLOW, "forward": float("1e9")}).status_code == 422
 
 
-def test_a_set_above_the_limits_keeps_its_numbers_and_says_what_holds(signed_in: Clinic) -> None:
-    signed_in.begin_session()
-    signed_in.calibrate()
-    assert signed_in.good("GET", "/controls")["held"] == {}
-    signed_in.good("PUT", "/limits", json=SLOW)
-    view = signed_in.good("GET", "/controls")
+def test_a_set_above_the_limits_keeps_its_numbers_and_says_what_holds(calibrated: Clinic) -> None:
+    assert calibrated.good("GET", "/controls")["held"] == {}
+    calibrated.good("PUT", "/limits", json=SLOW)
+    view = calibrated.good("GET", "/controls")
     assert view["parameters"]["speeds"]["forward"] == 0.8
     assert view["held"] == {"forward": 0.4, "turn": 0.6}
-    chair = signed_in.good("POST", "/chairs", json={**CHAIR, "speeds": {**SLOW, "forward": 0.3}})["chairs"][0]
-    signed_in.good("PUT", "/chairs/chosen", json={"id": chair["id"], "dynamics": "unicycle"})
-    assert signed_in.good("GET", "/controls")["held"] == {"forward": 0.3, "turn": 0.6}
+    chair = calibrated.good("POST", "/chairs", json={**CHAIR, "speeds": {**SLOW, "forward": 0.3}})["chairs"][0]
+    calibrated.good("PUT", "/chairs/chosen", json={"id": chair["id"], "dynamics": "unicycle"})
+    assert calibrated.good("GET", "/controls")["held"] == {"forward": 0.3, "turn": 0.6}
 
 
 def test_the_dial_is_turned_logged_and_given_to_the_next_control_process(signed_in: Clinic) -> None:

@@ -31,7 +31,7 @@ def test_the_owner_sees_that_the_log_is_whole_and_that_it_was_changed(signed_in:
 def test_a_changed_log_is_said_on_the_console_at_the_start(
     settings: Settings, clinic: Clinic, caplog: pytest.LogCaptureFixture
 ) -> None:
-    from fake_clinic import running
+    from running_app import running
 
     clinic.good("POST", "/auth/demo", json={"code": "the-code-of-the-link"})
     remove_newest(settings)

@@ -2,8 +2,8 @@
 
 from typing import Any
 
-import fake_clinic
 import pytest
+import running_app
 
 from app.calibration.profile import GuidedMap, MapCheck
 
@@ -28,7 +28,7 @@ def guided(pca: MapCheck, own: MapCheck) -> GuidedMap:
 @pytest.fixture
 def fitted(signed_in: Any, monkeypatch: pytest.MonkeyPatch) -> Any:
     """A clinic whose calibration gave guided maps: better for the first joint, not for the second, else none."""
-    plain = fake_clinic.profile_for
+    plain = running_app.profile_for
 
     def with_guided(layout: Any) -> Any:
         profile = plain(layout)
@@ -37,7 +37,7 @@ def fitted(signed_in: Any, monkeypatch: pytest.MonkeyPatch) -> Any:
         left = left.model_copy(update={"guided": guided(BETTER, WORSE)})
         return profile.model_copy(update={"joints": (right, left, *others)})
 
-    monkeypatch.setattr(fake_clinic, "profile_for", with_guided)
+    monkeypatch.setattr(running_app, "profile_for", with_guided)
     signed_in.begin_session()
     signed_in.calibrate()
     return signed_in

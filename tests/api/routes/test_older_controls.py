@@ -10,26 +10,24 @@ WITH_A_JOINER = "\U0001f469\u200d\U0001f9bd slow"  # a woman in a wheelchair: na
 
 
 def change_saved(clinic: Any, **settings: Any) -> None:
-    clinic.begin_session()
-    clinic.calibrate()
     clinic.good("GET", "/controls")
     with clinic.client.app.state.people.database.transaction() as db:
         for row in db.scalars(select(Parameters)):
             row.settings = {**row.settings, **settings}
 
 
-def test_a_title_that_could_not_be_typed_any_more_is_still_read(signed_in: Any) -> None:
-    change_saved(signed_in, title=WITH_A_JOINER)
-    controls = signed_in.good("GET", "/controls")
+def test_a_title_that_could_not_be_typed_any_more_is_still_read(calibrated: Any) -> None:
+    change_saved(calibrated, title=WITH_A_JOINER)
+    controls = calibrated.good("GET", "/controls")
     assert controls["parameters"]["title"] == WITH_A_JOINER
-    signed_in.good("PUT", "/equipment/unused", json={"channels": []})
+    calibrated.good("PUT", "/equipment/unused", json={"channels": []})
 
 
-def test_a_set_that_cannot_be_read_is_a_sentence_and_keeps_nobody_from_anything_else(signed_in: Any) -> None:
-    change_saved(signed_in, of_another_program=1)
-    refused = signed_in("GET", "/controls")
+def test_a_set_that_cannot_be_read_is_a_sentence_and_keeps_nobody_from_anything_else(calibrated: Any) -> None:
+    change_saved(calibrated, of_another_program=1)
+    refused = calibrated("GET", "/controls")
     assert (refused.status_code, "another version" in refused.json()["detail"]) == (409, True)
-    signed_in.good("PUT", "/equipment/unused", json={"channels": []})
-    web = signed_in.client.app.state.web
-    signed_in.client.portal.call(web.session.session_changed)  # as at the start of the program
+    calibrated.good("PUT", "/equipment/unused", json={"channels": []})
+    web = calibrated.client.app.state.web
+    calibrated.client.portal.call(web.session.session_changed)  # as at the start of the program
     assert web.session.loaded is None

@@ -36,13 +36,11 @@ QUALITY = {
 
 
 @pytest.fixture
-def ready(signed_in: Any) -> Any:
-    signed_in.patient = signed_in.begin_session()
-    signed_in.calibrate()
-    plan = signed_in.good("GET", "/floorplans/apartment")
-    signed_in.where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}
-    signed_in.page = f"/patients/{signed_in.patient['id']}/quality"
-    return signed_in
+def ready(calibrated: Any) -> Any:
+    plan = calibrated.good("GET", "/floorplans/apartment")
+    calibrated.where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}
+    calibrated.page = f"/patients/{calibrated.patient['id']}/quality"
+    return calibrated
 
 
 def drive(clinic: Any) -> Any:

@@ -3,7 +3,8 @@
 from typing import Any
 
 import pytest
-from fake_clinic import JOINTS, WORD, Clinic, running
+from fake_clinic import JOINTS, WORD, Clinic
+from running_app import running
 
 from app.settings import Settings
 

@@ -5,7 +5,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from fake_clinic import WORD, Clinic, running
+from fake_clinic import WORD, Clinic
+from running_app import running
 
 from app.settings import Settings
 from app.store.calibrations import MIXED

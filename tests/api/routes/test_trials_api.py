@@ -11,13 +11,11 @@ from fake_clinic import WORD
 
 
 @pytest.fixture
-def ready(signed_in: Any) -> Any:
-    signed_in.patient = signed_in.begin_session()
-    signed_in.calibrate()
-    plan = signed_in.good("GET", "/floorplans/apartment")
-    signed_in.where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}
-    signed_in.document = signed_in.good("GET", f"/floorplans/{plan['name']}")
-    return signed_in
+def ready(calibrated: Any) -> Any:
+    plan = calibrated.good("GET", "/floorplans/apartment")
+    calibrated.where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}
+    calibrated.document = calibrated.good("GET", f"/floorplans/{plan['name']}")
+    return calibrated
 
 
 def trial_of(clinic: Any, trial_id: int) -> Any:

@@ -51,7 +51,7 @@ def test_it_gives_way_to_every_other_process_and_ends_with_the_program():
         return process, process.nice()
 
     process, nice = with_hashing(story)
-    assert nice >= os.nice(0) + 10
+    assert nice >= min(os.nice(0) + 10, 19)  # nothing is nicer than 19
     assert not process.is_running()
 
 

@@ -5,7 +5,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from fake_clinic import BASE, Clinic, running
+from fake_clinic import BASE, Clinic
+from running_app import running
 
 from app.api.sign_in import set_up
 from app.settings import Settings

@@ -1,0 +1,74 @@
+"""The web application for a test, with a stand-in for the control process.
+
+Building the application's routes takes longer than most tests. So an application is built once, and started with other
+settings for each test: whatever it keeps, it makes at its start and gives up at its end.
+"""
+
+from collections.abc import Iterator
+from dataclasses import fields
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from fake_clinic import BASE, Clinic, FakeProcess, TestClient, profile_for
+
+from app.api.app import create_app
+from app.calibration.profile import CalibrationProfile
+from app.calibration.script import Step
+from app.layout import ShirtLayout
+from app.scoring.control_quality import ControlQuality
+from app.session.readings import Driven, Readings
+from app.settings import Settings
+
+
+class RunningApp:
+    """An application that can be started again and again, one start at a time."""
+
+    def __init__(self) -> None:
+        self._settings = Settings(state=Path("given-at-the-start"))
+        self._processes: list[FakeProcess] = []
+        self._answers: dict[str, Any] = {}
+        line = np.linspace(0.0, 1.0, 101)
+        readings = Readings(
+            judge=lambda _folder, _duration: self._answers["judge"],
+            fit=self._fit,
+            measure=lambda _folder, _plan, _path: self._answers["measures"],
+            drive=lambda _folder: Driven(line, line, 0 * line),
+            quality=lambda _folder: self._quality(),
+            adapt=lambda *given: self._answers["adapt"](*given) if "adapt" in self._answers else None,
+        )
+        self._app = create_app(self._settings, self._start_process, readings)
+
+    def start(self, settings: Settings) -> Iterator[Clinic]:
+        """Start it with these settings, and yield it until it is to end."""
+        for field in fields(Settings):  # frozen for the program, where nothing changes them after the start
+            object.__setattr__(self._settings, field.name, getattr(settings, field.name))
+        self._processes = []
+        self._answers = {"judge": None, "measures": {"dist": 12.0, "e_diff": 1.5, "reached": True}}
+        browser = ("127.0.0.1", 50_000)
+        with TestClient(self._app, base_url=BASE, raise_server_exceptions=False, client=browser) as client:
+            yield Clinic(client, self._processes, self._answers)
+
+    async def _start_process(self) -> FakeProcess:
+        self._processes.append(FakeProcess())
+        return self._processes[-1]
+
+    def _fit(self, layout: ShirtLayout, _recorded: list[tuple[Step, Path]], _unused: list[str]) -> CalibrationProfile:
+        if "fit" in self._answers:
+            raise ValueError(self._answers["fit"])
+        return profile_for(layout)
+
+    def _quality(self) -> ControlQuality:
+        if "quality" not in self._answers:
+            raise ValueError("The recording does not say with what parameters it was driven.")
+        return ControlQuality.model_validate(self._answers["quality"])
+
+
+_idle: list[RunningApp] = []  # several only where a test starts one while another runs
+
+
+def running(settings: Settings) -> Iterator[Clinic]:
+    """Yield a clinic that runs with these settings, and end it."""
+    app = _idle.pop() if _idle else RunningApp()
+    yield from app.start(settings)
+    _idle.append(app)  # one whose test failed is not used again
