@@ -1,4 +1,4 @@
-"""Which messages a browser may send to a role's 3D server: few, whole, and nothing else."""
+"""The messages that a browser may send to a role's 3D server."""
 
 import math
 from typing import Final
@@ -38,19 +38,22 @@ _DECODERS: Final[dict[Role, msgspec.msgpack.Decoder[_Camera | _GuiUpdate]]] = {
 
 
 def may_pass(role: Role, message: bytes) -> bool:
-    """Tell whether a browser's message may reach the 3D server of its role.
+    """Return whether a browser's message may be passed to the 3D server of its role.
 
-    The browser's camera tells the shape of its picture. A file, a click, a public share of the view, and whatever
-    is cut off or not quite of the expected form does not pass.
+    The message of the camera, which gives the size of the picture, may pass; from the clinician also that of a changed
+    plot. All other messages, such as a file, a click or a public share of the view, may not; neither may a message that
+    is cut off or has another form than expected.
     """
     if len(message) > LARGEST_MESSAGE:
         return False
     try:
-        found = _DECODERS[role].decode(message)
+        decoded = _DECODERS[role].decode(message)
     except (msgspec.DecodeError, UnicodeDecodeError, RecursionError):
         return False
-    if isinstance(found, _GuiUpdate):
+    if isinstance(decoded, _GuiUpdate):
         return True
-    numbers = (*found.wxyz, *found.position, *found.look_at, *found.up_direction, found.fov, found.near, found.far)
-    sizes = (found.image_height, found.image_width)
+    camera = decoded
+    vectors = (*camera.wxyz, *camera.position, *camera.look_at, *camera.up_direction)
+    numbers = (*vectors, camera.fov, camera.near, camera.far)
+    sizes = (camera.image_height, camera.image_width)
     return all(map(math.isfinite, numbers)) and all(0 <= size <= LARGEST_PICTURE for size in sizes)

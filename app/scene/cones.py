@@ -1,4 +1,4 @@
-"""Soft cones: they stand until the chair touches them, and then lie on their side until the next trial."""
+"""Soft cones, which stand until the chair touches them and then lie on their side until the next trial."""
 
 import math
 from typing import Final
@@ -9,53 +9,53 @@ from app.scene.meshes.bodies import Mesh, Part, merged, standing_box, tube
 from app.world.kinematics import CHAIR_RADIUS
 from app.world.scenery import Cone
 
-TIP: Final = 0.14  # of the radius
-BODY: Final = 0.78
-PLATE: Final = 0.68  # half side, of the radius: its corners stay inside the circle
+TIP: Final = 0.14  # radius at the tip over the cone's radius
+BODY: Final = 0.78  # radius of the body at the floor over the cone's radius
+PLATE: Final = 0.68  # half side of the plate over the cone's radius; the plate's corners stay inside the circle
 PLATE_HEIGHT: Final = 0.03  # m
-BAND: Final = (0.45, 0.7)  # of the height
-PROUD: Final = 1.04  # of the band's radius over the cone's
+BAND: Final = (0.45, 0.7)  # lower and upper end of the band over the cone's height
+BAND_RADIUS: Final = 1.04  # over the body's radius at the band
 
 
 class Cones:
-    """The cones of a plan and which of them lie."""
+    """The cones of a plan, standing or lying."""
 
     def __init__(self, cones: tuple[Cone, ...]) -> None:
         self._cones = cones
-        self._fell: dict[int, float] = {}  # the number of a cone that lies, and the direction (rad) in which it fell
+        self._fall_directions: dict[int, float] = {}  # rad, by the number of each lying cone
         self._parts: dict[str, Part] | None = None
 
     @property
     def lying(self) -> int:
-        """Return how many were touched."""
-        return len(self._fell)
+        """Return the number of lying cones."""
+        return len(self._fall_directions)
 
     def touch(self, pose: Pose) -> None:
-        """Let the chair be there."""
+        """Lay down the cones that a chair at `pose` touches."""
         for number, cone in enumerate(self._cones):
             x, y = cone.position[0] - pose.x, cone.position[1] - pose.y
-            if number not in self._fell and math.hypot(x, y) < CHAIR_RADIUS + cone.radius:
-                self._fell[number] = math.atan2(y, x)
+            if number not in self._fall_directions and math.hypot(x, y) < CHAIR_RADIUS + cone.radius:
+                self._fall_directions[number] = math.atan2(y, x)
                 self._parts = None
 
     def stand_up(self) -> None:
-        """Put them all up again."""
-        if self._fell:
-            self._fell.clear()
+        """Stand all cones up again."""
+        if self._fall_directions:
+            self._fall_directions.clear()
             self._parts = None
 
     def parts(self) -> dict[str, Part]:
-        """Return all cones as they stand or lie: the same object until that changes."""
+        """Return the meshes of all cones; the returned object stays the same until a cone falls or stands up."""
         if self._parts is None:
-            self._parts = self._drawn() if self._cones else {}
+            self._parts = self._build() if self._cones else {}
         return self._parts
 
-    def _drawn(self) -> dict[str, Part]:
+    def _build(self) -> dict[str, Part]:
         bodies, bands = [], []
         for number, cone in enumerate(self._cones):
-            fell = self._fell.get(number)
-            bodies.append(_placed(_body(cone), cone, fell))
-            bands.append(_placed(_band(cone), cone, fell))
+            fall_direction = self._fall_directions.get(number)
+            bodies.append(_placed(_body(cone), cone, fall_direction))
+            bands.append(_placed(_band(cone), cone, fall_direction))
         return {"cones": Part(merged(bodies), palette.CONE), "cone_bands": Part(merged(bands), palette.CERAMIC)}
 
 
@@ -72,16 +72,18 @@ def _body(cone: Cone) -> Mesh:
 
 def _band(cone: Cone) -> Mesh:
     low, high = (share * cone.height for share in BAND)
-    return tube((0.0, 0.0, low), (0.0, 0.0, high), PROUD * _radius(cone, low), PROUD * _radius(cone, high))
+    radii = (BAND_RADIUS * _radius(cone, low), BAND_RADIUS * _radius(cone, high))
+    return tube((0.0, 0.0, low), (0.0, 0.0, high), *radii)
 
 
 def _radius(cone: Cone, height: float) -> float:
+    """Return the radius (m) of a cone's body at a height (m)."""
     return cone.radius * (BODY + (TIP - BODY) * height / cone.height)
 
 
-def _placed(mesh: Mesh, cone: Cone, fell: float | None) -> Mesh:
-    if fell is None:
+def _placed(mesh: Mesh, cone: Cone, fall_direction: float | None) -> Mesh:
+    if fall_direction is None:
         return mesh.moved(*cone.position)
-    # It rests on the edge of its plate and on its tip.
+    # A lying cone rests on the edge of its plate and on its tip.
     lean = math.pi / 2 + math.atan2((PLATE - TIP) * cone.radius, cone.height)
-    return mesh.tilted(lean).moved(z=PLATE * cone.radius).moved(*cone.position, heading=fell)
+    return mesh.tilted(lean).moved(z=PLATE * cone.radius).moved(*cone.position, heading=fall_direction)

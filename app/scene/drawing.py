@@ -1,4 +1,4 @@
-"""What is drawn of a floor plan: its building, its objects, what moves in it."""
+"""The drawing of a floor plan: its building, its 3D objects, its movers."""
 
 import logging
 from pathlib import Path
@@ -16,7 +16,7 @@ logger = logging.getLogger(__name__)
 
 
 def drawing_of(plan: FloorPlan | None, path: PrescribedPath | None, models: Path | None) -> Drawing:
-    """Return what is drawn of a plan; `models` is the folder of the 3D objects that its obstacles name."""
+    """Return the drawing of a plan; `models` is the folder of the 3D objects that its obstacles name."""
     if plan is None:
         return NOTHING
     return Drawing(
@@ -30,7 +30,7 @@ def drawing_of(plan: FloorPlan | None, path: PrescribedPath | None, models: Path
 
 
 def _model(models: Path | None, name: str) -> Model | None:
-    """Return a 3D object; one that cannot be read is drawn as a plain box."""
+    """Return a stored 3D object; None, so that a plain box is drawn, when it cannot be read."""
     if models is None:
         return None
     try:

@@ -1,4 +1,4 @@
-"""Meshes on one 3D server that come and go together."""
+"""Groups of meshes on a 3D server, each shown and replaced together."""
 
 from collections.abc import ItemsView, Mapping, ValuesView
 
@@ -12,7 +12,7 @@ MeshNode = viser.MeshHandle
 
 
 class MeshGroup:
-    """The meshes under one node of the picture."""
+    """The meshes under one node of a 3D server's scene."""
 
     def __init__(self, server: viser.ViserServer, under: str) -> None:
         self._server = server
@@ -21,7 +21,7 @@ class MeshGroup:
         self._shown: Mapping[str, Part] = {}
 
     def __contains__(self, name: str) -> bool:
-        """Tell whether there is such a mesh."""
+        """Return whether the group has a mesh of this name."""
         return name in self._nodes
 
     def __getitem__(self, name: str) -> MeshNode:
@@ -37,13 +37,14 @@ class MeshGroup:
         return self._nodes.values()
 
     def show(self, parts: Mapping[str, Part]) -> bool:
-        """Draw these parts in place of those before, unless they are the very same; return whether they are others.
+        """Replace the meshes by `parts`; return whether `parts` is another object than the one shown before.
 
-        What only changed its shape is kept, and does not blink.
+        When names, colours and faces are equal, only the vertices of the existing meshes are changed: a new mesh would
+        blink.
         """
         if parts is self._shown:
             return False
-        if self._are_alike(parts):
+        if self._differ_in_vertices_only(parts):
             for name, part in parts.items():
                 self._nodes[name].vertices = part.mesh.vertices.astype(np.float32)
         else:
@@ -53,7 +54,7 @@ class MeshGroup:
         self._shown = parts
         return True
 
-    def _are_alike(self, parts: Mapping[str, Part]) -> bool:
+    def _differ_in_vertices_only(self, parts: Mapping[str, Part]) -> bool:
         return self._shown.keys() == parts.keys() and all(
             part.colour == self._shown[name].colour and np.array_equal(part.mesh.faces, self._shown[name].mesh.faces)
             for name, part in parts.items()
@@ -66,11 +67,11 @@ class MeshGroup:
 
 
 def numbered(name: str, parts: list[Part]) -> dict[str, Part]:
-    """Return parts with names made of one name."""
+    """Return parts by names made of `name` and their number."""
     return {f"{name}_{number}": part for number, part in enumerate(parts)}
 
 
 def place_node(node: viser.SceneNodeHandle, placement: Placement) -> None:
-    """Turn and move a node."""
+    """Set the orientation and the position of a node."""
     node.wxyz = placement.wxyz
     node.position = placement.position

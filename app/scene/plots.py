@@ -1,4 +1,4 @@
-"""The clinician's plots inside viser's view: the trajectory over the path, and the error, in one panel."""
+"""The clinician's plots in viser's panel: the trajectory over the path, and the cross-track error."""
 
 import math
 from typing import Any, Final
@@ -12,7 +12,7 @@ from app.world.floorplan import FloorPlan
 
 SEND_EVERY = 0.2  # s
 HEIGHT = 150  # pixels
-SHAPE = 2.2  # width over height of the trajectory's drawing area: a metre is as long along x as along y
+SHAPE = 2.2  # width over height of the trajectory's drawing area, so that x and y have one scale
 NO_RANGE: Final[Range] = (-1.0, 1.0)
 
 STROKE: Final = 2  # pixels
@@ -22,7 +22,7 @@ ZERO_LINE: Final = "#9aa7b1"
 
 
 class Plots:
-    """One panel with two plots on a 3D server; while it is closed nothing is sent."""
+    """A panel with two plots on a 3D server; nothing is sent while the panel is closed."""
 
     def __init__(self, server: viser.ViserServer) -> None:
         self._server = server
@@ -49,7 +49,7 @@ class Plots:
         self._panel.visible = is_open
 
     def show_path(self, plan: FloorPlan | None, path_name: str | None) -> None:
-        """Take the path that is to be driven; forgets what was driven."""
+        """Show another path, and remove the trajectory and the error."""
         line = None if plan is None or path_name is None else plan.path_named(path_name).line
         self._series = PlotSeries(line)
         self._x_range, y_range = (NO_RANGE, NO_RANGE) if line is None else trajectory_ranges(line, SHAPE)
@@ -58,14 +58,14 @@ class Plots:
         self.clear()
 
     def clear(self) -> None:
-        """Forget what was driven: a new trial begins."""
+        """Remove the trajectory and the error: a new trial begins."""
         self._series = PlotSeries(self._series.line)
         self._sent_at = -math.inf
         if self._open:
             self._send()
 
     def add(self, pose: Pose, t: float) -> None:
-        """Take the chair's pose at `t` (s)."""
+        """Add the chair's pose at `t` (s), and send the plots at most five times a second."""
         self._series.add(pose, t)
         if self._open and t - self._sent_at >= SEND_EVERY:
             self._sent_at = t
@@ -88,7 +88,7 @@ class Plots:
                     {"stroke": palette.DRIVEN_STROKE, "width": STROKE, "points": {"show": False}},
                 ),
                 title="Driven over path, m",
-                # The ranges stand still: an axis that slides can freeze the plot.
+                # The ranges are fixed: a sliding axis can freeze the plot.
                 scales={"x": {"time": False, "range": self._x_range}, "y": {"range": y_range}},
                 axes=_axes(),
                 cursor={"show": False},

@@ -1,4 +1,4 @@
-"""A trial that is over, in 3D on a server of its own: nobody's live picture changes, and it never passes for one."""
+"""The replay of a recorded trial in 3D, on a 3D server of its own: live pictures are not affected."""
 
 import math
 import threading
@@ -18,14 +18,14 @@ from app.scene.views import View
 from app.scene.world_view import WorldView
 from app.world.floorplan import FloorPlan
 
-MOMENT_NODE: Final = "/moment"  # its x is the moment that is shown (s), so that a page can tell
-STILL: Final = 0.5  # s between two looks, from which on a head is where it was and does not swing there
+MOMENT_NODE: Final = "/moment"  # its x is the shown time (s), which the page reads
+STILL: Final = 0.5  # s, time step of the head when the shown time does not change: the head moves at once to its angles
 
 Numbers = NDArray[np.float64]
 
 
 class ReplayPoses(NamedTuple):
-    """What was recorded of where everything was; (n,) each, t rising."""
+    """The recorded poses of chair and head, with the scene's time; (n,) each, t rising."""
 
     t: Numbers  # s
     x: Numbers  # m
@@ -33,11 +33,11 @@ class ReplayPoses(NamedTuple):
     theta: Numbers  # rad
     v: Numbers  # m/s
     scene_t: Numbers  # s
-    head: Numbers  # (n, 3) yaw, pitch, roll, rad; NaN: not known
+    head: Numbers  # (n, 3) yaw, pitch, roll, rad; NaN where unknown
 
 
 class Replay:
-    """One recorded trial, shown at any of its moments. Every method may be called from any thread.
+    """One recorded trial, shown at any time of it. Every method may be called from any thread.
 
     Raises
     ------
@@ -51,7 +51,7 @@ class Replay:
         self._theta = np.unwrap(poses.theta)
         self._lock = threading.Lock()
         self._state = SceneState(plan, path)
-        self._seen = -1  # the last row that the play has taken
+        self._state_row = -1  # the last row with which the state was updated
         self._t = float(poses.t[0])
         self._server = quiet_server()
         try:
@@ -72,12 +72,12 @@ class Replay:
         return self._server.get_port()
 
     def show(self, t: float, view: View) -> None:
-        """Show the moment `t` (s), seen from `view`; a moment beyond the ends is the end."""
+        """Show the time `t` (s), clipped to the recording, seen from `view`."""
         with self._lock:
             poses = self._poses
             t = min(max(t, float(poses.t[0])), float(poses.t[-1]))
             row = int(np.searchsorted(poses.t, t, side="right")) - 1
-            self._play_up_to(row)
+            self._update_state(row)
             if view != self._view.view:
                 self._view.look(view)
             self._view.fit_picture()
@@ -91,16 +91,16 @@ class Replay:
         """End the server and its threads."""
         self._server.stop()
 
-    def _play_up_to(self, row: int) -> None:
-        """Let the task, the cones and the movers have seen all rows up to this one, and none after it."""
-        if row < self._seen:
+    def _update_state(self, row: int) -> None:
+        """Bring task, cones and movers to the state after `row`; start them anew when `row` is an earlier one."""
+        if row < self._state_row:
             self._state.begin_again()
-            self._seen = -1
+            self._state_row = -1
         poses = self._poses
-        for i in range(self._seen + 1, row + 1):
+        for i in range(self._state_row + 1, row + 1):
             pose = Pose(float(poses.x[i]), float(poses.y[i]), float(poses.theta[i]))
             self._state.update(pose, float(poses.v[i]), float(poses.scene_t[i]))
-        self._seen = row
+        self._state_row = row
 
     def _pose_at(self, t: float) -> Pose:
         poses = self._poses

@@ -1,4 +1,4 @@
-"""What happens in a plan while somebody drives: the present stage of the task, cones that fall, things that move."""
+"""The state of a scene during a trial: the present stage of the task, fallen cones, places of the movers."""
 
 from app.geometry import Pose
 from app.scene.cones import Cones
@@ -10,13 +10,14 @@ from app.world.task_progress import TaskProgress, progress_of
 
 
 class SceneState:
-    """One attempt at one task; what it gives to draw is the same object until it changes.
+    """The state of a plan during a trial of one task.
 
     Attributes
     ----------
     task : dict of Part
-        What shows the present stage.
+        Meshes of the task's present stage; another object when the stage changes.
     cones : Cones
+        The plan's cones.
     """
 
     def __init__(self, plan: FloorPlan | None = None, path: PrescribedPath | None = None) -> None:
@@ -31,7 +32,7 @@ class SceneState:
         self.begin_again()
 
     def begin_again(self) -> None:
-        """Let the task begin from its start, and put up the cones."""
+        """Start the task anew, and stand all cones up."""
         self._scene_t = 0.0
         if self._plan is not None and self._path is not None:
             self._progress = progress_of(self._plan, self._path)
@@ -39,8 +40,8 @@ class SceneState:
         self.cones.stand_up()
 
     def update(self, pose: Pose, v: float, scene_t: float) -> None:
-        """Take note of the chair's pose and speed (m/s) at the scene's time (s)."""
-        if scene_t < self._scene_t:  # the chair was put on the start again
+        """Update task and cones with the chair's pose and speed (m/s) at the scene's time (s)."""
+        if scene_t < self._scene_t:  # the scene was reset: the chair is at the start again
             self.begin_again()
         self._scene_t = scene_t
         if self._progress is not None:
@@ -49,7 +50,7 @@ class SceneState:
         self.cones.touch(pose)
 
     def movers(self) -> list[Pose]:
-        """Return where everything is that moves by itself."""
+        """Return the poses of the movers at the scene's time."""
         return [track.at(self._scene_t).pose for track in self._tracks]
 
     def _show_part(self) -> None:

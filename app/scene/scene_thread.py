@@ -1,4 +1,4 @@
-"""Keeps the scene at the newest tick: a thread of its own, sixty times a second."""
+"""The thread that updates the scene with the newest tick, sixty times a second."""
 
 import threading
 from collections.abc import Callable
@@ -18,7 +18,7 @@ ReadNewest = Callable[[], "np.void | None"]
 
 
 class SceneThread:
-    """A scene and the thread that lets it follow the ticks; `stop` ends the thread, not the servers."""
+    """A scene and the thread that updates it with the newest tick; `stop` ends the thread, not the servers."""
 
     def __init__(self, scene: Scene, read_newest: ReadNewest) -> None:
         self.scene = scene
@@ -27,11 +27,11 @@ class SceneThread:
         self._thread = threading.Thread(target=self._run, name="scene", daemon=True)
 
     def start(self) -> None:
-        """Begin to follow."""
+        """Start the thread."""
         self._thread.start()
 
     def stop(self) -> None:
-        """End the thread and wait for it; once more does nothing."""
+        """End the thread and wait for its end; a second call does nothing."""
         self._ended.set()
         if self._thread.is_alive():
             self._thread.join()
@@ -49,13 +49,13 @@ class SceneThread:
             if now >= stamp_at:
                 self.scene.tell_time(now, now - moved_at)
                 stamp_at = now + STAMP_EVERY
-            # A turn that came late is left out, not made up for.
+            # A late update is skipped: the next deadline is counted from now.
             deadline = max(deadline + 1 / RATE, clock.now())
             self._ended.wait(max(deadline - clock.now(), 0.0))
 
 
 def start_scene(servers: RoleServers, read_newest: ReadNewest, models: Path | None = None) -> SceneThread:
-    """Draw the scene on the servers and let it follow the newest tick; stop it before the servers."""
+    """Draw the scene on the servers and update it with the newest tick; stop the thread before the servers."""
     thread = SceneThread(Scene(servers, models), read_newest)
     thread.start()
     return thread

@@ -1,4 +1,4 @@
-"""One 3D server for each role, for the time of a session: isolated from each other, on this machine only, quiet."""
+"""The 3D servers of a session, one for each role, reachable from this machine only."""
 
 from types import TracebackType
 from typing import Final, Literal, Self, get_args
@@ -14,7 +14,7 @@ ROLES: Final[tuple[Role, ...]] = get_args(Role)
 
 
 class RoleServers:
-    """The 3D servers of one session. Made anew for each, because a server keeps every message it ever sent.
+    """The 3D servers of one session, made anew for each session: a server keeps every message that it ever sent.
 
     Raises
     ------
@@ -40,7 +40,7 @@ class RoleServers:
         return self._servers[role].get_port()
 
     def stop(self) -> None:
-        """End the servers and their threads; once more does nothing."""
+        """End the servers and their threads; a second call does nothing."""
         while self._servers:
             _, server = self._servers.popitem()
             server.stop()
@@ -53,19 +53,19 @@ class RoleServers:
 
 
 def quiet_server() -> viser.ViserServer:
-    """Return a 3D server on this machine only and for our bridge only; whoever asks stops it.
+    """Return a 3D server for the bridge on this machine, which prints nothing; the caller stops it.
 
     Raises
     ------
     OSError
         When there is no port left.
     """
-    # viser prints a banner and a farewell however it is told to be quiet; standard output belongs to the caller.
+    # viser prints a banner and a farewell even with verbose=False; standard output belongs to the caller.
     rich.get_console().quiet = True
     guard_viser()
     server = viser.ViserServer(host="127.0.0.1", port=0, verbose=False)
     require_guarded(server)
-    # These two open a public tunnel round our sign-in.
+    # These two messages would open a public tunnel without a sign-in.
     for message in (wire.ShareUrlRequest, wire.ShareUrlDisconnect):
         server._websock_server.unregister_handler(message)  # noqa: SLF001
     server.gui.configure_theme(show_logo=False, show_share_button=False)

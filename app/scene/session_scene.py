@@ -18,17 +18,17 @@ from app.scene.views import EyeSettings, Orbit, View
 from app.scene.world_view import WorldView
 from app.world.floorplan import FloorPlan
 
-CLOCK_WRAPS = 100.0  # s; viser leaves out changes below a hundred-thousandth, so that a clock must stay small
+CLOCK_WRAPS = 100.0  # s; viser does not send relative changes below 1e-5, so that the clock's numbers must stay small
 CLOCK_NODE: Final = "/clock"
 
 
 class Scene:
-    """What both roles see. Every method may be called from any thread.
+    """The pictures of both roles. Every method may be called from any thread.
 
     Parameters
     ----------
     servers
-        One for each role.
+        The 3D servers of both roles.
     models
         Folder of the 3D objects that obstacles name.
     """
@@ -50,28 +50,28 @@ class Scene:
 
     @property
     def plots_open(self) -> bool:
-        """Return whether the clinician's plots are shown."""
+        """Whether the clinician's plots are shown."""
         return self._plots.is_open
 
     def view(self, role: Role) -> View:
-        """Return where a role looks from."""
+        """Return the view of a role."""
         return self._views[role].view
 
     def settings(self, role: Role) -> EyeSettings:
-        """Return how a role's eye looks."""
+        """Return the eye settings of a role."""
         return self._views[role].settings
 
     def orbit(self, role: Role) -> Orbit:
-        """Return where a role's free camera is."""
+        """Return the orbit of a role's free camera."""
         return self._views[role].orbit
 
     def set_floorplan(self, plan: FloorPlan | None, path_name: str | None) -> None:
-        """Draw another floor plan and the path that is to be driven; forgets what was driven.
+        """Draw another floor plan and the path to be driven, and remove the trajectory.
 
         Raises
         ------
         ValueError
-            When the plan has no path of this name; the scene stays as it was.
+            When the plan has no path of this name; the scene is not changed.
         """
         path = None if plan is None or path_name is None else plan.path_named(path_name)
         drawing = self._drawing if plan == self._plan else drawing_of(plan, path, self._models)
@@ -79,19 +79,19 @@ class Scene:
             self._plan, self._drawing, self._state = plan, drawing, SceneState(plan, path)
             for view in self._views.values():
                 view.draw(drawing)
-            self._forget_driven()
+            self._clear_trajectories()
             self._plots.show_path(plan, path_name)
             self._place(Pose(0.0, 0.0, 0.0) if path is None else path.start, 0.0)
             self._flush()
 
     def set_view(self, role: Role, view: View, settings: EyeSettings | None = None) -> None:
-        """Let a role look from somewhere else, or with other settings."""
+        """Set a role's view, and its eye settings when given."""
         with self._lock:
             self._views[role].look(view, settings)
             self._flush()
 
     def set_orbit(self, role: Role, orbit: Orbit) -> None:
-        """Put a role's free camera somewhere else."""
+        """Set the orbit of a role's free camera."""
         with self._lock:
             self._views[role].turn_free(orbit)
             self._flush()
@@ -103,9 +103,9 @@ class Scene:
             self._flush()
 
     def new_trial(self) -> None:
-        """Take away the trajectory and the error of the trial before, and put up the cones."""
+        """Remove the last trial's trajectory and error, start the task anew and stand the cones up."""
         with self._lock:
-            self._forget_driven()
+            self._clear_trajectories()
             self._state.begin_again()
             self._place(self._pose, 0.0)
             self._flush()
@@ -120,20 +120,20 @@ class Scene:
         head: Angles = NO_HEAD,
         head_age: float = math.inf,
     ) -> None:
-        """Put everything where it is at one moment; one whose pose or time is not finite is left out.
+        """Update the scene to one moment; does nothing when pose, speed or a time is not finite.
 
         Parameters
         ----------
         pose
-            The chair's.
+            The chair's pose.
         t
             Monotonic time, s.
         v
             The chair's speed, m/s.
         scene_t
-            The scene's time, s: it moves what moves by itself.
+            The scene's time, s, which sets the places of the movers.
         head, head_age
-            The head's angles (rad) and their age (s); what is not finite is a head that is not known.
+            The head's angles (rad) and their age (s); not finite when no head is known.
         """
         if not all(map(math.isfinite, (*pose, t, v, scene_t))):
             return
@@ -149,7 +149,7 @@ class Scene:
             self._flush()
 
     def follow(self, tick: np.void) -> None:
-        """Put everything where a tick of the control loop says."""
+        """Update the scene to a tick of the control loop."""
         self.update(
             Pose(float(tick["x"]), float(tick["y"]), float(tick["theta"])),
             float(tick["t"]),
@@ -160,7 +160,7 @@ class Scene:
         )
 
     def tell_time(self, now: float, tick_age: float) -> None:
-        """Stamp the picture, so that a page can tell a live one from one that stands still.
+        """Send a time stamp, by which a page knows the age of its picture, and fit the views to the pages' sizes.
 
         Parameters
         ----------
@@ -181,7 +181,7 @@ class Scene:
         for view in self._views.values():
             view.follow(pose, dt, self._head, self._head_age, self._state)
 
-    def _forget_driven(self) -> None:
+    def _clear_trajectories(self) -> None:
         for trajectory in self._trajectories:
             trajectory.clear()
         self._plots.clear()

@@ -1,4 +1,4 @@
-"""What a task paints on the floor: the way, the goal, the spot to turn on, the box to back into, the width of a gap."""
+"""The marks of a task on the floor: the path, the goal, the spot to turn on, the box to back into, the gaps' sides."""
 
 import math
 from typing import Final
@@ -13,7 +13,7 @@ from app.world.tasks import Back, Course, Turn
 
 PATH_WIDTH = 0.16  # m
 PATH_EDGE = 0.035  # m of a darker rim on each side, so that white shows on a light floor
-LATER_WIDTH: Final = 0.07  # m, of what is not asked yet
+LATER_WIDTH: Final = 0.07  # m, of later stages
 
 SPOT: Final = 0.75  # m, radius of the circle to turn on
 TURN_ARROW: Final = (1.75, 1.91)  # m, radii: far enough out to be seen from the chair
@@ -27,7 +27,7 @@ LINE: Final = 0.05  # m
 
 GAP_MARK: Final = (1.2, 0.06)  # m, length and width
 
-# Heights above the floor, apart enough not to flicker when seen from the top.
+# Heights (m) above the floor, far enough apart not to flicker in the view from the top.
 LATER_AT: Final = 0.011
 EDGE_AT: Final = 0.014
 PATH_AT: Final = 0.022
@@ -35,7 +35,7 @@ GOAL_AT: Final = 0.03
 
 
 def task_parts(path: PrescribedPath) -> dict[str, Part]:
-    """Return what shows a task, or a stage of one."""
+    """Return the marks of a task, or of a stage of a course."""
     match path.task:
         case Turn():
             return _turn_parts(path, path.task)
@@ -48,7 +48,7 @@ def task_parts(path: PrescribedPath) -> dict[str, Part]:
 
 
 def later_parts(path: PrescribedPath) -> dict[str, Part]:
-    """Return the stages of a course as faint lines under the present one; nothing for other tasks."""
+    """Return all stages of a course as thin lines under the present stage; nothing for other tasks."""
     if not isinstance(path.task, Course):
         return {}
     ways = [stage.points for stage in path.task.stages if not isinstance(stage.task, Turn)]
@@ -56,7 +56,7 @@ def later_parts(path: PrescribedPath) -> dict[str, Part]:
 
 
 def gap_parts(gaps: tuple[Gap, ...]) -> dict[str, Part]:
-    """Return two lines on the floor of each gap, along the sides of what it leaves free."""
+    """Return two lines on the floor for each gap, along the sides of its free width."""
     if not gaps:
         return {}
     length, width = GAP_MARK
@@ -88,20 +88,20 @@ def _flag(path: PrescribedPath) -> Part:
 
 
 def _cloth() -> Mesh:
-    """Return a three-cornered flag, seen from both sides."""
+    """Return a triangular flag that is visible from both sides."""
     corners = np.array([[0.0, 0.0, 1.48], [0.0, 0.34, 1.34], [0.0, 0.0, 1.2]])
     return Mesh(np.concatenate([corners, corners]), np.array([[0, 1, 2], [5, 4, 3]]))
 
 
 def _turn_parts(path: PrescribedPath, task: Turn) -> dict[str, Part]:
-    """Return the spot, an arrow round it from the first heading to the mark's, and the mark to look at."""
+    """Return the spot to turn on, an arrow around it from the first heading to the last, and the mark to turn to."""
     x, y = path.points[0]
     target, start = path.line.heading_at(0.0), path.start.theta
     sign = 1.0 if task.direction == "left" else -1.0
     sweep = (sign * (target - start)) % math.tau or math.tau
     inner, outer = TURN_ARROW
     middle = (inner + outer) / 2
-    reach = max(sweep - HEAD[0] / middle, TURN_STEP)  # where the head begins
+    reach = max(sweep - HEAD[0] / middle, TURN_STEP)  # rad; at this angle the arrow's head begins
     turns = start + sign * np.linspace(0.0, reach, max(2, math.ceil(reach / TURN_STEP)))
     round_it = [(middle * math.cos(turn), middle * math.sin(turn)) for turn in turns]
     arc = strip(round_it, outer - inner, PATH_AT)
@@ -128,12 +128,12 @@ def _arrow_head() -> Mesh:
 
 
 def _hatched_box(path: PrescribedPath) -> Mesh:
-    """Return the box around the path's end, along its last piece, hatched."""
+    """Return a hatched box around the path's end, parallel to the path's last piece."""
     half_x, half_y = BOX[0] / 2, BOX[1] / 2
     corners = [(-half_x, -half_y), (half_x, -half_y), (half_x, half_y), (-half_x, half_y)]
     lines = [strip(pair, LINE, GOAL_AT) for pair in zip(corners, [*corners[1:], corners[0]], strict=True)]
     for shift in np.arange(-half_x - half_y + HATCH, half_x + half_y, HATCH):
-        # The line x + y = shift, where it is inside.
+        # The part of the line x + y = shift that is inside the box.
         low, high = max(-half_x, shift - half_y), min(half_x, shift + half_y)
         if high - low > LINE:
             lines.append(strip([(low, shift - low), (high, shift - high)], LINE / 2, GOAL_AT))

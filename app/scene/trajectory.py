@@ -1,4 +1,4 @@
-"""The driven trajectory, red on the floor: thinned out, and drawn in pieces so that only the last one is sent again."""
+"""The driven trajectory as a red line on the floor, drawn in pieces of which only the last one is sent again."""
 
 import math
 from typing import Final, NamedTuple
@@ -10,18 +10,18 @@ from numpy.typing import NDArray
 from app.geometry import Pose, wrap_angle
 from app.scene.meshes import palette
 
-STEP = 0.05  # m; a point is kept when the chair has moved or turned this far
-TURN = math.radians(5)
-JUMP = 0.5  # m; a chair that is put somewhere else has not driven there ...
-FASTEST = 3.0  # m/s; ... but one that was not looked at for a while has
-PIECE = 200  # points; a piece of this length is closed and never sent again
+STEP = 0.05  # m; a point is kept when the chair has moved this far since the last point,
+TURN = math.radians(5)  # or turned this far
+JUMP = 0.5  # m; between two poses, the chair was put at another place when it moved farther than this
+FASTEST = 3.0  # m/s; and also faster than this
+PIECE = 200  # points; a piece with this many is complete and not sent again
 SEND_EVERY = 0.2  # s
 AT: Final = 0.045  # m above the floor, over the white path
 THICKNESS = 4.0  # pixels
 
 
 class Place(NamedTuple):
-    """Where the chair was at a time."""
+    """A place of the chair, with its time."""
 
     x: float  # m
     y: float
@@ -29,19 +29,19 @@ class Place(NamedTuple):
 
 
 def is_jump(before: Place, after: Place) -> bool:
-    """Tell whether a chair came from one place to the other without driving."""
+    """Return whether the chair was put from one place to the other, too far and too fast for driving."""
     distance = math.hypot(after.x - before.x, after.y - before.y)
     return distance > max(JUMP, FASTEST * (after.t - before.t))
 
 
 class PointFilter:
-    """Keeps only the points of a trajectory that can be told apart."""
+    """Selects the points of a trajectory that differ enough from the point before to be drawn."""
 
     def __init__(self) -> None:
         self._last: Pose | None = None
 
     def keep(self, pose: Pose) -> bool:
-        """Tell whether to keep this point: the first one, and each that is far enough from the last one kept."""
+        """Return whether to keep this point: the first one, and each far enough from the last one kept."""
         last = self._last
         if (
             last is not None
@@ -54,7 +54,7 @@ class PointFilter:
 
 
 class TrajectoryPieces:
-    """The points of the trajectory, cut into pieces that join without a gap."""
+    """The points of a trajectory in pieces; each begins at the end of the piece before, except after a jump."""
 
     def __init__(self) -> None:
         self._filter = PointFilter()
@@ -62,7 +62,7 @@ class TrajectoryPieces:
         self.points: list[list[tuple[float, float]]] = [[]]
 
     def add(self, pose: Pose, t: float) -> bool:
-        """Take the pose at `t` (s); return whether it became a point of the last piece."""
+        """Add the pose at `t` (s); return whether it became a point of the last piece."""
         here = Place(pose.x, pose.y, t)
         begins = self._last is not None and is_jump(self._last, here)
         self._last = here
@@ -85,22 +85,22 @@ class Trajectory:
         self._server = server
         self._pieces = TrajectoryPieces()
         self._nodes: dict[int, viser.LineSegmentsHandle] = {}
-        self._drawn = (0, 0)  # pieces, and points of the last one
+        self._drawn = (0, 0)  # numbers of pieces, and of points in the last piece, that are drawn
         self._sent_at = -math.inf
 
     def add(self, pose: Pose, t: float) -> None:
-        """Take the chair's pose at `t` (s) and draw what is new, a few times a second."""
+        """Add the chair's pose at `t` (s), and draw new points at most five times a second."""
         self._pieces.add(pose, t)
         now = (len(self._pieces.points), len(self._pieces.points[-1]))
         if now == self._drawn or t - self._sent_at < SEND_EVERY:
             return
-        # Pieces closed since the last time are drawn once more, to their ends.
+        # Pieces completed since the last drawing are drawn once more, up to their ends.
         for number in range(max(self._drawn[0] - 1, 0), now[0]):
             self._draw(number)
         self._drawn, self._sent_at = now, t
 
     def clear(self) -> None:
-        """Forget everything: a new trial begins."""
+        """Remove the trajectory: a new trial begins."""
         for node in self._nodes.values():
             node.remove()
         self._nodes.clear()
@@ -120,7 +120,7 @@ class Trajectory:
 
 
 def line_segments(points: list[tuple[float, float]]) -> NDArray[np.float32]:
-    """Return the pieces of a line through points (x, y): (n - 1, 2, 3) in m, just above the floor."""
+    """Return the segments of a line through `points` (x, y): (n - 1, 2, 3) in m, just above the floor."""
     line = np.full((len(points), 3), AT, dtype=np.float32)
     line[:, :2] = np.array(points, dtype=np.float32).reshape(-1, 2)
     return np.stack([line[:-1], line[1:]], axis=1)

@@ -1,4 +1,4 @@
-"""viser's own page, with our style and script in its head: the canvas and the plots, and nothing else of it."""
+"""viser's page with bodydrive's style and script in its head: it shows the canvas and the plots, and nothing else."""
 
 import re
 from pathlib import Path
@@ -6,8 +6,9 @@ from typing import Final
 
 import viser
 
-# Nothing on the page can be pressed, dragged or seen except the canvas and the plots. A uPlot chart holds a canvas
-# too, so that it and what it stands in stay; the panel's own header and grips go.
+# Only the canvas and the plots are visible, and nothing can be pressed or dragged. The rule hides every element without
+# a canvas in it. A uPlot chart contains a canvas, so that the chart and its parents stay visible; the header and the
+# grips of viser's panel are hidden.
 STYLE: Final = """
 html, body { margin: 0; overflow: hidden; }
 body, body div:has(> [data-dock-root]), body div:has(> div > [data-dock-root]) {
@@ -26,12 +27,14 @@ body :not(:has(canvas)):not(canvas):not(.uplot *) { display: none !important; }
 }
 """
 
-# - The page looks for its server again only while its document has the focus, which a frame never touched has not.
-# - Keys steer viser's camera and open its command palette; they belong to the page around the frame.
-# - viser starts a sorter for Gaussian splats that compiles code from text. Our policy forbids that, and we draw none.
-# - bodydriveView.age() tells how old the picture is (s): since the last stamp, and how far that stamp came late.
-#   lag() tells how old the drawn pose was when its stamp came: the time since its tick, and how far it came late.
-#   draws() is false while the browser has taken the canvas's drawing context away, or gave it none.
+# - viser's page reconnects to its server only while its document has the focus; a frame that was never touched has no
+#   focus. hasFocus therefore always returns true.
+# - Keys would move viser's camera and open its command palette. They are passed to the page around the frame instead.
+# - viser starts a sorter for Gaussian splats that compiles code from text. The content security policy forbids that;
+#   its error is ignored, since no splats are drawn.
+# - bodydriveView.age() returns the age of the picture (s): the time since the last stamp, plus that stamp's lateness.
+#   lag() returns the age of the drawn pose at its stamp (s): the time since its tick, plus the stamp's lateness.
+#   draws() returns false while the canvas has no drawing context: the browser took it away or gave none.
 SCRIPT: Final = """
 Document.prototype.hasFocus = () => true;
 window.addEventListener("unhandledrejection", (event) => {
@@ -89,12 +92,12 @@ body::after {
 
 
 def client_page(mark: str = "") -> bytes:
-    """Return the page that shows a 3D view; `mark` stands on the picture itself, so that it passes for nothing else.
+    """Return the page that shows a 3D view; `mark` is written on the picture, as "Replay" on one that is not live.
 
     Raises
     ------
     ValueError
-        When viser's page is not the one this was written for.
+        When viser's page has no title or no head, as no page of viser 1.1.1.
     """
     file = Path(viser.__file__).parent / "client" / "build" / "index.html"
     page = file.read_text(encoding="utf-8")

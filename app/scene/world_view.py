@@ -1,4 +1,4 @@
-"""The world and the chair on one 3D server: what is drawn, and where it stands at the moment."""
+"""One role's picture of the world and the chair, on the role's 3D server."""
 
 import math
 from collections.abc import Sequence
@@ -34,20 +34,20 @@ from app.scene.views import (
 from app.world.scenery import Lights
 
 WALL_CUT_HEIGHT: Final[dict[View, float]] = {"eye": math.inf, "chase": 1.1, "top": 0.5, "free": 1.1}
-"""Height (m) at which walls are cut, so that one sees over."""
+"""Height (m) at which walls are cut, so that they hide less."""
 FURNITURE_HEIGHT_SHARE: Final[dict[View, float]] = {"eye": 1.0, "chase": 1.0, "top": 0.25, "free": 1.0}
-"""Share of its height: from the top nothing leans far."""
-OVERHEAD: Final = ("door_frames", "lintels")  # what hides the way when seen from above
-UPRIGHT: Final = ("flag", "mark")  # of a task: seen from the top they say nothing
-EMPTY: Final[Bounds] = (-5.0, -5.0, 5.0, 5.0)  # of a place without a floor plan
-LANDSCAPE = 4 / 3  # of a picture whose size is not known yet
-FARTHEST: Final = 700.0  # m
+"""Share of the furniture's height that is drawn; in the view from the top, tall furniture would lean outwards."""
+OVERHEAD: Final = ("door_frames", "lintels")  # shown to the eye only: from above they hide the way
+UPRIGHT: Final = ("flag", "mark")  # of a task; not shown in the view from the top
+EMPTY: Final[Bounds] = (-5.0, -5.0, 5.0, 5.0)  # without a floor plan
+LANDSCAPE = 4 / 3  # width over height of a picture whose size is not known yet
+FARTHEST: Final = 700.0  # m, far plane
 DEFAULT_LIGHTS: Final = Lights()
 
 
 @dataclass(frozen=True, slots=True)
 class Drawing:
-    """What is drawn of a plan; made once for all roles."""
+    """The drawing of a plan, made once for all roles."""
 
     building: dict[str, Part]
     movers: Sequence[list[Part]]
@@ -58,7 +58,7 @@ class Drawing:
 
 
 class WorldView:
-    """One role's picture of the world. What a method changes is sent at the server's next `flush`."""
+    """One role's picture of the world. Changes are sent at the server's next `flush`."""
 
     def __init__(self, server: viser.ViserServer) -> None:
         self._server = server
@@ -69,7 +69,7 @@ class WorldView:
         self._pose = Pose(0.0, 0.0, 0.0)
         self._aspect = LANDSCAPE
         self._drawing = Drawing({}, ())
-        self._orbit: Orbit | None = None  # until somebody moves it
+        self._orbit: Orbit | None = None  # None until the free camera is moved
         scene = server.scene
         self._world = scene.add_frame("/world", show_axes=False)
         self._chair = scene.add_frame("/world/chair", show_axes=False)
@@ -79,31 +79,31 @@ class WorldView:
         self._cones = MeshGroup(server, "/world")
         self._movers: list[viser.FrameHandle] = []
         self._bodies = MeshGroup(server, "/world/chair")
-        in_it = [
+        bodies = [
             Part(mesh, colour) for parts in (chair_parts(), person_parts()) for colour, mesh in sorted(parts.items())
         ]
-        self._bodies.show(numbered("body", in_it))
-        self._camera_stands_still()
+        self._bodies.show(numbered("body", bodies))
+        self._fix_camera()
         server.on_client_connect(self._aim_client)
         self.look("eye")
 
     @property
     def view(self) -> View:
-        """Return where this role looks from."""
+        """The view of this role."""
         return self._view
 
     @property
     def settings(self) -> EyeSettings:
-        """Return how its eye looks."""
+        """The settings of this role's eye."""
         return self._settings
 
     @property
     def orbit(self) -> Orbit:
-        """Return where its free camera is."""
+        """The orbit of this role's free camera."""
         return self._orbit or first_orbit(self._drawing.bounds, self._drawing.start, self._aspect)
 
     def draw(self, drawing: Drawing) -> None:
-        """Draw what stands still, and what moves at its beginning."""
+        """Draw a plan: building, movers and lights."""
         with self._server.atomic():
             self._building.show(drawing.building)
             if drawing is not self._drawing:
@@ -114,7 +114,7 @@ class WorldView:
             self.look(self._view)
 
     def look(self, view: View, settings: EyeSettings | None = None) -> None:
-        """Look from somewhere else, or with other settings."""
+        """Set the view, and the eye's settings when given."""
         self._view = view
         self._settings = self._settings if settings is None else settings
         self._head.roll_share = self._settings.roll_share
@@ -138,13 +138,13 @@ class WorldView:
             self._place()
 
     def turn_free(self, orbit: Orbit) -> None:
-        """Put the free camera somewhere else."""
+        """Set the orbit of the free camera."""
         self._orbit = orbit
         if self._view == "free":
             self._place()
 
     def follow(self, pose: Pose, dt: float, head: Angles, head_age: float, state: SceneState) -> None:
-        """Put everything where it is `dt` (s) after the last time: chair, head and movers of one moment together."""
+        """Update chair, head, movers, task and cones together to a moment `dt` (s) after the last one."""
         age = head_age if self._settings.head else math.inf
         self._angles = self._head.step(dt, *head, age)
         self._pose = pose
@@ -158,7 +158,7 @@ class WorldView:
             self._place()
 
     def fit_picture(self) -> None:
-        """Take over the shape of the clients' pictures: the plan seen from the top must fit into the narrowest."""
+        """Fit the view to the narrowest of the clients' pictures."""
         shapes = [
             client.camera.image_width / client.camera.image_height
             for client in self._server.get_clients().values()
@@ -202,8 +202,8 @@ class WorldView:
             if name in self._task:
                 self._task[name].visible = self._view != "top"
 
-    def _camera_stands_still(self) -> None:
-        """Keep the camera at the origin, looking along x: the world is moved in front of it."""
+    def _fix_camera(self) -> None:
+        """Set viser's camera to the origin, looking along x: the world is moved in front of it."""
         camera = self._server.initial_camera
         camera.position = (0.0, 0.0, 0.0)
         camera.look_at = (1.0, 0.0, 0.0)
@@ -211,7 +211,7 @@ class WorldView:
         camera.far = FARTHEST
 
     def _aim_client(self, client: viser.ClientHandle) -> None:
-        # The view may have changed between the page's first message and its being counted as connected.
+        # The view may have changed between the client's first message and this call.
         self._aim(client)
         self.fit_picture()
 

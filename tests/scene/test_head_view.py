@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from app.scene.head_view import AHEAD, EASE, FASTEST, LIMITS, OLD, HeadView
+from app.scene.head_view import AHEAD, EASE_TIME, FASTEST_TURN, LIMITS, LOST_AFTER, HeadView
 
 DT = 1 / 60
 anything = st.floats(allow_nan=True, allow_infinity=True)
@@ -23,7 +23,7 @@ def follow(view, angles, seconds, age=0.0):
 @given(steps, st.floats(0, 1), st.one_of(anything, st.floats(0, 0.2)))
 def test_nothing_ever_jumps_or_leaves_the_limits(inputs, share, dt):
     view = HeadView(share)
-    reach = FASTEST * (dt if 0 < dt < math.inf else 0.0)
+    reach = FASTEST_TURN * (dt if 0 < dt < math.inf else 0.0)
     for entry in inputs:
         before = view.shown
         after = view.step(dt, *entry)
@@ -33,13 +33,13 @@ def test_nothing_ever_jumps_or_leaves_the_limits(inputs, share, dt):
 
 
 @settings(max_examples=60)
-@given(steps, st.sampled_from([(math.nan, 0.0), (0.3, OLD + 0.01), (0.3, math.nan), (math.inf, 0.1)]))
+@given(steps, st.sampled_from([(math.nan, 0.0), (0.3, LOST_AFTER + 0.01), (0.3, math.nan), (math.inf, 0.1)]))
 def test_a_lost_head_is_back_straight_ahead_after_about_a_second(inputs, loss):
     view = HeadView(1.0)
     for entry in inputs:
         view.step(DT, *entry)
     yaw, age = loss
-    follow(view, (yaw, 0.1, 0.1), EASE + 0.5, age)
+    follow(view, (yaw, 0.1, 0.1), EASE_TIME + 0.5, age)
     assert view.shown == pytest.approx(AHEAD, abs=1e-12)
 
 
@@ -55,7 +55,7 @@ def test_left_and_right_are_treated_alike(inputs):
 
 def test_a_head_that_is_known_is_shown_without_lag():
     view = HeadView(1.0)
-    follow(view, AHEAD, 2 * EASE)
+    follow(view, AHEAD, 2 * EASE_TIME)
     for number in range(300):
         t = number * DT
         angles = (0.9 * math.sin(3 * t), 0.4 * math.sin(5 * t), 0.2 * math.sin(2 * t))
@@ -78,7 +78,7 @@ def test_a_head_that_comes_back_elsewhere_is_taken_up_gently():
     follow(view, (1.0, 0.0, 0.0), 2.0, age=9.0)
     first = view.step(DT, -1.0, 0.0, 0.0, 0.0).yaw
     assert -0.01 < first <= 0
-    assert follow(view, (-1.0, 0.0, 0.0), EASE).yaw == pytest.approx(-1.0, abs=1e-9)
+    assert follow(view, (-1.0, 0.0, 0.0), EASE_TIME).yaw == pytest.approx(-1.0, abs=1e-9)
 
 
 @pytest.mark.parametrize("share", [0.0, 0.5, 1.0])

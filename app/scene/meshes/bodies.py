@@ -1,4 +1,4 @@
-"""Meshes of simple bodies, and how to put many of them into one: few draw calls keep a tablet fluid."""
+"""Meshes of simple bodies, and merging many of them into one: fewer draw calls are faster on a tablet."""
 
 import math
 from collections.abc import Iterable, Sequence
@@ -23,20 +23,20 @@ class Mesh:
     faces: NDArray[np.int64]
 
     def moved(self, x: float = 0.0, y: float = 0.0, z: float = 0.0, heading: float = 0.0) -> "Mesh":
-        """Return it turned by `heading` (rad) about the vertical, then moved (m)."""
+        """Return the mesh rotated by `heading` (rad) about the vertical, then moved (m)."""
         cos, sin = math.cos(heading), math.sin(heading)
         turn = np.array([[cos, sin, 0.0], [-sin, cos, 0.0], [0.0, 0.0, 1.0]])
         return Mesh(self.vertices @ turn + (x, y, z), self.faces)
 
     def tilted(self, angle: float) -> "Mesh":
-        """Return it turned by `angle` (rad) about the left axis: positive bows forward."""
+        """Return the mesh rotated by `angle` (rad) about the left axis; a positive angle tilts forward."""
         cos, sin = math.cos(angle), math.sin(angle)
         turn = np.array([[cos, 0.0, -sin], [0.0, 1.0, 0.0], [sin, 0.0, cos]])
         return Mesh(self.vertices @ turn, self.faces)
 
 
 class Part(NamedTuple):
-    """One thing that is drawn with one call: its mesh and colour."""
+    """A mesh of one colour, drawn with one call."""
 
     mesh: Mesh
     colour: Colour
@@ -55,7 +55,7 @@ def merged(meshes: Iterable[Mesh]) -> Mesh:
 
 
 def quads(corners: NDArray[np.float64]) -> Mesh:
-    """Return flat four-cornered faces, (n, 4, 3), each with vertices of its own, so that its edges look sharp."""
+    """Return the mesh of flat quadrilaterals (n, 4, 3), each with its own vertices, so that edges look sharp."""
     count = len(corners)
     first = 4 * np.arange(count)[:, np.newaxis]
     faces = np.concatenate([first + np.array([0, 1, 2]), first + np.array([0, 2, 3])])
@@ -63,7 +63,7 @@ def quads(corners: NDArray[np.float64]) -> Mesh:
 
 
 def rectangle(x_min: float, y_min: float, x_max: float, y_max: float, z: float) -> Mesh:
-    """Return a flat upright rectangle that looks up."""
+    """Return a horizontal rectangle at height `z` (m) that faces up, with sides along x and y."""
     return quads(np.array([[[x_min, y_min, z], [x_max, y_min, z], [x_max, y_max, z], [x_min, y_max, z]]]))
 
 

@@ -1,4 +1,4 @@
-"""The meshes of a floor plan: what is drawn of a building, without any drawing."""
+"""The meshes of what stands still in a floor plan: walls, doors, furniture, marks, ground."""
 
 import math
 from itertools import pairwise
@@ -18,15 +18,15 @@ FRAME_WIDTH = 0.06  # m, of a door post
 SKIRTING_HEIGHT = 0.09  # m
 SHORTEST_WALL_PIECE = 1e-6  # m
 
-FURNITURE: Final = "furniture_"  # how the names of its parts begin
+FURNITURE: Final = "furniture_"  # prefix of the names of its parts
 WALLS: Final = ("wall_sides", "wall_tops")
 
 
 def building_parts(plan: FloorPlan, model_of: ModelOf = no_model) -> dict[str, Part]:
-    """Return what stands still: walls, door frames, furniture, marks, ground.
+    """Return the parts of walls, door frames, furniture, marks and ground, in the order in which they are drawn.
 
-    They are drawn in this order. What hides much comes first, so that little is painted twice: a tablet's time goes
-    into pixels, not into triangles.
+    Parts that hide much come first, so that few pixels are painted twice: on a tablet, pixels cost more time than
+    triangles.
     """
     standing = sorted(furniture(plan.obstacles, model_of).items())
     pieces = {f"{FURNITURE}{'_'.join(map(str, colour))}": Part(mesh, colour) for colour, mesh in standing}
@@ -34,7 +34,7 @@ def building_parts(plan: FloorPlan, model_of: ModelOf = no_model) -> dict[str, P
 
 
 def _wall_parts(plan: FloorPlan) -> dict[str, Part]:
-    """Return the walls, which some views cut low: sides, tops and skirting."""
+    """Return the parts of the walls: sides, tops and skirting."""
     if not plan.walls:
         return {}
     sides, tops, skirting = [], [], []
@@ -45,7 +45,7 @@ def _wall_parts(plan: FloorPlan) -> dict[str, Part]:
             if length < SHORTEST_WALL_PIECE:
                 continue
             place = ((ax + bx) / 2, (ay + by) / 2, 0.0, math.atan2(by - ay, bx - ax))
-            whole = length + 0.98 * thickness  # fills the corners, and ends just inside a wall that it runs into
+            whole = length + 0.98 * thickness  # fills the corners, and ends just inside an adjoining wall
             body = standing_box(whole, thickness, 0.0, height)
             sides.append(_without_ends(body).moved(*place))
             tops.append(rectangle(-whole / 2, -thickness / 2, whole / 2, thickness / 2, height).moved(*place))
@@ -59,7 +59,7 @@ def _wall_parts(plan: FloorPlan) -> dict[str, Part]:
 
 
 def _door_parts(plan: FloorPlan) -> dict[str, Part]:
-    """Return the door frames and the wall above them, which hide the way when seen from above."""
+    """Return the parts of the door frames and of the wall above the doors."""
     if not plan.doors:
         return {}
     frames = merged(_frame(door, plan.wall_thickness) for door in plan.doors)
@@ -77,7 +77,7 @@ def _door_parts(plan: FloorPlan) -> dict[str, Part]:
 
 
 def _without_ends(body: Mesh) -> Mesh:
-    """Return a box without top and bottom: the top has a colour of its own."""
+    """Return a box without its top, which has another colour, and without its bottom."""
     faces = body.faces[~np.isin(body.faces[:, 0] // 4, (0, 1))]
     return Mesh(body.vertices, faces)
 

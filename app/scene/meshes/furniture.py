@@ -1,4 +1,4 @@
-"""What obstacles look like: a desk is not a bed. Each shape fills the very footprint that stops the chair."""
+"""The meshes of obstacles, by the words of their labels; each fills the footprint at which the chair stops."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -12,21 +12,21 @@ from app.scene.models.objects import Model
 from app.world.obstacles import Box, Cylinder, Obstacle
 
 ModelOf = Callable[[str], Model | None]
-"""Returns the 3D object of a name, None when it cannot be had."""
+"""Returns the 3D object of a name, None when there is none."""
 
 
 def no_model(_name: str) -> Model | None:
-    """Return nothing: every obstacle is drawn as its label says."""
+    """Return None: every obstacle is drawn as its label says."""
     return None
 
 
 def furniture(obstacles: Sequence[Obstacle], model_of: ModelOf = no_model) -> dict[Colour, Mesh]:
-    """Return all obstacles as one mesh for each colour."""
-    found: dict[Colour, list[Mesh]] = {}
+    """Return the meshes of all obstacles, merged into one for each colour."""
+    by_colour: dict[Colour, list[Mesh]] = {}
     for obstacle in obstacles:
         for colour, mesh in _pieces(obstacle, model_of):
-            found.setdefault(colour, []).append(mesh)
-    return {colour: merged(meshes) for colour, meshes in found.items()}
+            by_colour.setdefault(colour, []).append(mesh)
+    return {colour: merged(meshes) for colour, meshes in by_colour.items()}
 
 
 def _pieces(obstacle: Obstacle, model_of: ModelOf) -> list[Piece]:
@@ -43,7 +43,7 @@ def _pieces(obstacle: Obstacle, model_of: ModelOf) -> list[Piece]:
         shape = next((shape for word, shape in BOX_SHAPES if word in words), block)
         length, width = obstacle.size
         turn = obstacle.angle
-        if width > length and shape in LONG_SIDE_ALONG_X:  # these are drawn with their long side along x
+        if width > length and shape in LONG_SIDE_ALONG_X:
             length, width, turn = width, length, turn + math.pi / 2
         pieces = shape(length, width, obstacle.height)
     else:

@@ -1,4 +1,4 @@
-"""The bodies of beds, tables and plants, each filling its footprint around the origin."""
+"""The shapes of furniture and plants, each filling its footprint around the origin."""
 
 import math
 from collections.abc import Callable
@@ -45,7 +45,7 @@ def _bed(length: float, width: float, height: float) -> list[Piece]:
 
 
 def _couch(length: float, width: float, height: float) -> list[Piece]:
-    """Return an examination or treatment couch: a padded top on a column."""
+    """Return an examination or treatment couch, a padded top on a column."""
     pad = min(0.12, height / 3)
     raised = standing_box(0.3 * length, 0.94 * width, 0.0, 0.06).tilted(-0.25).moved(x=0.34 * length, z=height)
     return [
@@ -85,7 +85,7 @@ def _chair(length: float, width: float, height: float) -> list[Piece]:
 
 
 def _cupboard(length: float, width: float, height: float) -> list[Piece]:
-    """Return a body with a darker plinth and a line between its doors, on both long sides."""
+    """Return a cupboard with a darker plinth and lines between its doors, on both long sides."""
     lines = [
         standing_box(0.012, width + 0.008, 0.14, height - 0.06, x=offset * length) for offset in (-0.25, 0.0, 0.25)
     ]
@@ -222,7 +222,7 @@ def column(length: float, _width: float, height: float) -> list[Piece]:
     return [(palette.LINEN, tube((0.0, 0.0, 0.0), (0.0, 0.0, height), length / 2, sides=32))]
 
 
-# The first word found in an obstacle's label decides; longer words stand before the words they contain.
+# The first of these words that an obstacle's label contains decides; a word stands before the words that it contains.
 BOX_SHAPES: Final[tuple[tuple[str, Shape], ...]] = (
     ("treatment table", _couch),
     ("couch", _couch),

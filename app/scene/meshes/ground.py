@@ -1,4 +1,4 @@
-"""What one drives on, and what lies around it as far as one sees."""
+"""The ground of a floor plan: the driven surface, and the land around it up to the horizon."""
 
 import math
 from itertools import pairwise
@@ -16,25 +16,25 @@ from app.world.scenery import Dune
 Bounds = tuple[float, float, float, float]
 
 MARGIN: Final = 0.6  # m of floor outside the outer walls
-AROUND: Final = 3.0  # m of open ground around what stands on it, when it says no area
-TILE: Final = 1.0  # m; tiles let one see how fast one moves, and so do ripples, tufts and seams
+AROUND: Final = 3.0  # m of open ground around the plan, when the plan gives no area
+TILE: Final = 1.0  # m; tiles, as ripples, tufts and seams, make speed visible
 MOST_TILES: Final = 5000
 SEAM: Final = 2.5  # m between the seams of asphalt
 RIPPLE: Final = 0.6  # m between the crests of sand
-TUFTS: Final = 1.0  # to a square metre
+TUFTS: Final = 1.0  # per square metre
 MOST_TUFTS: Final = 1500
 MOST_CRESTS: Final = 120
-EDGE: Final = 0.1  # m, of the line around what is driven on
-FAR: Final = (0.0, 20.0, 32.0, 48.0, 70.0, 100.0, 145.0, 210.0, 400.0)  # m from there: the land becomes paler by a step
+EDGE: Final = 0.1  # m, width of the line around the driven surface
+FAR: Final = (0.0, 20.0, 32.0, 48.0, 70.0, 100.0, 145.0, 210.0, 400.0)  # m from it; the land becomes paler at each
 DUNE_RINGS, DUNE_SIDES = 8, 24
 
-# Heights above the floor, apart enough not to flicker when seen from the top.
+# Heights (m) above the floor, far enough apart not to flicker in the view from the top.
 TILES_AT: Final = 0.006
 EDGE_AT: Final = 0.01
 
 
 def ground_parts(plan: FloorPlan) -> dict[str, Part]:
-    """Return the ground, larger things last: what hides much is drawn before it."""
+    """Return the parts of the ground, the largest last: parts that may hide them are drawn before."""
     kind = plan.ground.kind
     bounds = plan.ground.area or _grown(plan.bounds, 0.0 if kind == "hall" else AROUND)
     match kind:
@@ -69,7 +69,7 @@ def _tiles(bounds: Bounds) -> Mesh:
 
 
 def _seams(bounds: Bounds) -> Mesh:
-    """Return the lines of a surface that was laid in fields."""
+    """Return the seams between the fields of asphalt."""
     x_min, y_min, x_max, y_max = bounds
     half = 0.015
     x, y = np.arange(x_min + SEAM, x_max, SEAM), np.arange(y_min + SEAM, y_max, SEAM)
@@ -81,39 +81,39 @@ def _seams(bounds: Bounds) -> Mesh:
 def _tufts(bounds: Bounds) -> Mesh:
     """Return patches of darker grass."""
     x_min, y_min, x_max, y_max = bounds
-    chance = np.random.default_rng(3)
+    rng = np.random.default_rng(3)
     count = min(round(TUFTS * (x_max - x_min) * (y_max - y_min)), MOST_TUFTS)
     sides = 7
     turns = np.linspace(0.0, math.tau, sides, endpoint=False)
-    reach = chance.uniform(0.08, 0.28, (count, 1)) * chance.uniform(0.6, 1.0, (count, sides))
-    x = np.clip(chance.uniform(x_min, x_max, (count, 1)) + reach * np.cos(turns), x_min, x_max)
-    y = np.clip(chance.uniform(y_min, y_max, (count, 1)) + 0.7 * reach * np.sin(turns), y_min, y_max)
+    reach = rng.uniform(0.08, 0.28, (count, 1)) * rng.uniform(0.6, 1.0, (count, sides))
+    x = np.clip(rng.uniform(x_min, x_max, (count, 1)) + reach * np.cos(turns), x_min, x_max)
+    y = np.clip(rng.uniform(y_min, y_max, (count, 1)) + 0.7 * reach * np.sin(turns), y_min, y_max)
     points = np.stack([x, y, np.full_like(x, TILES_AT)], axis=-1).reshape(-1, 3)
     fan = np.array([[0, k, k + 1] for k in range(1, sides - 1)])
     return Mesh(points, (sides * np.arange(count)[:, np.newaxis, np.newaxis] + fan).reshape(-1, 3))
 
 
 def _ripples(bounds: Bounds) -> Mesh:
-    """Return the lee sides of low ripples in sand: wavy bands that swell and fade away along their length."""
+    """Return the lee sides of low sand ripples: wavy bands whose width varies along their length."""
     x_min, y_min, x_max, y_max = bounds
-    chance = np.random.default_rng(5)
+    rng = np.random.default_rng(5)
     step = max(RIPPLE, (x_max - x_min) / MOST_CRESTS)
     y = np.linspace(y_min, y_max, max(2, min(round((y_max - y_min) / 0.4), 80)))
-    found = []
+    bands = []
     for crest in np.arange(x_min, x_max, step):
-        bend, swell = chance.uniform(0, math.tau, 2)
+        bend, swell = rng.uniform(0, math.tau, 2)
         middle = crest + 0.22 * step * np.sin(0.9 * y + bend) + 0.5 * np.sin(0.25 * y)
         half = 0.2 * step * np.maximum(0.0, 0.25 + np.sin(0.7 * y + swell) * np.cos(0.31 * y - swell))
         left, right = (np.clip(side, x_min, x_max) for side in (middle - half, middle + half))
-        there = (left[:-1] < right[:-1]) | (left[1:] < right[1:])
+        is_visible = (left[:-1] < right[:-1]) | (left[1:] < right[1:])
         z = np.full(len(y), TILES_AT)
         a, b = np.stack([left, y, z], axis=-1), np.stack([right, y, z], axis=-1)
-        found.append(quads(np.stack([a[:-1], b[:-1], b[1:], a[1:]], axis=1)[there]))
-    return merged(found)
+        bands.append(quads(np.stack([a[:-1], b[:-1], b[1:], a[1:]], axis=1)[is_visible]))
+    return merged(bands)
 
 
 def _dune(dune: Dune) -> Mesh:
-    """Return a hill whose foot runs out flat."""
+    """Return a hill with a flat foot."""
     out = np.linspace(0.0, 1.0, DUNE_RINGS + 1)[1:]
     turns = np.linspace(0.0, math.tau, DUNE_SIDES, endpoint=False)
     height = dune.height * np.cos(out * math.pi / 2) ** 2
@@ -133,7 +133,7 @@ def _dune(dune: Dune) -> Mesh:
 
 
 def _frame(bounds: Bounds, inner: float, outer: float) -> Mesh:
-    """Return what lies between `inner` and `outer` metres outside of bounds."""
+    """Return the frame between `inner` and `outer` metres outside of `bounds`."""
     a, b, c, d = _grown(bounds, inner)
     e, f, g, h = _grown(bounds, outer)
     return merged(rectangle(*side, 0.0) for side in ((e, f, g, b), (e, d, g, h), (e, b, a, d), (c, b, g, d)))
@@ -142,7 +142,7 @@ def _frame(bounds: Bounds, inner: float, outer: float) -> Mesh:
 def _flat(
     x: NDArray[np.float64], y: NDArray[np.float64], x_end: NDArray[np.float64], y_end: NDArray[np.float64]
 ) -> Mesh:
-    """Return rectangles just above the floor, (n,) each."""
+    """Return horizontal rectangles just above the floor; (n,) each."""
     z = np.full(len(x), TILES_AT)
     corners = [(x, y, z), (x_end, y, z), (x_end, y_end, z), (x, y_end, z)]
     return quads(np.stack([np.stack(corner, axis=-1) for corner in corners], axis=1))

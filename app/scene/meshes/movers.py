@@ -1,4 +1,4 @@
-"""What moves by itself: a person on foot, somebody in a chair, a ball; x ahead, the origin on the floor."""
+"""The meshes of movers: a person on foot, a person in a chair, a ball; x ahead, the origin on the floor."""
 
 from typing import Final
 
@@ -12,19 +12,19 @@ HALF_WIDTH: Final = 0.3  # m, of the person as drawn here
 
 
 def mover_parts(mover: Mover) -> list[Part]:
-    """Return its body, one part for each colour."""
+    """Return the body of a mover, one part for each colour."""
     match mover.kind:
         case "chair":
-            found = merge_colours([chair_parts(), _other_clothes(person_parts())])
+            meshes = merge_colours([chair_parts(), _other_clothes(person_parts())])
         case "person":
-            found = _walker(mover.radius / HALF_WIDTH)
+            meshes = _walker(mover.radius / HALF_WIDTH)
         case "ball":
-            found = _ball(mover.radius)
-    return [Part(mesh, colour) for colour, mesh in sorted(found.items())]
+            meshes = _ball(mover.radius)
+    return [Part(mesh, colour) for colour, mesh in sorted(meshes.items())]
 
 
 def merge_colours(several: list[dict[Colour, Mesh]]) -> dict[Colour, Mesh]:
-    """Return one mesh for each colour that occurs in several bodies."""
+    """Merge the meshes of several bodies into one for each colour."""
     colours = {colour for one in several for colour in one}
     return {colour: merged(one[colour] for one in several if colour in one) for colour in colours}
 

@@ -50,4 +50,4 @@ JACKET: Final[Colour] = (206, 88, 52)
 
 DRIVEN_STROKE: Final = "#c81e1e"
 PRESCRIBED_STROKE: Final = "#1d5fa8"
-"""Plots show the prescribed path blue; on the floor it is white, where it is looked at from a chair."""
+"""The prescribed path is blue in plots; on the floor it is white, which is easier to see from a chair."""

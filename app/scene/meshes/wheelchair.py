@@ -1,4 +1,4 @@
-"""The chair and who sits in it, built from simple bodies; x ahead, the origin between the drive wheels."""
+"""The meshes of the chair and of the person in it; x ahead, the origin on the floor between the drive wheels."""
 
 from typing import Final
 

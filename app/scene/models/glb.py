@@ -1,4 +1,4 @@
-"""Checks what a GLB file claims about itself before anything is unpacked: a foreign file may claim any size."""
+"""Checks of a GLB file before it is unpacked: a foreign file may claim any size."""
 
 import struct
 from collections.abc import Iterator
@@ -11,13 +11,13 @@ from app.scene.models.glb_pictures import check_pictures
 MOST_BYTES: Final = 20_000_000
 MOST_FACES: Final = 100_000
 MOST_NODES: Final = 10_000
-DEEPEST: Final = 100  # nodes in each other
-MOST_ELEMENTS: Final = 1_000_000  # of one accessor: it may claim any count without holding a byte
+DEEPEST: Final = 100  # levels of nested nodes
+MOST_ELEMENTS: Final = 1_000_000  # of one accessor, which may claim any count without holding a byte
 MOST_NUMBERS: Final = 10_000_000  # of all accessors
-MOST_POINTS: Final = 1_000_000  # of all nodes: a mesh is copied for each node that names it
+MOST_POINTS: Final = 1_000_000  # of all nodes; a mesh is copied for each node that names it
 
 TRIANGLES, STRIP, FAN = 4, 5, 6  # modes of a primitive
-READABLE: Final = ("KHR_materials_", "KHR_texture_transform")  # beginnings of extensions that do not change the shape
+READABLE: Final = ("KHR_materials_", "KHR_texture_transform")  # prefixes of extensions that do not change the shape
 MAGIC: Final = b"glTF"
 JSON_CHUNK: Final = 0x4E4F534A
 BYTES: Final = {5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4}  # of a component, by its type
@@ -81,7 +81,7 @@ class _Document(msgspec.Struct, rename="camel"):
 
 
 def check(content: bytes) -> None:
-    """Look whether a GLB file can be drawn here.
+    """Check that a GLB file can be read and drawn.
 
     Layout (glTF 2.0, section 4): u32 little-endian magic, version 2, length; then chunks of u32 length, u32 kind and
     bytes, the first of them JSON.
@@ -129,7 +129,7 @@ def _document(content: bytes) -> _Document:
 
 
 def _check_tree(document: _Document) -> None:
-    """Refuse nodes that hang in several places or in themselves: walking along them would never end."""
+    """Refuse nodes with several parents or in a cycle: walking along a cycle would never end."""
     children = [child for node in document.nodes for child in node.children]
     roots = {root for scene in document.scenes for root in scene.nodes}
     if len(document.nodes) > MOST_NODES:
@@ -147,7 +147,7 @@ def _check_tree(document: _Document) -> None:
 
 
 def _check_lists(document: _Document) -> None:
-    """Refuse lists that claim more than there is: each lies in its view, and each view in its buffer."""
+    """Refuse accessors that do not lie in their view, and views that do not lie in their buffer."""
     if any(accessor.count > MOST_ELEMENTS for accessor in document.accessors):
         raise ValueError(f"it has lists of more than {MOST_ELEMENTS:,} numbers: make the object simpler")
     for view in document.buffer_views:
@@ -171,7 +171,7 @@ def _check_lists(document: _Document) -> None:
 
 
 def _pictures(document: _Document, content: bytes) -> Iterator[bytes | str]:
-    """Yield each picture as bytes or as a data address; a GLB's first buffer is its binary chunk."""
+    """Yield each picture as bytes or as a data URI; a GLB's first buffer is its binary chunk."""
     (length,) = struct.unpack_from("<I", content, 12)
     start = 20 + length + 8
     for image in document.images:

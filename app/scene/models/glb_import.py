@@ -1,6 +1,6 @@
-"""Makes an object of a GLB file: a few coloured meshes that stand on the floor, x ahead, as long as the file says.
+"""Reading of a GLB file into a few coloured meshes that stand on the floor, x ahead, in metres.
 
-`app.isolated_reader` asks it in a process of its own.
+`app.isolated_reader` calls this module in a process of its own.
 """
 
 import io
@@ -17,12 +17,12 @@ from app.scene.meshes.palette import Colour
 from app.scene.models.glb import MOST_BYTES, MOST_FACES, check
 from app.scene.models.objects import THINNEST, Model, write_reading
 
-MOST_COLOURS: Final = 12  # each is a draw call
-COARSE: Final = 5  # bits of a colour's eight that do not tell two colours apart
+MOST_COLOURS: Final = 12  # each needs a draw call
+COARSE: Final = 5  # of the 8 bits of a colour; colours that differ only in these lower bits are joined
 
 
 def answer(question: dict[str, Any]) -> dict[str, Any]:
-    """Read the object in `{"file"}` and write what is drawn of it to `{"reading"}`.
+    """Read the object in the file `question["file"]`, and write its meshes to the file `question["reading"]`.
 
     Raises
     ------
@@ -36,7 +36,7 @@ def answer(question: dict[str, Any]) -> dict[str, Any]:
 def read_model(file: Path) -> Model:
     """Read an object from a GLB file (glTF 2.0, binary): at most 20 MB and 100,000 faces, everything in one file.
 
-    A picture on it is drawn as the colour that its faces have in it.
+    A face with a texture gets the texture's mean colour at its corners.
 
     Raises
     ------
@@ -56,7 +56,7 @@ def read_model(file: Path) -> Model:
 
 
 def _model(content: bytes) -> Model:
-    found: dict[Colour, list[Mesh]] = {}
+    by_colour: dict[Colour, list[Mesh]] = {}
     try:
         loaded = trimesh.load_scene(io.BytesIO(content), file_type="glb", process=False)
         bodies = [body for body in loaded.dump() if isinstance(body, trimesh.Trimesh) and len(body.faces)]
@@ -64,13 +64,13 @@ def _model(content: bytes) -> Model:
             # glTF looks along z with y up; a chair looks along x with z up.
             mesh = Mesh(np.asarray(body.vertices, dtype=np.float64)[:, [2, 0, 1]], np.asarray(body.faces))
             for colour, faces in _by_colour(_face_colours(body)):
-                found.setdefault(colour, []).append(_only(mesh, faces))
+                by_colour.setdefault(colour, []).append(_only(mesh, faces))
     except MemoryError as error:
         raise ValueError("it needs too much memory: make the object simpler") from error
     except Exception as error:
-        # The reader was not written for damaged files, and raises whatever comes.
+        # trimesh's reader may raise any exception for a damaged file.
         raise ValueError("it is damaged: export it again") from error
-    whole = merged(mesh for meshes in found.values() for mesh in meshes)
+    whole = merged(mesh for meshes in by_colour.values() for mesh in meshes)
     if not len(whole.faces):
         raise ValueError("there is nothing with faces in it: export a solid object")
     if len(whole.faces) > MOST_FACES:
@@ -80,7 +80,7 @@ def _model(content: bytes) -> Model:
     low, high = whole.vertices.min(axis=0), whole.vertices.max(axis=0)
     middle = np.array([(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, low[2]])
     length, width, height = (max(float(side), THINNEST) for side in high - low)
-    parts = [Part(merged(meshes), colour) for colour, meshes in sorted(found.items())]
+    parts = [Part(merged(meshes), colour) for colour, meshes in sorted(by_colour.items())]
     placed = [Part(Mesh(mesh.vertices - middle, mesh.faces), colour) for mesh, colour in _few(parts)]
     return Model(tuple(placed), (length, width, height))
 
@@ -103,14 +103,14 @@ def _face_colours(body: trimesh.Trimesh) -> NDArray[np.float64]:
 
 
 def _by_colour(colours: NDArray[np.float64]) -> list[tuple[Colour, NDArray[np.intp]]]:
-    """Return the faces of each colour that can be told apart, with the mean of it."""
+    """Return the faces of each group of similar colours, with the group's mean colour."""
     kinds, group = np.unique(colours.astype(np.uint8) >> COARSE, axis=0, return_inverse=True)
     groups = [np.flatnonzero(group.ravel() == number) for number in range(len(kinds))]
     return [(_colour(colours[faces].mean(axis=0)), faces) for faces in groups]
 
 
 def _few(parts: list[Part]) -> list[Part]:
-    """Return at most twelve parts: what is small joins the large part whose colour is nearest."""
+    """Return at most twelve parts; each smaller part joins the large part with the nearest colour."""
     ordered = sorted(parts, key=lambda part: -len(part.mesh.faces))
     kept = [[part] for part in ordered[:MOST_COLOURS]]
     for part in ordered[MOST_COLOURS:]:
@@ -122,6 +122,7 @@ def _few(parts: list[Part]) -> list[Part]:
 
 
 def _only(mesh: Mesh, faces: NDArray[np.intp]) -> Mesh:
+    """Return the mesh of some faces, with the vertices that they use."""
     used, numbers = np.unique(mesh.faces[faces], return_inverse=True)
     return Mesh(mesh.vertices[used], numbers.reshape(-1, 3).astype(np.int64))
 

@@ -1,4 +1,4 @@
-"""How large the pictures in a GLB file are, read from their headers: none is unpacked."""
+"""Checks of the pictures in a GLB file by their headers, before any picture is unpacked."""
 
 import base64
 import binascii
@@ -10,11 +10,11 @@ from PIL import Image
 
 FORMATS: Final = ("PNG", "JPEG")  # glTF 2.0, section 3.8: others need an extension
 MOST_PIXELS: Final = 16_000_000  # of one picture
-MOST_PIXELS_IN_ALL: Final = 64_000_000  # each mention counts: the reader unpacks a picture for each
+MOST_PIXELS_IN_ALL: Final = 64_000_000  # a picture counts for each mention, since the reader unpacks it for each
 
 
 def check_pictures(pictures: Iterable[bytes | str]) -> None:
-    """Refuse pictures, as bytes or as a data address, that have too many pixels or are neither PNG nor JPEG.
+    """Refuse pictures, as bytes or as a data URI, that have too many pixels or are neither PNG nor JPEG.
 
     Raises
     ------
@@ -48,5 +48,5 @@ def _size(content: bytes) -> tuple[int, int]:
     except (Image.DecompressionBombError, Image.DecompressionBombWarning) as error:
         raise ValueError(f"a picture on it has more than {MOST_PIXELS:,} pixels: make it smaller") from error
     except Exception as error:
-        # Damaged pictures make the reader raise whatever comes.
+        # Pillow may raise any exception for a damaged picture.
         raise ValueError("a picture on it is neither PNG nor JPEG, or damaged: export it again") from error

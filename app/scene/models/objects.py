@@ -1,4 +1,4 @@
-"""3D objects to be drawn. The reading of a GLB file is kept beside the file: a process of its own reads it once."""
+"""3D objects of obstacles: each GLB file is read once, in a process of its own, and the reading is stored beside it."""
 
 import hashlib
 import io
@@ -16,33 +16,33 @@ from app.scene.meshes.bodies import Mesh, Part, Vector
 from app.scene.models.glb import MOST_BYTES
 
 THINNEST: Final = 1e-6  # m
-READINGS: Final = ".readings"  # folder beside the objects, one file for each content
+READINGS: Final = ".readings"  # folder beside the objects, with one file for each content
 READER: Final = "app.scene.models.glb_import"
 MOST_IN_MEMORY: Final = 4  # objects in memory, at most 10 MB each
 REFUSAL_SUFFIX: Final = ".refused"
 READING_SUFFIX: Final = ".npz"
-NO_READING: Final = (OSError, ValueError, KeyError, EOFError, BadZipFile)  # none yet, or a damaged one
+NO_READING: Final = (OSError, ValueError, KeyError, EOFError, BadZipFile)  # the reading is missing or damaged
 
 
 class Model(NamedTuple):
-    """An object, its middle over the origin."""
+    """A 3D object, its middle over the origin."""
 
     parts: tuple[Part, ...]  # one for each colour
     size: Vector  # m: length (x), width (y), height (z)
 
     @property
     def faces(self) -> int:
-        """Return how many triangles it has."""
+        """The number of triangles."""
         return sum(len(part.mesh.faces) for part in self.parts)
 
     def scaled(self, length: float, width: float, height: float) -> list[Part]:
-        """Return its parts, stretched to another size (m)."""
+        """Return the parts, stretched to another size (m)."""
         factors = np.array([length, width, height]) / np.maximum(self.size, THINNEST)
         return [Part(Mesh(part.mesh.vertices * factors, part.mesh.faces), part.colour) for part in self.parts]
 
 
 def stored_model(file: Path) -> Model:
-    """Return an object that lies in a folder; one that was never read is read in a process of its own.
+    """Return a stored object; its file is read in a process of its own when there is no reading yet.
 
     Raises
     ------
@@ -69,13 +69,13 @@ def _stored(file: Path, _changed_at: int) -> Model:
     except ReadingTimeoutError:
         raise
     except ValueError as error:
-        write_atomically(refused, str(error).encode())  # a file of an older version; it is not read again
+        write_atomically(refused, str(error).encode())  # stored by an older version; remembered, not read again
         raise
     return _read_reading(reading)
 
 
 def read_isolated_into(folder: Path, file: Path) -> None:
-    """Read an object that is about to be stored in a folder; one that is refused leaves nothing there.
+    """Read an object before it is stored in `folder`, and store its reading; a refused object leaves nothing there.
 
     Raises
     ------
@@ -88,7 +88,7 @@ def read_isolated_into(folder: Path, file: Path) -> None:
 
 
 def write_reading(model: Model, file: Path) -> None:
-    """Write what is drawn of an object: NumPy's .npz without pickles."""
+    """Write an object as NumPy's .npz without pickles."""
     arrays = {"size": np.array(model.size), "colours": np.array([part.colour for part in model.parts])}
     for i, part in enumerate(model.parts):
         arrays[f"vertices{i}"], arrays[f"faces{i}"] = part.mesh.vertices, part.mesh.faces
@@ -108,7 +108,7 @@ def _read_reading(file: Path) -> Model:
 
 
 def _reading_of(file: Path, readings: Path) -> Path:
-    """Return where the reading of a file lies, by its content: a file may be replaced, renamed or restored."""
+    """Return the path of a file's reading, by the file's content: files may be replaced, renamed or restored."""
     try:
         with file.open("rb") as opened:
             content = opened.read(MOST_BYTES + 1)
