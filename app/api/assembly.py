@@ -98,7 +98,7 @@ def make_parts(
         pairing=PairingCodes(),
         patient=patient,
         patient_live=LiveHub(patient.picture, dict),
-        trajectories=Trajectories(readings.drive),
+        trajectories=Trajectories(readings.trajectory),
         timelines=Timelines(),
         qualities=TrialQualities(database, runs.folder_of, readings.quality),
         replays=Replays(),

@@ -9,7 +9,7 @@ from starlette.requests import HTTPConnection
 from app.api.sign_in.hashing import Hashing
 from app.api.sign_in.set_up import SetUp
 from app.api.sign_in.sign_in_limits import SignInLimits
-from app.api.sign_in.signed_in import PairedScreen, SignedIn, find_signed_in, find_viewer
+from app.api.sign_in.signed_in import PairedScreen, SignedInPerson, find_signed_in, find_viewer
 from app.api.sockets import OpenSockets
 from app.scene.servers import Role
 from app.settings import Settings
@@ -44,7 +44,7 @@ async def people(connection: HTTPConnection) -> People:
 PeopleParts = Annotated[People, Depends(people)]
 
 
-def anyone_signed_in(connection: HTTPConnection, parts: PeopleParts) -> SignedIn:
+def anyone_signed_in(connection: HTTPConnection, parts: PeopleParts) -> SignedInPerson:
     """Return who is signed in; 401 when nobody is."""
     who = find_signed_in(parts.database, connection.cookies)
     if who is None:
@@ -52,7 +52,7 @@ def anyone_signed_in(connection: HTTPConnection, parts: PeopleParts) -> SignedIn
     return who
 
 
-def viewer(role: Role, connection: HTTPConnection, parts: PeopleParts) -> SignedIn | PairedScreen:
+def viewer(role: Role, connection: HTTPConnection, parts: PeopleParts) -> SignedInPerson | PairedScreen:
     """Return who looks at the 3D view of a role: the patient's is for the patient's screens, too; 401 for others."""
     who = (find_viewer if role == "patient" else find_signed_in)(parts.database, connection.cookies)
     if who is None:
@@ -60,14 +60,14 @@ def viewer(role: Role, connection: HTTPConnection, parts: PeopleParts) -> Signed
     return who
 
 
-def clinician(who: Annotated[SignedIn, Depends(anyone_signed_in)]) -> SignedIn:
+def clinician(who: Annotated[SignedInPerson, Depends(anyone_signed_in)]) -> SignedInPerson:
     """Return who is signed in; 403 for those who may only look."""
     if who.role not in DRIVERS:
         raise HTTPException(403, "You may look at sessions, not change them: ask an owner for the right.")
     return who
 
 
-def owner(who: Annotated[SignedIn, Depends(anyone_signed_in)]) -> SignedIn:
+def owner(who: Annotated[SignedInPerson, Depends(anyone_signed_in)]) -> SignedInPerson:
     """Return who is signed in; 403 for those who did not set up the clinic."""
     if who.role != "owner":
         raise HTTPException(403, "Only an owner of the clinic changes this: ask one.")
@@ -79,6 +79,6 @@ async def everyone() -> None:
 
 
 ForEveryone = Depends(everyone)
-Anyone = Annotated[SignedIn, Depends(anyone_signed_in)]
-Clinician = Annotated[SignedIn, Depends(clinician)]
-Owner = Annotated[SignedIn, Depends(owner)]
+Anyone = Annotated[SignedInPerson, Depends(anyone_signed_in)]
+Clinician = Annotated[SignedInPerson, Depends(clinician)]
+Owner = Annotated[SignedInPerson, Depends(owner)]

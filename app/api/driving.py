@@ -8,7 +8,7 @@ from starlette.requests import HTTPConnection
 from app.api.live.screens import Screen
 from app.api.nearby import require_nearby
 from app.api.parts import WebParts
-from app.api.sign_in.signed_in import SignedIn
+from app.api.sign_in.signed_in import SignedInPerson
 
 ANOTHER = "Somebody else started this drive, and only they go on or end it here: you can stop it, and ask them."
 
@@ -29,7 +29,7 @@ def controller_of(web: WebParts) -> Controller | None:
     return None if trial is None else Controller(trial.person_id, real=False)
 
 
-def require_controller(web: WebParts, who: SignedIn) -> Controller | None:
+def require_controller(web: WebParts, who: SignedInPerson) -> Controller | None:
     """Refuse those who did not start what is being driven; anybody may do what is left when nothing is."""
     controller = controller_of(web)
     if controller is not None and controller.person_id != who.person_id:
@@ -37,7 +37,7 @@ def require_controller(web: WebParts, who: SignedIn) -> Controller | None:
     return controller
 
 
-def require_hand_on_chair(web: WebParts, who: SignedIn, connection: HTTPConnection) -> None:
+def require_hand_on_chair(web: WebParts, who: SignedInPerson, connection: HTTPConnection) -> None:
     """Refuse, for what sets the chair in motion, those who did not start the drive or are not in the building."""
     controller = require_controller(web, who)
     if controller is not None and controller.real:

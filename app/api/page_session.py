@@ -11,7 +11,7 @@ from starlette.requests import HTTPConnection
 
 from app.api.deps import DRIVERS, People, PeopleParts
 from app.api.sign_in.signed_in import find_signed_in
-from app.session.page_session import SHOWN_SESSION, ShownSession, require_shown
+from app.session.page_session import PAGE_SESSION, PageSession, require_page_session
 
 HEADER = "Patient-Session"
 NOBODY = "none"
@@ -72,21 +72,21 @@ async def require_session(connection: HTTPConnection, parts: PeopleParts) -> Non
 
 async def require_named(connection: HTTPConnection, parts: People) -> None:
     """Read which session the page of a request shows, and refuse when another one is open."""
-    SHOWN_SESSION.set(_shown(connection.headers.get(HEADER, "")))
+    PAGE_SESSION.set(_shown(connection.headers.get(HEADER, "")))
 
     def _check() -> None:
         with parts.database.transaction() as db:
-            require_shown(db)
+            require_page_session(db)
 
     await asyncio.to_thread(_check)
 
 
-def _shown(named: str) -> ShownSession:
+def _shown(named: str) -> PageSession:
     if named == NOBODY:
-        return ShownSession(None)
+        return PageSession(None)
     if ID.fullmatch(named) is None:
         raise HTTPException(422, UNNAMED)
-    return ShownSession(int(named))
+    return PageSession(int(named))
 
 
 def _path(connection: HTTPConnection) -> str:

@@ -8,14 +8,14 @@ from typing import TypeVar
 from fastapi import WebSocket, WebSocketDisconnect
 
 from app.api.origin import host_is_ours, origin_is_ours
-from app.api.sign_in.signed_in import PairedScreen, SignedIn, find_paired_screen, find_signed_in, find_viewer
+from app.api.sign_in.signed_in import PairedScreen, SignedInPerson, find_paired_screen, find_signed_in, find_viewer
 from app.settings import Settings
 from app.store.database import Database
 
 SIGNED_OUT = 4401  # close code: sign in again
 CHECK_EVERY = 2.0  # s: an ended or disabled sign-in is found out within this, a sign-out at once
 
-Who = TypeVar("Who", bound=SignedIn | PairedScreen)
+Who = TypeVar("Who", bound=SignedInPerson | PairedScreen)
 Find = Callable[[Database, Mapping[str, str]], Who | None]
 
 
@@ -25,9 +25,9 @@ class OpenSockets:
     def __init__(self, settings: Settings, database: Database) -> None:
         self._settings = settings
         self._database = database
-        self._open: dict[WebSocket, SignedIn | PairedScreen] = {}
+        self._open: dict[WebSocket, SignedInPerson | PairedScreen] = {}
 
-    async def admit(self, websocket: WebSocket) -> SignedIn | None:
+    async def admit(self, websocket: WebSocket) -> SignedInPerson | None:
         """Return who is behind a websocket before it is accepted; None when it was refused (and closed)."""
         return await self._admit(websocket, find_signed_in)
 
@@ -35,7 +35,7 @@ class OpenSockets:
         """Return which screen of the patient is behind a websocket, as `admit` does."""
         return await self._admit(websocket, find_paired_screen)
 
-    async def admit_viewer(self, websocket: WebSocket) -> SignedIn | PairedScreen | None:
+    async def admit_viewer(self, websocket: WebSocket) -> SignedInPerson | PairedScreen | None:
         """Return who is behind a websocket that shows the patient's picture, as `admit` does."""
         return await self._admit(websocket, find_viewer)
 
@@ -48,7 +48,7 @@ class OpenSockets:
         return None
 
     @asynccontextmanager
-    async def guarded(self, websocket: WebSocket, who: SignedIn | PairedScreen) -> AsyncIterator[None]:
+    async def guarded(self, websocket: WebSocket, who: SignedInPerson | PairedScreen) -> AsyncIterator[None]:
         """Close the accepted websocket within seconds of the end of the sign-in or pairing, however that ends."""
         self._open[websocket] = who
         watch = asyncio.create_task(self._watch(websocket, who))
@@ -58,21 +58,23 @@ class OpenSockets:
             watch.cancel()
             self._open.pop(websocket, None)
 
-    async def _watch(self, websocket: WebSocket, who: SignedIn | PairedScreen) -> None:
+    async def _watch(self, websocket: WebSocket, who: SignedInPerson | PairedScreen) -> None:
         while True:
             await asyncio.sleep(CHECK_EVERY)
             if not await self._still(websocket, who):
                 await self._close(websocket)
                 return
 
-    async def _still(self, websocket: WebSocket, who: SignedIn | PairedScreen) -> bool:
-        find: Find[SignedIn | PairedScreen] = find_paired_screen if isinstance(who, PairedScreen) else find_signed_in
+    async def _still(self, websocket: WebSocket, who: SignedInPerson | PairedScreen) -> bool:
+        find: Find[SignedInPerson | PairedScreen] = (
+            find_paired_screen if isinstance(who, PairedScreen) else find_signed_in
+        )
         return await asyncio.to_thread(find, self._database, websocket.cookies) is not None
 
     async def close_session(self, session_id: int) -> None:
         """Close every websocket of a sign-in that has ended."""
         for websocket, who in list(self._open.items()):
-            if isinstance(who, SignedIn) and who.session_id == session_id:
+            if isinstance(who, SignedInPerson) and who.session_id == session_id:
                 await self._close(websocket)
 
     async def close_ended_screens(self) -> None:

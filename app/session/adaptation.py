@@ -1,4 +1,4 @@
-"""The map learns the person: what the last trials propose, kept aside until somebody or a standstill applies it."""
+"""Adaptation of the map: propose a change from the last trials, and apply it at a standstill."""
 
 import asyncio
 import logging
@@ -13,14 +13,14 @@ from app.refusals import Conflict, NotFound, Refusal, Unavailable
 from app.session.control_link import ControlLink
 from app.session.equipment.chairs import Chairs
 from app.session.open_session import SessionFlow
-from app.session.readings import Adapted, Readings
+from app.session.readings import AdaptationResult, Readings
 from app.session.runs import Runs
 from app.session.trial import DriveFlow
-from app.store.adaptation_material import material_for, mode_of, still_holds
+from app.store.adaptation_material import is_current, material_for, mode_of
 from app.store.database import Database
 from app.store.log import write_log
 from app.store.map_versions import go_back, save_adapted
-from app.store.practice import Practised
+from app.store.practice import PracticeHistory
 from app.store.tables import Patient, PatientSession, Trial
 
 logger = logging.getLogger("bodydrive")
@@ -46,20 +46,20 @@ LARGE = "The patient would feel it: 5 % or more. So it waits for somebody who lo
 
 
 @dataclass(frozen=True, slots=True)
-class Held:
-    """A proposal that waits, or that was applied last."""
+class AdaptationProposal:
+    """A proposal to adapt a patient's map: one that waits, or the one that was applied last."""
 
     id: str
     patient_id: int
     trials: tuple[int, ...]  # ids of those that it was made from, the newest last
-    base: str  # hash of the set that it would change
-    adapted: Adapted
+    base_hash: str  # of the parameter set that it would change
+    result: AdaptationResult
     applied: int | None = None  # the version that it became
     words: str = ""  # why it was not applied by itself, in a sentence
 
 
 class AdaptationFlow:
-    """Proposes after each trial on the virtual chair; applies between trials only, and never with a real chair."""
+    """Makes a proposal after each trial on the virtual chair; applies it between trials only, never on a real chair."""
 
     def __init__(
         self,
@@ -82,23 +82,24 @@ class AdaptationFlow:
         self._one_at_a_time = asyncio.Lock()
         self._ending = threading.Event()
         self._tasks: set[asyncio.Task[None]] = set()
-        self._held: Held | None = None
-        self._why: dict[int, str] = {}  # patient: why there is no proposal, in a sentence
-        self.practised = Practised()
+        self._newest: AdaptationProposal | None = None
+        self._reasons: dict[int, str] = {}  # patient id -> sentence: why there is no proposal
+        self.practice = PracticeHistory()
         drive.on_over = self.trial_over
 
     @property
-    def looking(self) -> bool:
+    def is_proposing(self) -> bool:
         """Whether a proposal is being made."""
         return self._one_at_a_time.locked()
 
-    def held(self, patient_id: int) -> Held | None:
+    def proposal_for(self, patient_id: int) -> AdaptationProposal | None:
         """Return the patient's proposal, None when there is none."""
-        return self._held if self._held is not None and self._held.patient_id == patient_id else None
+        newest = self._newest
+        return newest if newest is not None and newest.patient_id == patient_id else None
 
-    def why(self, patient_id: int) -> str:
-        """Return in a sentence why the patient has no proposal; empty when nobody looked."""
-        return self._why.get(patient_id, "")
+    def reason_for_none(self, patient_id: int) -> str:
+        """Return in a sentence why the patient has no proposal; empty when none was tried."""
+        return self._reasons.get(patient_id, "")
 
     def refusal(self) -> str | None:
         """Return in a sentence why nothing may be applied at this moment, None when it may."""
@@ -115,7 +116,7 @@ class AdaptationFlow:
         return NOT_STILL if moves or tick["state"] != State.DISARMED else None
 
     def trial_over(self, trial_id: int) -> None:
-        """Look at what a trial that has just ended shows, aside and later: nothing waits for it."""
+        """Make a proposal after a trial has ended, in a task of its own that nobody waits for."""
         if not self._ending.is_set():
             task = asyncio.create_task(self._after(trial_id))
             self._tasks.add(task)
@@ -131,7 +132,7 @@ class AdaptationFlow:
         self._tell("adaptation")
 
     async def apply(self, clinic_id: int, proposal: str, person: str | None) -> int:
-        """Make a proposal the patient's next map, and return its version; `person` None: it applies by itself."""
+        """Make a proposal the patient's next map, and return the version; `person` None: it applies by itself."""
         async with self._session.undisturbed("apply the adapted map"):
             self._require_standstill()
             session = await self._session.needed_session(clinic_id)
@@ -153,10 +154,10 @@ class AdaptationFlow:
 
     async def dismiss(self, session: PatientSession, proposal: str) -> None:
         """Forget a proposal; the next trial may bring another."""
-        held = self.held(session.patient_id)
-        if held is not None and held.id == proposal and held.applied is None:
-            self._held = None
-            self._why[session.patient_id] = NOT_NOW
+        waiting = self.proposal_for(session.patient_id)
+        if waiting is not None and waiting.id == proposal and waiting.applied is None:
+            self._newest = None
+            self._reasons[session.patient_id] = NOT_NOW
         self._tell("adaptation")
 
     async def set_mode(self, session: PatientSession, mode: Mode, person: str) -> None:
@@ -171,7 +172,7 @@ class AdaptationFlow:
         self._tell("adaptation")
 
     async def stop(self) -> None:
-        """Give up what is being looked at because the application ends."""
+        """Abandon the proposal that is being made, because the application ends."""
         self._ending.set()
         for task in self._tasks:
             task.cancel()
@@ -186,62 +187,66 @@ class AdaptationFlow:
                 await asyncio.to_thread(self._propose, trial.patient_id, trial.session_id)
             if mode == "auto":
                 await self._apply_by_itself(trial.clinic_id, trial.patient_id)
-        except (Refusal, ValueError, OSError):  # the next trial, or somebody who asks, brings another
+        except (Refusal, ValueError, OSError):  # the next trial makes another
             logger.exception("No proposal was made after trial %d", trial_id)
         self._tell("adaptation")
 
     async def _apply_by_itself(self, clinic_id: int, patient_id: int) -> None:
-        held = self.held(patient_id)
-        if held is None or held.adapted.proposal.parameters is None:
+        waiting = self.proposal_for(patient_id)
+        if waiting is None or waiting.result.proposal.parameters is None:
             return
         try:
-            if held.adapted.proposal.warns:
+            if waiting.result.proposal.warns:
                 raise Conflict(LARGE)
-            await self.apply(clinic_id, held.id, None)
+            await self.apply(clinic_id, waiting.id, None)
         except Refusal as refusal:
-            if self._held is held:
-                self._held = replace(held, words=str(refusal))
+            if self._newest is waiting:
+                self._newest = replace(waiting, words=str(refusal))
 
     def _require_standstill(self) -> None:
         refusal = self.refusal()
         if refusal is not None:
             raise Unavailable(refusal) if self._control.newest() is None else Conflict(refusal)
 
-    def _disturbed(self) -> bool:
-        """Tell whether to leave off: the application ends, or somebody drives."""
+    def _is_disturbed(self) -> bool:
+        """Return whether to abandon a proposal that is being made: the application ends, or somebody drives."""
         return self._ending.is_set() or self._session.driving
 
     def _propose(self, patient_id: int, session_id: int) -> None:
         with self._database.transaction() as db:
-            shown = material_for(db, patient_id, session_id, simulated=self._session.simulated)
-        folders = [self._runs.folder_of(run_id) for run_id in shown.run_ids]
-        self._held, adapted = None, None
-        if shown.fresh:
-            adapted = self._readings.adapt(shown.parameters, shown.calibrated, folders, shown.fresh, self._disturbed)
-        if adapted is None:
-            self._why[patient_id] = LEFT_OFF if shown.fresh else NO_TRIALS
+            material = material_for(db, patient_id, session_id, simulated=self._session.simulated)
+        folders = [self._runs.folder_of(run_id) for run_id in material.run_ids]
+        self._newest, result = None, None
+        if material.fresh:
+            result = self._readings.adapt(
+                material.parameters, material.calibrated, folders, material.fresh, self._is_disturbed
+            )
+        if result is None:
+            self._reasons[patient_id] = LEFT_OFF if material.fresh else NO_TRIALS
             return
-        self._why.pop(patient_id, None)
-        self._held = Held(uuid.uuid4().hex, patient_id, shown.trials, shown.parameters.hash, adapted)
+        self._reasons.pop(patient_id, None)
+        self._newest = AdaptationProposal(
+            uuid.uuid4().hex, patient_id, material.trials, material.parameters.hash, result
+        )
 
     def _save(self, session: PatientSession, proposal: str, person: str | None) -> int:
-        held = self.held(session.patient_id)
-        if held is None or held.id != proposal or held.applied is not None:
+        waiting = self.proposal_for(session.patient_id)
+        if waiting is None or waiting.id != proposal or waiting.applied is not None:
             raise NotFound(GONE)
-        wanted = held.adapted.proposal
-        if wanted.parameters is None:
-            raise Conflict(wanted.reason)
+        change = waiting.result.proposal
+        if change.parameters is None:
+            raise Conflict(change.reason)
         with self._database.transaction() as db:
             if person is None and mode_of(db, session.patient_id) != "auto":
                 raise Conflict(SWITCHED)
-            if not still_holds(db, session.patient_id, held.base, held.trials):
+            if not is_current(db, session.patient_id, waiting.base_hash, waiting.trials):
                 raise Conflict(STALE)
             difference = {
-                **wanted.difference,
-                "trials": list(held.trials),
+                **change.difference,
+                "trials": list(waiting.trials),
                 "by_itself": person is None,
             }
-            row = save_adapted(db, session.patient_id, session.id, wanted.parameters, difference)
+            row = save_adapted(db, session.patient_id, session.id, change.parameters, difference)
             write_log(
                 db,
                 person,
@@ -249,17 +254,17 @@ class AdaptationFlow:
                 patient=session.patient_id,
                 version=row.version,
                 parent=row.parent,
-                felt_change=wanted.felt_change,
-                hash=wanted.parameters.hash,
+                felt_change=change.felt_change,
+                hash=change.parameters.hash,
             )
-        self._held = replace(held, applied=row.version, words="")
+        self._newest = replace(waiting, applied=row.version, words="")
         return row.version
 
     def _back(self, session: PatientSession, person: str) -> int:
         with self._database.transaction() as db:
             row = go_back(db, session.patient_id, session.id)
             patient = db.get_one(Patient, session.patient_id)
-            if patient.adaptation == "auto":  # what was just taken back must not come again by itself
+            if patient.adaptation == "auto":  # otherwise the next trial could apply the same change again
                 patient.adaptation = "suggest"
             write_log(
                 db,
@@ -270,8 +275,8 @@ class AdaptationFlow:
                 parent=row.parent,
                 **(row.difference or {}),
             )
-        self._held = None
-        self._why.pop(session.patient_id, None)
+        self._newest = None
+        self._reasons.pop(session.patient_id, None)
         return row.version
 
     def _trial(self, trial_id: int) -> tuple[Trial, str]:

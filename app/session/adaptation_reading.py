@@ -1,4 +1,4 @@
-"""What the last trials would change of a map, read from their recordings."""
+"""Make a proposal to adapt a map from the recordings of the last trials."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -11,7 +11,7 @@ from app.calibration.vocabulary import DriveParameters
 from app.faults import State
 from app.recording.reader import read_run
 from app.scoring.trial_forecast import Effect, predicted_effect
-from app.session.readings import Adapted
+from app.session.readings import AdaptationResult
 
 
 def adapt_from_recordings(
@@ -20,11 +20,11 @@ def adapt_from_recordings(
     folders: list[Path],
     fresh: int,
     leave_off: Callable[[], bool],
-) -> Adapted | None:
-    """Return what the recordings (the newest last) would change of `parameters`; None when it was left off.
+) -> AdaptationResult | None:
+    """Return what the recordings (the newest last) propose to change; None when `leave_off` returned True.
 
-    The newest `fresh` of them were driven with the map of `parameters`: each allows its own small turn, and those
-    before have had theirs already. A recording that is gone, or of another shirt, says nothing.
+    The newest `fresh` of them were driven with the map of `parameters`: each allows one small turn of the map. Earlier
+    trials allowed theirs before. A recording that is gone, or of another shirt, is left out.
     """
     movements, fresh_read = [], 0
     for left, folder in zip(range(len(folders), 0, -1), folders, strict=True):
@@ -35,11 +35,11 @@ def adapt_from_recordings(
             movements.append(movement)
             fresh_read += left <= fresh
     proposal = _proposal(parameters, calibrated, movements, fresh_read)
-    return Adapted(proposal, _effect(parameters, proposal, folders[-1]) if folders else None)
+    return AdaptationResult(proposal, _effect(parameters, proposal, folders[-1]) if folders else None)
 
 
 def _effect(parameters: DriveParameters, proposal: Proposal, folder: Path) -> Effect | None:
-    """Return what the newest trial would have been like, None where nothing changes or it cannot be decoded again."""
+    """Return the predicted effect on the newest trial; None when nothing changes or it cannot be decoded again."""
     if proposal.parameters is None:
         return None
     try:
@@ -51,9 +51,10 @@ def _effect(parameters: DriveParameters, proposal: Proposal, folder: Path) -> Ef
 def _proposal(
     parameters: DriveParameters, calibrated: CalibrationProfile, movements: list[Movement], fresh: int
 ) -> Proposal:
-    """Return the proposal of the largest step of which no joint is felt too much.
+    """Return the proposal of the largest step of which no joint's change is felt too much.
 
-    The step grows with the trials since the last change: who waits before deciding must not be refused for it.
+    The step grows with the trials since the last change. Without the smaller steps, a clinician who waits for more
+    trials before deciding would be refused.
     """
     while True:
         proposal = propose(parameters, movements, calibrated=calibrated, fresh=fresh)

@@ -1,4 +1,4 @@
-"""What arming the real chair would apply, and what still speaks against it."""
+"""Arming of the real chair: what it would apply, and the reasons that still refuse it."""
 
 import asyncio
 from dataclasses import dataclass
@@ -12,13 +12,13 @@ from app.session.equipment.chairs import Chairs
 from app.session.equipment.limits import ClinicLimits
 from app.session.equipment.shirt import Equipment
 from app.session.open_session import SessionFlow
-from app.session.words.chair_words import CHAIR_FAULT, is_silent, why_not
+from app.session.words.chair_words import CHAIR_FAULT, fault_sentence, is_silent
 from app.session.words.differences import differences
 from app.speeds import HIGHEST_SPEEDS, Speeds, apply_dial, most_restrictive
 from app.store.database import Database
 from app.store.parameters import as_document, current_parameters, newest_profile
 from app.store.patients import open_session
-from app.store.practice import NO_PRACTICE, Practice, Practised
+from app.store.practice import NO_PRACTICE, Practice, PracticeHistory
 from app.store.tables import PatientSession
 
 NOBODY = "Nobody is here: choose a patient on the Patients page first."
@@ -32,22 +32,22 @@ SHOW_THE_SWITCH = (
 
 
 @dataclass(frozen=True, slots=True)
-class Arming:
+class ArmingSummary:
     """Everything that a person reads before arming; what is not known is None."""
 
     session: PatientSession | None
     parameters_id: int | None
     parameters: DriveParameters | None
-    speeds: Speeds | None  # what would hold
+    speeds: Speeds | None  # the limits that would apply
     practice: Practice
     last_practised: DriveParameters | None
-    differences: list[str]  # since then
-    refusals: list[str]  # empty: the chair can be armed
+    differences: list[str]  # of `parameters` from `last_practised`, in sentences
+    refusals: list[str]  # why the chair cannot be armed, in sentences
 
 
 @dataclass(frozen=True, slots=True)
-class _Set:
-    """What the database knows."""
+class _StoredSet:
+    """The open session and its current parameter set, as the database stores them."""
 
     session: PatientSession | None = None
     parameters_id: int | None = None
@@ -58,7 +58,7 @@ class _Set:
 
 
 class RealArming:
-    """Looks at everything that has to be right before a real chair is armed; what it cannot see it refuses."""
+    """Checks everything that must be right before a real chair is armed; what cannot be checked refuses."""
 
     def __init__(
         self,
@@ -75,28 +75,28 @@ class RealArming:
         self._session = session
         self._chairs = chairs
         self._limits = limits
-        self._practised = Practised()
+        self._practice = PracticeHistory()
 
-    async def look(self, clinic_id: int) -> Arming:
-        """Return what arming would apply at this moment."""
-        found = await asyncio.to_thread(self._read, clinic_id)
-        parameters, last = found.parameters, found.last_practised
+    async def summary(self, clinic_id: int) -> ArmingSummary:
+        """Return what arming would apply now."""
+        stored = await asyncio.to_thread(self._read, clinic_id)
+        parameters, last = stored.parameters, stored.last_practised
         changed = [] if parameters is None or last is None else differences(parameters, last)
-        return Arming(
-            session=found.session,
-            parameters_id=found.parameters_id,
+        return ArmingSummary(
+            session=stored.session,
+            parameters_id=stored.parameters_id,
             parameters=parameters,
             speeds=None if parameters is None else self._speeds(parameters),
-            practice=found.practice,
+            practice=stored.practice,
             last_practised=last,
             differences=changed,
-            refusals=[*self._about_the_patient(found), *await self._about_the_chair(parameters)],
+            refusals=[*self._patient_refusals(stored), *await self._chair_refusals(parameters)],
         )
 
-    def held(self, speeds: Speeds) -> dict[str, float]:
-        """Return what holds instead of those numbers of a set that the clinic or the chosen chair does not allow."""
-        held = self._without_dial(speeds).model_dump()
-        return {name: value for name, value in held.items() if value < getattr(speeds, name)}
+    def lowered_speeds(self, speeds: Speeds) -> dict[str, float]:
+        """Return, by name, the limits of the clinic or the chosen chair that are lower than those of `speeds`."""
+        effective = self._without_dial(speeds).model_dump()
+        return {name: value for name, value in effective.items() if value < getattr(speeds, name)}
 
     def _without_dial(self, speeds: Speeds) -> Speeds:
         chair = HIGHEST_SPEEDS if self._chairs.chosen is None else Speeds.model_validate(self._chairs.chosen.speeds)
@@ -106,26 +106,26 @@ class RealArming:
         tick = self._control.newest()
         return apply_dial(self._without_dial(parameters.speeds), 1.0 if tick is None else float(tick["dial"]))
 
-    def _about_the_patient(self, found: _Set) -> list[str]:
-        if found.session is None:
+    def _patient_refusals(self, stored: _StoredSet) -> list[str]:
+        if stored.session is None:
             return [NOBODY]
-        if found.parameters is None:
+        if stored.parameters is None:
             return [NOT_CALIBRATED]
         refusals = []
-        obstacle = self._session.obstacle(found.parameters, simulated=found.simulated)
+        obstacle = self._session.obstacle(stored.parameters, simulated=stored.simulated)
         if obstacle is not None:
             refusals.append(obstacle)
         if self._equipment.mistrust:
             refusals.append(self._equipment.mistrust)
-        if found.practice.trials == 0:
+        if stored.practice.trials == 0:
             refusals.append(NOT_PRACTISED)
         return refusals
 
-    async def _about_the_chair(self, parameters: DriveParameters | None) -> list[str]:
+    async def _chair_refusals(self, parameters: DriveParameters | None) -> list[str]:
         if self._chairs.chosen is None:
             return [NO_CHAIR]
         tick = self._control.newest()
-        refusal = self._chair_now(self._chairs.chosen.name, tick)
+        refusal = self._chair_refusal(self._chairs.chosen.name, tick)
         if refusal or parameters is None or "acceleration" not in (parameters.mode_u1, parameters.mode_u2):
             return [refusal] if refusal else []
         try:
@@ -134,7 +134,7 @@ class RealArming:
             return [str(lost)]
         return [] if status["chair"].get("switch_seen") else [SHOW_THE_SWITCH]
 
-    def _chair_now(self, name: str, tick: np.void | None) -> str:
+    def _chair_refusal(self, name: str, tick: np.void | None) -> str:
         if tick is None:
             return "The control process is being restarted: wait a moment."
         if not tick["chair_kind"]:
@@ -143,21 +143,21 @@ class RealArming:
             return f"{name} does not answer: check its power and the network."
         if tick["stop_input"]:
             return f"The stop switch of {name} is pressed: look around, then release it."
-        return why_not(int(tick["chair_fault"])) if int(tick["chair_state"]) == CHAIR_FAULT else ""
+        return fault_sentence(int(tick["chair_fault"])) if int(tick["chair_state"]) == CHAIR_FAULT else ""
 
-    def _read(self, clinic_id: int) -> _Set:
-        worn = self._equipment.simulated
+    def _read(self, clinic_id: int) -> _StoredSet:
+        simulated = self._equipment.simulated
         with self._database.transaction() as db:
             session = open_session(db, clinic_id)
             if session is None or newest_profile(db, session.patient_id) is None:
-                return _Set(session)
+                return _StoredSet(session)
             row, profile = current_parameters(db, session.patient_id)
             parameters = as_document(row, profile)
-            return _Set(
+            return _StoredSet(
                 session,
                 row.id,
                 parameters,
                 profile.simulated,
-                self._practised.practice(db, session.patient_id, parameters.hash, simulated=worn),
-                self._practised.newest(db, session.patient_id, simulated=worn),
+                self._practice.practice(db, session.patient_id, parameters.hash, simulated=simulated),
+                self._practice.newest(db, session.patient_id, simulated=simulated),
             )

@@ -153,7 +153,7 @@ class CalibrationFlow:
             words = await self._wait(number, step.duration)
             run = await self._runs.end()
             if not words and run is not None:
-                complaint = await asyncio.to_thread(self._readings.judge, run.folder, step.duration)
+                complaint = await asyncio.to_thread(self._readings.check_step, run.folder, step.duration)
                 words = complaint or ""
             status = "failed" if words else "done"
         except asyncio.CancelledError as cancelled:

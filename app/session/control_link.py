@@ -28,7 +28,7 @@ LONGEST_PAUSE = 8.0  # s
 
 ControlState = Literal["alive", "starting", "lost"]
 StopReason = Literal["tablet", "picture"]
-Loaded = Literal["limits", "dial", "chair", "shirt", "body", "head", "parameters"]
+LoadCommand = Literal["limits", "dial", "chair", "shirt", "body", "head", "parameters"]
 
 
 class ScreenSign(NamedTuple):
@@ -155,13 +155,13 @@ class ControlLink:
         if not stopping.cancelled():
             stopping.exception()  # nobody may be left who looks at it
 
-    async def load(self, do: Loaded, **fields: Any) -> dict[str, Any]:
+    async def load(self, do: LoadCommand, **fields: Any) -> dict[str, Any]:
         """Send what a later control process must be given too."""
         answer = await self.call(do, **fields)
         self._loaded[do] = fields
         return answer
 
-    def forget(self, do: Loaded) -> None:
+    def forget(self, do: LoadCommand) -> None:
         """Leave something out from what a later control process is given."""
         self._loaded.pop(do, None)
 
@@ -208,7 +208,7 @@ class ControlLink:
 
     async def _open(self, thread: LoopThread) -> None:
         self._process = await thread.run(_opened(self._start_process))
-        for do in get_args(Loaded):
+        for do in get_args(LoadCommand):
             if do in self._loaded:
                 # A device that cannot be opened again shows in `status`; the rest goes on.
                 with suppress(LinkRefused):

@@ -1,4 +1,4 @@
-"""A row in the log for every stop and every fault, whatever was going on."""
+"""Write a row into the log for every stop and every fault."""
 
 import asyncio
 import logging
@@ -16,10 +16,10 @@ logger = logging.getLogger("bodydrive")
 
 
 class FaultLog:
-    """Looks at the newest tick and notes what was latched; a stop given during another one is no new row."""
+    """Watches the newest tick and logs each new latched fault; a stop while it is latched already is no new row."""
 
     def __init__(self, database: Database, control: ControlLink, during: Callable[[], dict[str, int]]) -> None:
-        """`during` names the trial or the drive that goes on."""
+        """`during` returns the id of the running trial or drive, to be logged with the fault."""
         self._database = database
         self._control = control
         self._during = during
@@ -28,16 +28,16 @@ class FaultLog:
         control.on_change.append(self._changed)
 
     def start(self) -> None:
-        """Begin to look."""
-        self._task = asyncio.create_task(self._look())
+        """Begin to watch."""
+        self._task = asyncio.create_task(self._watch())
 
     async def close(self) -> None:
-        """Look no more."""
+        """Stop watching."""
         if self._task is not None:
             self._task.cancel()
             await asyncio.gather(self._task, return_exceptions=True)
 
-    async def _look(self) -> None:
+    async def _watch(self) -> None:
         while True:
             await asyncio.sleep(LOOK_EVERY)
             tick = self._control.newest()
@@ -55,7 +55,7 @@ class FaultLog:
         what = "stop" if fault.name.startswith("STOP_") else "fault"
         try:
             await asyncio.to_thread(self._write, what, fault=fault.name.lower(), **self._during())
-        except Exception:  # a database that is full now may be written to later
+        except Exception:  # keep watching: a full database may have room again later
             logger.exception("A %s could not be noted in the log", what)
 
     def _write(self, what: str, **details: Any) -> None:

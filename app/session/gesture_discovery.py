@@ -1,4 +1,4 @@
-"""Finds a calibration's gestures in its recordings: of the one under way, or of the newest that was accepted."""
+"""Find the gestures of a calibration in its recordings: of the one under way, or of the newest accepted one."""
 
 from collections.abc import Callable
 from functools import lru_cache
@@ -15,7 +15,7 @@ from app.store.database import Database
 from app.store.parameters import newest_profile
 from app.store.tables import PatientSession
 
-KEPT = 8  # results: the controls ask again with every change
+KEPT = 8  # results: the Controls page asks again with every change
 NOTHING = "Nothing is calibrated yet: go to Calibrate and accept a result first."
 GONE = (
     "The recordings of this calibration are not here, so that only the way there is ranked, by the profile's own "
@@ -23,8 +23,8 @@ GONE = (
 )
 
 
-def of_result(database: Database, folder_of: Callable[[str], Path], session_id: int) -> Discovery:
-    """Return the gestures of the session's fitted calibration; of the patient's newest map when it has none to accept.
+def session_gestures(database: Database, folder_of: Callable[[str], Path], session_id: int) -> Discovery:
+    """Return the gestures of the session's fitted calibration, or of the patient's newest map when none waits.
 
     Raises
     ------
@@ -34,15 +34,15 @@ def of_result(database: Database, folder_of: Callable[[str], Path], session_id: 
     with database.transaction() as db:
         session = db.get_one(PatientSession, session_id)
         document, patient_id = session.result, session.patient_id
-        waits = document is not None and not session.accepted
+        is_waiting = document is not None and not session.accepted
         folders = recordings_of(db, session_id)
-    if document is None or not waits:
-        return of_newest(database, folder_of, patient_id)
-    return _found(CalibrationProfile.model_validate(document), folders, folder_of)
+    if document is None or not is_waiting:
+        return patient_gestures(database, folder_of, patient_id)
+    return _discovery(CalibrationProfile.model_validate(document), folders, folder_of)
 
 
-def of_newest(database: Database, folder_of: Callable[[str], Path], patient_id: int) -> Discovery:
-    """Return the gestures of the patient's newest map, judged by the recordings of the calibration behind it.
+def patient_gestures(database: Database, folder_of: Callable[[str], Path], patient_id: int) -> Discovery:
+    """Return the gestures of the patient's newest map, ranked by the recordings of its calibration.
 
     Raises
     ------
@@ -54,22 +54,22 @@ def of_newest(database: Database, folder_of: Callable[[str], Path], patient_id: 
         if row is None:
             raise Conflict(NOTHING)
         document, folders = row.document, recordings_behind(db, row)
-    return _found(CalibrationProfile.model_validate(document), folders, folder_of)
+    return _discovery(CalibrationProfile.model_validate(document), folders, folder_of)
 
 
-def _found(profile: CalibrationProfile, folders: dict[str, str], folder_of: Callable[[str], Path]) -> Discovery:
+def _discovery(profile: CalibrationProfile, folders: dict[str, str], folder_of: Callable[[str], Path]) -> Discovery:
     recorded = tuple((step, str(folder_of(folder))) for step, folder in sorted(folders.items()))
     if recorded:
         try:
-            return _discovered(profile.model_dump_json(), recorded)
-        except (ValueError, OSError):  # a disk that was tidied up; the profile's own numbers are still there
+            return _cached_discovery(profile.model_dump_json(), recorded)
+        except (ValueError, OSError):  # the recordings were deleted; the profile's own numbers are still there
             pass
     return discovery_from_profile(profile, GONE)
 
 
 @lru_cache(maxsize=KEPT)
-def _discovered(profile_json: str, recorded: tuple[tuple[str, str], ...]) -> Discovery:
-    """Return the same for the same map and recordings, which never change once they are closed."""
+def _cached_discovery(profile_json: str, recorded: tuple[tuple[str, str], ...]) -> Discovery:
+    """Return the gestures of a map and its recordings; cached, because closed recordings never change."""
     profile = CalibrationProfile.model_validate_json(profile_json)
     steps = {step.id: step for step in calibration_script(profile.layout)}
     return discover(profile, [read_cued_run(steps[step], Path(folder)) for step, folder in recorded if step in steps])

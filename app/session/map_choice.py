@@ -1,4 +1,4 @@
-"""Which map decodes a joint: chosen on the result of a calibration, before it is accepted."""
+"""Choose which map decodes a joint, on the result of a calibration before it is accepted."""
 
 from app.calibration.profile import CalibrationProfile, MapKind
 from app.refusals import Conflict, NotFound
@@ -7,7 +7,7 @@ from app.store.tables import PatientSession
 
 
 def choose_map(database: Database, session_id: int, joint: str, kind: MapKind) -> None:
-    """Let one joint of the session's result be decoded by this map; a result in use has to be accepted again.
+    """Let one joint of the session's result be decoded by this map; an accepted result must be accepted again.
 
     A guided map is refused where it is not better than the paper's on the held-out repetitions.
     """

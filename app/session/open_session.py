@@ -10,7 +10,7 @@ from app.refusals import Conflict, Refusal
 from app.session.calibration import CalibrationFlow
 from app.session.control_link import ControlLink
 from app.session.equipment.shirt import NO_SHIRT, Equipment
-from app.session.page_session import require_shown
+from app.session.page_session import require_page_session
 from app.session.real_drive import RealDriveFlow
 from app.session.trial import DriveFlow
 from app.store.database import Database
@@ -51,13 +51,13 @@ class SessionFlow:
         Two screens may ask at the same moment: a session must not change under a trial that is just being started.
         """
         async with self._one_at_a_time:
-            await asyncio.to_thread(self._require_shown)  # the request may have waited while the session changed
+            await asyncio.to_thread(self._require_page_session)  # the request may have waited while the session changed
             self.refuse_while_busy(what)
             yield
 
-    def _require_shown(self) -> None:
+    def _require_page_session(self) -> None:
         with self._database.transaction() as db:
-            require_shown(db)
+            require_page_session(db)
 
     @property
     def driving(self) -> bool:
@@ -83,7 +83,7 @@ class SessionFlow:
 
         def _read() -> PatientSession | None:
             with self._database.transaction() as db:
-                require_shown(db)
+                require_page_session(db)
                 return open_session(db, clinic_id)
 
         session = await asyncio.to_thread(_read)

@@ -1,4 +1,4 @@
-"""The session that the page of a request shows, and the refusal when another one is open."""
+"""Refuse a request whose page shows another session than the open one."""
 
 from contextvars import ContextVar
 from datetime import datetime
@@ -11,25 +11,25 @@ from app.store.people import the_clinic
 from app.store.tables import Patient, PatientSession
 
 
-class ShownSession(NamedTuple):
-    """What a page shows when it sends a request."""
+class PageSession(NamedTuple):
+    """The session that a page shows when it sends a request."""
 
-    id: int | None  # of the session; None: the page shows that nobody is here
-
-
-SHOWN_SESSION: ContextVar[ShownSession | None] = ContextVar("shown session", default=None)
-"""Of the request under way; None outside of requests, and in those that need not name a session."""
+    id: int | None  # None: the page shows that no session is open
 
 
-def require_shown(db: Transaction) -> None:
-    """Raise Conflict, with who is open now, when the request under way names another session than the open one."""
-    shown, clinic = SHOWN_SESSION.get(), the_clinic(db)
-    if shown is None or clinic is None:
+PAGE_SESSION: ContextVar[PageSession | None] = ContextVar("page session", default=None)
+"""The page session of the current request; None outside of requests, and in those that need not name a session."""
+
+
+def require_page_session(db: Transaction) -> None:
+    """Raise Conflict when the current request names another session than the open one; the sentence names both."""
+    page, clinic = PAGE_SESSION.get(), the_clinic(db)
+    if page is None or clinic is None:
         return
     now = open_session(db, clinic.id)
-    if shown.id == (None if now is None else now.id):
+    if page.id == (None if now is None else now.id):
         return
-    before = None if shown.id is None else db.get(PatientSession, shown.id)
+    before = None if page.id is None else db.get(PatientSession, page.id)
     if before is not None and before.clinic_id != clinic.id:
         before = None
     raise Conflict(f"{_now(db, now)} {_before(db, before)}")

@@ -1,4 +1,7 @@
-"""What the flows ask of a recording; app/session/recordings.py answers from disk, tests answer without one."""
+"""The functions that a session calls to read recordings; app/session/recordings.py reads them from disk.
+
+Tests pass functions of their own, which need no recording.
+"""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -18,43 +21,46 @@ from app.scoring.trial_forecast import Effect
 from app.world.floorplan import FloorPlan, PrescribedPath
 
 
-class Driven(NamedTuple):
-    """Where the chair was while motion was permitted, from then on."""
+class RecordedTrajectory(NamedTuple):
+    """Where the chair was in a trial, from the moment when motion was first permitted."""
 
     t: NDArray[np.float64]  # (n,) s
     x: NDArray[np.float64]  # (n,) m
     y: NDArray[np.float64]
 
 
-class Adapted(NamedTuple):
-    """What the last trials would change of a set, and what the last of them would have been like with it."""
+class AdaptationResult(NamedTuple):
+    """The proposal to adapt a parameter set, and its predicted effect on the newest trial."""
 
     proposal: Proposal
-    effect: Effect | None  # None where nothing would change, or it cannot be replayed
+    effect: Effect | None  # None when nothing would change, or the trial cannot be decoded again
 
 
-Judge = Callable[[Path, float], str | None]
-"""Recording and duration (s) of a step: in one sentence why it does not do, None when it does."""
+CheckStep = Callable[[Path, float], str | None]
+"""(recording, duration in s) of a step -> a sentence that says why it cannot be used, None when it can."""
 Fit = Callable[[ShirtLayout, list[tuple[Step, Path]], list[str]], CalibrationProfile]
-"""Layout, each step with its recording, unused channels: the profile; ValueError with a sentence."""
+"""(layout, each step with its recording, unused channels) -> the profile; ValueError with a sentence."""
 Measure = Callable[[Path, FloorPlan, PrescribedPath], dict[str, Any]]
-"""Recording of a trial, where it was driven and what was asked: all measures; ValueError when nothing was driven."""
+"""(recording of a trial, floor plan, path) -> all measures; ValueError when motion was never permitted."""
 Quality = Callable[[Path], ControlQuality]
-"""Recording of a trial: how well the map fitted it; ValueError or OSError when that cannot be told."""
-Drive = Callable[[Path], Driven]
-"""Recording of a trial: where the chair went; ValueError or OSError when it cannot be read."""
-Adapt = Callable[[DriveParameters, CalibrationProfile, list[Path], int, Callable[[], bool]], Adapted | None]
-"""The set that drives, the calibration that it goes back to, recordings of trials (the newest last), how many of them
-were driven with its map, and whether to leave off: what they would change; None when it was left off."""
+"""(recording of a trial) -> how well its map fitted; ValueError or OSError when the recording does not tell."""
+ReadTrajectory = Callable[[Path], RecordedTrajectory]
+"""(recording of a trial) -> where the chair went; ValueError or OSError when it cannot be read."""
+Adapt = Callable[[DriveParameters, CalibrationProfile, list[Path], int, Callable[[], bool]], AdaptationResult | None]
+"""(parameters, calibrated profile, recordings, fresh, leave_off) -> the result; None when `leave_off` returned True.
+
+`parameters` is the set that drives, the profile the calibration that its map goes back to. The recordings are of
+trials, the newest last; the last `fresh` of them were driven with the map of `parameters`.
+"""
 
 
 @dataclass(frozen=True, slots=True)
 class Readings:
-    """The six questions."""
+    """The six functions that read recordings."""
 
-    judge: Judge
+    check_step: CheckStep
     fit: Fit
     measure: Measure
-    drive: Drive
+    trajectory: ReadTrajectory
     quality: Quality
     adapt: Adapt

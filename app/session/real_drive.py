@@ -12,7 +12,7 @@ from app.faults import State
 from app.refusals import Conflict
 from app.session.control_link import ControlLink
 from app.session.readings import Readings
-from app.session.run_watch import Halt, RunLost, Starter, watched
+from app.session.run_watch import Halt, RunLost, Starter, follow_run
 from app.session.runs import OpenRun, Runs
 from app.store.database import Database
 from app.store.drives import add_drive, finish_drive
@@ -133,7 +133,7 @@ class RealDriveFlow:
     async def _see_through(self, drive: RunningDrive) -> None:
         end: End = "fault"  # also when watching itself goes wrong: a drive is never left open
         try:
-            end = await watched(self._control, drive.run.number, self._end_asked, drive.watch.take) or "by hand"
+            end = await follow_run(self._control, drive.run.number, self._end_asked, drive.watch.take) or "by hand"
         except RunLost:
             pass
         finally:
@@ -155,7 +155,7 @@ class RealDriveFlow:
 
     def _distance(self, drive: RunningDrive) -> float:
         """Return the length (m) of the line that the chair drove by its own account, from the recording."""
-        line = self._readings.drive(drive.run.folder)
+        line = self._readings.trajectory(drive.run.folder)
         return float(np.hypot(np.diff(line.x), np.diff(line.y)).sum())
 
     def _note(

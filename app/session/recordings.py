@@ -1,4 +1,4 @@
-"""What calibration and scoring read from a recording: the recording is the truth, never what was shown meanwhile."""
+"""Read from recordings what calibration and scoring need. Figures never come from the live picture."""
 
 from pathlib import Path
 from typing import Any
@@ -18,31 +18,31 @@ from app.recording.reader import Columns, read_run
 from app.scoring.control_quality import ControlQuality, control_quality
 from app.scoring.task_measures import task_measures
 from app.session.adaptation_reading import adapt_from_recordings
-from app.session.readings import Driven, Readings
-from app.session.step_check import judge_frames
+from app.session.readings import Readings, RecordedTrajectory
+from app.session.step_check import check_frames
 from app.world.floorplan import FloorPlan, PrescribedPath
 
 
 def recorded_readings() -> Readings:
-    """Return the answers that are read from disk."""
+    """Return the functions that read recordings from disk."""
     return Readings(
-        judge=judge_recording,
+        check_step=check_recording,
         fit=fit_recordings,
         measure=measure_recording,
-        drive=driven,
+        trajectory=read_trajectory,
         quality=quality_of_recording,
         adapt=adapt_from_recordings,
     )
 
 
-def judge_recording(folder: Path, duration: float) -> str | None:
-    """Return in one sentence why a step's recording does not do, None when it does."""
+def check_recording(folder: Path, duration: float) -> str | None:
+    """Return in one sentence why a step's recording cannot be used, None when it can."""
     run = read_run(folder)
     if run.words:
         return run.words
     if run.dropped:
         return f"{run.dropped} ticks were lost while recording: close other programs, then repeat this step."
-    return judge_frames(run.frames()["run_t"], duration, float(run.meta["sample_rate"]))
+    return check_frames(run.frames()["run_t"], duration, float(run.meta["sample_rate"]))
 
 
 def fit_recordings(layout: ShirtLayout, recorded: list[tuple[Step, Path]], unused: list[str]) -> CalibrationProfile:
@@ -82,32 +82,32 @@ def _during(frames: Columns, step: Step, kind: str) -> NDArray[Any]:
 def measure_recording(folder: Path, plan: FloorPlan, path: PrescribedPath) -> dict[str, Any]:
     """Return all measures of a trial, from when motion was first permitted; ValueError when it never was."""
     rows = _since_armed(read_run(folder).columns)
-    # What the chair did, where it said so; older recordings know only what it was told.
+    # The speed that the chair reported; older recordings hold only the commanded one.
     v = np.where(np.isfinite(rows["driven_v"]), rows["driven_v"], rows["v"])
     return task_measures(plan, path, {**rows, "t": rows["t"] - rows["t"][0], "v": v})
 
 
 def quality_of_recording(folder: Path) -> ControlQuality:
-    """Return how well the map of a trial fitted it; the recording tells with what parameters it was driven."""
+    """Return how well the map of a trial fitted it; ValueError when the recording does not name its parameters."""
     run = read_run(folder)
     if not run.meta.get("parameters"):
         raise ValueError("The recording does not say with what parameters it was driven: it cannot be judged.")
     rows = run.frames()
-    way = _since_armed(run.columns)
+    line = _since_armed(run.columns)
     return control_quality(
         recorded_parameters(run.meta["parameters"]),
         float(run.meta["sample_rate"]),
         rows["values"],
         rows["state"] == State.ARMED,
         rows["activation"],
-        float(np.hypot(np.diff(way["x"]), np.diff(way["y"])).sum()),
+        float(np.hypot(np.diff(line["x"]), np.diff(line["y"])).sum()),
     )
 
 
-def driven(folder: Path) -> Driven:
+def read_trajectory(folder: Path) -> RecordedTrajectory:
     """Return where the chair was in a trial, from when motion was first permitted."""
     rows = _since_armed(read_run(folder).columns)
-    return Driven(rows["t"] - rows["t"][0], rows["x"], rows["y"])
+    return RecordedTrajectory(rows["t"] - rows["t"][0], rows["x"], rows["y"])
 
 
 def _since_armed(columns: Columns) -> Columns:

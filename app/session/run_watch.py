@@ -59,7 +59,7 @@ class Halt:
         return self.remaining == 0.0
 
 
-async def watched(
+async def follow_run(
     control: ControlLink, run: int, asked_to_end: asyncio.Event, take: Callable[[NDArray[np.void]], End | None]
 ) -> End | None:
     """Give the ticks of a run (its number in ticks) to `take` until that returns how it ended.

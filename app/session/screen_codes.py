@@ -1,4 +1,4 @@
-"""Pairing a screen for the patient: one code at a time, valid once and for ten minutes."""
+"""Codes that pair a screen with the open session: one code at a time, valid once and for ten minutes."""
 
 import secrets
 import threading
@@ -15,7 +15,7 @@ WRONG = "This code is wrong, used or older than 10 minutes: ask for a new one on
 
 
 @dataclass(frozen=True, slots=True)
-class Offer:
+class PairingOffer:
     """A code that pairs one screen with a session."""
 
     code: str
@@ -26,22 +26,22 @@ class Offer:
 
 
 class PairingCodes:
-    """Holds the newest code; asking for another makes the one before worthless. May be asked from any thread."""
+    """Holds the newest code; a new code makes the one before invalid. Thread-safe."""
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
-        self._offer: Offer | None = None
+        self._offer: PairingOffer | None = None
 
-    def offer(self, session_id: int, person: str) -> Offer:
+    def offer(self, session_id: int, person: str) -> PairingOffer:
         """Make a code for a session."""
         expires = utc_now() + timedelta(seconds=VALID_FOR)
-        made = Offer(secrets.token_urlsafe(CODE_BYTES), session_id, person, monotonic() + VALID_FOR, expires)
+        made = PairingOffer(secrets.token_urlsafe(CODE_BYTES), session_id, person, monotonic() + VALID_FOR, expires)
         with self._lock:
             self._offer = made
         return made
 
-    def redeem(self, code: str) -> Offer:
-        """Return what a code stands for and make it worthless; Conflict when it is not the newest one, or too old."""
+    def redeem(self, code: str) -> PairingOffer:
+        """Return the offer of a code and make the code invalid; Conflict when it is not the newest one, or too old."""
         with self._lock:
             offer = self._offer
             if offer is not None and secrets.compare_digest(offer.code.encode(), code.encode()):

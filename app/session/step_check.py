@@ -1,23 +1,23 @@
-"""Whether a step's recording can be used: enough frames, no long gap."""
+"""Check whether a step's recording can be used: enough frames, no long gap."""
 
 import numpy as np
 from numpy.typing import NDArray
 
-ENOUGH = 0.9  # share of the frames that the shirt's rate promises
+ENOUGH = 0.9  # share of the frames that should have come at the shirt's sample rate
 LONGEST_GAP = 0.25  # s; a movement of a second is not recognised across a longer one
 
 
-def judge_frames(run_t: NDArray[np.float64], duration: float, sample_rate: float) -> str | None:
-    """Return in one sentence why the frames of a step do not do, None when they do.
+def check_frames(run_t: NDArray[np.float64], duration: float, sample_rate: float) -> str | None:
+    """Return in one sentence why the frames of a step cannot be used, None when they can.
 
     Parameters
     ----------
     run_t : array, shape (n,)
-        When each frame came, s since the start of the run.
+        Time at which each frame came, s since the start of the run.
     duration : float
-        What the step should have lasted, s.
+        How long the step should have lasted, s.
     sample_rate : float
-        What the shirt promises, Hz.
+        Of the shirt, Hz.
     """
     within = run_t[(run_t >= 0) & (run_t <= duration)]
     expected = duration * sample_rate

@@ -9,7 +9,7 @@ from app.refusals import Conflict
 from app.scoring.control_quality import ControlQuality
 from app.session.control_link import ControlLink
 from app.session.readings import Readings
-from app.session.run_watch import RunLost, Starter, watched
+from app.session.run_watch import RunLost, Starter, follow_run
 from app.session.runs import OpenRun, Runs
 from app.session.trial_watch import End, TrialPlace, TrialWatch
 from app.store.control_quality import save_quality
@@ -138,7 +138,7 @@ class DriveFlow:
 
     async def _watch(self, trial: RunningTrial) -> End:
         try:
-            return await watched(self._control, trial.run.number, self._end_asked, trial.watch.take) or "by hand"
+            return await follow_run(self._control, trial.run.number, self._end_asked, trial.watch.take) or "by hand"
         except RunLost:
             return "fault"
 

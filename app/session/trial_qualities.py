@@ -1,4 +1,4 @@
-"""How well each trial was controlled: from the database, or else once from its recording."""
+"""The control quality of trials: from the database, or read once from the recording and stored."""
 
 from collections.abc import Callable
 from contextlib import suppress
@@ -14,16 +14,16 @@ from app.store.tables import PatientSession, Trial
 
 
 class TrialQualities:
-    """Tells the quality of any ended trial: from the database, or else once from its recording."""
+    """Returns the control quality of ended trials, and stores what it had to read from a recording."""
 
     def __init__(self, database: Database, folder_of: Callable[[str], Path], quality: Quality) -> None:
         self._database = database
         self._folder_of = folder_of
         self._quality = quality
-        self._unreadable: set[int] = set()  # trials whose recording does not tell; asked once per start of the program
+        self._unreadable: set[int] = set()  # trials whose recording cannot be read; tried once per start of the program
 
     def of(self, trial: Trial) -> ControlQuality | None:
-        """Return how well a trial was controlled, None while it runs or when its recording does not tell."""
+        """Return how well a trial was controlled; None while it runs or when its recording cannot be read."""
         known = stored_quality(trial)
         if known is not None or trial.status != "done" or trial.id in self._unreadable:
             return known
@@ -36,8 +36,8 @@ class TrialQualities:
             save_quality(db, trial.id, made)
         return made
 
-    def judged(self, trials: list[Trial]) -> list[TrialAssessment]:
-        """Return those of a patient's trials that count and could be judged, in the order driven."""
+    def assessments(self, trials: list[Trial]) -> list[TrialAssessment]:
+        """Return the assessments of the kept trials whose recording can be read, in the order driven."""
         with self._database.transaction() as db:
             places = {
                 trial.id: (db.get_one(PatientSession, trial.session_id).number, map_version_of(db, trial))

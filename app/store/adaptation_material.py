@@ -10,13 +10,13 @@ from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import DriveParameters
 from app.store.map_versions import family, version_row
 from app.store.parameters import as_document, current_parameters
-from app.store.practice import PRACTISED_ENDS
+from app.store.practice import PRACTICE_ENDS
 from app.store.tables import Parameters, Patient, Profile, Run, Trial
 
 LAST_TRIALS = 6  # what a person did long ago says little of today
 
 
-class Material(NamedTuple):
+class AdaptationMaterial(NamedTuple):
     """The set that drives now, and the trials that show how the person moves."""
 
     parameters: DriveParameters
@@ -26,7 +26,7 @@ class Material(NamedTuple):
     fresh: int  # how many of them were driven with the map of now
 
 
-def material_for(db: Session, patient_id: int, session_id: int, *, simulated: bool | None) -> Material:
+def material_for(db: Session, patient_id: int, session_id: int, *, simulated: bool | None) -> AdaptationMaterial:
     """Return the last trials of a session that count, and were driven with a map of the same calibration.
 
     Those of earlier sessions tell nothing: the shirt was put on again since. `simulated` says of the shirt in use
@@ -43,14 +43,14 @@ def material_for(db: Session, patient_id: int, session_id: int, *, simulated: bo
             Run.simulated.is_(simulated),
             Trial.session_id == session_id,
             Trial.kept.is_(True),
-            Trial.end.in_(PRACTISED_ENDS),
+            Trial.end.in_(PRACTICE_ENDS),
             Profile.patient_id == patient_id,
             Profile.version.in_(versions),
         )
         .order_by(Trial.id.desc())
     )
     last = [(trial, version) for trial, version in found if trial.measures is not None][:LAST_TRIALS][::-1]
-    return Material(
+    return AdaptationMaterial(
         as_document(row, profile),
         CalibrationProfile.model_validate(version_row(db, patient_id, min(versions)).document),
         tuple(trial.id for trial, _ in last),
@@ -59,7 +59,7 @@ def material_for(db: Session, patient_id: int, session_id: int, *, simulated: bo
     )
 
 
-def still_holds(db: Session, patient_id: int, base: str, trials: Sequence[int]) -> bool:
+def is_current(db: Session, patient_id: int, base: str, trials: Sequence[int]) -> bool:
     """Tell whether the set of this hash still drives, and all of these trials still count."""
     if as_document(*current_parameters(db, patient_id)).hash != base:
         return False

@@ -12,7 +12,7 @@ from app.refusals import Conflict
 from app.store.parameters import as_document
 from app.store.tables import Parameters, Profile, Run, Trial
 
-PRACTISED_ENDS = ("goal", "time-out", "by hand")  # a trial that a fault ended shows little of how the chair drives
+PRACTICE_ENDS = ("goal", "time-out", "by hand")  # a trial that a fault ended shows little of how the chair drives
 
 
 class Practice(NamedTuple):
@@ -25,7 +25,7 @@ class Practice(NamedTuple):
 NO_PRACTICE = Practice(0, None)
 
 
-class Practised:
+class PracticeHistory:
     """Reads a patient's trials; hashes are computed anew, because a stored one may be of an older program's fields.
 
     Trials count only where they were driven as the shirt in use would drive now: worn, or simulated (`simulated`).
@@ -60,7 +60,7 @@ def _driven(db: Session, patient_id: int, simulated: bool | None) -> Iterator[tu
         .join(Parameters, Parameters.id == Trial.parameters_id)
         .join(Profile, Profile.id == Parameters.profile_id)
         .join(Run, Run.id == Trial.run_id)
-        .where(Trial.patient_id == patient_id, Trial.kept.is_(True), Trial.end.in_(PRACTISED_ENDS))
+        .where(Trial.patient_id == patient_id, Trial.kept.is_(True), Trial.end.in_(PRACTICE_ENDS))
         .where(Run.simulated.is_(simulated))
         .order_by(Trial.id.desc())
     )

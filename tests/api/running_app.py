@@ -17,7 +17,7 @@ from app.calibration.profile import CalibrationProfile
 from app.calibration.script import Step
 from app.layout import ShirtLayout
 from app.scoring.control_quality import ControlQuality
-from app.session.readings import Driven, Readings
+from app.session.readings import Readings, RecordedTrajectory
 from app.settings import Settings
 
 
@@ -30,10 +30,10 @@ class RunningApp:
         self._answers: dict[str, Any] = {}
         line = np.linspace(0.0, 1.0, 101)
         readings = Readings(
-            judge=lambda _folder, _duration: self._answers["judge"],
+            check_step=lambda _folder, _duration: self._answers["judge"],
             fit=self._fit,
             measure=lambda _folder, _plan, _path: self._answers["measures"],
-            drive=lambda _folder: Driven(line, line, 0 * line),
+            trajectory=lambda _folder: RecordedTrajectory(line, line, 0 * line),
             quality=lambda _folder: self._quality(),
             adapt=lambda *given: self._answers["adapt"](*given) if "adapt" in self._answers else None,
         )

@@ -9,7 +9,7 @@ from test_roles import contexts
 
 from app.api.page_session import READS, WITHOUT_SESSION
 from app.refusals import Conflict
-from app.session.page_session import SHOWN_SESSION, ShownSession
+from app.session.page_session import PAGE_SESSION, PageSession
 from app.store.people import find_person, sign_in
 
 OTHER = "can no longer be sent"
@@ -100,7 +100,7 @@ def test_a_change_that_waited_while_the_session_changed_does_nothing(in_session:
     before = int(second_patient(in_session))
 
     async def late(what: str) -> None:
-        SHOWN_SESSION.set(ShownSession(before))
+        PAGE_SESSION.set(PageSession(before))
         if what == "undisturbed":
             async with in_session.web.session.undisturbed("change the controls"):
                 raise AssertionError("it was done")

@@ -8,7 +8,7 @@ from session.test_recordings import LAYOUT, READINGS, record, step_ticks
 from app.calibration.script import calibration_script
 from app.calibration.vocabulary import standard_parameters
 from app.refusals import Conflict
-from app.session.gesture_discovery import of_newest, of_result
+from app.session.gesture_discovery import patient_gestures, session_gestures
 from app.store.calibrations import begin_calibration, set_step
 from app.store.map_versions import save_adapted
 from app.store.parameters import save_parameters, save_profile
@@ -46,10 +46,10 @@ class Recorded:
             db.get_one(PatientSession, self.session).accepted = True
 
     def result(self):
-        return of_result(self.database, self.folder_of, self.session)
+        return session_gestures(self.database, self.folder_of, self.session)
 
     def newest(self):
-        return of_newest(self.database, self.folder_of, self.patient)
+        return patient_gestures(self.database, self.folder_of, self.patient)
 
 
 @pytest.fixture

@@ -69,7 +69,7 @@ def recorded(tmp_path):
 
 def test_a_calibration_is_fitted_from_its_recordings_alone(recorded):
     for step, folder in recorded:
-        assert READINGS.judge(folder, step.duration) is None
+        assert READINGS.check_step(folder, step.duration) is None
     profile = READINGS.fit(LAYOUT, recorded, [])
     assert all(joint.map == "pca" for joint in profile.joints)
     assert [joint.guided.repetitions for joint in profile.joints] == [3] * len(profile.joints)
@@ -88,7 +88,7 @@ def test_a_step_whose_shirt_fell_silent_is_not_taken(tmp_path):
     for tick in ticks[100:140]:
         tick.values = None
     folder = record(tmp_path / "rest", ticks, step.cues)
-    assert "silent for 0.4 seconds" in READINGS.judge(folder, step.duration)
+    assert "silent for 0.4 seconds" in READINGS.check_step(folder, step.duration)
 
 
 def trial_ticks(state_at):
@@ -104,7 +104,7 @@ def test_a_trial_is_measured_from_when_motion_was_permitted(tmp_path):
     assert 9.4 <= measures["time"] <= 10.1  # within the goal's radius
     assert 9.4 <= measures["dist"] <= 10.1
     assert measures["e_diff"] == pytest.approx(0.0, abs=1e-6)
-    line = READINGS.drive(folder)
+    line = READINGS.trajectory(folder)
     assert (line.t[0], line.x[0]) == (0.0, 0.0)
     assert all(before <= after for before, after in itertools.pairwise(line.x))
 
@@ -114,4 +114,4 @@ def test_a_trial_that_never_moved_has_no_measures(tmp_path):
     with pytest.raises(ValueError, match="never permitted to move"):
         READINGS.measure(folder, PLAN, PLAN.paths[0])
     with pytest.raises(ValueError, match="no recording"):
-        READINGS.drive(tmp_path / "nowhere")
+        READINGS.trajectory(tmp_path / "nowhere")

@@ -9,7 +9,7 @@ from app.faults import State
 from app.messages import TICK
 from app.session.real_drive import DriveWatch
 from app.session.run_watch import HALT_LIMIT
-from app.session.step_check import judge_frames
+from app.session.step_check import check_frames
 from app.session.trial_watch import TrialWatch
 from app.world.floorplan import FloorPlan, PrescribedPath
 
@@ -125,12 +125,12 @@ def test_the_stages_of_a_course_are_gone_through_one_after_the_other():
 
 
 def test_a_whole_recording_does():
-    assert judge_frames(np.arange(0, 5, 0.01), 5.0, 100.0) is None
+    assert check_frames(np.arange(0, 5, 0.01), 5.0, 100.0) is None
 
 
 def test_a_gap_and_a_thin_recording_are_said_in_words():
     t = np.arange(0, 5, 0.01)
-    assert "silent for 0.4 seconds" in judge_frames(t[(t < 2.0) | (t > 2.4)], 5.0, 100.0)
-    assert "Only 50 %" in judge_frames(t[::2], 5.0, 100.0)
-    assert "Only 0 %" in judge_frames(np.empty(0), 5.0, 100.0)
-    assert "silent" in judge_frames(t[t < 4.7], 5.0, 100.0)
+    assert "silent for 0.4 seconds" in check_frames(t[(t < 2.0) | (t > 2.4)], 5.0, 100.0)
+    assert "Only 50 %" in check_frames(t[::2], 5.0, 100.0)
+    assert "Only 0 %" in check_frames(np.empty(0), 5.0, 100.0)
+    assert "silent" in check_frames(t[t < 4.7], 5.0, 100.0)

@@ -19,7 +19,7 @@ MESSAGE_LIMIT = 4096  # characters
 NOT_TEXT = 1003  # close code: our pages send text only
 
 
-class Looks(Document):
+class HeadDirection(Document):
     """Where a tablet looks."""
 
     yaw: Radians
@@ -27,11 +27,11 @@ class Looks(Document):
     roll: Radians
 
 
-class Upward(Document):
+class PageMessage(Document):
     """What a page says: where the visitor moves, where a tablet looks, or Stop."""
 
     move: Annotated[dict[Name, Fraction], Field(max_length=MAX_JOINTS)] | None = None
-    look: Looks | None = None
+    look: HeadDirection | None = None
     stop: bool = False
 
 
@@ -68,7 +68,7 @@ async def _take(text: str, web: WebParts) -> None:
         said = json.loads(text)
         if isinstance(said, dict) and said.get("stop") is True:
             await web.control.stop()
-        message = Upward.model_validate(said)
+        message = PageMessage.model_validate(said)
     except (ValidationError, ValueError, RecursionError):
         return
     if message.move is not None:

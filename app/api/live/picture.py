@@ -19,7 +19,7 @@ from app.session.real_drive import RealDriveFlow
 from app.session.run_watch import Halt
 from app.session.runs import Runs
 from app.session.trial import DriveFlow
-from app.session.words.chair_words import chair_not_open, chair_said
+from app.session.words.chair_words import chair_report, closed_chair_report
 
 STALE = 1.0  # s without a tick: the control process is not to be counted on
 SILENT = 0.5  # s without a frame: the shirt is not alive
@@ -166,7 +166,7 @@ class LivePicture:
     def _chair(self, tick: np.void) -> dict[str, Any] | None:
         if self._chairs.chosen is None:
             return None
-        return chair_said(tick) if tick["chair_kind"] else chair_not_open(self._chairs.not_open)
+        return chair_report(tick) if tick["chair_kind"] else closed_chair_report(self._chairs.not_open)
 
     def _real_drive(self) -> dict[str, Any] | None:
         drive = self._real.drive
@@ -201,7 +201,9 @@ class LivePicture:
             },
             "stops": 0,
             "dial": 1.0,
-            "chair": None if self._chairs.chosen is None else chair_not_open("The control process is being restarted."),
+            "chair": None
+            if self._chairs.chosen is None
+            else closed_chair_report("The control process is being restarted."),
             "run": None,
             "trial": self._trial(),
             "drive": self._real_drive(),

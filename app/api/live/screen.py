@@ -22,7 +22,7 @@ TAKEN = 4409  # close code: another socket speaks for this screen
 ScreenWord = Annotated[str, Field(min_length=8, max_length=64, pattern=r"^[A-Za-z0-9_-]+$")]
 
 
-class Said(Document):
+class ScreenMessage(Document):
     """What a screen says.
 
     `silence` is for how long (s) the page's own thread has said nothing to the worker; `picture` is what the page shows
@@ -69,11 +69,11 @@ async def screen_socket(websocket: WebSocket) -> None:
                 web.lost(screen, websocket)
 
 
-def _read(text: str) -> Said | None:
+def _read(text: str) -> ScreenMessage | None:
     """Return what was said; None for what cannot be read, which is as good as silence."""
     if len(text) > MESSAGE_LIMIT:
         return None
     try:
-        return Said.model_validate(json.loads(text))
+        return ScreenMessage.model_validate(json.loads(text))
     except (ValidationError, ValueError, RecursionError):
         return None

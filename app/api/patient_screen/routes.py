@@ -13,7 +13,7 @@ from app.api.own_address import own_address
 from app.api.parts import Web, WebParts
 from app.api.qr import qr_picture
 from app.api.sign_in.sign_in_limits import address_of
-from app.api.sign_in.signed_in import SCREEN_COOKIE, SignedIn
+from app.api.sign_in.signed_in import SCREEN_COOKIE, SignedInPerson
 from app.quantities import Document
 from app.store.patient_screens import (
     PAIRED_FOR,
@@ -75,7 +75,7 @@ class MyState(Document):
     state: ScreenState
 
 
-async def _view(parts: People, web: WebParts, who: SignedIn) -> ScreensView:
+async def _view(parts: People, web: WebParts, who: SignedInPerson) -> ScreensView:
     session = await web.session.needed_session(who.clinic_id)
     connected, pictures = parts.sockets.screens(), web.pictures.patients()
 

@@ -1,4 +1,4 @@
-"""Trajectories for the screen: read from the recording, thinned to what an eye can see."""
+"""Trajectories for the screen: read from recordings, thinned to one point every 5 cm."""
 
 from pathlib import Path
 from typing import NamedTuple
@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from app.session.readings import Drive
+from app.session.readings import ReadTrajectory
 
 APART = 0.05  # m between two points that are shown
 KEPT = 200  # trajectories in memory: the recording of an ended trial never changes
@@ -21,24 +21,24 @@ class Trajectory(NamedTuple):
 
 
 class Trajectories:
-    """Reads each trajectory once."""
+    """Reads the trajectory of each recording once and caches it."""
 
-    def __init__(self, drive: Drive) -> None:
-        self._drive = drive
-        self._read: dict[Path, Trajectory] = {}
+    def __init__(self, read: ReadTrajectory) -> None:
+        self._read_trajectory = read
+        self._trajectories: dict[Path, Trajectory] = {}
 
     def of(self, folder: Path) -> Trajectory | None:
         """Return the trajectory of an ended trial, None when its recording cannot be read."""
-        if folder not in self._read:
+        if folder not in self._trajectories:
             try:
-                rows = self._drive(folder)
+                rows = self._read_trajectory(folder)
             except (ValueError, OSError):
                 return None
             kept = thinned(rows.x, rows.y)
-            if len(self._read) >= KEPT:
-                self._read.pop(next(iter(self._read)), None)
-            self._read[folder] = Trajectory(*(np.round(column[kept], 3).tolist() for column in rows[:3]))
-        return self._read.get(folder)
+            if len(self._trajectories) >= KEPT:
+                self._trajectories.pop(next(iter(self._trajectories)), None)
+            self._trajectories[folder] = Trajectory(*(np.round(column[kept], 3).tolist() for column in rows[:3]))
+        return self._trajectories.get(folder)
 
 
 def thinned(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.intp]:

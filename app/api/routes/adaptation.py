@@ -11,8 +11,8 @@ from app.api.parts import Web, WebParts
 from app.calibration.adaptation.proposal import JointChange
 from app.quantities import Document
 from app.scoring.trial_forecast import Effect
-from app.session.adaptation import NOT_ASKED, STALE, Held, Mode
-from app.store.adaptation_material import mode_of, still_holds
+from app.session.adaptation import NOT_ASKED, STALE, AdaptationProposal, Mode
+from app.store.adaptation_material import is_current, mode_of
 from app.store.database import Database, Transaction
 from app.store.log import write_log
 from app.store.map_versions import version_before, versions_of
@@ -82,19 +82,19 @@ class MapView(Document):
     trials: list[int]
 
 
-def _proposal(held: Held, labels: dict[str, str]) -> ProposalView:
-    proposal = held.adapted.proposal
+def _proposal_view(waiting: AdaptationProposal, labels: dict[str, str]) -> ProposalView:
+    proposal = waiting.result.proposal
     return ProposalView(
-        id=held.id,
-        trials=list(held.trials),
+        id=waiting.id,
+        trials=list(waiting.trials),
         felt_change=proposal.felt_change,
         warns=proposal.warns,
         reason=proposal.reason,
         changes=proposal.parameters is not None,
         joints=[JointView(**dict(joint), label=labels.get(joint.name, joint.name)) for joint in proposal.joints],
-        effect=held.adapted.effect,
-        applied=held.applied,
-        words=held.words,
+        effect=waiting.result.effect,
+        applied=waiting.applied,
+        words=waiting.words,
     )
 
 
@@ -110,30 +110,30 @@ def _view(db: Transaction, web: WebParts, patient_id: int) -> AdaptationView:
         proposal=None,
         why=NOT_CALIBRATED,
         refusal=flow.refusal(),
-        looking=flow.looking,
+        looking=flow.is_proposing,
     )
     if newest_profile(db, patient_id) is None:
         return view
     row, profile = current_parameters(db, patient_id)
     parameters = as_document(row, profile)
-    held, why = flow.held(patient_id), ""
-    if held is None:
-        why = flow.why(patient_id) or NOT_ASKED[mode]
-    elif held.applied is not None:
-        if held.applied != profile.version:
-            held, why = None, NOT_ASKED[mode]
-    elif not still_holds(db, patient_id, held.base, held.trials):
-        held, why = None, STALE
-    elif held.adapted.proposal.parameters is None:
-        why = held.adapted.proposal.reason
-    practice = flow.practised.practice(db, patient_id, parameters.hash, simulated=web.session.simulated)
+    waiting, why = flow.proposal_for(patient_id), ""
+    if waiting is None:
+        why = flow.reason_for_none(patient_id) or NOT_ASKED[mode]
+    elif waiting.applied is not None:
+        if waiting.applied != profile.version:
+            waiting, why = None, NOT_ASKED[mode]
+    elif not is_current(db, patient_id, waiting.base_hash, waiting.trials):
+        waiting, why = None, STALE
+    elif waiting.result.proposal.parameters is None:
+        why = waiting.result.proposal.reason
+    practice = flow.practice.practice(db, patient_id, parameters.hash, simulated=web.session.simulated)
     labels = {joint.name: joint.label for joint in parameters.profile.layout.joints}
     changed = {
         "version": profile.version,
         "origin": profile.origin,
         "practised": practice.trials,
         "back_to": version_before(db, patient_id),
-        "proposal": None if held is None else _proposal(held, labels),
+        "proposal": None if waiting is None else _proposal_view(waiting, labels),
         "why": why,
     }
     return view.model_copy(update=changed)

@@ -8,7 +8,7 @@ from pydantic import Field
 
 from app.api.deps import Clinician, People, PeopleParts
 from app.api.parts import Web, WebParts
-from app.api.sign_in.signed_in import SignedIn
+from app.api.sign_in.signed_in import SignedInPerson
 from app.calibration.fit.profile_fit import joints_without_map
 from app.calibration.gestures.discovery import Discovery
 from app.calibration.profile import CalibrationProfile, GuidedMap, MapKind
@@ -16,7 +16,7 @@ from app.calibration.vocabulary import standard_parameters
 from app.quantities import Document, Line, Name
 from app.refusals import Conflict
 from app.session.calibration import RESULT, Progress
-from app.session.gesture_discovery import of_result
+from app.session.gesture_discovery import session_gestures
 from app.session.map_choice import choose_map
 from app.store.calibrations import is_calibration_simulated
 from app.store.log import write_log
@@ -156,7 +156,7 @@ async def look(who: Clinician, web: Web) -> CalibrationView:
 async def gestures(who: Clinician, parts: PeopleParts, web: Web) -> Discovery:
     """Return all gestures that were found in the calibration under way, or else in the newest accepted one."""
     session = await web.session.needed_session(who.clinic_id)
-    return await asyncio.to_thread(of_result, parts.database, web.runs.folder_of, session.id)
+    return await asyncio.to_thread(session_gestures, parts.database, web.runs.folder_of, session.id)
 
 
 @router.post("/steps/{step}/start")
@@ -225,7 +225,7 @@ async def accept(who: Clinician, parts: PeopleParts, web: Web) -> CalibrationVie
     return await _view(web, session)
 
 
-async def _accept(who: SignedIn, parts: People, web: WebParts, session: PatientSession) -> None:
+async def _accept(who: SignedInPerson, parts: People, web: WebParts, session: PatientSession) -> None:
     progress = await web.calibration.progress(session.id)
     profile = progress.profile
     if profile is None:

@@ -9,7 +9,7 @@ from pydantic import Field
 from app.api.deps import Anyone, Clinician, Owner, People, PeopleParts, RowId
 from app.api.parts import Web, WebParts
 from app.api.qr import qr_picture
-from app.api.sign_in.signed_in import SignedIn
+from app.api.sign_in.signed_in import SignedInPerson
 from app.hardware.chair.key import Key
 from app.hardware.places import Host
 from app.quantities import Document, Port, Title
@@ -80,7 +80,7 @@ def _chair_view(chair: Chair) -> ChairView:
     )
 
 
-async def _view(parts: People, web: WebParts, who: SignedIn) -> ChairsView:
+async def _view(parts: People, web: WebParts, who: SignedInPerson) -> ChairsView:
     def _read() -> list[ChairView]:
         with parts.database.transaction() as db:
             return [_chair_view(chair) for chair in chairs_of(db, own_clinic(db, who))]
@@ -94,7 +94,7 @@ async def _view(parts: People, web: WebParts, who: SignedIn) -> ChairsView:
     )
 
 
-def own_clinic(db: Transaction, who: SignedIn) -> Clinic:
+def own_clinic(db: Transaction, who: SignedInPerson) -> Clinic:
     """Return the clinic of a person."""
     return db.get_one(Clinic, who.clinic_id)
 
@@ -150,11 +150,11 @@ async def choose(body: Choice, who: Clinician, parts: PeopleParts, web: Web) -> 
     return await _view(parts, web, who)
 
 
-def _found(parts: People, who: SignedIn, chair_id: int) -> Chair:
+def _found(parts: People, who: SignedInPerson, chair_id: int) -> Chair:
     with parts.database.transaction() as db:
         return find_chair(db, own_clinic(db, who), chair_id)
 
 
-def _note(parts: People, who: SignedIn, choice: Choice) -> None:
+def _note(parts: People, who: SignedInPerson, choice: Choice) -> None:
     with parts.database.transaction() as db:
         write_log(db, who.name, "chair chosen", chair=choice.id, dynamics=choice.dynamics)

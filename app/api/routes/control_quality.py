@@ -59,12 +59,12 @@ def quality(
         trials = trials_of(db, who.clinic_id, patient_id, floorplan, path)
         newest = newest_profile(db, patient_id)
         write_log(db, who.name, "patient viewed", patient=patient_id)
-    judged = web.qualities.judged([trial for trial in trials if trial.run.source.group == source])
-    found = control_warnings(judged, None if newest is None else newest.version)
+    assessments = web.qualities.assessments([trial for trial in trials if trial.run.source.group == source])
+    found = control_warnings(assessments, None if newest is None else newest.version)
     return QualityView(
         source=source,
-        trials=[_row(one) for one in judged],
-        labels={joint.name: joint.label for one in judged for joint in one.quality.joints},
+        trials=[_row(one) for one in assessments],
+        labels={joint.name: joint.label for one in assessments for joint in one.quality.joints},
         warnings=found.warnings,
         note=found.note,
     )

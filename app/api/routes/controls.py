@@ -9,13 +9,13 @@ from pydantic import Field, ValidationError
 
 from app.api.deps import Clinician, People, PeopleParts
 from app.api.parts import Web, WebParts
-from app.api.sign_in.signed_in import SignedIn
+from app.api.sign_in.signed_in import SignedInPerson
 from app.calibration.gestures.suggestion import SuggestedVocabulary
 from app.calibration.vocabulary import Binding, ControlMode, CruiseTime, DriveParameters, Gesture, TurnCruiseTime
 from app.messages import MAX_GESTURES
 from app.quantities import Cutoff, Document, Title
 from app.sentences import one_sentence
-from app.session.gesture_discovery import of_newest
+from app.session.gesture_discovery import patient_gestures
 from app.speeds import Speeds
 from app.store.database import Transaction
 from app.store.log import write_log
@@ -103,14 +103,14 @@ def _view(db: Transaction, web: WebParts, patient_id: int, suggestion: Suggested
         saved=saved_titles(db, patient_id),
         suggested=Suggested(bindings=suggestion.bindings, reason=suggestion.reason),
         limits=LIMITS,
-        held=web.arming.held(parameters.speeds),
+        held=web.arming.lowered_speeds(parameters.speeds),
         obstacle=web.session.obstacle(parameters, simulated=profile.simulated),
     )
 
 
 def _suggestion(parts: People, web: WebParts, patient_id: int) -> SuggestedVocabulary:
     """Return what the newest map's calibration speaks for; outside of a transaction, for recordings are read."""
-    return of_newest(parts.database, web.runs.folder_of, patient_id).suggestion
+    return patient_gestures(parts.database, web.runs.folder_of, patient_id).suggestion
 
 
 @router.get("")
@@ -129,7 +129,7 @@ async def look(who: Clinician, parts: PeopleParts, web: Web) -> ControlsView:
 Change = Callable[[Transaction, PatientSession, SuggestedVocabulary], Parameters]
 
 
-async def _change(who: SignedIn, parts: People, web: WebParts, what: str, change: Change) -> ControlsView:
+async def _change(who: SignedInPerson, parts: People, web: WebParts, what: str, change: Change) -> ControlsView:
     """Change the current set and load it: what is kept is what drives, from the next arming on."""
 
     def _write(session: PatientSession) -> ControlsView:

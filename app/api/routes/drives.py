@@ -110,7 +110,7 @@ def _drive_view(drive: Drive) -> DriveView:
 @router.get("/summary")
 async def summary(who: Anyone, web: Web) -> Summary:
     """Return what arming the chosen chair would apply, and what still speaks against it."""
-    now = await web.arming.look(who.clinic_id)
+    now = await web.arming.summary(who.clinic_id)
     chair, parameters, last = web.chairs.chosen, now.parameters, now.last_practised
     return Summary(
         chair=None if chair is None else ArmedChair(id=chair.id, name=chair.name),
@@ -141,7 +141,7 @@ async def arm(body: NewDrive, request: Request, who: Clinician, parts: PeoplePar
     """Arm the real chair with the set that was read about: recorded, and held by this screen."""
     require_nearby(request)
     async with web.session.undisturbed("arm the chair"):
-        now = await web.arming.look(who.clinic_id)
+        now = await web.arming.summary(who.clinic_id)
         if now.refusals:
             raise Conflict(now.refusals[0])
         chair = web.chairs.chosen

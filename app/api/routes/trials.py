@@ -13,7 +13,7 @@ from app.api.live.screen import ScreenWord
 from app.api.live.screens import Screen
 from app.api.parts import Web, WebParts, load_plan
 from app.api.routes.source_view import SourceView
-from app.api.sign_in.signed_in import SignedIn
+from app.api.sign_in.signed_in import SignedInPerson
 from app.quantities import Document, Line, Name
 from app.refusals import Conflict, NotFound
 from app.scoring.control_quality import ControlQuality
@@ -265,7 +265,7 @@ def keep_again(trial_id: RowId, who: Clinician, parts: PeopleParts) -> TrialView
     return _keep(parts, who, trial_id, None)
 
 
-def _keep(parts: People, who: SignedIn, trial_id: int, reason: str | None) -> TrialView:
+def _keep(parts: People, who: SignedInPerson, trial_id: int, reason: str | None) -> TrialView:
     with parts.database.transaction() as db:
         trial = keep_trial(db, who.clinic_id, trial_id, reason)
         write_log(db, who.name, "trial kept" if reason is None else "trial discarded", trial=trial_id)

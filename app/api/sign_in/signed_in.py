@@ -12,7 +12,7 @@ SCREEN_COOKIE = "bodydrive_screen"  # of a screen that the patient looks at: it 
 
 
 @dataclass(frozen=True, slots=True)
-class SignedIn:
+class SignedInPerson:
     """A person with an open sign-in."""
 
     session_id: int
@@ -22,7 +22,7 @@ class SignedIn:
     role: str
 
 
-def find_signed_in(database: Database, cookies: Mapping[str, str]) -> SignedIn | None:
+def find_signed_in(database: Database, cookies: Mapping[str, str]) -> SignedInPerson | None:
     """Return who the cookie belongs to, None when nobody or when the sign-in has ended."""
     token = cookies.get(COOKIE)
     if not token:
@@ -32,7 +32,7 @@ def find_signed_in(database: Database, cookies: Mapping[str, str]) -> SignedIn |
         if found is None:
             return None
         session, person = found
-        return SignedIn(session.id, person.id, person.clinic_id, person.name, person.role)
+        return SignedInPerson(session.id, person.id, person.clinic_id, person.name, person.role)
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,6 +53,6 @@ def find_paired_screen(database: Database, cookies: Mapping[str, str]) -> Paired
         return None if screen is None else PairedScreen(screen.id, screen.session_id)
 
 
-def find_viewer(database: Database, cookies: Mapping[str, str]) -> SignedIn | PairedScreen | None:
+def find_viewer(database: Database, cookies: Mapping[str, str]) -> SignedInPerson | PairedScreen | None:
     """Return who may look at the patient's picture: whoever is signed in, and the patient's screens."""
     return find_signed_in(database, cookies) or find_paired_screen(database, cookies)

@@ -12,7 +12,7 @@ STATES = ("disarmed", "checking", "armed", "fault")
 CHAIR_FAULT = 3  # the last of them
 
 
-def why_not(fault: int) -> str:
+def fault_sentence(fault: int) -> str:
     """Return in a sentence why a chair whose state is fault stands."""
     if fault == Reason.NONE or fault not in WORDS:
         return "The chair reports a fault that this program does not know."
@@ -24,15 +24,15 @@ def is_silent(tick: np.void) -> bool:
     return not float(tick["chair_age"]) <= CHAIR_SILENT
 
 
-def chair_said(tick: np.void) -> dict[str, Any]:
+def chair_report(tick: np.void) -> dict[str, Any]:
     """Return what the newest tick (`app.messages.TICK`) holds of a real chair, for the live picture."""
     state, fault = int(tick["chair_state"]), int(tick["chair_fault"])
     if is_silent(tick):
         words = "The chair does not answer: check its power and the network."
     elif state == CHAIR_FAULT:
-        words = why_not(fault)
+        words = fault_sentence(fault)
     else:
-        words = "" if fault == Reason.NONE else why_not(fault)
+        words = "" if fault == Reason.NONE else fault_sentence(fault)
     return {
         "kind": "udp",
         "state": STATES[min(state, CHAIR_FAULT)],
@@ -45,7 +45,7 @@ def chair_said(tick: np.void) -> dict[str, Any]:
     }
 
 
-def chair_not_open(words: str) -> dict[str, Any]:
+def closed_chair_report(words: str) -> dict[str, Any]:
     """Return the same of a chair that was chosen and could not be opened."""
     return {
         "kind": "udp",

@@ -6,7 +6,7 @@ from typing import Any
 from app.calibration.adaptation.proposal import JointChange, Proposal
 from app.calibration.vocabulary import DriveParameters
 from app.scoring.trial_forecast import Effect
-from app.session.readings import Adapted
+from app.session.readings import AdaptationResult
 from app.speeds import Speeds
 
 UP = 0.01
@@ -23,7 +23,7 @@ EFFECT = Effect(
 )
 
 
-def change(parameters: DriveParameters, felt: float = 0.03) -> Adapted:
+def change(parameters: DriveParameters, felt: float = 0.03) -> AdaptationResult:
     """Return a proposal that raises every dead-zone a little, and moves what the first joint calls its middle."""
     gestures = tuple(each.model_copy(update={"dead_zone": each.dead_zone + UP}) for each in parameters.gestures)
     first, *others = parameters.profile.joints
@@ -55,7 +55,7 @@ def change(parameters: DriveParameters, felt: float = 0.03) -> Adapted:
         difference={"felt_change": felt, "turned": {first.name: 2.0}},
         reason="The right elbow would change.",
     )
-    return Adapted(proposal, EFFECT)
+    return AdaptationResult(proposal, EFFECT)
 
 
 def begin(clinic: Any) -> Any:

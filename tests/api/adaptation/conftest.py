@@ -9,7 +9,7 @@ from fake_clinic import WORD, Clinic
 
 from app.api.routes import drives
 from app.calibration.vocabulary import DriveParameters
-from app.session.readings import Adapted
+from app.session.readings import AdaptationResult
 
 
 @pytest.fixture(autouse=True)
@@ -30,7 +30,7 @@ def ready(calibrated: Clinic) -> Any:
 
     def adapt(
         parameters: DriveParameters, _calibrated: Any, folders: list[Any], fresh: int, _leave_off: Callable[[], bool]
-    ) -> Adapted:
+    ) -> AdaptationResult:
         calibrated.asked.append((len(folders), fresh))  # type: ignore[attr-defined]
         return change(parameters)
 

@@ -11,7 +11,7 @@ from fake_clinic import WORD
 from app.calibration.adaptation.proposal import Proposal
 from app.calibration.vocabulary import DriveParameters
 from app.faults import Fault, State
-from app.session.readings import Adapted
+from app.session.readings import AdaptationResult
 from app.store.people import add_person, sign_in, the_clinic
 
 
@@ -27,7 +27,7 @@ def test_a_large_change_waits_for_a_person(ready: Any) -> None:
 
 def test_nothing_is_applied_where_nothing_would_change(ready: Any) -> None:
     nothing = {"trials": 1, "joints": (), "felt_change": 0.0, "warns": False, "parameters": None, "difference": {}}
-    ready.readings["adapt"] = lambda *_: Adapted(Proposal(**nothing, reason="The map fits."), None)
+    ready.readings["adapt"] = lambda *_: AdaptationResult(Proposal(**nothing, reason="The map fits."), None)
     choose(ready, "auto")
     drive(ready)
     view = settled(ready)
@@ -115,7 +115,7 @@ def test_by_itself_it_applies_only_between_trials(ready: Any, meanwhile: str) ->
 
     def adapt(
         parameters: DriveParameters, _calibrated: Any, _folders: Any, _fresh: int, leave_off: Callable[[], bool]
-    ) -> Adapted:
+    ) -> AdaptationResult:
         looks.set()
         assert go_on.wait(20)
         left_off.append(leave_off())
