@@ -1,6 +1,7 @@
 """What every test has: generated cases without a deadline, a umask of its own; on request a database and a profile."""
 
 import os
+import shutil
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -25,8 +26,17 @@ def _umask() -> Iterator[None]:
     os.umask(before)
 
 
+@pytest.fixture(scope="session")
+def new_database(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The folder of a database that nobody used yet: its file and the head of its log, both closed."""
+    folder = tmp_path_factory.mktemp("new-database")
+    Database(folder / "clinic.sqlite").close()
+    return folder
+
+
 @pytest.fixture
-def database(tmp_path: Path) -> Iterator[Database]:
+def database(new_database: Path, tmp_path: Path) -> Iterator[Database]:
+    shutil.copytree(new_database, tmp_path, dirs_exist_ok=True)
     opened = Database(tmp_path / "clinic.sqlite")
     yield opened
     opened.close()

@@ -5,8 +5,6 @@ import subprocess
 import sys
 from pathlib import Path
 
-import pytest
-
 from folders import ROOT
 
 FILES = sorted((ROOT / "app").rglob("*.py"))
@@ -98,30 +96,50 @@ def imports_of(file: Path) -> set[str]:
     return found
 
 
-@pytest.mark.parametrize("file", FILES, ids=module_of)
-def test_imports_follow_the_table(file):
-    importer = package_of(module_of(file))
-    for imported in imports_of(file):
-        if imported.split(".")[0] != "app" or imported == "app":
-            continue
-        package, name = package_of(imported), imported.removeprefix("app.")
-        allowed = MAY_IMPORT[importer]
-        assert package == importer or any(
-            package == LEAVES if entry == LEAVES else f"{name}.".startswith(f"{entry}.") for entry in allowed
-        ), f"{module_of(file)} imports {imported}"
-        if importer == "pipeline":
-            assert not name.startswith(FITTING), f"{module_of(file)} imports {imported}"
+IMPORTS = {module_of(file): imports_of(file) for file in FILES}
 
 
-@pytest.mark.parametrize("file", FILES, ids=module_of)
-def test_one_library_has_one_home(file):
-    importer = package_of(module_of(file))
-    for imported in imports_of(file):
-        library = imported.split(".")[0]
-        if library in HOME:
-            assert importer in HOME[library], f"{module_of(file)} imports {library}"
-        if library == "time":
-            assert module_of(file) == "app.clock", f"{module_of(file)} reads a clock of its own"
+def may_import(importer: str, imported: str) -> bool:
+    """Tell whether a module of one package may import this module of ours."""
+    package, name = package_of(imported), imported.removeprefix("app.")
+    if importer == "pipeline" and name.startswith(FITTING):
+        return False
+    return package == importer or any(
+        package == LEAVES if entry == LEAVES else f"{name}.".startswith(f"{entry}.") for entry in MAY_IMPORT[importer]
+    )
+
+
+def test_imports_follow_the_table():
+    assert {
+        module: wrong
+        for module, imports in IMPORTS.items()
+        if (
+            wrong := sorted(
+                imported
+                for imported in imports
+                if imported.startswith("app.") and not may_import(package_of(module), imported)
+            )
+        )
+    } == {}
+
+
+def test_one_library_has_one_home():
+    assert {
+        module: wrong
+        for module, imports in IMPORTS.items()
+        if (
+            wrong := sorted(
+                library
+                for library in {imported.split(".")[0] for imported in imports}
+                if library in HOME and package_of(module) not in HOME[library]
+            )
+        )
+    } == {}
+
+
+def test_one_module_reads_the_clock():
+    found = {module for module, imports in IMPORTS.items() if any(each.split(".")[0] == "time" for each in imports)}
+    assert found == {"app.clock"}
 
 
 def test_the_control_process_reaches_no_web_database_or_fitting_library():

@@ -2,8 +2,7 @@
 
 import ast
 import re
-
-import pytest
+from collections import defaultdict
 
 from folders import ROOT
 
@@ -16,18 +15,24 @@ def functions_of(file):
     return {node.name for node in ast.walk(ast.parse(file.read_text())) if isinstance(node, ast.FunctionDef)}
 
 
-@pytest.mark.parametrize(("place", "name"), NAMED, ids=lambda part: part)
-def test_every_test_that_the_page_names_is_there(place, name):
-    files = [file for file in (ROOT / "tests").rglob("*.py") if file.as_posix().endswith(f"/{place}")]
-    assert len(files) == 1, f"{place} stands {len(files)} times in tests/"
-    assert name in functions_of(files[0])
+def test_every_test_that_the_page_names_is_there():
+    places = defaultdict(list)
+    for file in (ROOT / "tests").rglob("*.py"):
+        for place in {place for place, _ in NAMED if file.as_posix().endswith(f"/{place}")}:
+            places[place].append(file)
+    assert {place: files for place, _ in NAMED if len(files := places[place]) != 1} == {}
+    functions = {place: functions_of(file) for place, (file,) in places.items()}
+    assert [(place, name) for place, name in NAMED if name not in functions[place]] == []
 
 
-@pytest.mark.parametrize("invariant", INVARIANTS)
-def test_every_invariant_has_its_row(invariant):
-    rows = [line for line in PAGE.splitlines() if re.match(rf"\| {invariant} \|", line)]
-    assert len(rows) == 1
-    assert re.search(r"::test_|`make drills`|not shown", rows[0]), "a row names its test, or says why there is none"
+def test_every_invariant_has_its_row():
+    rows = {
+        invariant: [line for line in PAGE.splitlines() if re.match(rf"\| {invariant} \|", line)]
+        for invariant in INVARIANTS
+    }
+    assert {invariant: found for invariant, found in rows.items() if len(found) != 1} == {}
+    # a row names its test, or says why there is none
+    assert [row for (row,) in rows.values() if not re.search(r"::test_|`make drills`|not shown", row)] == []
 
 
 ACTIONS = ("drive on", "turn on", "stop", "arm", "adapt", "change speed")
