@@ -1,4 +1,4 @@
-"""What a 3D server sends to a browser, and the ticks that its scene follows."""
+"""The messages of a 3D server to a browser, and ticks for its scene."""
 
 import msgspec
 import numpy as np

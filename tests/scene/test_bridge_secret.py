@@ -1,4 +1,4 @@
-"""viser's own ports answer nobody but our bridge: not a page of another origin, not one of ours, not a program."""
+"""viser's own ports answer only the bridge: no page of any origin, and no other program."""
 
 import socket
 
@@ -41,7 +41,7 @@ def connect(port, headers, origin=None):
 
 @pytest.mark.parametrize("origin", ORIGINS)
 @pytest.mark.parametrize("headers", STRANGERS)
-def test_who_does_not_show_the_secret_gets_no_byte_of_the_scene(ports, headers, origin):
+def test_a_client_without_the_secret_gets_no_byte_of_the_scene(ports, headers, origin):
     for port in ports:
         with pytest.raises(InvalidStatus) as refused, connect(port, headers, origin):
             pass
@@ -49,7 +49,7 @@ def test_who_does_not_show_the_secret_gets_no_byte_of_the_scene(ports, headers, 
         assert len(refused.value.response.body) < 200
 
 
-def test_the_secret_twice_is_not_the_secret(ports):
+def test_two_headers_with_the_secret_are_refused(ports):
     lines = ["GET / HTTP/1.1", "Host: here", "Upgrade: websocket", "Connection: Upgrade", "Sec-WebSocket-Version: 13"]
     lines += ["Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==", f"Sec-WebSocket-Protocol: {SUBPROTOCOL}"]
     lines += [f"{HEADER}: {SECRET}"] * 2
@@ -59,7 +59,7 @@ def test_the_secret_twice_is_not_the_secret(ports):
 
 
 @pytest.mark.parametrize("path", ["/", "/index.html", "/?websocket=x", "/nothing"])
-def test_no_page_is_served_without_it(ports, path):
+def test_no_page_is_served_without_the_secret(ports, path):
     for port in ports:
         for headers in ({}, {"Upgrade": "websocket"}):
             assert httpx.get(f"http://127.0.0.1:{port}{path}", headers=headers).status_code == 403
@@ -71,11 +71,11 @@ def test_our_bridge_gets_the_scene(ports):
             assert len(bridge.recv(timeout=10)) > 100
 
 
-def test_the_page_does_not_carry_it():
+def test_the_page_does_not_contain_the_secret():
     assert SECRET.encode() not in client_page()
 
 
-def test_a_server_that_does_not_ask_for_it_is_not_used(monkeypatch):
+def test_a_server_that_does_not_require_the_secret_is_not_used(monkeypatch):
     """Another version of viser may open its port in another way."""
     opened = []
     monkeypatch.setattr(_infra, "websockets", websockets)

@@ -64,7 +64,7 @@ def test_no_other_message_that_viser_knows_may_pass(role):
         {"excluded_self_client": 1},
     ],
 )
-def test_a_camera_that_is_not_quite_one_is_left_out(change):
+def test_a_camera_of_another_form_is_left_out(change):
     assert not may_pass("clinician", packed(CAMERA | change))
 
 
@@ -91,6 +91,6 @@ def test_a_long_message_is_left_out():
 
 
 @pytest.mark.parametrize("message", [b"\x91" * 4000, b"\x81\xa1a" * 1300])
-def test_what_is_nested_without_end_does_not_pass(message):
+def test_a_deeply_nested_message_does_not_pass(message):
     for role in ("clinician", "patient"):
         assert not may_pass(role, message)

@@ -1,4 +1,4 @@
-"""Rocks, cones and what moves: each inside the circle that stops the chair, or is touched."""
+"""Rocks, cones and movers: each is drawn inside the circle at which the chair touches it."""
 
 import math
 
@@ -73,7 +73,7 @@ def test_a_cone_stands_inside_its_circle_until_it_is_touched_and_falls_away_from
     assert cones.lying == 0
     cones.touch(Pose(2.0 - CHAIR_RADIUS - 0.14, 0.0, 0.0))
     assert cones.lying == 1
-    cones.touch(Pose(2.1, 0.0, 0.0))  # it lies already, and does not fall again
+    cones.touch(Pose(2.1, 0.0, 0.0))  # a lying cone does not fall again
     lying = points_of(cones.parts().values())
     assert lying[:, 2].max() < 0.25
     assert lying[:, 2].min() > -0.03
@@ -101,7 +101,7 @@ def test_a_fallen_cone_has_the_same_faces_so_that_only_points_are_sent():
 
 
 @pytest.mark.parametrize(("kind", "height"), [("person", 1.76), ("chair", 1.45), ("ball", 0.6)])
-def test_what_moves_has_its_size_stands_on_the_floor_and_is_a_few_meshes(kind, height):
+def test_a_mover_has_its_size_stands_on_the_floor_and_is_a_few_meshes(kind, height):
     mover = Mover(name="one", kind=kind, points=((0, 0), (1, 0)), pace=((0.0, 1.0),), radius=0.3)
     parts = mover_parts(mover)
     points = points_of(parts)

@@ -36,7 +36,7 @@ def test_every_ground_looks_up_and_is_a_few_light_meshes(kind, area):
 
 
 @pytest.mark.parametrize("kind", ["sand", "grass", "asphalt"])
-def test_open_ground_fills_its_area_and_what_lets_one_see_the_speed_stays_inside(kind):
+def test_open_ground_fills_its_area_and_its_details_stay_inside(kind):
     parts = ground_parts(plan_on(kind))
     assert extent(parts["ground"].mesh) == AREA
     x_min, y_min, x_max, y_max = extent(parts["ground_detail"].mesh)

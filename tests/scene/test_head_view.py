@@ -82,7 +82,7 @@ def test_a_head_that_comes_back_elsewhere_is_taken_up_gently():
 
 
 @pytest.mark.parametrize("share", [0.0, 0.5, 1.0])
-def test_roll_is_shown_as_far_as_it_is_asked_for(share):
+def test_roll_is_shown_by_its_share(share):
     view = HeadView(share)
     assert follow(view, (0.0, 0.0, 0.4), 2.0).roll == pytest.approx(0.4 * share)
 

@@ -15,7 +15,7 @@ from app.world.kinematics import CHAIR_RADIUS
 from app.world.obstacles import Box, Cylinder
 from app.world.scene import bundled_scenes, load_scene
 
-MOST_TRIANGLES = 40_000  # a tablet's share
+MOST_TRIANGLES = 40_000  # that a tablet draws fluently
 MOST_MESHES = 40
 
 
@@ -93,7 +93,7 @@ def test_a_place_is_few_meshes_of_few_triangles(plan):
 
 
 @pytest.mark.parametrize("name", bundled_floorplans())
-def test_the_path_on_the_floor_is_as_wide_as_it_says(name):
+def test_the_path_on_the_floor_has_its_width(name):
     path = load_floorplan(bundled_floorplans()[name]).paths[0]
     assert PATH_WIDTH * path.line.length == pytest.approx(
         area_from_above(task_parts(path)["path"].mesh).sum() / 2, rel=0.05

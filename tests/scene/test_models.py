@@ -53,7 +53,7 @@ def binary(document, body=b""):
 
 def test_an_object_stands_on_the_floor_in_its_own_size_and_colours(write):
     model = read_model(write(chair_like().export(file_type="glb")))
-    # Across is x in glTF and y here; up is y there and z here; ahead is z there and x here.
+    # glTF's x, y and z point left, up and ahead; those of a plan point ahead, left and up.
     assert model.size == pytest.approx((0.6, 0.4, 0.9))
     assert model.faces == 24
     assert {part.colour for part in model.parts} == {(200, 30, 30), (20, 20, 20)}
@@ -129,7 +129,7 @@ def test_many_colours_become_few(write):
         ),
     ],
 )
-def test_what_cannot_be_drawn_is_refused_in_one_sentence(write, content, words):
+def test_a_file_that_cannot_be_drawn_is_refused_in_one_sentence(write, content, words):
     with pytest.raises(ValueError, match=words) as refused:
         read_model(write(content))
     assert str(refused.value).startswith("thing.glb: this object cannot be used, ")
@@ -170,7 +170,7 @@ def test_a_file_cut_off_is_refused(tmp_path_factory, end):
 
 
 def touched(file, later):
-    """Let a file look changed, so that it is not taken from memory."""
+    """Change a file's time, so that the object is not taken from memory."""
     os.utime(file, ns=(later, later))
     return file
 
@@ -183,7 +183,7 @@ def same(one, other):
         np.testing.assert_array_equal(part.mesh.faces, twin.mesh.faces)
 
 
-def test_what_is_stored_is_read_apart_once(write, monkeypatch):
+def test_a_stored_object_is_read_once_in_a_process_of_its_own(write, monkeypatch):
     file = write(WHOLE)
     same(stored_model(file), read_model(file))
     (reading,) = (file.parent / READINGS).iterdir()
@@ -193,7 +193,7 @@ def test_what_is_stored_is_read_apart_once(write, monkeypatch):
     same(stored_model(touched(file, 2)), read_model(file))
 
 
-def test_what_is_refused_is_not_read_again(write, monkeypatch):
+def test_a_refused_object_is_not_read_again(write, monkeypatch):
     file = write(binary({}))
     for later in (1, 2):
         with pytest.raises(ValueError, match="nothing with faces"):

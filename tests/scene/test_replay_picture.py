@@ -1,4 +1,4 @@
-"""A trial that is over, in 3D: shown at any moment, going back as well as on, and closed."""
+"""The replay of a trial in 3D: shown at any time, forwards and backwards, and closed."""
 
 import numpy as np
 import pytest
@@ -11,7 +11,7 @@ N = 200
 
 
 @pytest.fixture
-def moments():
+def poses():
     t = np.arange(N) / 20
     x = 0.5 * t
     nothing = np.full((N, 3), np.nan)
@@ -19,9 +19,9 @@ def moments():
 
 
 @pytest.fixture
-def replay(moments):
+def replay(poses):
     plan = find_place("follow_me.easy")
-    shown = Replay(plan, plan.paths[0].name, moments)
+    shown = Replay(plan, plan.paths[0].name, poses)
     yield shown
     shown.stop()
 

@@ -25,7 +25,7 @@ def looks_up(mesh):
     ("direction", "start", "swept"),
     [("left", 0.0, math.pi / 2), ("right", 0.0, 3 * math.pi / 2), ("right", math.pi, math.pi / 2)],
 )
-def test_a_turn_shows_the_spot_the_mark_and_an_arrow_the_way_round_that_is_asked(direction, start, swept):
+def test_a_turn_shows_the_spot_the_mark_and_an_arrow_in_the_asked_direction(direction, start, swept):
     parts = task_parts(path(Turn(kind="turn", direction=direction), start_heading=start))
     away = parts["goal"].mesh.vertices[:, :2] - (1.0, 2.0)
     assert np.hypot(*away.T).max() == pytest.approx(SPOT)

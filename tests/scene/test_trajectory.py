@@ -48,7 +48,7 @@ def test_a_chair_that_is_put_elsewhere_has_not_driven_there():
     assert pieces.points == [[(0, 0)], [(2 * JUMP, 0)]]
 
 
-def test_a_chair_that_was_not_looked_at_for_a_while_has_driven():
+def test_a_chair_without_poses_for_a_while_has_driven():
     pieces = TrajectoryPieces()
     pieces.add(Pose(0, 0, 0), 0.0)
     pieces.add(Pose(2 * JUMP, 0, 0), 1.5)

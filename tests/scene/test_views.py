@@ -41,7 +41,7 @@ def rotation(wxyz):
 
 
 def seen_from(camera, point):
-    """Where a point of the plan is for a camera at the origin: x ahead, y left, z up."""
+    """Return where a point of the plan is for a camera at the origin: x ahead, y left, z up."""
     placed = world_placement(camera)
     return rotation(placed.wxyz) @ np.array(point) + np.array(placed.position)
 

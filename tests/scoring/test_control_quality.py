@@ -1,4 +1,4 @@
-"""The quality of control against signals whose truth is known."""
+"""The quality of control, for signals with known figures."""
 
 import math
 
@@ -12,7 +12,7 @@ from app.scoring.control_quality import control_quality, cross_talk
 from app.scoring.joint_quality import map_fit, rest_noise, stretches
 
 
-def judged(values: np.ndarray, activation: np.ndarray | None = None, **more: object):
+def quality_of(values: np.ndarray, activation: np.ndarray | None = None, **more: object):
     n = len(values)
     pulses = np.zeros((n, 2)) if activation is None else activation
     armed = more.pop("armed", np.ones(n, dtype=bool))
@@ -20,8 +20,8 @@ def judged(values: np.ndarray, activation: np.ndarray | None = None, **more: obj
 
 
 @pytest.mark.parametrize("degrees", [0.0, 5.0, 17.0, 45.0, 80.0])
-def test_a_map_turned_by_a_known_angle_is_told_by_that_angle(degrees):
-    joint = judged(frames(along(turned(degrees), strokes()))).joints[0]
+def test_the_angle_of_a_map_turned_by_a_known_angle(degrees):
+    joint = quality_of(frames(along(turned(degrees), strokes()))).joints[0]
     assert joint.map_angle_deg == pytest.approx(degrees, abs=0.05)
     assert joint.evr == pytest.approx(1.0, abs=1e-4)
     assert joint.null_space_share == pytest.approx(math.sin(math.radians(degrees)) ** 2, abs=1e-4)
@@ -31,12 +31,12 @@ def test_a_map_turned_by_a_known_angle_is_told_by_that_angle(degrees):
     assert joint.label == "right elbow"
 
 
-def test_what_reaches_the_control_is_told_exactly():
-    """Two ways of moving, each in strokes of its own: 1 FS along the map, 0.5 FS across it."""
+def test_the_share_of_the_null_space_is_exact():
+    """Two movements, each in separate strokes: 1 FS along the map, 0.5 FS across it."""
     one, pause = strokes(1.0, 20.0), np.zeros(2000)
     movement = along(turned(0), np.concatenate((one, pause))) + along(turned(90), np.concatenate((pause, 0.5 * one)))
-    quality = judged(frames(movement))
-    # Of the smaller one, a little more is too slow to count as movement.
+    quality = quality_of(frames(movement))
+    # A little more of the smaller movement is too slow to count.
     assert quality.joints[0].evr == pytest.approx(0.8, abs=0.03)
     assert quality.joints[0].null_space_share == pytest.approx(1.0 - quality.joints[0].evr, abs=1e-3)
     assert quality.joints[0].map_angle_deg == pytest.approx(0.0, abs=0.5)
@@ -54,7 +54,7 @@ def test_what_reaches_the_control_is_told_exactly():
     scale=st.floats(1e-3, 1e3),
 )
 def test_angle_evr_and_null_space_are_those_of_the_covariance(seed, count, degrees, across, scale):
-    """Movement with the variances 1 along a direction and `across` along another one that stands upright on it."""
+    """Movement with the variances 1 along a direction and `across` along one that is perpendicular to it."""
     random = np.random.default_rng(seed)
     basis = np.linalg.qr(random.standard_normal((count, count)))[0]
     direction, aside = basis[:, 0], basis[:, 1]
@@ -77,35 +77,35 @@ def test_angle_evr_and_null_space_are_those_of_the_covariance(seed, count, degre
 
 def test_slow_drift_between_strokes_is_no_movement():
     drift = np.linspace(0.0, 1.5, round(SECONDS * RATE))
-    joint = judged(frames(along(turned(0), strokes()) + drift[:, np.newaxis] * turned(90))).joints[0]
+    joint = quality_of(frames(along(turned(0), strokes()) + drift[:, np.newaxis] * turned(90))).joints[0]
     assert joint.map_angle_deg < 1.0
     assert joint.null_space_share < 0.005
 
 
-def test_the_span_is_what_was_used_of_the_calibrated_one():
-    joint = judged(frames(along(turned(0), strokes(0.6)))).joints[0]
+def test_the_span_is_given_as_a_share_of_the_calibrated_span():
+    joint = quality_of(frames(along(turned(0), strokes(0.6)))).joints[0]
     assert joint.span_share == pytest.approx(0.6, abs=0.01)
     assert joint.span == pytest.approx(1.2, abs=0.02)
 
 
-def test_only_what_was_permitted_counts():
+def test_only_frames_with_motion_permitted_count():
     permitted = np.arange(round(SECONDS * RATE)) < 2000
     movement = along(turned(10), strokes())
     movement[~permitted] = along(turned(70), 2.0 * strokes())[~permitted]
-    joint = judged(frames(movement), armed=permitted).joints[0]
+    joint = quality_of(frames(movement), armed=permitted).joints[0]
     assert joint.map_angle_deg == pytest.approx(10.0, abs=0.1)
     assert joint.span_share == pytest.approx(math.cos(math.radians(10)), abs=0.02)
 
 
-def test_too_little_movement_is_not_told():
-    quality = judged(frames(along(turned(40), strokes()))[:300])
+def test_too_little_movement_has_no_figures():
+    quality = quality_of(frames(along(turned(40), strokes()))[:300])
     assert quality.joints[0].map_angle_deg is None
     assert quality.map_angle_deg is quality.evr is quality.null_space_share is None
 
 
 @pytest.mark.parametrize("noise", [0.02, 0.1])
-def test_noise_at_rest_is_told_among_the_strokes(noise):
-    """A rate that is noise of a known size, but for strokes in half of the time."""
+def test_noise_at_rest_is_measured_between_strokes(noise):
+    """A rate with noise of a known size, and with strokes in half of the time."""
     random = np.random.default_rng(3)
     rate = noise * random.standard_normal(6000) + np.where(
         np.arange(6000) % 400 < 200, 3.0 * np.sin(np.arange(6000)), 0
@@ -114,7 +114,7 @@ def test_noise_at_rest_is_told_among_the_strokes(noise):
     assert found == pytest.approx(noise, rel=0.15)
 
 
-def test_a_rest_too_short_is_not_told():
+def test_a_rest_too_short_has_no_noise():
     assert rest_noise(np.zeros(200), np.ones(200, dtype=bool), RATE) is None
 
 
@@ -134,18 +134,18 @@ def pulses(n: int, beginnings: list[int], length: int = 50) -> np.ndarray:
 def test_activations_are_counted_exactly():
     values = frames(along(turned(0), strokes()))
     activation = np.column_stack((pulses(4000, [100, 500, 900]), pulses(4000, [1500])))
-    quality = judged(values, activation)
+    quality = quality_of(values, activation)
     assert [joint.activations for joint in quality.joints] == [3, 1]
     assert quality.activations == 4
     assert quality.activations_per_metre == pytest.approx(0.4)
     assert quality.cross_talk == 0.0
-    assert judged(values, activation, bound=JOINTS[:1]).activations == 3
+    assert quality_of(values, activation, bound=JOINTS[:1]).activations == 3
     assert (
         control_quality(parameters(), RATE, values, np.ones(4000, bool), activation, 0.1).activations_per_metre is None
     )
 
 
-def test_cross_talk_is_the_share_beside_the_strongest():
+def test_cross_talk_is_the_share_of_all_but_the_strongest_gesture():
     assert cross_talk(np.array([[0.8, 0.0], [0.0, 0.4]])) == pytest.approx(0.0)
     assert cross_talk(np.array([[0.5, 0.5], [0.5, 0.5]])) == pytest.approx(0.5)
     assert cross_talk(np.array([[0.9, 0.1], [0.0, 0.0]])) == pytest.approx(0.1)
@@ -159,13 +159,13 @@ def test_a_stop_on_purpose_is_no_cross_talk():
     n = 4000
     activation = np.column_stack((pulses(n, [100]), pulses(n, [100])))
     values = frames(along(turned(0), strokes()))
-    assert judged(values, activation).cross_talk == pytest.approx(0.5)
-    assert judged(values, activation, stop=True).cross_talk is None
+    assert quality_of(values, activation).cross_talk == pytest.approx(0.5)
+    assert quality_of(values, activation, stop=True).cross_talk is None
 
 
 @settings(max_examples=40, deadline=None)
 @given(st.integers(0, 2**32 - 1), st.integers(1, 8))
-def test_cross_talk_lies_between_none_and_all_alike(seed, count):
+def test_cross_talk_lies_between_its_limits(seed, count):
     activation = np.random.default_rng(seed).random((20, count)) * (
         np.random.default_rng(seed + 1).random((20, 1)) > 0.3
     )
@@ -174,10 +174,10 @@ def test_cross_talk_lies_between_none_and_all_alike(seed, count):
 
 
 @pytest.mark.parametrize("dead", [np.nan, 1.0, 40.0])
-def test_a_channel_that_dies_is_named_and_left_out(dead):
+def test_a_failed_channel_is_named_and_left_out(dead):
     values = frames(along(turned(20), strokes()))
     values[1000:, 2] = dead  # the channel across the map dies after a quarter of the time
-    quality = judged(values)
+    quality = quality_of(values)
     (bad,) = quality.bad_channels
     assert (bad.name, bad.joint, bad.silent) == ("right_elbow_2", "right_elbow", True)
     assert bad.share == pytest.approx(0.75, abs=0.01)
@@ -188,7 +188,7 @@ def test_a_channel_that_dies_is_named_and_left_out(dead):
 def test_a_short_drop_out_costs_only_its_own_moment():
     values = frames(along(turned(20), strokes()))
     values[1000:1100, 0] = np.nan
-    quality = judged(values)
+    quality = quality_of(values)
     assert [(bad.name, bad.share, bad.silent) for bad in quality.bad_channels] == [("right_elbow_0", 100 / 4000, True)]
     assert quality.joints[0].map_angle_deg == pytest.approx(20.0, abs=0.2)
 
@@ -196,14 +196,14 @@ def test_a_short_drop_out_costs_only_its_own_moment():
 def test_a_channel_beyond_its_range_is_not_silent():
     values = frames(along(turned(20), strokes()))
     values[:, 1] += 10.0
-    (bad,) = judged(values).bad_channels
+    (bad,) = quality_of(values).bad_channels
     assert (bad.name, bad.share, bad.silent) == ("right_elbow_1", 1.0, False)
 
 
 def test_a_joint_without_a_channel_left_has_no_figures():
     values = frames(along(turned(0), strokes()))
     values[:, :COUNT] = 1.0
-    joint = judged(values).joints[0]
+    joint = quality_of(values).joints[0]
     assert (joint.map_angle_deg, joint.span, joint.rest_rate, joint.direction) == (None, None, None, None)
 
 

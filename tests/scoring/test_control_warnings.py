@@ -1,11 +1,11 @@
-"""Warnings: the right one for what was done to a trial, none for a steady person, and each with what to do."""
+"""Warnings of control: one for each fault of a trial, none for a steady person, each with advice."""
 
 import math
 from typing import Any
 
 import numpy as np
 import pytest
-from scoring.warning_cases import CONDITIONS, sessions_of, warned
+from scoring.warning_cases import CONDITIONS, sessions_of, warnings_by_session
 
 from app.scoring.control_quality import BadChannel, ControlQuality
 from app.scoring.control_warnings import control_warnings
@@ -62,7 +62,7 @@ def kinds(trials: list[TrialAssessment], **more: Any) -> list[str]:
     return [one.kind for one in found]
 
 
-def test_nothing_is_said_of_nothing_and_of_steady_trials():
+def test_no_trials_and_steady_trials_give_no_warning():
     assert control_warnings([]) == ([], "")
     random = np.random.default_rng(1)
     trials = [trial(n, joint(random.normal(0, 1.5), span=random.normal(2, 0.1)), session=1 + n // 4) for n in range(32)]
@@ -75,7 +75,7 @@ def test_few_trials_are_called_few():
     assert "of one task" in control_warnings([trial(n, task=f"clinic/{n}") for n in range(8)]).note
 
 
-def test_a_sensor_that_died_in_the_last_trial_is_named_with_what_to_do():
+def test_a_sensor_that_failed_in_the_last_trial_is_named_with_what_to_do():
     (warning,) = control_warnings([trial(1), trial(2, bad=(bad("e2", 0.64),))]).warnings
     assert (warning.kind, warning.joint) == ("sensor", "Right elbow")
     assert "e2 gave no signal for 64%" in warning.words
@@ -84,7 +84,7 @@ def test_a_sensor_that_died_in_the_last_trial_is_named_with_what_to_do():
     assert kinds([trial(1, bad=(bad("e2", 0.01),))]) == []
 
 
-def test_sensors_that_leave_their_range_together_are_the_shirts_doing():
+def test_several_sensors_outside_their_range_mean_that_the_shirt_moved():
     outside = (bad("e1", 1.0, silent=False), bad("e3", 1.0, silent=False))
     (warning,) = control_warnings([trial(1, bad=outside)]).warnings
     assert (warning.kind, "2 sensors" in warning.words) == ("map", True)
@@ -92,7 +92,7 @@ def test_sensors_that_leave_their_range_together_are_the_shirts_doing():
     assert kinds([trial(1, bad=outside[:1])]) == ["sensor"]
 
 
-def test_an_older_map_is_no_matter_any_more():
+def test_trials_with_an_older_map_give_no_warning_of_sensors_and_fit():
     broken = [trial(1), trial(2, joint(map_angle_deg=50.0), bad=(bad("e2", 0.64),))]
     broken.append(trial(3, joint(map_angle_deg=50.0), bad=(bad("e2", 0.64),)))
     assert kinds(broken) == ["sensor", "map"]
@@ -105,7 +105,7 @@ def test_a_direction_that_turned_since_the_first_trials_of_the_map(turn_deg, exp
     assert kinds(trials) == expected
     if expected:
         assert "turned by 12°" in control_warnings(trials).warnings[0].words
-    assert kinds(trials[:-1]) == []  # one trial is none
+    assert kinds(trials[:-1]) == []  # one trial gives no warning
 
 
 def test_a_new_map_begins_anew():
@@ -120,10 +120,10 @@ def test_a_map_that_never_fitted():
     assert "43%" in warning.words
 
 
-def test_a_movement_that_falls_apart():
+def test_a_movement_with_a_falling_evr():
     trials = [trial(n, joint(evr=0.93)) for n in range(3)] + [trial(3 + n, joint(evr=0.6)) for n in range(3)]
     assert kinds(trials) == ["map"]
-    assert kinds([trial(n, joint(evr=0.6)) for n in range(6)]) == []  # as it was from the first day
+    assert kinds([trial(n, joint(evr=0.6)) for n in range(6)]) == []  # low from the first trial on
 
 
 def test_a_guided_joint_is_called_one():
@@ -159,7 +159,7 @@ def test_a_span_that_falls_over_sessions_or_within_one():
     assert "10% smaller over 6 sessions" in control_warnings(over(0.02)).warnings[0].words
     assert kinds(over(0.01)) == []
     assert kinds(over(0.02)[:9]) == []  # three sessions
-    assert kinds(over(0.02, per_metre=0.02)) == []  # fewer and smaller: skill
+    assert kinds(over(0.02, per_metre=0.02)) == []  # fewer and smaller movements are skill
     tired = [trial(n, joint(span=2.0 * 0.96**n)) for n in range(9)]
     assert kinds(tired) == ["span"]
     assert "rest" in control_warnings(tired).warnings[0].advice
@@ -173,9 +173,9 @@ def test_a_map_with_other_channels_is_not_compared():
 
 
 @pytest.mark.parametrize(("name", "expected"), [("steady", set()), ("turned", {"map"}), ("channel dies", {"sensor"})])
-def test_the_simulated_wearer_earns_the_right_warning(name, expected):
+def test_a_simulated_person_earns_the_right_warning(name, expected):
     """One seed and few trials; the table of many is in docs/learning.md."""
     condition = CONDITIONS[name]._replace(sessions=2, trials=2)
-    said = warned(sessions_of(condition, 3, "clinic", "first-corner"))
+    said = warnings_by_session(sessions_of(condition, 3, "clinic", "first-corner"))
     assert said[1] == []
     assert {one.kind for one in said[2]} == expected

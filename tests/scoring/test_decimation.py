@@ -1,4 +1,4 @@
-"""Long columns made short: no peak is lost, nothing is made up, order stays."""
+"""Decimation: no peak is lost, no value is invented, the order stays."""
 
 import numpy as np
 from hypothesis import given, settings
@@ -17,8 +17,8 @@ def test_columns_are_short_and_keep_peaks_and_order(n, most, seed):
     column = rng.normal(size=n)
     column[rng.random(n) < 0.2] = np.nan
     short = Decimation(n, most)
-    peaks, taken, touched = short.peaks(column), short.sampled(np.arange(n)), short.any(column > 1)
-    assert len(peaks) == len(taken) == len(touched) == len(short.rows) <= max(most, 2)
+    peaks, sampled, touched = short.peaks(column), short.sampled(np.arange(n)), short.any(column > 1)
+    assert len(peaks) == len(sampled) == len(touched) == len(short.rows) <= max(most, 2)
     assert (np.diff(short.rows) >= 0).all()
     assert ((short.rows >= 0) & (short.rows < n)).all()
     if np.isfinite(column).any():
@@ -39,5 +39,5 @@ def test_a_short_column_stays_and_a_peak_stands_where_it_was():
     assert peaks[42:44].tolist() == [-2.0, 0.0] or peaks[42:44].tolist() == [-2.0, 3.0]
 
 
-def test_what_is_not_known_stays_unknown():
+def test_unknown_values_stay_unknown():
     assert np.isnan(Decimation(100, 10).peaks(np.full(100, np.nan))).all()

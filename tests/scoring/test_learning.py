@@ -1,4 +1,4 @@
-"""Learning curves: the right shape, the right trend, and no more said than the trials can bear."""
+"""Learning curves: the right shape, the right trend, and no sentence that the trials do not support."""
 
 import json
 import math
@@ -40,7 +40,7 @@ def test_mann_kendall_with_ties_uses_the_corrected_variance() -> None:
 
 
 @given(st.lists(st.floats(-1e6, 1e6), min_size=2, max_size=25))
-def test_mann_kendall_turns_round_with_the_series(values: list[float]) -> None:
+def test_mann_kendall_changes_its_sign_with_the_series(values: list[float]) -> None:
     there, back = mann_kendall(values), mann_kendall(values[::-1])
     assert there.s == -back.s
     assert there.p == pytest.approx(back.p)
@@ -95,7 +95,7 @@ def test_below_eight_trials_nothing_is_fitted() -> None:
     assert curves["e_diff"]["text"].startswith("Not enough trials")
 
 
-def test_the_learning_constant_is_told_from_twenty_trials_on() -> None:
+def test_the_learning_constant_is_given_from_twenty_trials_on() -> None:
     rng = np.random.default_rng(3)
     n = np.arange(1.0, 23.0)
     values = 1.5 + 6.0 * np.exp(-n / 3.0) + rng.normal(0, 0.15, len(n))
@@ -151,7 +151,7 @@ def test_the_curves_that_were_not_chosen_cost_more_and_come_on_demand() -> None:
     assert (few["form"], few["others"]) == (None, [])
 
 
-def test_one_odd_trial_at_the_end_does_not_contradict_the_trend() -> None:
+def test_one_unusual_trial_at_the_end_does_not_contradict_the_trend() -> None:
     values = np.linspace(6, 2, 22)
     values[-1] = 40.0
     text = learning_curves(trials_of(values))["e_diff"]["text"]
@@ -173,7 +173,7 @@ NUMBERS = st.floats(-1e90, 1e90) | st.sampled_from([0.0, 1.0, -1.0, 5e-324, 1e-2
 
 @settings(max_examples=60, deadline=None)
 @given(st.lists(NUMBERS, min_size=8, max_size=30), st.sampled_from([1, 7, 900]))
-def test_no_series_raises_warns_or_answers_with_what_is_no_number(values: list[float], first: int) -> None:
+def test_no_series_raises_warns_or_gives_a_number_that_is_not_finite(values: list[float], first: int) -> None:
     trials = [{"number": first + i, "time": value} for i, value in enumerate(values)]
     curve = learning_curves(trials, every_model=True)["time"]
     json.dumps(curve, allow_nan=False)
@@ -194,7 +194,7 @@ def test_the_unit_of_a_measure_makes_no_difference(seed: int, unit: float, offse
     assert other.aicc == pytest.approx(plain.aicc, abs=1e-3)
 
 
-def test_values_that_nobody_measures_are_left_out() -> None:
+def test_values_beyond_any_measure_are_left_out() -> None:
     trials = trials_of(np.linspace(5, 2, 12))
     trials[3]["e_diff"] = 1e300
     fit = learning_curves(trials)["e_diff"]["fit"]
@@ -202,7 +202,7 @@ def test_values_that_nobody_measures_are_left_out() -> None:
     assert 4.0 not in fit["n"]
 
 
-def test_the_robust_slope_forgives_a_third_of_the_trials() -> None:
+def test_the_robust_slope_tolerates_a_third_of_outliers() -> None:
     values = np.arange(1.0, 22.0) * -0.5
     values[::4] += 30.0
     slope = theil_sen(list(range(1, 22)), list(values))

@@ -52,7 +52,7 @@ def test_a_loop_driven_twice_counts_twice():
     )
 
 
-def test_what_lies_left_and_right_does_not_cancel():
+def test_areas_left_and_right_do_not_cancel():
     assert area_between(np.array([(0, 0), (0, 1), (5, 1), (5, -1), (10, -1), (10, 0)]), np.array(STRAIGHT)) == 10
 
 
@@ -80,7 +80,7 @@ def test_the_path_itself_leaves_no_area(path):
     assert area_between(halfway, path) == pytest.approx(0, abs=1e-5)
 
 
-def test_thinning_stays_within_its_tolerance():
+def test_simplifying_stays_within_its_tolerance():
     generator = np.random.default_rng(3)
     s = np.linspace(0, 10, 12_000)
     driven = np.c_[s, 0.4 * np.sin(s) + 0.1 * np.sin(7 * s) + 0.5] + 1e-5 * generator.normal(size=(len(s), 2))
@@ -114,7 +114,7 @@ def test_a_straight_drive_beside_the_path():
     assert measures["reached"] is True
 
 
-def test_what_comes_after_the_goal_does_not_count():
+def test_rows_after_the_goal_do_not_count():
     driven = np.vstack([np.linspace([0, 0.3], [10, 0.3], 1001), np.linspace([10, 0.3], [30, 25], 3000)])
     measures = score(driven)
     assert measures["reached"] is True
@@ -141,7 +141,7 @@ def test_few_rows_are_cut_between_them():
     assert (measures["dist"], measures["time"]) == pytest.approx((10, 5))
 
 
-def test_a_round_is_not_over_when_it_begins():
+def test_a_closed_path_is_not_done_at_its_start():
     round_trip = [(0.0, 0.0), (5.0, 0.0), (5.0, 5.0), (0.0, 5.0), (0.0, 0.0)]
     whole = np.vstack([np.linspace(a, b, 300) for a, b in pairwise(round_trip)])
     measures = score(whole, path=round_trip)
@@ -153,7 +153,7 @@ def test_a_round_is_not_over_when_it_begins():
 
 
 @pytest.mark.parametrize("rows", [1, 2])
-def test_a_trajectory_of_hardly_anything(rows):
+def test_a_trajectory_of_one_or_two_rows(rows):
     measures = score([(1.0, 1.0)] * rows)
     assert measures["dist"] == 0
     assert measures["reached"] is False
@@ -208,7 +208,7 @@ def test_contacts_and_commands():
 
 def test_a_trembling_control_is_one_pulse():
     u2 = 0.3 + 0.04 * np.sin(np.arange(1000))
-    u2[500:520] = 0.07  # not yet let go
+    u2[500:520] = 0.07  # between OFF and ON: the pulse goes on
     measures = score(np.c_[np.linspace(0, 10, 1000), np.zeros(1000)], u2=u2)
     assert measures["pulses_per_metre"] == pytest.approx(0.1)
     assert measures["turn_reversals"] == 0
@@ -267,5 +267,5 @@ def test_without_movement_there_is_no_smoothness(speed):
     assert log_dimensionless_jerk(speed, 100.0) is None
 
 
-def test_a_constant_speed_has_no_jerk_to_speak_of():
+def test_a_constant_speed_has_no_jerk():
     assert score(np.c_[X, np.zeros_like(X)])["ldlj"] is None

@@ -1,4 +1,4 @@
-"""The quality of control from a recording on disk, as the control process leaves it there."""
+"""The quality of control from a recording on disk, as the control process writes it."""
 
 import json
 
@@ -12,7 +12,7 @@ from app.session.recordings import recorded_readings
 READINGS = recorded_readings()
 
 
-def test_a_recorded_trial_is_judged_by_its_own_parameters(tmp_path):
+def test_the_quality_of_a_recorded_trial_uses_its_own_parameters(tmp_path):
     values = frames(along(turned(20), strokes(seconds=30.0)))
     record_trial(tmp_path / "run", parameters(), values=values)
     quality = READINGS.quality(tmp_path / "run")
@@ -24,7 +24,7 @@ def test_a_recorded_trial_is_judged_by_its_own_parameters(tmp_path):
     assert quality.bad_channels == ()
 
 
-def test_a_recording_that_does_not_say_how_it_was_driven_is_refused(tmp_path):
+def test_a_recording_without_parameters_is_refused(tmp_path):
     run = tmp_path / "run"
     run.mkdir()
     (run / META_FILE).write_text(json.dumps({"sample_rate": RATE}))

@@ -36,7 +36,7 @@ def ahead(y=0.0, end=6.0, **changes):
     return rows(x, np.full(121, y), **changes)
 
 
-def test_along_a_plain_path_they_are_the_path_s():
+def test_a_plain_path_has_the_measures_of_a_path():
     driven = ahead(0.2, u1=0.5)
     names = ("in_contact", "contacts", "u1", "u2")
     plain = path_measures(driven["t"], driven["x"], driven["y"], LINE, 0.5, **{name: driven[name] for name in names})
@@ -57,7 +57,7 @@ def gap_at(width, y=0.0):
 
 @settings(max_examples=40, deadline=None)
 @given(st.floats(0.75, 2.0), st.floats(-0.3, 0.3))
-def test_the_clearance_of_a_gap_is_the_room_at_its_nearer_side(width, aside):
+def test_the_clearance_of_a_gap_is_that_at_its_nearer_side(width, aside):
     measures = task_measures(*plan_of(**gap_at(width)), ahead(aside))
     room = max(0.0, width / 2 - CHAIR_RADIUS - abs(aside))
     if abs(aside) < width / 2 - CHAIR_RADIUS:
@@ -66,7 +66,7 @@ def test_the_clearance_of_a_gap_is_the_room_at_its_nearer_side(width, aside):
         assert measures["gap_clearance"] == 0.0
 
 
-def test_who_did_not_go_through_has_no_clearance_and_contacts_count_where_the_gap_is():
+def test_a_gap_not_passed_has_no_clearance_and_its_contacts_count():
     touching = np.zeros(121)
     touching[[10, 55, 56, 57, 58, 70]] = 1  # at 0.5 m, 2.75 m and 3.5 m
     measures = task_measures(*plan_of(**gap_at(1.0)), ahead(end=2.5))
@@ -77,13 +77,13 @@ def test_who_did_not_go_through_has_no_clearance_and_contacts_count_where_the_ga
     assert measures["gaps"] == 1
 
 
-def test_a_contact_that_began_elsewhere_is_none_of_the_gap_s():
+def test_a_contact_that_began_elsewhere_does_not_count_for_the_gap():
     sliding = np.zeros(121)
     sliding[10:70] = 1  # from 0.5 m on, along something, and through
     assert task_measures(*plan_of(**gap_at(1.0)), ahead(in_contact=sliding))["door_contacts"] == 0
 
 
-def test_what_comes_after_the_goal_does_not_count():
+def test_rows_after_the_goal_do_not_count():
     plan, path = plan_of(cones=({"position": (8.0, 0.0)},))
     assert task_measures(plan, path, ahead(end=9.0))["cones_touched"] == 0
 
@@ -107,7 +107,7 @@ def test_a_leader_who_is_followed_exactly():
     st.lists(st.tuples(st.floats(-3, 8), st.floats(-3, 3)), min_size=2, max_size=12, unique=True),
     st.floats(0.5, 3.0),
 )
-def test_distances_are_those_of_brute_force(places, asked):
+def test_distances_are_those_of_a_direct_computation(places, asked):
     x, y = np.array(places).T
     cones = tuple({"position": (c, 0.5)} for c in (1.0, 3.0, 5.0))
     task = FOLLOW | {"distance": asked}
@@ -177,7 +177,7 @@ def test_a_course_is_measured_stage_by_stage():
     assert "e_diff" not in measures
 
 
-def test_older_recordings_know_no_scene_time():
+def test_older_recordings_without_scene_time():
     driven = ahead()
     driven["scene_t"][:] = math.nan
     assert task_measures(*plan_of(task=FOLLOW, movers=(GUIDE,)), driven)["follow_error_rms"] >= 0

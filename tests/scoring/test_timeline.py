@@ -1,4 +1,4 @@
-"""A trial on one time line, as its recording has it."""
+"""The time line of a recorded trial."""
 
 import numpy as np
 import pytest
@@ -51,7 +51,7 @@ def test_a_joint_shows_the_channels_that_weigh_most(folder):
     assert sum(abs(weight) > least for weight in joint.weights) == CHANNELS_SHOWN - 1
 
 
-def test_what_happened_stands_on_it(folder):
+def test_the_events_are_on_the_time_line(folder):
     events = timeline_of(folder, PATH, "goal").events
     kinds = [event.kind for event in events]
     assert kinds[:2] == ["checking", "armed"]
@@ -63,7 +63,7 @@ def test_what_happened_stands_on_it(folder):
     assert "goal" not in {event.kind for event in timeline_of(folder, PATH, "by hand").events}
 
 
-def test_what_touches_again_at_once_is_one_contact():
+def test_touches_in_short_succession_are_one_contact():
     t = np.arange(100) / 10
     contacts = np.zeros(100, dtype=np.uint32)
     contacts[20:] += 1

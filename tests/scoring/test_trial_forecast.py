@@ -1,4 +1,4 @@
-"""A recorded trial, decoded again with another set."""
+"""A recorded trial, decoded with another parameter set."""
 
 import pytest
 from session.test_adaptation_reading import AS_CALIBRATED, parameters, trial  # noqa: F401
@@ -8,7 +8,7 @@ from app.recording.reader import read_run
 from app.scoring.trial_forecast import predicted_effect
 
 
-def test_the_same_set_makes_the_same_of_it(parameters, trial) -> None:  # noqa: F811
+def test_equal_parameters_give_an_equal_trial(parameters, trial) -> None:  # noqa: F811
     effect = predicted_effect(read_run(trial("a", AS_CALIBRATED)), parameters, parameters)
     assert effect is not None
     assert (effect.alike, effect.felt_change) == (1.0, 0.0)
@@ -16,7 +16,7 @@ def test_the_same_set_makes_the_same_of_it(parameters, trial) -> None:  # noqa: 
     assert effect.false_before == effect.false_after == 0
 
 
-def test_a_dead_zone_in_the_noise_is_seen_before_anybody_drives_with_it(parameters, trial) -> None:  # noqa: F811
+def test_a_dead_zone_within_the_noise_is_found_before_driving(parameters, trial) -> None:  # noqa: F811
     low = tuple(gesture.model_copy(update={"dead_zone": 0.01}) for gesture in parameters.gestures)
     effect = predicted_effect(
         read_run(trial("a", AS_CALIBRATED)), parameters, parameters.model_copy(update={"gestures": low})
@@ -27,7 +27,7 @@ def test_a_dead_zone_in_the_noise_is_seen_before_anybody_drives_with_it(paramete
     assert effect.alike < 0.9
 
 
-def test_a_gesture_that_nobody_feels_any_more_is_seen_too(parameters, trial) -> None:  # noqa: F811
+def test_a_gesture_without_effect_is_found_too(parameters, trial) -> None:  # noqa: F811
     high = tuple(gesture.model_copy(update={"dead_zone": 50.0, "full": 60.0}) for gesture in parameters.gestures)
     effect = predicted_effect(
         read_run(trial("a", AS_CALIBRATED)), parameters, parameters.model_copy(update={"gestures": high})
@@ -36,7 +36,7 @@ def test_a_gesture_that_nobody_feels_any_more_is_seen_too(parameters, trial) -> 
     assert (effect.activations_after, effect.felt_change) == (0, pytest.approx(1.0))
 
 
-def test_where_motion_was_never_permitted_nothing_is_predicted(parameters, trial) -> None:  # noqa: F811
+def test_a_trial_without_motion_has_no_forecast(parameters, trial) -> None:  # noqa: F811
     run = read_run(trial("still", state=State.DISARMED))
     assert predicted_effect(run, parameters, parameters) is None
 

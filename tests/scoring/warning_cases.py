@@ -1,4 +1,4 @@
-"""Simulated people over sessions, and which warnings they earn. As a program: the table of docs/learning.md.
+"""Simulated people over sessions, and the warnings of their trials. As a program: the table of docs/learning.md.
 
 `python tests/scoring/warning_cases.py --seeds 20`, or with `--only turned` one of the conditions.
 """
@@ -30,15 +30,15 @@ PLACE, PATH = "apartment", "main"  # 13.6 m with two corners
 
 
 class Condition(NamedTuple):
-    """Who drives, and what happens to the shirt."""
+    """A simulated person, and what happens to the shirt or the map."""
 
     person: PersonParameters
     sessions: int = 8
     trials: int = 3
-    turned: int | None = None  # session from which the map is turned: the fabric's directions, its offsets as they were
-    worn_again: int | None = None  # session from which the shirt was put on again, offsets and all
-    calibrated_again: bool = False  # each session begins with putting the shirt on and a calibration
-    dies: int | None = None  # session in whose second trial a channel stands still
+    turned: int | None = None  # session from which the fabric's directions are others, with unchanged offsets
+    donned_again: int | None = None  # session before which the shirt is put on again
+    calibrated_again: bool = False  # put the shirt on and calibrate before each session
+    dies: int | None = None  # session in whose second trial a channel becomes constant
 
 
 CONDITIONS = {
@@ -49,13 +49,13 @@ CONDITIONS = {
     "deteriorating": Condition(DETERIORATING),
     "tired limbs": Condition(PersonParameters(practice=1500.0, range_per_session=-0.02)),
     "turned": Condition(PRACTISED, sessions=2, turned=2),
-    "worn again": Condition(PRACTISED, sessions=2, trials=2, worn_again=2),
+    "worn again": Condition(PRACTISED, sessions=2, trials=2, donned_again=2),
     "channel dies": Condition(PRACTISED, sessions=2, trials=2, dies=2),
 }
 
 
 class RecordedParticipant(Participant):
-    """Keeps its frames; a channel may stand still from now on."""
+    """A participant whose frames are kept, and one of whose channels may be made constant."""
 
     def __init__(self, person: Person, seed: int) -> None:
         super().__init__(person, shirt_layout(), SAMPLE_RATE, seed)
@@ -83,7 +83,7 @@ def sessions_of(condition: Condition, seed: int, place: str = PLACE, path_name: 
             offsets = participant._fabric._offsets
             participant._fabric.don_again()
             participant._fabric._offsets = offsets
-        if session == condition.worn_again or (condition.calibrated_again and session > 1):
+        if session == condition.donned_again or (condition.calibrated_again and session > 1):
             participant._fabric.don_again()
         if condition.calibrated_again and session > 1:
             parameters, version = standard_parameters(calibrate(participant)), version + 1
@@ -107,8 +107,8 @@ def _used(parameters: DriveParameters) -> list[int]:
     return [channel for joint in parameters.profile.joints if joint.name in bound for channel in joint.channels]
 
 
-def warned(trials: list[TrialAssessment]) -> dict[int, list[ControlWarning]]:
-    """Return what would have been said after each session, as a clinician would have seen it after each."""
+def warnings_by_session(trials: list[TrialAssessment]) -> dict[int, list[ControlWarning]]:
+    """Return the warnings that a clinician would have seen after each session."""
     said = {}
     for session in sorted({trial.session for trial in trials}):
         said[session] = control_warnings([trial for trial in trials if trial.session <= session]).warnings
@@ -116,7 +116,7 @@ def warned(trials: list[TrialAssessment]) -> dict[int, list[ControlWarning]]:
 
 
 def row(name: str, found: list[dict[int, list[ControlWarning]]]) -> str:
-    """Return one row of the table: how many people were never warned, how many of what, and from which session."""
+    """Return one row of the table: people without a warning, and by kind those with one and its first session."""
     counts: Counter[str] = Counter()
     first: dict[str, list[int]] = {}
     for said in found:
@@ -152,7 +152,7 @@ def main() -> None:
     for name, condition in CONDITIONS.items():
         if given.only in (None, name):
             kept[name] = [sessions_of(condition, seed) for seed in range(1, given.seeds + 1)]
-            say(row(name, [warned(trials) for trials in kept[name]]) + "\n")
+            say(row(name, [warnings_by_session(trials) for trials in kept[name]]) + "\n")
             sys.stdout.flush()
             if given.keep:
                 with open(f"{given.keep}-{name}.pickle", "wb") as file:

@@ -1,4 +1,4 @@
-"""The study: the same seed gives the same numbers, everything is scored, and its folder is whole or not there."""
+"""The study: the same seed gives the same numbers, everything is scored, and its folder holds all files or none."""
 
 import csv
 import dataclasses
@@ -63,7 +63,7 @@ def test_the_trajectory_obeys_the_unicycle_and_the_limits(short) -> None:
         assert np.max(step) <= speeds.forward / short.sample_rate + 1e-9
 
 
-def test_a_person_who_has_no_time_does_not_reach_the_goal() -> None:
+def test_a_short_time_limit_ends_the_trial_before_the_goal() -> None:
     hurried = CLINIC.path_named("corridor").model_copy(update={"time_limit": 3.0})
     plan = CLINIC.model_copy(update={"paths": (hurried,)})
     result = run_study(1, 1, plan, "corridor")
@@ -177,7 +177,7 @@ def test_a_floor_plan_from_a_file(tmp_path) -> None:
 
 
 def test_the_same_seed_without_learning_drives_another_way() -> None:
-    """What learning changes is the person: parameters, shirt and scoring are the same."""
+    """Learning changes only the person; parameters, shirt and scoring are equal."""
     still = dataclasses.replace(NOVICE, learns=False)
     keen = run_study(2, 3, CLINIC, "corridor", person=NOVICE)
     same = run_study(2, 3, CLINIC, "corridor", person=still)

@@ -1,4 +1,4 @@
-"""The comparison of a fixed with an adapted map says what happened, and claims no more than that."""
+"""The comparison of a fixed with an adapted map, and its claim."""
 
 import pytest
 
@@ -51,7 +51,7 @@ def test_a_small_gain_a_loss_a_felt_step_or_a_flip_do_not(ratio, how) -> None:
     assert not compare(*study(ratio, **how))["claim_holds"]
 
 
-def test_who_did_not_drive_is_not_compared_as_if_driving() -> None:
+def test_seeds_that_did_not_reach_the_goal_are_not_compared() -> None:
     fixed, other = study(0.5)
     fixed = [trial(one.seed, "off", 2, 11.0, reached=False) if one.session == 2 else one for one in fixed]
     found = compare(fixed, other)

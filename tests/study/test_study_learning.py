@@ -1,4 +1,4 @@
-"""The person who learns shows a trend, the one who does not shows none: the study in little, on a short path.
+"""The person who learns shows a trend, the one who does not shows none: a small study on a short path.
 
 What 20 people do on the clinic's path takes half an hour of a processor and stands in docs/learning.md. Here two people
 who learn as fast as the published ranges allow drive 12 m eight times.
@@ -48,7 +48,7 @@ def others():
     return run_seeds(SEEDS, TRIALS, PLAN, "bends", dataclasses.replace(QUICK, learns=False))
 
 
-def test_the_quick_learner_is_still_human() -> None:
+def test_the_quick_learner_is_a_plausible_person() -> None:
     assert out_of_range(QUICK) == ()
 
 

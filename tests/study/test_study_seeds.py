@@ -1,4 +1,4 @@
-"""Several seeds: what is counted is what happened, and the folder is whole or not there."""
+"""Studies with several seeds: their counts, and their folder with all files or none."""
 
 import csv
 import dataclasses
@@ -30,7 +30,7 @@ LATE = (9.0, 8.9, 8.8, 8.7, 8.6, 3.0, 2.9, 2.8)
 
 
 def made(seed: int, e_diff, reached=None) -> StudyResult:
-    """Return a study whose trials came out as told, along the clinic's corridor."""
+    """Return a study with the given measures, along the clinic's corridor."""
     rows = np.linspace(0.0, 1.0, 25)
     trials = tuple(
         StudyTrial(
@@ -134,7 +134,7 @@ def test_seeds_that_cannot_be_drawn_leave_nothing(tmp_path) -> None:
     assert list(tmp_path.iterdir()) == []
 
 
-def test_the_figure_of_all_seeds_bears_trials_without_a_goal(tmp_path) -> None:
+def test_the_figure_of_all_seeds_with_trials_that_missed_the_goal(tmp_path) -> None:
     missed = [False] + [True] * 7
     results = [made(1, FALLING, missed), made(2, LEVEL, missed)]
     draw_seeds(results, tmp_path, "svg")
@@ -157,7 +157,7 @@ def test_seeds_beyond_the_largest_are_refused(tmp_path) -> None:
     assert list(tmp_path.iterdir()) == []
 
 
-def test_a_thinned_trial_keeps_its_end() -> None:
+def test_a_decimated_trial_keeps_its_end() -> None:
     trial = made(1, FALLING).trials[0]
     long = dataclasses.replace(trial, **{name: np.arange(95.0) for name in ("t", "x", "y", "theta", "v", "omega")})
     assert decimated(long).t.tolist() == [0, 10, 20, 30, 40, 50, 60, 70, 80, 90, 94]

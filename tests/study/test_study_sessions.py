@@ -1,4 +1,4 @@
-"""Sessions of a study: both conditions begin with the same person, and what is applied keeps its limits."""
+"""Sessions of a study: both conditions begin with equal participants, and applied steps keep their limits."""
 
 import json
 
@@ -17,19 +17,19 @@ def first():
     return calibrated_participant("redonned", 5)
 
 
-def test_both_conditions_begin_alike_and_what_is_applied_keeps_its_limits(first) -> None:
+def test_both_conditions_begin_alike_and_applied_steps_keep_their_limits(first) -> None:
     fixed = run_sessions("off", first, 2, 1, CLINIC, CORRIDOR)
     auto = run_sessions("auto", first, 2, 1, CLINIC, CORRIDOR)
     assert fixed[0].e_diff == auto[0].e_diff  # the first trial is driven with the calibration's own map
     assert [row.felt_change for row in fixed] == [0.0, 0.0]
-    assert fixed[1].reached  # after the shirt was put on again: sound channels are not taken for broken ones
+    assert fixed[1].reached  # after putting the shirt on again, sound channels do not count as broken
     assert all(row.felt_change <= 0.1 and row.flips == 0 and row.angle_deg <= 2.0 + 1e-6 for row in auto)
     assert auto[0].angle_deg > 0.0
     assert auto[1].from_calibration_deg == pytest.approx(auto[0].angle_deg, abs=1e-6)
     assert fixed[1].from_calibration_deg == 0.0
 
 
-def test_what_is_only_suggested_changes_nothing(first) -> None:
+def test_a_suggested_step_changes_nothing(first) -> None:
     fixed = run_sessions("off", first, 1, 2, CLINIC, CORRIDOR)
     suggested = run_sessions("suggest", first, 1, 2, CLINIC, CORRIDOR)
     assert [row.e_diff for row in fixed] == [row.e_diff for row in suggested]

@@ -14,14 +14,14 @@ from app.world.scene import bundled_scenes, load_scene
 
 @pytest.fixture(scope="module")
 def calibrated_participant() -> tuple[Participant, DriveParameters]:
-    """Somebody in the shirt, with the controls that his calibration gave."""
+    """A participant, and the standard parameters of its calibration."""
     participant = Participant(Person(PRACTISED, 1), shirt_layout(), SAMPLE_RATE, 2)
     return participant, standard_parameters(calibrate(participant))
 
 
 @pytest.fixture
 def drive(calibrated_participant):
-    """Return what drives a task of a bundled scene and gives the trial."""
+    """Return a function that drives a task of a bundled scene and returns the trial."""
     participant, parameters = calibrated_participant
 
     def measured(scene: str, level: str, task: str):
