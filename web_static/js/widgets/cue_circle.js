@@ -1,4 +1,7 @@
-/** The large cue: a ring that fills with the time of the cue, and a disc that grows and shrinks with the movement. */
+/**
+ * The large cue: a ring that fills with the time of the cue, and a disc that grows and shrinks with the movement.
+ * @import { Cue } from "types/documents"
+ */
 import { t } from "../texts.js";
 import { runNow } from "./cue_clock.js";
 import { h, s, set, write } from "./dom.js";
@@ -10,8 +13,6 @@ const DISC_SMALL = 34; // radius at rest
 const DISC_LARGE = 100; // radius at the end of the movement
 const LONG_WORD = 8; // letters; longer ones are written smaller, to stay inside the ring
 const COUNTED = new Set(["ready", "rest", "free"]); // whole seconds; the others are too short to be counted
-
-/** @typedef {{kind: string, joint: string | null, start: number, end: number}} Cue start and end in s of its run */
 
 /** What a cue asks for, in one word or two. @param {{kind: string, joint: string | null}} cue */
 export function cueWords(cue) {

@@ -25,14 +25,19 @@ export function field(label, input, hint) {
   );
 }
 
-/** @typedef {{value: string, label: string, group?: string}} Option */
+/**
+ * @template {string} Value
+ * @typedef {{value: Value, label: string, group?: string}} Option
+ */
 
 /**
  * Options of one group stand together, under its words.
- * @param {Option[]} options @param {string} chosen @param {(value: string) => void} [onChange]
+ * @template {string} Value
+ * @param {Option<Value>[]} options @param {NoInfer<Value> | null} chosen
+ * @param {(value: NoInfer<Value>) => void} [onChange]
  */
 export function selection(options, chosen, onChange) {
-  /** @param {Option} option */
+  /** @param {Option<Value>} option */
   const option = ({ value, label }) => h("option", { value, selected: value === chosen }, label);
   const groups = [...new Set(options.map(({ group }) => group))];
   /** @param {string | undefined} group */
@@ -42,13 +47,15 @@ export function selection(options, chosen, onChange) {
     {},
     groups.map((group) => (group ? h("optgroup", { label: group }, members(group)) : members(group))),
   );
-  if (onChange) select.addEventListener("change", () => onChange(select.value));
+  if (onChange) select.addEventListener("change", () => onChange(/** @type {Value} */ (select.value)));
   return select;
 }
 
 /**
  * A few choices side by side.
- * @param {string} label @param {{value: string, label: string}[]} options @param {string} chosen @param {(value: string) => void} onChange
+ * @template {string} Value
+ * @param {string} label @param {Option<Value>[]} options @param {NoInfer<Value> | null} chosen
+ * @param {(value: NoInfer<Value>) => void} onChange
  */
 export function segments(label, options, chosen, onChange) {
   const name = `segments-${++made}`;
@@ -73,18 +80,23 @@ export function segments(label, options, chosen, onChange) {
 }
 
 /**
- * @typedef {{value: string, label: string, hint?: string}} Choice
- * @typedef {{words: string, options: Choice[]}} ChoiceGroup
+ * @template {string} Value
+ * @typedef {{value: Value, label: string, hint?: string}} Choice
+ */
+/**
+ * @template {string} Value
+ * @typedef {{words: string, options: Choice<Value>[]}} ChoiceGroup
  */
 
 /**
  * Choices with an explanation each, one below the other; those of one group stand together, under its words.
- * @param {string} label @param {(Choice | ChoiceGroup)[]} options @param {string} chosen
- * @param {(value: string) => void} onChange
+ * @template {string} Value
+ * @param {string} label @param {(Choice<Value> | ChoiceGroup<Value>)[]} options @param {NoInfer<Value> | null} chosen
+ * @param {(value: NoInfer<Value>) => void} onChange
  */
 export function choices(label, options, chosen, onChange) {
   const name = `choices-${++made}`;
-  /** @param {Choice} option */
+  /** @param {Choice<Value>} option */
   const one = (option) =>
     h(
       "label",
@@ -98,7 +110,7 @@ export function choices(label, options, chosen, onChange) {
       }),
       h("span", { class: "grow" }, h("b", {}, option.label), option.hint && h("span", {}, option.hint)),
     );
-  /** @param {ChoiceGroup} choices */
+  /** @param {ChoiceGroup<Value>} choices */
   const group = ({ words, options: members }) =>
     h("div", { class: "stack", role: "group", "aria-label": words }, h("h3", {}, words), members.map(one));
   return h(

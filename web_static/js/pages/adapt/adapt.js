@@ -1,4 +1,11 @@
-/** What would change of the map, and why: joint by joint, applied by a person or by itself, and one tap back. */
+/**
+ * What would change of the map, and why: joint by joint, applied by a person or by itself, and one tap back.
+ * @import { AdaptationView, ProposalView } from "types/api"
+ * @import { MapVersion } from "types/documents"
+ * @import { Child } from "types/dom"
+ * @typedef {AdaptationView["mode"]} Mode
+ */
+import { failureWords } from "../../api.js";
 import { effectCard } from "./adapt_effect.js";
 import { jointCards } from "./adapt_joints.js";
 import { h, put, write } from "../../widgets/dom.js";
@@ -9,24 +16,27 @@ import { mapVersions } from "./map_versions.js";
 import { emptyPage, nobodyIsHere } from "../../shell/nobody.js";
 import { t } from "../../texts.js";
 
+/** @type {Mode[]} */
 const MODES = ["off", "suggest", "auto"];
 const CONCERNS = ["adaptation", "controls", "trial", "drive", "equipment", "everything"];
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal}} page */
 export async function show(app, root, { signal }) {
   if (nobodyIsHere(app, root)) return;
-  if (!app.session.has_profile)
+  const patient = app.session?.patient?.id;
+  if (patient === undefined || !app.session?.has_profile)
     return emptyPage(root, t("adapt.none.title"), t("adapt.none.lead"), "#/calibrate", t("controls.none.go"));
-  const patient = app.session.patient.id;
-  const mayChange = app.me.role !== "reviewer";
+  const mayChange = app.me?.role !== "reviewer";
   const [lead, problem] = [h("p", { class: "lead" }), h("p", { class: "problem", role: "alert" })];
   const [place, versions, foot] = [h("div", { class: "stack" }), h("div", {}), h("div", { class: "foot" })];
   const modePlace = h("div", {});
+  /** @type {Mode | null} */
   let shownMode = null;
 
+  /** @param {AdaptationView} view @param {MapVersion[]} maps */
   const draw = (view, maps) => {
     const labels = labelsOf(view);
-    write(lead, t(`adapt.lead.${view.origin}`, { version: view.version }));
+    write(lead, t(`adapt.lead.${view.origin}`, { version: view.version ?? "" }));
     put(place, view.looking && h("p", { class: "card quiet", role: "status" }, t("adapt.looking")), proposalCards(view, labels));
     put(versions, mapVersions(maps, labels));
     put(foot, mayChange && buttons(view));
@@ -35,42 +45,46 @@ export async function show(app, root, { signal }) {
   };
   const read = async () => {
     const [view, maps] = await Promise.all([app.api.get("/adaptation"), app.api.get(`/patients/${patient}/maps`)]);
-    if (!signal.aborted) draw(view, maps);
+    if (!signal.aborted) draw(view, /** @type {MapVersion[]} */ (maps));
   };
-  const ask = async (method, path, body) => {
+  /** Make a change, and read again how things are. @param {() => Promise<AdaptationView>} change */
+  const ask = async (change) => {
     write(problem, "");
     for (const button of foot.querySelectorAll("button")) button.disabled = true;
     try {
-      const view = await app.api[method](path, body);
+      const view = await change();
       await read();
       return view;
     } catch (error) {
       await read().catch(() => null);
-      write(problem, error.message);
+      write(problem, failureWords(error));
       return null;
     }
   };
+  /** @param {Mode} mode */
   const choose = async (mode) => {
     shownMode = mode; // the card stays as it is, and with it the place of the keyboard
-    await ask("put", "/adaptation", { mode });
+    await ask(() => app.api.put("/adaptation", { mode }));
   };
+  /** @param {string} proposal its id */
   const apply = async (proposal) => {
-    const view = await ask("post", "/adaptation/apply", { proposal });
-    if (view) app.toasts.show(t("adapt.applied.toast", { version: view.version }), { action: t("undo"), run: back });
+    const view = await ask(() => app.api.post("/adaptation/apply", { proposal }));
+    if (view) app.toasts.show(t("adapt.applied.toast", { version: view.version ?? "" }), { action: t("undo"), run: back });
   };
   const back = async () => {
     const to = (await app.api.get("/adaptation")).back_to;
-    const view = await ask("post", "/adaptation/back");
-    if (view) app.toasts.show(t("adapt.back.toast", { to, version: view.version }));
+    const view = await ask(() => app.api.post("/adaptation/back"));
+    if (view) app.toasts.show(t("adapt.back.toast", { to: to ?? "", version: view.version ?? "" }));
   };
+  /** @param {AdaptationView} view @returns {Child[]} */
   const buttons = ({ proposal, back_to: before, refusal, looking }) => {
-    const waits = proposal?.changes && proposal.applied === null;
+    const waits = proposal?.changes && proposal.applied === null ? proposal : null;
     return [
       before !== null && button(t("adapt.back", { version: before }), back),
       h("span", { class: "grow" }),
-      waits && button(t("adapt.later"), () => ask("post", "/adaptation/dismiss", { proposal: proposal.id })),
-      waits && button(t("adapt.apply"), () => apply(proposal.id), "btn go", refusal !== null),
-      !waits && button(t("adapt.look"), () => ask("post", "/adaptation/propose"), "btn", looking || refusal !== null),
+      waits && button(t("adapt.later"), () => ask(() => app.api.post("/adaptation/dismiss", { proposal: waits.id }))),
+      waits && button(t("adapt.apply"), () => apply(waits.id), "btn go", refusal !== null),
+      !waits && button(t("adapt.look"), () => ask(() => app.api.post("/adaptation/propose")), "btn", looking || refusal !== null),
       !waits && h("a", { class: "btn go", href: "#/drive" }, t("rail.drive")),
     ];
   };
@@ -84,23 +98,28 @@ export async function show(app, root, { signal }) {
   await read();
 }
 
-/** Labels of the joints, as far as a proposal names them. */
+/** Labels of the joints, as far as a proposal names them. @param {AdaptationView} view @returns {Record<string, string>} */
 function labelsOf({ proposal }) {
   return Object.fromEntries((proposal?.joints ?? []).map(({ name, label }) => [name, label]));
 }
 
+/** @param {string} words @param {() => void} run */
 function button(words, run, kind = "btn", disabled = false) {
   return h("button", { type: "button", class: kind, onclick: run, disabled }, words);
 }
 
+/** @param {AdaptationView} view @param {Record<string, string>} labels @returns {Child[]} */
 function proposalCards(view, labels) {
   const { proposal } = view;
   if (!proposal) return [h("p", { class: "card adapt-why" }, view.why), view.refusal && h("p", { class: "problem" }, view.refusal)];
-  return [headline(view, labels), proposal.effect && effectCard(proposal.effect), jointCards(proposal)];
+  return [headline(view, proposal, labels), proposal.effect && effectCard(proposal.effect), jointCards(proposal)];
 }
 
-/** In ten seconds: how much is felt, what changes, and what it means for a real chair. */
-function headline({ proposal, refusal, practised }, labels) {
+/**
+ * In ten seconds: how much is felt, what changes, and what it means for a real chair.
+ * @param {AdaptationView} view @param {ProposalView} proposal @param {Record<string, string>} labels
+ */
+function headline({ refusal, practised }, proposal, labels) {
   const { felt_change: felt, warns, applied, changes } = proposal;
   const figure = changes
     ? h(
@@ -131,10 +150,12 @@ function headline({ proposal, refusal, practised }, labels) {
   );
 }
 
+/** @param {number} count of the trials that were driven with the map in use */
 function practisedWords(count) {
   return count ? t("adapt.practise.some", { count }) : t("adapt.practise.none");
 }
 
+/** @param {Mode} mode @param {boolean} mayChange @param {(mode: Mode) => void} choose */
 function modeCard(mode, mayChange, choose) {
   const options = MODES.map((value) => ({ value, label: t(`adapt.mode.${value}`), hint: t(`adapt.mode.${value}.hint`) }));
   const chosen = h("p", {}, h("b", {}, t(`adapt.mode.${mode}`)), ". ", t(`adapt.mode.${mode}.hint`));

@@ -1,9 +1,13 @@
-/** What the last trial would have been like: the same movements, read by the map that is proposed. */
+/**
+ * What the last trial would have been like: the same movements, read by the map that is proposed.
+ * @import { Effect } from "types/api"
+ * @import { Child } from "types/dom"
+ */
 import { t } from "../../texts.js";
 import { h } from "../../widgets/dom.js";
 import { percent } from "../../widgets/format.js";
 
-/** @param {any} effect of a proposal */
+/** @param {Effect} effect of a proposal */
 export function effectCard(effect) {
   return h(
     "section",
@@ -20,10 +24,12 @@ export function effectCard(effect) {
   );
 }
 
+/** @param {string} name @param {Child} words */
 function figure(name, words) {
   return h("div", {}, h("dt", { class: "quiet small" }, t(`adapt.effect.${name}`)), h("dd", { class: "number" }, words));
 }
 
+/** @param {number} before @param {number} after @returns {Child} */
 function change(before, after) {
   return before === after ? h("b", {}, String(after)) : [`${before} → `, h("b", {}, String(after))];
 }

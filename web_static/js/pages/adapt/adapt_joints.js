@@ -1,4 +1,7 @@
-/** What would change of each joint: before and after, side by side, and the reason in a sentence. */
+/**
+ * What would change of each joint: before and after, side by side, and the reason in a sentence.
+ * @import { JointView, ProposalView } from "types/api"
+ */
 import { t } from "../../texts.js";
 import { h } from "../../widgets/dom.js";
 import { number, percent } from "../../widgets/format.js";
@@ -6,7 +9,7 @@ import { withLabels } from "../../widgets/gestures.js";
 
 const TONES = { applied: "", shown: "calm", refused: "bad", unchanged: "plain" };
 
-/** @param {any} proposal of GET /adaptation */
+/** @param {ProposalView} proposal of GET /adaptation */
 export function jointCards({ joints, applied }) {
   const labels = Object.fromEntries(joints.map(({ name, label }) => [name, label]));
   const still = joints.filter(({ status }) => status === "unchanged");
@@ -24,6 +27,7 @@ export function jointCards({ joints, applied }) {
   );
 }
 
+/** @param {JointView} joint @param {string} reason @param {boolean} isApplied */
 function jointCard(joint, reason, isApplied) {
   const status = isApplied && joint.status === "applied" ? "changed" : joint.status;
   const { evr_before: fit, evr_after: fitThen, cross_talk_before: talk, cross_talk_after: talkThen } = joint;
@@ -47,7 +51,7 @@ function jointCard(joint, reason, isApplied) {
 
 /** What stays alike is said once. @param {string} name @param {string[]} values before and after @param {boolean} better */
 function figure(name, values, better) {
-  const [before, after] = values.length > 1 && values[0] !== values[1] ? values : [null, values.at(-1)];
+  const [before, after] = values.length > 1 && values[0] !== values[1] ? values : [null, values[values.length - 1]];
   return h(
     "div",
     {},
@@ -56,18 +60,21 @@ function figure(name, values, better) {
   );
 }
 
-/** What is applied of what the movements ask for. */
+/** What is applied of what the movements ask for. @param {JointView} joint */
 function turn({ angle_applied_deg: applied, angle_proposed_deg: asked }) {
   if (asked === null || asked - applied < 0.05) return `${number(applied, 1)}°`;
   return t("adapt.row.turn.asked", { applied: number(applied, 1), asked: number(asked, 1) });
 }
 
-/** 1: more is there after than before, −1: less, 0: alike, or not known. */
+/**
+ * 1: more is there after than before, −1: less, 0: alike, or not known.
+ * @param {number | null} before @param {number | null} after
+ */
 function sign(before, after) {
-  if (!Number.isFinite(before) || !Number.isFinite(after) ) return 0;
-  return Math.sign(after - before);
+  return before === null || after === null ? 0 : Math.sign(after - before);
 }
 
+/** @param {number | null} value */
 function rate(value) {
   return number(value, 2);
 }

@@ -1,9 +1,13 @@
-/** The versions of a patient's map, with what each of them changed. */
+/**
+ * The versions of a patient's map, with what each of them changed.
+ * @import { JointDifference, MapVersion } from "types/documents"
+ */
 import { t } from "../../texts.js";
 import { h } from "../../widgets/dom.js";
 import { moment, number, percent } from "../../widgets/format.js";
+import { scrollTable } from "../../widgets/scroll_table.js";
 
-/** @param {any[]} maps of GET /patients/ID/maps @param {Record<string, string>} labels of the joints */
+/** @param {MapVersion[]} maps of GET /patients/ID/maps @param {Record<string, string>} labels of the joints */
 export function mapVersions(maps, labels) {
   const head = ["version", "when", "origin", "difference", "trials"];
   return h(
@@ -11,26 +15,22 @@ export function mapVersions(maps, labels) {
     { class: "card" },
     h("h2", {}, t("adapt.versions")),
     h("p", { class: "quiet small" }, t("adapt.versions.lead")),
-    h(
-      "div",
-      { class: "scroll-x", tabindex: "0", role: "region", "aria-label": t("adapt.versions") },
+    scrollTable(
+      t("adapt.versions"),
+      "measures map-versions",
+      h("thead", {}, h("tr", {}, head.map((name) => h("th", { scope: "col" }, t(`adapt.${name}`))))),
       h(
-        "table",
-        { class: "measures map-versions" },
-        h("thead", {}, h("tr", {}, head.map((name) => h("th", { scope: "col" }, t(`adapt.${name}`))))),
-        h(
-          "tbody",
-          {},
-          maps.map((one) =>
-            h(
-              "tr",
-              {},
-              h("th", { scope: "row" }, String(one.version)),
-              h("td", {}, moment(one.created)),
-              h("td", {}, origin(one)),
-              h("td", { class: "words" }, changes(one, labels)),
-              h("td", {}, String(one.trials.length)),
-            ),
+        "tbody",
+        {},
+        maps.map((one) =>
+          h(
+            "tr",
+            {},
+            h("th", { scope: "row" }, String(one.version)),
+            h("td", {}, moment(one.created)),
+            h("td", {}, origin(one)),
+            h("td", { class: "words" }, changes(one, labels)),
+            h("td", {}, String(one.trials.length)),
           ),
         ),
       ),
@@ -38,24 +38,27 @@ export function mapVersions(maps, labels) {
   );
 }
 
+/** @param {MapVersion} version */
 function origin({ origin: how, parent, difference }) {
   const itself = difference?.by_itself ? ".itself" : "";
   return t(`adapt.origin.${how}${itself}`, { parent: parent ?? "", to: difference?.back_to ?? "" });
 }
 
+/** @param {MapVersion} version @param {Record<string, string>} labels */
 function changes({ difference }, labels) {
   const joints = Object.entries(difference?.joints ?? {}).map(([name, joint]) =>
     t("adapt.difference.joint", { joint: labels[name] ?? name.replaceAll("_", " "), changes: ofJoint(joint).join(", ") }),
   );
   const felt = difference?.felt_change;
-  if (joints.length && Number.isFinite(felt)) joints.push(t("adapt.difference.felt", { percent: percent(felt) }));
+  if (joints.length && typeof felt === "number" && Number.isFinite(felt)) joints.push(t("adapt.difference.felt", { percent: percent(felt) }));
   return joints.map((words) => h("div", {}, words));
 }
 
+/** @param {JointDifference} joint */
 function ofJoint(joint) {
   const found = [];
   if (joint.angle_applied_deg) found.push(t("adapt.difference.turn", { angle: number(joint.angle_applied_deg, 1) }));
-  for (const name of ["dead_zone", "full"]) {
+  for (const name of /** @type {const} */ (["dead_zone", "full"])) {
     const [before, after] = [joint[`${name}_before`], joint[`${name}_after`]];
     if (before !== after) found.push(t(`adapt.difference.${name}`, { value: number(after, 2) }));
   }

@@ -1,5 +1,13 @@
-/** The calibration wizard: its steps are kept by the server, so that a reload comes back to the same one. */
+/**
+ * The calibration wizard: its steps are kept by the server, so that a reload comes back to the same one.
+ * @import { App } from "../../main.js"
+ * @import { CalibrationView } from "types/api"
+ * @import { Calibration, CalibrationResult } from "types/documents"
+ * @import { Child } from "types/dom"
+ * @import { Actions } from "./calibrate_step.js"
+ */
 import { calibrateStep } from "./calibrate_step.js";
+import { failureWords } from "../../api.js";
 import { discoveryCard } from "../../widgets/discovery_card.js";
 import { h, put } from "../../widgets/dom.js";
 import { emptyPage, nobodyIsHere } from "../../shell/nobody.js";
@@ -14,56 +22,62 @@ const PAUSE = 1500; // ms between two steps that follow by themselves: time to b
 export async function show(app, root, { signal }) {
   if (nobodyIsHere(app, root)) return;
   const { api } = app; // names this page's session for as long as anything of the page is left
-  let [calibration, equipment] = await Promise.all([api.get("/calibration"), api.get("/equipment")]);
+  const read = () => Promise.all([api.get("/calibration"), api.get("/equipment")]);
+  let [view, equipment] = await read();
+  let calibration = /** @type {Calibration} */ (view);
   if (!equipment.shirt && calibration.steps.length === 1) {
     emptyPage(root, t("calibrate.no-shirt"), t("calibrate.no-shirt.lead"), "#/shirt", t("calibrate.no-shirt.go"));
     return;
   }
+  /** @type {string | null} */
   let watched = null; // the step that ran while we looked: only after it does the next one follow by itself
   let timer = 0;
   let drawn = new AbortController();
 
+  /** @param {CalibrationView} answer */
   const take = (answer) => {
     const before = calibration;
-    calibration = answer;
+    calibration = /** @type {Calibration} */ (answer);
     if (answer.running) watched = answer.running.step;
     else if (before.running) afterStep(before.running.step);
     draw();
   };
-  const call = async (path, body) => {
+  /** @param {() => Promise<CalibrationView>} change */
+  const call = async (change) => {
     clearTimeout(timer);
     timer = 0;
     try {
-      const answer = await api.post(path, body);
+      const answer = await change();
       if (!signal.aborted) take(answer);
     } catch (error) {
       if (signal.aborted) return;
-      app.toasts.show(error.message);
+      app.toasts.show(failureWords(error));
       await readAgain();
     }
   };
   const readAgain = async () => {
-    const [fresh, worn] = await Promise.all([api.get("/calibration"), api.get("/equipment")]).catch(() => [
-      calibration,
-      equipment,
-    ]);
+    const fresh = await read().catch(() => null);
     if (signal.aborted) return;
-    equipment = worn;
-    take(fresh);
+    if (fresh) equipment = fresh[1];
+    take(fresh ? fresh[0] : calibration);
   };
+  /** @param {string} id */
+  const start = (id) => call(() => api.post(`/calibration/steps/${id}/start`));
+  /** @param {string} id */
   const afterStep = (id) => {
     const isGood = calibration.steps.find((step) => step.id === id)?.status === "done" && watched === id;
     watched = null;
     const next = calibration.steps.find((step) => step.id === calibration.current);
     if (!isGood || !actions.isAuto || !next || next.kind === "result" || next.status === "done" || next.status === "skipped") return;
-    timer = setTimeout(() => call(`/calibration/steps/${next.id}/start`), PAUSE);
+    timer = setTimeout(() => start(next.id), PAUSE);
   };
+  /** @type {Actions} */
   const actions = {
-    go: (step) => call("/calibration/go", { step }),
-    start: (step) => call(`/calibration/steps/${step}/start`),
-    cancel: (step) => call(`/calibration/steps/${step}/cancel`),
-    skip: (step) => call(`/calibration/steps/${step}/skip`),
-    chooseMap: (joint, map) => call("/calibration/map", { joint, map }),
+    go: (step) => call(() => api.post("/calibration/go", { step })),
+    start,
+    cancel: (step) => call(() => api.post(`/calibration/steps/${step}/cancel`)),
+    skip: (step) => call(() => api.post(`/calibration/steps/${step}/skip`)),
+    chooseMap: (joint, map) => call(() => api.post("/calibration/map", { joint, map })),
     setAuto: (on) => {
       localStorage.setItem(AUTO_PLACE, on ? "on" : "off");
       actions.isAuto = on;
@@ -78,20 +92,17 @@ export async function show(app, root, { signal }) {
       return timer !== 0;
     },
   };
-  const accept = async () => {
-    try {
+  const accept = () =>
+    app.toasts.attempt(async () => {
       await api.post("/calibration/accept");
       await app.readSession();
       app.go("#/controls");
-    } catch (error) {
-      app.toasts.show(error.message);
-    }
-  };
+    });
   const restart = () =>
     app.toasts.show(t("result.restart.ask"), {
       action: t("result.restart"),
       run: async () => {
-        await call("/calibration/restart");
+        await call(() => api.post("/calibration/restart"));
         app.toasts.show(t("result.restarted"));
       },
     });
@@ -117,9 +128,11 @@ export async function show(app, root, { signal }) {
       ),
       h("div", { class: "foot" }, view.foot),
     );
-    const same = choice && root.querySelector(`[aria-label="${CSS.escape(choice)}"] input:checked`);
+    /** @param {string} selector @returns {HTMLElement | null} */
+    const find = (selector) => root.querySelector(selector);
+    const same = choice && find(`[aria-label="${CSS.escape(choice)}"] input:checked`);
     if (same) same.focus({ preventScroll: true });
-    else if (hadFocus) (root.querySelector(".foot .btn.go") ?? root.querySelector("h1")).focus({ preventScroll: true });
+    else if (hadFocus) (find(".foot .btn.go") ?? find("h1"))?.focus({ preventScroll: true });
   };
   app.live.addEventListener(
     "changed",
@@ -131,11 +144,15 @@ export async function show(app, root, { signal }) {
   draw();
 }
 
+/**
+ * @param {App} app @param {Calibration} calibration @param {Actions} actions @param {() => void} accept
+ * @returns {{title: string, lead: Child, body: Child, foot: Child[]}}
+ */
 function resultPage(app, calibration, actions, accept) {
   const { result, steps, running } = calibration;
   const missing = steps.filter(({ kind, status }) => kind !== "result" && status !== "done" && status !== "skipped");
-  const last = steps.at(-1);
-  const back = h("button", { type: "button", class: "btn", onclick: () => actions.go(steps.at(-2).id) }, t("back"));
+  const [lastPrompt, last] = steps.slice(-2);
+  const back = h("button", { type: "button", class: "btn", onclick: () => actions.go(lastPrompt.id) }, t("back"));
   if (running?.step === "result")
     return {
       title: t("calibrate.fitting"),
@@ -170,16 +187,16 @@ function resultPage(app, calibration, actions, accept) {
   };
 }
 
-/** All movements that were found; the suggestion can be taken once the calibration is in use. */
+/**
+ * All movements that were found; the suggestion can be taken once the calibration is in use.
+ * @param {App} app @param {CalibrationResult} result
+ */
 function foundGestures(app, result) {
   const labels = Object.fromEntries(result.joints.map(({ name, label }) => [name, label]));
-  const take = async () => {
-    try {
+  const take = () =>
+    app.toasts.attempt(async () => {
       await app.api.post("/controls/suggest");
       app.go("#/controls");
-    } catch (error) {
-      app.toasts.show(error.message);
-    }
-  };
+    });
   return discoveryCard(app.api, labels, result.accepted ? take : null);
 }

@@ -1,4 +1,10 @@
-/** One step of the calibration: what to do, the cue, the signals as they come, and what can be done next. */
+/**
+ * One step of the calibration: what to do, the cue, the signals as they come, and what can be done next.
+ * @import { App } from "../../main.js"
+ * @import { EquipmentView, ShirtLayout } from "types/api"
+ * @import { Calibration, CalibrationStep } from "types/documents"
+ * @import { Child } from "types/dom"
+ */
 import { t } from "../../texts.js";
 import { cueCircle } from "../../widgets/cue_circle.js";
 import { h, write } from "../../widgets/dom.js";
@@ -7,15 +13,19 @@ import { drawTraces, middle, QUIET_SPAN } from "../../charts/joint_strips.js";
 import { pads } from "../../widgets/pads.js";
 import { TraceCanvas } from "../../charts/traces.js";
 
+/** Who moves, by the kind of the body in the simulated shirt. @type {Record<string, string>} */
+const READY = { person: "self", recorded: "self", visitor: "visitor" };
+
 /**
- * @typedef {{go: (id: string) => void, start: (id: string) => void, cancel: (id: string) => void,
- *   setAuto: (on: boolean) => void, isAuto: boolean, isGoingOn: boolean}} Actions
+ * @typedef {{go: (id: string) => void, start: (id: string) => void, cancel: (id: string) => void, skip: (id: string) => void,
+ *   chooseMap: (joint: string, map: "pca" | "guided") => void,
+ *   setAuto: (on: boolean) => void, isAuto: boolean, readonly isGoingOn: boolean}} Actions
  */
 
 /**
- * @param {import("../../main.js").App} app @param {any} calibration @param {any} equipment
+ * @param {App} app @param {Calibration} calibration @param {EquipmentView} equipment
  * @param {Actions} actions @param {AbortSignal} signal
- * @returns {{title: string, lead: HTMLElement, body: HTMLElement, foot: (Node | false)[]}}
+ * @returns {{title: string, lead: Child, body: Child, foot: Child[]}}
  */
 export function calibrateStep(app, calibration, equipment, actions, signal) {
   const { steps, current, running } = calibration;
@@ -24,6 +34,7 @@ export function calibrateStep(app, calibration, equipment, actions, signal) {
   const isRunning = running?.step === current;
   const repetitions = Math.max(0, ...step.cues.map(({ repetition }) => repetition));
   const lead = h("p", { class: "lead" });
+  /** @param {number} repetition 0 while nothing is repeated */
   const showLead = (repetition) =>
     write(
       lead,
@@ -54,15 +65,21 @@ export function calibrateStep(app, calibration, equipment, actions, signal) {
   return { title: step.title, lead, body, foot: foot(steps, at, isRunning, Boolean(running), actions) };
 }
 
+/** @param {CalibrationStep} step @param {EquipmentView} equipment @param {Actions} actions */
 function idleWords(step, equipment, { isGoingOn }) {
   if (isGoingOn) return t("calibrate.going-on");
   if (step.status === "done") return t("calibrate.done");
-  const who = { person: "self", recorded: "self", visitor: "visitor" }[equipment.body?.kind] ?? "patient";
+  const who = READY[String(equipment.body?.kind)] ?? "patient";
   return t(`calibrate.ready.${who}`);
 }
 
+/**
+ * @param {CalibrationStep[]} steps @param {number} at @param {boolean} isRunning this step is being recorded
+ * @param {boolean} isBusy any step is @param {Actions} actions @returns {Child[]}
+ */
 function foot(steps, at, isRunning, isBusy, actions) {
   const step = steps[at];
+  /** @param {string} words @param {() => void} run */
   const button = (words, run, tone = "", isOff = false) =>
     h("button", { type: "button", class: `btn ${tone}`, disabled: isOff, onclick: run }, words);
   if (isRunning)
@@ -85,17 +102,23 @@ function foot(steps, at, isRunning, isBusy, actions) {
   ];
 }
 
+/** @param {Actions} actions */
 function auto(actions) {
   return toggle(t("calibrate.auto"), actions.isAuto, actions.setAuto);
 }
 
-/** The joint's own channels while it is prompted; otherwise one line per joint. */
+/**
+ * The joint's own channels while it is prompted; otherwise one line per joint.
+ * @param {App} app @param {ShirtLayout | null} layout @param {CalibrationStep} step @param {AbortSignal} signal
+ */
 function stepTrace(app, layout, step, signal) {
   if (!layout) return null;
   const canvas = new TraceCanvas({ label: t("cue.trace"), height: 84 });
+  /** @param {string} joint */
   const indices = (joint) => layout.channels.flatMap((channel, index) => (channel.joint === joint ? [index] : []));
   const groups = layout.joints.map(({ name }) => indices(name));
   app.live.addEventListener("quality", () => (canvas.floor = QUIET_SPAN * middle(app.live.noise)), { signal });
+  /** @param {(number | null)[]} values @param {number[]} group indices */
   const mean = (values, group) => group.reduce((sum, index) => sum + (values[index] ?? 0), 0) / group.length;
   const own = step.joint ? indices(step.joint) : null;
   drawTraces(
@@ -103,7 +126,7 @@ function stepTrace(app, layout, step, signal) {
     [
       {
         canvas,
-        values: ({ values }) => (own ? own.map((index) => values[index]) : groups.map((group) => mean(values, group))),
+        values: ({ values }) => (!values ? [] : own ? own.map((index) => values[index]) : groups.map((group) => mean(values, group))),
       },
     ],
     signal,

@@ -1,8 +1,14 @@
-/** The result of a calibration: a card per joint, cross-talk, left-out sensors. */
+/**
+ * The result of a calibration: a card per joint, cross-talk, left-out sensors.
+ * @import { CalibrationResult, JointResult } from "types/documents"
+ * @typedef {(step: string) => void} OnRepeat
+ * @typedef {(joint: string, map: "pca" | "guided") => void} OnMap
+ */
 import { t } from "../../texts.js";
 import { h } from "../../widgets/dom.js";
 import { number, percent } from "../../widgets/format.js";
 import { withLabels } from "../../widgets/gestures.js";
+import { scrollTable } from "../../widgets/scroll_table.js";
 import { mapChoice } from "./map_choice.js";
 
 const STUDY = { low: 0.8, high: 0.9 }; // the paper's explained variance of PC1
@@ -10,9 +16,7 @@ const OWN = 0.75; // from here a cell is painted in full, with the text in the o
 const WASH = 0.5; // strongest paint below that: dark text stays readable on it
 const TONES = { good: "", usable: "att", repeat: "bad" };
 
-/**
- * @param {any} result @param {(step: string) => void} onRepeat @param {(joint: string, map: string) => void} onMap
- */
+/** @param {CalibrationResult} result @param {OnRepeat} onRepeat @param {OnMap} onMap */
 export function resultView(result, onRepeat, onMap) {
   const labels = Object.fromEntries(result.joints.map(({ name, label }) => [name, label]));
   return h(
@@ -23,11 +27,13 @@ export function resultView(result, onRepeat, onMap) {
       { class: "joint-cards" },
       result.joints.map((joint) => jointCard(joint, withLabels(joint.reason, labels), onRepeat, onMap)),
     ),
-    result.cross_talk && crossTalk(result),
+    result.cross_talk && crossTalk(result.joints, result.cross_talk),
   );
 }
 
+/** @param {JointResult} joint @param {string} reason @param {OnRepeat} onRepeat @param {OnMap} onMap */
 function jointCard(joint, reason, onRepeat, onMap) {
+  const { step, guided } = joint;
   const evr = percent(joint.evr);
   return h(
     "section",
@@ -49,46 +55,42 @@ function jointCard(joint, reason, onRepeat, onMap) {
       ),
     joint.grade !== "good" && h("p", { class: "small reason" }, reason),
     joint.grade !== "good" &&
-      joint.step &&
-      h("button", { type: "button", class: "btn small", onclick: () => onRepeat(joint.step) }, t("result.again")),
-    joint.guided && mapChoice(joint, onMap),
+      step &&
+      h("button", { type: "button", class: "btn small", onclick: () => onRepeat(step) }, t("result.again")),
+    guided && mapChoice(joint, guided, onMap),
   );
 }
 
-/** A row per gesture that was asked for, a column per joint that answered. */
-function crossTalk({ joints, cross_talk: rows }) {
+/** A row per gesture that was asked for, a column per joint that answered. @param {JointResult[]} joints @param {number[][]} rows */
+function crossTalk(joints, rows) {
   const labels = joints.slice(0, rows.length).map(({ label }) => label);
   return h(
     "section",
     { class: "card" },
     h("h2", {}, t("result.cross")),
     h("p", { class: "quiet small" }, t("result.cross.lead")),
-    h(
-      "div",
-      { class: "scroll-x", tabindex: "0", role: "region", "aria-label": t("result.cross") },
+    scrollTable(
+      t("result.cross"),
+      "heat",
       h(
-        "table",
-        { class: "heat" },
+        "thead",
+        {},
         h(
-          "thead",
+          "tr",
           {},
+          h("td", {}),
+          labels.map((label) => h("th", { scope: "col" }, label)),
+        ),
+      ),
+      h(
+        "tbody",
+        {},
+        rows.map((row, i) =>
           h(
             "tr",
             {},
-            h("td", {}),
-            labels.map((label) => h("th", { scope: "col" }, label)),
-          ),
-        ),
-        h(
-          "tbody",
-          {},
-          rows.map((row, i) =>
-            h(
-              "tr",
-              {},
-              h("th", { scope: "row" }, t("result.cross.asked", { joint: labels[i].toLowerCase() })),
-              row.map(cell),
-            ),
+            h("th", { scope: "row" }, t("result.cross.asked", { joint: labels[i].toLowerCase() })),
+            row.map(cell),
           ),
         ),
       ),
@@ -96,6 +98,7 @@ function crossTalk({ joints, cross_talk: rows }) {
   );
 }
 
+/** @param {number} value */
 function cell(value) {
   const isOwn = value >= OWN;
   const share = isOwn ? 1 : WASH * Math.min(1, Math.max(0, value));

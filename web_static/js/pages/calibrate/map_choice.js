@@ -1,18 +1,24 @@
-/** Both maps of a joint side by side, as they did on repetitions they had not seen, and which of them drives. */
+/**
+ * Both maps of a joint side by side, as they did on repetitions they had not seen, and which of them drives.
+ * @import { GuidedMapResult, JointResult } from "types/documents"
+ * @import { OnMap } from "./calibration_result.js"
+ */
 import { t } from "../../texts.js";
 import { h } from "../../widgets/dom.js";
 import { segments } from "../../widgets/fields.js";
 import { number, percent } from "../../widgets/format.js";
 
+/** @type {["in_phase" | "hit_rate" | "false_per_minute", (value: number) => string][]} */
 const ROWS = [
   ["in_phase", percent],
   ["hit_rate", percent],
   ["false_per_minute", (value) => number(value, 1)],
 ];
+const MAPS = /** @type {const} */ (["pca", "guided"]);
 const WORDS = { in_phase: "result.maps.in-phase", hit_rate: "result.maps.hit", false_per_minute: "result.maps.false" };
 
-/** @param {any} joint one of a calibration's result @param {(joint: string, map: string) => void} onMap */
-export function mapChoice({ name, label, map, guided }, onMap) {
+/** @param {JointResult} joint @param {GuidedMapResult} guided the joint's @param {OnMap} onMap */
+export function mapChoice({ name, label, map }, guided, onMap) {
   const { offered, repetitions, pca_check: pca, guided_check: own } = guided;
   const summary = map === "guided" ? "result.maps.in-use" : offered ? "result.maps.better" : "result.maps.worse";
   return h(
@@ -49,7 +55,7 @@ export function mapChoice({ name, label, map, guided }, onMap) {
     offered
       ? segments(
           t("result.maps.choose", { joint: label }),
-          ["pca", "guided"].map((value) => ({ value, label: t(`result.maps.${value}`) })),
+          MAPS.map((value) => ({ value, label: t(`result.maps.${value}`) })),
           map,
           (chosen) => onMap(name, chosen),
         )

@@ -4,7 +4,7 @@ import { h } from "../../widgets/dom.js";
 import { icon } from "../../widgets/icons.js";
 
 /**
- * @param {any[]} steps @param {string} current @param {(id: string) => void} onGo @param {() => void} onRestart
+ * @param {import("types/documents").CalibrationStep[]} steps @param {string} current @param {(id: string) => void} onGo @param {() => void} onRestart
  */
 export function stepBar(steps, current, onGo, onRestart) {
   const list = h(
@@ -12,7 +12,9 @@ export function stepBar(steps, current, onGo, onRestart) {
     { class: "steps", "aria-label": t("calibrate.steps") },
     steps.map((step, index) => {
       const label = `${step.title}: ${t(`calibrate.step.${step.status}`)}`;
-      const mark = { done: icon("tick", 16), failed: icon("undo", 16), skipped: "–" }[step.status] ?? String(index + 1);
+      /** @type {Record<string, Node | string>} */
+      const marks = { done: icon("tick", 16), failed: icon("undo", 16), skipped: "–" };
+      const mark = marks[step.status] ?? String(index + 1);
       return h(
         "li",
         {},

@@ -1,0 +1,89 @@
+/** Parts of answers that the OpenAPI document leaves open: what the routes fill in (docs/protocols.md, section 4). */
+import type { CalibrationView, components, MapCheck, MapView } from "./api";
+
+type Schemas = components["schemas"];
+
+/** One thing to do, from `start` to `end` in s of the run. */
+export type Cue = {
+  start: number;
+  end: number;
+  kind: string;
+  joint: string | null;
+  repetition: number;
+};
+
+export type CalibrationStep = {
+  id: string;
+  kind: string;
+  joint: string | null;
+  title: string;
+  instruction: string;
+  duration: number;
+  cues: Cue[];
+  status: string;
+  /** Why a step failed; empty otherwise. */
+  words: string;
+};
+
+/** Both maps of a joint on repetitions that they had not seen. */
+export type GuidedMapResult = {
+  offered: boolean;
+  repetitions: number;
+  pca_check: MapCheck;
+  guided_check: MapCheck;
+};
+
+/** A joint of a calibration's result; what was not measured is null. */
+export type JointResult = {
+  name: string;
+  label: string;
+  step: string | null;
+  grade: "good" | "usable" | "repeat";
+  reason: string;
+  evr: number | null;
+  signal_to_noise: number | null;
+  repeatability: number | null;
+  map: "pca" | "guided" | null;
+  guided: GuidedMapResult | null;
+};
+
+export type CalibrationResult = {
+  joints: JointResult[];
+  cross_talk: number[][] | null;
+  left_out: Record<string, string>;
+  accepted: boolean;
+};
+
+export type Calibration = Omit<CalibrationView, "steps" | "result"> & {
+  steps: CalibrationStep[];
+  result: CalibrationResult | null;
+};
+
+export type ShirtConfig = Schemas["SimulatorConfig"] | Schemas["ReplayConfig"] | Schemas["UdpConfig"];
+export type BodyConfig = Schemas["PersonConfig"] | Schemas["VisitorConfig"] | Schemas["RecordedConfig"];
+export type HeadConfig =
+  | Schemas["OpentrackConfig"]
+  | Schemas["FreepieConfig"]
+  | Schemas["FlockOfBirdsConfig"]
+  | Schemas["SimulatedHeadConfig"]
+  | Schemas["RecordedHeadConfig"]
+  | Schemas["TabletHeadConfig"];
+
+/** What an adaptation changed of one joint. */
+export type JointDifference = {
+  angle_applied_deg?: number;
+  dead_zone_before?: number;
+  dead_zone_after?: number;
+  full_before?: number;
+  full_after?: number;
+  range_moved?: boolean;
+};
+
+export type MapDifference = {
+  by_itself?: boolean;
+  back_to?: number;
+  felt_change?: number;
+  joints?: Record<string, JointDifference>;
+};
+
+export type MapVersion = Omit<MapView, "difference"> & { difference: MapDifference | null };
