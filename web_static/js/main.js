@@ -1,6 +1,6 @@
 /**
  * The application: who is signed in, who is here, the live link, and which page is shown.
- * @import { CurrentSession, Me } from "types/api"
+ * @import { CurrentSession, EquipmentView, Me } from "types/api"
  */
 import { Api, failureWords } from "./api.js";
 import { Live } from "./live/live.js";
@@ -13,6 +13,7 @@ import { stopOnSpace } from "./shell/stop.js";
 import { followSystem } from "./shell/theme.js";
 import { questionPlace } from "./widgets/same_name.js";
 import { Toasts } from "./shell/toast.js";
+import { TypedEvents } from "./live/typed_events.js";
 import { Screen } from "./live/screen.js";
 import { PageSession } from "./live/page_session.js";
 import { t } from "./texts.js";
@@ -21,8 +22,17 @@ const DEMO_LINK = /^#demo=(.+)$/;
 const LOOK_AT_DISK_EVERY = 60_000; // ms
 const WITHOUT_PROGRAM = new Set(["plans"]); // pages that work without the program: drawings are kept in this browser
 
-/** Events: `me`, `session`, `route`, `trial-view`, `disk`, `practice`, `drafts` (detail: a list to add to, of what was not sent). */
-export class App extends EventTarget {
+/**
+ * What happens in the frame. `drafts`: the detail is a list to which a page adds what was entered and not sent;
+ * `equipment`: the detail is the equipment after a file was added.
+ * @typedef {{
+ *   me: Event, session: Event, route: Event, "trial-view": Event, disk: Event, practice: Event,
+ *   drafts: CustomEvent<string[]>, equipment: CustomEvent<EquipmentView>,
+ * }} AppEvents
+ */
+
+/** @extends {TypedEvents<AppEvents>} */
+export class App extends TypedEvents {
   /** The calls of the API, which name the session of the page; a page that is left keeps its own instance. */
   api = new Api(() => this.signedOut());
   live = new Live();

@@ -46,7 +46,7 @@ export function header(app) {
     const { patient, session } = app.session ?? {};
     const signedIn = Boolean(app.me?.signed_in);
     demo.hidden = !app.me?.demo;
-    leave.hidden = !signedIn || app.me.demo;
+    leave.hidden = !signedIn || Boolean(app.me?.demo);
     lamps.style.visibility = signedIn ? "" : "hidden";
     who.hidden = !signedIn;
     write(who, patient ? t("who.session", { code: patient.code, number: session?.number ?? 1 }) : t("who.nobody"));
@@ -75,7 +75,7 @@ export function header(app) {
   };
   // A demonstration says of itself that nothing in it is real.
   const showPractice = () => practice.show(app.me?.demo ? null : app.practice);
-  for (const event of ["me", "practice"]) app.addEventListener(event, showPractice);
+  for (const event of /** @type {const} */ (["me", "practice"])) app.addEventListener(event, showPractice);
   app.addEventListener("me", showWho);
   app.addEventListener("session", showWho);
   app.live.addEventListener("quality", showShirt);

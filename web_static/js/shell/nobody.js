@@ -16,9 +16,13 @@ export function emptyPage(root, title, lead, hash, action) {
   );
 }
 
-/** Show the empty page when nobody is here. @param {import("../main.js").App} app @param {HTMLElement} root */
-export function nobodyIsHere(app, root) {
-  if (app.session?.patient) return false;
+/**
+ * Who is here, and whether that patient is calibrated; null, with the empty page shown, when nobody is here.
+ * @param {import("../main.js").App} app @param {HTMLElement} root
+ */
+export function patientHere(app, root) {
+  const { patient = null, has_profile: hasProfile = false } = app.session ?? {};
+  if (patient) return { patient, hasProfile };
   emptyPage(root, t("nobody.title"), t("nobody.lead"), "#/patients", t("nobody.go"));
-  return true;
+  return null;
 }

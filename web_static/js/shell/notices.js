@@ -22,7 +22,7 @@ export function notices(app) {
   };
   app.live.addEventListener("tick", show);
   app.live.addEventListener("connection", show);
-  for (const event of ["route", "me", "trial-view", "disk"]) app.addEventListener(event, show);
+  for (const event of /** @type {const} */ (["route", "me", "trial-view", "disk"])) app.addEventListener(event, show);
   return element;
 }
 

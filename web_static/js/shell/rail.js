@@ -39,7 +39,7 @@ export function rail(app) {
       set(link, { "aria-current": step === app.route.page ? "page" : null });
     }
   };
-  for (const event of ["session", "route"]) app.addEventListener(event, show);
+  for (const event of /** @type {const} */ (["session", "route"])) app.addEventListener(event, show);
   app.live.addEventListener("quality", show);
   show();
   return h(

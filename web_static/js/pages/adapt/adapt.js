@@ -13,7 +13,7 @@ import { choices } from "../../widgets/fields.js";
 import { percent } from "../../widgets/format.js";
 import { withLabels } from "../../widgets/gestures.js";
 import { mapVersions } from "./map_versions.js";
-import { emptyPage, nobodyIsHere } from "../../shell/nobody.js";
+import { emptyPage, patientHere } from "../../shell/nobody.js";
 import { t } from "../../texts.js";
 
 /** @type {Mode[]} */
@@ -22,9 +22,9 @@ const CONCERNS = ["adaptation", "controls", "trial", "drive", "equipment", "ever
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal}} page */
 export async function show(app, root, { signal }) {
-  if (nobodyIsHere(app, root)) return;
-  const patient = app.session?.patient?.id;
-  if (patient === undefined || !app.session?.has_profile)
+  const here = patientHere(app, root);
+  if (!here) return;
+  if (!here.hasProfile)
     return emptyPage(root, t("adapt.none.title"), t("adapt.none.lead"), "#/calibrate", t("controls.none.go"));
   const mayChange = app.me?.role !== "reviewer";
   const [lead, problem] = [h("p", { class: "lead" }), h("p", { class: "problem", role: "alert" })];
@@ -44,7 +44,7 @@ export async function show(app, root, { signal }) {
     shownMode = view.mode;
   };
   const read = async () => {
-    const [view, maps] = await Promise.all([app.api.get("/adaptation"), app.api.get(`/patients/${patient}/maps`)]);
+    const [view, maps] = await Promise.all([app.api.get("/adaptation"), app.api.get(`/patients/${here.patient.id}/maps`)]);
     if (!signal.aborted) draw(view, /** @type {MapVersion[]} */ (maps));
   };
   /** Make a change, and read again how things are. @param {() => Promise<AdaptationView>} change */

@@ -10,7 +10,7 @@ import { calibrateStep } from "./calibrate_step.js";
 import { failureWords } from "../../api.js";
 import { discoveryCard } from "../../widgets/discovery_card.js";
 import { h, put } from "../../widgets/dom.js";
-import { emptyPage, nobodyIsHere } from "../../shell/nobody.js";
+import { emptyPage, patientHere } from "../../shell/nobody.js";
 import { leftOutWords, resultView } from "./calibration_result.js";
 import { stepBar } from "./step_bar.js";
 import { t } from "../../texts.js";
@@ -20,7 +20,7 @@ const PAUSE = 1500; // ms between two steps that follow by themselves: time to b
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal}} page */
 export async function show(app, root, { signal }) {
-  if (nobodyIsHere(app, root)) return;
+  if (!patientHere(app, root)) return;
   const { api } = app; // names this page's session for as long as anything of the page is left
   const read = () => Promise.all([api.get("/calibration"), api.get("/equipment")]);
   let [view, equipment] = await read();

@@ -126,7 +126,10 @@ function stepTrace(app, layout, step, signal) {
     [
       {
         canvas,
-        values: ({ values }) => (!values ? [] : own ? own.map((index) => values[index]) : groups.map((group) => mean(values, group))),
+        values: ({ values }) => {
+          const frame = values ?? [];
+          return own ? own.map((index) => frame[index]) : groups.map((group) => mean(frame, group));
+        },
       },
     ],
     signal,

@@ -1,4 +1,11 @@
-/** What arming would apply: the set, its modes, the speeds that hold and why, and whether it was practised like this. */
+/**
+ * What arming would apply: the set, its modes, the speeds that hold and why, and whether it was practised like this.
+ * @import { ArmedSet } from "types/api"
+ * @import { Child } from "types/dom"
+ * @import { FullReading, FullSummary } from "./arming.js"
+ * @typedef {FullReading & {dial: number}} Application what arming would apply, and the dial's share
+ * @typedef {[Child, Child, Child]} Row what, how it stands, remark
+ */
 import { t } from "../../texts.js";
 import { h, put } from "../../widgets/dom.js";
 import { field, selection } from "../../widgets/fields.js";
@@ -18,7 +25,7 @@ export function appliesCard({ onLoad, onPractise }) {
   const title = h("h2", {}, t("apply.card"));
   let shown = "";
   let isOpen = false;
-  /** @param {{summary: any, controls: any, clinic: any, chair: any, dial: number}} read */
+  /** @param {Application} read */
   const show = (read) => {
     const key = JSON.stringify([read.summary, read.controls.saved, read.controls.hash, read.clinic, read.dial]);
     if (key === shown) return;
@@ -30,6 +37,7 @@ export function appliesCard({ onLoad, onPractise }) {
   return { element: h("section", { class: "card" }, title, place), title, show };
 }
 
+/** @param {Application} read @param {(title: string) => void} onLoad */
 function chosenSet({ controls, summary }, onLoad) {
   const { title } = summary.parameters;
   const titles = [...new Set([title, ...controls.saved])];
@@ -43,11 +51,12 @@ function chosenSet({ controls, summary }, onLoad) {
   return h("div", { class: "row chosen-set" }, h("div", { class: "grow" }, field(t("apply.set"), select)), change);
 }
 
+/** @param {Application} read */
 function main(read) {
   return [figures(read), how(read.summary.parameters)];
 }
 
-/** What a person feels first, large. */
+/** What a person feels first, large. @param {Application} read */
 function figures(read) {
   const shown = SPEEDS.filter(({ name }) => FIRST.has(name)).map((speed) => limit(speed, read));
   return h(
@@ -59,6 +68,7 @@ function figures(read) {
   );
 }
 
+/** @param {ArmedSet} set */
 function how({ mode_u1, mode_u2, cruise_time, turn_cruise_time }) {
   return rows(
     [t("apply.forward-back"), t(`how.u1.${mode_u1}`), t(`how.u1.${mode_u1}.hint`)],
@@ -72,16 +82,20 @@ function how({ mode_u1, mode_u2, cruise_time, turn_cruise_time }) {
   );
 }
 
+/** @param {Application} read */
 function details(read) {
   const { cutoff, hash } = read.summary.parameters;
   return rows(
-    SPEEDS.filter(({ name }) => !FIRST.has(name)).map((speed) => limit(speed, read)),
+    ...SPEEDS.filter(({ name }) => !FIRST.has(name)).map((speed) => limit(speed, read)),
     [t("speed.cutoff"), `${number(cutoff, 1)} ${t("unit.cutoff")}`, ""],
     [t("apply.hash"), h("code", {}, hash.slice(0, FINGERPRINT)), t("apply.hash.hint")],
   );
 }
 
-/** One limit, and whose it is where it is not the set's own. */
+/**
+ * One limit, and whose it is where it is not the set's own.
+ * @param {typeof SPEEDS[number]} speed @param {Application} read @returns {Row}
+ */
 function limit(speed, { summary, controls, clinic, chair, dial }) {
   const held = summary.speeds[speed.name];
   const own = controls.parameters.speeds[speed.name];
@@ -92,18 +106,20 @@ function limit(speed, { summary, controls, clinic, chair, dial }) {
   return [t(`speed.${speed.name}`), speedWords(speed, held), why];
 }
 
-/** @param {...any} lists [what, how it stands, remark], or lists of those */
-function rows(...lists) {
-  const all = lists.filter(Boolean).flatMap((one) => (Array.isArray(one[0]) ? one : [one]));
+/** @param {...(Row | false)} all */
+function rows(...all) {
   return h(
     "dl",
     { class: "fact-list" },
-    all.map(([name, value, remark]) =>
-      h("div", {}, h("dt", {}, name), h("dd", { class: "number" }, value, remark && h("small", {}, remark))),
-    ),
+    all.map((row) => {
+      if (!row) return null;
+      const [name, value, remark] = row;
+      return h("div", {}, h("dt", {}, name), h("dd", { class: "number" }, value, remark && h("small", {}, remark)));
+    }),
   );
 }
 
+/** @param {FullSummary} summary @param {() => void} onPractise */
 function practised({ practised: { trials, last }, last_practised: before, differences }, onPractise) {
   if (trials > 0)
     return rows([

@@ -1,4 +1,9 @@
-/** Before a real chair is armed: the chair as it is, what would apply, the body at rest; and what is still missing. */
+/**
+ * Before a real chair is armed: the chair as it is, what would apply, the body at rest; and what is still missing.
+ * @import { App } from "../../main.js"
+ * @import { ArmedSet, Speeds } from "types/api"
+ * @import { LiveMessage } from "../../live/live.js"
+ */
 import { t } from "../../texts.js";
 import { appliesCard } from "./applies_card.js";
 import { chairCard, chairState } from "../../widgets/chair_card.js";
@@ -7,42 +12,53 @@ import { missingList, reasonsAgainst } from "./open_points.js";
 import { neutralCard } from "./neutral_card.js";
 import { pads } from "../../widgets/pads.js";
 
-const NOT_A_BODY = new Set(["simulator", "replay"]);
+const NOT_A_BODY = new Set(["simulator", "replay"]); // kinds of shirts that nobody wears
 const LOOK_EVERY = 3000; // ms between two looks at what is missing when nothing was heard to change
+
+/**
+ * @typedef {Awaited<ReturnType<typeof readArming>>} Reading what decides how a chair would drive
+ * @typedef {NonNullable<Reading["summary"]>} Summary
+ * @typedef {Summary & {parameters: ArmedSet, speeds: Speeds}} FullSummary of a chair and a calibrated set
+ * @typedef {Reading & {chair: NonNullable<Reading["chair"]>, summary: FullSummary}} FullReading
+ */
 
 /** Everything that decides how the chosen chair would drive. @param {import("../../api.js").Api} api */
 export async function readArming(api) {
-  const [chairs, controls, clinic, equipment] = await Promise.all(
-    ["/chairs", "/controls", "/limits", "/equipment"].map((path) => api.get(path)),
-  );
+  const [chairs, controls, clinic, equipment] = await Promise.all([
+    api.get("/chairs"),
+    api.get("/controls"),
+    api.get("/limits"),
+    api.get("/equipment"),
+  ]);
   const chair = chairs.chairs.find(({ id }) => id === chairs.chosen) ?? null;
   const summary = chair && (await api.get("/drives/summary"));
   return { chairs, chair, controls, clinic, equipment, summary };
 }
 
-/** Whether a demonstration lets a body that nobody has drive the chair. @param {import("../../main.js").App} app @param {any} read */
+/** Whether a demonstration lets a body that nobody has drive the chair. @param {App} app @param {Reading} read */
 export function isSimulated(app, { equipment }) {
-  return app.me.demo && NOT_A_BODY.has(equipment.shirt?.kind);
+  return app.me?.demo && NOT_A_BODY.has(String(equipment.shirt?.kind));
 }
 
 /**
- * @param {import("../../main.js").App} app @param {HTMLElement} root @param {any} read what `readArming` gave
+ * @param {App} app @param {HTMLElement} root @param {FullReading} read
  * @param {(id: number) => void} onDrive the chair is driven, from here or from elsewhere @param {AbortSignal} signal
  */
 export function showArming(app, root, read, onDrive, signal) {
   const until = new AbortController(); // this part of the page ends when the chair is armed
   signal.addEventListener("abort", () => until.abort(), { signal: until.signal });
+  /** @param {number} id */
   const drive = (id) => {
     until.abort();
     onDrive(id);
   };
-  const ask = (call) => call.catch((error) => app.toasts.show(error.message));
   const useVirtual = async () => {
     const chosen = { id: null, dynamics: read.chairs.dynamics };
-    if (await ask(app.api.put("/chairs/chosen", chosen))) app.go("#/drive");
+    if (await app.toasts.attempt(() => app.api.put("/chairs/chosen", chosen))) app.go("#/drive");
   };
+  /** @param {string} title */
   const load = async (title) => {
-    await ask(app.api.post("/controls/load", { title }));
+    await app.toasts.attempt(() => app.api.post("/controls/load", { title }));
     await look();
   };
   const chair = chairCard(app.live, until.signal, { hasWhy: false }); // the list of what is missing does
@@ -73,26 +89,27 @@ export function showArming(app, root, read, onDrive, signal) {
     isLooking = false;
     if (until.signal.aborted || !now) return;
     if (!now.chair) return location.replace("#/drive");
-    read = now;
+    read = /** @type {FullReading} */ (now);
     showAll();
   };
   arm.addEventListener("click", async () => {
     isArming = true;
     showMissing();
     const { hash } = read.summary.parameters;
-    const started = await ask(app.api.post("/drives", { hash, screen: app.screen.word }));
+    const started = await app.toasts.attempt(() => app.api.post("/drives", { hash, screen: app.screen.word }));
     isArming = false;
     if (until.signal.aborted) return;
     if (started) drive(started.id);
     else await look();
   });
 
-  let heard = "";
+  let state = "";
+  /** @param {CustomEvent<LiveMessage>} event */
   const follow = ({ detail: now }) => {
     if (now.drive && !isArming) return drive(now.drive.id);
-    const before = heard;
-    heard = [now.control, now.fault?.name, now.chair && chairState(now.chair), now.chair?.stop_input, now.dial].join();
-    if (before && before !== heard) look();
+    const before = state;
+    state = [now.control, now.fault?.name, now.chair && chairState(now.chair), now.chair?.stop_input, now.dial].join();
+    if (before && before !== state) look();
     showMissing();
   };
   app.live.addEventListener("tick", follow, { signal: until.signal });

@@ -1,4 +1,9 @@
-/** While the real chair is armed: how fast it goes, whether it may, what the body does, what the chair says; dial and end. */
+/**
+ * While the real chair is armed: how fast it goes, whether it may, what the body does, what the chair says; dial and end.
+ * @import { App } from "../../main.js"
+ * @import { LiveMessage } from "../../live/live.js"
+ * @import { Reading } from "./arming.js"
+ */
 import { t } from "../../texts.js";
 import { isSimulated } from "./arming.js";
 import { chairCard } from "../../widgets/chair_card.js";
@@ -18,7 +23,7 @@ const FIRST_PICTURES = 3000; // ms
 const BACKWARDS = -0.005; // m/s
 
 /**
- * @param {import("../../main.js").App} app @param {HTMLElement} root @param {any} read what `readArming` gave
+ * @param {App} app @param {HTMLElement} root @param {Reading} read
  * @param {number} id of the drive @param {AbortSignal} signal
  */
 export function showDrivePanel(app, root, read, id, signal) {
@@ -33,7 +38,8 @@ export function showDrivePanel(app, root, read, id, signal) {
   const levels = gestureLevels(read.controls.parameters);
   const openedAt = performance.now();
   let isSeen = false;
-  const show = ({ detail: now }) => {
+  /** @param {LiveMessage} now */
+  const show = (now) => {
     isSeen ||= now.drive?.id === id;
     // What is not driven any more has ended, here or elsewhere; the first pictures may be older than the drive.
     if (!now.drive && now.control === "alive" && (isSeen || performance.now() - openedAt > FIRST_PICTURES))
@@ -44,7 +50,7 @@ export function showDrivePanel(app, root, read, id, signal) {
     square.show(now.u1 ?? 0, now.u2 ?? 0);
     levels.show(now);
   };
-  app.live.addEventListener("tick", show, { signal });
+  app.live.addEventListener("tick", ({ detail }) => show(detail), { signal });
   put(
     root,
     h(
@@ -71,20 +77,24 @@ export function showDrivePanel(app, root, read, id, signal) {
     h("div", { class: "foot" }, h("span", { class: "grow" }, isSimulated(app, read) && `${t("chair.simulated")} `, t("arm.front")), end.element),
   );
   app.setShowsTrial(true);
-  root.querySelector("h1").focus({ preventScroll: true });
+  root.querySelector("h1")?.focus({ preventScroll: true });
   square.show(0, 0);
-  if (app.live.latest?.drive) show({ detail: app.live.latest });
+  if (app.live.latest?.drive) show(app.live.latest);
 }
 
-/** Resting, driving, or stopped: then why, what to do, and Continue. */
+/**
+ * Resting, driving, or stopped: then why, what to do, and Continue.
+ * @param {App} app @param {Node} about @param {() => void} onEnd
+ */
 function stateCard(app, about, onEnd) {
   const place = h("div", { class: "grow", "aria-live": "assertive" });
   const element = h("section", { class: "card drive-state" }, place, about);
   const waits = waitWords("driving.paused");
   let shown = "";
+  /** @param {LiveMessage} now */
   const show = (now) => {
     waits.show(now.drive?.waits);
-    const key = now.fault ? faultKey(now) : now.state;
+    const key = now.fault ? faultKey(now.fault, now.stops) : now.state;
     if (key === shown) return;
     shown = key;
     element.dataset.state = now.state;
@@ -97,17 +107,20 @@ function stateCard(app, about, onEnd) {
   return { element, show };
 }
 
+/** @param {App} app @param {Reading} read @param {AbortSignal} signal */
 function speedCard(app, read, signal) {
   const [speed, way, upTo] = [h("span", {}), h("p", { class: "way" }), h("span", { class: "quiet small number" })];
-  const share = (now) => {
+  /** How fast forward the chair may go, m/s. @param {number | undefined} dial */
+  const highest = (dial) => {
     // The summary was read with the dial as it stood then; the set's own limits do not change while it is armed.
     const { parameters } = read.controls;
-    const levels = [parameters.speeds, read.clinic, read.chair?.speeds].filter(Boolean);
-    return (now.dial ?? 1) * Math.min(...levels.map(({ forward }) => forward));
+    const levels = [parameters.speeds, read.clinic, ...(read.chair ? [read.chair.speeds] : [])];
+    return (dial ?? 1) * Math.min(...levels.map(({ forward }) => forward));
   };
-  const show = (now) => {
-    const { v, omega } = now.chair ?? now;
-    const turn = omega * DEGREES;
+  /** @param {{v: number | null, omega: number | null}} twist @param {number | undefined} dial */
+  const showTwist = ({ v: velocity, omega }, dial) => {
+    const v = velocity ?? 0;
+    const turn = (omega ?? 0) * DEGREES;
     write(speed, number(Math.abs(v), 2));
     const turning = `driving.turn.${turn > 0 ? "left" : "right"}`;
     const words = [
@@ -115,8 +128,10 @@ function speedCard(app, read, signal) {
       Math.abs(turn) < STRAIGHT ? "" : t(turning, { turn: number(Math.abs(turn), 0) }),
     ];
     write(way, words.filter(Boolean).join(", ") || (v ? t("driving.straight") : t("driving.stands")));
-    write(upTo, t("dial.up-to", { speed: number(share(now), 2) }));
+    write(upTo, t("dial.up-to", { speed: number(highest(dial), 2) }));
   };
+  /** @param {LiveMessage} now */
+  const show = (now) => showTwist(now.chair ?? now, now.dial);
   const element = h(
     "section",
     { class: "card drive-speed" },
@@ -131,23 +146,20 @@ function speedCard(app, read, signal) {
       h("p", { class: "quiet small" }, t("dial.hint")),
     ),
   );
-  show({ v: 0, omega: 0, dial: app.live.latest?.dial });
+  showTwist({ v: 0, omega: 0 }, app.live.latest?.dial);
   return { element, show };
 }
 
+/** @param {App} app */
 function endButton(app) {
   const element = h("button", { type: "button", class: "btn large" }, t("driving.end"));
   const run = async () => {
     element.disabled = true;
     write(element, t("driving.ending"));
-    try {
-      const { id } = await app.api.post("/drives/current/end");
-      app.go(`#/drive/chair/over/${id}`);
-    } catch (error) {
-      app.toasts.show(error.message);
-      element.disabled = false;
-      write(element, t("driving.end"));
-    }
+    const drive = await app.toasts.attempt(() => app.api.post("/drives/current/end"));
+    if (drive) return app.go(`#/drive/chair/over/${drive.id}`);
+    element.disabled = false;
+    write(element, t("driving.end"));
   };
   element.addEventListener("click", run);
   return { element, run };

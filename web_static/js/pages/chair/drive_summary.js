@@ -4,8 +4,9 @@ import { h, put } from "../../widgets/dom.js";
 import { clock, moment, number } from "../../widgets/format.js";
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {number} id @param {AbortSignal} signal */
-export async function showDriven(app, root, id, signal) {
-  const drives = await app.api.get(`/drives?patient=${app.session.patient.id}`);
+export async function showDriveSummary(app, root, id, signal) {
+  const patient = app.session?.patient;
+  const drives = patient ? await app.api.get(`/drives?patient=${patient.id}`) : [];
   if (signal.aborted) return;
   const drive = drives.find((one) => one.id === id);
   put(
@@ -28,9 +29,11 @@ export async function showDriven(app, root, id, signal) {
   );
 }
 
+/** @param {import("types/api").DriveView} drive */
 function figures({ distance, started, ended, end }) {
   const time = ended ? (Date.parse(ended) - Date.parse(started)) / 1000 : null;
   const how = `driven.end.${end}`;
+  /** @param {string} title @param {...import("types/dom").Child} value */
   const figure = (title, ...value) => h("section", { class: "card" }, h("h2", {}, t(title)), value);
   return h(
     "div",

@@ -1,4 +1,8 @@
-/** The bound gestures as live bars, each with the mark from where it counts: to look at, not to set. */
+/**
+ * The bound gestures as live bars, each with the mark from where it counts: to look at, not to set.
+ * @import { DriveParameters, Gesture } from "types/api"
+ * @import { LiveMessage } from "../../live/live.js"
+ */
 import { t } from "../../texts.js";
 import { h } from "../../widgets/dom.js";
 import { gestureWords, jointLabels } from "../../widgets/gestures.js";
@@ -7,7 +11,7 @@ const SHORTEST = 1.2; // FS/s or FS: the bar's end at least
 const SETTLED = 300; // ms: what changes sooner is not said in words
 
 /**
- * @param {any} parameters what drives @param {(moving: string[]) => void} [onMoving] the gestures that count now, in words
+ * @param {DriveParameters} parameters what drives @param {(moving: string[]) => void} [onMoving] the gestures that count now, in words
  */
 export function gestureLevels(parameters, onMoving) {
   const labels = jointLabels(parameters.profile);
@@ -16,16 +20,19 @@ export function gestureLevels(parameters, onMoving) {
     const does = controls.map((control) => t(`control.${control}`)).join(", ");
     return { gesture, words, ...levelBar(gesture, words, does) };
   });
-  let said = null;
+  /** @type {string | null} */
+  let words = null;
+  /** @type {string | null} */
   let wanted = null;
   let wantedAt = 0;
+  /** @param {LiveMessage} now */
   const show = (now) => {
     for (const row of rows) row.show(now.rate[now.gestures.indexOf(row.gesture.name)] ?? 0);
     const moving = rows.filter((row) => row.counts()).map(({ words }) => words);
     const key = moving.join();
     if (key !== wanted) [wanted, wantedAt] = [key, performance.now()];
-    if (key === said || performance.now() - wantedAt < SETTLED) return;
-    said = key;
+    if (key === words || performance.now() - wantedAt < SETTLED) return;
+    words = key;
     onMoving?.(moving);
   };
   const element = h(
@@ -36,15 +43,15 @@ export function gestureLevels(parameters, onMoving) {
   return { element, show };
 }
 
-/** The patient's stop gesture in words; empty when none is bound. @param {any} parameters */
+/** The patient's stop gesture in words; empty when none is bound. @param {DriveParameters} parameters */
 export function stopGesture({ profile, gestures, bindings }) {
   const labels = jointLabels(profile);
   const names = bindings.filter(({ control }) => control === "stop").flatMap((binding) => binding.gestures);
-  const bound = names.map((name) => gestures.find((gesture) => gesture.name === name)).filter(Boolean);
+  const bound = names.flatMap((name) => gestures.find((gesture) => gesture.name === name) ?? []);
   return bound.map((gesture) => gestureWords(gesture, labels).toLowerCase()).join(t("control.and"));
 }
 
-/** Each gesture that does something, with what it does; the stop gesture's parts among them. */
+/** Each gesture that does something, with what it does; the stop gesture's parts among them. @param {DriveParameters} parameters */
 function boundGestures({ gestures, bindings }) {
   return gestures
     .map((gesture) => ({
@@ -54,6 +61,7 @@ function boundGestures({ gestures, bindings }) {
     .filter(({ controls }) => controls.length);
 }
 
+/** @param {Gesture} gesture @param {string} words @param {string} does */
 function levelBar({ dead_zone: from, full }, words, does) {
   const end = Math.max(SHORTEST, full * 1.2);
   const fill = h("div", { class: "fill" });
@@ -61,6 +69,7 @@ function levelBar({ dead_zone: from, full }, words, does) {
   mark.style.left = `${(100 * from) / end}%`;
   const bar = h("div", { class: "level-bar" }, fill, mark);
   let value = 0;
+  /** @param {number} now */
   const show = (now) => {
     value = now;
     fill.style.width = `${(100 * Math.min(end, Math.max(0, now))) / end}%`;

@@ -1,4 +1,8 @@
-/** Whether the body is at rest: every bound gesture against its mark, in words, and the gesture that stops the chair. */
+/**
+ * Whether the body is at rest: every bound gesture against its mark, in words, and the gesture that stops the chair.
+ * @import { DriveParameters } from "types/api"
+ * @import { LiveMessage } from "../../live/live.js"
+ */
 import { t } from "../../texts.js";
 import { h, put, write } from "../../widgets/dom.js";
 import { gestureLevels, stopGesture } from "./gesture_levels.js";
@@ -9,9 +13,10 @@ export function neutralCard(live, signal) {
   const words = h("p", { class: "at-rest", role: "status" });
   const place = h("div", {});
   const stop = h("p", { class: "small" });
+  /** @type {ReturnType<typeof gestureLevels> | null} */
   let levels = null;
   let used = "";
-  /** @param {{parameters: any, hash: string}} controls what would drive */
+  /** @param {{parameters: DriveParameters, hash: string}} controls what would drive */
   const use = ({ parameters, hash }) => {
     if (hash === used) return;
     used = hash;
@@ -26,6 +31,7 @@ export function neutralCard(live, signal) {
     write(stop, stopWords(parameters));
     stop.classList.toggle("quiet", stopGesture(parameters) !== "");
   };
+  /** @param {CustomEvent<LiveMessage>} event */
   const show = ({ detail: now }) => {
     if (now.shirt.alive) levels?.show(now);
     else write(words, t("neutral.no-shirt"));
@@ -43,7 +49,7 @@ export function neutralCard(live, signal) {
   return { element, title, use };
 }
 
-/** @param {any} parameters */
+/** @param {DriveParameters} parameters */
 export function stopWords(parameters) {
   const gestures = stopGesture(parameters);
   return gestures ? t("neutral.stop", { gestures }) : t("neutral.no-stop");

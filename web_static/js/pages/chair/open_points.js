@@ -13,6 +13,7 @@ export function reasonsAgainst(live, { refusals }) {
 
 export function missingList() {
   const element = h("section", { class: "missing", id: "missing", role: "status" });
+  /** @type {string | null} */
   let shown = null;
   /** @param {string[]} reasons */
   const show = (reasons) => {

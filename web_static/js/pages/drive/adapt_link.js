@@ -2,15 +2,15 @@
 import { t } from "../../texts.js";
 import { h, write } from "../../widgets/dom.js";
 
-/** @param {import("../../main.js").App} app @param {any} trial @param {AbortSignal} signal */
+/** @param {import("../../main.js").App} app @param {import("types/api").TrialDetail} trial @param {AbortSignal} signal */
 export function adaptLink(app, trial, signal) {
   const link = h("a", { class: "btn bare", href: "#/adapt", hidden: true });
   const read = async () => {
     if (trial.patient_id !== app.session?.patient?.id) return;
-    const { proposal } = await app.api.get("/adaptation").catch(() => ({ proposal: null }));
-    const concerns = proposal?.changes && proposal.trials.includes(trial.id);
-    link.hidden = !concerns;
-    if (concerns) write(link, t(proposal.applied === null ? "adapt.link.proposed" : "adapt.link.applied"));
+    const proposal = (await app.api.get("/adaptation").catch(() => null))?.proposal;
+    const own = proposal?.changes && proposal.trials.includes(trial.id) ? proposal : null; // of this trial
+    link.hidden = !own;
+    if (own) write(link, t(own.applied === null ? "adapt.link.proposed" : "adapt.link.applied"));
   };
   app.live.addEventListener("changed", ({ detail }) => detail === "adaptation" && read(), { signal });
   read();

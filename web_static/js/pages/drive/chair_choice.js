@@ -1,23 +1,22 @@
-/** Which chair: the virtual one, and how it feels; or a real one, which has a page of its own. */
+/**
+ * Which chair: the virtual one, and how it feels; or a real one, which has a page of its own.
+ * @import { ChairsView } from "types/api"
+ * @typedef {ChairsView["dynamics"]} Dynamics
+ */
 import { t } from "../../texts.js";
 import { h, write } from "../../widgets/dom.js";
 import { segments } from "../../widgets/fields.js";
 
+/** @type {Dynamics[]} */
 const FEELS = ["unicycle", "wheelchair"];
 
-/** @param {import("../../main.js").App} app @param {any} chairs what GET /chairs answered */
+/** @param {import("../../main.js").App} app @param {ChairsView} chairs what GET /chairs answered */
 export function chairChoice(app, chairs) {
   const hint = h("span", { class: "quiet small", role: "status" }, t(`which.feel.${chairs.dynamics}.hint`));
   let dynamics = chairs.dynamics;
-  const choose = async (id) => {
-    try {
-      await app.api.put("/chairs/chosen", { id, dynamics });
-      return true;
-    } catch (error) {
-      app.toasts.show(error.message);
-      return false;
-    }
-  };
+  /** @param {number | null} id null: the virtual chair */
+  const choose = (id) => app.toasts.attempt(() => app.api.put("/chairs/chosen", { id, dynamics }));
+  /** @param {Dynamics} wanted */
   const feel = async (wanted) => {
     const before = dynamics;
     dynamics = wanted;
@@ -33,13 +32,14 @@ export function chairChoice(app, chairs) {
     dynamics,
     feel,
   );
+  /** @param {ChairsView["chairs"][number]} chair */
   const real = ({ id, name }) =>
     h(
       "button",
       { type: "button", class: "btn", onclick: async () => (await choose(id)) && app.go("#/drive/chair") },
       t("which.real.go", { name }),
     );
-  const isOwner = app.me.role === "owner";
+  const isOwner = app.me?.role === "owner";
   const none = [
     h("span", { class: "quiet small" }, t(isOwner ? "which.none" : "which.none.ask")),
     isOwner && h("a", { class: "btn bare", href: "#/settings" }, t("which.none.go")),

@@ -1,9 +1,15 @@
-/** Drive: choose a path, drive it, look at what it came to. */
+/**
+ * Drive: choose a path, drive it, look at what it came to.
+ * @import { App } from "../../main.js"
+ * @import { EquipmentView, FloorPlan, PatientView, TrialView } from "types/api"
+ * @import { Place } from "./plan_chooser.js"
+ */
+import { failureWords } from "../../api.js";
 import { adaptLink } from "./adapt_link.js";
 import { chairChoice } from "./chair_choice.js";
 import { warningsPlace } from "../../results/control_warnings.js";
 import { h, put } from "../../widgets/dom.js";
-import { emptyPage, nobodyIsHere } from "../../shell/nobody.js";
+import { emptyPage, patientHere } from "../../shell/nobody.js";
 import { patientScreenCard } from "../../widgets/patient_screen_card.js";
 import { planChooser } from "./plan_chooser.js";
 import { readTrial, showTrialOver } from "../../results/trial_over.js";
@@ -14,29 +20,37 @@ import { t } from "../../texts.js";
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal, rest: string[]}} page */
 export async function show(app, root, { signal, rest }) {
-  if (nobodyIsHere(app, root)) return;
-  const trials = await app.api.get(`/trials?patient=${app.session.patient.id}`);
+  const here = patientHere(app, root);
+  if (!here) return;
+  const trials = await app.api.get(`/trials?patient=${here.patient.id}`);
   if (signal.aborted) return;
   const running = trials.find(({ status }) => status === "running");
   const where = app.takeWanted();
-  if (running || where) return drive(app, root, running, where, signal);
+  const place = running ? { floorplan: running.floorplan, path: running.path } : where;
+  if (place) return drive(app, root, running, place, signal);
   if (rest[0] === "over") return over(app, root, rest[1], signal);
-  if (!app.session.has_profile)
+  if (!app.session?.has_profile)
     return emptyPage(root, t("drive.none.title"), t("drive.none.lead"), "#/calibrate", t("drive.none.go"));
   if (rest[0] === "chair") return (await import("../chair/chair.js")).show(app, root, { signal, rest });
-  return choose(app, root, signal);
+  return choose(app, root, here.patient, signal);
 }
 
-async function choose(app, root, signal) {
-  const [plans, equipment, chairs] = await Promise.all(
-    ["/floorplans", "/equipment", "/chairs"].map((path) => app.api.get(path)),
-  );
+/** @param {App} app @param {HTMLElement} root @param {PatientView} patient @param {AbortSignal} signal */
+async function choose(app, root, patient, signal) {
+  const [plans, equipment, chairs] = await Promise.all([
+    app.api.get("/floorplans"),
+    app.api.get("/equipment"),
+    app.api.get("/chairs"),
+  ]);
   if (signal.aborted) return;
   if (chairs.chosen !== null) return location.replace("#/drive/chair");
+  /** @type {Map<string, Promise<FloorPlan>>} */
   const documents = new Map();
+  /** @param {string} name */
   const read = (name) => {
-    if (!documents.has(name)) documents.set(name, app.api.get(`/floorplans/${name}`));
-    return documents.get(name);
+    const document = documents.get(name) ?? app.api.get(`/floorplans/${name}`);
+    documents.set(name, document);
+    return document;
   };
   const chosenWords = h("button", { type: "button", class: "btn bare chosen-words", title: t("drive.chosen"), onclick: () => chooser.show() });
   const chooser = planChooser(plans, read, (words) => put(chosenWords, words));
@@ -62,13 +76,13 @@ async function choose(app, root, signal) {
         { class: "lead" },
         t("drive.lead"),
         " ",
-        app.me.role !== "reviewer" && h("a", { class: "btn bare small", href: "#/plans" }, t("plans.link")),
+        app.me?.role !== "reviewer" && h("a", { class: "btn bare small", href: "#/plans" }, t("plans.link")),
       ),
       !has3d && h("p", { class: "card no-view", role: "status" }, t("picture.choose")),
       chairChoice(app, chairs),
-      warningsPlace(app, app.session.patient.id, signal),
+      warningsPlace(app, patient.id, signal),
       chooser.element,
-      app.me.role !== "reviewer" && patientScreenCard(app, signal),
+      app.me?.role !== "reviewer" && patientScreenCard(app, signal),
     ),
     h(
       "div",
@@ -87,28 +101,33 @@ async function choose(app, root, signal) {
   );
 }
 
+/** @param {EquipmentView} equipment */
 function bodyNote({ shirt, body }) {
   if (!shirt) return t("lamp.shirt.none");
   if (shirt.kind !== "simulator" || !body) return t("drive.body.patient");
   return t(body.kind === "person" ? `drive.body.person.${body.skill}` : `drive.body.${body.kind}`);
 }
 
-/** Show a trial: one that runs already, or one that is started as soon as there is a picture to drive by. */
+/**
+ * Show a trial: one that runs already, or one that is started as soon as there is a picture to drive by.
+ * @param {App} app @param {HTMLElement} root @param {TrialView | undefined} running @param {Place} where
+ * @param {AbortSignal} signal
+ */
 async function drive(app, root, running, where, signal) {
-  const name = running?.floorplan ?? where.floorplan;
-  const [plan, equipment] = await Promise.all([app.api.get(`/floorplans/${name}`), app.api.get("/equipment")]);
+  const [plan, equipment] = await Promise.all([app.api.get(`/floorplans/${where.floorplan}`), app.api.get("/equipment")]);
   if (signal.aborted) return;
   let trial = running;
-  const path = plan.paths.find((one) => one.name === (running?.path ?? where.path));
+  const path = plan.paths.find((one) => one.name === where.path);
+  if (!path) throw new Error(t("drive.no-path", { path: where.path }));
   const isVisitor = equipment.shirt?.kind === "simulator" && equipment.body?.kind === "visitor";
-  const lookWhetherOver = async ({ detail }) => {
-    if (!trial || (detail !== "trial" && detail !== "everything")) return;
-    const now = (await app.api.get(`/trials?patient=${trial.patient_id}`).catch(() => [])).find(
-      ({ id }) => id === trial.id,
-    );
-    if (!signal.aborted && now && now.status !== "running") app.go(`#/drive/over/${trial.id}`);
+  const lookWhetherOver = async () => {
+    const { id, patient_id: patient } = trial ?? {};
+    if (!id) return;
+    const trials = await app.api.get(`/trials?patient=${patient}`).catch(() => []);
+    const now = trials.find((one) => one.id === id);
+    if (!signal.aborted && now && now.status !== "running") app.go(`#/drive/over/${id}`);
   };
-  app.live.addEventListener("changed", lookWhetherOver, { signal });
+  app.live.addEventListener("changed", ({ detail }) => ["trial", "everything"].includes(detail) && lookWhetherOver(), { signal });
   const view = showTrial(app, root, { plan, path, isVisitor }, signal);
   if (running) return view.begin(running);
   view.picture.ready.then(async () => {
@@ -116,14 +135,15 @@ async function drive(app, root, running, where, signal) {
     try {
       trial = await app.api.post("/trials", { ...where, screen: app.screen.word, picture: view.picture.shows });
       view.begin(trial);
-      await lookWhetherOver({ detail: "trial" });
+      await lookWhetherOver();
     } catch (error) {
-      app.toasts.show(error.message);
+      app.toasts.show(failureWords(error));
       app.go("#/drive");
     }
   });
 }
 
+/** @param {App} app @param {HTMLElement} root @param {string} id of the trial @param {AbortSignal} signal */
 async function over(app, root, id, signal) {
   const read = await readTrial(app.api, id);
   if (signal.aborted) return;

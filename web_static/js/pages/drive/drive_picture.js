@@ -1,6 +1,11 @@
-/** The picture that a trial is driven by: the 3D view or the drawn plan; and whether there is one at all. */
+/**
+ * The picture that a trial is driven by: the 3D view or the drawn plan; and whether there is one at all.
+ * @import { FloorPlan, PrescribedPath } from "../../plan/floor_plan.js"
+ * @import { Why } from "../../view/view_frame.js"
+ */
 import { t } from "../../texts.js";
 import { h, write } from "../../widgets/dom.js";
+import { TypedEvents } from "../../live/typed_events.js";
 import { drawnPlan } from "../../plan/drawn_plan.js";
 import { LOOK_EVERY, ageLimit } from "../../view/picture_age.js";
 import { viewFrame } from "../../view/view_frame.js";
@@ -8,10 +13,11 @@ import { viewFrame } from "../../view/view_frame.js";
 const READY_AFTER = 400; // ms with a picture: by then the server has heard of it from this screen
 
 /** Event: `change` when `shows` or `why` has changed. */
-export class DrivePicture extends EventTarget {
+/** @extends {TypedEvents<{change: Event}>} */
+export class DrivePicture extends TypedEvents {
   /** The picture to drive by now. @type {"view" | "plan" | "none"} */
   shows = "none";
-  /** Why there is no picture; empty when there is one. @type {import("../../view/view_frame.js").Why} */
+  /** Why there is no picture; empty when there is one. @type {Why} */
   why = "coming";
   /** Resolves once there is a picture: no trial begins before. @type {Promise<void>} */
   ready;
@@ -22,7 +28,7 @@ export class DrivePicture extends EventTarget {
   #readyTimer = 0;
 
   /**
-   * @param {import("../../live/live.js").Live} live @param {any} plan @param {any} path
+   * @param {import("../../live/live.js").Live} live @param {FloorPlan} plan @param {PrescribedPath} path
    * @param {"view" | "plan"} chosen to begin with @param {AbortSignal} signal
    */
   constructor(live, plan, path, chosen, signal) {
@@ -63,6 +69,7 @@ export class DrivePicture extends EventTarget {
     this.drawn.setShown(isPlan);
   }
 
+  /** @param {"view" | "plan" | "none"} shows @param {Why} why */
   #show(shows, why) {
     if (shows === this.shows && why === this.why) return;
     [this.shows, this.why] = [shows, why];

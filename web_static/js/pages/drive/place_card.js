@@ -1,4 +1,8 @@
-/** Where the chair is in its task: time, stage, how far, how well, and how near a leader is. */
+/**
+ * Where the chair is in its task: time, stage, how far, how well, and how near a leader is.
+ * @import { FloorPlan, PrescribedPath } from "../../plan/floor_plan.js"
+ * @import { TrialMoment } from "../../live/live.js"
+ */
 import { t } from "../../texts.js";
 import { h, write } from "../../widgets/dom.js";
 import { clock, number } from "../../widgets/format.js";
@@ -7,7 +11,7 @@ const OFF_PATH = 0.01; // m: less is drawn as on the path
 const DEGREES = 180 / Math.PI;
 const NEAR = 0.5; // m beside the asked distance to a leader that are just right; the measures count the same
 
-/** @param {any} plan @param {any} path */
+/** @param {FloorPlan} plan @param {PrescribedPath} path */
 export function placeCard(plan, path) {
   const [name, time, done, off, contacts] = [
     h("div", { class: "quiet small" }),
@@ -16,7 +20,7 @@ export function placeCard(plan, path) {
     h("span", {}),
     h("span", {}),
   ];
-  const asked = path.task.distance ?? null;
+  const asked = path.task.kind === "follow" ? path.task.distance : null;
   const bar = asked === null ? null : leaderBar(asked);
   const element = h(
     "div",
@@ -26,8 +30,9 @@ export function placeCard(plan, path) {
     bar?.element,
     h("div", { class: "small number facts" }, done, off, contacts),
   );
-  const show = ({ trial: now, contacts: count }) => {
-    write(time, clock(now.t));
+  /** @param {TrialMoment} now @param {number} count of contacts */
+  const show = (now, count) => {
+    write(time, clock(now.t ?? 0));
     write(done, progressWords(now));
     if (now.leader) bar?.show(now.leader_distance);
     else write(off, asideWords(now));
@@ -36,19 +41,21 @@ export function placeCard(plan, path) {
   };
   write(name, `${plan.title} · ${path.title}`);
   write(time, clock(0));
-  return { element, show, name: (words) => write(name, words) };
+  /** @param {string} words */
+  const setName = (words) => write(name, words);
+  return { element, show, name: setName };
 }
 
-/** How far: metres along the line, or degrees that are left to turn. */
+/** How far: metres along the line, or degrees that are left to turn. @param {TrialMoment} now */
 function progressWords(now) {
   if (now.kind !== "turn") return t("trial.done", { done: number(now.done, 1), length: number(now.length, 0) });
-  const left = Math.round((now.length - now.done) * DEGREES);
+  const left = Math.round(((now.length ?? 0) - (now.done ?? 0)) * DEGREES);
   return t(left < 0 ? "trial.turned.over" : "trial.turned", { left: number(Math.abs(left), 0) });
 }
 
-/** How well: beside the line, off the spot. */
+/** How well: beside the line, off the spot. @param {TrialMoment} now */
 function asideWords({ kind, cross_track: aside }) {
-  const distance = Math.abs(aside) < OFF_PATH ? 0 : Math.abs(aside);
+  const distance = Math.abs(aside ?? 0) < OFF_PATH ? 0 : Math.abs(aside ?? 0);
   return t(kind === "turn" ? "trial.spot" : "trial.off", { distance: number(distance, 2) });
 }
 
@@ -58,12 +65,14 @@ function leaderBar(asked) {
   const element = h("div", { class: "leader" }, words, h("div", { class: "leader-bar", "aria-hidden": "true" }, h("i", {})));
   element.style.setProperty("--near", `${(50 * (asked - NEAR)) / asked}%`);
   element.style.setProperty("--far", `${(50 * (asked + NEAR)) / asked}%`);
+  /** @param {number | null} distance m */
   const show = (distance) => {
-    const error = distance - asked;
+    const metres = distance ?? 0;
+    const error = metres - asked;
     const tone = Math.abs(error) <= NEAR ? "right" : error < 0 ? "near" : "far";
     element.dataset.tone = tone;
     write(words, `${t("trial.behind", { distance: number(distance, 1) })}: ${t(`trial.behind.${tone}`)}`);
-    element.style.setProperty("--at", `${Math.min(100, (50 * distance) / asked)}%`);
+    element.style.setProperty("--at", `${Math.min(100, (50 * metres) / asked)}%`);
   };
   return { element, show };
 }

@@ -1,4 +1,10 @@
-/** Cards to choose where to drive: scenes with their levels and tasks, then buildings with their paths. */
+/**
+ * Cards to choose where to drive: scenes with their levels and tasks, then buildings with their paths.
+ * @import { FloorPlan, FloorPlanView, PathView } from "types/api"
+ * @import { Child } from "types/dom"
+ * @typedef {{floorplan: string, path: string}} Place
+ * @typedef {(name: string) => Promise<FloorPlan>} ReadPlan
+ */
 import { t } from "../../texts.js";
 import { h, put } from "../../widgets/dom.js";
 import { segments } from "../../widgets/fields.js";
@@ -8,15 +14,16 @@ import { planPicture } from "../../plan/plan_svg.js";
 const PLACE = "bodydrive-path"; // what was chosen last on this screen
 const FIRST = "clinic"; // before anything was chosen
 
-/** @returns {{floorplan: string, path: string}} what was chosen last, as far as it still exists */
-function remembered(plans) {
+/** What was chosen last, as far as it still exists. @param {FloorPlanView[]} plans @returns {Place} */
+function lastChoice(plans) {
   const [name, path] = (localStorage.getItem(PLACE) ?? `${FIRST}/main`).split("/");
   const plan = plans.find((one) => one.name === name) ?? plans[0];
   return { floorplan: plan.name, path: (plan.paths.find((one) => one.name === path) ?? plan.paths[0]).name };
 }
 
-/** The plans that are levels of one scene together; a building by itself. @param {any[]} plans @returns {any[][]} */
+/** The plans that are levels of one scene together; a building by itself. @param {FloorPlanView[]} plans */
 function places(plans) {
+  /** @type {Map<string, FloorPlanView[]>} */
   const groups = new Map();
   for (const plan of plans) {
     const key = plan.scene ? `scene ${plan.scene.name}` : plan.name;
@@ -26,11 +33,12 @@ function places(plans) {
 }
 
 /**
- * @param {any[]} plans what GET /floorplans answered @param {(name: string) => Promise<any>} read a floor plan's document
+ * @param {FloorPlanView[]} plans what GET /floorplans answered @param {ReadPlan} read a floor plan's document
  * @param {(words: string) => void} onChosen is told what is chosen
  */
 export function planChooser(plans, read, onChosen) {
-  let chosen = remembered(plans);
+  let chosen = lastChoice(plans);
+  /** @param {string} floorplan @param {string} path */
   const remember = (floorplan, path) => {
     chosen = { floorplan, path };
     localStorage.setItem(PLACE, `${floorplan}/${path}`);
@@ -39,12 +47,13 @@ export function planChooser(plans, read, onChosen) {
   const mark = () => {
     for (const card of cards) card.mark(chosen);
     const plan = plans.find(({ name }) => name === chosen.floorplan);
-    onChosen(`${plan.title}: ${plan.paths.find(({ name }) => name === chosen.path).title}`);
+    onChosen(`${plan?.title}: ${plan?.paths.find(({ name }) => name === chosen.path)?.title}`);
   };
   const cards = places(plans).map((levels) => placeCard(levels, chosen, read, remember));
   mark();
   const scenes = cards.filter(({ isScene }) => isScene);
   const buildings = cards.filter(({ isScene }) => !isScene);
+  /** @param {string} title @param {typeof cards} some */
   const group = (title, some) =>
     some.length > 0 && [
       h("h2", { class: "group-title" }, t(title)),
@@ -57,6 +66,10 @@ export function planChooser(plans, read, onChosen) {
   };
 }
 
+/**
+ * @param {FloorPlanView[]} levels of one scene, or one building @param {Place} chosen @param {ReadPlan} read
+ * @param {(floorplan: string, path: string) => void} remember
+ */
 function placeCard(levels, chosen, read, remember) {
   let plan = levels.find(({ name }) => name === chosen.floorplan) ?? levels[0];
   let path = plan.name === chosen.floorplan ? chosen.path : plan.paths[0].name;
@@ -72,14 +85,16 @@ function placeCard(levels, chosen, read, remember) {
     const label = t("drive.plan.label", { plan: plan.title, path: task.title });
     put(picture, planPicture(document, task.points, { label, request: task }).element);
   };
+  /** @param {string} name of a path */
   const choose = (name) => {
     path = name;
     remember(plan.name, path);
     show();
   };
   const list = () => put(place, plan.paths.map((one) => taskChoice(plan, one, () => choose(one.name))));
+  /** @param {string} name of a plan */
   const setLevel = (name) => {
-    plan = levels.find((one) => one.name === name);
+    plan = levels.find((one) => one.name === name) ?? plan;
     list();
     choose(plan.paths.some((one) => one.name === path) ? path : plan.paths[0].name);
   };
@@ -98,21 +113,24 @@ function placeCard(levels, chosen, read, remember) {
       "div",
       { class: "stack" },
       levels.length > 1 &&
-        segments(t("drive.level", { plan: title }), levels.map((one) => ({ value: one.name, label: one.level.title })), plan.name, setLevel),
+        segments(t("drive.level", { plan: title }), levels.map((one) => ({ value: one.name, label: one.level?.title ?? one.title })), plan.name, setLevel),
       place,
     ),
   );
   picture.addEventListener("click", () => choose(path));
   list();
   show();
+  /** @param {Place} place */
   const mark = ({ floorplan, path: name }) => {
     element.classList.toggle("chosen", levels.some((one) => one.name === floorplan));
     for (const input of place.querySelectorAll("input")) input.checked = input.value === `${floorplan}/${name}`;
   };
+  /** @param {string} name of a plan */
   const has = (name) => levels.some((one) => one.name === name);
   return { element, mark, has, isScene: Boolean(scene) };
 }
 
+/** @param {FloorPlanView} plan @param {PathView} path @param {() => void} onChoose */
 function taskChoice(plan, path, onChoose) {
   const length = path.task === "turn" || path.task === "course" ? "" : t("drive.length", { length: number(path.length, 0) });
   return h(

@@ -1,4 +1,10 @@
-/** A running trial: the picture fills the page; over it time, place, plan, speed, and what can be done. */
+/**
+ * A running trial: the picture fills the page; over it time, place, plan, speed, and what can be done.
+ * @import { App } from "../../main.js"
+ * @import { LiveMessage } from "../../live/live.js"
+ * @import { FloorPlan, PrescribedPath } from "../../plan/floor_plan.js"
+ * @import { TrialView } from "types/api"
+ */
 import { t } from "../../texts.js";
 import { cross } from "../../widgets/cross.js";
 import { speedDial } from "../../widgets/dial.js";
@@ -15,17 +21,19 @@ const WIDE = matchMedia("(min-width: 1000px)"); // narrower, the plots would be 
 
 /**
  * Show the picture and what lies over it; `begin` is told of the trial once it runs.
- * @param {import("../../main.js").App} app @param {HTMLElement} root
- * @param {{plan: any, path: any, isVisitor: boolean}} what @param {AbortSignal} signal
- * @returns {{picture: DrivePicture, begin: (trial: any) => void}}
+ * @param {App} app @param {HTMLElement} root
+ * @param {{plan: FloorPlan, path: PrescribedPath, isVisitor: boolean}} what @param {AbortSignal} signal
+ * @returns {{picture: DrivePicture, begin: (trial: TrialView) => void}}
  */
 export function showTrial(app, root, { plan, path, isVisitor }, signal) {
+  /** @type {TrialView | null} */
   let trial = null;
   const end = endButton(app);
   const picture = new DrivePicture(app.live, plan, path, chosenView() === "plan" ? "plan" : "view", signal);
   const { view, drawn } = picture;
   const mini = miniPlan(plan, path);
   const place = placeCard(plan, path);
+  /** @param {boolean} isOpen */
   const onPlots = (isOpen) => {
     mini.element.hidden = isOpen; // the plots stand in the same corner, and show the same line
     view.setPlots(isOpen);
@@ -34,11 +42,12 @@ export function showTrial(app, root, { plan, path, isVisitor }, signal) {
   const cue = trialCue(app, picture, end.run, views.choosePlan);
   const bar = bottomBar(app, path, [views.element, end.element], onPlots, signal);
   const title = h("h1", { class: "unseen", tabindex: "-1" }, plan.title);
+  /** @param {CustomEvent<LiveMessage>} event */
   const show = ({ detail: now }) => {
     if (!trial) return;
     cue.show(now);
     if (now.trial?.id !== trial.id) return;
-    place.show(now);
+    place.show(now.trial, now.contacts);
     mini.show(now.pose, now.trial);
     drawn.show({ ...now.trial, pose: now.pose });
     bar.show(now);
@@ -76,31 +85,38 @@ export function showTrial(app, root, { plan, path, isVisitor }, signal) {
   );
   app.setShowsTrial(true);
   tell();
+  /** @param {TrialView} started */
   const begin = (started) => {
     trial = started;
     end.element.disabled = false;
-    const words = t("trial.name", { number: trial.number, plan: trial.floorplan_title });
+    const words = t("trial.name", { number: started.number, plan: started.floorplan_title });
     write(title, words);
     place.name(words);
   };
   return { picture, begin };
 }
 
+/**
+ * @param {App} app @param {PrescribedPath} path @param {[Node, Node]} actions the choice of views, and End
+ * @param {(isOpen: boolean) => void} onPlots @param {AbortSignal} signal
+ */
 function bottomBar(app, path, [views, endElement], onPlots, signal) {
   const speed = h("span", {});
   const instruction = h("p", { class: "grow instruction" }, path.instruction);
   const square = cross({ hasWords: false });
-  const ask = (call) => call.catch((error) => app.toasts.show(error.message));
+  /** @param {boolean} open */
+  const sendPlots = (open) => app.toasts.attempt(() => app.api.post("/view/clinician/plots", { open }));
   let isOpen = false;
   const plots = h("button", { type: "button", class: "btn wide-only", "aria-pressed": "false" }, t("trial.plots"));
+  /** @param {boolean} open */
   const setPlots = (open) => {
     isOpen = open;
     plots.setAttribute("aria-pressed", String(open));
     onPlots(open);
-    ask(app.api.post("/view/clinician/plots", { open }));
+    sendPlots(open);
   };
   // A page that was loaded again may have left them open.
-  ask(app.api.post("/view/clinician/plots", { open: false }));
+  sendPlots(false);
   plots.addEventListener("click", () => setPlots(!isOpen));
   WIDE.addEventListener("change", () => isOpen && !WIDE.matches && setPlots(false), { signal });
   signal.addEventListener("abort", () => isOpen && setPlots(false));
@@ -117,6 +133,7 @@ function bottomBar(app, path, [views, endElement], onPlots, signal) {
     instruction,
     h("div", { class: "spread actions" }, views, plots, endElement),
   );
+  /** @param {Pick<LiveMessage, "v" | "u1" | "u2"> & Partial<LiveMessage>} now */
   const show = (now) => {
     write(speed, number(now.v, 2));
     if (now.trial) write(instruction, now.trial.instruction);
@@ -131,19 +148,16 @@ function bottomBar(app, path, [views, endElement], onPlots, signal) {
   return { element, show, setPicture };
 }
 
+/** @param {App} app */
 function endButton(app) {
   const element = h("button", { type: "button", class: "btn end", disabled: true }, t("trial.end"));
   const run = async () => {
     element.disabled = true;
     write(element, t("trial.ending"));
-    try {
-      const trial = await app.api.post("/trials/current/end", { reason: "by hand" });
-      app.go(`#/drive/over/${trial.id}`);
-    } catch (error) {
-      app.toasts.show(error.message);
-      element.disabled = false;
-      write(element, t("trial.end"));
-    }
+    const trial = await app.toasts.attempt(() => app.api.post("/trials/current/end", { reason: "by hand" }));
+    if (trial) return app.go(`#/drive/over/${trial.id}`);
+    element.disabled = false;
+    write(element, t("trial.end"));
   };
   element.addEventListener("click", run);
   return { element, run };

@@ -1,11 +1,12 @@
 /** The form for a new patient. */
+import { failureWords } from "../../api.js";
 import { t } from "../../texts.js";
 import { h } from "../../widgets/dom.js";
 import { field } from "../../widgets/fields.js";
 
 /**
  * @param {import("../../main.js").App} app
- * @param {{onAdded: (patient: any) => void, onClose: () => void}} then
+ * @param {{onAdded: (patient: import("types/api").PatientView) => void, onClose: () => void}} then
  */
 export function newPatientForm(app, { onAdded, onClose }) {
   const code = h("input", {
@@ -18,6 +19,7 @@ export function newPatientForm(app, { onAdded, onClose }) {
   const pseudonym = h("input", { type: "text", required: true, maxlength: 80, autocomplete: "off" });
   const note = h("input", { type: "text", maxlength: 2000, autocomplete: "off" });
   const problem = h("p", { class: "problem", role: "alert" });
+  /** @param {SubmitEvent} event */
   const submit = async (event) => {
     event.preventDefault();
     problem.textContent = "";
@@ -25,7 +27,7 @@ export function newPatientForm(app, { onAdded, onClose }) {
       const words = { code: code.value.trim(), pseudonym: pseudonym.value.trim(), note: note.value.trim() };
       onAdded(await app.api.post("/patients", words));
     } catch (error) {
-      problem.textContent = error.message;
+      problem.textContent = failureWords(error);
     }
   };
   return h(

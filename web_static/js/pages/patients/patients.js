@@ -1,4 +1,8 @@
-/** Patients: list, search, new, delete with undo, and whose session this is. */
+/**
+ * Patients: list, search, new, delete with undo, and whose session this is.
+ * @import { App } from "../../main.js"
+ * @import { PatientView } from "types/api"
+ */
 import { h, put } from "../../widgets/dom.js";
 import { day } from "../../widgets/format.js";
 import { icon } from "../../widgets/icons.js";
@@ -17,24 +21,26 @@ export async function show(app, root, { signal }) {
     patients = await app.api.get("/patients");
     showList();
   };
+  const goOn = () => app.go(app.session?.has_profile ? "#/drive" : "#/shirt");
+  /** @param {PatientView} patient @param {HTMLButtonElement | null} [button] that was tapped */
   const open = async (patient, button = null) => {
     if (button) button.disabled = true; // opening a session takes a moment: a second tap shall do nothing
-    const isOpen = await attempt(app, () => app.api.post("/session", { patient_id: patient.id }));
-    if (!isOpen) return read();
+    if (!(await app.toasts.attempt(() => app.api.post("/session", { patient_id: patient.id })))) return read();
     await app.readSession();
-    app.go(app.session.has_profile ? "#/drive" : "#/shirt");
+    goOn();
   };
+  /** @param {PatientView} patient */
   const remove = async (patient) => {
-    if (!(await attempt(app, () => app.api.remove(`/patients/${patient.id}`)))) return;
+    if (!(await app.toasts.attempt(() => app.api.remove(`/patients/${patient.id}`)))) return;
     await Promise.all([read(), app.readSession()]);
     const restore = async () => {
-      await attempt(app, () => app.api.post(`/patients/${patient.id}/restore`));
+      await app.toasts.attempt(() => app.api.post(`/patients/${patient.id}/restore`));
       await read();
     };
     app.toasts.show(t("patients.deleted", { code: patient.code }), { action: t("undo"), run: restore });
   };
   const end = async () => {
-    if (!(await attempt(app, () => app.api.remove("/session")))) return;
+    if (!(await app.toasts.attempt(() => app.api.remove("/session")))) return;
     await app.readSession();
     showList();
     app.toasts.show(t("patients.ended"));
@@ -44,7 +50,7 @@ export async function show(app, root, { signal }) {
     const found = patients.filter((patient) => `${patient.code} ${patient.pseudonym}`.toLowerCase().includes(words));
     put(
       list,
-      found.map((patient) => row(app, patient, { open, remove, end })),
+      found.map((patient) => row(app, patient, { open, remove, end, goOn })),
       !found.length &&
         h(
           "p",
@@ -56,7 +62,7 @@ export async function show(app, root, { signal }) {
   const showForm = () => {
     form.hidden = false;
     put(form, newPatientForm(app, { onAdded: (patient) => open(patient), onClose: () => (form.hidden = true) }));
-    form.querySelector("input").focus();
+    form.querySelector("input")?.focus();
   };
   search.addEventListener("input", showList);
   app.addEventListener("session", showList, { signal });
@@ -80,18 +86,12 @@ export async function show(app, root, { signal }) {
   );
 }
 
-/** Run a call; show what was refused. @returns {Promise<boolean>} whether it went through */
-async function attempt(app, call) {
-  try {
-    await call();
-    return true;
-  } catch (error) {
-    app.toasts.show(error.message);
-    return false;
-  }
-}
-
-function row(app, patient, { open, remove, end }) {
+/**
+ * @param {App} app @param {PatientView} patient
+ * @param {{open: (patient: PatientView, button: HTMLButtonElement) => void, remove: (patient: PatientView) => void,
+ *   end: () => void, goOn: () => void}} actions
+ */
+function row(app, patient, { open, remove, end, goOn }) {
   const isHere = app.session?.patient?.id === patient.id;
   const figures = [
     t("patients.sessions", { count: patient.sessions }),
@@ -117,7 +117,7 @@ function row(app, patient, { open, remove, end }) {
           h("button", { type: "button", class: "btn", onclick: end }, t("patients.end")),
           h(
             "button",
-            { type: "button", class: "btn go", onclick: () => app.go(app.session.has_profile ? "#/drive" : "#/shirt") },
+            { type: "button", class: "btn go", onclick: goOn },
             t("patients.go-on"),
           ),
         ]
@@ -137,7 +137,7 @@ function row(app, patient, { open, remove, end }) {
             {
               type: "button",
               class: `btn${app.session?.patient ? "" : " go"}`,
-              onclick: (event) => open(patient, event.currentTarget),
+              onclick: ({ currentTarget }) => open(patient, /** @type {HTMLButtonElement} */ (currentTarget)),
             },
             t("patients.start"),
           ),

@@ -1,6 +1,7 @@
 /** The first start: the first owner is made with the code from the console. */
 import { h, put } from "../../widgets/dom.js";
 import { field } from "../../widgets/fields.js";
+import { failureWords } from "../../api.js";
 import { t } from "../../texts.js";
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root */
@@ -16,6 +17,7 @@ export async function show(app, root) {
   const name = h("input", { type: "text", autocomplete: "username", required: true, maxlength: 80 });
   const password = h("input", { type: "password", autocomplete: "new-password", required: true });
   const problem = h("p", { class: "problem", role: "alert" });
+  /** @param {SubmitEvent} event */
   const submit = async (event) => {
     event.preventDefault();
     problem.textContent = "";
@@ -23,7 +25,7 @@ export async function show(app, root) {
       const owner = { code: code.value.trim(), name: name.value.trim(), password: password.value };
       await app.signedIn(await app.api.post("/auth/setup", owner));
     } catch (error) {
-      problem.textContent = error.message;
+      problem.textContent = failureWords(error);
     }
   };
   put(

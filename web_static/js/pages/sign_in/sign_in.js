@@ -1,6 +1,7 @@
 /** Signing in by name and password. */
 import { h, put } from "../../widgets/dom.js";
 import { field } from "../../widgets/fields.js";
+import { failureWords } from "../../api.js";
 import { t } from "../../texts.js";
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root */
@@ -8,13 +9,14 @@ export async function show(app, root) {
   const name = h("input", { type: "text", autocomplete: "username", required: true, maxlength: 80 });
   const password = h("input", { type: "password", autocomplete: "current-password", required: true });
   const problem = h("p", { class: "problem", role: "alert" });
+  /** @param {SubmitEvent} event */
   const submit = async (event) => {
     event.preventDefault();
     problem.textContent = "";
     try {
       await app.signedIn(await app.api.post("/auth/sign-in", { name: name.value.trim(), password: password.value }));
     } catch (error) {
-      problem.textContent = error.message;
+      problem.textContent = failureWords(error);
     }
   };
   const form = h(

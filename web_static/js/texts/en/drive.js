@@ -3,6 +3,7 @@ export default {
   "drive.none.title": "Nothing to drive with yet",
   "drive.none.lead": "First the calibration: it learns which movements this body can make.",
   "drive.none.go": "Calibrate",
+  "drive.no-path": "This floor plan has no path '{path}' any more.",
   "drive.title": "Where to?",
   "drive.lead": "Choose a place, how difficult it is to be, and a task. The chair is put on the start.",
   "drive.scenes": "Scenes to practise in",
