@@ -33,9 +33,9 @@ def real_chair_refusal(loop: ControlLoop) -> str:
         return "A real chair drives only while it is recorded: begin a drive first."
     if link.silent:
         return link.words()
-    if link.heard.inhibited:
+    if link.telemetry.inhibited:
         return f"{link.words()} Look around, release the switch, then arm again."
-    if "acceleration" in (parameters.mode_u1, parameters.mode_u2) and not link.heard.switch_seen:
+    if "acceleration" in (parameters.mode_u1, parameters.mode_u2) and not link.telemetry.switch_seen:
         return (
             "In acceleration mode a chair cruises by itself, so a real one needs its stop switch: press and release "
             "it once to show that it works, or choose velocity mode."

@@ -171,7 +171,7 @@ class ControlLoop:
 
 def chair_condition(link: ChairLink) -> ChairCondition:
     """Return what the gate must know of what a real chair says."""
-    if link.heard.inhibited:
+    if link.telemetry.inhibited:
         return ChairCondition.INHIBITED
     return ChairCondition.READY if link.ready else ChairCondition.WAITING
 
@@ -180,7 +180,7 @@ def note_chair(tick: Tick, link: ChairLink, t: float) -> None:
     """Write into a tick what a real chair says of itself."""
     tick.chair_kind = 1
     tick.chair_age = link.age(t)
-    newest = link.heard.newest
+    newest = link.telemetry.newest
     if newest is not None:
         tick.chair_state, tick.chair_fault, tick.stop_input = newest.state, newest.fault, newest.stop_input
         tick.battery = newest.battery

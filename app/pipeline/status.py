@@ -21,7 +21,7 @@ def status(loop: ControlLoop) -> dict[str, Any]:
         "chair": {
             "kind": "virtual" if setup.link is None else "udp",
             "words": setup.chair_words,
-            "switch_seen": setup.link is not None and setup.link.heard.switch_seen,
+            "switch_seen": setup.link is not None and setup.link.telemetry.switch_seen,
         },
         "head": {"kind": setup.looking.kind, "words": setup.looking.words},
         "dial": setup.chain.dial,

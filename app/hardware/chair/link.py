@@ -13,7 +13,6 @@ from pathlib import Path
 from app.faults import State
 from app.geometry import STANDSTILL, Pose, Twist
 from app.hardware.base import ORIGIN, HardwareError
-from app.hardware.chair.heard import SILENT, Heard
 from app.hardware.chair.key import Key, KeyRefused, read_key
 from app.hardware.chair.odometry import arc
 from app.hardware.chair.packet import (
@@ -29,6 +28,7 @@ from app.hardware.chair.packet import (
 )
 from app.hardware.chair.reasons import WORDS, Reason
 from app.hardware.chair.simulator import FASTEST, ChairState
+from app.hardware.chair.telemetry import SILENT, ChairTelemetry
 from app.hardware.configs import RealChairConfig
 from app.speeds import Speeds
 
@@ -64,7 +64,7 @@ class ChairLink:
         self.speeds = config.speeds
         self.digest = bytes(DIGEST_BYTES)
         self.due = math.inf
-        self.heard = Heard()
+        self.telemetry = ChairTelemetry()
         self._now = -math.inf
         self._key = Key(0, b"")
         self._socket: socket.socket | None = None
@@ -138,9 +138,9 @@ class ChairLink:
             if datagram is None:
                 break
             telemetry = decode_telemetry(datagram, self._key)
-            if telemetry is not None and self.heard.take(telemetry, t):
+            if telemetry is not None and self.telemetry.take(telemetry, t):
                 self._note_echo(telemetry)
-        if t - self.heard.t > HELLO_AFTER and t >= self._hello_due:
+        if t - self.telemetry.t > HELLO_AFTER and t >= self._hello_due:
             self._hello_due = t + HELLO_EVERY
             self._put(encode_hello(self._key.id))
 
@@ -151,9 +151,9 @@ class ChairLink:
         """
         if state is not self._state:
             self._follow(state, t)
-        if state is State.CHECKING and self.heard.newest is not None and self.heard.newest.nonce != self._nonce:
+        if state is State.CHECKING and self.telemetry.newest is not None and self.telemetry.newest.nonce != self._nonce:
             # A chair that disarmed meanwhile has a new nonce, and takes no epoch twice.
-            self._begin_epoch(self.heard.newest.nonce)
+            self._begin_epoch(self.telemetry.newest.nonce)
         if t >= self.due:
             self._send(twist, limits, t)
 
@@ -163,18 +163,18 @@ class ChairLink:
         While it drives, that is since the newest command was sent of which it has told that it has it: commands that
         take long to reach the chair are as bad as none.
         """
-        age = t - self.heard.t
-        return max(age, t - self._echoed) if self._state is State.ARMED and self.heard.ready else age
+        age = t - self.telemetry.t
+        return max(age, t - self._echoed) if self._state is State.ARMED and self.telemetry.ready else age
 
     @property
     def ready(self) -> bool:
         """Whether the chair has accepted this arming, moves when told, and has been told without a pause."""
-        return self.heard.ready and not self._stalled
+        return self.telemetry.ready and not self._stalled
 
     @property
     def silent(self) -> bool:
         """Whether the chair has not been heard for too long."""
-        return not self._now - self.heard.t <= SILENT  # before anything was listened for, that is no number
+        return not self._now - self.telemetry.t <= SILENT  # before anything was listened for, that is no number
 
     @property
     def stands(self) -> bool:
@@ -186,7 +186,7 @@ class ChairLink:
     def words(self) -> str:
         """Return the chair's state in words."""
         chair = f"{self.config.name} at {self.config.host}:{self.config.port}"
-        newest = self.heard.newest
+        newest = self.telemetry.newest
         if newest is None or self.silent:
             return f"{chair} does not answer: check its power and the network."
         words = f"{chair}, {'stop switch pressed' if newest.stop_input else STATE_WORDS[min(newest.state, 3)]}"
@@ -197,7 +197,7 @@ class ChairLink:
 
     def _driven(self) -> Twist:
         """Return how the chair says that it drives; one that is not heard stands by itself."""
-        newest = self.heard.newest
+        newest = self.telemetry.newest
         if newest is None or self.silent:
             return STANDSTILL
         v, omega = newest.v, newest.omega
@@ -221,7 +221,7 @@ class ChairLink:
         last, self._nonce = self._epoch, nonce
         while self._epoch in (0, last):
             self._epoch = secrets.randbits(32)
-        self.heard.begin_epoch(self._epoch)
+        self.telemetry.begin_epoch(self._epoch)
         self._sent.clear()
 
     def _send(self, twist: Twist, limits: Speeds, t: float) -> None:
@@ -234,7 +234,7 @@ class ChairLink:
             self._left -= 1
             if self._left <= 0:
                 self.due = math.inf
-        newest = self.heard.newest
+        newest = self.telemetry.newest
         if newest is None or not self._epoch:
             return
         v, omega = twist if armed else STANDSTILL
@@ -255,7 +255,7 @@ class ChairLink:
         self._sent_at = t
 
     def _note_echo(self, telemetry: Telemetry) -> None:
-        if self.heard.answers:
+        if self.telemetry.answers:
             while self._sent and self._sent[0][0] <= telemetry.sequence:
                 self._echoed = self._sent.popleft()[1]
 

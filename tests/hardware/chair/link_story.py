@@ -52,7 +52,7 @@ class Story:
         first = self.check()
         last = self.during(0.1, State.CHECKING)[-1]
         self.hear(ARMED, first.epoch, last.sequence)
-        assert self.link.heard.ready
+        assert self.link.telemetry.ready
         return first.epoch
 
     def close(self):

@@ -4,109 +4,109 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.hardware.chair.heard import ARMED, FAULT, MOST_NONCES, SILENT, Heard
 from app.hardware.chair.packet import Telemetry
+from app.hardware.chair.telemetry import ARMED, FAULT, MOST_NONCES, SILENT, ChairTelemetry
 
 EPOCH = 77
 A, B = b"nonce--A", b"nonce--B"
 
 
-def said(t_ns, nonce=A, state=0, epoch=0, stop_input=0):
+def reported(t_ns, nonce=A, state=0, epoch=0, stop_input=0):
     return Telemetry(state, 7, epoch, 0, t_ns, nonce, 0.0, 0.0, 0.5, stop_input, 0)
 
 
 @pytest.fixture
-def heard():
-    made = Heard()
-    assert made.take(said(1000), 1.0)
+def telemetry():
+    made = ChairTelemetry()
+    assert made.take(reported(1000), 1.0)
     return made
 
 
-def test_the_chair_s_time_must_grow(heard):
-    assert not heard.take(said(1000), 1.01)
-    assert not heard.take(said(999), 1.01)
-    assert heard.take(said(1001), 1.02)
-    assert (heard.newest.t_ns, heard.t) == (1001, 1.02)
+def test_the_chair_s_time_must_grow(telemetry):
+    assert not telemetry.take(reported(1000), 1.01)
+    assert not telemetry.take(reported(999), 1.01)
+    assert telemetry.take(reported(1001), 1.02)
+    assert (telemetry.newest.t_ns, telemetry.t) == (1001, 1.02)
 
 
-def test_another_nonce_is_believed_when_the_chair_was_silent_or_tells_our_epoch(heard):
-    assert not heard.take(said(2000, B), 0.99 + SILENT)
-    heard.begin_epoch(EPOCH)
-    assert not heard.take(said(2000, B, epoch=EPOCH + 1), 1.1)
-    assert heard.take(said(2000, B, epoch=EPOCH), 1.1)
-    assert heard.take(said(1, b"nonce--C"), 1.1 + SILENT + 0.01)
+def test_another_nonce_is_believed_when_the_chair_was_silent_or_tells_our_epoch(telemetry):
+    assert not telemetry.take(reported(2000, B), 0.99 + SILENT)
+    telemetry.begin_epoch(EPOCH)
+    assert not telemetry.take(reported(2000, B, epoch=EPOCH + 1), 1.1)
+    assert telemetry.take(reported(2000, B, epoch=EPOCH), 1.1)
+    assert telemetry.take(reported(1, b"nonce--C"), 1.1 + SILENT + 0.01)
 
 
-def test_a_chair_that_was_started_anew_is_heard_after_its_silence(heard):
-    again = said(5, B)  # its clock began anew, too
-    assert not heard.take(again, 1.2)
-    assert heard.take(again, 1.4)
-    assert heard.newest.nonce == B
+def test_a_restarted_chair_is_believed_after_its_silence(telemetry):
+    again = reported(5, B)  # its clock began anew, too
+    assert not telemetry.take(again, 1.2)
+    assert telemetry.take(again, 1.4)
+    assert telemetry.newest.nonce == B
 
 
-def test_a_recording_of_this_arming_rolls_nothing_back(heard):
-    heard.begin_epoch(EPOCH)
-    assert heard.take(said(2000, A, ARMED, EPOCH), 1.1)
-    assert heard.take(said(3000, B, 0, EPOCH), 1.2)  # it disarmed: a new nonce
-    assert not heard.take(said(2000, A, ARMED, EPOCH), 1.25)
-    assert not heard.take(said(2500, A, ARMED, EPOCH), 1.25)  # also when somebody kept it from us until now
-    assert not heard.take(said(2500, A, ARMED, EPOCH), 2.0)
-    assert not heard.ready
+def test_a_recording_of_this_arming_rolls_nothing_back(telemetry):
+    telemetry.begin_epoch(EPOCH)
+    assert telemetry.take(reported(2000, A, ARMED, EPOCH), 1.1)
+    assert telemetry.take(reported(3000, B, 0, EPOCH), 1.2)  # it disarmed: a new nonce
+    assert not telemetry.take(reported(2000, A, ARMED, EPOCH), 1.25)
+    assert not telemetry.take(reported(2500, A, ARMED, EPOCH), 1.25)  # also when somebody kept it from us until now
+    assert not telemetry.take(reported(2500, A, ARMED, EPOCH), 2.0)
+    assert not telemetry.ready
 
 
-def test_an_earlier_nonce_needs_silence_and_a_later_time(heard):
-    assert heard.take(said(5, B), 2.0)
-    assert not heard.take(said(1000), 3.0)
-    assert not heard.take(said(1001), 2.1)
-    assert heard.take(said(1001), 3.0)
+def test_an_earlier_nonce_needs_silence_and_a_later_time(telemetry):
+    assert telemetry.take(reported(5, B), 2.0)
+    assert not telemetry.take(reported(1000), 3.0)
+    assert not telemetry.take(reported(1001), 2.1)
+    assert telemetry.take(reported(1001), 3.0)
 
 
-def test_ready_is_only_who_tells_this_arming_s_epoch(heard):
-    assert heard.take(said(2000, A, ARMED, 0), 1.1)
-    assert not heard.ready
-    heard.begin_epoch(EPOCH)
-    assert not heard.ready
-    assert not heard.answers
-    assert heard.take(said(2001, A, ARMED, EPOCH), 1.1)
-    assert heard.ready
-    heard.begin_epoch(EPOCH + 1)
-    assert not heard.ready
+def test_ready_is_only_who_tells_this_arming_s_epoch(telemetry):
+    assert telemetry.take(reported(2000, A, ARMED, 0), 1.1)
+    assert not telemetry.ready
+    telemetry.begin_epoch(EPOCH)
+    assert not telemetry.ready
+    assert not telemetry.answers
+    assert telemetry.take(reported(2001, A, ARMED, EPOCH), 1.1)
+    assert telemetry.ready
+    telemetry.begin_epoch(EPOCH + 1)
+    assert not telemetry.ready
 
 
-def test_a_pressed_switch_or_a_fault_inhibits(heard):
-    heard.begin_epoch(EPOCH)
-    assert not heard.inhibited
-    assert heard.take(said(2000, A, FAULT, EPOCH), 1.1)
-    assert (heard.inhibited, heard.ready, heard.switch_seen) == (True, False, False)
-    assert heard.take(said(2001, A, ARMED, EPOCH, stop_input=1), 1.1)
-    assert (heard.inhibited, heard.ready, heard.switch_seen) == (True, False, True)
-    assert heard.take(said(2002, A, ARMED, EPOCH), 1.1)
-    assert (heard.inhibited, heard.ready, heard.switch_seen) == (False, True, True)
+def test_a_pressed_switch_or_a_fault_inhibits(telemetry):
+    telemetry.begin_epoch(EPOCH)
+    assert not telemetry.inhibited
+    assert telemetry.take(reported(2000, A, FAULT, EPOCH), 1.1)
+    assert (telemetry.inhibited, telemetry.ready, telemetry.switch_seen) == (True, False, False)
+    assert telemetry.take(reported(2001, A, ARMED, EPOCH, stop_input=1), 1.1)
+    assert (telemetry.inhibited, telemetry.ready, telemetry.switch_seen) == (True, False, True)
+    assert telemetry.take(reported(2002, A, ARMED, EPOCH), 1.1)
+    assert (telemetry.inhibited, telemetry.ready, telemetry.switch_seen) == (False, True, True)
 
 
 def test_it_remembers_many_nonces_and_not_endlessly_many():
-    heard = Heard()
+    telemetry = ChairTelemetry()
     for i in range(2 * MOST_NONCES):
-        assert heard.take(said(10, i.to_bytes(8, "little")), i * 1.0)
-    assert not heard.take(said(10, (2 * MOST_NONCES - 500).to_bytes(8, "little")), 1e6)
-    assert len(heard._nonces) == MOST_NONCES
+        assert telemetry.take(reported(10, i.to_bytes(8, "little")), i * 1.0)
+    assert not telemetry.take(reported(10, (2 * MOST_NONCES - 500).to_bytes(8, "little")), 1e6)
+    assert len(telemetry._nonces) == MOST_NONCES
 
 
 telemetries = st.builds(
-    said, st.integers(0, 50), st.sampled_from([A, B]), st.integers(0, 3), st.sampled_from([0, EPOCH]), st.just(0)
+    reported, st.integers(0, 50), st.sampled_from([A, B]), st.integers(0, 3), st.sampled_from([0, EPOCH]), st.just(0)
 )
 
 
 @given(st.lists(st.tuples(telemetries, st.floats(0, 0.5)), max_size=40), st.booleans())
 def test_nothing_is_taken_twice_whatever_comes(sequence, with_epoch):
-    heard, t, taken = Heard(), 0.0, []
+    telemetry, t, taken = ChairTelemetry(), 0.0, []
     if with_epoch:
-        heard.begin_epoch(EPOCH)
+        telemetry.begin_epoch(EPOCH)
     for telemetry, pause in sequence:
         t += pause
-        if heard.take(telemetry, t):
+        if telemetry.take(telemetry, t):
             assert all(telemetry.t_ns > other.t_ns for other in taken if other.nonce == telemetry.nonce)
             if with_epoch and telemetry.epoch == EPOCH:
                 assert all(telemetry.t_ns > other.t_ns for other in taken if other.epoch == EPOCH)
             taken.append(telemetry)
-            assert heard.newest is telemetry
+            assert telemetry.newest is telemetry

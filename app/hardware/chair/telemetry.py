@@ -1,36 +1,37 @@
-"""What a real chair said of itself, and which of it can be believed. No clock, no socket."""
+"""The newest telemetry of a real chair; recordings of earlier telemetry are rejected. No clock, no socket."""
 
 import math
 
 from app.hardware.chair.packet import Telemetry
 
 SILENT = 0.3  # s without telemetry, which comes every 0.1 s
-MOST_NONCES = 1000  # that are remembered: a chair makes one at each disarming
-ARMED, FAULT = 2, 3  # states of a telemetry
+MOST_NONCES = 1000  # number of nonces kept: a chair makes a new one at each disarming
+ARMED, FAULT = 2, 3  # values of Telemetry.state
 
 
-class Heard:
+class ChairTelemetry:
     """The newest telemetry of a chair.
 
-    A recording of telemetry has a true tag, too, and must roll back neither the nonce nor the state. So a telemetry is
-    taken only when the chair's time in it is later than in all that was taken with its nonce, and when
+    Somebody can record a telemetry and send it again: its tag is still right. It must roll back neither the nonce nor
+    the state. So a telemetry is taken only when its chair time is later than that of every telemetry taken with the
+    same nonce, and when one of these holds:
 
-    - its nonce is the one in force: the chair goes on; or
-    - it tells the epoch of this arming: nobody can have recorded that before the arming, and within the epoch the
-      chair's time must grow; or
-    - nothing was taken for `SILENT` seconds: the chair was started anew, or this link was.
+    - its nonce is that of the newest telemetry: the chair continues;
+    - it carries the epoch of the current arming: nobody can have recorded it before the arming; within the epoch the
+      chair's time must grow;
+    - nothing was taken for `SILENT` seconds: the chair was started again, or this link was.
 
-    What is left to a forger: to show an old picture of a chair that is silent. It arms nothing, because a chair
-    counts as ready only when it tells the epoch of this arming.
+    A forger can still show an old telemetry in place of a silent chair. That arms nothing, because a chair counts as
+    ready only when its telemetry carries the epoch of the current arming.
 
     Attributes
     ----------
     newest : Telemetry or None
-        What was taken last.
+        The telemetry that was taken last.
     t : float
-        When that was (monotonic s); -inf when nothing has been heard.
+        When it arrived (monotonic s); -inf before the first.
     switch_seen : bool
-        Whether the stop input was seen pressed: there is one, and it works.
+        Whether a telemetry has shown the stop input pressed, so that it exists and works.
     """
 
     def __init__(self) -> None:
@@ -42,11 +43,11 @@ class Heard:
         self._nonces: dict[bytes, int] = {}  # nonce: the chair's latest time (ns) with it
 
     def begin_epoch(self, epoch: int) -> None:
-        """Expect a new arming's epoch, not 0, in what the chair tells."""
+        """Expect the epoch (not 0) of a new arming in the telemetry."""
         self._epoch, self._epoch_ns = epoch, -1
 
     def take(self, telemetry: Telemetry, t: float) -> bool:
-        """Take a telemetry whose tag is right, heard at `t` (monotonic s); return False when it may be a recording."""
+        """Take a telemetry with a valid tag that arrived at `t` (monotonic s); False when it may be a recording."""
         if telemetry.t_ns <= self._nonces.get(telemetry.nonce, -1):
             return False
         if self._epoch and telemetry.epoch == self._epoch:
@@ -64,12 +65,12 @@ class Heard:
 
     @property
     def answers(self) -> bool:
-        """Whether the newest telemetry tells the epoch of this arming."""
+        """Whether the newest telemetry carries the epoch of the current arming."""
         return self.newest is not None and self._epoch != 0 and self.newest.epoch == self._epoch
 
     @property
     def ready(self) -> bool:
-        """Whether the chair has accepted this arming, and moves when told."""
+        """Whether the chair has accepted the current arming and obeys commands to move."""
         return self.newest is not None and self.answers and self.newest.state == ARMED and not self.newest.stop_input
 
     @property

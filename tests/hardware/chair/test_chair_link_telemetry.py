@@ -33,7 +33,7 @@ def test_a_chair_that_disarms_itself_while_armed_gets_none(story):
     story.turn(State.ARMED, AHEAD)
     story.chair.nonce = b"nonce--2"
     story.hear(DISARMED, epoch, 5)
-    assert not story.link.heard.ready
+    assert not story.link.telemetry.ready
     assert story.link.age(story.t) < 0.3  # it is heard: it is not silent but disarmed
     assert {command.epoch for command in story.during(0.1, State.ARMED, AHEAD)} == {epoch}
 
@@ -48,7 +48,7 @@ def test_commands_that_take_long_to_arrive_count_as_silence(story):
         story.hear(ARMED, epoch, known[-1] if known else 0)
         oldest.append(story.link.age(story.t))
     assert max(oldest) > 0.3
-    assert story.t - story.link.heard.t == 0.0
+    assert story.t - story.link.telemetry.t == 0.0
 
 
 def test_commands_that_arrive_in_time_do_not(story):
@@ -66,7 +66,7 @@ def test_a_sender_that_stood_still_does_not_let_the_chair_go_on(story):
     sequence = story.during(0.1, State.ARMED, AHEAD)[-1].sequence
     story.t += 0.2
     story.hear(ARMED, epoch, sequence)
-    assert story.link.heard.ready
+    assert story.link.telemetry.ready
     assert not story.link.ready
     story.turn(State.FAULT)
     story.check()
@@ -79,14 +79,14 @@ def test_recorded_telemetry_changes_nothing(story):
     epoch = story.arm()
     recorded = story.chair.say(ARMED, epoch, 4)
     story.link.listen(story.t)
-    newest = story.link.heard.newest
+    newest = story.link.telemetry.newest
     story.chair.send(recorded)
     story.chair.send(encode_telemetry(newest, new_key(7)))  # another key
     story.chair.send(recorded[:-1])
     story.chair.send(recorded + b"x")
     story.chair.send(bytes(68))
     story.link.listen(story.t)
-    assert story.link.heard.newest is newest
+    assert story.link.telemetry.newest is newest
 
 
 def test_others_on_the_network_are_not_heard_and_a_flood_does_not_hold_it_up(story):
@@ -95,14 +95,14 @@ def test_others_on_the_network_are_not_heard_and_a_flood_does_not_hold_it_up(sto
         true = story.chair.telemetry(FAULT)
         other.sendto(true, story.chair._sender)
         story.link.listen(story.t)
-        assert story.link.heard.newest.state == DISARMED
+        assert story.link.telemetry.newest.state == DISARMED
     for _ in range(MOST_DATAGRAMS + 10):
         story.chair.send(b"junk")
     story.chair.send(true)
     story.link.listen(story.t)
-    assert story.link.heard.newest.state == DISARMED
+    assert story.link.telemetry.newest.state == DISARMED
     story.link.listen(story.t)
-    assert story.link.heard.newest.state == FAULT
+    assert story.link.telemetry.newest.state == FAULT
 
 
 def test_the_place_is_reckoned_from_what_the_chair_says_until_it_is_silent(story):
