@@ -19,7 +19,7 @@ from app.hardware.chair.key import KeyRefused, read_key
 from app.hardware.chair.outputs import OUTPUTS, OutputRefused, open_output
 from app.hardware.chair.receiver import OMEGA_MAX, V_MAX, Receiver
 from app.hardware.chair.receiver_loop import ReceiverLoop, slowness
-from app.hardware.chair.telling import Telling
+from app.hardware.chair.telemetry_sender import TelemetrySender
 from app.realtime import go_real_time
 
 PORT = 5354
@@ -53,7 +53,7 @@ def main(arguments: Sequence[str] | None = None, program: str = "python -m app.h
     clock = MonotonicClock()
     receiver = Receiver(key, given.v_max, given.omega_max, refuses_virtual=output.is_real)
     inputs = Inputs(given.stop_input, given.battery_input)
-    loop = ReceiverLoop(receiver, Telling(receiver, key.id, end, paired), end, output, inputs, clock)
+    loop = ReceiverLoop(receiver, TelemetrySender(receiver, key.id, end, paired), end, output, inputs, clock)
     for which in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
         if which is not signal.SIGHUP or signal.getsignal(which) is not signal.SIG_IGN:  # nohup asks to live on
             signal.signal(which, lambda *_: setattr(loop, "ending", True))

@@ -10,7 +10,7 @@ from app.hardware.chair.outputs import Output
 from app.hardware.chair.packet import FRAME_BYTES
 from app.hardware.chair.reasons import WORDS, Reason
 from app.hardware.chair.receiver import Receiver
-from app.hardware.chair.telling import Telling
+from app.hardware.chair.telemetry_sender import TelemetrySender
 
 STEP = 0.01  # s between two looks at the watch: the finest of safety.md's limits is 100 ms
 LEAST = 0.001  # s to listen, after a hold-up, too
@@ -30,11 +30,17 @@ class ReceiverLoop:
     """
 
     def __init__(
-        self, receiver: Receiver, telling: Telling, end: socket.socket, output: Output, inputs: Inputs, clock: Clock
+        self,
+        receiver: Receiver,
+        telemetry: TelemetrySender,
+        end: socket.socket,
+        output: Output,
+        inputs: Inputs,
+        clock: Clock,
     ) -> None:
         """`end` is a bound socket that does not block."""
         self._receiver = receiver
-        self._telling = telling
+        self._telemetry = telemetry
         self._socket = end
         self._output = output
         self._inputs = inputs
@@ -75,10 +81,10 @@ class ReceiverLoop:
                 select.select([self._socket], [], [], due - t)
                 continue
             if self._receiver.take(datagram, t):
-                self._telling.commanded_by(address)
+                self._telemetry.note_driver(address)
                 self._step()
             else:
-                self._telling.greet(datagram, address, t)
+                self._telemetry.answer_hello(datagram, address, t)
                 enough = min(enough, t + DRAINING)
 
     def _step(self, last: bool = False) -> None:
@@ -93,7 +99,7 @@ class ReceiverLoop:
             self._output_broken = True
             if not self._output.is_real:
                 self.ending = True  # nobody reads any more
-        self._telling.tell(t, self._inputs, pressed, now=last)
+        self._telemetry.send(t, self._inputs, pressed, now=last)
 
 
 def slowness(clock: Clock) -> list[str]:

@@ -99,14 +99,14 @@ telemetries = st.builds(
 
 @given(st.lists(st.tuples(telemetries, st.floats(0, 0.5)), max_size=40), st.booleans())
 def test_nothing_is_taken_twice_whatever_comes(sequence, with_epoch):
-    telemetry, t, taken = ChairTelemetry(), 0.0, []
+    kept, t, taken = ChairTelemetry(), 0.0, []
     if with_epoch:
-        telemetry.begin_epoch(EPOCH)
+        kept.begin_epoch(EPOCH)
     for telemetry, pause in sequence:
         t += pause
-        if telemetry.take(telemetry, t):
+        if kept.take(telemetry, t):
             assert all(telemetry.t_ns > other.t_ns for other in taken if other.nonce == telemetry.nonce)
             if with_epoch and telemetry.epoch == EPOCH:
                 assert all(telemetry.t_ns > other.t_ns for other in taken if other.epoch == EPOCH)
             taken.append(telemetry)
-            assert telemetry.newest is telemetry
+            assert kept.newest is telemetry

@@ -13,7 +13,7 @@ from app.hardware.chair.packet import DRIVE, FRAME_BYTES, decode_telemetry
 from app.hardware.chair.reasons import Reason
 from app.hardware.chair.receiver import ReceiverState
 from app.hardware.chair.receiver_loop import DRAINING, STEP, ReceiverLoop, slowness
-from app.hardware.chair.telling import Telling
+from app.hardware.chair.telemetry_sender import TelemetrySender
 
 EACH = 20e-6  # s that a datagram takes: fifty thousand a second
 SENDER = ("somebody", 1)
@@ -62,8 +62,8 @@ def turning(request):
     chair = Commanded()
     clock = FakeClock(chair.t)
     flooded, output = Flooded(chair, clock), Noted(getattr(request, "param", False))
-    telling = Telling(chair.receiver, KEY.id, flooded, None)
-    loop = ReceiverLoop(chair.receiver, telling, flooded, output, Inputs(None, None), clock)
+    telemetry = TelemetrySender(chair.receiver, KEY.id, flooded, None)
+    loop = ReceiverLoop(chair.receiver, telemetry, flooded, output, Inputs(None, None), clock)
     return loop, flooded, output, chair.receiver
 
 
