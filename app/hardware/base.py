@@ -1,4 +1,4 @@
-"""The roles of the hardware: what every shirt does, and every body inside the simulated one."""
+"""The roles of the hardware: Shirt, Body, HeadTracker, Chair."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -17,12 +17,12 @@ ORIGIN = Pose(0.0, 0.0, 0.0)
 
 
 class HardwareError(Exception):
-    """A device that cannot be had, as one sentence that says what, where and what to do."""
+    """Why a device cannot be used, as one sentence that names the device, the place and the remedy."""
 
 
 @dataclass(slots=True)
 class LeaderView:
-    """Somebody ahead who is to be followed."""
+    """The leader whom the chair is to follow."""
 
     pose: Pose
     v: float  # m/s
@@ -30,20 +30,20 @@ class LeaderView:
 
 @dataclass(slots=True)
 class BodyView:
-    """What the person in the simulated shirt sees; the loop writes it anew at each tick."""
+    """What the simulated body sees; the loop rewrites it at each tick."""
 
-    cue: Cue | None = None  # what is asked at this moment
+    cue: Cue | None = None  # the cue in force
     cue_elapsed: float = 0.0  # s since the cue came up
-    driving: bool = False  # whether movement may move the chair now
+    driving: bool = False  # whether gestures may move the chair now
     pose: Pose = ORIGIN
     v: float = 0.0  # m/s
     omega: float = 0.0  # rad/s
     in_contact: bool = False  # whether the chair touches something
-    leader: LeaderView | None = None  # whom the task says to follow
+    leader: LeaderView | None = None  # of a task that says to follow somebody
 
 
 class Body(Protocol):
-    """What moves inside the simulated shirt."""
+    """What moves inside the simulated shirt: a simulated body."""
 
     @property
     def joints(self) -> Sequence[str]:
@@ -51,37 +51,37 @@ class Body(Protocol):
         ...
 
     def step(self, dt: float, view: BodyView) -> NDArray[np.float64]:
-        """Live on for `dt` (s) and return the posture (n_joints,): 0 at rest, 1 fully towards the gesture.
+        """Advance by `dt` (s) and return the posture (n_joints,): 0 at rest, 1 fully towards the gesture.
 
-        It may be negative, and it belongs to the body: it is written anew at the next step.
+        A posture may be negative. The array belongs to the body, which overwrites it at the next step.
         """
         ...
 
     def reset(self) -> None:
-        """Come back to rest, and begin anew what is random."""
+        """Return to rest and restart the random numbers."""
         ...
 
 
 @runtime_checkable
-class Driving(Protocol):
-    """A body that does the tasks of a floor plan by itself."""
+class DrivingBody(Protocol):
+    """A body that drives the tasks of a floor plan by itself."""
 
     def show_task(self, plan: FloorPlan, path: PrescribedPath) -> None:
-        """Show what is asked, and where."""
+        """Give the body the floor plan and the path that it is to drive."""
         ...
 
 
 @runtime_checkable
-class Movable(Protocol):
-    """A body whose joints somebody else moves."""
+class MovableBody(Protocol):
+    """A body whose joints are moved from outside."""
 
     def move(self, joints: Mapping[str, float]) -> None:
-        """Say where joints should go, 0 (rest) to 1 (all the way); ValueError, in one sentence, when they cannot."""
+        """Set the targets of joints, 0 (rest) to 1 (full movement); ValueError, in one sentence, for what cannot be."""
         ...
 
 
 class Shirt(Protocol):
-    """A source of frames. Drivers drop none: the loop decodes every frame and sends on only the newest."""
+    """A source of frames. Drivers drop none: the loop decodes every frame and commands the chair by the newest."""
 
     @property
     def layout(self) -> ShirtLayout:
@@ -99,12 +99,12 @@ class Shirt(Protocol):
         ...
 
     def open(self) -> None:
-        """Begin.
+        """Open the device.
 
         Raises
         ------
         HardwareError
-            When it cannot be opened; nothing is held then.
+            When the device cannot be opened; no resource is held then.
         """
         ...
 
@@ -113,7 +113,7 @@ class Shirt(Protocol):
         ...
 
     def pending(self) -> bool:
-        """Return whether another frame seems to be there already."""
+        """Return whether another frame seems to have arrived already."""
         ...
 
     def words(self) -> str:
@@ -121,12 +121,12 @@ class Shirt(Protocol):
         ...
 
     def close(self) -> None:
-        """Give back what is held; closing twice does no harm."""
+        """Release the device; closing twice does no harm."""
         ...
 
 
-class OtherSenders(Protocol):
-    """Who else sends good frames to a shirt's port."""
+class SenderReport(Protocol):
+    """Which addresses send good frames to a shirt's port."""
 
     @property
     def name(self) -> str:
@@ -135,47 +135,47 @@ class OtherSenders(Protocol):
 
     @property
     def other(self) -> str:
-        """The address of another sender, empty when there is none."""
+        """The address of another sender, empty when only the shirt sends."""
         ...
 
     @property
-    def others(self) -> int:
-        """How many frames of other senders were left out."""
+    def other_frames(self) -> int:
+        """How many frames of other senders were ignored."""
         ...
 
 
 @runtime_checkable
-class FromNetwork(Protocol):
-    """A shirt whose frames anybody could send, so that its sender is chosen by a person."""
+class NetworkShirt(Protocol):
+    """A shirt over the network: anybody could send its frames, so a person chooses the sender."""
 
     @property
-    def senders(self) -> OtherSenders:
-        """Who sends."""
+    def sender_choice(self) -> SenderReport:
+        """The sender in use, and the others."""
         ...
 
     def use_sender(self, name: str) -> bool:
-        """Take another sender as the shirt; False when none of this name sent good frames."""
+        """Accept another sender as the shirt; False when none of this name sent good frames."""
         ...
 
 
 class HeadTracker(Protocol):
-    """A source of head poses. Only the newest matters: nothing is queued, nothing is waited for."""
+    """A source of head poses. Only the newest pose counts: none is queued, and reading never waits."""
 
     def open(self) -> None:
-        """Begin.
+        """Open the device.
 
         Raises
         ------
         HardwareError
-            When it cannot be opened; nothing is held then.
+            When the device cannot be opened; no resource is held then.
         """
         ...
 
     def newest(self) -> HeadPose | None:
-        """Take in what has come, without waiting, and return the newest pose; None before the first.
+        """Take in what has arrived, without waiting, and return the newest pose; None before the first.
 
-        What is not finite, cut off or foreign is left out. The pose keeps its time of arrival, so that its age tells
-        when the tracker has gone silent.
+        Poses that are not finite, truncated or foreign are ignored. A pose keeps its time of arrival, so that its age
+        shows when the tracker has gone silent.
         """
         ...
 
@@ -184,5 +184,5 @@ class HeadTracker(Protocol):
         ...
 
     def close(self) -> None:
-        """Give back what is held; closing twice does no harm."""
+        """Release the device; closing twice does no harm."""
         ...

@@ -107,8 +107,9 @@ class Commands:
                 self._server.answer(command_id, **answer)
 
     def _heartbeat(self, fields: command_fields.Heartbeat, _id: int) -> Answer:
-        self._loop.heard = self._clock.now()
-        self._loop.screen_seen = -math.inf if fields.screen_age is None else self._clock.now() - fields.screen_age
+        self._loop.last_heartbeat = self._clock.now()
+        age = math.inf if fields.screen_age is None else fields.screen_age
+        self._loop.last_screen_report = self._clock.now() - age
         self._loop.conditions.screen = SCREEN_FAULTS[fields.screen]
         return {}
 
@@ -140,7 +141,7 @@ class Commands:
         self._open(self._setup.change_body(parse_body(fields.config)), command_id, dict)
 
     def _move(self, fields: command_fields.Move, _id: int) -> Answer:
-        body = self._setup.dressed.body if self._setup.dressed else None
+        body = self._setup.simulated_shirt.body if self._setup.simulated_shirt else None
         move = getattr(body, "move", None)
         if move is None:
             raise Refused("Nobody is in the shirt whom keys could move: choose yourself as the body first.")
@@ -152,17 +153,17 @@ class Commands:
 
     def _head(self, fields: command_fields.Head, command_id: int) -> None:
         self._require_no_drive()
-        looking = self._setup.looking
-        change = looking.change(None if fields.config is None else parse_head(fields.config))
-        self._open(change, command_id, lambda: {"words": looking.words})
+        head = self._setup.head
+        change = head.change(None if fields.config is None else parse_head(fields.config))
+        self._open(change, command_id, lambda: {"words": head.words})
 
     def _look(self, fields: command_fields.Look, _id: int) -> Answer:
-        if not self._setup.looking.look(fields.yaw, fields.pitch, fields.roll):
+        if not self._setup.head.look(fields.yaw, fields.pitch, fields.roll):
             raise Refused("No tablet is used as the head tracker: choose it on the Shirt page first.")
         return {}
 
     def _head_ahead(self, _fields: command_fields.Nothing, _id: int) -> Answer:
-        if not self._setup.looking.set_ahead():
+        if not self._setup.head.set_ahead():
             raise Refused("The head tracker has not said where the head looks: wait for its first pose.")
         return {}
 
@@ -211,7 +212,7 @@ class Commands:
 
     def _begin_neutral_check(self) -> None:
         # The screen counts as in view until the next heartbeat says otherwise: the last one was sent before arming.
-        self._loop.screen_seen, self._loop.conditions.screen = self._clock.now(), Fault.NONE
+        self._loop.last_screen_report, self._loop.conditions.screen = self._clock.now(), Fault.NONE
         self._loop.tell_chair()  # a real one hears of what was before: then this is a new arming to it
         self._setup.chain.arm()
         if self._loop.run is not None:

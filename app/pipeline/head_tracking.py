@@ -1,4 +1,4 @@
-"""The head tracker in use: its newest pose in every tick, and never a reason for the loop to wait or to end."""
+"""The head tracker in use: its newest pose goes into every tick; the loop never waits for it or ends by it."""
 
 import math
 
@@ -10,23 +10,23 @@ from app.hardware.registry import make_head
 from app.messages import HeadPose, Tick
 from app.pipeline.opening import Change, close_quietly, one_line, open_device
 
-NOBODY = "No head tracker is connected: the view looks straight ahead."
+NO_TRACKER = "No head tracker is connected: the view looks straight ahead."
 
 
-class Looking:
-    """Opens, asks and closes one head tracker at a time."""
+class HeadTracking:
+    """Opens, reads and closes one head tracker at a time."""
 
     def __init__(self, clock: Clock) -> None:
         self._clock = clock
         self._tracker: HeadTracker | None = None
-        self._ahead = (0.0, 0.0, 0.0)  # yaw, pitch, roll (rad) that are straight ahead
+        self._ahead = (0.0, 0.0, 0.0)  # yaw, pitch, roll (rad) of the pose that counts as straight ahead
         self._failed = ""
         self.kind = ""
 
     @property
     def words(self) -> str:
         """The tracker's state in words."""
-        return self._failed or (self._tracker.words() if self._tracker else NOBODY)
+        return self._failed or (self._tracker.words() if self._tracker else NO_TRACKER)
 
     def change(self, config: HeadConfig | None) -> Change:
         """Release the head tracker in use, and return the change that opens another one."""
@@ -42,18 +42,18 @@ class Looking:
         return Change("head tracker", opened, take)
 
     def close(self) -> None:
-        """Do without a head tracker."""
+        """Close the head tracker in use."""
         close_quietly(self._release_tracker())
 
     def look(self, yaw: float, pitch: float, roll: float) -> bool:
-        """Hand on what a tablet tells of itself (rad); False when none is listened to."""
+        """Pass on the orientation (rad) that a tablet reports; False when the tracker in use is no tablet."""
         look = getattr(self._tracker, "look", None)
         if look is not None:
             look(yaw, pitch, roll)
         return look is not None
 
     def set_ahead(self) -> bool:
-        """Count where the head looks now as straight ahead; False when that is not known."""
+        """Make the newest pose straight ahead; False when there is no pose."""
         pose = self._newest()
         if pose is None:
             return False
@@ -61,7 +61,7 @@ class Looking:
         return True
 
     def note(self, tick: Tick, t: float) -> None:
-        """Write into a tick where the head looks at `t` (s)."""
+        """Write the newest head pose and its age at `t` (s) into a tick."""
         pose = self._newest()
         if pose is None:
             tick.head_yaw = tick.head_pitch = tick.head_roll = tick.head_age = math.nan

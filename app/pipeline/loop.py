@@ -28,10 +28,10 @@ class ControlLoop:
     ----------
     late : int
         Ticks that came more than a period after the deadline.
-    heard : float
-        When the web process was heard last (monotonic s); never, at first.
-    screen_seen : float
-        When the screen that armed the chair last said how it is (monotonic s); what, is in the conditions.
+    last_heartbeat : float
+        When the newest heartbeat of the web process came (monotonic s); -inf before the first.
+    last_screen_report : float
+        When the screen that armed the chair last reported (monotonic s); `conditions.screen` holds the report.
     """
 
     def __init__(self, setup: Setup, ring: TickRing, report: ChairReport | None, clock: Clock) -> None:
@@ -39,8 +39,8 @@ class ControlLoop:
         self.ring = ring
         self.run: OpenRun | None = None
         self.late = 0
-        self.heard = -math.inf
-        self.screen_seen = -math.inf
+        self.last_heartbeat = -math.inf
+        self.last_screen_report = -math.inf
         self.conditions = Conditions()
         self._put_off = math.inf  # since when a command waits for newer frames
         self._report = report
@@ -126,8 +126,8 @@ class ControlLoop:
         self._deadline = t + self._wait
         setup, conditions, run = self.setup, self.conditions, self.run
         link = setup.link
-        conditions.supervisor_age = t - self.heard
-        conditions.screen_age = t - self.screen_seen
+        conditions.supervisor_age = t - self.last_heartbeat
+        conditions.screen_age = t - self.last_screen_report
         conditions.recording = link is None if run is None else not run.writer.words
         if link is not None:
             conditions.chair, conditions.chair_age = chair_condition(link), link.age(t)
@@ -139,7 +139,7 @@ class ControlLoop:
             note_chair(tick, link, t)
         elif self._report is not None:
             self._report.send(tick)
-        setup.looking.note(tick, t)
+        setup.head.note(tick, t)
         if frame is not None:
             self._frame_t = t
         if run is None:
@@ -149,8 +149,8 @@ class ControlLoop:
             run_t = t - run.start
             cue = run.cue_at(run_t)
             self.ring.write(tick, run.number, run_t, cue, lost, self.late)
-        if setup.dressed is not None:
-            self._show(setup.dressed.view, tick, cue, run_t)
+        if setup.simulated_shirt is not None:
+            self._show(setup.simulated_shirt.view, tick, cue, run_t)
 
     def _show(self, view: BodyView, tick: Tick, cue: int, run_t: float) -> None:
         """Let the body in the simulated shirt see what its wearer would see."""

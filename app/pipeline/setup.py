@@ -6,14 +6,14 @@ from app.calibration.vocabulary import DriveParameters
 from app.clock import Clock
 from app.faults import State
 from app.geometry import STANDSTILL
-from app.hardware.base import ORIGIN, Body, BodyView, Driving, FromNetwork, Shirt
+from app.hardware.base import ORIGIN, Body, BodyView, DrivingBody, NetworkShirt, Shirt
 from app.hardware.chair.link import ChairLink
 from app.hardware.chair.packet import DIGEST_BYTES
 from app.hardware.chair.simulator import Dynamics, VirtualChair
 from app.hardware.configs import BodyConfig, ChairConfig, RealChairConfig, ShirtConfig
 from app.hardware.registry import SHIRTS, make_body, make_real_chair, make_shirt, mistrust
 from app.pipeline.chain import Chain
-from app.pipeline.head_pose import Looking
+from app.pipeline.head_tracking import HeadTracking
 from app.pipeline.opening import Change, close_quietly, one_line, open_device
 from app.source import UNKNOWN, Source
 from app.speeds import HIGHEST_SPEEDS, Speeds
@@ -29,8 +29,8 @@ class Refused(Exception):  # noqa: N818
     """Why a command is not done, in one sentence."""
 
 
-class DressedShirt(Protocol):
-    """What the simulated shirt has beyond others: somebody inside who sees."""
+class ShirtWithBody(Protocol):
+    """What the simulated shirt has beyond other shirts: a simulated body, and what that body sees."""
 
     view: BodyView
     body: Body | None
@@ -41,13 +41,13 @@ class Setup:
 
     def __init__(self, clock: Clock) -> None:
         self._clock = clock
-        self.looking = Looking(clock)
+        self.head = HeadTracking(clock)
         self.shirt: Shirt | None = None
         self.shirt_kind = ""
         self.mistrust = NO_SHIRT  # why the shirt in use arms no real chair, empty when it may
         self._shirt_failed = ""  # why the shirt in use had to be let go
         self.body_kind: str | None = None  # of the body inside the simulated shirt
-        self.dressed: DressedShirt | None = None  # the same shirt, when it is the simulated one
+        self.simulated_shirt: ShirtWithBody | None = None  # the shirt in use, when it is the simulated one
         self.parameters: DriveParameters | None = None
         self.hash: str | None = None
         self.floorplan: FloorPlan | None = None
@@ -76,9 +76,9 @@ class Setup:
         return self.shirt.layout.model_dump(mode="json") if self.shirt else None
 
     @property
-    def network_shirt(self) -> FromNetwork | None:
+    def network_shirt(self) -> NetworkShirt | None:
         """The shirt in use when it is one over the network, else None."""
-        return self.shirt if isinstance(self.shirt, FromNetwork) else None
+        return self.shirt if isinstance(self.shirt, NetworkShirt) else None
 
     @property
     def shirt_words(self) -> str:
@@ -122,7 +122,7 @@ class Setup:
 
         def take(shirt: Shirt) -> None:
             self.shirt, self.shirt_kind, self.mistrust = shirt, config.kind, mistrust(config)
-            self.dressed = cast(DressedShirt, shirt) if config.kind == "simulator" else None
+            self.simulated_shirt = cast(ShirtWithBody, shirt) if config.kind == "simulator" else None
             if self.parameters is not None and self._misfit(self.parameters):
                 self.parameters = self.hash = None
             self._link_chain()
@@ -131,21 +131,21 @@ class Setup:
 
     def release_failed_shirt(self, error: Exception) -> None:
         """Let go of a shirt whose driver failed; without frames the gate stops the chair as for a silent one."""
-        failed, self.shirt, self.dressed = self.shirt, None, None
+        failed, self.shirt, self.simulated_shirt = self.shirt, None, None
         self.mistrust = NO_SHIRT
         self._shirt_failed = f"The shirt failed ({one_line(str(error)) or type(error).__name__}): choose it again."
         close_quietly(failed)
 
     def close(self) -> None:
         """Give the devices back."""
-        self.looking.close()
+        self.head.close()
         self.close_chair()
         close_quietly(self.shirt)
 
     def change_body(self, config: BodyConfig) -> Change:
         """Return the change to another body inside the simulated shirt."""
         self.require_still()
-        if self.dressed is None:
+        if self.simulated_shirt is None:
             raise Refused("Only the simulated shirt has a body to choose: choose the simulated shirt first.")
         return Change("body", lambda: make_body(config), lambda body: self._take_body(body, config.kind))
 
@@ -214,15 +214,15 @@ class Setup:
 
     def _release_shirt(self) -> Shirt | None:
         """Release the shirt in use and return it, still open."""
-        before, self.shirt, self.dressed, self.body_kind = self.shirt, None, None, None
+        before, self.shirt, self.simulated_shirt, self.body_kind = self.shirt, None, None, None
         self.shirt_kind = self._shirt_failed = ""
         self.mistrust = NO_SHIRT
         self._link_chain()
         return before
 
     def _take_body(self, body: Body, kind: str) -> None:
-        if self.dressed is not None:
-            self.dressed.body, self.body_kind = body, kind
+        if self.simulated_shirt is not None:
+            self.simulated_shirt.body, self.body_kind = body, kind
             self._show_path()
 
     def _take_real_chair(self, link: ChairLink) -> None:
@@ -265,6 +265,6 @@ class Setup:
 
     def _show_path(self) -> None:
         """Let a body that drives by himself see what is asked."""
-        body = self.dressed.body if self.dressed else None
-        if isinstance(body, Driving) and self.floorplan is not None and self.path is not None:
+        body = self.simulated_shirt.body if self.simulated_shirt else None
+        if isinstance(body, DrivingBody) and self.floorplan is not None and self.path is not None:
             body.show_task(self.floorplan, self.path)

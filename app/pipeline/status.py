@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from app.hardware.base import FromNetwork
+from app.hardware.base import NetworkShirt
 from app.pipeline.loop import ControlLoop
 
 
@@ -23,14 +23,15 @@ def status(loop: ControlLoop) -> dict[str, Any]:
             "words": setup.chair_words,
             "switch_seen": setup.link is not None and setup.link.telemetry.switch_seen,
         },
-        "head": {"kind": setup.looking.kind, "words": setup.looking.words},
+        "head": {"kind": setup.head.kind, "words": setup.head.words},
         "dial": setup.chain.dial,
         "late": loop.late,
         "hash": setup.hash,
     }
 
 
-def _senders(shirt: FromNetwork | None) -> dict[str, Any] | None:
+def _senders(shirt: NetworkShirt | None) -> dict[str, Any] | None:
     if shirt is None:
         return None
-    return {"shirt": shirt.senders.name, "other": shirt.senders.other, "others": shirt.senders.others}
+    choice = shirt.sender_choice
+    return {"shirt": choice.name, "other": choice.other, "others": choice.other_frames}

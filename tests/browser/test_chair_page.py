@@ -13,9 +13,9 @@ from pathlib import Path
 
 import pytest
 from browser.driving import HIDE, SHOW, bend_until, go_on_until
+from paired_shirt import PairedShirt, calibrated_as_worn
 from playwright.sync_api import expect
 from processes.served_demo import running_demo
-from worn_shirt import WornShirt, calibrated_as_worn
 
 from folders import ROOT
 
@@ -258,7 +258,7 @@ def test_a_real_chair_is_armed_driven_stopped_and_ended(tablet, tmp_path):
     keep("chair-choose")
 
     database = next(tmp_path.rglob("bodydrive.sqlite"))
-    shirt = WornShirt(database.parent)
+    shirt = PairedShirt(database.parent)
     with chair.receiving(key_line), closing(shirt):
         wear(page, keep, shirt)
         calibrated_as_worn(database)

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from playwright.sync_api import expect
 from processes.served_demo import running_demo
-from processes.wearer import free_port
+from processes.udp_shirt import free_port
 
 from app.hardware.shirt.packet import encode
 from app.hardware.shirt.sender import waves

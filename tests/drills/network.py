@@ -33,7 +33,7 @@ async def weather(runs, dice):
             made.relay.weather = list(WEATHERS.values())[run % len(WEATHERS)]
             began = monotonic()
             for _ in range(6):
-                made.wearer.stroke()
+                made.shirt.stroke()
                 await asyncio.sleep(0.5)
             made.relay.weather = FAIR
             stops += made.receiver.newest["state"] != "armed"

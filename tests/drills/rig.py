@@ -1,4 +1,4 @@
-"""Real processes for a drill: a worn shirt, a control process, a bad network, a receiver; armed and cruising."""
+"""Real processes for a drill: a shirt, a control process, a bad network, a receiver; armed and cruising."""
 
 import asyncio
 import json
@@ -15,7 +15,7 @@ from drills.relay import Relay
 from drills.results import Watcher
 from processes.chair_process import ReceiverProcess
 from processes.running_control import clear, tick_with
-from processes.wearer import RATE, Wearer, free_port, paired_key_file, shirt_config
+from processes.udp_shirt import RATE, UdpShirtSender, free_port, paired_key_file, shirt_config
 
 from app.clock import MonotonicClock
 from app.faults import State
@@ -29,8 +29,8 @@ AFTER = 0.75  # s that a drill looks on after its injury
 TRIES = 6
 
 
-class DrillWearer(Wearer):
-    """A wearer whose shirt can stall, or break in some of its channels."""
+class DrillShirt(UdpShirtSender):
+    """A shirt that can stall, or break in some of its channels."""
 
     def __init__(self, parameters, port, key_file):
         self.stalled = False
@@ -72,7 +72,7 @@ class Rig:
         self.watcher = Watcher()
         self.shirt_port = free_port()
         self._key_file = paired_key_file(self._folder / "keys")
-        self.wearer = DrillWearer(PARAMETERS, self.shirt_port, self._key_file)
+        self.shirt = DrillShirt(PARAMETERS, self.shirt_port, self._key_file)
         self.control = None
         self.screen_age, self.screen = 0.0, "in view"
         self.beats = True
@@ -109,14 +109,14 @@ class Rig:
     async def cruise(self):
         """Arm, make one stroke, and return when the chair drives by itself."""
         for _ in range(TRIES):
-            self.wearer.rest()
+            self.shirt.rest()
             with suppress(LinkRefused):
                 await clear(self.control)
                 await self.control.call("arm", hash=PARAMETERS.hash)
             tick = await tick_with(self.control, _decided)
             if tick["state"] != State.ARMED:
                 continue
-            self.wearer.stroke()
+            self.shirt.stroke()
             tick = await tick_with(self.control, lambda tick: tick["state"] != State.ARMED or tick["driven_v"] > CRUISE)
             await asyncio.sleep(0.45)  # the stroke ends, and the arm is back
             if self.control.newest()["state"] == State.ARMED and self.receiver.newest["v"] > CRUISE:
@@ -134,7 +134,7 @@ class Rig:
         """Start a process that starts a control process and arms the chair, and return when the chair cruises."""
         self._runs += 1
         given = self._given()
-        self.wearer.rest()
+        self.shirt.rest()
         web = await asyncio.create_subprocess_exec(
             sys.executable, "-m", "drills.web", json.dumps(given), stdout=subprocess.PIPE, env=environment()
         )
@@ -154,7 +154,7 @@ class Rig:
     async def start_served_web(self):
         """Start the real web process, which arms the chair; return it and its port when the chair cruises."""
         self._runs += 1
-        self.wearer.rest()
+        self.shirt.rest()
         web = await asyncio.create_subprocess_exec(
             *(sys.executable, "-m", "drills.served_web", json.dumps(self._given())),
             stdout=subprocess.PIPE,
@@ -181,7 +181,7 @@ class Rig:
         }
 
     async def _stroke_and_cruise(self):
-        self.wearer.stroke()
+        self.shirt.stroke()
         await asyncio.to_thread(self.receiver.wait_for, lambda line: line["v"] > CRUISE)
         await asyncio.sleep(0.45)
 
@@ -209,7 +209,7 @@ class Rig:
 
     async def close(self):
         await self.end_control()
-        await asyncio.to_thread(self.wearer.close)
+        await asyncio.to_thread(self.shirt.close)
         self.relay.close()
         self.receiver.close()
         self.watcher.close()

@@ -10,7 +10,7 @@ from drills.injury import look_whether_it_drives
 from drills.results import Result
 from drills.rig import PARAMETERS, rig
 from processes.running_control import tick_with
-from processes.wearer import RATE
+from processes.udp_shirt import RATE
 
 from app.clock import monotonic
 from app.faults import State
@@ -34,7 +34,7 @@ async def second_sender(runs, dice):
                 began, number = monotonic(), int(made.control.newest()["number"])
                 sent += await _forge(made, dice, forger, began + FORGERY_TIME)
                 look_whether_it_drives(made, result, made.watcher.late(began, monotonic()))
-                made.wearer.stalled = True
+                made.shirt.stalled = True
                 silent = monotonic() + 0.1  # the last frames of the shirt may be on their way until then
                 sent += await _forge(made, dice, forger, silent + SILENCE)
                 ticks = made.control.since(number)
@@ -47,7 +47,7 @@ async def second_sender(runs, dice):
                 if made.control.newest()["state"] == State.ARMED or made.receiver.newest["v"]:
                     result.violations.append(f"run {result.runs + 1}: the chair drives without its shirt")
                 result.add(None, late=made.watcher.late(began, monotonic()))
-                made.wearer.stalled = False
+                made.shirt.stalled = False
                 await tick_with(made.control, lambda tick: tick["has_frame"])
                 await asyncio.sleep(LOSS_MEMORY)
     result.remark = f"{sent} frames, none was taken; 12,000 by themselves: test_signed_shirt.py"
@@ -58,7 +58,7 @@ async def _forge(made, dice, forger, until):
     """Send forged frames until the time `until` (monotonic s); return their number."""
     sent = 0
     while monotonic() < until:
-        for datagram in dice.choices(made.wearer.recent, k=20):
+        for datagram in dice.choices(made.shirt.recent, k=20):
             forger.sendto(_forged(dice, datagram), ("127.0.0.1", made.shirt_port))
             sent += 1
         await asyncio.sleep(0.01)

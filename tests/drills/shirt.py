@@ -13,10 +13,10 @@ async def shirt_stalls(runs, dice):
     async with rig() as made:
 
         async def stall():
-            made.wearer.stalled = True
+            made.shirt.stalled = True
 
         async def go_on():
-            made.wearer.stalled = False
+            made.shirt.stalled = False
             await asyncio.sleep(1.2)  # so long the frames that were lost count
 
         for _ in range(runs):
@@ -32,7 +32,7 @@ async def sensors_break(runs, dice):
     async with rig() as made:
 
         async def heal():
-            made.wearer.broken = {}
+            made.shirt.broken = {}
             await asyncio.sleep(0.3)
 
         for run in range(runs):
@@ -45,7 +45,7 @@ async def sensors_break(runs, dice):
                     place = dice.randrange(len(joint.channels))
                     value = {"rail": 1e4, "flat": joint.mean[place], "nan": float("nan")}[kind]
                     broken[joint.channels[place]] = value
-                made.wearer.broken = broken
+                made.shirt.broken = broken
 
             await injure_at_random(made, result, dice, break_, heal)
     result.remark = "flat counts after 200 ms; every channel and kind by itself: test_drive_modes.py"

@@ -68,7 +68,7 @@ class Office:
     def live(self, seconds):
         until = self.clock.now() + seconds
         while self.clock.now() < until:
-            self.loop.heard = self.loop.screen_seen = self.clock.now()
+            self.loop.last_heartbeat = self.loop.last_screen_report = self.clock.now()
             self.loop.turn()
 
     def close(self):

@@ -105,7 +105,7 @@ def test_cues_are_in_the_ticks_and_before_the_body_s_eyes(ring):
     times = [i / RATE for i in range(60)]
     loop = loop_with(ring, times)
     view = BodyView()
-    loop.setup.dressed = type("Dressed", (), {"view": view, "body": None})()
+    loop.setup.simulated_shirt = type("SimulatedShirt", (), {"view": view, "body": None})()
     cues = (Cue(start=0.1, end=0.2, kind="rest"), Cue(start=0.2, end=0.4, kind="move", joint="right_elbow"))
     loop.run = OpenRun("r", 3, "prompt", cues, 0.0, Writer())
     seen = []

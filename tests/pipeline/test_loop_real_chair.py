@@ -75,7 +75,7 @@ class Drive:
 
     def until(self, t):
         while self.clock.now() < t:
-            self.loop.heard = self.loop.screen_seen = self.clock.now()
+            self.loop.last_heartbeat = self.loop.last_screen_report = self.clock.now()
             self.loop.turn()
             if self.chair is not None:
                 self.chair.turn(self.clock.now())
@@ -171,7 +171,7 @@ def test_of_frames_that_waited_only_the_newest_is_told(make_drive, chair):
     before, held = len(chair.log), drive.ring.number
     while drive.setup.shirt.pending():
         drive.clock.time += 0.0005  # what decoding takes
-        drive.loop.heard = drive.loop.screen_seen = drive.clock.now()
+        drive.loop.last_heartbeat = drive.loop.last_screen_report = drive.clock.now()
         drive.loop.turn()
         chair.turn(drive.clock.now())
     speeds = drive.ring.since(held)[0]["v"].astype(np.float32).tolist()

@@ -63,7 +63,7 @@ def test_it_counts_armed_time_and_begins_anew_with_each_drive(office, tmp_path):
 
 def test_whom_to_follow_is_before_the_body_s_eyes(office):
     view = BodyView()
-    office.setup.dressed = type("Dressed", (), {"view": view, "body": None})()
+    office.setup.simulated_shirt = type("SimulatedShirt", (), {"view": view, "body": None})()
     office.done("world", floorplan=WORLD, path="behind")
     office.live(0.1)
     track = Track(office.setup.floorplan.mover_named("anna"))

@@ -8,7 +8,7 @@ from contextlib import asynccontextmanager
 import pytest
 from processes.chair_process import ReceiverProcess
 from processes.running_control import ROOM, armed, clear, refusal, running, tick_with
-from processes.wearer import Wearer, free_port, paired_key_file, shirt_config
+from processes.udp_shirt import UdpShirtSender, free_port, paired_key_file, shirt_config
 
 from app.clock import monotonic
 from app.faults import Fault, State
@@ -44,7 +44,7 @@ async def connected(chair, parameters, tmp_path):
     """Yield a control process with a worn shirt and this chair, a run begun."""
     port, key_file = free_port(), paired_key_file(tmp_path / "keys")
     async with running() as control:
-        wearer = Wearer(parameters, port, key_file)
+        shirt = UdpShirtSender(parameters, port, key_file)
         try:
             await control.call("shirt", config=shirt_config(parameters, port, key_file))
             await control.call("parameters", parameters=parameters.model_dump(mode="json"))
@@ -52,18 +52,18 @@ async def connected(chair, parameters, tmp_path):
             await tick_with(control, lambda tick: tick["has_frame"] and tick["chair_age"] < 0.3)
             run = {"run_id": "d", "folder": str(tmp_path / "run"), "kind": "drive", "cues": [], "meta": {}}
             await control.call("run", **run)
-            yield control, wearer
+            yield control, shirt
         finally:
-            await asyncio.to_thread(wearer.close)
+            await asyncio.to_thread(shirt.close)
 
 
 @asynccontextmanager
 async def cruising(chair, tmp_path):
     """Yield a control process whose chair drives by itself."""
-    async with connected(chair, CRUISING, tmp_path) as (control, wearer):
+    async with connected(chair, CRUISING, tmp_path) as (control, shirt):
         await show_switch(chair, control)
         await armed(control, CRUISING.hash)
-        wearer.stroke()
+        shirt.stroke()
         await tick_with(control, lambda tick: tick["driven_v"] > 0.2)
         await asyncio.sleep(0.6)  # the stroke is over
         assert control.newest()["state"] == State.ARMED
@@ -79,7 +79,7 @@ async def show_switch(chair, control):
 
 def test_from_refusals_to_a_drive_and_its_recording(chair, tmp_path):
     async def story():
-        async with connected(chair, VELOCITY, tmp_path) as (control, wearer):
+        async with connected(chair, VELOCITY, tmp_path) as (control, shirt):
             assert "recorded already" in await refusal(control, "chair", config={"kind": "virtual"})
             assert "changed meanwhile" in await refusal(control, "arm", hash="0" * 64)
             status = await control.call("status")
@@ -100,7 +100,7 @@ def test_from_refusals_to_a_drive_and_its_recording(chair, tmp_path):
             assert checked.index("checking") < checked.index("armed")
             assert "armed" in await refusal(control, "chair", config={"kind": "virtual"})
             assert not any(line["v"] or line["omega"] for line in chair.lines)
-            wearer.stroke()
+            shirt.stroke()
             driven = await tick_with(control, lambda tick: tick["driven_v"] > 0.1)
             assert driven["x"] >= 0.0
             await tick_with(control, lambda tick: tick["driven_v"] == 0.0 and tick["v"] == 0.0)
@@ -129,7 +129,7 @@ def test_from_refusals_to_a_drive_and_its_recording(chair, tmp_path):
 
 def test_acceleration_mode_needs_a_switch_that_was_seen(chair, tmp_path):
     async def story():
-        async with connected(chair, CRUISING, tmp_path) as (control, _wearer):
+        async with connected(chair, CRUISING, tmp_path) as (control, _shirt):
             assert "press and release it once" in await refusal(control, "arm", hash=CRUISING.hash)
             await show_switch(chair, control)
             await armed(control, CRUISING.hash)

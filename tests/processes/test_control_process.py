@@ -11,7 +11,7 @@ import sys
 import numpy as np
 import pytest
 from processes.running_control import PATIENCE, ROOM, SIMULATED, refusal, running, tick_with
-from processes.wearer import RATE, Wearer, free_port, shirt_config
+from processes.udp_shirt import RATE, UdpShirtSender, free_port, shirt_config
 
 from app.faults import Fault, State
 from app.pipeline.process import main
@@ -66,7 +66,7 @@ def test_without_a_heartbeat_nothing_is_armed():
     async def story():
         port = free_port()
         control = await ControlProcess.start()
-        wearer = Wearer(parameters, port)
+        shirt = UdpShirtSender(parameters, port)
         try:
             await control.call("shirt", config=shirt_config(parameters, port))
             await control.call("parameters", parameters=parameters.model_dump(mode="json"))
@@ -76,7 +76,7 @@ def test_without_a_heartbeat_nothing_is_armed():
             assert tick["fault"] == Fault.WEB_SILENT
             assert not np.any(control.since(0)["state"] == State.ARMED)
         finally:
-            wearer.close()
+            shirt.close()
             await control.close()
 
     asyncio.run(story())

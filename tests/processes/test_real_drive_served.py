@@ -7,10 +7,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from paired_shirt import PairedShirt, calibrated_as_worn
 from processes.chair_process import ReceiverProcess
 from processes.served_demo import Demo, bodydrive, until
-from processes.wearer import free_port
-from worn_shirt import WornShirt, calibrated_as_worn
+from processes.udp_shirt import free_port
 
 from app.hardware.chair.key import Key, write_key
 from app.speeds import Speeds
@@ -74,7 +74,7 @@ def armed(demo: Demo, live: Any) -> Any:
     raise AssertionError(f"it could not be armed: {message['fault']}")
 
 
-def wear(demo: Demo, live: Any, shirt: WornShirt, database: Path) -> None:
+def wear(demo: Demo, live: Any, shirt: PairedShirt, database: Path) -> None:
     """Put on a worn shirt in place of the simulated one; each refusal of the simulated one is looked at first."""
     refusals = good(demo, "GET", "/drives/summary")["refusals"]
     assert any("nobody wears it" in sentence for sentence in refusals)
@@ -92,7 +92,7 @@ def test_the_story_of_a_real_chair(demo: Demo, tmp_path: Path) -> None:
     write_key(tmp_path / "7.key", Key(int(number), bytes.fromhex(secret)))
     receiver = ReceiverProcess(tmp_path, port)
     database = next(tmp_path.rglob("bodydrive.sqlite"))
-    shirt = WornShirt(database.parent)
+    shirt = PairedShirt(database.parent)
     screen = InView(demo)
     try:
         with demo.socket("live") as live:

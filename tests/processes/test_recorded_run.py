@@ -5,7 +5,7 @@ import asyncio
 import numpy as np
 import pytest
 from processes.running_control import ROOM, SIMULATED, armed, refusal, running, tick_with
-from processes.wearer import Wearer, free_port, shirt_config
+from processes.udp_shirt import UdpShirtSender, free_port, shirt_config
 
 from app.faults import Fault, State
 from app.pipeline.replay.exact_rerun import Replayed, replay_run
@@ -71,14 +71,14 @@ def test_a_drive_is_recorded_and_decoding_the_recording_gives_the_same_drive(tmp
             assert digest == parameters.hash
             await control.call("chair", config={"kind": "virtual", "dynamics": dynamics})
             await control.call("world", floorplan=ROOM, path="ahead")
-            wearer = Wearer(parameters, port)
+            shirt = UdpShirtSender(parameters, port)
             try:
                 await tick_with(control, lambda tick: tick["has_frame"])
                 await control.call("run", run_id="d", folder=str(tmp_path / "run"), kind="drive", cues=[], meta={})
                 await armed(control, digest)
                 start = control.newest()
                 assert (start["x"], start["y"], start["theta"]) == (1.0, 0.5, 0.0)
-                wearer.stroke()
+                shirt.stroke()
                 await tick_with(control, lambda tick: tick["x"] > 1.3)
                 assert "armed" in await refusal(control, "parameters", parameters=None)
                 assert "armed" in await refusal(control, "world", floorplan=None, path=None)
@@ -96,7 +96,7 @@ def test_a_drive_is_recorded_and_decoding_the_recording_gives_the_same_drive(tmp
                 await control.call("end_run")
                 assert control.newest()["state"] == State.DISARMED
             finally:
-                wearer.close()
+                shirt.close()
 
     asyncio.run(story())
     run = read_run(tmp_path / "run")

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import psutil
 import pytest
-from processes.wearer import Wearer, free_port
+from processes.udp_shirt import UdpShirtSender, free_port
 
 from app.clock import monotonic
 from app.faults import State
@@ -91,16 +91,16 @@ def drive():
         text=True,
         cwd=TESTS.parent,
     )
-    wearer = Wearer(parameters, port)
+    shirt = UdpShirtSender(parameters, port)
     control = None
     try:
         control = psutil.Process(int(web.stdout.readline()))
         assert web.stdout.readline().startswith("armed")
-        wearer.stroke()
+        shirt.stroke()
         reports.wait_for(lambda report: report.state is State.ARMED and report.v > 0.2)
         yield Drive(web, control, reports)
     finally:
-        wearer.close()
+        shirt.close()
         web.kill()
         web.communicate()
         if control is not None:

@@ -9,7 +9,7 @@ import sys
 
 sys.path.insert(0, sys.argv[1])
 
-from processes.wearer import shirt_config
+from processes.udp_shirt import shirt_config
 
 from app.faults import State
 from app.process.supervisor import ControlProcess

@@ -1,29 +1,29 @@
-"""Which sender is the shirt: the first one of a good frame, until a person takes another one (safety S23)."""
+"""Choose which sender is the shirt: that of the first good frame, until a person chooses another (safety S23)."""
 
 from typing import Any
 
-MOST = 8  # other senders that are remembered by name; more are only counted
+MOST = 8  # other senders whose addresses are kept; frames of more senders are only counted
 
 Address = tuple[Any, ...]
-"""What the socket calls a sender: host and port first."""
+"""A sender as a socket returns it: host and port first."""
 
 
-class Senders:
-    """One sender is the shirt; the frames of all others are counted and left out.
+class SenderChoice:
+    """One sender is the shirt; the frames of all others are counted and ignored.
 
     Attributes
     ----------
-    others : int
-        Good frames of other senders since the shirt was opened.
+    other_frames : int
+        Good frames of other senders since the shirt was opened or another sender was chosen.
     """
 
-    __slots__ = ("_boot", "_current", "_frames", "others")
+    __slots__ = ("_boot", "_current", "_frames", "other_frames")
 
     def __init__(self) -> None:
-        self.others = 0
+        self.other_frames = 0
         self._current: Address | None = None
         self._boot = 0
-        self._frames: dict[Address, int] = {}  # other senders, and how many good frames came from each
+        self._frames: dict[Address, int] = {}  # other senders, and the number of good frames from each
 
     @property
     def name(self) -> str:
@@ -38,29 +38,30 @@ class Senders:
     def takes(self, address: Address, boot: int, silent: bool) -> bool:
         """Return whether a good frame from `address` is the shirt's.
 
-        `boot` is the boot counter of a signed frame, 0 of any other. A device with the same key that was started again
-        may come from another address, but only when the one before was `silent` for so long that nothing is armed.
+        `boot` is the boot counter of a signed frame, 0 of an unsigned one. A device with the same key that was started
+        again may send from another address, but only after the previous sender was `silent` for so long that nothing
+        is armed.
         """
         if address == self._current or self._current is None or (boot > self._boot and silent):
             self._current, self._boot = address, boot
             return True
-        self.others += 1
+        self.other_frames += 1
         if address in self._frames or len(self._frames) < MOST:
             self._frames[address] = self._frames.get(address, 0) + 1
         return False
 
     def use(self, name: str) -> bool:
-        """Take another sender as the shirt, by its name; False when none of this name sent good frames."""
+        """Accept another sender as the shirt, by its name; False when none of this name sent good frames."""
         for address in self._frames:
             if address_text(address) == name:
                 self._current, self._boot = address, 0
                 self._frames.clear()
-                self.others = 0
+                self.other_frames = 0
                 return True
         return False
 
 
 def address_text(address: Address) -> str:
-    """Return an address as people write it."""
+    """Return an address as HOST:PORT, an IPv6 host in brackets."""
     host, port = address[:2]
     return f"[{host}]:{port}" if ":" in host else f"{host}:{port}"

@@ -12,7 +12,7 @@ from app.hardware.chair.key import Key, KeyRefused, read_key
 from app.hardware.configs import UdpConfig
 from app.hardware.shirt.newest import NewestFrame, newest_file
 from app.hardware.shirt.packet import LONGEST, Packet, decode, decode_signed, refusal
-from app.hardware.shirt.senders import Address, Senders
+from app.hardware.shirt.sender_choice import Address, SenderChoice
 from app.hardware.shirt.sequence import Sequence
 from app.messages import SensorFrame
 
@@ -36,7 +36,7 @@ class UdpShirt:
         self.layout = config.layout
         self.sample_rate = config.sample_rate
         self.address: tuple[str, int] = (config.host, config.port)  # with the true port once open
-        self.senders = Senders()
+        self.sender_choice = SenderChoice()
         self.junk = 0  # datagrams that were no frame of this shirt
         self.repeated = 0  # signed frames that came again, or after a newer one
         self._key_file = None if config.key_file is None else Path(config.key_file)
@@ -69,7 +69,7 @@ class UdpShirt:
         """
         self.close()
         self._sequence = Sequence()
-        self.senders = Senders()
+        self.sender_choice = SenderChoice()
         self.junk = self.repeated = self._boot = 0
         self._refusal = ""
         self._heard = -math.inf
@@ -112,7 +112,7 @@ class UdpShirt:
         if self._newest is not None and not self._newest.is_new(boot, packet[0]):
             self.repeated += 1
             return None
-        if not self.senders.takes(self._sender, boot, now - self._heard > SILENCE):
+        if not self.sender_choice.takes(self._sender, boot, now - self._heard > SILENCE):
             return None
         if self._newest is not None and not self._newest.take(boot, packet[0]):
             return None
@@ -123,7 +123,7 @@ class UdpShirt:
 
     def use_sender(self, name: str) -> bool:
         """Take another sender as the shirt; False when none of this name (HOST:PORT) sent good frames."""
-        if not self.senders.use(name):
+        if not self.sender_choice.use(name):
             return False
         self._sequence.forget()
         return True
@@ -146,8 +146,8 @@ class UdpShirt:
             return f"The shirt is not listened for{why}."
         host, port = self.address
         if self._clock.now() - self._heard > ALIVE:
-            return f"No frames from {self.senders.name or 'a shirt'} on {host}:{port}{why}{self._others()}."
-        words = f"Shirt on {host}:{port} from {self.senders.name}, {self._channels} channels"
+            return f"No frames from {self.sender_choice.name or 'a shirt'} on {host}:{port}{why}{self._others()}."
+        words = f"Shirt on {host}:{port} from {self.sender_choice.name}, {self._channels} channels"
         if self._sequence.lost:
             words += f", {self._sequence.lost} frames lost"
         if self.junk:
@@ -156,9 +156,9 @@ class UdpShirt:
 
     def _others(self) -> str:
         """Return what is to be said of frames that are left out, empty when there are none."""
-        words = ""
-        if self.senders.others:
-            words += f", {self.senders.others} frames of another sender ({self.senders.other}) left out"
+        words, choice = "", self.sender_choice
+        if choice.other_frames:
+            words += f", {choice.other_frames} frames of another sender ({choice.other}) left out"
         if self.repeated:
             words += f", {self.repeated} repeated frames left out"
         return words

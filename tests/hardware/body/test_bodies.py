@@ -4,7 +4,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from app.cues import Cue
-from app.hardware.base import BodyView, HardwareError, Movable
+from app.hardware.base import BodyView, HardwareError, MovableBody
 from app.hardware.body.cued import CuedBody
 from app.hardware.body.joints import ARM_DEGREES_OF_FREEDOM, degrees_of_freedom, second_way
 from app.hardware.body.minimum_jerk import Reach, minimum_jerk
@@ -163,8 +163,8 @@ def test_where_no_joint_can_go_nothing_goes(joints):
 
 
 def test_the_visitor_can_be_moved_and_a_body_of_its_own_will_cannot():
-    assert isinstance(Visitor(), Movable)
-    assert not isinstance(CuedBody(ARM_DEGREES_OF_FREEDOM, 1), Movable)
+    assert isinstance(Visitor(), MovableBody)
+    assert not isinstance(CuedBody(ARM_DEGREES_OF_FREEDOM, 1), MovableBody)
 
 
 def write_rotations(file, seconds=12.0, joints=("right_elbow",), rate=50.0):

@@ -1,11 +1,11 @@
-"""A paired shirt over the network that a body wears: the frames of the simulated shirt, signed, from a thread."""
+"""A paired shirt over the network: a thread sends the frames of the simulated shirt, signed."""
 
 import socket
 import sqlite3
 import threading
 from contextlib import closing
 
-from processes.wearer import free_port
+from processes.udp_shirt import free_port
 
 from app.clock import MonotonicClock
 from app.hardware.body.visitor import Visitor
@@ -22,7 +22,7 @@ def calibrated_as_worn(database):
         connection.execute("UPDATE profile SET simulated = 0")
 
 
-class WornShirt:
+class PairedShirt:
     """Pairs with the clinic in a state folder and sends to it until it is closed; its body rests until it is moved."""
 
     def __init__(self, state):

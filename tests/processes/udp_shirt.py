@@ -1,4 +1,4 @@
-"""A shirt over UDP, paired, that is worn by nobody: at rest, or one stroke of the right elbow, from a thread."""
+"""A shirt over UDP, sent by a thread: at rest, or with one stroke of the right elbow; signed when it is paired."""
 
 import socket
 import threading
@@ -32,7 +32,7 @@ def shirt_config(parameters, port, key_file=None):
     return {**where, "layout": layout, "sample_rate": RATE, "key_file": key_file and str(key_file)}
 
 
-class Wearer:
+class UdpShirtSender:
     """Sends frames at 100 Hz until it is closed, signed when it has a key; after a stroke the arm stays where it is."""
 
     def __init__(self, parameters, port, key_file=None):
