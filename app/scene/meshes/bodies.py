@@ -62,6 +62,21 @@ def quads(corners: NDArray[np.float64]) -> Mesh:
     return Mesh(corners.reshape(-1, 3).astype(np.float64), faces.astype(np.int64))
 
 
+def surface(grid: NDArray[np.float64], *, is_closed: bool = False) -> Mesh:
+    """Return the smooth surface through a grid of points (n_rows, n_columns, 3).
+
+    The last column is joined to the first, and with `is_closed` the last row to the first, too. Seen from outside,
+    columns run to the right and rows downwards.
+    """
+    numbers = np.arange(grid.shape[0] * grid.shape[1]).reshape(grid.shape[:2])
+    numbers = np.hstack([numbers, numbers[:, :1]])
+    if is_closed:
+        numbers = np.vstack([numbers, numbers[:1]])
+    corner, below, across, right = numbers[:-1, :-1], numbers[1:, :-1], numbers[1:, 1:], numbers[:-1, 1:]
+    faces = np.concatenate([np.stack([corner, below, across], axis=-1), np.stack([corner, across, right], axis=-1)])
+    return Mesh(grid.reshape(-1, 3), faces.reshape(-1, 3))
+
+
 def rectangle(x_min: float, y_min: float, x_max: float, y_max: float, z: float) -> Mesh:
     """Return a horizontal rectangle at height `z` (m) that faces up, with sides along x and y."""
     return quads(np.array([[[x_min, y_min, z], [x_max, y_min, z], [x_max, y_max, z], [x_min, y_max, z]]]))
@@ -101,38 +116,17 @@ def tube(start: Vector, end: Vector, radius: float, end_radius: float | None = N
     ring = np.cos(turns)[:, np.newaxis] * across + np.sin(turns)[:, np.newaxis] * third
     low = a + radius * ring
     high = b + (radius if end_radius is None else end_radius) * ring
-    here = np.arange(sides)
-    after = (here + 1) % sides
-    side_faces = np.concatenate(
-        [np.stack([here, after, sides + after], axis=1), np.stack([here, sides + after, sides + here], axis=1)]
-    )
-    fan = np.stack([np.zeros(sides - 2, dtype=np.int64), here[1:-1], here[2:]], axis=1)
-    return merged([Mesh(np.concatenate([low, high]), side_faces), Mesh(high, fan), Mesh(low, fan[:, ::-1])])
+    fan = np.array([[0, k, k + 1] for k in range(1, sides - 1)])
+    return merged([surface(np.stack([high, low])), Mesh(high, fan), Mesh(low, fan[:, ::-1])])
 
 
 def ball(middle: Vector, radius: float | Vector, sides: int = ROUND) -> Mesh:
     """Return a sphere, or an ellipsoid with three radii (m)."""
-    rows = sides // 2
-    polar = np.linspace(0.0, math.pi, rows + 1)
+    polar = np.linspace(0.0, math.pi, sides // 2 + 1)
     turns = np.linspace(0.0, math.tau, sides, endpoint=False)
-    grid = np.stack(
-        [
-            np.outer(np.sin(polar), np.cos(turns)),
-            np.outer(np.sin(polar), np.sin(turns)),
-            np.outer(np.cos(polar), np.ones(sides)),
-        ],
-        axis=-1,
-    ).reshape(-1, 3)
-    row, here = np.meshgrid(np.arange(rows), np.arange(sides), indexing="ij")
-    top_left, top_right = row * sides + here, row * sides + (here + 1) % sides
-    low_left, low_right = top_left + sides, top_right + sides
-    faces = np.concatenate(
-        [
-            np.stack([top_left, low_left, low_right], axis=-1).reshape(-1, 3),
-            np.stack([top_left, low_right, top_right], axis=-1).reshape(-1, 3),
-        ]
-    )
-    return Mesh(grid * np.array(radius) + np.array(middle), faces)
+    x, y = np.outer(np.sin(polar), np.cos(turns)), np.outer(np.sin(polar), np.sin(turns))
+    z = np.outer(np.cos(polar), np.ones(sides))
+    return surface(np.stack([x, y, z], axis=-1) * np.array(radius) + np.array(middle))
 
 
 def limb(points: Sequence[Vector], radius: float, sides: int = 12) -> Mesh:
@@ -155,20 +149,9 @@ def wheel(middle: Vector, radius: float, width: float, tyre: float, sides: int =
     turns = np.linspace(0.0, math.tau, sides, endpoint=False)
     section = np.linspace(0.0, math.tau, 10, endpoint=False)
     reach = radius - tyre / 2 + np.cos(section) * tyre / 2
-    grid = np.stack(
-        [
-            np.outer(np.cos(turns), reach),
-            np.broadcast_to(np.sin(section) * width / 2, (sides, len(section))),
-            np.outer(np.sin(turns), reach),
-        ],
-        axis=-1,
-    ).reshape(-1, 3)
-    row, here = np.meshgrid(np.arange(sides), np.arange(len(section)), indexing="ij")
-    after, next_row = (here + 1) % len(section), (row + 1) % sides
-    a, b = row * len(section) + here, row * len(section) + after
-    c, d = next_row * len(section) + after, next_row * len(section) + here
-    faces = np.concatenate([np.stack([a, b, c], axis=-1).reshape(-1, 3), np.stack([a, c, d], axis=-1).reshape(-1, 3)])
-    return Mesh(grid + np.array(middle), faces)
+    x, z = np.outer(reach, np.cos(turns)), np.outer(reach, np.sin(turns))
+    y = np.outer(np.sin(section) * width / 2, np.ones(sides))
+    return surface(np.stack([x, y, z], axis=-1) + np.array(middle), is_closed=True)
 
 
 def strip(points: Sequence[Sequence[float]], width: float, z: float) -> Mesh:
