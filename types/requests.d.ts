@@ -43,12 +43,9 @@ type Json<Content> = Content extends { content: { "application/json": infer Valu
 
 type Success<Responses> = Json<Responses[keyof Responses]>;
 
-/** A document with every default filled in, as the server answers it. */
-export type Complete<Value> = Value extends object ? { [Name in keyof Value]-?: Complete<Value[Name]> } : Value;
-
 /** What a successful call answers; null when it answers nothing. */
 export type Answer<M extends Method, P extends string> =
-  Operation<M, P> extends { responses: infer Responses } ? Complete<Success<Responses>> : never;
+  Operation<M, P> extends { responses: infer Responses } ? Success<Responses> : never;
 
 /** What a call sends; unknown where the API reads the body itself, as of floor plans. */
 export type Body<M extends Method, P extends string> =

@@ -1,42 +1,47 @@
-/** Asks the application, a moment after the last change, whether a plan can be driven in. */
+/** Asks the server, a moment after the last change, whether a plan can be driven in. */
+import { failureWords } from "../api.js";
 import { t } from "../texts.js";
+import { LISTS } from "./document.js";
 
 const WAIT = 400; // ms
 
 /**
- * @param {import("../main.js").App} app
- * @param {(answer: {good: boolean, begun?: boolean, sentence: string, place: any[], at: any}) => void} onAnswer
+ * @typedef {import("./document.js").Plan} Plan
+ * @typedef {import("types/api").CheckView & {isIncomplete?: boolean}} Verdict isIncomplete: not yet a plan to judge
  */
-export function checker(app, onAnswer) {
+
+/** @param {import("../main.js").App} app @param {(verdict: Verdict) => void} onVerdict */
+export function checker(app, onVerdict) {
   let timer = 0;
-  let asked = 0;
+  let newest = 0; // number of the newest request
+  /** @param {Plan} plan */
   const ask = async (plan) => {
-    const mine = ++asked;
+    const mine = ++newest;
     if (!plan.paths.length)
-      return onAnswer({ good: false, begun: true, sentence: t("editor.no-path"), place: [], at: null });
+      return onVerdict({ good: false, isIncomplete: true, sentence: t("editor.no-path"), place: [], at: null });
     try {
       const answer = await app.api.post("/floorplans/check", plan);
-      if (mine === asked) onAnswer(answer);
+      if (mine === newest) onVerdict(answer);
     } catch (error) {
-      if (mine === asked) onAnswer({ good: false, sentence: error.message, place: [], at: null });
+      if (mine === newest) onVerdict({ good: false, sentence: failureWords(error), place: [], at: null });
     }
   };
   return {
-    /** @param {any} plan */
+    /** @param {Plan} plan */
     later(plan) {
       clearTimeout(timer);
-      asked += 1; // what was asked about an older plan is not told any more
+      newest += 1; // answers about an older plan are not reported any more
       timer = setTimeout(() => ask(plan), WAIT);
     },
     end() {
       clearTimeout(timer);
-      asked += 1;
+      newest += 1;
     },
   };
 }
 
-/** The thing of a plan that an answer is about. @param {any[]} place */
-export function refOf(place) {
-  const [list, index] = place;
-  return typeof list === "string" && typeof index === "number" ? { list, index } : null;
+/** The item of a plan that a verdict names. @param {Verdict["place"]} place @returns {import("./document.js").Ref | null} */
+export function refAt([name, index]) {
+  const list = LISTS.find((one) => one === name);
+  return list && typeof index === "number" ? { list, index } : null;
 }

@@ -1,13 +1,63 @@
 /**
  * Floor plan documents: each function returns another document and leaves the given one as it is.
- * @typedef {import("./geometry.js").Place} Place
- * @typedef {{list: string, index: number, point?: number}} Ref one thing of a plan, and maybe one of its points
- * @typedef {Record<string, any>} Plan as docs/floorplans.md describes it
+ * @import { Box, Cone, Cylinder, Door, FloorPlan, Gap, Mover, PrescribedPath, Room } from "types/api"
+ * @import { Point } from "../plan/floor_plan.js"
+ * @typedef {typeof LISTS[number]} ListName
+ * @typedef {{list: ListName, index: number, point?: number}} Ref an item of a plan, and maybe one of its points
+ * @typedef {Record<string, unknown>} Fields new values by the name of the field
  */
-import { awayFrom, boundsOf, distance, lengthOf, tidy } from "./geometry.js";
 
-export const LISTS = ["paths", "cones", "doors", "obstacles", "walls", "movers", "gaps", "rooms"];
-const PACE = 0.25; // m/s, the mean speed that a new path's time limit allows
+/**
+ * A document in which only some fields must be written; the others have defaults (docs/floorplans.md).
+ * @template T @template {keyof T} Needed
+ * @typedef {Partial<T> & Pick<T, Needed>} Sparse
+ */
+
+/**
+ * @typedef {Sparse<PrescribedPath, "name" | "title" | "points" | "instruction">} PathItem
+ * @typedef {Sparse<Box, "kind" | "label" | "position" | "size"> | Sparse<Cylinder, "kind" | "label" | "position" | "radius">} ObstacleItem
+ * @typedef {Sparse<Door, "position">} DoorItem
+ * @typedef {Sparse<Gap, "label" | "position" | "width">} GapItem
+ * @typedef {Sparse<Cone, "position">} ConeItem
+ * @typedef {Sparse<Mover, "name" | "kind" | "points" | "pace">} MoverItem
+ */
+
+/**
+ * A floor plan as it is edited.
+ * @typedef {Partial<Pick<FloorPlan, "wall_height" | "wall_thickness" | "ground" | "lights">> & PlanLists} Plan
+ * @typedef {object} PlanLists
+ * @property {string} name
+ * @property {string} title
+ * @property {Point[][]} walls
+ * @property {PathItem[]} paths
+ * @property {ObstacleItem[]} [obstacles]
+ * @property {Room[]} [rooms]
+ * @property {DoorItem[]} [doors]
+ * @property {ConeItem[]} [cones]
+ * @property {GapItem[]} [gaps]
+ * @property {MoverItem[]} [movers]
+ */
+
+/**
+ * The geometry and the words of an item; which of them an item has depends on its list.
+ * @typedef {object} ItemFields
+ * @property {Point} [position]
+ * @property {Point[]} [points]
+ * @property {number} [radius] m
+ * @property {[number, number]} [size] m
+ * @property {number} [width] m
+ * @property {number} [height] m
+ * @property {number} [angle] rad
+ * @property {number} [heading] rad
+ * @property {string} [label]
+ * @property {string} [title]
+ * @property {string} [name]
+ * @typedef {Point[] | ItemFields} Item a wall is its points
+ */
+import { boundsOf, distance, distanceToLine, lengthOf, tidy } from "./geometry.js";
+
+export const LISTS = /** @type {const} */ (["paths", "cones", "doors", "obstacles", "walls", "movers", "gaps", "rooms"]);
+const PACE = 0.25; // m/s, the mean speed for which the time limit of a new path suffices
 const SHORTEST_TIME = 60; // s
 
 /** @param {string} title @returns {Plan} */
@@ -15,86 +65,103 @@ export function emptyPlan(title) {
   return { name: "plan", title, walls: [], obstacles: [], rooms: [], doors: [], cones: [], paths: [] };
 }
 
+/** The items of one list. @param {Plan} plan @param {ListName} list @returns {Item[]} */
+export function itemsOf(plan, list) {
+  return plan[list] ?? [];
+}
+
 /** @param {Plan} plan @param {Ref} ref */
-export function thing(plan, ref) {
-  return (plan[ref.list] ?? [])[ref.index];
+export function itemOf(plan, ref) {
+  return itemsOf(plan, ref.list)[ref.index];
 }
 
-/** The points of a wall, a path or a mover; of other things their position. @param {Plan} plan @param {Ref} ref @returns {Place[]} */
+/** The fields of an item; a wall has none. @param {Plan} plan @param {Ref} ref @returns {ItemFields} */
+export function fieldsOf(plan, ref) {
+  const item = itemOf(plan, ref);
+  return Array.isArray(item) ? {} : item;
+}
+
+/** The points of a wall, a path or a mover; the position of another item. @param {Plan} plan @param {Ref} ref @returns {Point[]} */
 export function pointsOf(plan, ref) {
-  const found = thing(plan, ref);
-  return Array.isArray(found) ? found : (found.points ?? [found.position]);
+  const item = itemOf(plan, ref);
+  if (Array.isArray(item)) return item;
+  return item.points ?? [/** @type {Point} */ (item.position)]; // every item has points or a position
 }
 
-/** @param {Plan} plan @param {string} list @param {any} added @returns {{plan: Plan, ref: Ref}} */
-export function add(plan, list, added) {
-  const all = [...(plan[list] ?? []), added];
+/** @param {Plan} plan @param {ListName} list @param {Item} item @returns {{plan: Plan, ref: Ref}} */
+export function add(plan, list, item) {
+  const all = [...itemsOf(plan, list), item];
   return { plan: { ...plan, [list]: all }, ref: { list, index: all.length - 1 } };
 }
 
-/** @param {Plan} plan @param {Ref} ref @param {any} other @returns {Plan} */
-function replaced(plan, { list, index }, other) {
-  return { ...plan, [list]: plan[list].map((one, i) => (i === index ? other : one)) };
+/** @param {Plan} plan @param {Ref} ref @param {Item} other @returns {Plan} */
+function replaceItem(plan, { list, index }, other) {
+  return { ...plan, [list]: itemsOf(plan, list).map((item, i) => (i === index ? other : item)) };
 }
 
-/** Change fields of a thing; undefined takes one away. @param {Plan} plan @param {Ref} ref @param {Record<string, any>} fields */
+/** Change fields of an item; undefined removes a field. @param {Plan} plan @param {Ref} ref @param {Fields} fields */
 export function change(plan, ref, fields) {
-  const next = { ...thing(plan, ref), ...fields };
+  /** @type {Fields} */
+  const next = { ...itemOf(plan, ref), ...fields };
   for (const [name, value] of Object.entries(fields)) if (value === undefined) delete next[name];
-  return replaced(plan, ref, next);
+  return replaceItem(plan, ref, next);
 }
 
-/** Take a thing away. @param {Plan} plan @param {Ref} ref @returns {Plan} */
+/** Remove an item. @param {Plan} plan @param {Ref} ref @returns {Plan} */
 export function remove(plan, { list, index }) {
-  return { ...plan, [list]: plan[list].filter((_, i) => i !== index) };
+  return { ...plan, [list]: itemsOf(plan, list).filter((_, i) => i !== index) };
 }
 
-/** @param {Plan} plan @param {Ref} ref @param {Place[]} points @returns {Plan} */
+/** @param {Plan} plan @param {Ref} ref @param {Point[]} points @returns {Plan} */
 export function setPoints(plan, ref, points) {
-  const found = thing(plan, ref);
-  if (Array.isArray(found)) return replaced(plan, ref, points);
-  return found.points ? change(plan, ref, { points }) : change(plan, ref, { position: points[0] });
+  const item = itemOf(plan, ref);
+  if (Array.isArray(item)) return replaceItem(plan, ref, points);
+  return item.points ? change(plan, ref, { points }) : change(plan, ref, { position: points[0] });
 }
 
-/** Move a thing, or the one of its points that is chosen. @param {Plan} plan @param {Ref} ref @param {number} dx m @param {number} dy m */
-export function movedBy(plan, ref, dx, dy) {
-  const points = pointsOf(plan, ref).map(([x, y], i) =>
-    ref.point === undefined || ref.point === i ? [tidy(x + dx), tidy(y + dy)] : [x, y],
-  );
-  return setPoints(plan, ref, points);
+/** Move an item, or only its chosen point. @param {Plan} plan @param {Ref} ref @param {number} dx m @param {number} dy m */
+export function moveBy(plan, ref, dx, dy) {
+  /** @param {Point} point @param {number} i @returns {Point} */
+  const move = ([x, y], i) => (ref.point === undefined || ref.point === i ? [tidy(x + dx), tidy(y + dy)] : [x, y]);
+  return setPoints(plan, ref, pointsOf(plan, ref).map(move));
 }
 
-/** The same, to a place: where the thing's first point, or the chosen one, comes to lie. @param {Plan} plan @param {Ref} ref @param {Place} place */
-export function movedTo(plan, ref, place) {
+/** Move an item so that its first point lies at a place, or move only its chosen point there. @param {Plan} plan @param {Ref} ref @param {Point} place */
+export function moveTo(plan, ref, place) {
   const [x, y] = pointsOf(plan, ref)[ref.point ?? 0];
-  return movedBy(plan, ref, place[0] - x, place[1] - y);
+  return moveBy(plan, ref, place[0] - x, place[1] - y);
 }
 
-/** Put a point between a chosen one and the next (or beyond the last one). @param {Plan} plan @param {Ref} ref @returns {{plan: Plan, ref: Ref}} */
-export function withPointAfter(plan, ref) {
+/** Insert a point halfway between the chosen one and the next, or 1 m beyond the last one. @param {Plan} plan @param {Ref} ref @returns {{plan: Plan, ref: Ref}} */
+export function insertPoint(plan, ref) {
   const points = pointsOf(plan, ref);
   const i = ref.point ?? points.length - 1;
   const [a, b] = i + 1 < points.length ? [points[i], points[i + 1]] : [points[i], beyond(points)];
+  /** @type {Point} */
   const middle = i + 1 < points.length ? [tidy((a[0] + b[0]) / 2), tidy((a[1] + b[1]) / 2)] : b;
   const next = [...points.slice(0, i + 1), middle, ...points.slice(i + 1)];
   return { plan: setPoints(plan, ref, next), ref: { ...ref, point: i + 1 } };
 }
 
+/** The point 1 m beyond the end of a line. @param {Point[]} points @returns {Point} */
 function beyond(points) {
   const [[ax, ay], [bx, by]] = points.slice(-2);
   const length = Math.hypot(bx - ax, by - ay) || 1;
   return [tidy(bx + (bx - ax) / length), tidy(by + (by - ay) / length)];
 }
 
-/** Take a chosen point away; a line keeps two. @param {Plan} plan @param {Ref} ref @returns {{plan: Plan, ref: Ref}} */
-export function withoutPoint(plan, ref) {
+/** Remove the chosen point; a line keeps two. @param {Plan} plan @param {Ref} ref @returns {{plan: Plan, ref: Ref}} */
+export function removePoint(plan, ref) {
   const points = pointsOf(plan, ref);
   if (ref.point === undefined || points.length <= 2) return { plan, ref };
   const next = points.filter((_, i) => i !== ref.point);
   return { plan: setPoints(plan, ref, next), ref: { ...ref, point: Math.min(ref.point, next.length - 1) } };
 }
 
-/** A path's document through points, with a name of its own. @param {Plan} plan @param {Place[]} points */
+/**
+ * A path through some points, with a name that no other path of the plan has.
+ * @param {Pick<Plan, "paths">} plan @param {Point[]} points @returns {PathItem}
+ */
 export function newPath(plan, points) {
   const names = plan.paths.map(({ name }) => name);
   const number = firstFree((n) => (n === 1 ? "main" : `path-${n}`), names);
@@ -108,18 +175,19 @@ export function newPath(plan, points) {
   };
 }
 
-/** How long a path may take at a slow pace. @param {Place[]} points @returns {number} s */
+/** The time limit of a path for a slow driver. @param {Point[]} points @returns {number} s */
 export function timeFor(points) {
   return Math.round(Math.max(SHORTEST_TIME, lengthOf(points) / PACE));
 }
 
+/** The first number, from 1, whose name is free. @param {(number: number) => string} name @param {string[]} taken */
 function firstFree(name, taken) {
   let number = 1;
   while (taken.includes(name(number))) number += 1;
   return number;
 }
 
-/** A document's name made of its title, that nothing else has. @param {string} title @param {string[]} taken */
+/** A document name made from its title, different from all that are taken. @param {string} title @param {string[]} taken */
 export function nameFrom(title, taken) {
   const plain =
     title
@@ -130,54 +198,57 @@ export function nameFrom(title, taken) {
       .slice(0, 56)
       .replace(/-+$/, "") || "plan";
   const others = taken.map((name) => name.toLowerCase());
-  // What stands before a dot may be a scene's name, and those are taken as a whole.
+  // The part of a name before a dot may be the name of a scene, which is taken too.
   const scenes = others.map((name) => name.split(".")[0]);
   const number = firstFree((n) => (n === 1 ? plain : `${plain}-${n}`), [...others, ...scenes]);
   return number === 1 ? plain : `${plain}-${number}`;
 }
 
 /**
- * What lies at a place, the smallest first: a point of the chosen thing, or a thing.
- * @param {Plan} plan @param {Place} place @param {number} reach m @param {Ref | null} chosen @param {string[]} [lists]
+ * The item at a place, or a point of the chosen item; null when none is within reach.
+ * @param {Plan} plan @param {Point} place @param {number} reach m @param {Ref | null} chosen
+ * @param {readonly ListName[]} [lists] searched in this order; of items at the same distance the first is returned
  * @returns {Ref | null}
  */
-export function thingAt(plan, place, reach, chosen, lists = LISTS) {
-  if (chosen && lists.includes(chosen.list) && thing(plan, chosen)) {
+export function itemNear(plan, place, reach, chosen, lists = LISTS) {
+  if (chosen && lists.includes(chosen.list) && itemOf(plan, chosen)) {
     const points = pointsOf(plan, chosen);
     const near = points.map((point) => distance(point, place));
     const best = near.indexOf(Math.min(...near));
     if (points.length > 1 && near[best] <= reach) return { ...chosen, point: best };
   }
   /** @type {{ref: Ref, away: number} | null} */
-  let found = null;
+  let nearest = null;
   for (const list of lists)
-    for (const [index] of (plan[list] ?? []).entries()) {
-      const away = awayFromThing(plan, { list, index }, place);
-      if (away <= reach && (!found || away < found.away)) found = { ref: { list, index }, away };
+    for (const index of itemsOf(plan, list).keys()) {
+      const away = distanceToItem(plan, { list, index }, place);
+      if (away <= reach && (!nearest || away < nearest.away)) nearest = { ref: { list, index }, away };
     }
-  return found && found.ref;
+  return nearest && nearest.ref;
 }
 
-function awayFromThing(plan, ref, place) {
-  const found = thing(plan, ref);
+/** The distance (m) from a place to the edge of an item. @param {Plan} plan @param {Ref} ref @param {Point} place */
+function distanceToItem(plan, ref, place) {
+  const { radius, size, width, angle } = fieldsOf(plan, ref);
   const points = pointsOf(plan, ref);
-  if (points.length > 1) return awayFrom(points, place);
+  if (points.length > 1) return distanceToLine(points, place);
   const away = distance(points[0], place);
-  if (found.radius !== undefined) return Math.max(0, away - found.radius);
-  if (found.size) return awayFromBox(found, place);
-  return Math.max(0, away - (found.width ?? 0) / 2);
+  if (radius !== undefined) return Math.max(0, away - radius);
+  if (size) return distanceToBox(points[0], size, angle, place);
+  return Math.max(0, away - (width ?? 0) / 2);
 }
 
-function awayFromBox({ position, size, angle = 0 }, [x, y]) {
-  const [dx, dy] = [x - position[0], y - position[1]];
+/** @param {Point} middle @param {[number, number]} size m @param {number | undefined} angle rad @param {Point} place */
+function distanceToBox(middle, size, angle = 0, [x, y]) {
+  const [dx, dy] = [x - middle[0], y - middle[1]];
   const along = Math.abs(dx * Math.cos(angle) + dy * Math.sin(angle)) - size[0] / 2;
   const across = Math.abs(dy * Math.cos(angle) - dx * Math.sin(angle)) - size[1] / 2;
   return Math.hypot(Math.max(0, along), Math.max(0, across));
 }
 
-/** The rectangle round everything; null for an empty plan. @param {Plan} plan */
+/** The upright rectangle around everything; null for an empty plan. @param {Plan} plan */
 export function boundsOfPlan(plan) {
-  const places = LISTS.flatMap((list) => (plan[list] ?? []).flatMap((_, index) => pointsOf(plan, { list, index })));
+  const places = LISTS.flatMap((list) => itemsOf(plan, list).flatMap((_, index) => pointsOf(plan, { list, index })));
   const area = plan.ground?.area;
   if (area) places.push([area[0], area[1]], [area[2], area[3]]);
   return boundsOf(places);

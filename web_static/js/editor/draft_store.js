@@ -1,36 +1,41 @@
 /**
- * The plan on the workbench: kept on this screen, so that a reload or another page loses nothing.
- * @typedef {{document: any, name: string | null, version: number, dirty: boolean}} Draft
+ * The plan on the workbench: stored in this browser, so that a reload or another page loses nothing.
+ * @typedef {{document: import("./document.js").Plan, name: string | null, version: number, dirty: boolean}} Draft
  * name: of the own plan that it is a version of; null for one that was never saved
  */
 
-const PLACE = "bodydrive-plan-draft";
+const STORAGE_KEY = "bodydrive-plan-draft";
 
-/** @type {Draft | null | undefined} undefined: not looked for yet */
-let here;
+/** @type {Draft | null | undefined} undefined: not read yet */
+let current;
 
-/** @returns {Draft | null} */
-export function keptDraft() {
-  if (here !== undefined) return here;
-  try {
-    const read = JSON.parse(localStorage.getItem(PLACE) ?? "null");
-    here = read && Array.isArray(read.document?.walls) && Array.isArray(read.document?.paths) ? read : null;
-  } catch {
-    here = null;
-  }
-  return here;
+/** The stored draft; null when there is none. @returns {Draft | null} */
+export function readDraft() {
+  if (current !== undefined) return current;
+  current = storedDraft();
+  return current;
 }
 
-/** Keep a draft. @param {Draft | null} draft @returns {boolean} whether a reload would find it again */
-export function keepDraft(draft) {
-  here = draft;
+/** @returns {Draft | null} */
+function storedDraft() {
   try {
-    if (draft) localStorage.setItem(PLACE, JSON.stringify(draft));
-    else localStorage.removeItem(PLACE);
+    const draft = JSON.parse(localStorage.getItem(STORAGE_KEY) ?? "null");
+    return draft && Array.isArray(draft.document?.walls) && Array.isArray(draft.document?.paths) ? draft : null;
+  } catch {
+    return null;
+  }
+}
+
+/** Store a draft. @param {Draft | null} draft @returns {boolean} whether a reload would find it again */
+export function storeDraft(draft) {
+  current = draft;
+  try {
+    if (draft) localStorage.setItem(STORAGE_KEY, JSON.stringify(draft));
+    else localStorage.removeItem(STORAGE_KEY);
     return true;
   } catch {
-    // Larger than what a page may keep: it lives as long as this page does.
-    localStorage.removeItem(PLACE);
+    // The draft is larger than the browser's storage: it lasts only as long as this page.
+    localStorage.removeItem(STORAGE_KEY);
     return false;
   }
 }

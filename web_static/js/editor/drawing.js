@@ -2,15 +2,34 @@
 import { h, put, s, set } from "../widgets/dom.js";
 import { number } from "../widgets/format.js";
 import { t } from "../texts.js";
-import { pointsOf, thing } from "./document.js";
+import { fieldsOf, itemOf, itemsOf, pointsOf } from "./document.js";
 import { distance, lengthOf, STEP } from "./geometry.js";
 import { toPixel, toPlace } from "./viewport.js";
+import { points } from "../plan/plan_marks.js";
 
 const NEAREST_LINES = 5; // px between the lines of a grid
 const THINNEST = 3; // px of a wall
 const HANDLE = 7; // px
 
-/** @typedef {{plan: any, pending: any[], chosen: any, ghost: any, cursor: any, wrong: any, at: any}} Shown */
+/**
+ * @typedef {import("../plan/floor_plan.js").Point} Point
+ * @typedef {import("./document.js").ItemFields} ItemFields
+ * @typedef {import("./document.js").Plan} Plan
+ * @typedef {import("./document.js").Ref} Ref
+ * @typedef {import("./viewport.js").View} View
+ * @typedef {import("./viewport.js").Size} Size
+ */
+
+/**
+ * @typedef {object} DrawingContent
+ * @property {Plan} plan
+ * @property {Point[]} pending the line that is being drawn
+ * @property {Ref | null} chosen
+ * @property {Point | null} ghost the place of the next tap
+ * @property {Point | null} cursor the place that the arrow keys have reached
+ * @property {Ref | null} wrong the item that a verdict names
+ * @property {Point | null} at the place that a verdict names
+ */
 
 /** @param {string} label */
 export function drawing(label) {
@@ -26,20 +45,20 @@ export function drawing(label) {
     world,
     words,
   );
-  /** @param {Shown} shown @param {import("./viewport.js").View} view @param {{width: number, height: number}} size */
-  const show = (shown, view, size) => {
+  /** @param {DrawingContent} content @param {View} view @param {Size} size */
+  const show = (content, view, size) => {
     const matrix = `translate(${size.width / 2} ${size.height / 2}) scale(${view.scale} ${-view.scale}) translate(${-view.x} ${-view.y})`;
     set(world, { transform: matrix });
     set(fine, { d: gridLines(view, size, STEP) });
     set(coarse, { d: gridLines(view, size, 1) });
     const px = 1 / view.scale;
-    put(world, things(shown, px), line(shown, px));
-    put(words, labels(shown, view, size));
+    put(world, items(content, px), pendingLine(content, px));
+    put(words, labels(content, view, size));
   };
   return { element, show };
 }
 
-/** The grid's lines, in px; none where they would lie too near to each other. */
+/** The lines of a grid as an SVG path in px; empty where they would be too dense. @param {View} view @param {Size} size @param {number} step m */
 function gridLines(view, size, step) {
   if (step * view.scale < NEAREST_LINES) return "";
   const [left, top] = toPlace(view, size, [0, 0]);
@@ -52,37 +71,40 @@ function gridLines(view, size, step) {
   return d;
 }
 
-function points(line) {
-  return line.map(([x, y]) => `${x},${y}`).join(" ");
-}
-
-/** Everything of the plan. @param {Shown} shown @param {number} px m */
-function things({ plan, chosen, wrong, at }, px) {
-  const mark = (list, index) =>
+/** All items of the plan, and what is marked. @param {DrawingContent} content @param {number} px m */
+function items({ plan, chosen, wrong, at }, px) {
+  /** @param {import("./document.js").ListName} list @param {number} index */
+  const classes = (list, index) =>
     (chosen?.list === list && chosen.index === index ? " chosen" : "") +
     (wrong?.list === list && wrong.index === index ? " wrong" : "");
-  const all = (list, draw) => (plan[list] ?? []).map((one, index) => draw(one, mark(list, index)));
+  /**
+   * @template Item
+   * @param {import("./document.js").ListName} list @param {Item[] | undefined} all
+   * @param {(item: Item, more: string) => SVGElement} draw more: classes
+   */
+  const each = (list, all, draw) => (all ?? []).map((item, index) => draw(item, classes(list, index)));
   const area = plan.ground?.area;
   const thickness = Math.max(plan.wall_thickness ?? 0.1, THINNEST * px);
   return [
     area && s("rect", { class: "area", x: area[0], y: area[1], width: area[2] - area[0], height: area[3] - area[1] }),
-    all("obstacles", (one, more) => obstacle(one, more)),
-    all("gaps", (one, more) => across(one, `gap${more}`, px)),
-    all("walls", (one, more) =>
+    each("obstacles", plan.obstacles, (one, more) => obstacle(one, more)),
+    each("gaps", plan.gaps, (one, more) => across(one, `gap${more}`)),
+    each("walls", plan.walls, (one, more) =>
       s("polyline", { class: `wall${more}`, points: points(one), "stroke-width": thickness }),
     ),
-    all("doors", (one, more) => across(one, `door${more}`, px)),
-    all("cones", (one, more) => round(one, `cone${more}`)),
-    all("rooms", (one, more) =>
+    each("doors", plan.doors, (one, more) => across(one, `door${more}`)),
+    each("cones", plan.cones, (one, more) => round(one, `cone${more}`)),
+    each("rooms", plan.rooms, (one, more) =>
       s("circle", { class: `room${more}`, cx: one.position[0], cy: one.position[1], r: 4 * px }),
     ),
-    all("movers", (one, more) => s("polyline", { class: `mover${more}`, points: points(one.points) })),
-    all("paths", (one, more) => path(one, more, px)),
-    chosen && thing(plan, chosen) && handles(plan, chosen, px),
+    each("movers", plan.movers, (one, more) => s("polyline", { class: `mover${more}`, points: points(one.points) })),
+    each("paths", plan.paths, (one, more) => path(one, more, px)),
+    chosen && itemOf(plan, chosen) && handles(plan, chosen, px),
     at && s("circle", { class: "at", cx: at[0], cy: at[1], r: Math.max(0.32, 12 * px) }),
   ];
 }
 
+/** @param {import("./document.js").ObstacleItem} one @param {string} more classes */
 function obstacle(one, more) {
   if (one.kind === "cylinder") return round(one, `thing${more}`);
   const [[x, y], [a, b]] = [one.position, one.size];
@@ -90,20 +112,22 @@ function obstacle(one, more) {
   return s("rect", { class: `thing${more}`, x: x - a / 2, y: y - b / 2, width: a, height: b, transform: turn });
 }
 
-function round(one, name) {
-  return s("circle", { class: name, cx: one.position[0], cy: one.position[1], r: one.radius ?? 0.15 });
+/** @param {{position: Point, radius?: number}} item @param {string} name class */
+function round({ position: [x, y], radius }, name) {
+  return s("circle", { class: name, cx: x, cy: y, r: radius ?? 0.15 });
 }
 
-/** A line of its width, across the way through it. */
-function across({ position: [x, y], width, heading = 0 }, name) {
+/** A line as wide as a door or gap, across the way through it. @param {{position: Point, width?: number, heading?: number}} item @param {string} name class */
+function across({ position: [x, y], width = 1, heading = 0 }, name) {
   const along = heading + Math.PI / 2;
   const [dx, dy] = [(Math.cos(along) * width) / 2, (Math.sin(along) * width) / 2];
   return s("line", { class: name, x1: x - dx, y1: y - dy, x2: x + dx, y2: y + dy });
 }
 
+/** @param {import("./document.js").PathItem} one @param {string} more classes @param {number} px m */
 function path(one, more, px) {
   const [[x, y], next] = one.points;
-  const [goalX, goalY] = one.points.at(-1);
+  const [goalX, goalY] = one.points[one.points.length - 1];
   const back = one.task?.kind === "back" ? Math.PI : 0;
   const heading = one.start_heading ?? Math.atan2(next[1] - y, next[0] - x) + back;
   const tip = 26 * px;
@@ -123,12 +147,14 @@ function path(one, more, px) {
   );
 }
 
+/** @param {Plan} plan @param {Ref} chosen @param {number} px m */
 function handles(plan, chosen, px) {
   const all = pointsOf(plan, chosen);
   if (all.length > 300) return chosen.point === undefined ? null : handle(all[chosen.point], true, px);
   return all.map((point, i) => handle(point, chosen.point === i, px));
 }
 
+/** @param {Point} point @param {boolean} isChosen @param {number} px m */
 function handle([x, y], isChosen, px) {
   return s("circle", {
     class: isChosen ? "handle chosen" : "handle",
@@ -138,8 +164,8 @@ function handle([x, y], isChosen, px) {
   });
 }
 
-/** What is being drawn, and where the next tap would go. */
-function line({ pending, ghost, cursor }, px) {
+/** The line that is being drawn, and the place of the next tap. @param {DrawingContent} content @param {number} px m */
+function pendingLine({ pending, ghost, cursor }, px) {
   const whole = ghost && pending.length ? [...pending, ghost] : pending;
   return [
     whole.length > 1 && s("polyline", { class: "pending", points: points(whole) }),
@@ -153,16 +179,18 @@ function line({ pending, ghost, cursor }, px) {
   ];
 }
 
-/** Lengths in m, beside what is drawn or chosen, and the names of rooms. */
+/** The lengths (m) of the pending line and of the chosen item, and the names of rooms. @param {DrawingContent} content @param {View} view @param {Size} size */
 function labels({ plan, pending, chosen, ghost }, view, size) {
+  /** @param {Point} place @param {string} words @param {string} name class */
   const at = (place, words, name) => {
     const [x, y] = toPixel(view, size, place);
     if (x < -50 || y < -50 || x > size.width + 50 || y > size.height + 50) return null;
     return s("text", { class: name, x, y: y - 8, "text-anchor": "middle" }, words);
   };
-  const measured = (points) =>
-    points.slice(1).map((b, i) => {
-      const a = points[i];
+  /** @param {Point[]} line */
+  const lengths = (line) =>
+    line.slice(1).map((b, i) => {
+      const a = line[i];
       const long = distance(a, b) * view.scale > 44;
       return (
         long &&
@@ -170,20 +198,21 @@ function labels({ plan, pending, chosen, ghost }, view, size) {
       );
     });
   const drawn = ghost && pending.length ? [...pending, ghost] : pending;
-  const found = chosen && thing(plan, chosen);
-  const line = found ? pointsOf(plan, chosen) : [];
+  const isThere = chosen && itemOf(plan, chosen);
+  const line = isThere ? pointsOf(plan, chosen) : [];
+  const { size: sides, radius, width } = isThere ? fieldsOf(plan, chosen) : {};
   return [
     (plan.rooms ?? []).map(({ label, position }) => at(position, label, "label")),
-    measured(drawn),
-    line.length <= 60 && measured(line),
-    found?.size && at(found.position, `${number(found.size[0], 2)} × ${number(found.size[1], 2)} m`, "length"),
-    found?.radius && at(found.position, t("editor.radius.m", { value: number(found.radius, 2) }), "length"),
-    found?.width && at(found.position, t("editor.m", { value: number(found.width, 2) }), "length"),
-    drawn.length > 2 && at(drawn.at(-1), t("editor.whole", { value: number(lengthOf(drawn), 2) }), "length whole"),
+    lengths(drawn),
+    line.length <= 60 && lengths(line),
+    sides && at(line[0], `${number(sides[0], 2)} × ${number(sides[1], 2)} m`, "length"),
+    radius && at(line[0], t("editor.radius.m", { value: number(radius, 2) }), "length"),
+    width && at(line[0], t("editor.m", { value: number(width, 2) }), "length"),
+    drawn.length > 2 && at(drawn[drawn.length - 1], t("editor.whole", { value: number(lengthOf(drawn), 2) }), "length whole"),
   ];
 }
 
-/** The same figures in words, for who does not see the picture. @param {any[]} pending */
-export function drawnWords(pending) {
+/** The number of points and the length of a line in words. @param {Point[]} pending */
+export function lineWords(pending) {
   return h("span", {}, t("editor.drawn", { count: pending.length, length: number(lengthOf(pending), 2) }));
 }

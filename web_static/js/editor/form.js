@@ -1,33 +1,46 @@
-/** The form at the side: the chosen thing in numbers and words, or the plan itself. */
-import { h } from "../widgets/dom.js";
+/** The form at the side: the chosen item in numbers and words, or the plan itself. */
+import { h, set } from "../widgets/dom.js";
 import { field, selection } from "../widgets/fields.js";
 import { number } from "../widgets/format.js";
 import { t } from "../texts.js";
-import { LISTS, pointsOf, thing, timeFor } from "./document.js";
+import { fieldsOf, itemOf, itemsOf, LISTS, pointsOf, timeFor } from "./document.js";
 import { lengthOf } from "./geometry.js";
 
 const DEGREES = 180 / Math.PI;
 
 /**
- * @typedef {{
- *   change: (fields: Record<string, any>) => void, points: (points: any[]) => void, plan: (fields: Record<string, any>) => void,
- *   choose: (ref: any) => void, erase: () => void, place: () => void, door: (width: number) => void,
- *   insert: () => void, drop: () => void, model: (file: File) => void,
- * }} Acts
+ * @typedef {import("../plan/floor_plan.js").Point} Point
+ * @typedef {import("./document.js").Fields} Fields
+ * @typedef {import("./document.js").ObstacleItem} ObstacleItem
+ * @typedef {import("./document.js").PathItem} PathItem
+ * @typedef {import("./document.js").Plan} Plan
+ * @typedef {import("./document.js").Ref} Ref
+ * @typedef {import("types/api").ModelView} ModelView
  */
 
-/** What the panel shows. @param {{plan: any, chosen: any, models: any[]}} state @param {Acts} acts */
+/**
+ * @typedef {object} Acts what the form does to the plan
+ * @property {(fields: Fields) => void} change fields of the chosen item
+ * @property {(points: Point[]) => void} points of the chosen item
+ * @property {(fields: Fields) => void} plan null leaves a field as it is
+ * @property {(ref: Ref | null) => void} choose
+ * @property {() => void} erase the chosen item
+ * @property {() => void} place the chosen item by the next tap
+ * @property {(width: number | null) => void} door its width in m
+ * @property {() => void} insert a point
+ * @property {() => void} drop the chosen point
+ * @property {(file: File) => void} model upload a 3D model
+ */
+
+/** What the panel shows. @param {{plan: Plan, chosen: Ref | null, models: ModelView[]}} state @param {Acts} acts */
 export function form({ plan, chosen, models }, acts) {
-  const found = chosen && thing(plan, chosen);
-  return [
-    thingList(plan, found ? chosen : null, acts),
-    found ? thingForm(plan, chosen, models, acts) : planForm(plan, acts),
-  ];
+  const ref = chosen && itemOf(plan, chosen) ? chosen : null;
+  return [itemList(plan, ref, acts), ref ? itemForm(plan, ref, models, acts) : planForm(plan, acts)];
 }
 
-/** Everything of the plan by name: who cannot tap the picture chooses here. */
-function thingList(plan, chosen, acts) {
-  const refs = LISTS.flatMap((list) => (plan[list] ?? []).slice(0, 300).map((_, index) => ({ list, index })));
+/** All items of the plan by name, to choose one without tapping the drawing. @param {Plan} plan @param {Ref | null} chosen @param {Acts} acts */
+function itemList(plan, chosen, acts) {
+  const refs = LISTS.flatMap((list) => itemsOf(plan, list).slice(0, 300).map((_, index) => ({ list, index })));
   const options = refs.map((ref) => ({ value: `${ref.list} ${ref.index}`, label: nameOf(plan, ref) }));
   const select = selection(
     [{ value: "", label: t("editor.plan") }, ...options],
@@ -38,13 +51,13 @@ function thingList(plan, chosen, acts) {
   return field(t("editor.chosen"), select);
 }
 
-/** @param {any} plan @param {any} ref */
+/** @param {Plan} plan @param {Ref} ref */
 export function nameOf(plan, ref) {
-  const found = thing(plan, ref);
-  const own = found.title ?? found.label ?? found.name;
-  return t(`editor.one.${ref.list}`, { number: ref.index + 1, name: own ?? "" });
+  const { title, label, name } = fieldsOf(plan, ref);
+  return t(`editor.one.${ref.list}`, { number: ref.index + 1, name: title ?? label ?? name ?? "" });
 }
 
+/** @param {Plan} plan @param {Acts} acts */
 function planForm(plan, acts) {
   return [
     textRow("title", t("editor.title"), plan.title, 80, (title) => acts.plan({ title })),
@@ -58,21 +71,12 @@ function planForm(plan, acts) {
   ];
 }
 
-function thingForm(plan, chosen, models, acts) {
-  const found = thing(plan, chosen);
-  const isLine = Array.isArray(found) || Boolean(found.points);
-  const rows = {
-    paths: () => pathRows(found, acts),
-    obstacles: () => obstacleRows(found, models, acts),
-    cones: () => [
-      size("radius", t("editor.radius"), found.radius ?? 0.15, acts),
-      size("height", t("editor.height"), found.height ?? 0.5, acts),
-    ],
-    doors: () => [numberRow("width", t("editor.width"), found.width ?? 1, "m", acts.door)],
-    rooms: () => [textRow("label", t("editor.label"), found.label, 80, (label) => acts.change({ label }))],
-  }[chosen.list];
+/** @param {Plan} plan @param {Ref} chosen @param {ModelView[]} models @param {Acts} acts */
+function itemForm(plan, chosen, models, acts) {
+  const item = itemOf(plan, chosen);
+  const isLine = Array.isArray(item) || Boolean(item.points);
   return [
-    rows?.(),
+    fieldRows(plan, chosen, models, acts),
     isLine ? pointRows(plan, chosen, acts) : placeRows(plan, chosen, acts),
     h(
       "div",
@@ -83,13 +87,37 @@ function thingForm(plan, chosen, models, acts) {
   ];
 }
 
+/** @param {Plan} plan @param {Ref} chosen @param {ModelView[]} models @param {Acts} acts */
+function fieldRows(plan, chosen, models, acts) {
+  const { list, index } = chosen;
+  const { radius, height, width, label } = fieldsOf(plan, chosen);
+  switch (list) {
+    case "paths":
+      return pathRows(plan.paths[index], acts);
+    case "obstacles":
+      return plan.obstacles && obstacleRows(plan.obstacles[index], models, acts);
+    case "cones":
+      return [
+        size("radius", t("editor.radius"), radius ?? 0.15, acts),
+        size("height", t("editor.height"), height ?? 0.5, acts),
+      ];
+    case "doors":
+      return [numberRow("width", t("editor.width"), width ?? 1, "m", acts.door)];
+    case "rooms":
+      return [textRow("label", t("editor.label"), label, 80, (words) => acts.change({ label: words }))];
+    default:
+      return null;
+  }
+}
+
+/** @param {PathItem} path @param {Acts} acts */
 function pathRows(path, acts) {
   const length = lengthOf(path.points);
   const degrees = path.start_heading === undefined || path.start_heading === null ? "" : path.start_heading * DEGREES;
   const heading = numberRow("start_heading", t("editor.start-heading"), degrees, "°", (value) =>
     acts.change({ start_heading: value === null ? undefined : Number((value / DEGREES).toFixed(4)) }),
   );
-  heading.querySelector("input").placeholder = t("editor.start-heading.along");
+  set(/** @type {HTMLInputElement} */ (heading.querySelector("input")), { placeholder: t("editor.start-heading.along") });
   return [
     h("p", { class: "number" }, t("editor.length", { value: number(length, 2) })),
     textRow("title", t("editor.path.title"), path.title, 80, (title) => acts.change({ title })),
@@ -112,6 +140,7 @@ function pathRows(path, acts) {
   ];
 }
 
+/** @param {ObstacleItem} one @param {ModelView[]} models @param {Acts} acts */
 function obstacleRows(one, models, acts) {
   const label = textRow("label", t("editor.label"), one.label, 80, (words) => acts.change({ label: words }));
   const height = size("height", t("editor.height"), one.height ?? 0.75, acts);
@@ -132,18 +161,18 @@ function obstacleRows(one, models, acts) {
   ];
 }
 
-/** Which 3D object is drawn in a box's place. */
+/** The 3D model that is drawn in place of a box. @param {Extract<ObstacleItem, {kind: "box"}>} one @param {ModelView[]} models @param {Acts} acts */
 function modelRow(one, models, acts) {
   const options = models.map(({ name, size: [a, b, c] }) => ({
     value: name,
     label: t("editor.model.option", { name, size: [a, b, c].map((side) => number(side, 2)).join(" × ") }),
   }));
-  const isThere = !one.model || models.some(({ name }) => name === one.model);
+  const missing = one.model && !models.some(({ name }) => name === one.model) ? one.model : null;
   const select = selection(
     [
       { value: "", label: t("editor.model.none") },
       ...options,
-      ...(isThere ? [] : [{ value: one.model, label: one.model }]),
+      ...(missing ? [{ value: missing, label: missing }] : []),
     ],
     one.model ?? "",
     (model) => acts.change({ model: model || undefined }),
@@ -157,8 +186,8 @@ function modelRow(one, models, acts) {
     tabindex: "-1",
     "aria-hidden": "true",
   });
-  file.addEventListener("change", () => file.files[0] && acts.model(file.files[0]));
-  const asLarge = () => acts.change({ size: own.size.slice(0, 2), height: own.size[2] });
+  file.addEventListener("change", () => file.files?.[0] && acts.model(file.files[0]));
+  const takeSize = () => own && acts.change({ size: own.size.slice(0, 2), height: own.size[2] });
   return [
     field(t("editor.model"), select, t("editor.model.hint")),
     h(
@@ -166,15 +195,16 @@ function modelRow(one, models, acts) {
       { class: "spread" },
       button("model-add", t("editor.model.add"), () => file.click()),
       file,
-      own && button("model-size", t("editor.model.size"), asLarge),
+      own && button("model-size", t("editor.model.size"), takeSize),
     ),
   ];
 }
 
-/** One point of a line at a time: thousands of them would fill no screen. */
+/** One point of a line at a time: a line may have thousands. @param {Plan} plan @param {Ref} chosen @param {Acts} acts */
 function pointRows(plan, chosen, acts) {
   const points = pointsOf(plan, chosen);
   const i = chosen.point;
+  /** @param {number} to */
   const go = (to) => acts.choose({ ...chosen, point: (to + points.length) % points.length });
   const step = h(
     "div",
@@ -202,24 +232,30 @@ function pointRows(plan, chosen, acts) {
   ];
 }
 
+/** @param {Plan} plan @param {Ref} chosen @param {Acts} acts */
 function placeRows(plan, chosen, acts) {
   return coordinates(pointsOf(plan, chosen)[0], (place) => acts.points([place]));
 }
 
-function coordinates(place, onChange) {
-  const rows = ["x", "y"].map((axis, at) =>
-    numberRow(axis, t(`editor.${axis}`), place[at], "m", (value) =>
-      onChange(place.map((old, i) => (i === at ? (value ?? old) : old))),
-    ),
+/** @param {Point} place @param {(place: Point) => void} onChange */
+function coordinates([x, y], onChange) {
+  return h(
+    "div",
+    { class: "pair" },
+    numberRow("x", t("editor.x"), x, "m", (value) => onChange([value ?? x, y])),
+    numberRow("y", t("editor.y"), y, "m", (value) => onChange([x, value ?? y])),
   );
-  return h("div", { class: "pair" }, rows);
 }
 
+/** @param {string} name @param {string} label @param {number} value m @param {Acts} acts */
 function size(name, label, value, acts) {
   return numberRow(name, label, value, "m", (next) => next && acts.change({ [name]: next }));
 }
 
-/** A number in its unit; an empty field is null. */
+/**
+ * A number in its unit; an empty field is null.
+ * @param {string} key @param {string} label @param {number | ""} value @param {string} unit @param {(value: number | null) => void} onChange
+ */
 function numberRow(key, label, value, unit, onChange) {
   const shown = value === "" ? "" : String(Number(Number(value).toFixed(unit === "°" ? 1 : 3)));
   const input = h("input", { type: "number", step: "any", value: shown, "data-key": key, inputmode: "decimal" });
@@ -229,12 +265,17 @@ function numberRow(key, label, value, unit, onChange) {
   return field(`${label} (${unit})`, input);
 }
 
+/**
+ * @param {string} key @param {string} label @param {string | undefined} value @param {number} maxlength
+ * @param {(value: string) => void} onChange
+ */
 function textRow(key, label, value, maxlength, onChange) {
   const input = h("input", { type: "text", value, maxlength, autocomplete: "off", "data-key": key });
   input.addEventListener("change", () => input.value.trim() && onChange(input.value.trim()));
   return field(label, input);
 }
 
+/** @param {string} key @param {string} words @param {() => void} onclick @param {string} [label] for screen readers */
 function button(key, words, onclick, label) {
   return h("button", { type: "button", class: "btn small", onclick, "data-key": key, "aria-label": label }, words);
 }

@@ -1,54 +1,49 @@
-/** Places on the floor, in metres: [x, y]. @typedef {[number, number]} Place */
+/** Points and lines on the floor, in metres. @import { Point } from "../plan/floor_plan.js" */
 
 export const STEP = 0.1; // m, the grid
 
-/** @param {number} value m @returns {number} to a tenth of a millimetre, as documents have it */
+/** @param {number} value m @returns {number} rounded to a tenth of a millimetre, as in documents */
 export function tidy(value) {
   return Number(value.toFixed(4)) + 0; // never −0
 }
 
-/** @param {Place} place @param {number} step m; 0: as it is @returns {Place} */
-export function snapped([x, y], step) {
+/** The nearest point of the grid. @param {Point} place @param {number} step m, of the grid; 0: no grid @returns {Point} */
+export function snap([x, y], step) {
   if (!step) return [tidy(x), tidy(y)];
   return [tidy(Math.round(x / step) * step), tidy(Math.round(y / step) * step)];
 }
 
-/** @param {Place} a @param {Place} b */
+/** @param {Point} a @param {Point} b */
 export function distance(a, b) {
   return Math.hypot(b[0] - a[0], b[1] - a[1]);
 }
 
-/** @param {Place} a @param {Place} b @returns {number} rad, from x counter-clockwise */
-export function heading(a, b) {
-  return Math.atan2(b[1] - a[1], b[0] - a[0]);
-}
-
-/** The length of a line. @param {Place[]} points */
+/** The length of a line. @param {Point[]} points */
 export function lengthOf(points) {
   return points.slice(1).reduce((sum, point, i) => sum + distance(points[i], point), 0);
 }
 
 /**
- * Where on the piece from a to b it is nearest to a place.
- * @param {Place} a @param {Place} b @param {Place} place
- * @returns {{at: Place, along: number, away: number}} along: m from a
+ * The point of the piece from a to b that is nearest to a place.
+ * @param {Point} a @param {Point} b @param {Point} place
+ * @returns {{at: Point, along: number, away: number}} along: m from a; away: m from the place
  */
 export function nearestOn(a, b, place) {
   const length = distance(a, b);
   const [ux, uy] = length ? [(b[0] - a[0]) / length, (b[1] - a[1]) / length] : [0, 0];
   const along = Math.min(length, Math.max(0, (place[0] - a[0]) * ux + (place[1] - a[1]) * uy));
-  /** @type {Place} */
+  /** @type {Point} */
   const at = [a[0] + along * ux, a[1] + along * uy];
   return { at, along, away: distance(at, place) };
 }
 
-/** How far a place is from a line. @param {Place[]} points @param {Place} place */
-export function awayFrom(points, place) {
+/** The distance (m) from a place to a line. @param {Point[]} points @param {Point} place */
+export function distanceToLine(points, place) {
   if (points.length === 1) return distance(points[0], place);
   return Math.min(...points.slice(1).map((point, i) => nearestOn(points[i], point, place).away));
 }
 
-/** The smallest upright rectangle round some places; null for none. @param {Place[]} places */
+/** The smallest upright rectangle around some points; null for none. @param {Point[]} places */
 export function boundsOf(places) {
   if (!places.length) return null;
   const low = [Infinity, Infinity];

@@ -1,4 +1,5 @@
-/** A plan from a file: a drawing, a picture, or a robot's map, with what the file does not say itself. */
+/** The form that imports a plan from a drawing, a picture or a robot's map, and asks for what the file does not contain. */
+import { failureWords } from "../api.js";
 import { h, put } from "../widgets/dom.js";
 import { field, segments, selection } from "../widgets/fields.js";
 import { t } from "../texts.js";
@@ -9,16 +10,23 @@ const IS_PICTURE = /\.(png|jpe?g)$/i;
 const IS_DRAWING = /\.dxf$/i;
 const IS_MAP = /\.ya?ml$/i;
 
-/** @param {import("../main.js").App} app @param {(draft: {document: any, words: string[]}) => void} onDraft */
+/**
+ * @typedef {import("types/api").DraftView} DraftView
+ * @typedef {() => Record<string, unknown>} Options of the import, as the form has them
+ */
+
+/** @param {import("../main.js").App} app @param {(draft: DraftView) => void} onDraft */
 export function importForm(app, onDraft) {
   const input = h("input", { type: "file", multiple: true, accept: ACCEPTED, id: "plan-files" });
   const more = h("div", { class: "stack" });
   const problem = h("p", { class: "problem", role: "alert" });
   const go = h("button", { class: "btn go", disabled: true }, t("import.go"));
+  /** @type {Options} */
   let options = () => ({});
+  /** @type {string[] | null} */
   let layers = null;
   const choose = () => {
-    const names = [...input.files].map(({ name }) => name);
+    const names = [...(input.files ?? [])].map(({ name }) => name);
     const isMap = names.some((name) => IS_MAP.test(name));
     layers = null;
     problem.textContent = "";
@@ -29,31 +37,37 @@ export function importForm(app, onDraft) {
     if (names.some((name) => IS_DRAWING.test(name))) options = drawingFields(more);
   };
   input.addEventListener("change", choose);
+  /** @param {SubmitEvent} event */
   const submit = async (event) => {
     event.preventDefault();
+    const { files } = input;
+    if (!files?.length) return;
     problem.textContent = "";
     go.disabled = true;
     const sent = new FormData();
-    for (const file of input.files) sent.append("files", file);
-    sent.append("options", JSON.stringify({ title: titleOf(input.files), ...options(), ...(layers && { layers }) }));
+    for (const file of files) sent.append("files", file);
+    sent.append("options", JSON.stringify({ title: titleOf(files), ...options(), ...(layers && { layers }) }));
     try {
+      /** @type {DraftView} */
       const draft = await app.api.call("POST", "/floorplans/import", sent);
-      if (IS_DRAWING.test(input.files[0].name) && !layers && draft.layers.length > 1) offerLayers(draft);
+      if (IS_DRAWING.test(files[0].name) && !layers && draft.layers.length > 1) offerLayers(draft);
       else onDraft(draft);
     } catch (error) {
-      problem.textContent = error.message;
+      problem.textContent = failureWords(error);
     }
     go.disabled = false;
   };
-  /** A drawing has more on it than walls: ask which layers are. */
+  /** Ask which layers of a drawing are walls. @param {DraftView} draft */
   const offerLayers = (draft) => {
-    layers = [...draft.taken];
+    const chosen = new Set(draft.taken);
+    layers = draft.taken;
     const boxes = draft.layers.map((layer) => {
       const box = h("input", { type: "checkbox", checked: draft.taken.includes(layer) });
-      box.addEventListener(
-        "change",
-        () => (layers = box.checked ? [...layers, layer] : layers.filter((one) => one !== layer)),
-      );
+      box.addEventListener("change", () => {
+        if (box.checked) chosen.add(layer);
+        else chosen.delete(layer);
+        layers = [...chosen];
+      });
       return h("label", { class: "choice" }, box, h("b", { class: "grow" }, layer));
     });
     more.append(
@@ -79,12 +93,13 @@ export function importForm(app, onDraft) {
   );
 }
 
-/** What the file is called, without its ending. @param {FileList} files */
+/** The name of the first file without its ending. @param {FileList} files */
 function titleOf(files) {
   const plain = files[0].name.replace(/\.[^.]*$/, "").slice(0, 80);
   return plain || t("plans.new.title");
 }
 
+/** The fields for a picture. @param {HTMLElement} place @returns {Options} */
 function pictureFields(place) {
   const value = h("input", { type: "number", step: "any", min: 0, required: true, inputmode: "decimal" });
   const threshold = h("input", {
@@ -116,6 +131,7 @@ function pictureFields(place) {
   return () => ({ [by]: value.valueAsNumber, threshold: threshold.valueAsNumber });
 }
 
+/** The fields for a drawing. @param {HTMLElement} place @returns {Options} */
 function drawingFields(place) {
   const unit = selection(
     [

@@ -1,16 +1,24 @@
-/** Keys on the drawing, and undo wherever one is on the page. */
+/** The keys of the editor: on the drawing, and undo anywhere on the page. */
 import { isWriting } from "../shell/stop.js";
 
+/** @type {Record<string, [number, number]>} */
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 const FAR = 10; // steps with the shift key
 
 /**
- * @param {Element} sheet
- * @param {{arrow: (x: number, y: number) => void, enter: () => void, escape: () => void, zoom: (isNearer: boolean) => void, erase: () => void, undo: () => void, redo: () => void}} on
- * arrow: in steps, y up
- * @param {AbortSignal} signal
+ * @typedef {object} KeyActions
+ * @property {(x: number, y: number) => void} arrow in steps, y up
+ * @property {() => void} enter
+ * @property {() => void} escape
+ * @property {(isNearer: boolean) => void} zoom
+ * @property {() => void} erase
+ * @property {() => void} undo
+ * @property {() => void} redo
  */
+
+/** @param {SVGElement} sheet @param {KeyActions} on @param {AbortSignal} signal */
 export function listenToKeys(sheet, on, signal) {
+  /** @param {KeyboardEvent} event */
   const onSheet = (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const arrow = ARROWS[event.key];
@@ -23,6 +31,7 @@ export function listenToKeys(sheet, on, signal) {
     else if (event.key === "+" || event.key === "-") on.zoom(event.key === "+");
     else if (event.key === "Delete" || event.key === "Backspace") on.erase();
   };
+  /** @param {KeyboardEvent} event */
   const anywhere = (event) => {
     if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "z" || isWriting(event.target)) return;
     event.preventDefault();

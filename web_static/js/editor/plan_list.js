@@ -1,53 +1,55 @@
-/** Where one begins: an empty plan, one's own plans, those that come with the software, a file. */
+/** The first page of the editor: a new plan, the clinic's own plans, the plans that come with the software, an import. */
 import { h, put } from "../widgets/dom.js";
 import { icon } from "../widgets/icons.js";
 import { replacedList } from "../widgets/replaced_list.js";
 import { t } from "../texts.js";
 import { emptyPlan } from "./document.js";
-import { keepDraft, keptDraft } from "./draft_store.js";
+import { storeDraft, readDraft } from "./draft_store.js";
 import { importForm } from "./import_form.js";
 
 const EDIT = "#/plans/edit";
 
-/** @param {import("../main.js").App} app @param {HTMLElement} root @param {{plans: any[], own: any[]}} lists */
+/**
+ * @typedef {import("./draft_store.js").Draft} Draft
+ * @typedef {import("types/api").FloorPlanView} FloorPlanView
+ * @typedef {import("types/api").OwnPlanView} OwnPlanView
+ * @typedef {() => Draft | Promise<Draft>} Source where a draft comes from
+ */
+
+/** @param {import("../main.js").App} app @param {HTMLElement} root @param {{plans: FloorPlanView[], own: OwnPlanView[]}} lists */
 export function showPlanList(app, root, { plans, own }) {
   const mine = h("div", { class: "plan-rows" });
-  const names = new Set();
+  /** @param {OwnPlanView[]} list */
   const show = (list) => {
-    names.clear();
-    for (const { name } of list) names.add(name);
     put(mine, list.length ? list.map(ownRow) : h("p", { class: "quiet" }, t("plans.none")));
   };
+  /** @param {Draft} draft */
   const open = (draft) => {
-    if (keepDraft(draft)) return app.go(EDIT);
+    if (storeDraft(draft)) return app.go(EDIT);
     app.toasts.show(t("plans.too-large"));
     app.go(EDIT);
   };
-  /** What is on the workbench and was not saved is not thrown away by a tap. */
-  const openSafely = (make) => async () => {
-    const kept = keptDraft();
-    if (kept?.dirty && !ask.hidden) return;
-    if (kept?.dirty) return askFirst(kept, make);
-    await tried(make);
+  /** Open a draft; ask first when it would replace one that was not saved. @param {Source} source */
+  const openSafely = (source) => async () => {
+    const unsaved = readDraft();
+    if (unsaved?.dirty && !ask.hidden) return;
+    if (unsaved?.dirty) return askFirst(unsaved, source);
+    await openFrom(source);
   };
-  const tried = async (make) => {
-    try {
-      open(await make());
-    } catch (error) {
-      app.toasts.show(error.message);
-    }
-  };
+  /** @param {Source} source */
+  const openFrom = (source) => app.toasts.attempt(async () => open(await source()));
   const ask = h("div", { class: "card ask", role: "alertdialog", hidden: true, tabindex: "-1" });
-  const askFirst = (kept, make) => {
+  /** @param {Draft} unsaved @param {Source} source */
+  const askFirst = (unsaved, source) => {
     put(
       ask,
-      h("h2", {}, t("plans.unsaved.title", { title: kept.document.title })),
+      h("h2", {}, t("plans.unsaved.title", { title: unsaved.document.title })),
       h("p", {}, t("plans.unsaved.lead")),
       h(
         "div",
         { class: "spread" },
         h("button", { type: "button", class: "btn go", onclick: () => app.go(EDIT) }, t("plans.go-on")),
-        h("button", { type: "button", class: "btn", onclick: () => tried(make) }, t("plans.throw")),
+        h("button", { type: "button", class: "btn", onclick: () => openFrom(source) }, t("plans.throw")),
         h("button", { type: "button", class: "btn", onclick: () => (ask.hidden = true) }, t("cancel")),
       ),
     );
@@ -55,15 +57,18 @@ export function showPlanList(app, root, { plans, own }) {
     ask.scrollIntoView({ block: "nearest" });
     ask.focus();
   };
-  const fresh = () => ({ document: emptyPlan(t("plans.new.title")), name: null, version: 0, dirty: false });
+  /** @returns {Draft} */
+  const newDraft = () => ({ document: emptyPlan(t("plans.new.title")), name: null, version: 0, dirty: false });
+  /** @param {OwnPlanView} plan @returns {Source} */
   const ofOwn = (plan) => async () => ({
-    document: bare(await app.api.get(`/floorplans/${plan.name}`)),
+    document: withoutNulls(await app.api.get(`/floorplans/${plan.name}`)),
     name: plan.name,
     version: (await app.api.get("/own-floorplans")).find(({ name }) => name === plan.name)?.version ?? plan.version,
     dirty: false,
   });
+  /** @param {FloorPlanView} plan @returns {Source} */
   const copyOf = (plan) => async () => {
-    const document = bare(await app.api.get(`/floorplans/${plan.name}`));
+    const document = withoutNulls(await app.api.get(`/floorplans/${plan.name}`));
     return {
       document: { ...document, title: t("plans.copy", { title: document.title }).slice(0, 80) },
       name: null,
@@ -71,18 +76,17 @@ export function showPlanList(app, root, { plans, own }) {
       dirty: true,
     };
   };
-  const remove = async (plan) => {
-    try {
+  /** @param {OwnPlanView} plan */
+  const remove = (plan) =>
+    app.toasts.attempt(async () => {
       show(await app.api.remove(`/floorplans/${plan.name}`));
       const restore = async () => show(await app.api.post(`/floorplans/${plan.name}/restore`));
       app.toasts.show(t("plans.deleted", { title: plan.title }), {
         action: t("undo"),
-        run: () => restore().catch((error) => app.toasts.show(error.message)),
+        run: () => app.toasts.attempt(restore),
       });
-    } catch (error) {
-      app.toasts.show(error.message);
-    }
-  };
+    });
+  /** @param {OwnPlanView} plan */
   function ownRow(plan) {
     return h(
       "div",
@@ -115,6 +119,7 @@ export function showPlanList(app, root, { plans, own }) {
       ),
     );
   }
+  /** @param {FloorPlanView} plan */
   const copyRow = (plan) =>
     h(
       "div",
@@ -131,13 +136,15 @@ export function showPlanList(app, root, { plans, own }) {
         t("plans.open-copy"),
       ),
     );
-  const kept = keptDraft();
+  const unsaved = readDraft();
   const replaced = replacedList(app, ["floorplan", "model"], async () => show(await app.api.get("/own-floorplans")));
   show(own);
-  const brought = (draft) =>
+  /** @param {import("types/api").DraftView} imported */
+  const openImport = (imported) =>
     openSafely(() => {
-      app.toasts.show(draft.words.join(" "));
-      return { document: draft.document, name: null, version: 0, dirty: true };
+      app.toasts.show(imported.words.join(" "));
+      const document = /** @type {Draft["document"]} */ (imported.document); // the API does not describe its fields
+      return { document, name: null, version: 0, dirty: true };
     })();
   put(
     root,
@@ -146,11 +153,11 @@ export function showPlanList(app, root, { plans, own }) {
       { class: "body" },
       h("h1", { tabindex: "-1" }, t("plans.title")),
       h("p", { class: "lead" }, t("plans.lead")),
-      kept?.dirty &&
+      unsaved?.dirty &&
         h(
           "p",
           { class: "kept" },
-          h("a", { class: "btn go", href: EDIT }, t("plans.kept", { title: kept.document.title })),
+          h("a", { class: "btn go", href: EDIT }, t("plans.kept", { title: unsaved.document.title })),
         ),
       ask,
       h(
@@ -165,7 +172,7 @@ export function showPlanList(app, root, { plans, own }) {
             {},
             h(
               "button",
-              { type: "button", class: "btn go", onclick: openSafely(async () => fresh()) },
+              { type: "button", class: "btn go", onclick: openSafely(newDraft) },
               icon("plus"),
               t("plans.new"),
             ),
@@ -183,19 +190,23 @@ export function showPlanList(app, root, { plans, own }) {
             ),
           ),
         ),
-        importForm(app, brought),
+        importForm(app, openImport),
       ),
     ),
   );
 }
 
-/** A document without the fields that say nothing. @param {any} value @returns {any} */
-function bare(value) {
-  if (Array.isArray(value)) return value.map(bare);
-  if (value === null || typeof value !== "object") return value;
-  return Object.fromEntries(
-    Object.entries(value)
-      .filter(([, inner]) => inner !== null)
-      .map(([name, inner]) => [name, bare(inner)]),
-  );
+/**
+ * A document without the fields that are null.
+ * @template T @param {T} document @returns {T}
+ */
+function withoutNulls(document) {
+  /** @param {unknown} value @returns {unknown} */
+  const strip = (value) => {
+    if (Array.isArray(value)) return value.map(strip);
+    if (value === null || typeof value !== "object") return value;
+    const fields = Object.entries(value).filter(([, inner]) => inner !== null);
+    return Object.fromEntries(fields.map(([name, inner]) => [name, strip(inner)]));
+  };
+  return /** @type {T} */ (strip(document));
 }

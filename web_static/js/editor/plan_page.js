@@ -1,16 +1,26 @@
-/** The page round the workbench: what is saved under which name, and what happens to it when one leaves. */
+/** The page around the workbench: saves the plan under a name, and asks before unsaved changes are lost. */
 import { h, put, write } from "../widgets/dom.js";
 import { sendUnderName } from "../widgets/same_name.js";
 import { t } from "../texts.js";
 import { nameFrom } from "./document.js";
-import { keepDraft, keptDraft } from "./draft_store.js";
+import { storeDraft } from "./draft_store.js";
 import { workbench } from "./workbench.js";
 
-const CHOSEN = "bodydrive-path"; // what the Drive page looks at
+const PATH_KEY = "bodydrive-path"; // the Drive page reads it
 
-/** @param {import("../main.js").App} app @param {HTMLElement} root @param {{plans: any[], models: any[], signal: AbortSignal}} given */
-export function showPlan(app, root, { plans, models, signal }) {
-  let draft = keptDraft();
+/**
+ * @typedef {import("./document.js").Plan} Plan
+ * @typedef {import("./draft_store.js").Draft} Draft
+ * @typedef {import("types/api").OwnPlanView} OwnPlanView
+ */
+
+/**
+ * @param {import("../main.js").App} app @param {HTMLElement} root
+ * @param {{draft: Draft, plans: {name: string}[], models: import("types/api").ModelView[], signal: AbortSignal}} given
+ *   plans: those whose names are taken
+ */
+export function showPlan(app, root, { draft: first, plans, models, signal }) {
+  let draft = first;
   let taken = plans.map(({ name }) => name);
   const title = h("h1", { tabindex: "-1" }, draft.document.title);
   const saved = h("span", { class: "tag plain", role: "status" });
@@ -19,9 +29,10 @@ export function showPlan(app, root, { plans, models, signal }) {
   const saveNew = h("button", { type: "button", class: "btn", onclick: () => saveAsNew() }, t("plan.save-new"));
   const drive = h("a", { class: "btn", href: "#/drive", onclick: () => chooseToDrive() }, t("plan.drive"));
 
+  /** @param {Draft} next */
   const keep = (next) => {
-    const wasKept = keepDraft((draft = next));
-    if (!wasKept && next.dirty) window.onbeforeunload = (event) => event.preventDefault();
+    const isStored = storeDraft((draft = next));
+    if (!isStored && next.dirty) window.onbeforeunload = (event) => event.preventDefault();
     else window.onbeforeunload = null;
     show();
   };
@@ -43,49 +54,49 @@ export function showPlan(app, root, { plans, models, signal }) {
     onChange: (document) => keep({ ...draft, document, dirty: true }),
   });
 
-  async function sent(run) {
+  /** Save the plan, and tell whether it was saved. @param {(document: Plan) => Promise<OwnPlanView | null>} send */
+  async function saveBy(send) {
     save.disabled = saveNew.disabled = true; // a second tap would save twice
-    try {
+    const isSaved = await app.toasts.attempt(async () => {
       const document = bench.plan();
-      const answer = await run(document);
+      const answer = await send(document);
       if (!answer) return false;
       keep({ document: { ...document, name: answer.name }, name: answer.name, version: answer.version, dirty: false });
       taken = [...taken, answer.name];
       app.toasts.show(t("plan.saved.toast", { title: answer.title }));
       return true;
-    } catch (error) {
-      app.toasts.show(error.message);
-      return false;
-    } finally {
-      save.disabled = saveNew.disabled = false;
-    }
+    });
+    save.disabled = saveNew.disabled = false;
+    return Boolean(isSaved);
   }
   const saveVersion = () =>
-    sent((document) =>
+    saveBy((document) =>
       app.api.put(`/floorplans/${draft.name}?version=${draft.version}`, { ...document, name: draft.name }),
     );
   const saveAsNew = () =>
-    sent((document) => {
+    saveBy((document) => {
       const named = { ...document, name: nameFrom(document.title, taken) };
       return sendUnderName(app.question, (sameName) => app.api.post(`/floorplans?same_name=${sameName}`, named));
     });
 
   function chooseToDrive() {
-    localStorage.setItem(CHOSEN, `${draft.name}/${draft.document.paths[0].name}`);
+    localStorage.setItem(PATH_KEY, `${draft.name}/${draft.document.paths[0].name}`);
   }
 
-  function throwAway(leave) {
-    keepDraft(null);
+  /** @param {() => void} leave */
+  function discard(leave) {
+    storeDraft(null);
     window.onbeforeunload = null;
     leave();
   }
 
-  /** A tap on a link of the frame or of this page asks first, when something is not saved. */
-  function leaving(event) {
-    const link = event.target.closest?.('a[href^="#"]');
-    if (!link || !draft.dirty || link.getAttribute("href") === location.hash) return;
+  /** Before a link leaves a plan with unsaved changes, ask what to do with them. @param {MouseEvent} event */
+  function askBeforeLeaving(event) {
+    const link = event.target instanceof Element ? event.target.closest('a[href^="#"]') : null;
+    const href = link?.getAttribute("href");
+    if (!href || !draft.dirty || href === location.hash) return;
     event.preventDefault();
-    const leave = () => app.go(link.getAttribute("href"));
+    const leave = () => app.go(href);
     put(
       ask,
       h("h2", {}, t("plan.leave.title")),
@@ -103,7 +114,7 @@ export function showPlan(app, root, { plans, models, signal }) {
           t("plan.leave.save"),
         ),
         h("button", { type: "button", class: "btn", onclick: leave }, t("plan.leave.keep")),
-        h("button", { type: "button", class: "btn", onclick: () => throwAway(leave) }, t("plan.leave.throw")),
+        h("button", { type: "button", class: "btn", onclick: () => discard(leave) }, t("plan.leave.throw")),
         h("button", { type: "button", class: "btn", onclick: () => (ask.hidden = true) }, t("plan.leave.stay")),
       ),
     );
@@ -111,7 +122,7 @@ export function showPlan(app, root, { plans, models, signal }) {
     ask.focus();
   }
 
-  document.addEventListener("click", leaving, { capture: true, signal });
+  document.addEventListener("click", askBeforeLeaving, { capture: true, signal });
   signal.addEventListener("abort", () => (window.onbeforeunload = null));
   put(
     root,

@@ -1,20 +1,25 @@
-/** Nearer, farther, to the sides, and everything at once: what fingers and wheel do, by buttons. */
+/** Buttons that zoom and pan the drawing, and show all of it: for people without touch or wheel. */
 import { h } from "../widgets/dom.js";
 import { t } from "../texts.js";
-import { panned, zoomed } from "./viewport.js";
+import { panView, zoomView } from "./viewport.js";
 
 export const ZOOM = 1.4; // of one tap on + or −
 const PAN = 90; // px of one tap on an arrow
 
 /**
- * @param {(change: (view: import("./viewport.js").View, size: import("./viewport.js").Size) => import("./viewport.js").View) => void} look
- * @param {() => void} lookAtAll
+ * @typedef {import("./viewport.js").View} View
+ * @typedef {(view: View, size: import("./viewport.js").Size) => View} ViewChange
  */
-export function viewButtons(look, lookAtAll) {
+
+/** @param {(change: ViewChange) => void} look @param {() => void} showAll */
+export function viewButtons(look, showAll) {
+  /** @param {string} name @param {string} words @param {() => void} onclick */
   const button = (name, words, onclick) =>
     h("button", { type: "button", class: "btn small", "aria-label": t(`editor.${name}`), onclick }, words);
-  const pan = (dx, dy) => () => look((view) => panned(view, dx, dy));
-  const zoom = (factor) => () => look((view, size) => zoomed(view, size, factor));
+  /** @param {number} dx px @param {number} dy px */
+  const pan = (dx, dy) => () => look((view) => panView(view, dx, dy));
+  /** @param {number} factor */
+  const zoom = (factor) => () => look((view, size) => zoomView(view, size, factor));
   return h(
     "div",
     { class: "views", role: "group", "aria-label": t("editor.views") },
@@ -24,6 +29,6 @@ export function viewButtons(look, lookAtAll) {
     button("right", "→", pan(-PAN, 0)),
     button("up", "↑", pan(0, PAN)),
     button("down", "↓", pan(0, -PAN)),
-    button("all", t("editor.all.short"), lookAtAll),
+    button("all", t("editor.all.short"), showAll),
   );
 }

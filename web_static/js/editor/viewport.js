@@ -1,5 +1,5 @@
 /**
- * Which part of the floor is seen: the place in the middle (m), and pixels per metre.
+ * The visible part of the floor: the point in the middle (m), and pixels per metre.
  * @typedef {{x: number, y: number, scale: number}} View
  * @typedef {{width: number, height: number}} Size px
  */
@@ -20,12 +20,12 @@ export function toPixel(view, { width, height }, [x, y]) {
 }
 
 /** @param {View} view @param {number} dx px @param {number} dy px @returns {View} */
-export function panned(view, dx, dy) {
+export function panView(view, dx, dy) {
   return { ...view, x: view.x - dx / view.scale, y: view.y + dy / view.scale };
 }
 
-/** Nearer or farther, the place under a pixel staying there. @param {View} view @param {Size} size @param {number} factor @param {[number, number]} [pixel] */
-export function zoomed(view, size, factor, pixel = [size.width / 2, size.height / 2]) {
+/** Zoom; the point of the floor under a pixel stays under it. @param {View} view @param {Size} size @param {number} factor @param {[number, number]} [pixel] */
+export function zoomView(view, size, factor, pixel = [size.width / 2, size.height / 2]) {
   const [x, y] = toPlace(view, size, pixel);
   const scale = Math.min(LARGEST, Math.max(SMALLEST, view.scale * factor));
   const other = { ...view, scale };
@@ -33,8 +33,8 @@ export function zoomed(view, size, factor, pixel = [size.width / 2, size.height 
   return { ...other, x: view.x + x - otherX, y: view.y + y - otherY };
 }
 
-/** Everything at once. @param {{x: number, y: number, width: number, height: number} | null} bounds m @param {Size} size @returns {View} */
-export function fitting(bounds, { width, height }) {
+/** The view that shows everything. @param {{x: number, y: number, width: number, height: number} | null} bounds m @param {Size} size @returns {View} */
+export function fitView(bounds, { width, height }) {
   if (!bounds) return { x: 4, y: 3, scale: FIRST };
   const scale = MARGIN * Math.min(width / Math.max(bounds.width, 1), height / Math.max(bounds.height, 1));
   return {

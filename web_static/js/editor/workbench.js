@@ -1,40 +1,54 @@
-/** The editor: tools, drawing and form round one state; every step can be taken back. */
+/** The editor: tools, drawing and form around one state; every step can be undone. */
 import { h, put, set, write } from "../widgets/dom.js";
 import { toggle } from "../widgets/fields.js";
 import { icon } from "../widgets/icons.js";
 import { sendUnderName } from "../widgets/same_name.js";
 import { t } from "../texts.js";
 import { actsOn } from "./acts.js";
-import { checker, refOf } from "./check.js";
-import { boundsOfPlan, movedBy, pointsOf, thing, thingAt } from "./document.js";
-import { drawing, drawnWords } from "./drawing.js";
+import { checker, refAt } from "./check.js";
+import { boundsOfPlan, itemNear, itemOf, moveBy, pointsOf } from "./document.js";
+import { drawing, lineWords } from "./drawing.js";
 import { form } from "./form.js";
-import { snapped, STEP, tidy } from "./geometry.js";
-import { begun, redone, stepped, undone } from "./history.js";
+import { snap, STEP, tidy } from "./geometry.js";
+import { addStep, newHistory, stepBack, stepForward } from "./history.js";
 import { listenToKeys } from "./keys.js";
 import { listenToPointers } from "./pointers.js";
-import { finished, placed, snapPlace, tapped, TOOLS, withTool } from "./tools.js";
+import { finishLine, placeChosen, snapPlace, tap, TOOLS, withTool } from "./tools.js";
 import { viewButtons, ZOOM } from "./view_buttons.js";
-import { fitting, panned, toPlace, zoomed } from "./viewport.js";
+import { fitView, panView, toPlace, zoomView } from "./viewport.js";
 
-const REACH = 22; // px round a finger
-const DOOR = 1; // m
-const FINE = 0.01; // m of an arrow key without the grid
+const REACH = 22; // px around a finger
+const DOOR = 1; // m, width of a new door
+const FINE = 0.01; // m, step of an arrow key without the grid
+
+/**
+ * @typedef {import("../plan/floor_plan.js").Point} Point
+ * @typedef {import("./document.js").Plan} Plan
+ * @typedef {import("./tools.js").State} State
+ */
 
 /**
  * @param {import("../main.js").App} app
- * @param {{plan: any, models: any[], signal: AbortSignal, onChange: (plan: any) => void}} given
+ * @param {{plan: Plan, models: import("types/api").ModelView[], signal: AbortSignal, onChange: (plan: Plan) => void}} given
  */
 export function workbench(app, { plan, models, signal, onChange }) {
-  let history = begun(plan);
+  let history = newHistory(plan);
+  /** @type {State} */
   let state = { plan, tool: "move", pending: [], chosen: null, doorWidth: DOOR };
-  let [view, size] = [
-    { x: 4, y: 3, scale: 60 },
-    { width: 1, height: 1 },
-  ];
-  let [ghost, cursor, dragged, verdict] = [null, null, null, null];
+  /** @type {import("./viewport.js").View} */
+  let view = { x: 4, y: 3, scale: 60 };
+  /** @type {import("./viewport.js").Size} */
+  let size = { width: 1, height: 1 };
+  /** @type {Point | null} */
+  let ghost = null;
+  /** @type {Point | null} */
+  let cursor = null;
+  /** The plan with the item that is being dragged. @type {Plan | null} */
+  let dragPlan = null;
+  /** @type {import("./check.js").Verdict | null} */
+  let verdict = null;
   let step = STEP;
-  let known = models;
+  let modelList = models;
 
   const sheet = drawing(t("editor.sheet"));
   const panel = h("section", { class: "panel stack", "aria-label": t("editor.panel") });
@@ -42,7 +56,7 @@ export function workbench(app, { plan, models, signal, onChange }) {
   const hint = h("p", { class: "quiet small hint" });
   const done = h(
     "button",
-    { type: "button", class: "btn go small", onclick: () => take(finished(state)) },
+    { type: "button", class: "btn go small", onclick: () => take(finishLine(state)) },
     t("editor.done"),
   );
   const back = h("button", { type: "button", class: "btn small", onclick: () => undo() }, icon("undo"), t("undo"));
@@ -57,22 +71,23 @@ export function workbench(app, { plan, models, signal, onChange }) {
   const checks = checker(app, (answer) => {
     verdict = answer;
     write(verdictLine, answer.good ? t("editor.good") : answer.sentence);
-    verdictLine.className = answer.good ? "verdict good" : answer.begun ? "verdict" : "verdict bad";
+    verdictLine.className = answer.good ? "verdict good" : answer.isIncomplete ? "verdict" : "verdict bad";
     draw();
   });
 
-  /** Go on to another state; a changed plan is a step that can be undone. */
+  /** Go on to another state; a changed plan is a step that can be undone. @param {import("./tools.js").NextState} next */
   function take(next) {
     if (next.words) app.toasts.show(t(next.words));
-    history = stepped(history, next.plan);
+    history = addStep(history, next.plan);
     const { words: _, ...rest } = next;
     become(rest);
   }
 
+  /** @param {State} next */
   function become(next) {
     const hasOtherPlan = next.plan !== state.plan;
     state = next;
-    if (state.chosen && !thing(state.plan, state.chosen)) state = { ...state, chosen: null };
+    if (state.chosen && !itemOf(state.plan, state.chosen)) state = { ...state, chosen: null };
     if (hasOtherPlan) {
       onChange(state.plan);
       checks.later(state.plan);
@@ -80,27 +95,27 @@ export function workbench(app, { plan, models, signal, onChange }) {
     show();
   }
 
-  /** A line that is being drawn loses its last point first. */
+  /** Undo the last point of the line that is being drawn, otherwise the last step. */
   function undo() {
     if (state.pending.length) return become({ ...state, pending: state.pending.slice(0, -1) });
-    history = undone(history);
+    history = stepBack(history);
     become({ ...state, plan: history.now, chosen: null });
   }
 
   function redo() {
-    history = redone(history);
+    history = stepForward(history);
     become({ ...state, plan: history.now, chosen: null, pending: [] });
   }
 
   const how = () => ({ step, reach: REACH / view.scale });
-  const isDrawing = () => !["move", "erase"].includes(state.tool);
+  const isDrawing = () => state.tool !== "move" && state.tool !== "erase";
 
   function draw() {
-    const wrong = verdict && !verdict.good ? refOf(verdict.place) : null;
+    const wrong = verdict && !verdict.good ? refAt(verdict.place) : null;
     const at = verdict && !verdict.good ? verdict.at : null;
     sheet.show(
       {
-        plan: dragged ?? state.plan,
+        plan: dragPlan ?? state.plan,
         pending: state.pending,
         chosen: state.chosen,
         ghost: isDrawing() ? ghost : null,
@@ -118,14 +133,17 @@ export function workbench(app, { plan, models, signal, onChange }) {
     back.disabled = !history.past.length && !state.pending.length;
     again.disabled = !history.future.length;
     done.hidden = state.pending.length < 2 || !["wall", "path"].includes(state.tool);
-    put(hint, t(`editor.hint.${state.tool}`), " ", state.pending.length > 1 && drawnWords(state.pending));
-    const key = panel.contains(document.activeElement) ? document.activeElement.dataset.key : null;
+    put(hint, t(`editor.hint.${state.tool}`), " ", state.pending.length > 1 && lineWords(state.pending));
+    const focused = document.activeElement;
+    const key = focused instanceof HTMLElement && panel.contains(focused) ? focused.dataset.key : null;
     put(
       panel,
       state.tool === "door" && doorWidth(),
-      form({ plan: state.plan, chosen: state.chosen, models: known }, acts),
+      form({ plan: state.plan, chosen: state.chosen, models: modelList }, acts),
     );
-    if (key) panel.querySelector(`[data-key="${key}"]`)?.focus();
+    /** @type {HTMLElement | null} */
+    const successor = key ? panel.querySelector(`[data-key="${key}"]`) : null;
+    successor?.focus();
     draw();
   }
 
@@ -146,21 +164,19 @@ export function workbench(app, { plan, models, signal, onChange }) {
     return h("div", { class: "field" }, h("label", { for: "door-width" }, t("editor.door-width")), input);
   }
 
+  /** @type {import("./form.js").Acts} */
   const acts = {
     ...actsOn(() => state, take, become),
-    model: async (file) => {
-      try {
-        const listed = await sendUnderName(app.question, (sameName) =>
+    model: (file) =>
+      app.toasts.attempt(async () => {
+        const next = await sendUnderName(app.question, (sameName) =>
           app.api.upload(`/models?same_name=${sameName}`, file),
         );
-        if (!listed) return;
-        known = listed;
+        if (!next) return;
+        modelList = next;
         app.toasts.show(t("editor.model.added", { file: file.name }));
         show();
-      } catch (error) {
-        app.toasts.show(error.message);
-      }
-    },
+      }),
   };
 
   listenToPointers(
@@ -168,7 +184,7 @@ export function workbench(app, { plan, models, signal, onChange }) {
     {
       tap: (pixel) => {
         cursor = null;
-        take(tapped(state, toPlace(view, size, pixel), how()));
+        take(tap(state, toPlace(view, size, pixel), how()));
       },
       hover: (pixel) => {
         ghost = pixel && isDrawing() ? snapPlace(state.plan, toPlace(view, size, pixel), step, how().reach) : null;
@@ -176,64 +192,68 @@ export function workbench(app, { plan, models, signal, onChange }) {
       },
       grab: (pixel) => {
         if (state.tool !== "move" || !state.chosen || state.chosen.list === "doors") return false;
-        const found = thingAt(state.plan, toPlace(view, size, pixel), how().reach, state.chosen);
-        if (!found || found.list !== state.chosen.list || found.index !== state.chosen.index) return false;
-        state = { ...state, chosen: found };
+        const near = itemNear(state.plan, toPlace(view, size, pixel), how().reach, state.chosen);
+        if (!near || near.list !== state.chosen.list || near.index !== state.chosen.index) return false;
+        state = { ...state, chosen: near };
         return true;
       },
       drag: (from, to) => {
+        if (!state.chosen) return;
         const [a, b] = [toPlace(view, size, from), toPlace(view, size, to)];
+        /** @param {number} value m */
         const even = (value) => (step ? tidy(Math.round(value / step) * step) : tidy(value));
-        dragged = movedBy(state.plan, state.chosen, even(b[0] - a[0]), even(b[1] - a[1]));
+        dragPlan = moveBy(state.plan, state.chosen, even(b[0] - a[0]), even(b[1] - a[1]));
         draw();
       },
       drop: () => {
-        const next = dragged;
-        dragged = null;
+        const next = dragPlan;
+        dragPlan = null;
         if (next) take({ ...state, plan: next });
       },
-      pan: (dx, dy) => look(() => panned(view, dx, dy)),
-      zoom: (factor, pixel) => look(() => zoomed(view, size, factor, pixel)),
+      pan: (dx, dy) => look(() => panView(view, dx, dy)),
+      zoom: (factor, pixel) => look(() => zoomView(view, size, factor, pixel)),
     },
     signal,
   );
 
-  function look(changed) {
-    view = changed(view, size);
+  /** @param {import("./view_buttons.js").ViewChange} change */
+  function look(change) {
+    view = change(view, size);
     draw();
   }
 
   listenToKeys(
     sheet.element,
     {
-      /** Arrow keys move the chosen thing, or a cross where Enter taps. */
+      // Arrow keys move the chosen item, or else a cross at which Enter taps.
       arrow: (x, y) => {
-        const [dx, dy] = [x, y].map((one) => one * (step || FINE));
-        if (state.chosen && state.tool === "move") return nudge(dx, dy);
-        const from = cursor ?? snapped([view.x, view.y], step || STEP);
+        const [dx, dy] = [x * (step || FINE), y * (step || FINE)];
+        if (state.chosen && state.tool === "move") return nudge(state.chosen, dx, dy);
+        const from = cursor ?? snap([view.x, view.y], step || STEP);
         ghost = cursor = [tidy(from[0] + dx), tidy(from[1] + dy)];
         draw();
       },
-      enter: () => take(cursor ? tapped(state, cursor, { step, reach: STEP }) : finished(state)),
+      enter: () => take(cursor ? tap(state, cursor, { step, reach: STEP }) : finishLine(state)),
       escape: () => {
         ghost = cursor = null;
         take({ ...withTool(state, "move"), chosen: null });
       },
-      zoom: (isNearer) => look(() => zoomed(view, size, isNearer ? ZOOM : 1 / ZOOM)),
-      erase: () => state.chosen && acts.erase(),
+      zoom: (isNearer) => look(() => zoomView(view, size, isNearer ? ZOOM : 1 / ZOOM)),
+      erase: () => acts.erase(),
       undo,
       redo,
     },
     signal,
   );
 
-  function nudge(dx, dy) {
-    const [x, y] = pointsOf(state.plan, state.chosen)[state.chosen.point ?? 0];
-    if (state.chosen.list === "doors") return take(placed(state, [x + dx, y + dy], 1));
-    return take({ ...state, plan: movedBy(state.plan, state.chosen, dx, dy) });
+  /** @param {import("./document.js").Ref} chosen @param {number} dx m @param {number} dy m */
+  function nudge(chosen, dx, dy) {
+    const [x, y] = pointsOf(state.plan, chosen)[chosen.point ?? 0];
+    if (chosen.list === "doors") return take(placeChosen(state, [x + dx, y + dy], 1));
+    return take({ ...state, plan: moveBy(state.plan, chosen, dx, dy) });
   }
 
-  const views = viewButtons(look, () => look(() => fitting(boundsOfPlan(state.plan), size)));
+  const views = viewButtons(look, () => look(() => fitView(boundsOfPlan(state.plan), size)));
   const element = h(
     "div",
     { class: "bench" },
@@ -257,7 +277,7 @@ export function workbench(app, { plan, models, signal, onChange }) {
   let isFitted = false;
   const resized = new ResizeObserver(([entry]) => {
     size = { width: Math.max(1, entry.contentRect.width), height: Math.max(1, entry.contentRect.height) };
-    if (!isFitted) view = fitting(boundsOfPlan(state.plan), size);
+    if (!isFitted) view = fitView(boundsOfPlan(state.plan), size);
     isFitted = true;
     draw();
   });
@@ -272,7 +292,7 @@ export function workbench(app, { plan, models, signal, onChange }) {
     element,
     /** The plan with the line that is still being drawn. */
     plan: () => {
-      take(finished(state));
+      take(finishLine(state));
       return state.plan;
     },
   };

@@ -42,14 +42,15 @@ export class PageSession {
     } finally {
       this.#isAsking = false;
     }
-    if (this.#cover || idOf(app.session) === idOf(this.#session)) return;
-    if (this.#session?.session && SESSION_PAGES.has(app.route.page)) return this.#coverPage();
+    const [before, now] = [this.#session, app.session];
+    if (this.#cover || !now || idOf(now) === idOf(before)) return;
+    if (before?.session && SESSION_PAGES.has(app.route.page)) return this.#coverPage(before, now);
     this.adopt();
     if (app.root.querySelector(".body.empty")) app.show(); // the page says that nobody is here
   }
 
-  /** Cover the page of the earlier session, list the entries that were not sent, and send none of them. */
-  #coverPage() {
+  /** Cover the page of the earlier session, list the entries that were not sent, and send none of them. @param {CurrentSession} before @param {CurrentSession} now */
+  #coverPage(before, now) {
     const app = this.#app;
     const drafts = changedFields(app.root);
     app.dispatchEvent(new CustomEvent("drafts", { detail: drafts }));
@@ -57,7 +58,7 @@ export class PageSession {
     app.api.end();
     app.leavePage(OTHER_SESSION);
     app.root.inert = true;
-    const cover = otherSession(this.#session, app.session, drafts, { onGo: () => app.show() });
+    const cover = otherSession(before, now, drafts, { onGo: () => app.show() });
     this.#cover = cover.element;
     app.root.after(cover.element);
     cover.focus();

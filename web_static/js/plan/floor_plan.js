@@ -1,12 +1,11 @@
 /**
  * The parts of a floor plan as the server answers them; places on the floor.
- * @import { Complete } from "types/requests"
  * @typedef {[number, number]} Point x, y in m
  * @typedef {[number, number, number]} Pose x, y in m, heading in rad
- * @typedef {Complete<import("types/api").FloorPlan>} FloorPlan
+ * @typedef {import("types/api").FloorPlan} FloorPlan
  * @typedef {FloorPlan["paths"][number]} PrescribedPath
  * @typedef {PrescribedPath["task"]} Task
- * @typedef {Complete<import("types/api").Stage>} Stage one part of a course
+ * @typedef {import("types/api").Stage} Stage one part of a course
  * @typedef {FloorPlan["obstacles"][number]} Obstacle
  * @typedef {FloorPlan["doors"][number]} Door
  * @typedef {FloorPlan["gaps"][number]} Gap

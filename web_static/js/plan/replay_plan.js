@@ -5,8 +5,8 @@ import { placeOf } from "../pages/review/play_head.js";
 
 /**
  * @typedef {import("./floor_plan.js").FloorPlan} FloorPlan
- * @typedef {import("types/requests").Complete<import("types/api").Timeline>} Timeline
- * @typedef {import("types/requests").Complete<import("types/api").TrialDetail>} Trial
+ * @typedef {import("types/api").Timeline} Timeline
+ * @typedef {import("types/api").TrialDetail} Trial
  */
 
 /**

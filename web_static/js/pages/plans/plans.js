@@ -1,15 +1,17 @@
-/** Floor plans of one's own: the list, and the editor of the one on the workbench. */
-import { keptDraft } from "../../editor/draft_store.js";
+/** The clinic's own floor plans: their list, or the editor of the plan on the workbench. */
+import { readDraft } from "../../editor/draft_store.js";
 import { showPlanList } from "../../editor/plan_list.js";
 import { showPlan } from "../../editor/plan_page.js";
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal, rest: string[]}} page */
 export async function show(app, root, { signal, rest }) {
-  const isEdited = rest[0] === "edit" && keptDraft();
-  const [plans, other] = await Promise.all(
-    ["/floorplans", isEdited ? "/models" : "/own-floorplans"].map((path) => app.api.get(path)),
-  );
-  if (signal.aborted) return;
-  if (isEdited) showPlan(app, root, { plans, models: other, signal });
-  else showPlanList(app, root, { plans, own: other });
+  const draft = rest[0] === "edit" ? readDraft() : null;
+  const { api } = app;
+  if (draft) {
+    const [plans, models] = await Promise.all([api.get("/floorplans"), api.get("/models")]);
+    if (!signal.aborted) showPlan(app, root, { draft, plans, models, signal });
+  } else {
+    const [plans, own] = await Promise.all([api.get("/floorplans"), api.get("/own-floorplans")]);
+    if (!signal.aborted) showPlanList(app, root, { plans, own });
+  }
 }
