@@ -1,4 +1,4 @@
-"""Second-order Butterworth low-pass: causal, the one filter of the whole signal chain."""
+"""Coefficients of the causal second-order Butterworth low-pass, the only filter of the signal chain."""
 
 import math
 from typing import NamedTuple
@@ -17,7 +17,7 @@ class Coefficients(NamedTuple):
 def low_pass(cutoff: float, sample_rate: float) -> Coefficients:
     """Return the coefficients for `cutoff` (Hz) at `sample_rate` (Hz), by the bilinear transform.
 
-    The -3 dB point is at `cutoff` exactly; a test holds this against scipy.signal.butter.
+    The -3 dB point is exactly at `cutoff`; a test compares with scipy.signal.butter.
 
     Raises
     ------

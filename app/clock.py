@@ -1,28 +1,28 @@
-"""The only home of time: monotonic for control, UTC for people."""
+"""All access to time: a monotonic clock for control, UTC for labels that people read."""
 
 import time
 from datetime import UTC, datetime
 from typing import Protocol
 
-# Counts while the machine sleeps, too, which `time.monotonic` does not on Linux and macOS: a lid that was closed over
-# a drive must show as a pause, after which nothing drives on.
+# CLOCK_BOOTTIME also counts while the machine sleeps; `time.monotonic` does not on Linux and macOS. After a laptop was
+# closed during a drive, the control loop must see a pause and stop.
 CLOCK = getattr(time, "CLOCK_BOOTTIME", getattr(time, "CLOCK_MONOTONIC", None))
 
 
 class Clock(Protocol):
-    """Monotonic seconds and the means to wait."""
+    """A monotonic clock that can wait."""
 
     def now(self) -> float:
         """Return monotonic seconds."""
         ...
 
     def sleep_until(self, deadline: float) -> None:
-        """Return no earlier than `deadline` (monotonic seconds)."""
+        """Wait until `deadline` (monotonic seconds)."""
         ...
 
 
 class MonotonicClock:
-    """The machine's own monotonic clock; a step of the wall clock does not touch it."""
+    """The machine's monotonic clock; steps of the wall clock do not change it."""
 
     def now(self) -> float:
         """Return monotonic seconds."""
@@ -36,30 +36,30 @@ class MonotonicClock:
 
 
 class FakeClock:
-    """A clock for tests: time passes only when somebody waits."""
+    """A clock for tests: its time advances only by `sleep_until`."""
 
     def __init__(self, start: float = 0.0) -> None:
         self.time = start
 
     def now(self) -> float:
-        """Return the time that has been waited for so far."""
+        """Return the clock's time (s)."""
         return self.time
 
     def sleep_until(self, deadline: float) -> None:
-        """Let time jump to `deadline`."""
+        """Advance the time to `deadline` at once."""
         self.time = max(self.time, deadline)
 
 
 def monotonic() -> float:
-    """Return monotonic seconds; the machine's sleep counts."""
+    """Return monotonic seconds, including those while the machine slept."""
     return time.monotonic() if CLOCK is None else time.clock_gettime(CLOCK)
 
 
 def stopwatch() -> float:
-    """Return seconds of the finest monotonic counter, for measuring durations."""
+    """Return the seconds of the finest monotonic counter, to measure durations."""
     return time.perf_counter()
 
 
 def utc_now() -> datetime:
-    """Return the present moment, in UTC, for labels that people read."""
+    """Return the present time in UTC."""
     return datetime.now(UTC)

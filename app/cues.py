@@ -1,4 +1,4 @@
-"""What a person is asked to do, and when: the cues of a run."""
+"""The cues of a run: what a person is asked to do, and when."""
 
 from collections.abc import Sequence
 from typing import Annotated, Literal
@@ -12,12 +12,12 @@ CueKind = Literal["ready", "rest", "free", "move", "return"]
 
 
 class Cue(Document):
-    """One thing to do from `start` to `end`, in seconds since the start of the run."""
+    """One instruction, in force from `start` to `end` (s since the start of the run)."""
 
     start: Seconds
     end: Annotated[Seconds, Field(gt=0)]
     kind: CueKind
-    joint: Name | None = None  # which joint `move` and `return` are about
+    joint: Name | None = None  # the joint to move
     repetition: Count = 0  # 1, 2, 3 for the repetitions of a gesture
 
 

@@ -1,4 +1,4 @@
-"""Every stop and every fault: its name, what happened, and what to do next."""
+"""The states of the safety gate, and all faults with their explanations."""
 
 from enum import IntEnum
 from typing import NamedTuple
@@ -8,13 +8,13 @@ class State(IntEnum):
     """Whether motion is permitted."""
 
     DISARMED = 0
-    CHECKING = 1  # neutral check: still, until all bound gestures were at rest for long enough
+    CHECKING = 1  # neutral check: no motion until all bound gestures were at rest for long enough
     ARMED = 2
-    FAULT = 3  # latched: stays until somebody clears it
+    FAULT = 3  # latched: stays until a person clears it
 
 
 class Fault(IntEnum):
-    """Why motion was refused or ended; the numbers are part of recordings, so they never change."""
+    """The reason for which motion was refused or ended. Recordings contain the numbers, so they never change."""
 
     NONE = 0
     STOP_TABLET = 1
@@ -29,7 +29,7 @@ class Fault(IntEnum):
     BAD_NUMBER = 10
     LOOP_LATE = 11
     RECORDING_LOST = 12
-    CONTROL_LOST = 13  # said by the web process, which is all that is left to say it
+    CONTROL_LOST = 13  # reported by the web process, because the control process has ended
     STOP_CHAIR = 14
     CHAIR_SILENT = 15
     CHAIR_DISARMED = 16
@@ -41,7 +41,7 @@ class Fault(IntEnum):
 
 
 class Explanation(NamedTuple):
-    """A fault in words."""
+    """A fault in words: what happened, and what to do next."""
 
     happened: str
     next_step: str

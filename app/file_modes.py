@@ -1,4 +1,4 @@
-"""Files that only their owner can read: the mode of new ones, and the modes of those of an older installation."""
+"""Makes files readable by their owner only: new files, and those of an older installation."""
 
 import os
 import stat
@@ -11,22 +11,22 @@ OTHERS = stat.S_IRWXG | stat.S_IRWXO
 
 
 def keep_new_files_private() -> None:
-    """Let this process, and those it starts, make files and folders that nobody else can read."""
+    """Set the umask of this process and of those it starts, so that only the owner can read new files and folders."""
     os.umask(OTHERS)
 
 
 def restrict(paths: Iterable[Path]) -> list[Path]:
-    """Take the rights of others from files and folders, with all that is in them.
+    """Remove the rights of group and others from files and from folders with all their content.
 
-    A given path that is a link is followed; links inside of a folder are not.
+    Links among `paths` are followed, links inside a folder are not.
 
     Returns
     -------
     list of Path
-        What others can still read: it belongs to somebody else, or its disk keeps no modes.
+        Files and folders that others can still read, because they have another owner or their file system has no modes.
     """
     readable = []
-    for place in {place for path in paths for place in _whole(path.resolve())}:
+    for place in {place for path in paths for place in _with_content(path.resolve())}:
         try:
             if _mode(place) & OTHERS:
                 place.chmod(_mode(place) & ~OTHERS)
@@ -43,8 +43,8 @@ def _mode(place: Path) -> int:
     return stat.S_IMODE(place.stat().st_mode)
 
 
-def _whole(path: Path) -> Iterator[Path]:
-    """Yield a path and, of a folder, everything below it that is no link."""
+def _with_content(path: Path) -> Iterator[Path]:
+    """Yield a path and, if it is a folder, everything below it except links."""
     if not path.exists():
         return
     yield path

@@ -1,4 +1,4 @@
-"""Files that are either whole or not there."""
+"""Writes files atomically: after a crash, a file holds either its old content or its new one."""
 
 import os
 import tempfile
@@ -7,17 +7,17 @@ from pathlib import Path
 
 
 def write_atomically(path: Path, content: bytes) -> None:
-    """Write `content` to `path` so that a reader, or a power cut, meets the old file or the new one, never half of it.
+    """Write `content` to `path`, so that readers find the old file or the new one, also after a power cut.
 
-    Missing folders are made; a link is followed.
+    Makes missing folders; follows a link.
 
     Raises
     ------
     OSError
-        When the place cannot be written; nothing is left behind then.
+        When the file cannot be written; no temporary file is left.
     """
     path = path.resolve()
-    if path.exists() and not path.is_file():  # what is renamed onto a device or a pipe takes its place
+    if path.exists() and not path.is_file():  # renaming onto a device or a pipe would replace it
         raise OSError(EISDIR if path.is_dir() else EEXIST, "Is a directory" if path.is_dir() else "Is no ordinary file")
     path.parent.mkdir(parents=True, exist_ok=True)
     descriptor, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.", suffix=".part")
@@ -36,14 +36,14 @@ def write_atomically(path: Path, content: bytes) -> None:
 
 
 def _file_mode_mask() -> int:
-    """Return the process's umask, which can only be read by setting it."""
+    """Return the process's umask; the system can only return it while setting another."""
     mask = os.umask(0o077)
     os.umask(mask)
     return mask
 
 
 def sync_folder(folder: Path) -> None:
-    """Put the folder's new entry on the disk too."""
+    """Write the folder's entries to the disk."""
     descriptor = os.open(folder, os.O_RDONLY)
     try:
         os.fsync(descriptor)

@@ -1,18 +1,18 @@
-"""Places and speeds on the floor: x ahead, y left, angles counter-clockwise, SI units."""
+"""Poses and twists on the floor: x ahead, y left, angles counter-clockwise, SI units."""
 
 import math
 from typing import NamedTuple
 
 
 class Twist(NamedTuple):
-    """What a chair is told to do."""
+    """A command to a chair: forward speed and turn rate."""
 
     v: float  # forward speed, m/s
     omega: float  # turn rate, rad/s, left positive
 
 
 class Pose(NamedTuple):
-    """Where a chair stands and where it looks."""
+    """Position and heading of a chair in the plan."""
 
     x: float  # m
     y: float  # m
@@ -23,6 +23,6 @@ STANDSTILL = Twist(0.0, 0.0)
 
 
 def wrap_angle(angle: float) -> float:
-    """Return `angle` (rad) brought into (-pi, pi]."""
+    """Return `angle` (rad) wrapped into (-pi, pi]."""
     wrapped = math.remainder(angle, math.tau)
     return math.pi if wrapped == -math.pi else wrapped

@@ -1,8 +1,8 @@
-"""Reads a foreign file in a process of its own, with limits of memory and time: pictures, 3D objects, drawings.
+"""Reads uploaded pictures, 3D objects and drawings in a process of its own, with limits of memory and time.
 
-A foreign file may ask its reader for any amount of both. The web process must not pay that, since a moving chair waits
-for it. `read_isolated` asks; `python -m app.isolated_reader MODULE` is the process, which answers with
-`MODULE.answer(question)`.
+Such a file may make its reader use any amount of memory and time. The web process must not be slowed by that, because a
+moving chair depends on it. `read_isolated` starts `python -m app.isolated_reader MODULE`, which answers one question
+with `MODULE.answer(question)`.
 """
 
 import importlib
@@ -14,13 +14,13 @@ import threading
 from contextlib import suppress
 from typing import Any, Final
 
-MOST_MEMORY: Final = 3_000_000_000  # bytes of addresses
-LONGEST_COMPUTING: Final = 60  # s of computing
+MOST_MEMORY: Final = 3_000_000_000  # bytes of address space
+LONGEST_COMPUTING: Final = 60  # s of processor time
 LONGEST_WAIT: Final = 120.0  # s
 LARGEST_ANSWER: Final = 50_000_000  # bytes of one file that the reader writes
 NICE: Final = 10
 COMMAND: Final = (sys.executable, "-m", "app.isolated_reader")
-ONE_THREAD: Final = {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}  # each thread reserves addresses
+ONE_THREAD: Final = {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}  # each thread reserves address space
 
 _one_at_a_time = threading.Lock()
 
@@ -30,7 +30,7 @@ class ReadingTimeoutError(ValueError):
 
 
 def read_isolated(module: str, question: dict[str, Any]) -> dict[str, Any]:
-    """Return the answer of a module's `answer` to a question; both go through JSON. One question at a time.
+    """Return the answer of `module.answer` to a question, both sent as JSON; one question at a time.
 
     Raises
     ------
@@ -61,7 +61,7 @@ def read_isolated(module: str, question: dict[str, Any]) -> dict[str, Any]:
 
 
 def limit_this_process() -> None:
-    """Let this process have no more than its share of memory and time."""
+    """Set the limits of memory, processor time and file size for this process."""
     import resource  # noqa: PLC0415  (not on every system on which the command line runs)
 
     os.nice(NICE)

@@ -1,4 +1,4 @@
-"""The shirt layout: which channels a shirt has, which joint each belongs to, where it sits on the body."""
+"""The shirt layout: the channels of a shirt, the joint of each, and its place on the body."""
 
 from collections.abc import Mapping
 from typing import Annotated, Literal, Self

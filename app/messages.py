@@ -1,4 +1,4 @@
-"""What moves between the parts at the rate of the shirt: frames in, ticks out."""
+"""The messages at the rate of the shirt: frames and head poses in, ticks out."""
 
 import math
 from dataclasses import dataclass, field
@@ -26,7 +26,7 @@ class SensorFrame:
 
 
 class HeadPose(NamedTuple):
-    """Where a head looks, from straight ahead, and its place."""
+    """Direction of the head from straight ahead, and its position."""
 
     t: float  # our monotonic clock at arrival, s
     yaw: float  # rad, to the left positive
@@ -39,7 +39,7 @@ class HeadPose(NamedTuple):
 
 @dataclass(slots=True)
 class Tick:
-    """One turn of the control loop: what came in, what was made of it, what went out.
+    """Inputs, results and outputs of one turn of the control loop.
 
     `score`, `rate`, `drive` and `activation` have one number per gesture, in the order of the vocabulary.
     """
@@ -54,8 +54,8 @@ class Tick:
     activation: list[float] = field(default_factory=list)  # 0..1
     u1: float = 0.0
     u2: float = 0.0
-    v: float = 0.0  # m/s, as the gate let it pass
-    omega: float = 0.0  # rad/s
+    v: float = 0.0  # m/s, behind the safety gate
+    omega: float = 0.0  # rad/s, behind the safety gate
     x: float = 0.0  # m
     y: float = 0.0  # m
     theta: float = 0.0  # rad
@@ -63,26 +63,24 @@ class Tick:
     fault: Fault = Fault.NONE
     in_contact: bool = False
     contacts: int = 0  # since the start of the run
-    stops: int = 0  # stops and faults that were latched so far, those during another one included
+    stops: int = 0  # number of latched stops and faults so far, including those during another one
     dial: float = 1.0  # the speed dial: share of forward, reverse and turn speed
-    chair_kind: int = 0  # 0: virtual, 1: real; of a virtual one, what follows up to the battery says nothing
-    chair_state: int = 0  # as its telemetry says: 0 disarmed, 1 checking neutral, 2 armed, 3 fault
-    chair_fault: int = 0  # app.hardware.chair.reasons.Reason
+    chair_kind: int = 0  # 0: virtual, 1: real. chair_state to battery have a meaning for a real chair only
+    chair_state: int = 0  # from its telemetry: 0 disarmed, 1 checking neutral, 2 armed, 3 fault
+    chair_fault: int = 0  # from its telemetry: app.hardware.chair.reasons.Reason
     stop_input: int = 0  # 1: the chair's own stop switch is pressed
-    chair_age: float = 0.0  # s since what is known of the chair was true
+    chair_age: float = 0.0  # s, age of the chair's newest telemetry
     battery: float = math.nan  # 0..1, NaN: unknown
-    driven_v: float = 0.0  # m/s, as the chair says it drives
-    driven_omega: float = 0.0  # rad/s
-    scene_t: float = (
-        0.0  # s for which motion was permitted since the chair was put on the start: moves what moves by itself
-    )
+    driven_v: float = 0.0  # m/s, measured by the chair
+    driven_omega: float = 0.0  # rad/s, measured by the chair
+    scene_t: float = 0.0  # s of permitted motion since the chair was put on the start: the time of moving things
     head_yaw: float = math.nan  # rad, left positive; NaN without a head tracker or before its first pose
     head_pitch: float = math.nan  # rad, up positive
     head_roll: float = math.nan  # rad, towards the right shoulder positive
     head_age: float = math.nan  # s since the head pose came
 
 
-# The same, as one flat record: a slot of the ring between the processes, a row of a recording.
+# A Tick and its place in the run as one flat record: a slot of the ring between the processes.
 TICK = np.dtype(
     [
         ("number", "u8"),  # 1, 2, 3 ... since the control process started; 0: never written
@@ -98,12 +96,12 @@ TICK = np.dtype(
         ("theta", "f8"),
         ("scene_t", "f8"),
         ("frame_seq", "u4"),
-        ("lost", "u4"),  # frames missing in the shirt's own count, since the shirt was opened
-        ("late", "u4"),  # ticks later than a period, since the process started
+        ("lost", "u4"),  # frames missing by the shirt's counter since the shirt was opened
+        ("late", "u4"),  # ticks late by more than a period since the process started
         ("contacts", "u4"),
-        ("run", "u4"),  # counts runs: 0 outside a run, so that a reader finds the rows of one
+        ("run", "u4"),  # number of the run, 0 outside a run
         ("stops", "u4"),
-        ("cue", "i4"),  # index into the run's cues, NO_CUE outside of them
+        ("cue", "i4"),  # index into the run's cues, NO_CUE when none is in force
         ("dial", "f4"),
         ("chair_age", "f4"),
         ("battery", "f4"),

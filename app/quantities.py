@@ -1,7 +1,7 @@
-"""The number and text types of everything that a person can set: strict, finite, bounded, and fully visible.
+"""Strict, finite and bounded number types, and text types without invisible characters, for all input of people.
 
-A plain pydantic `float` takes NaN, Infinity, 1e999, `true` and `"3"`; these do not. A plain `str` takes invisible
-characters, which change how other text looks; these types do not.
+A plain pydantic `float` accepts NaN, Infinity, 1e999, `true` and `"3"`; these types do not. A plain `str` accepts
+invisible characters, which change how other text looks; these types do not.
 """
 
 from typing import Annotated
@@ -22,13 +22,13 @@ Fraction = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0, le=1)]
 Finite = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=-1e12, le=1e12)]
 Count = Annotated[int, Field(strict=True, ge=0, le=2**31)]
 Port = Annotated[int, Field(strict=True, ge=0, le=65_535)]
-Line = Annotated[str, AfterValidator(visible_line)]  # to be bounded with Field where it is used
+Line = Annotated[str, AfterValidator(visible_line)]  # its length is bounded where it is used
 Note = Annotated[str, AfterValidator(visible_lines)]
 Name = Annotated[str, Field(min_length=1, max_length=64, pattern=r"^[A-Za-z0-9][A-Za-z0-9_.-]*$")]
 Title = Annotated[Line, Field(min_length=1, max_length=80)]
 
 
 class Document(BaseModel):
-    """What comes from a browser, a file or the environment: no unknown field, never changed in place."""
+    """Base of the models of input from browsers, files and the environment: no unknown fields, immutable."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)

@@ -1,4 +1,4 @@
-"""Asks the machine for what keeps the loop on time, and says in words what it granted."""
+"""Requests real-time scheduling and locked memory for the control loop, and reports in words what was granted."""
 
 import ctypes
 import gc
@@ -7,36 +7,36 @@ import resource
 import sys
 
 LOOP_PRIORITY = 10  # of SCHED_FIFO: above every ordinary program, below the kernel's own threads
-RECORDER_PRIORITY = 5  # below the loop, above what could hold it up while it has the interpreter that the loop wants
-NICENESS = 10  # of nice: a tenth of the time of an ordinary process that wants the same core
-SWITCH_INTERVAL = 1e-4  # s: how long the recorder may hold the interpreter when the loop wants it
+RECORDER_PRIORITY = 5  # below the loop, above programs that could preempt the recorder while it holds the interpreter
+NICENESS = 10  # a tenth of the processor time of an ordinary process on the same core
+SWITCH_INTERVAL = 1e-4  # s for which the recorder may hold the interpreter when the loop needs it
 MCL_CURRENT, MCL_FUTURE, MCL_ONFAULT = 1, 2, 4
-LOCK = MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT  # what is in use stays; reserved but untouched memory is not filled
+LOCK = MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT  # lock pages when they are first used, not when they are reserved
 
 
 def go_real_time() -> list[str]:
-    """Take real-time scheduling for this thread, lock the memory, freeze the garbage collector; return sentences.
+    """Request real-time scheduling for this thread, lock the memory, freeze the garbage collector.
 
-    What is not granted is done without.
+    Returns one sentence on each request: granted or not. The program goes on without what is not granted.
     """
     sys.setswitchinterval(SWITCH_INTERVAL)
     words = [_take_loop_priority(), _lock_memory()]
     gc.collect()
     gc.freeze()
-    gc.disable()  # `collect_garbage` collects at moments when nothing moves
+    gc.disable()  # `collect_garbage` is called at moments when nothing moves
     return words
 
 
 def collect_garbage() -> None:
-    """Collect garbage; to be called only while the chair stands."""
+    """Collect garbage; call this only while the chair stands."""
     gc.collect()
     gc.freeze()
 
 
 def take_priority(priority: int) -> bool:
-    """Give the calling thread, not those it starts, real-time scheduling of this priority; return whether it was had.
+    """Request real-time scheduling of this priority for the calling thread only; return whether it was granted.
 
-    Priority 0 is ordinary scheduling.
+    Priority 0 requests ordinary scheduling. Threads started later do not inherit the priority.
     """
     if not hasattr(os, "SCHED_FIFO"):
         return False
@@ -51,7 +51,7 @@ def take_priority(priority: int) -> bool:
 
 
 def lower_priority() -> None:
-    """Let ordinary processes run before this one."""
+    """Lower the priority of this process below that of ordinary processes."""
     os.nice(NICENESS)
 
 
@@ -67,7 +67,7 @@ def _lock_memory() -> str:
         return refused
     limit, _ = resource.getrlimit(resource.RLIMIT_MEMLOCK)
     if os.geteuid() != 0 and limit != resource.RLIM_INFINITY:
-        return refused  # a lock that is granted up to a limit makes later allocations fail
+        return refused  # with a limit, allocations beyond it would fail later
     if ctypes.CDLL(None, use_errno=True).mlockall(LOCK) != 0:
         return refused
     return "The control loop's memory is locked."

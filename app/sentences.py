@@ -1,4 +1,4 @@
-"""Turns the errors of a document's validation into one sentence for the person who wrote it."""
+"""Turns the validation errors of a document into one sentence for the person who wrote it."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -9,12 +9,12 @@ LONGEST_QUOTE = 40
 
 
 def one_sentence(error: ValidationError, where: str) -> str:
-    """Return what is wrong, in which place of `where` (a file or a form), and what to do, as one sentence."""
+    """Return one sentence: what is wrong, where in `where` (a file or a form), and what to do."""
     return sentence_of(error.errors(include_url=False), where)
 
 
 def sentence_of(problems: Sequence[Mapping[str, Any]], where: str) -> str:
-    """Return the same for the list of problems that pydantic gives."""
+    """Return one sentence on pydantic's list of problems: what is wrong, where in `where`, and what to do."""
     first = problems[0]
     place = _place(first["loc"])
     start = f"{where}, {place}" if place else where
@@ -26,7 +26,7 @@ def sentence_of(problems: Sequence[Mapping[str, Any]], where: str) -> str:
 
 
 def _place(location: tuple[int | str, ...]) -> str:
-    """Return a path such as channels[3].name; positions count from 0 as in the file."""
+    """Return the location as a path such as channels[3].name; indices count from 0."""
     place = ""
     for part in location:
         if isinstance(part, int):
@@ -38,7 +38,7 @@ def _place(location: tuple[int | str, ...]) -> str:
 
 
 def _problem(problem: Mapping[str, Any]) -> str:
-    """Return the fault and its remedy in words."""
+    """Return a problem in words: what is wrong, and what to do."""
     kind: str = problem["type"]
     message: str = problem["msg"]
     if kind == "value_error":

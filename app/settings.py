@@ -1,4 +1,4 @@
-"""Where things lie, and how this web process was started."""
+"""The folders of the program, and the settings of this web process."""
 
 import ipaddress
 import os
@@ -8,18 +8,18 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 PACKAGE = Path(__file__).parent
-IN_USE = "in-use"  # the file that says, by a lock, that a program has the state open
+IN_USE = "in-use"  # name of the file that is locked while a program uses the state folder
 CODE_BYTES = 16  # 128 bits: a code of this length cannot be guessed
 
 
 def _packed(name: str) -> Path:
-    """Return a folder that a wheel carries inside the package and a checkout beside it."""
+    """Return a folder that lies inside the package in a wheel and beside it in a checkout."""
     inside = PACKAGE / name
     return inside if inside.is_dir() else PACKAGE.parent / name
 
 
 def static_folder() -> Path:
-    """Return the folder of the pages."""
+    """Return the folder of the web pages."""
     return _packed("web_static")
 
 
@@ -29,7 +29,7 @@ def data_folder() -> Path:
 
 
 def state_folder() -> Path:
-    """Return where the database and the recordings of a real clinic live: BODYDRIVE_STATE or the system's own place."""
+    """Return the folder of a clinic's database and recordings: BODYDRIVE_STATE, else the system's usual folder."""
     chosen = os.environ.get("BODYDRIVE_STATE")
     if chosen:
         return Path(chosen).expanduser().resolve()
@@ -39,13 +39,13 @@ def state_folder() -> Path:
 
 
 def new_code() -> str:
-    """Return a fresh random code for a link."""
+    """Return a new random code for a link."""
     return secrets.token_urlsafe(CODE_BYTES)
 
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """How one web process runs; made once at the start."""
+    """Settings of one web process, made once at its start."""
 
     state: Path = field(default_factory=state_folder)
     host: str = "127.0.0.1"
@@ -60,7 +60,7 @@ class Settings:
 
     @property
     def files(self) -> Path:
-        """Return the folder of the recorded signals and bodies that people bring."""
+        """Return the folder of uploaded recordings of signals and bodies."""
         return self.state / "files"
 
     @property
@@ -70,7 +70,7 @@ class Settings:
 
     @property
     def models(self) -> Path:
-        """Return the folder of the 3D objects that people bring."""
+        """Return the folder of uploaded 3D objects."""
         return self.state / "models"
 
     @property
@@ -80,7 +80,7 @@ class Settings:
 
     @property
     def replaced(self) -> Path:
-        """Return the folder of what uploads have replaced."""
+        """Return the folder of files that uploads have replaced."""
         return self.state / "replaced"
 
     @property
@@ -95,18 +95,18 @@ class Settings:
 
     @property
     def state_paths(self) -> list[Path]:
-        """Return the files of the program in the state folder, and that folder itself when nothing else lies in it."""
-        beside = sorted(self.state.glob(f"*{self.database.name}*"))  # the log's head, the ballast, copies
+        """Return the program's files in the state folder, and that folder itself when it holds nothing else."""
+        beside = sorted(self.state.glob(f"*{self.database.name}*"))  # the database, its log head, ballast and copies
         folders = [self.files, self.runs, self.models, self.keys, self.floorplans, self.replaced]
         own = [*beside, *folders, self.state / IN_USE]
         foreign = set(self.state.glob("*")) - set(own)
         return own if foreign or not self.state.exists() else [self.state, *own]
 
     def serves(self, host: str) -> bool:
-        """Tell whether a request's Host (without port) can be meant for us.
+        """Return whether a request's Host (without port) names this server: its address, localhost or its own name.
 
-        A foreign page can point its own name at this machine (DNS rebinding), but it cannot make a browser name us
-        by a bare address, by localhost or by the name that we were told to serve.
+        A foreign page can let its own name resolve to this machine (DNS rebinding), but its requests then carry that
+        name.
         """
         if host in {"localhost", self.host}:
             return True

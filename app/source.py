@@ -1,4 +1,4 @@
-"""The source of a recording: which shirt, which body inside a simulated one, which chair; one wording for all pages."""
+"""The source of a recording: its shirt, the body inside a simulated shirt, its chair; and its words on all pages."""
 
 from collections.abc import Mapping
 from typing import Annotated, Any, Literal
@@ -11,7 +11,7 @@ UNKNOWN = "unknown"
 
 Kind = Annotated[str, Field(min_length=1, max_length=32)]
 SourceGroup = Literal["worn", "simulated", "unknown"]
-"""Trials of different groups are never put into one curve, one verdict or one warning."""
+"""Trials of different groups are never put into one curve, one assessment or one warning."""
 
 SHIRT_WORDS = {"simulator": "Simulated shirt", "replay": "Recorded signals", "udp": "Worn shirt"}
 BODY_WORDS = {"person": "simulated person", "visitor": "moved on the screen", "recorded": "recorded body"}
@@ -19,7 +19,7 @@ CHAIR_WORDS = {"virtual": "virtual chair", "udp": "real chair", UNKNOWN: "chair 
 
 
 class Source(Document):
-    """Where the signals of a recording came from, and what they drove."""
+    """The origin of a recording's signals, and the chair that they drove."""
 
     shirt: Kind  # a shirt's kind (docs/protocols.md, section 2), or "unknown"
     body: Kind | None  # kind of the body inside the simulated shirt; None: no simulated body
@@ -35,7 +35,7 @@ class Source(Document):
 
 
 def source_words(source: Source) -> str:
-    """Return a source in words: for pages, reports and exports, so that all of them say it alike."""
+    """Return a source in the words that pages, reports and exports use."""
     if source.shirt == UNKNOWN:
         shirt = "Shirt not recorded"
     else:
@@ -51,9 +51,9 @@ UNKNOWN_SOURCE = Source(shirt=UNKNOWN, body=None, chair=UNKNOWN, simulated=None)
 
 
 def source_of_header(header: Mapping[str, Any]) -> Source:
-    """Return the source that the header of a recording (`run.json`) names.
+    """Return the source in the header of a recording (`run.json`).
 
-    Recordings from before the field `source` tell their chair only: `dynamics` is null for a real one.
+    Recordings from before the field `source` contain their chair only: `dynamics` is null for a real one.
     """
     try:
         return Source.model_validate(header["source"])

@@ -1,4 +1,4 @@
-"""Limits of speed and of its change: those of a parameter set, of a clinic, of a chair."""
+"""Limits of speed, acceleration and jerk: of a parameter set, a clinic or a chair."""
 
 from typing import Annotated
 
@@ -15,7 +15,7 @@ TurnJerk = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=1.0, le=4
 
 
 class Speeds(Document):
-    """What is not to be exceeded; the words are those of wheelchair programming."""
+    """Limits of speeds, accelerations and jerks, named as in wheelchair programming."""
 
     forward: Speed = 0.8  # m/s
     reverse: Speed = 0.3  # m/s
@@ -23,7 +23,7 @@ class Speeds(Document):
     acceleration: Acceleration = 0.8  # m/s2, also A_f of the acceleration mode
     deceleration: Acceleration = 1.2  # m/s2
     turn_acceleration: TurnAcceleration = 6.0  # rad/s2
-    jerk: Jerk = 8.0  # m/s3: full acceleration after a tenth of a second, felt as soft and not as late
+    jerk: Jerk = 8.0  # m/s3: full acceleration after 0.1 s, which is felt as soft and not as late
     turn_jerk: TurnJerk = 60.0  # rad/s3
 
 
@@ -37,11 +37,11 @@ HIGHEST_SPEEDS = Speeds(
     jerk=20.0,
     turn_jerk=400.0,
 )
-"""What no clinic and no chair may go beyond."""
+"""The highest limits that a clinic or a chair can have."""
 
 
 def most_restrictive(*levels: Speeds) -> Speeds:
-    """Return the limits that hold under several levels of limits: of each the smallest."""
+    """Return the smallest value of each limit over several levels of limits."""
     return Speeds(**{name: min(getattr(level, name) for level in levels) for name in Speeds.model_fields})
 
 
@@ -49,5 +49,5 @@ DIAL_FIELDS = ("forward", "reverse", "turn")
 
 
 def apply_dial(speeds: Speeds, share: float) -> Speeds:
-    """Return what is left of limits under a speed dial that lets a `share` (0.1 to 1) through."""
+    """Return the limits with forward, reverse and turn speed multiplied by the speed dial's `share` (0.1 to 1)."""
     return speeds.model_copy(update={name: share * getattr(speeds, name) for name in DIAL_FIELDS})

@@ -6,10 +6,10 @@ import socket
 from contextlib import suppress
 from typing import Any
 
-CHUNK = 65_536  # bytes taken from the socket at once
-LONGEST_LINE = 16_000_000  # bytes; a floor plan as document has at most 8 MB
-ANSWER_LIMIT = 10.0  # s; opening a device may take a few
-NO_ANSWER = 0  # the id of a command that wants none
+CHUNK = 65_536  # bytes read from the socket at once
+LONGEST_LINE = 16_000_000  # bytes; a floor plan's document has at most 8 MB
+ANSWER_LIMIT = 10.0  # s; opening a device may take several
+NO_ANSWER = 0  # the id of a command that gets no answer
 
 Message = dict[str, Any]
 
@@ -19,11 +19,11 @@ class LinkRefused(Exception):  # noqa: N818
 
 
 class LinkLost(Exception):  # noqa: N818
-    """The control process did not answer, or is no more."""
+    """The control process did not answer, or has ended."""
 
 
 class CommandServer:
-    """The control process's end. Never waits: what came is taken, and a client that takes no answer is cut off."""
+    """The control process's end of the channel. It never waits: a client that does not read its answers is cut off."""
 
     def __init__(self, end: socket.socket) -> None:
         end.setblocking(False)
@@ -32,9 +32,9 @@ class CommandServer:
         self.closed = False
 
     def poll(self) -> list[Message]:
-        """Return the commands that came; `closed` is set when the other end is gone.
+        """Return the commands that have arrived; set `closed` when the other end is closed.
 
-        Lines that are no JSON object are answered by a refusal, and left out.
+        Lines that are no command are answered with a refusal and left out.
         """
         chunks = []
         while not self.closed:
@@ -49,7 +49,7 @@ class CommandServer:
                 break
             chunks.append(chunk)
             if len(chunk) < CHUNK:
-                break  # the rest, if any, is there at the next poll
+                break  # any more bytes are read at the next poll
         if not chunks:
             return []
         *lines, self._rest = b"".join([self._rest, *chunks]).split(b"\n")
@@ -58,15 +58,15 @@ class CommandServer:
         return [command for line in lines if (command := self._parsed(line)) is not None]
 
     def answer(self, command_id: int, **fields: Any) -> None:
-        """Answer a command with what it brought."""
+        """Answer a command with its results."""
         self._send({"id": command_id, "ok": True, **fields}, command_id)
 
     def refuse(self, command_id: int, sentence: str) -> None:
-        """Answer a command by saying in one sentence why it was not done."""
+        """Answer a command with one sentence on why it was not carried out."""
         self._send({"id": command_id, "ok": False, "error": sentence}, command_id)
 
     def close(self) -> None:
-        """Give the socket back."""
+        """Close the socket."""
         self.closed = True
         self._socket.close()
 
@@ -97,7 +97,7 @@ class CommandServer:
 
 
 class ControlClient:
-    """The web process's end, for asyncio."""
+    """The web process's end of the channel, for asyncio."""
 
     def __init__(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
         self._reader = reader
@@ -115,11 +115,11 @@ class ControlClient:
 
     @property
     def closed(self) -> bool:
-        """Whether the control process is gone."""
+        """Whether the control process has closed the channel."""
         return self._closed.is_set()
 
     async def wait_closed(self) -> None:
-        """Return when the control process is gone."""
+        """Return when the control process has closed the channel."""
         await self._closed.wait()
 
     async def call(self, do: str, *, limit: float = ANSWER_LIMIT, **fields: Any) -> Message:
@@ -130,7 +130,7 @@ class ControlClient:
         LinkRefused
             With the control process's sentence.
         LinkLost
-            When it is gone or does not answer.
+            When the control process has ended or does not answer.
         """
         self._last_id += 1
         command_id = self._last_id
@@ -148,11 +148,11 @@ class ControlClient:
         return message
 
     def send(self, do: str, **fields: Any) -> None:
-        """Send a command that wants no answer; raise LinkLost when there is nobody to send it to."""
+        """Send a command without waiting for an answer; raise LinkLost when the control process has ended."""
         self._write({"id": NO_ANSWER, "do": do, **fields})
 
     async def close(self) -> None:
-        """Close this end, which also ends the control process."""
+        """Close this end; the control process then ends."""
         self._task.cancel()
         await asyncio.gather(self._task, return_exceptions=True)
         self._writer.close()
@@ -172,7 +172,7 @@ class ControlClient:
                 if answer is not None and not answer.done():
                     answer.set_result(message)
         except (OSError, ValueError, KeyError, TypeError):
-            pass  # an end that talks nonsense is as good as gone
+            pass  # an invalid answer is treated as a closed channel
         finally:
             self._closed.set()
             for answer in self._waiting.values():

@@ -1,4 +1,4 @@
-"""Ticks from the control process to whoever looks: a ring in shared memory that never waits for a reader."""
+"""The ring of ticks in shared memory, from the control process to its readers; the writer never waits for a reader."""
 
 import mmap
 import os
@@ -12,32 +12,32 @@ from numpy.typing import NDArray
 from app.messages import MAX_GESTURES, TICK, Tick
 
 RING_SLOTS = 16_384  # 16 s at 1 kHz, 160 s at 100 Hz
-HEADER = 64  # bytes before the slots: the number of the newest tick, and room to keep the slots apart from it
-COPY_ATTEMPTS = 3  # a reader that is overtaken thrice asks again later
-NUMBER_WORDS = TICK.itemsize // 8  # a slot in words of 8 bytes, as which its number is written at once
+HEADER = 64  # bytes before the slots: the number of the newest tick, then padding
+COPY_ATTEMPTS = 3  # of `newest`, when the writer overwrites the slot that is being copied
+NUMBER_WORDS = TICK.itemsize // 8  # size of a slot in words of 8 bytes; a slot's number is written as one such word
 
 Ticks = NDArray[np.void]
 
 
 def ring_file(name: str) -> Path:
-    """Return where the memory named `name` lies: the system's shared memory, or a temporary file where it has none."""
+    """Return the file of the memory `name`: in the system's shared memory, or else in the temporary folder."""
     shared = Path("/dev/shm")  # noqa: S108
     return (shared if shared.is_dir() else Path(tempfile.gettempdir())) / name
 
 
 def _slot_layout(n_gestures: int) -> Struct:
-    """Return the fields of `TICK` after `number` up to the activations, in native order, unused gestures zeroed."""
+    """Return the format of the fields of `TICK` after `number` up to the activations; unused gestures become zero."""
     unused = 8 * (MAX_GESTURES - n_gestures)
     return Struct(f"@11d6Ii9fHH8B{n_gestures}d{unused}x{n_gestures}d{unused}x{n_gestures}d")
 
 
 class TickRing:
-    """The last RING_SLOTS ticks. One writer; any number of readers, none of which it notices.
+    """The last RING_SLOTS ticks, with one writer and any number of readers, which do not affect the writer.
 
-    A slot's number is 0 while it is being written. A reader takes the number before and after copying: a slot whose
-    number changed meanwhile is torn, and is not handed on.
+    A slot's number is 0 while the slot is being written. A reader compares the number before and after copying: when it
+    has changed, the copy is torn and is discarded.
     The memory is a mapped file and not `multiprocessing.shared_memory`, because the latter's tracker starts a process
-    of its own and, up to Python 3.12, takes the memory away when a mere reader ends.
+    of its own and, up to Python 3.12, removes the memory when a reader ends.
     """
 
     def __init__(self, file: Path, descriptor: int) -> None:
@@ -54,12 +54,12 @@ class TickRing:
 
     @classmethod
     def create(cls, name: str) -> "TickRing":
-        """Make the memory, for the one who writes.
+        """Make the memory and return the writer's end.
 
         Raises
         ------
         FileExistsError
-            When there is such a memory already.
+            When a memory of this name exists.
         """
         file = ring_file(name)
         descriptor = os.open(file, os.O_RDWR | os.O_CREAT | os.O_EXCL, 0o600)
@@ -71,17 +71,17 @@ class TickRing:
             raise
         finally:
             os.close(descriptor)
-        ring._slots["values"] = np.nan  # also touches every page, so that the loop meets no page fault
+        ring._slots["values"] = np.nan  # also touches every page, so that the loop has no page faults later
         return ring
 
     @classmethod
     def attach(cls, name: str) -> "TickRing":
-        """Open the memory that another process made.
+        """Open the memory that another process has made, and return a reader's end.
 
         Raises
         ------
         FileNotFoundError
-            When there is none of this name.
+            When no memory of this name exists.
         """
         file = ring_file(name)
         descriptor = os.open(file, os.O_RDWR)
@@ -91,7 +91,7 @@ class TickRing:
             os.close(descriptor)
 
     def unlink(self) -> None:
-        """Take the name away; those who have the memory open keep it."""
+        """Remove the memory's name; processes that have the memory open keep it."""
         self._file.unlink(missing_ok=True)
 
     @property
@@ -177,7 +177,7 @@ class TickRing:
         return None
 
     def since(self, number: int) -> tuple[Ticks, int]:
-        """Return copies of the ticks after `number`, in order, and how many of them were overwritten before."""
+        """Return copies of the ticks after `number`, in order, and the number of ticks that were overwritten."""
         newest = self.number
         if newest <= number:
             return np.empty(0, dtype=TICK), 0
@@ -185,14 +185,14 @@ class TickRing:
         expected = np.arange(first, newest + 1, dtype=np.uint64)
         slots = (expected % np.uint64(RING_SLOTS)).astype(np.intp)
         before = self._numbers[slots] == expected
-        ticks = self._bytes[slots].view(TICK)[:, 0]  # as bytes: field by field, numpy is ten times slower
+        ticks = self._bytes[slots].view(TICK)[:, 0]  # copied as bytes: ten times as fast as copying structured slots
         whole = before & (self._numbers[slots] == expected)
         torn = np.flatnonzero(~whole)
         start = int(torn[-1]) + 1 if len(torn) else 0
         return ticks[start:], first + start - number - 1
 
     def close(self) -> None:
-        """Let go of the memory; ticks that were copied stay."""
+        """Release the memory; copies of ticks stay valid."""
         self._words.release()
         del self._slots, self._bytes, self._numbers, self._values
         self._memory.close()

@@ -1,4 +1,4 @@
-"""Starts the control process and ends it, and is told when it dies."""
+"""Starts and ends the control process, and notices when it dies."""
 
 import asyncio
 import os
@@ -14,14 +14,14 @@ import numpy as np
 from app.process.command_channel import ANSWER_LIMIT, ControlClient, LinkLost, Message
 from app.process.ring import TickRing, Ticks
 
-START_LIMIT = 20.0  # s: a cold start from a slow disk
-# s, where an answer may take longer than that of other commands, or must not.
-LIMITS = {"end_run": 120.0, "stop": 2.0}  # hours of recording are made compact before the answer comes
-QUIT_LIMIT = 3.0  # s: the chair comes to its stop, an open recording is closed
+START_LIMIT = 20.0  # s: enough for a cold start from a slow disk
+# s, of commands whose answers have a limit of their own. `end_run` answers after the recording has been made compact.
+LIMITS = {"end_run": 120.0, "stop": 2.0}
+QUIT_LIMIT = 3.0  # s, in which the chair stops and an open recording is closed
 
 
 class ControlProcess:
-    """One running control process, seen from the web process."""
+    """The web process's handle of one running control process."""
 
     def __init__(self, process: asyncio.subprocess.Process, client: ControlClient, ring: TickRing) -> None:
         self._process = process
@@ -30,12 +30,12 @@ class ControlProcess:
 
     @classmethod
     async def start(cls, *options: str) -> "ControlProcess":
-        """Start one, with further command line options, and return when it takes commands.
+        """Start a control process with these command line options, and return when it takes commands.
 
         Raises
         ------
         LinkLost
-            When it does not come up.
+            When it does not start.
         """
         ours, theirs = socket.socketpair()
         name = f"bodydrive-{os.getpid()}-{uuid.uuid4().hex[:12]}"
@@ -44,7 +44,7 @@ class ControlProcess:
                 *_command(theirs.fileno(), name, options),
                 pass_fds=[theirs.fileno()],
                 stdin=asyncio.subprocess.DEVNULL,
-                start_new_session=True,  # Ctrl-C is for the web process, which then ends this one in order
+                start_new_session=True,  # Ctrl-C reaches the web process only, which then ends this process in order
             )
         except OSError:
             ours.close()
@@ -59,7 +59,7 @@ class ControlProcess:
             await client.close()
             await _end(process)
             raise LinkLost("The control process did not start: look for its message on the console.") from error
-        # Both ends hold the memory now: without a name it cannot be left behind, however the processes end.
+        # Both processes have the memory open: without a name it is freed however the processes end.
         ring.unlink()
         return cls(process, client, ring)
 
@@ -73,7 +73,7 @@ class ControlProcess:
         return await self.client.call(do, limit=LIMITS.get(do, ANSWER_LIMIT), **fields)
 
     def tell(self, do: str, **fields: Any) -> None:
-        """Send a command that wants no answer; raise LinkLost when the process is gone."""
+        """Send a command without waiting for an answer; raise LinkLost when the process has ended."""
         self.client.send(do, **fields)
 
     def newest(self) -> np.void | None:
@@ -81,11 +81,11 @@ class ControlProcess:
         return self.ring.newest()
 
     def since(self, number: int) -> Ticks:
-        """Return the ticks after `number`, as many as the ring still holds."""
+        """Return the ticks after `number` that the ring still holds."""
         return self.ring.since(number)[0]
 
     async def died(self) -> None:
-        """Return when the process has ended, or has closed its link, which is the same to us."""
+        """Return when the process has ended or has closed its end of the channel."""
         ended = asyncio.ensure_future(self._process.wait())
         closed = asyncio.ensure_future(self.client.wait_closed())
         try:
@@ -95,12 +95,12 @@ class ControlProcess:
             closed.cancel()
 
     def kill(self) -> None:
-        """End the process at once, whatever it does; a chair behind it stops by itself. From any thread."""
+        """Kill the process at once; a real chair then stops by its own watchdog. May be called from any thread."""
         with suppress(ProcessLookupError):
             self._process.kill()
 
     async def close(self) -> None:
-        """Bring the chair to its stop, end the process and give back what it held."""
+        """Let the process stop the chair and end; release the ring's memory."""
         with suppress(LinkLost):
             self.client.send("quit")
         await self.client.close()
@@ -113,13 +113,13 @@ def _command(link: int, ring: str, options: Sequence[str]) -> list[str]:
 
 
 async def _end(process: asyncio.subprocess.Process) -> None:
-    """Wait for the process, and help when it does not end by itself."""
-    for help_it in (process.terminate, process.kill):
+    """Wait until the process has ended; terminate it, then kill it, when it does not end by itself."""
+    for end in (process.terminate, process.kill):
         try:
             await asyncio.wait_for(process.wait(), QUIT_LIMIT)
         except TimeoutError:
             with suppress(ProcessLookupError):
-                help_it()
+                end()
         else:
             return
     await process.wait()

@@ -1,4 +1,4 @@
-"""A recording's bytes through Arrow: batches of an IPC stream, and the Parquet file of a closed run."""
+"""Encodes recordings with Arrow: the batches of an IPC stream, and the Parquet file of a closed run."""
 
 import os
 from collections.abc import Iterator, Sequence
@@ -13,12 +13,12 @@ from numpy.typing import NDArray
 
 from app.recording.format import ADDED_SCALARS, META_KEY, PER_CHANNEL, PER_GESTURE, SCALARS, rows_to_columns
 
-ROW_GROUP = 20_000  # rows kept in memory while a run is made compact
+ROW_GROUP = 20_000  # rows in memory while the segments become a Parquet file
 CHUNK = 1 << 20  # bytes read at once for a checksum
 
 
 class Encoder:
-    """Turns the ticks of one run into the messages of an Arrow IPC stream."""
+    """Encodes the ticks of one run as messages of an Arrow IPC stream."""
 
     def __init__(self, meta: bytes, n_channels: int, n_gestures: int) -> None:
         fields = [
@@ -31,7 +31,7 @@ class Encoder:
         self._n_channels, self._n_gestures = n_channels, n_gestures
 
     def schema(self) -> bytes:
-        """Return how a segment begins: the columns, and a copy of `run.json`."""
+        """Return the first message of a segment: the columns, and a copy of `run.json`."""
         return bytes(self._schema.serialize())
 
     def batch(self, rows: NDArray[np.void]) -> bytes:
@@ -49,7 +49,7 @@ def _array(column: NDArray[np.generic], kind: Any) -> Any:
 
 
 def compact(segments: Sequence[Path], target: Path) -> int:
-    """Write the segments as one Parquet file, whole or not at all, and return its CRC-32; raise OSError."""
+    """Write the segments as one Parquet file, atomically, and return its CRC-32; raise OSError when that fails."""
     part = target.with_suffix(".part")
     try:
         writer = None
@@ -75,7 +75,7 @@ def compact(segments: Sequence[Path], target: Path) -> int:
 
 
 def _grouped(segments: Sequence[Path]) -> Iterator[pa.Table]:
-    """Yield the rows of all segments in groups, at least one (which may be empty) so that there is a schema."""
+    """Yield the rows of all segments in groups; at least one group, which may be empty, so that the schema is known."""
     waiting: list[pa.RecordBatch] = []
     count, yielded = 0, False
     for segment in segments:

@@ -1,8 +1,9 @@
-"""What a recording's files hold, byte by byte: shared by its writer and its reader.
+"""The format of a recording's files, shared by its writer and its reader.
 
-A run's folder has `run.json` (what the run was), then while it is recorded `segment-0000.arrows` and on: Arrow IPC
-streams, beside each a `segment-0000.check` of the checksums of what was written to it. A closed run has `run.parquet`
-instead, and `end.json`: the number of rows and the checksums of the two other files, with its own on a second line.
+A run's folder holds `run.json`, which describes the run. While the run is recorded, the folder holds Arrow IPC streams
+`segment-0000.arrows`, `segment-0001.arrows` ..., each with a file of checksums, `segment-0000.check` .... A closed run
+has `run.parquet` instead of the segments, and `end.json`: the number of rows and the checksums of the two other files,
+and on its second line the checksum of the first line.
 """
 
 import json
@@ -19,8 +20,8 @@ PARQUET_FILE = "run.parquet"
 DAMAGE_FILE = "damaged.txt"
 SEGMENT, SEGMENT_CHECK = "segment-{:04d}.arrows", "segment-{:04d}.check"
 
-META_KEY = b"bodydrive"  # under which the Arrow schema carries a copy of run.json
-END_OF_STREAM = b"\xff\xff\xff\xff\x00\x00\x00\x00"  # what closes an Arrow IPC stream
+META_KEY = b"bodydrive"  # key of the copy of run.json in the Arrow schema's metadata
+END_OF_STREAM = b"\xff\xff\xff\xff\x00\x00\x00\x00"  # the end marker of an Arrow IPC stream
 
 SCALARS = {
     "t": np.float64,
@@ -41,14 +42,14 @@ SCALARS = {
     "in_contact": np.uint8,
     "contacts": np.uint32,
 }
-ADDED_SCALARS = {  # older recordings are without them
-    "driven_v": np.float32,  # as the chair says
+ADDED_SCALARS = {  # added later: older recordings do not have these columns
+    "driven_v": np.float32,  # measured by the chair
     "driven_omega": np.float32,
     "scene_t": np.float64,
     "head_yaw": np.float32,
     "head_pitch": np.float32,
     "head_roll": np.float32,
-    "dial": np.float32,  # the speed dial: without it the commands cannot be made again
+    "dial": np.float32,  # the speed dial, without which the commands cannot be computed again
 }
 PER_GESTURE = ("score", "rate", "activation")
 PER_CHANNEL = "values"
@@ -57,7 +58,7 @@ CHECK = Struct("<QII")  # end of a piece in the segment, CRC-32 of the piece, CR
 
 
 class Piece(NamedTuple):
-    """A part of a segment that was written at once: the schema, a batch of rows, or the end."""
+    """A part of a segment that was written at once: the schema, a batch of rows, or the end marker."""
 
     start: int
     end: int
@@ -71,7 +72,7 @@ def check_record(end: int, piece: bytes) -> bytes:
 
 
 def check_pieces(records: bytes) -> tuple[list[Piece], bool]:
-    """Return the pieces of a segment as its checksums tell, and whether a record, not their end, is wrong."""
+    """Return the pieces of a segment from its check records, and whether a record is damaged (not only cut off)."""
     pieces: list[Piece] = []
     start = 0
     for at in range(0, len(records) - CHECK.size + 1, CHECK.size):
@@ -90,7 +91,7 @@ def end_bytes(rows: int, dropped: int, checksums: dict[str, int]) -> bytes:
 
 
 def parse_end(content: bytes) -> dict[str, Any] | None:
-    """Return what `end.json` says, None when it was cut or changed."""
+    """Return the document in `end.json`, None when the file was cut or changed."""
     line, _, rest = content.partition(b"\n")
     if rest != str(crc32(line)).encode() + b"\n":
         return None
@@ -99,7 +100,7 @@ def parse_end(content: bytes) -> dict[str, Any] | None:
 
 
 def rows_to_columns(rows: NDArray[np.void], n_channels: int, n_gestures: int) -> dict[str, NDArray[Any]]:
-    """Return the columns of ticks (n,): (n,) for one number a tick, (n, n_channels) and (n, n_gestures) for lists."""
+    """Return the columns of ticks (n,): scalars (n,), `values` (n, n_channels), per gesture (n, n_gestures)."""
     columns: dict[str, NDArray[Any]] = {name: np.ascontiguousarray(rows[name]) for name in SCALARS | ADDED_SCALARS}
     for name in PER_GESTURE:
         columns[name] = np.ascontiguousarray(rows[name][:, :n_gestures])

@@ -1,4 +1,4 @@
-"""Reads a recorded run, as much of it as is whole."""
+"""Reads a recorded run, up to its first damaged byte."""
 
 import json
 from dataclasses import dataclass
@@ -37,14 +37,14 @@ class Run:
     """One recorded run.
 
     `columns` holds arrays (n_rows,), for `values` (n_rows, n_channels), for `score`, `rate` and `activation`
-    (n_rows, n_gestures). A row without `has_frame` is a turn of the loop in which no frame came: its values are NaN.
-    What the chair drove is NaN in a recording that is older than these columns.
+    (n_rows, n_gestures). A row without `has_frame` is a tick in which no frame came: its values are NaN. Columns that
+    an older recording does not have are NaN.
     """
 
-    meta: dict[str, Any]  # what `run.json` says; empty when it cannot be read any more
+    meta: dict[str, Any]  # the content of `run.json`; empty when it cannot be read
     columns: Columns
-    dropped: int  # ticks that were lost before they could be written, as far as known
-    words: str  # what is wrong with the recording, in one sentence; empty when it is whole and closed
+    dropped: int  # ticks that were overwritten in the ring before they were written; 0 when unknown
+    words: str  # one sentence on the damage; empty when the recording is whole and closed
 
     @property
     def rows(self) -> int:
@@ -52,20 +52,20 @@ class Run:
         return len(self.columns["t"])
 
     def frames(self) -> Columns:
-        """Return the columns of those rows in which a frame of the shirt came."""
+        """Return the columns of the rows in which a frame came."""
         chosen = self.columns["has_frame"].astype(bool)
         return {name: column[chosen] for name, column in self.columns.items()}
 
 
 def read_run(folder: str | Path) -> Run:
-    """Return what can be read of the run in `folder`: all of a closed one, the longest whole beginning of a cut one.
+    """Return the run in `folder`; of a damaged one, the rows before the first damaged byte.
 
-    Missing and flipped bytes are told in `Run.words`; they raise nothing.
+    `Run.words` describes missing and changed bytes; they raise no error.
 
     Raises
     ------
     ValueError
-        In one sentence, when there is no recording in the folder at all.
+        One sentence, when the folder holds no recording.
     """
     folder = Path(folder)
     segments = sorted(folder.glob("segment-*.arrows"))
@@ -105,7 +105,7 @@ def _read_parquet(file: Path, end: dict[str, Any] | None) -> tuple[list[pa.Table
 
 
 def _read_segments(segments: list[Path]) -> tuple[list[pa.Table], str]:
-    """Return the rows up to the first byte that is missing or wrong."""
+    """Return the rows before the first missing or wrong byte, and one sentence on the damage."""
     tables: list[pa.Table] = []
     for number, segment in enumerate(segments):
         if segment.name != SEGMENT.format(number):
@@ -124,9 +124,9 @@ def _read_segments(segments: list[Path]) -> tuple[list[pa.Table], str]:
 
 
 def _sound_part(content: bytes, records: bytes) -> tuple[int, bool]:
-    """Return how many bytes of a segment can be read, and whether a changed byte, not the end, limits them.
+    """Return the number of readable bytes of a segment, and whether a changed byte limits them (not the file's end).
 
-    Bytes beyond the last record were written just before the end: their own form has to show whether they are whole.
+    Bytes after the last check record were written just before a crash: the Arrow decoder has to find their end.
     """
     pieces, changed = check_pieces(records)
     for piece in pieces:
@@ -146,7 +146,7 @@ def _batches(content: bytes) -> list[pa.Table]:
         with pa.ipc.open_stream(content) as stream:
             if not _has_all_columns(stream.schema):
                 return []
-            batches = [pa.RecordBatch.from_pylist([], schema=stream.schema)]  # also no row tells the columns
+            batches = [pa.RecordBatch.from_pylist([], schema=stream.schema)]  # keeps the columns when there are no rows
             while True:
                 batch = stream.read_next_batch()
                 batch.validate(full=True)

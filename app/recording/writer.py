@@ -1,4 +1,4 @@
-"""Writes a run to disk while it goes on: a thread that reads the ring, so that the loop never waits for it."""
+"""Writes a run to disk while it is recorded: a thread reads the ring, so that the loop never waits for the disk."""
 
 import json
 import os
@@ -26,8 +26,8 @@ from app.recording.format import (
 )
 
 WRITE_EVERY = 0.08  # s
-SYNC_EVERY = 0.5  # s: no more than this is lost when the power fails
-SEGMENT_SIZE = 32_000_000  # bytes, then the next segment begins
+SYNC_EVERY = 0.5  # s: the most that is lost when the power fails
+SEGMENT_SIZE = 32_000_000  # bytes, after which the next segment begins
 
 
 class RunWriter:
@@ -40,11 +40,11 @@ class RunWriter:
     dropped : int
         Ticks that were overwritten in the ring before they could be written.
     words : str
-        Why the recording is damaged, in one sentence; empty while it is whole.
+        One sentence on why the recording is damaged; empty while it is whole.
     """
 
     def __init__(self, folder: Path, meta: dict[str, Any], n_channels: int, n_gestures: int) -> None:
-        """Make the folder and `run.json`; raise OSError when that cannot be done, FileExistsError for an old run."""
+        """Make the folder and `run.json`; raise OSError when that fails, FileExistsError for a folder with a run."""
         folder.mkdir(parents=True, exist_ok=True)
         if (folder / META_FILE).exists():
             raise FileExistsError(f"{folder.name}: there is a recording of this name already, begin a new run")
@@ -63,37 +63,37 @@ class RunWriter:
 
     @property
     def healthy(self) -> bool:
-        """Whether everything so far could be written."""
+        """Whether all writes so far have succeeded."""
         return not self.words
 
     @property
     def done(self) -> bool:
-        """Whether the recording is closed, safely on disk."""
+        """Whether the recording is closed and on disk."""
         return self._thread is not None and not self._thread.is_alive()
 
     def start(self, ring: TickRing, after: int, run: int, real_time: bool = False) -> None:
-        """Begin to write the ticks of `run` that come after tick number `after`.
+        """Start to write the ticks of `run` after tick number `after`.
 
-        `real_time`: with a priority just below that of the control loop, where the machine grants it. Otherwise any
-        program could hold up this thread while it has the interpreter, and with it the loop of the same process.
+        `real_time`: request a priority just below that of the control loop. Without it, any program could preempt this
+        thread while it holds the interpreter, and so delay the loop, which runs in the same process.
         """
         arguments = (ring, after, run, real_time)
         self._thread = threading.Thread(target=self._record, args=arguments, name="recorder", daemon=True)
         self._thread.start()
 
     def finish(self, until: int) -> None:
-        """Close the recording when the tick number `until` is written; `done` tells when it is."""
+        """Close the recording when tick number `until` is written; `done` tells when it is closed."""
         self._until = until
         self._wake.set()
 
     def close(self, until: int) -> tuple[int, int]:
-        """Close the recording, wait for it, and return how many rows were written and dropped."""
+        """Close the recording, wait for it, and return the numbers of written and of dropped rows."""
         self.finish(until)
         self.wait()
         return self.rows, self.dropped
 
     def wait(self) -> None:
-        """Return when the recording is closed, once `finish` was called."""
+        """Wait until the recording is closed, after `finish` was called."""
         if self._thread is not None:
             self._thread.join()
 
@@ -113,12 +113,12 @@ class RunWriter:
                 if until is not None and last >= until:
                     break
             self._close_segment()
-        except Exception as error:  # whatever it was, nobody else would hear of it
+        except Exception as error:  # in a thread, no caller would see it
             self._damage(error)
             return
         if real_time:
             take_priority(0)
-        with suppress(OSError):  # without room for the compact form, the segments stay: they are as good
+        with suppress(OSError):  # without room for the Parquet file, the segments stay, which hold the same rows
             self._compact()
 
     def _take(self, ring: TickRing, last: int, run: int) -> int:
@@ -162,7 +162,7 @@ class RunWriter:
         self._descriptors = []
 
     def _damage(self, error: Exception) -> None:
-        """Say that it failed, and do not try again: after a failed write nobody knows what is on the disk."""
+        """Note the failure and close the files; do not retry: after a failed write the file's content is unknown."""
         reason = getattr(error, "strerror", None) or str(error)
         self.words = f"The recording could not be written ({reason}): free some disk space, then start a new run."
         for descriptor in self._descriptors:
@@ -183,7 +183,7 @@ class RunWriter:
 
 
 def _write_all(descriptor: int, content: bytes) -> None:
-    """Write all of it; a disk that is nearly full takes a part first, and refuses the rest."""
+    """Write all bytes; on a nearly full disk, the first call writes a part and the next one raises OSError."""
     view = memoryview(content)
     while view:
         view = view[os.write(descriptor, view) :]

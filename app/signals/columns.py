@@ -1,4 +1,4 @@
-"""Reads the columns of a CSV or Parquet file, fast, and says exactly what is wrong with a bad one."""
+"""Reads the columns of a CSV or Parquet file, and describes in one sentence what is wrong with an invalid file."""
 
 import csv
 from collections.abc import Collection
@@ -23,14 +23,14 @@ NOT_TEXT = "{}: this is not a CSV file but something binary or not in UTF-8, sav
 
 
 class Columns(NamedTuple):
-    """What a file holds, and which signs it uses; a Parquet file has none."""
+    """The columns of a file, and the dialect of a CSV file."""
 
     table: Table
-    dialect: Dialect | None
+    dialect: Dialect | None  # None for Parquet
 
 
 def read_columns(path: Path, text: Collection[str] = (), only: Collection[str] | None = None) -> Table:
-    """Return the columns of a CSV or Parquet file by name, as `read_columns_and_dialect` reads them."""
+    """Return the columns of a CSV or Parquet file by name; parameters and errors as of `read_columns_and_dialect`."""
     return read_columns_and_dialect(path, text, only).table
 
 
@@ -63,7 +63,7 @@ def read_columns_and_dialect(path: Path, text: Collection[str] = (), only: Colle
 
 
 def require_column(table: Table, path: Path, name: str) -> NDArray[np.float64]:
-    """Return a column (n,) of finite numbers, or raise ValueError with the line at which it is not one."""
+    """Return a column (n,) of finite numbers; raise ValueError with the first line that has none."""
     if name not in table:
         raise ValueError(f"{path}: there is no column '{name}' (there are {_listed(list(table))}), add it")
     values = table[name].astype(np.float64)
@@ -74,7 +74,7 @@ def require_column(table: Table, path: Path, name: str) -> NDArray[np.float64]:
 
 
 def row_words(path: Path, row: int) -> str:
-    """Return where the person finds row `row` (from 0): the line of a CSV, the row of a Parquet file."""
+    """Return the place of row `row` (from 0) in words: the line of a CSV file, the row of a Parquet file."""
     return f"{path}, row {row + 1}" if _is_parquet(path) else f"{path}, line {row + 2}"
 
 
@@ -90,7 +90,7 @@ def _read_parquet(path: Path, only: Collection[str] | None) -> pa.Table:
         raise ValueError(f"{path}: this is not a Parquet file, save it as one or give it the name of a CSV") from error
     _refuse_twins(str(path), names)
     wanted = [name for name in names if only is None or name in only]
-    if described.num_rows * len(wanted) > MOST_NUMBERS:  # equal values are packed: a small file may hold any number
+    if described.num_rows * len(wanted) > MOST_NUMBERS:  # a small file may hold any number of equal, packed values
         raise ValueError(f"{path}: this holds more than {MOST_NUMBERS:,} numbers, cut it into shorter recordings")
     try:
         return pa_parquet.read_table(path, columns=wanted)
@@ -137,7 +137,7 @@ def _table_of_csv(
 
 
 def _header(path: Path) -> tuple[list[str], str]:
-    """Return the names in the first line, trimmed, and what separates them, or refuse what cannot be a header."""
+    """Return the trimmed names in the first line and their separator; raise ValueError when it is no header."""
     with path.open("rb") as file:
         start = file.readline(100_000)
     if not start.strip():
@@ -169,7 +169,7 @@ def _refuse_twins(where: str, names: list[str]) -> None:
 
 
 def _what_is_wrong(path: Path, header: list[str], numeric: set[str], dialect: Dialect, otherwise: str) -> str:
-    """Search for the first bad line: the slow way, taken only after the fast one has failed."""
+    """Return one sentence on the first invalid line; slow, therefore called only after the fast reader has failed."""
     try:
         with path.open(encoding="utf-8-sig", newline="") as file:
             lines = csv.reader(file, delimiter=dialect.separator)

@@ -1,4 +1,4 @@
-"""Which signs a CSV file uses: commas, semicolons or tabs between its columns, a point or a comma in its numbers."""
+"""Detects the dialect of a CSV file: commas, semicolons or tabs between columns, a point or a comma in numbers."""
 
 import csv
 import mmap
@@ -10,39 +10,40 @@ DECIMALS: Final = {".": "points", ",": "commas"}
 
 
 class Dialect(NamedTuple):
-    """How the cells of a line are told apart, and the sign before a number's fraction."""
+    """The separator between the cells of a line, and the decimal sign of its numbers."""
 
     separator: str = ","
     decimal: str = "."
 
     @property
     def words(self) -> str:
-        """Return the dialect in a sentence; an empty string for commas between columns and decimal points."""
+        """Return the dialect in a sentence; an empty string for the usual one, commas and decimal points."""
         if self == Dialect():
             return ""
         return f"It was read with {SEPARATORS[self.separator]} between columns and decimal {DECIMALS[self.decimal]}."
 
 
 def separator_of(header: str) -> str:
-    """Return what separates the columns of a header: the sign that makes the most columns, a comma rather than others.
+    """Return the separator that splits a header into the most columns; the comma when several are equal.
 
     Raises
     ------
     csv.Error
-        When the line cannot be taken apart.
+        When the line cannot be parsed.
     """
     return max(SEPARATORS, key=lambda separator: len(cells_of(header, separator)))
 
 
 def cells_of(line: str, separator: str) -> list[str]:
-    """Return the cells of one line, trimmed; raises csv.Error when it cannot be taken apart."""
+    """Return the trimmed cells of one line; raise csv.Error when it cannot be parsed."""
     return [cell.strip() for cell in next(csv.reader([line], delimiter=separator))]
 
 
 def decimals_to_try(file: Path, separator: str) -> tuple[str, ...]:
-    """Return the decimal signs with which a file may be read, the likely one first.
+    """Return the decimal signs to try on a file, the likely one first.
 
-    A comma that separates no columns stands in numbers, or in a column of words: then the points are in the numbers.
+    A comma that does not separate columns is a decimal comma, or part of a text column; then the decimal sign is a
+    point.
     """
     if separator == ",":
         return (".",)

@@ -1,4 +1,4 @@
-"""A shirt's signals from a file: CSV, Parquet, or one of our own recordings."""
+"""Reads a shirt's signals from a CSV or Parquet file, or from a recorded run."""
 
 import json
 from codecs import BOM_UTF8
@@ -15,35 +15,35 @@ from app.sentences import one_sentence
 from app.signals.columns import Table, read_columns_and_dialect, require_column, row_words
 from app.signals.csv_dialect import Dialect
 
-SHORTEST = 10  # samples: fewer make no signal
-SLOWEST, FASTEST = 10.0, 5000.0  # Hz: below, a 3 Hz low-pass has nothing to hold on to
-GAP = 1.5  # of the median step: a longer one is a gap
+SHORTEST = 10  # samples
+SLOWEST, FASTEST = 10.0, 5000.0  # Hz; a slower sample rate does not suffice for a low-pass of 3 Hz
+GAP = 1.5  # of the median step: longer steps are gaps
 ROWS_AT_ONCE = 4096
-LARGEST = 1e10  # no sensor gives more; in float32 and in a profile, sums of such values still have room
-EVEN_WITHIN = 1.0  # of the time column's own resolution: how far an even grid may be off and still be the truth
+LARGEST = 1e10  # no sensor gives more; sums of such values do not overflow float32, nor the limits of a profile
+EVEN_WITHIN = 1.0  # of the time column's resolution: largest difference between written times and an even grid
 
 
 @dataclass(slots=True)
 class Signals:
-    """Channels over time, one row per frame."""
+    """The values of all channels over time, one row per frame."""
 
     t: NDArray[np.float64]  # (n,) s, strictly rising
     values: NDArray[np.float64] | NDArray[np.float32]  # (n, n_channels), NaN where a sample is missing
     channel_names: list[str]
     sample_rate: float  # Hz
-    t_device: NDArray[np.float64] | None = None  # (n,) s, the shirt's own clock where a recording has it
-    words: str = ""  # what is wrong with the recording, in one sentence
+    t_device: NDArray[np.float64] | None = None  # (n,) s on the shirt's own clock, where a recording has it
+    words: str = ""  # one sentence on what is damaged in the recording
     dialect: Dialect | None = None  # of a CSV file
 
     def between(self, start: float | None, end: float | None) -> slice:
-        """Return the rows with `start` <= t < `end` (s); None stands for the recording's own start or end."""
+        """Return the rows with `start` <= t < `end` (s); None means the recording's start or end."""
         first = 0 if start is None else int(np.searchsorted(self.t, start, side="left"))
         last = len(self.t) if end is None else int(np.searchsorted(self.t, end, side="left"))
         return slice(first, last)
 
 
 def read_signals(path: str | Path, layout: ShirtLayout | None = None) -> Signals:
-    """Read signals; with a layout, its channels in its order, otherwise every column but `t`.
+    """Read the signals of a file or of a run's folder: the layout's channels in its order, else every column but `t`.
 
     Raises
     ------
@@ -73,7 +73,7 @@ def read_signals(path: str | Path, layout: ShirtLayout | None = None) -> Signals
 
 
 def signals_of_run(run: Run, path: Path, layout: ShirtLayout | None = None) -> Signals:
-    """Return the frames of a recorded run, `t` counted from its start, or raise ValueError with one sentence."""
+    """Return the frames of a recorded run, `t` from its start; raise ValueError with one sentence."""
     recorded = run.meta.get("layout")
     if recorded is None:
         raise ValueError(f"{path}: the recording does not say which shirt it is of. {run.words}".rstrip())
@@ -107,7 +107,7 @@ def make_signals(
     channel_names: list[str],
     path: Path,
 ) -> Signals:
-    """Return signals whose time rises strictly, or raise ValueError saying at which row of `path` it falls."""
+    """Return signals with strictly rising times; raise ValueError with one sentence when `t` falls or is not in s."""
     steps = np.diff(t)
     if len(falls := np.flatnonzero(steps < 0)):
         row = int(falls[0]) + 1
@@ -129,9 +129,9 @@ def make_signals(
 
 
 def sample_rate_of(t: NDArray[np.float64]) -> float:
-    """Return the samples per second (Hz) of times `t` (n,), gaps left aside.
+    """Return the sample rate (Hz) of times `t` (n,), from the mean of the steps that are not gaps.
 
-    The mean and not the median of the steps, because rounded times (0.003, 0.004, 0.003 ...) have a wrong median.
+    The median of the steps is wrong for rounded times (0.003, 0.004, 0.003 ...).
     """
     steps = np.diff(t)
     whole = steps[steps <= GAP * np.median(steps)]
@@ -160,12 +160,12 @@ def _missing(path: Path, missing: list[str], layout: ShirtLayout | None) -> str:
 
 
 def _stacked(table: Table, names: list[str]) -> NDArray[np.float64] | NDArray[np.float32]:
-    """Return the named columns as (n, n_channels), infinities and what is larger than any sensor gives as NaN."""
+    """Return the named columns as (n, n_channels), with NaN for infinities and for values beyond LARGEST."""
     single = all(table[name].dtype == np.float32 for name in names)
     shape = (len(table["t"]), len(names))
     values: NDArray[np.float64] | NDArray[np.float32]
     values = np.empty(shape, dtype=np.float32) if single else np.empty(shape, dtype=np.float64)
-    for first in range(0, len(values), ROWS_AT_ONCE):  # block by block, which stays in the processor's cache
+    for first in range(0, len(values), ROWS_AT_ONCE):  # by blocks that fit into the processor's cache
         rows = slice(first, first + ROWS_AT_ONCE)
         for column, name in enumerate(names):
             values[rows, column] = table[name][rows]
@@ -175,14 +175,14 @@ def _stacked(table: Table, names: list[str]) -> NDArray[np.float64] | NDArray[np
 
 
 def _without_ties(t: NDArray[np.float64], steps: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the times of samples whose `t` was written with too few digits to tell neighbours apart.
+    """Return strictly rising times for a `t` (n,) written with so few digits that neighbours have equal times.
 
-    Where an even grid explains every written time within its own resolution, the samples were even; otherwise
-    samples of one written time are spread evenly until the next one.
+    The times are an even grid if that agrees with every written time within its resolution. Otherwise the samples with
+    equal times are spread evenly up to the next written time.
     """
     count = len(t)
     step = float(np.median(steps)) or float(t[-1] - t[0]) / (count - 1)
-    rate = round(1.0 / step, 6)  # a step of 0.01000000000000023 is one of 0.01
+    rate = round(1.0 / step, 6)  # removes rounding errors: a step of 0.01000000000000023 means 0.01
     grid: NDArray[np.float64] = t[0] + np.arange(count) / rate
     if np.abs(grid - t).max() <= EVEN_WITHIN * steps.max():
         return grid

@@ -1,4 +1,4 @@
-"""The Butterworth low-pass over a whole recording at once: the same numbers as the loop's filter, faster."""
+"""Filters a whole recording at once with the Butterworth low-pass; gives the same numbers as the loop's filter."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -8,9 +8,9 @@ from app.butterworth import low_pass
 
 
 def smooth(samples: NDArray[np.float64], cutoff: float, sample_rate: float) -> NDArray[np.float64]:
-    """Return `samples` (n,) or (n, k) behind the causal low-pass, started as if the first row had lasted for ever.
+    """Return `samples` (n,) or (n, k) filtered by the causal low-pass; `cutoff` and `sample_rate` in Hz.
 
-    `cutoff` and `sample_rate` in Hz. So started, a recording begins with a rate of zero and not with a jump.
+    The filter starts in the steady state of the first row, so that the rate is zero at the start.
     """
     c = low_pass(cutoff, sample_rate)
     numerator, denominator = [c.b0, c.b1, c.b2], [1.0, c.a1, c.a2]
@@ -24,10 +24,10 @@ def smooth(samples: NDArray[np.float64], cutoff: float, sample_rate: float) -> N
 def slow_average(
     samples: NDArray[np.float64], time_constant: float, sample_rate: float, periods: NDArray[np.float64] | None = None
 ) -> NDArray[np.float64]:
-    """Return `samples` (n,) or (n, k) followed slowly, started as if the first row had lasted for ever.
+    """Return the exponential moving average of `samples` (n,) or (n, k), started in the steady state of the first row.
 
-    `time_constant` in s, `sample_rate` in Hz; `periods` (n,): how many sample periods each row comes after the one
-    before, where some are missing.
+    `time_constant` in s, `sample_rate` in Hz. `periods` (n,): sample periods between each row and the one before it,
+    for recordings with missing rows.
     """
     stays = float(np.exp(-1.0 / (sample_rate * time_constant)))
     if periods is None or (periods == 1.0).all():

@@ -10,7 +10,7 @@ from app.hardware.chair.simulator import ChairState
 from app.hardware.shirt.fabric import Fabric
 from app.layout import ShirtLayout
 from app.messages import SensorFrame
-from app.world.scenery import Place
+from app.world.scenery import MoverState
 
 
 class Participant:
@@ -45,7 +45,7 @@ class Participant:
         self._view = BodyView()
         return self._frame()
 
-    def drive(self, permitted: bool, chair: ChairState, leader: Place | None = None) -> SensorFrame:
+    def drive(self, permitted: bool, chair: ChairState, leader: MoverState | None = None) -> SensorFrame:
         """Return the next frame of the person driving, who sees chair, leader and whether motion is `permitted`."""
         view = self._view
         view.cue = None

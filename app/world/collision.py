@@ -1,4 +1,4 @@
-"""What walls and obstacles do to a chair that drives into them: it slides along and never gets through."""
+"""Collision of the chair with walls and obstacles: it slides along them and never passes through."""
 
 import math
 from itertools import pairwise
@@ -9,22 +9,22 @@ from app.world.floorplan import FloorPlan
 from app.world.kinematics import CHAIR_RADIUS
 from app.world.obstacles import Box, Cylinder
 
-NEAR = 0.8  # m around the chair; walls further away are not looked at until it has moved by half of this
-STEP = 0.1  # m; a longer way is gone in pieces, each far shorter than the chair's radius, so that no wall is jumped
+NEAR = 0.8  # m around the chair within which edges are cached; the cache is renewed after half of this distance
+STEP = 0.1  # m; longer movements are divided into steps far shorter than the chair's radius, so that no wall is skipped
 TOUCH = 1e-3  # m; nearer than this counts as touching
-ROUNDING = 1e-9  # m; what floating-point numbers may take from a distance
-PUSHES = 8  # a corner of two walls needs two; beyond this the chair stays where it was
+ROUNDING = 1e-9  # m; tolerance for rounding errors of distances
+PUSHES = 8  # a corner of two walls needs two pushes; after this many the chair stays where it was
 
-# One thing to keep away from: a segment as start, direction (unit), length; then the distance to keep from it.
-# A cylinder is a segment of no length.
+# A segment and the distance that the chair's middle keeps from it: start x, start y, unit direction x, direction y,
+# length, distance. A cylinder is a segment of length zero.
 Edge = tuple[float, float, float, float, float, float]
 
 
 class Collision:
-    """A circle of `radius` (m) among a floor plan's walls and obstacles.
+    """Collision of a circle of `radius` (m) with the walls and obstacles of a floor plan.
 
-    Walls are as thick as the plan says, with rounded ends that lie within the drawn ones, so that a doorway is as wide
-    as its gap. Nothing in it grows; only the cache of what is near changes.
+    Walls have the plan's thickness and rounded ends that do not extend beyond the drawn ends, so that a doorway is as
+    wide as the gap between two walls. The object uses constant memory; only its cache of near edges changes.
     """
 
     __slots__ = (
@@ -40,17 +40,17 @@ class Collision:
         self._near: list[Edge] = []
         self._near_x = self._near_y = math.inf
         self._free_x = self._free_y = 0.0
-        self._free_square = -1.0  # of the circle around (_free_x, _free_y) in which nothing is touched
-        self._left_x = self._left_y = math.nan  # where it was last left, and the room there
+        self._free_square = -1.0  # squared radius of the circle around (_free_x, _free_y) that touches nothing
+        self._left_x = self._left_y = math.nan  # the last result of a movement near edges, and the room there
         self._left_room = 0.0
         if not self._edges:
             self._free_square = math.inf
 
     def slide(self, x: float, y: float, new_x: float, new_y: float) -> tuple[float, float, bool]:
-        """Return where a chair at (x, y) that wants to (new_x, new_y) comes to, and whether it touches anything there.
+        """Return the position of a chair after a movement from (x, y) towards (new_x, new_y), and whether it touches.
 
-        The part of the way that leads along a wall is kept, the part that leads into it is not. From a place that is
-        already too near to something, only ways that come no nearer are gone.
+        Only the component of the movement along a wall is kept. From a position that is already too near to an edge,
+        the chair moves only if that does not bring it nearer.
         """
         from_x, from_y = x - self._free_x, y - self._free_y
         to_x, to_y = new_x - self._free_x, new_y - self._free_y
@@ -65,19 +65,19 @@ class Collision:
         return x, y, touching
 
     def is_free(self, x: float, y: float) -> bool:
-        """Tell whether a chair can stand at (x, y) without being inside anything."""
+        """Return whether a chair at (x, y) overlaps no wall and no obstacle."""
         if any(box.covers(x, y) for box in self._boxes):
             return False
         return _room(self._edges, x, y) >= -TOUCH
 
     def room(self, x: float, y: float) -> float:
-        """Return the room (m) between a chair at (x, y) and the nearest wall or obstacle, negative inside of it."""
+        """Return the distance (m) of a chair at (x, y) to the nearest wall or obstacle, negative when they overlap."""
         return -1.0 if any(box.covers(x, y) for box in self._boxes) else _room(self._edges, x, y)
 
     def _piece(self, x: float, y: float, new_x: float, new_y: float) -> tuple[float, float, bool]:
-        """Go a way that is short against the radius."""
+        """Make one movement that is short compared with the radius; arguments and results as of `slide`."""
         if math.hypot(x - self._near_x, y - self._near_y) > NEAR / 2:
-            self._look_around(x, y)
+            self._cache_near_edges(x, y)
         near = self._near
         came_x, came_y = new_x, new_y
         room = math.inf
@@ -96,18 +96,18 @@ class Collision:
             return came_x, came_y, False
         left_here = x == self._left_x and y == self._left_y
         before = self._left_room if left_here else _room(near, x, y)
-        if before < -ROUNDING:  # too near already, so nothing is pushed
+        if before < -ROUNDING:  # already too near: do not push the chair out
             came_x, came_y = new_x, new_y
             room = _room(near, new_x, new_y)
         moved = math.hypot(came_x - x, came_y - y)
-        held = room < min(before, 0.0) - ROUNDING or moved >= self.radius + min(before, 0.0)
-        if held:
+        blocked = room < min(before, 0.0) - ROUNDING or moved >= self.radius + min(before, 0.0)
+        if blocked:
             came_x, came_y, room = x, y, before
         self._left_x, self._left_y, self._left_room = came_x, came_y, room
-        return came_x, came_y, held or room <= TOUCH
+        return came_x, came_y, blocked or room <= TOUCH
 
-    def _look_around(self, x: float, y: float) -> None:
-        """Keep what the chair could touch before it looks around again; in numpy, since a storey has many edges."""
+    def _cache_near_edges(self, x: float, y: float) -> None:
+        """Cache the edges within NEAR of the chair; with numpy, because a storey has many edges."""
         self._near_x, self._near_y = x, y
         start_x, start_y, direction_x, direction_y, length, reach = self._edge_table.T
         along = np.clip((x - start_x) * direction_x + (y - start_y) * direction_y, 0.0, length)
@@ -116,12 +116,12 @@ class Collision:
 
 
 def _room(edges: list[Edge] | tuple[Edge, ...], x: float, y: float) -> float:
-    """Return the room (m) to the nearest of `edges`, negative inside."""
+    """Return the distance (m) to the nearest of `edges`, negative when too near."""
     return _deepest(edges, x, y)[0]
 
 
 def _deepest(edges: list[Edge] | tuple[Edge, ...], x: float, y: float) -> tuple[float, float, float]:
-    """Return the room (m) to the nearest of `edges`, negative inside, and the push (m) that would just clear it."""
+    """Return the distance (m) to the nearest of `edges`, negative when too near, and the push (m) that clears it."""
     least = math.inf
     push_x = push_y = 0.0
     for start_x, start_y, direction_x, direction_y, length, reach in edges:
@@ -137,13 +137,13 @@ def _deepest(edges: list[Edge] | tuple[Edge, ...], x: float, y: float) -> tuple[
             if least < 0.0:
                 if distance > 0.0:
                     push_x, push_y = -least * away_x / distance, -least * away_y / distance
-                else:  # on the line itself both sides are as good
+                else:  # on the line itself: push to either side
                     push_x, push_y = least * direction_y, -least * direction_x
     return least, push_x, push_y
 
 
 def _edges(floorplan: FloorPlan, radius: float) -> list[Edge]:
-    """Return everything that a chair's middle must keep away from."""
+    """Return the edges that a chair's middle keeps a distance from: walls, sides of boxes, cylinders."""
     half = floorplan.wall_thickness / 2
     edges: list[Edge] = []
     for wall in floorplan.walls:
@@ -162,7 +162,7 @@ def _edges(floorplan: FloorPlan, radius: float) -> list[Edge]:
 def _edge(
     a: tuple[float, float], b: tuple[float, float], reach: float, cut_start: float = 0.0, cut_end: float = 0.0
 ) -> Edge:
-    """Return one edge, shortened at its ends by the rounding that the wall's thickness adds there."""
+    """Return the edge from `a` to `b`, shortened at its ends (m) by the radius of the wall's rounded ends."""
     length = math.dist(a, b)
     if length <= cut_start + cut_end:
         cut_start = cut_end = 0.0

@@ -1,6 +1,6 @@
-"""How a powered wheelchair moves: the unicycle, with motors that lag, castors that swing in, and wheels that slip.
+"""Dynamics of a powered wheelchair: a unicycle with lagging motors, castors and wheel slip.
 
-Two driven wheels behind, two castors in front. Deterministic; with all effects at zero it is the unicycle.
+Two driven wheels behind, two castors in front. Deterministic; without these effects the model is the unicycle.
 
 Sources
 -------
@@ -18,31 +18,32 @@ from typing import NamedTuple
 from app.geometry import STANDSTILL, Pose, Twist
 from app.world.kinematics import step as unicycle_step
 
-REST_SPEED, REST_TURN = 1e-3, 1e-3  # m/s and rad/s: told to stand and slower than both, the parking brakes close
-POISE = math.pi - 0.1  # rad: no castor stays poised nearer than this to pointing the wrong way, since no floor is even
+REST_SPEED, REST_TURN = 1e-3, 1e-3  # m/s, rad/s: below both, and commanded to stand, the parking brakes close
+POISE = math.pi - 0.1  # rad: largest angle of a castor to its way; the unstable balance at pi does not occur on a floor
 
 
 @dataclass(frozen=True, slots=True)
 class Wheelchair:
-    """What makes a chair differ from the unicycle.
+    """The parameters by which a chair differs from the unicycle.
 
     Attributes
     ----------
-    speed_lag, turn_lag : s until 63 % of a change of speed or turn rate is done, 0 to 2. Motors, gears and 150 kg
-        follow within 0.1 to 0.4 s; turning moves less mass.
-    wheelbase : m from the driven axle ahead to the castors' stems, 0.3 to 0.8.
+    speed_lag, turn_lag : s until 63 % of a change of speed or turn rate is done, 0 to 2. Chairs of 150 kg with motors
+        and gears need 0.1 to 0.4 s; turning moves less mass.
+    wheelbase : m from the driven axle forwards to the castors' stems, 0.3 to 0.8.
     track : m between the stems, 0.2 to 0.8.
-    trail : m from a stem to where its wheel touches the floor, 0.02 to 0.1; it swings round within about six of them.
-    castor_push : how much of the speed at which a castor's wheel is dragged round is taken from the chair there, 0 to
-        0.5: beyond it, what a castor does would feed itself.
-    turn_slip, speed_slip : share of turn rate and of speed that is lost for each m/s2 across, s2/m, 0 to 0.5. The turn
-        loses more, so that the chair drifts to the outside of a curve.
-    largest_slip : share that is lost at most, 0 to 0.5.
+    trail : m from a stem to its wheel's contact with the floor, 0.02 to 0.1. A castor aligns within about six trails of
+        way.
+    castor_push : share of the speed at which a castor's wheel is dragged sideways that the chair loses at the castor,
+        0 to 0.5: larger shares make the model unstable.
+    turn_slip, speed_slip : share of turn rate and of speed lost for each m/s2 of lateral acceleration, s2/m, 0 to 0.5.
+        The turn loses more, so that the chair drifts to the outside of a curve.
+    largest_slip : largest share that is lost, 0 to 0.5.
 
     Raises
     ------
     ValueError
-        When a number is not between its bounds.
+        When a parameter is out of its bounds.
     """
 
     speed_lag: float = 0.2
@@ -56,7 +57,7 @@ class Wheelchair:
     largest_slip: float = 0.3
 
     def __post_init__(self) -> None:
-        """Refuse what no chair is."""
+        """Check the bounds."""
         for field in fields(self):
             low, high = BOUNDS[field.name]
             value = getattr(self, field.name)
@@ -78,17 +79,17 @@ BOUNDS = {
 
 
 class Motion(NamedTuple):
-    """Where a chair is, what it does, and where its castors roll to."""
+    """The state of a chair: pose, speeds, and directions of its castors."""
 
     pose: Pose
     v: float = 0.0  # m/s, forwards
     omega: float = 0.0  # rad/s
-    left: float = 0.0  # rad, the direction in which the left castor rolls, from straight ahead
-    right: float = 0.0  # rad
+    left: float = 0.0  # rad, rolling direction of the left castor from straight ahead
+    right: float = 0.0  # rad, rolling direction of the right castor
 
 
 def step(motion: Motion, twist: Twist, dt: float, chair: Wheelchair) -> Motion:
-    """Return the motion after `dt` seconds (above 0) of being told `twist`."""
+    """Return the motion after `dt` seconds (above 0) of the command `twist`."""
     pose, v, omega, left, right = motion
     across = abs(v * omega)  # m/s2
     target_v = twist.v * (1.0 - min(chair.largest_slip, chair.speed_slip * across))
@@ -106,17 +107,17 @@ def step(motion: Motion, twist: Twist, dt: float, chair: Wheelchair) -> Motion:
 
 
 def _follow(speed: float, target: float, dt: float, lag: float) -> float:
-    """Return `speed` after `dt` (s) of following a constant `target` with a first-order lag (s), exactly."""
+    """Return the exact solution of a first-order lag (s): `speed` after `dt` (s) with a constant `target`."""
     return target + (speed - target) * math.exp(-dt / lag) if lag else target
 
 
 def _castor(angle: float, y: float, v: float, omega: float, dt: float, chair: Wheelchair) -> tuple[float, float, float]:
-    """Return a castor's new angle (rad), and the speed (m/s) and turn rate (rad/s) by which it pushes the chair.
+    """Return a castor's new angle (rad), and the changes of speed (m/s) and turn rate (rad/s) that it causes.
 
-    Its stem is `y` (m) left of the middle and draws the wheel behind it: the angle a between the stem's way and the
-    wheel obeys a' = -(speed / trail) sin(a), so that tan(a / 2) = tan(a0 / 2) exp(-way / trail), while the chair turns
-    away under it. The floor resists the dragging round where the wheel touches it, across the wheel: that only ever
-    takes energy from the chair, and nothing from one whose castors keep their angle.
+    The stem is `y` (m) left of the middle and pulls the wheel: the angle a between the stem's velocity and the wheel
+    obeys a' = -(speed / trail) sin(a), hence tan(a / 2) = tan(a0 / 2) exp(-way / trail), while the chair turns by
+    omega dt. The floor resists the sideways motion of the wheel at its contact, across the wheel: this only takes
+    energy from the chair, and none while the castors keep their angles.
     """
     stem_x, stem_y = v - omega * y, omega * chair.wheelbase
     speed = math.hypot(stem_x, stem_y)

@@ -1,4 +1,4 @@
-"""What moving things do to a chair that meets them: they hold it like a column, and push nobody."""
+"""Contact of the chair with moving things: each stops the chair as a column would, and never pushes it."""
 
 import math
 from collections.abc import Sequence
@@ -10,7 +10,7 @@ TOUCH = 1e-3  # m; nearer than this counts as touching
 
 
 class Encounters:
-    """A circle of `radius` (m) among moving things."""
+    """Contact of a circle of `radius` (m) with moving things."""
 
     __slots__ = ("_reaches", "_tracks")
 
@@ -19,13 +19,14 @@ class Encounters:
         self._reaches = [mover.radius + radius for mover in movers]
 
     def __bool__(self) -> bool:
-        """Tell whether there is anybody to meet."""
+        """Return whether there are moving things."""
         return bool(self._tracks)
 
     def slide(self, x: float, y: float, new_x: float, new_y: float, scene_t: float) -> tuple[float, float, bool]:
-        """Return where a chair at (x, y) that wants to (new_x, new_y) comes to, and whether it touches anybody.
+        """Return the position after a movement from (x, y) towards (new_x, new_y), and whether the chair touches.
 
-        Of a way that leads nearer to somebody within reach only the part along him is kept; a way off is always free.
+        Where the movement would bring the chair nearer to a thing that it touches, only the component along that thing
+        is kept. A movement away from it is never restricted.
         """
         touching = False
         for track, reach in zip(self._tracks, self._reaches, strict=True):

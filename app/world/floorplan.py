@@ -23,14 +23,14 @@ from app.world.tasks import Back, Course, FollowLeader, FollowPath, Task, Turn
 
 MAX_WALLS = 5000
 MAX_BYTES = 8_000_000  # a document larger than this is not a floor plan
-MOST_LOOKS = 20_000_000  # pieces of paths times pieces of walls: each is held against each
+MOST_PAIRS = 20_000_000  # pieces of paths times pieces of walls: the distance of every pair is computed
 
-# FailFast reports the first fault only: to collect a million faults would block the process for seconds.
+# FailFast reports the first error only: collecting a million errors would block the process for seconds.
 Polyline = Annotated[tuple[Point, ...], Field(min_length=2, max_length=MAX_WALLS), FailFast()]
 
 
 class ClearanceError(ValueError):
-    """A path or a mover comes too near to something, at (x, y) in m."""
+    """A path or a mover's line is too near to a wall or an obstacle, at (x, y) in m."""
 
     def __init__(self, sentence: str, x: float, y: float) -> None:
         super().__init__(sentence)
@@ -38,7 +38,7 @@ class ClearanceError(ValueError):
 
 
 class Room(Document):
-    """A room's word, and where on the plan to write it."""
+    """A room's label and its position on the plan."""
 
     label: Title
     position: Point
@@ -49,11 +49,11 @@ class Door(Document):
 
     position: Point
     width: Length = 1.0
-    heading: Radians = 0.0  # of somebody who goes through
+    heading: Radians = 0.0  # of the way through
 
 
 class PrescribedPath(Document):
-    """A path on the floor and what is asked of the person who follows it."""
+    """A path on the floor and the task along it."""
 
     name: Name
     title: Title
@@ -71,7 +71,7 @@ class PrescribedPath(Document):
 
     @property
     def start(self) -> Pose:
-        """Return where the chair stands when a trial begins; who is to back looks the other way."""
+        """Return the chair's pose at the start of a trial; for a path driven backwards, its heading is reversed."""
         heading = self.line.heading_at(0.0) if self.start_heading is None else self.start_heading
         if self.start_heading is None and isinstance(self.task, Back):
             heading = wrap_angle(heading + math.pi)
@@ -79,7 +79,7 @@ class PrescribedPath(Document):
 
 
 class FloorPlan(Document):
-    """One storey. Doorways are gaps between walls; a wall is as thick to the chair as it is drawn."""
+    """One storey of a building. Doorways are gaps between walls; the chair collides with walls as thick as drawn."""
 
     name: Name
     title: Title
@@ -118,7 +118,7 @@ class FloorPlan(Document):
 
     @model_validator(mode="after")
     def _lines_are_free(self) -> Self:
-        # A cone holds nobody, but a way over one asks to touch it.
+        # A cone does not stop the chair, but no path may lead over one.
         cones = [
             Cylinder(kind="cylinder", label=f"cone {number}", position=cone.position, radius=cone.radius)
             for number, cone in enumerate(self.cones, start=1)
@@ -126,7 +126,7 @@ class FloorPlan(Document):
         things = [*self.obstacles, *cones]
         clearance = Clearance(self.walls, self.wall_thickness, things)
         lines = list(self._lines())
-        if sum(len(points) for _, points, _ in lines) * (sum(map(len, self.walls)) + len(things)) > MOST_LOOKS:
+        if sum(len(points) for _, points, _ in lines) * (sum(map(len, self.walls)) + len(things)) > MOST_PAIRS:
             raise ValueError("its paths have too many points for so many walls: draw them with fewer")
         for what, points, radius in lines:
             try:
@@ -145,7 +145,7 @@ class FloorPlan(Document):
         return self
 
     def _lines(self) -> Iterator[tuple[str, Sequence[Point], float]]:
-        """Yield what must be free: who drives there in words, its points, and the room that it needs (m)."""
+        """Yield the lines that must keep clear of walls and obstacles: in words, their points, the room needed (m)."""
         for path in self.paths:
             if isinstance(path.task, Course):
                 for stage in path.task.stages:
@@ -158,7 +158,7 @@ class FloorPlan(Document):
             yield f"mover '{mover.name}'", mover.points, mover.radius
 
     def segments(self) -> NDArray[np.float64]:
-        """Return every edge of walls and boxes, (n, 4): x1, y1, x2, y2 in m; walls by their middle line."""
+        """Return the edges of walls (their middle lines) and boxes, (n, 4): x1, y1, x2, y2 in m."""
         edges = [(*a, *b) for wall in self.walls for a, b in pairwise(wall)]
         for obstacle in self.obstacles:
             if isinstance(obstacle, Box):
@@ -168,7 +168,7 @@ class FloorPlan(Document):
 
     @property
     def bounds(self) -> tuple[float, float, float, float]:
-        """Return the smallest upright rectangle around everything: x_min, y_min, x_max, y_max in m."""
+        """Return the bounding box of the plan: x_min, y_min, x_max, y_max in m."""
         points = [point for wall in self.walls for point in wall]
         points += [point for path in self.paths for point in path.points]
         for obstacle in self.obstacles:
@@ -186,16 +186,16 @@ class FloorPlan(Document):
         return float(low[0]), float(low[1]), float(high[0]), float(high[1])
 
     def mover_named(self, name: str) -> Mover:
-        """Return one of the movers, which is known to be there."""
+        """Return the mover of this name, which must exist."""
         return next(mover for mover in self.movers if mover.name == name)
 
     def path_named(self, name: str) -> PrescribedPath:
-        """Return one of the paths.
+        """Return the path of this name.
 
         Raises
         ------
         ValueError
-            When there is none of this name.
+            When no path has this name.
         """
         for path in self.paths:
             if path.name == name:

@@ -1,10 +1,10 @@
-"""How a chair moves: the unicycle, exactly as in the paper."""
+"""Kinematics of the chair: the unicycle of the paper."""
 
 import math
 
 from app.geometry import Pose, Twist
 
-CHAIR_RADIUS = 0.32  # m; the chair's footprint is a circle of this radius, 0.64 m being the width of a powered chair
+CHAIR_RADIUS = 0.32  # m, of the chair's circular footprint: a powered chair is 0.64 m wide
 
 
 def step(pose: Pose, twist: Twist, dt: float) -> Pose:

@@ -1,4 +1,4 @@
-"""What stands in the rooms: boxes and cylinders, each with its place, size and word."""
+"""Obstacles in a floor plan: boxes and cylinders, each with position, size and label."""
 
 import math
 from typing import Annotated, Literal
@@ -11,15 +11,15 @@ Point = tuple[Metres, Metres]
 
 
 class Box(Document):
-    """A table, a bed, a cupboard: `size` along its own two sides, turned by `angle`."""
+    """A box, such as a table, a bed or a cupboard: `size` along its two sides, rotated by `angle`."""
 
     kind: Literal["box"]
     label: Title
-    position: Point  # its middle
+    position: Point  # of its middle
     size: tuple[Length, Length]  # m
     height: Length = 0.75
     angle: Radians = 0.0
-    model: Name | None = None  # a 3D object, drawn in the box's size instead of what its label says
+    model: Name | None = None  # name of a 3D object, drawn in the box's size instead of the furniture of the label
 
     def corners(self) -> list[tuple[float, float]]:
         """Return the four corners, counter-clockwise."""
@@ -31,7 +31,7 @@ class Box(Document):
         ]
 
     def covers(self, x: float, y: float) -> bool:
-        """Tell whether a place is inside."""
+        """Return whether the point (x, y) is inside the box."""
         cos, sin = math.cos(self.angle), math.sin(self.angle)
         away_x, away_y = x - self.position[0], y - self.position[1]
         along, across = away_x * cos + away_y * sin, away_y * cos - away_x * sin
@@ -39,11 +39,11 @@ class Box(Document):
 
 
 class Cylinder(Document):
-    """A plant, a column, a round table."""
+    """A cylinder, such as a plant, a column or a round table."""
 
     kind: Literal["cylinder"]
     label: Title
-    position: Point  # its middle
+    position: Point  # of its middle
     radius: Length  # m
     height: Length = 0.75
 

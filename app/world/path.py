@@ -1,4 +1,4 @@
-"""The prescribed path: places along it, and where beside it a chair is."""
+"""The geometry of a prescribed path: points and headings along it, and the projection of a point on it."""
 
 import math
 from bisect import bisect_right
@@ -43,7 +43,7 @@ class Path:
         self.length = self._starts[-1]
 
     def point_at(self, s: float) -> tuple[float, float]:
-        """Return the place (x, y) at `s` metres along the path; its ends for an `s` beyond them."""
+        """Return the point (x, y) at `s` metres along the path; an end of the path for an `s` beyond it."""
         s = min(max(s, 0.0), self.length)
         piece = self._piece_at(s)
         x, y = self.points[piece]
@@ -61,9 +61,9 @@ class Path:
         return self._nearest(x, y, 0.0, self.length)
 
     def project_near(self, x: float, y: float, s_hint: float, window: float) -> tuple[float, float]:
-        """Return the same, looking only at the path from `s_hint - window` to `s_hint + window` (m).
+        """Return `project`, restricted to the path from `s_hint - window` to `s_hint + window` (m).
 
-        A path that passes itself has two places near a crossing; a chair is at the one where it was a moment ago.
+        Near a crossing of the path with itself, the hint (the previous s) decides on which part the chair is.
         """
         s_hint = min(max(s_hint, 0.0), self.length)
         return self._nearest(x, y, max(s_hint - window, 0.0), min(s_hint + window, self.length))
@@ -90,7 +90,7 @@ class Path:
         return best_s, distance if self._left_of(x, y, best_s, best_piece) else -distance
 
     def _left_of(self, x: float, y: float, s: float, piece: int) -> bool:
-        """Tell on which side of the path a point is; at a corner both of its pieces have a say."""
+        """Return whether a point is left of the path; at a corner, by the mean direction of both pieces."""
         direction_x, direction_y = self._directions[piece]
         base_x, base_y = self.points[piece]
         if piece + 1 < len(self._directions) and s >= self._starts[piece + 1]:

@@ -1,4 +1,4 @@
-"""Scenes: places to practise in, each with its tasks, some at several levels. A scene at a level is a floor plan."""
+"""Scenes: practice places with tasks, some at several levels of difficulty. A scene at one level is a floor plan."""
 
 import json
 from collections.abc import Sequence
@@ -14,29 +14,29 @@ from app.world.floorplan import MAX_BYTES, FloorPlan, bundled_floorplans, load_f
 
 LevelName = Literal["easy", "medium", "hard"]
 LEVEL_NAMES = frozenset(get_args(LevelName))
-TAKEN_OVER = ("walls", "obstacles", "rooms", "doors", "wall_height", "wall_thickness")  # from a scene's floor plan
-DEEPEST = 20  # a document nested more deeply is none
+INHERITED = ("walls", "obstacles", "rooms", "doors", "wall_height", "wall_thickness")  # from a scene's floor plan
+DEEPEST = 20  # levels of nesting in a document
 
 
 class Level(Document):
-    """How difficult: a word for the plan's name, and one for people."""
+    """A level of difficulty: its name in the plan's name, and its title for people."""
 
     name: LevelName
     title: Title
 
 
 class SceneHead(Document):
-    """What a scene has beyond a floor plan."""
+    """The fields of a scene that a floor plan does not have."""
 
     name: Name
     title: Title
     about: Annotated[Line, Field(min_length=1, max_length=300)]
     levels: Annotated[tuple[Level, ...], Field(min_length=1, max_length=3)] | None = None
-    floorplan: Name | None = None  # a bundled one, whose walls, obstacles, rooms and doors stand here too
+    floorplan: Name | None = None  # a bundled one, from which walls, obstacles, rooms and doors are inherited
 
 
 class Scene(NamedTuple):
-    """A scene, and the floor plan that it is at each of its levels; one plan without a level when it has none."""
+    """A scene with its floor plan for each level, or one plan under None when it has no levels."""
 
     head: SceneHead
     plans: dict[LevelName | None, FloorPlan]
@@ -45,7 +45,7 @@ class Scene(NamedTuple):
 def load_scene(file: Path) -> Scene:
     """Read a scene from a JSON file.
 
-    A value that differs between levels is an object with one entry for each of them.
+    A value that differs between levels is an object with one entry for each level.
 
     Raises
     ------
@@ -86,7 +86,7 @@ def load_scene(file: Path) -> Scene:
 
 
 class DrivingPlace(NamedTuple):
-    """A floor plan to drive in: a building by itself, or a scene at a level."""
+    """A floor plan to drive in: a building, or a scene at one level."""
 
     plan: FloorPlan
     scene: SceneHead | None = None
@@ -94,7 +94,7 @@ class DrivingPlace(NamedTuple):
 
 
 def bundled_places() -> dict[str, DrivingPlace]:
-    """Read everything that comes with the software, by the floor plans' names: scenes, easiest first, then buildings.
+    """Return all bundled places by the names of their floor plans: scenes, easiest level first, then buildings.
 
     Raises
     ------
@@ -108,7 +108,7 @@ def bundled_places() -> dict[str, DrivingPlace]:
 
 
 def places_in(file: Path) -> dict[str, DrivingPlace]:
-    """Return the floor plans of a scene's file by name, easiest first; ValueError as `load_scene`."""
+    """Return the floor plans of a scene's file by name, easiest level first; raise ValueError as `load_scene`."""
     head, plans = load_scene(file)
     levels = head.levels or (None,)
     return {
@@ -118,7 +118,7 @@ def places_in(file: Path) -> dict[str, DrivingPlace]:
 
 
 def find_place(name: str) -> FloorPlan | None:
-    """Return the bundled floor plan of this name, or None; of a scene it is SCENE.LEVEL; ValueError when damaged."""
+    """Return the bundled floor plan of this name (SCENE.LEVEL for a scene), or None; raise ValueError when damaged."""
     if name in bundled_floorplans():
         return load_floorplan(bundled_floorplans()[name])
     file = bundled_scenes().get(name.partition(".")[0])
@@ -127,7 +127,7 @@ def find_place(name: str) -> FloorPlan | None:
 
 
 def is_scene(file: Path) -> bool:
-    """Tell whether a file is a scene and not a plain floor plan; ValueError when it cannot be read."""
+    """Return whether a file is a scene and not a plain floor plan; raise ValueError when it cannot be read."""
     return "about" in _read(file)
 
 
@@ -158,17 +158,17 @@ def _base(file: Path, name: str) -> dict[str, Any]:
     bundled = bundled_floorplans()
     if name not in bundled:
         raise ValueError(f"{file}, floorplan: there is no floor plan '{name}', use one of {', '.join(bundled)}")
-    return load_floorplan(bundled[name]).model_dump(mode="json", include=set(TAKEN_OVER))
+    return load_floorplan(bundled[name]).model_dump(mode="json", include=set(INHERITED))
 
 
 def _joined(base: dict[str, Any], graded: dict[str, Any]) -> dict[str, Any]:
-    """Return the lists that stand in both: what the scene adds comes after what its floor plan has."""
+    """Return the lists that both the floor plan and the scene have, each with the scene's items after the plan's."""
     both = [name for name in base if isinstance(base[name], list) and isinstance(graded.get(name), list)]
     return {name: [*base[name], *graded[name]] for name in both}
 
 
 def at_level(value: Any, level: LevelName | None, levels: Sequence[LevelName], place: str, depth: int = 0) -> Any:
-    """Return a value with each graded one in it replaced by that of one level; ValueError with the place if not."""
+    """Return `value` with each graded value in it replaced by that of one level; raise ValueError with the place."""
     if depth > DEEPEST:
         raise ValueError(f"{place[:40]}...: a scene is not nested so deeply, correct it")
     if isinstance(value, dict):

@@ -1,4 +1,4 @@
-"""What a place has besides walls and furniture: its ground, cones, gaps, moving things and lights."""
+"""The scenery of a place besides walls and obstacles: ground, cones, gaps, moving things and lights."""
 
 import math
 from bisect import bisect_right
@@ -21,15 +21,15 @@ Pace = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0, le=3)]  # 
 
 
 class Dune(Document):
-    """A hill of sand, to look at only: it lies outside of the ground on which one drives."""
+    """A hill of sand, for the view only: it lies outside the ground that the chair drives on."""
 
-    position: Point  # its middle
+    position: Point  # of its middle
     radius: Length  # m
     height: Length = 2.0
 
 
 class Ground(Document):
-    """What one stands on; without an area it is as large as what stands on it."""
+    """The ground; without an area, it is as large as the plan's content."""
 
     kind: Literal["hall", "sand", "grass", "asphalt"] = "hall"
     area: tuple[Metres, Metres, Metres, Metres] | None = None  # x_min, y_min, x_max, y_max
@@ -53,7 +53,7 @@ class Ground(Document):
 
 
 class Cone(Document):
-    """A soft cone: it is touched, and counted, but does not hold the chair."""
+    """A soft cone: touching it is counted, but it does not stop the chair."""
 
     position: Point
     radius: Annotated[Length, Field(le=0.5)] = 0.15
@@ -66,11 +66,11 @@ class Gap(Document):
     label: Title
     position: Point
     width: Length
-    heading: Radians = 0.0  # of somebody who goes through
+    heading: Radians = 0.0  # of the way through
 
 
 class Lights(Document):
-    """Where the sun stands and how bright it is."""
+    """The direction and brightness of the sun, and the brightness of the sky."""
 
     azimuth: Radians = -2.1112  # rad, of the sun, from x counter-clockwise
     elevation: Annotated[Radians, Field(ge=0, le=1.5708)] = 1.0002  # rad above the ground
@@ -79,26 +79,26 @@ class Lights(Document):
     colour: Colour = (255, 250, 240)  # of the sun
 
 
-class Place(NamedTuple):
-    """Where a moving thing is, and how fast."""
+class MoverState(NamedTuple):
+    """The pose and speed of a moving thing."""
 
     pose: Pose
     v: float  # m/s
 
 
 class Mover(Document):
-    """A person, a chair or a ball that goes along a line, whatever the driver does.
+    """A person, a chair or a ball that moves along a line, independently of the driver.
 
-    Where it is depends on the scene's time alone (`Tick.scene_t`), which stands still while the chair is not armed.
+    Its position depends only on the scene's time (`Tick.scene_t`), which stands still while the chair is not armed.
     """
 
     name: Name
     kind: Literal["person", "chair", "ball"]
     points: Annotated[tuple[Point, ...], Field(min_length=2, max_length=1000)]
     pace: Annotated[tuple[tuple[Seconds, Pace], ...], Field(min_length=1, max_length=100)]
-    """From which time on (s) it goes how fast (m/s); the first from 0 on."""
+    """Pairs of a time (s) and the speed (m/s) from then on; the first time is 0."""
     radius: Annotated[Length, Field(le=1)] = 0.3
-    returns: bool = False  # goes to and fro; else it stands at the line's end
+    returns: bool = False  # moves to and fro; otherwise it stops at the line's end
 
     @model_validator(mode="after")
     def _is_in_order(self) -> Self:
@@ -117,7 +117,7 @@ class Mover(Document):
         return Path(self.points)
 
     def way(self, t: float) -> tuple[float, float]:
-        """Return how far (m) it has gone at `t` (s), and how fast (m/s) it goes."""
+        """Return the way (m) it has gone at `t` (s), and its speed (m/s)."""
         last = max(0, bisect_right([start for start, _ in self.pace], t) - 1)
         gone = sum(v * (self.pace[i + 1][0] - start) for i, (start, v) in enumerate(self.pace[:last]))
         start, v = self.pace[last]
@@ -125,7 +125,7 @@ class Mover(Document):
 
 
 class Track:
-    """Where a mover is at each time; its line is looked at once."""
+    """The motion of a mover over time; its line's geometry is computed once."""
 
     __slots__ = ("_line", "mover")
 
@@ -138,8 +138,8 @@ class Track:
         """Return the length of the line, m."""
         return self._line.length
 
-    def at(self, t: float) -> Place:
-        """Return the place at the scene's time `t` (s)."""
+    def at(self, t: float) -> MoverState:
+        """Return the mover's pose and speed at the scene's time `t` (s)."""
         gone, v = self.mover.way(t)
         length = self._line.length
         if not self.mover.returns:
@@ -151,4 +151,4 @@ class Track:
         heading = self._line.heading_at(s)
         if turned:
             heading = math.remainder(heading + math.pi, math.tau)
-        return Place(Pose(*self._line.point_at(s), heading), v)
+        return MoverState(Pose(*self._line.point_at(s), heading), v)

@@ -1,4 +1,4 @@
-"""What is asked along a path: to follow it, to follow somebody, to turn in place, to back, or several of these."""
+"""The tasks along a path: follow it, follow a leader, turn on the spot, drive backwards, or a course of stages."""
 
 from typing import Annotated, Literal
 
@@ -16,15 +16,15 @@ class FollowPath(Document):
 
 
 class FollowLeader(Document):
-    """Stay behind somebody who goes along the path, until both have come to its end."""
+    """Stay behind a leader who moves along the path, until both have reached its end."""
 
     kind: Literal["follow"]
     leader: Name  # of one of the plan's movers
-    distance: Annotated[Length, Field(le=10)] = 1.5  # m, between the two middles
+    distance: Annotated[Length, Field(le=10)] = 1.5  # m, between the middles of leader and chair
 
 
 class Turn(Document):
-    """Turn on the spot: stand on the path's first point and look at its last, held for a moment."""
+    """Turn on the spot: stand on the path's first point and face its last point for `hold` seconds."""
 
     kind: Literal["turn"]
     direction: Literal["left", "right"]
@@ -52,7 +52,7 @@ class Stage(Document):
 
 
 class Course(Document):
-    """Several stages, one after the other; the path's own points are for looking at."""
+    """Several stages in sequence; the path's own points are only drawn."""
 
     kind: Literal["course"]
     stages: Annotated[tuple[Stage, ...], Field(min_length=2, max_length=20)]

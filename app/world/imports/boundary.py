@@ -1,14 +1,14 @@
-"""The outline of a region of cells, as few straight lines that never cut into the region."""
+"""Traces the outline of a region of cells, simplified to few straight lines that never cut into the region."""
 
 import numpy as np
 from numpy.typing import NDArray
 
 Corner = tuple[int, int]  # column, row of a cell's corner
 
-TOLERANCE = 1.0  # cells that the simplified outline may lie outside of the exact one: the height of a stair
-SMALL = 12  # cells of circumference; the outline of a smaller thing is kept exactly
+TOLERANCE = 1.0  # cells by which the simplified outline may lie outside the exact one: the height of one step
+SMALL = 12  # cells of circumference, up to which an outline is not simplified
 
-# The four sides of a cell at (column, row): neighbour, and the side as an edge that has the cell on its left.
+# The four sides of a cell at (column, row): the neighbour, then start and end of the edge with the cell on its left.
 SIDES = (
     ((0, -1), (0, 0), (1, 0)),
     ((1, 0), (1, 0), (1, 1)),
@@ -20,14 +20,14 @@ SIDES = (
 def outlines(region: NDArray[np.bool_]) -> list[list[Corner]]:
     """Return the simplified closed outlines of `region` (rows, columns), each without repeating its first corner.
 
-    The region is on the left of every outline. Where cells of it meet only at a corner, the outline parts them, since
-    nothing can pass there.
+    The region is on the left of every outline. Cells that meet only at a corner are separated, because nothing can pass
+    there.
     """
     return [_simplified(loop) for loop in _loops(region)]
 
 
 def _loops(region: NDArray[np.bool_]) -> list[list[Corner]]:
-    """Return the exact outlines, straight runs as one edge."""
+    """Return the exact outlines, each straight run as one edge."""
     following: dict[Corner, list[Corner]] = {}
     padded = np.pad(region, 1)
     for (across, up), (from_x, from_y), (to_x, to_y) in SIDES:
@@ -48,13 +48,13 @@ def _loops(region: NDArray[np.bool_]) -> list[list[Corner]]:
             if here == start and (here not in following or not _turns_left(following[here], here, direction)):
                 break
         if _direction(loop[0], loop[1 % len(loop)]) == direction:
-            loop = loop[1:]  # the search began in the middle of a straight run
+            loop = loop[1:]  # the trace began in the middle of a straight run
         loops.append(loop)
     return loops
 
 
 def _leave(following: dict[Corner, list[Corner]], here: Corner, direction: Corner) -> Corner:
-    """Take an edge away from `here`, the one to the left where there are two."""
+    """Remove an edge that starts at `here`, the left one of two, and return its end."""
     edges = following[here]
     left = here[0] - direction[1], here[1] + direction[0]
     there = left if left in edges else edges[0]
@@ -73,7 +73,7 @@ def _direction(a: Corner, b: Corner) -> Corner:
 
 
 def _simplified(loop: list[Corner]) -> list[Corner]:
-    """Return `loop` with corners left out, as long as it stays beside the region and near the exact outline."""
+    """Return `loop` without the corners that can be left out within TOLERANCE, without cutting into the region."""
     circumference = sum(abs(a[0] - b[0]) + abs(a[1] - b[1]) for a, b in zip(loop, loop[1:] + loop[:1], strict=True))
     if circumference <= SMALL:
         return loop
@@ -89,7 +89,7 @@ def _simplified(loop: list[Corner]) -> list[Corner]:
                 reach, misses = there, 0
             else:
                 misses += 1
-                if misses > 4:  # a stair's inner corners can be joined though its outer ones cannot
+                if misses > 4:  # after a corner that cannot be reached, one of the next four may be reachable
                     break
         kept.append(reach)
     simplified = [loop[index] for index in kept[:-1]]
@@ -97,7 +97,7 @@ def _simplified(loop: list[Corner]) -> list[Corner]:
 
 
 def _may_skip(corners: NDArray[np.float64], here: int, there: int) -> bool:
-    """Tell whether the corners between two others are near their chord, and none of them outside of it."""
+    """Return whether the corners between two others are within TOLERANCE of their chord, on its left or on it."""
     chord = corners[there] - corners[here]
     length = float(np.hypot(*chord))
     if length == 0.0:

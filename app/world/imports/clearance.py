@@ -1,4 +1,4 @@
-"""How much room a path leaves to walls and obstacles."""
+"""Computes the clearance between a path and the walls and obstacles of a floor plan."""
 
 from collections.abc import Sequence
 from itertools import pairwise
@@ -11,24 +11,24 @@ from app.world.obstacles import Box, Cylinder, Obstacle
 
 Points = NDArray[np.float64]
 
-PARALLEL = 1e-300  # m2: what two lines span; below it nothing can be divided by, and no wall is that short
+PARALLEL = 1e-300  # m2: smallest cross product of two pieces that are not parallel; their crossing divides by it
 
 
 class NarrowestPoint(NamedTuple):
-    """The tightest place along a path."""
+    """The point of a path nearest to a wall or an obstacle."""
 
     distance: float  # m, from the path to the surface; 0 or less when the path goes through it
-    x: float  # where on the path, m
-    y: float
+    x: float  # m, of the point on the path
+    y: float  # m
     kind: str  # "wall" or "obstacle"
-    what: str  # in words
+    what: str  # the wall or the obstacle in words
 
 
 NO_SURFACE = NarrowestPoint(np.inf, 0.0, 0.0, "wall", "a wall")
 
 
 class Clearance:
-    """Measures distances between paths and everything that stands in a floor plan."""
+    """Computes the distances between paths and the walls and obstacles of a floor plan."""
 
     def __init__(
         self, walls: Sequence[Sequence[tuple[float, float]]], thickness: float, obstacles: Sequence[Obstacle]
@@ -39,13 +39,13 @@ class Clearance:
         self._obstacles = obstacles
 
     def along(self, points: Sequence[tuple[float, float]]) -> NarrowestPoint:
-        """Return the tightest place along the line through `points`."""
-        tightest = NO_SURFACE
+        """Return the narrowest point along the line through `points`."""
+        narrowest = NO_SURFACE
         for a, b in pairwise(points):
             piece = np.array([*a, *b])
             found = [self._from_walls(piece), *(_from_obstacle(piece, obstacle) for obstacle in self._obstacles)]
-            tightest = min(tightest, *found, key=lambda place: place.distance)
-        return tightest
+            narrowest = min(narrowest, *found, key=lambda place: place.distance)
+        return narrowest
 
     def _from_walls(self, piece: Points) -> NarrowestPoint:
         if not len(self._walls):
@@ -76,7 +76,7 @@ def _from_box(piece: Points, box: Box) -> tuple[float, Points]:
 
 
 def nearest_on_segments(point: Points, segments: Points) -> Points:
-    """Return the place (n, 2) on each segment (n, 4) nearest to `point`: one (2,) for all, or one for each (n, 2)."""
+    """Return the point (n, 2) of each segment (n, 4) nearest to `point`: (2,) for all segments, or (n, 2) for each."""
     start, along = segments[:, :2], segments[:, 2:] - segments[:, :2]
     square = (along * along).sum(axis=1)
     share = ((point - start) * along).sum(axis=1) / np.where(square > 0, square, 1.0)
@@ -84,7 +84,7 @@ def nearest_on_segments(point: Points, segments: Points) -> Points:
 
 
 def between_segments(piece: Points, segments: Points) -> tuple[Points, Points]:
-    """Return the distance (n,) of `piece` (4,) to each of `segments` (n, 4), and where on the piece that is (n, 2)."""
+    """Return the distance (n,) of `piece` (4,) to each of `segments` (n, 4), and the piece's nearest points (n, 2)."""
     start, end = piece[:2], piece[2:]
     candidates = [np.broadcast_to(start, (len(segments), 2)), np.broadcast_to(end, (len(segments), 2))]
     others = [nearest_on_segments(start, segments), nearest_on_segments(end, segments)]
@@ -101,7 +101,7 @@ def between_segments(piece: Points, segments: Points) -> tuple[Points, Points]:
 
 
 def _crossings(piece: Points, segments: Points) -> tuple[NDArray[np.bool_], Points]:
-    """Tell which segments cross the piece, and where."""
+    """Return which of the segments (n, 4) cross the piece (4,), as (n,), and the crossings (n, 2)."""
     start, along = piece[:2], piece[2:] - piece[:2]
     others, other_along = segments[:, :2], segments[:, 2:] - segments[:, :2]
     denominator = along[0] * other_along[:, 1] - along[1] * other_along[:, 0]

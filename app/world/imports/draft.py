@@ -1,4 +1,4 @@
-"""A floor plan that is proposed: the document, and what to know about it. It may not have a path yet."""
+"""The draft of a floor plan made from an imported file; it may not have a path yet."""
 
 import json
 import re
@@ -10,22 +10,22 @@ from app.sentences import one_sentence
 from app.world.floorplan import FloorPlan
 from app.world.path import Path as Line
 
-SLOWEST = 0.25  # m/s, the mean speed that the time limit allows
+SLOWEST = 0.25  # m/s, the mean speed for which the time limit suffices
 SHORTEST_TIME = 60.0  # s
 INSTRUCTION = "Follow the white line to its end."
 
 
 class Draft(NamedTuple):
-    """A document as FloorPlan takes it, except that paths may be missing, and sentences about how it was made."""
+    """The draft of a floor plan, with sentences on how it was made."""
 
-    document: dict[str, Any]
-    words: tuple[str, ...] = ()
+    document: dict[str, Any]  # of a FloorPlan, except that paths may be missing
+    words: tuple[str, ...] = ()  # sentences
     layers: tuple[str, ...] = ()  # of a drawing, to choose from
-    taken: tuple[str, ...] = ()  # those of them whose lines are walls now
+    taken: tuple[str, ...] = ()  # the layers whose lines have become walls
 
 
 def path_document(points: list[list[float]], name: str = "main", title: str = "Across the building") -> dict[str, Any]:
-    """Return a path's document through `points` (m)."""
+    """Return the document of a path through `points` (m)."""
     return {
         "name": name,
         "title": title,
@@ -36,7 +36,7 @@ def path_document(points: list[list[float]], name: str = "main", title: str = "A
 
 
 def plain_name(words: str) -> str:
-    """Return a name (letters, digits, dots, dashes) made of words."""
+    """Return a valid name (letters, digits, dots, dashes) made of `words`."""
     return re.sub(r"[^A-Za-z0-9_.-]+", "-", words).strip("-_.")[:64] or "map"
 
 
@@ -46,7 +46,7 @@ def plan_of(draft: Draft, where: str) -> FloorPlan:
     Raises
     ------
     ValueError
-        One sentence that begins with `where` (a file).
+        One sentence that begins with `where` (the file's name).
     """
     try:
         return FloorPlan.model_validate_json(json.dumps(draft.document))

@@ -1,4 +1,4 @@
-"""Makes a floor plan of a DXF drawing: its lines as walls, and a path from its layer PATH or through its rooms."""
+"""Imports a DXF drawing as a floor plan: lines become walls, and the layer PATH (or a proposal) becomes the path."""
 
 import re
 from itertools import pairwise
@@ -18,10 +18,10 @@ from app.world.path import Path as Line
 
 PATH_LAYER: Final = "path"
 WORDS_ON: Final = re.compile(r"text|dim|anno|bema|ma(ß|ss)|hatch|defpoints|title|frame|grid|axis", re.IGNORECASE)
-WALL_THICKNESS: Final = 0.02  # m; drawings show surfaces, so hardly any is added to them
+WALL_THICKNESS: Final = 0.02  # m; small, because the lines of drawings are surfaces of walls
 WIDEST: Final = 500.0  # m
 NARROWEST: Final = 1.0  # m
-FINEST: Final = 0.05  # m per cell when a path is looked for
+FINEST: Final = 0.05  # m per cell of the grid on which a path is searched
 MOST_CELLS: Final = 1_000_000
 MOST_PATHS: Final = 20
 DECIMALS: Final = 4
@@ -34,10 +34,10 @@ def import_dxf(
     title: str | None = None,
     name: str | None = None,
 ) -> Draft:
-    """Return a floor plan made of a drawing's lines, its lower left corner at the origin.
+    """Return a floor plan made of a drawing's lines, with its lower left corner at the origin.
 
-    `unit` (mm, cm, m, inch or foot) is needed when the drawing does not say it. `layers` are those whose lines are
-    walls: all but the ones for words and dimensions when not given.
+    `unit` (mm, cm, m, inch or foot) is needed when the drawing does not contain it. `layers` are those whose lines
+    become walls; when not given, all except those for text and dimensions.
 
     Raises
     ------
@@ -94,7 +94,7 @@ def _check_size(file: Path, width: float, height: float) -> None:
 
 
 def _drawn_paths(drawing: Drawing, origin: Point) -> list[dict[str, Any]]:
-    """Return the paths on the layer PATH; lines that meet there are one."""
+    """Return the paths on the layer PATH; lines that meet are joined into one path."""
     lines = [line for layer, found in drawing.layers.items() if layer.lower() == PATH_LAYER for line in found]
     polylines = [line for line in lines if len(line) > 2]
     loose = [(line[0], line[1]) for line in lines if len(line) == 2]
@@ -109,7 +109,7 @@ def _drawn_paths(drawing: Drawing, origin: Point) -> list[dict[str, Any]]:
 
 
 def _as_drawn(chain: list[Point], pieces: list[tuple[Point, Point]]) -> list[Point]:
-    """Return the chain in the direction in which most of its pieces were drawn."""
+    """Return the chain in the direction in which most of its pieces are drawn."""
     drawn = {tuple((round(x, MILLIMETRES), round(y, MILLIMETRES)) for x, y in piece) for piece in pieces}
     ahead = sum((a, b) in drawn for a, b in pairwise(chain))
     back = sum((b, a) in drawn for a, b in pairwise(chain))
@@ -117,7 +117,7 @@ def _as_drawn(chain: list[Point], pieces: list[tuple[Point, Point]]) -> list[Poi
 
 
 def _proposed(walls: list[list[Point]], size: tuple[float, float]) -> list[dict[str, Any]]:
-    """Return a path through the largest part of the building, none when a chair fits nowhere."""
+    """Return a list of one path through the largest part of the building; an empty list when a chair fits nowhere."""
     resolution = max(FINEST, float(np.sqrt(size[0] * size[1] / MOST_CELLS)), max(size) / MOST_CELLS)
     free = free_cells(walls, WALL_THICKNESS, size, resolution)
     route = propose_route(enclosed_cells(free), resolution)

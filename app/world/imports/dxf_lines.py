@@ -1,4 +1,4 @@
-"""The straight lines of a DXF drawing's model space, by layer, blocks taken apart and curves as chords."""
+"""Reads the lines of a DXF drawing's model space by layer, with blocks resolved and curves approximated by chords."""
 
 import math
 from collections import Counter, defaultdict
@@ -13,12 +13,12 @@ from ezdxf.math import Matrix44
 from app.world.imports.wall_pieces import Point
 
 MOST_BYTES: Final = 20_000_000
-MOST_ENTITIES: Final = 200_000  # looked at, those in blocks each time the block is placed
+MOST_ENTITIES: Final = 200_000  # visited; those in a block count each time the block is placed
 MOST_POINTS: Final = 400_000
-DEEPEST: Final = 16  # blocks in blocks
-SAGITTA: Final = 0.01  # m that a chord may lie beside its curve
-SMALLEST_ARC: Final = 4  # curves that a full circle is made of before it becomes chords
-FARTHEST: Final = 1e7  # m; a place beyond this is a mistake, and makes too many chords
+DEEPEST: Final = 16  # levels of blocks in blocks
+SAGITTA: Final = 0.01  # m, largest distance of a chord from its curve
+SMALLEST_ARC: Final = 4  # curves that a full circle is divided into before the chords are made
+FARTHEST: Final = 1e7  # m; coordinates beyond are errors of the drawing and would make too many chords
 
 UNITS: Final = {"mm": 0.001, "cm": 0.01, "m": 1.0, "inch": 0.0254, "foot": 0.3048}  # m
 HEADER_UNITS: Final = {1: "inch", 2: "foot", 4: "mm", 5: "cm", 6: "m"}  # $INSUNITS, DXF reference, HEADER section
@@ -27,16 +27,16 @@ WORDS: Final = frozenset({"TEXT", "MTEXT", "DIMENSION", "ATTDEF", "ATTRIB", "LEA
 
 
 class Drawing(NamedTuple):
-    """What was read: lines in m by layer, and how many things of which kind could not be."""
+    """The lines of a drawing."""
 
-    layers: dict[str, list[list[Point]]]
-    left_out: Counter[str]
+    layers: dict[str, list[list[Point]]]  # layer -> lines, m
+    left_out: Counter[str]  # kind of entity -> how many were not read
 
 
 def read_dxf(file: Path, unit: str | None = None) -> Drawing:
-    """Read the lines of a DXF file; `unit` (a key of UNITS) is used instead of what the drawing says.
+    """Read the lines of a DXF file; `unit` (a key of UNITS) overrides the unit in the drawing.
 
-    Layers that are off or frozen are left out, as the drawing program does. Heights are left out.
+    Layers that are off or frozen are left out, as in drawing programs; z coordinates are dropped.
 
     Raises
     ------
@@ -53,7 +53,7 @@ def read_dxf(file: Path, unit: str | None = None) -> Drawing:
             raise
         raise ValueError(f"{file}: something in this drawing is damaged, save it again as DXF") from error
     except Exception as error:
-        # The reader checks little of what a drawing says, and raises whatever comes.
+        # ezdxf checks little of a drawing's content and may raise any exception.
         raise ValueError(f"{file}: something in this drawing is damaged, save it again as DXF") from error
 
 
@@ -79,18 +79,17 @@ def _document(file: Path) -> Any:
 
 
 def _scale(file: Path, document: Any, unit: str | None) -> float:
-    """Return how many metres one unit of the drawing is."""
-    said = document.header.get("$INSUNITS", 0)
-    found = unit or HEADER_UNITS.get(said)
-    if found is None:
+    """Return the length of one unit of the drawing, m."""
+    name = unit or HEADER_UNITS.get(document.header.get("$INSUNITS", 0))
+    if name is None:
         raise ValueError(
             f"{file}: this drawing does not say in which unit it is drawn, give its unit ({', '.join(UNITS)})"
         )
-    return UNITS[found]
+    return UNITS[name]
 
 
 class _Reader:
-    """Walks through the drawing, counting, so that blocks in blocks cannot take for ever."""
+    """Visits the entities of a drawing and counts them, so that nested blocks cannot take unlimited time."""
 
     def __init__(self, file: Path, document: Any, scale: float) -> None:
         self._file = file
@@ -106,7 +105,7 @@ class _Reader:
         return Drawing(dict(self._layers), self._left_out)
 
     def _walk(self, entities: Iterable[Any], matrix: Matrix44, inherited: str | None, depth: int) -> None:
-        """Take in entities that lie in a block's coordinates; what is on layer 0 of a block is on the block's layer."""
+        """Read entities in a block's coordinates; layer 0 of a block means the layer that the block is placed on."""
         for entity in entities:
             self._seen += 1
             if self._seen > MOST_ENTITIES:
@@ -119,13 +118,13 @@ class _Reader:
             if layer.lower() in self._hidden or kind in WORDS:
                 continue
             if kind == "INSERT":
-                self._take_block(entity, matrix, layer, depth)
+                self._read_block(entity, matrix, layer, depth)
             elif kind in LINES:
-                self._take_line(entity, matrix, layer)
+                self._read_line(entity, matrix, layer)
             else:
                 self._left_out[kind] += 1
 
-    def _take_block(self, insert: Any, matrix: Matrix44, layer: str, depth: int) -> None:
+    def _read_block(self, insert: Any, matrix: Matrix44, layer: str, depth: int) -> None:
         block = insert.block()
         if block is None or block.is_any_layout:
             self._left_out["INSERT"] += 1
@@ -137,7 +136,7 @@ class _Reader:
             self._walk(block, place * matrix, layer, depth + 1)
 
     def _places(self, insert: Any) -> Iterator[Matrix44]:
-        """Yield where a block stands: once, or in rows and columns."""
+        """Yield the transformation of each placement of a block: one, or rows and columns of them."""
         dxf, here = insert.dxf, insert.matrix44()
         rows, columns = max(1, dxf.row_count), max(1, dxf.column_count)
         if rows * columns > MOST_ENTITIES:
@@ -149,10 +148,10 @@ class _Reader:
                 x, y = column * dxf.column_spacing, row * dxf.row_spacing
                 yield here * Matrix44.translate(x * cos - y * sin, x * sin + y * cos, 0)
 
-    def _take_line(self, entity: Any, matrix: Matrix44, layer: str) -> None:
+    def _read_line(self, entity: Any, matrix: Matrix44, layer: str) -> None:
         try:
             path = ezdxf.path.make_path(entity, segments=SMALLEST_ARC)
-        except TypeError:  # meshes are polylines, too
+        except TypeError:  # a POLYLINE may also be a mesh
             self._left_out[entity.dxftype()] += 1
             return
         path = path.transform(matrix)

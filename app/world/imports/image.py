@@ -1,4 +1,4 @@
-"""Makes a floor plan of a picture of one: what is light is free, what is dark is a wall."""
+"""Imports a picture of a floor plan: light areas are free, dark areas become walls."""
 
 from pathlib import Path
 from typing import Final
@@ -16,9 +16,11 @@ FORMATS: Final = ("PNG", "JPEG", "PPM")
 MOST_BYTES: Final = 20_000_000
 MOST_PIXELS: Final = 40_000_000
 MOST_CELLS: Final = 2_000_000
-FINEST: Final = 0.04  # m per cell; a finer picture is made coarser, and a cell is a wall when any of it is dark
-COARSEST: Final = 0.2  # m per cell: doorways close beyond this
-THRESHOLD: Final = 0.6  # of white; lighter is free
+FINEST: Final = (
+    0.04  # m per cell; pixels of finer pictures are grouped: a cell is a wall when any of its pixels is dark
+)
+COARSEST: Final = 0.2  # m per cell; in coarser cells doorways close
+THRESHOLD: Final = 0.6  # share of white from which on a pixel is free
 WIDEST: Final = 500.0  # m
 
 
@@ -30,9 +32,10 @@ def import_image(
     title: str | None = None,
     name: str | None = None,
 ) -> Draft:
-    """Return a floor plan made of a PNG or JPEG picture, its lower left corner at the origin.
+    """Return a floor plan made of a PNG or JPEG picture, with its lower left corner at the origin.
 
-    Its scale is given, or its `width` (m); `threshold` is the share of white from which on a pixel is free.
+    Either `metres_per_pixel` or `width` (m, of the picture) is given; `threshold` is the share of white from which on a
+    pixel is free.
 
     Raises
     ------
@@ -60,7 +63,7 @@ def import_image(
 
 
 def _coarser(file: Path, rows: int, columns: int, scale: float) -> int:
-    """Return how many pixels make one side of a cell."""
+    """Return the number of pixels along one side of a cell."""
     times = max(1, int(FINEST / scale), int(np.ceil(np.sqrt(rows * columns / MOST_CELLS))))
     if scale * times > COARSEST:
         raise ValueError(
@@ -70,7 +73,7 @@ def _coarser(file: Path, rows: int, columns: int, scale: float) -> int:
 
 
 def _coarse(free: NDArray[np.bool_], times: int) -> NDArray[np.bool_]:
-    """Return cells of `times` pixels squared, free when all of their pixels are; what is beyond the edge is free."""
+    """Return cells of `times` x `times` pixels, free when all their pixels are; pixels beyond the edge are free."""
     rows, columns = free.shape
     padded = np.pad(free, ((0, -rows % times), (0, -columns % times)), constant_values=True)
     blocks = padded.reshape(padded.shape[0] // times, times, padded.shape[1] // times, times)
@@ -78,7 +81,7 @@ def _coarse(free: NDArray[np.bool_], times: int) -> NDArray[np.bool_]:
 
 
 def _read(file: Path) -> NDArray[np.uint8]:
-    """Return the grey values (rows, columns) on white paper."""
+    """Return the grey values (rows, columns), transparent pixels as white."""
     try:
         if file.stat().st_size > MOST_BYTES:
             raise ValueError(f"{file}: this is larger than {MOST_BYTES // 1_000_000} MB, make it coarser")
@@ -100,7 +103,7 @@ def _read(file: Path) -> NDArray[np.uint8]:
         what = error.strerror or "it is damaged"
         raise ValueError(f"{file}: this picture cannot be read ({what}), save it anew") from error
     except Exception as error:
-        # Damaged pictures make the reader raise whatever comes.
+        # Pillow may raise any exception for a damaged picture.
         raise ValueError(f"{file}: this picture is damaged, save it anew") from error
 
 

@@ -1,4 +1,4 @@
-"""Occupancy maps as the ROS map_server writes them: a YAML document that names an image and says how to read it."""
+"""Reads occupancy maps of the ROS map_server: a YAML document and the image that it names."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -14,13 +14,13 @@ from app.quantities import Fraction, Metres
 from app.sentences import one_sentence
 
 MOST_CELLS = 40_000_000
-FORMATS = ("PPM", "PNG", "BMP", "JPEG")  # others can hold many pictures, or need a reader of their own
+FORMATS = ("PPM", "PNG", "BMP", "JPEG")  # other formats can hold several pictures or need a further library
 Resolution = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0.005, le=1.0)]  # m per cell
 Yaw = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=-6.2832, le=6.2832)]  # rad
 
 
 class MapDocument(BaseModel):
-    """What the YAML file says; fields of other programs in it are left alone."""
+    """The YAML document of a map; fields of other programs are ignored."""
 
     model_config = ConfigDict(extra="ignore", frozen=True)
 
@@ -34,14 +34,14 @@ class MapDocument(BaseModel):
 
 @dataclass(frozen=True, slots=True)
 class OccupancyMap:
-    """Which cells are free; cell [0, 0] lies at the lower left, [row, column] grows with y and x."""
+    """A grid of free cells; cell [0, 0] is at the lower left, rows grow with y and columns with x."""
 
-    free: NDArray[np.bool_]  # (rows, columns); neither occupied nor unknown
+    free: NDArray[np.bool_]  # (rows, columns); False for occupied and for unknown cells
     resolution: float  # m per cell
     origin: tuple[float, float, float]  # x (m), y (m), yaw (rad) of the lower left corner
 
     def place(self, cells: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return the places (n, 2) in m of positions (n, 2) in cells, as (column, row) from the lower left corner."""
+        """Return the coordinates (n, 2) in m of `cells` (n, 2): (column, row) from the lower left corner."""
         x, y, yaw = self.origin
         cos, sin = np.cos(yaw), np.sin(yaw)
         turn = np.array([[cos, -sin], [sin, cos]])
@@ -49,7 +49,7 @@ class OccupancyMap:
 
 
 def read_occupancy_map(file: Path, image_file: Path | None = None) -> OccupancyMap:
-    """Read a map's YAML file and the image that it names, or `image_file` instead of that.
+    """Read a map's YAML file and the image that it names, or `image_file` instead of that image.
 
     A pixel is free when its occupancy, (255 - value) / 255 or with `negate` value / 255, is below `free_thresh`.
 
@@ -71,7 +71,7 @@ def read_occupancy_map(file: Path, image_file: Path | None = None) -> OccupancyM
 def _read_document(file: Path) -> MapDocument:
     try:
         text = file.read_text(encoding="utf-8")
-        # A few aliases of aliases stand for thousands of millions of words, and no map needs one.
+        # A few nested aliases expand to billions of values; no map needs an alias.
         if any(isinstance(event, yaml.AliasEvent) for event in yaml.parse(text, Loader=yaml.SafeLoader)):
             raise ValueError(f"{file}: a map's document has no aliases (*name), write the values themselves")
         content = yaml.safe_load(text)

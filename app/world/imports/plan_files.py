@@ -1,4 +1,4 @@
-"""Makes a floor plan of a file from elsewhere: a ROS map, a DXF drawing or a picture."""
+"""Imports a ROS map, a DXF drawing or a picture as the draft of a floor plan."""
 
 import json
 from pathlib import Path
@@ -23,7 +23,7 @@ Scale = Annotated[float, Field(strict=True, allow_inf_nan=False, gt=0, le=1000)]
 
 
 class Options(Document):
-    """What a file does not say about itself."""
+    """The options of an import: information that the file does not contain."""
 
     unit: Literal["mm", "cm", "m", "inch", "foot"] | None = None
     layers: Annotated[tuple[Line, ...], Field(max_length=1000)] | None = None
@@ -35,7 +35,7 @@ class Options(Document):
 
 
 def import_plan(file: Path, options: Options, image: Path | None = None) -> Draft:
-    """Return what a file proposes; `image` is read instead of the one that a ROS map names.
+    """Return the draft made from a file; `image` is read instead of the one that a ROS map names.
 
     Raises
     ------
@@ -55,12 +55,12 @@ def import_plan(file: Path, options: Options, image: Path | None = None) -> Draf
 
 
 def answer(question: dict[str, Any]) -> dict[str, Any]:
-    """Return a draft's fields for `{"file", "image", "options"}`; asked by `app.isolated_reader`.
+    """Return the fields of a draft for the question `{"file", "image", "options"}`; called by `app.isolated_reader`.
 
     Raises
     ------
     ValueError
-        One sentence that names the file without its place, and what to do.
+        One sentence that names the file without its folder, and what to do.
     """
     file, image = Path(question["file"]), question["image"]
     try:

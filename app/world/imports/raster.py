@@ -1,4 +1,4 @@
-"""Walls as cells, and which cells lie inside of a building."""
+"""Rasterises walls into cells, and finds the free cells inside a building."""
 
 from itertools import pairwise
 
@@ -8,13 +8,13 @@ from scipy.ndimage import distance_transform_edt, label
 
 from app.world.imports.wall_pieces import Point
 
-STEP = 0.4  # cells between two places that are marked along a wall
+STEP = 0.4  # cells between two points along a wall whose cells are marked
 
 
 def free_cells(
     walls: list[list[Point]], thickness: float, size: tuple[float, float], resolution: float
 ) -> NDArray[np.bool_]:
-    """Return which cells (rows, columns) of `resolution` (m) are free, from the origin to `size` (m)."""
+    """Return which cells (rows, columns) of `resolution` (m) from the origin to `size` (m) are free of walls."""
     columns, rows = (int(np.ceil(side / resolution)) + 1 for side in size)
     marked = np.zeros((rows, columns), dtype=np.bool_)
     for wall in walls:
@@ -30,9 +30,9 @@ def free_cells(
 
 
 def enclosed_cells(free: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Return the free cells that cannot be reached from the edge, all of them when there are no others.
+    """Return the free cells that are not connected to the edge; all free cells when there are no such cells.
 
-    On paper, the place round a building is as white as its rooms.
+    In drawings and pictures, the outside of a building is as free as its rooms.
     """
     parts, _ = label(free)
     edge = np.unique(np.concatenate([parts[0], parts[-1], parts[:, 0], parts[:, -1]]))

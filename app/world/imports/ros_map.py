@@ -1,4 +1,4 @@
-"""Makes a floor plan of an occupancy map: walls around the free space, and a path to drive in it."""
+"""Imports an occupancy map as a floor plan: walls around the free space, and a proposed path."""
 
 from pathlib import Path
 
@@ -10,15 +10,15 @@ from app.world.imports.draft import Draft, path_document, plain_name, plan_of
 from app.world.imports.occupancy import OccupancyMap, read_occupancy_map
 from app.world.imports.route import propose_route
 
-WALL_THICKNESS = 0.02  # m; the outline is the surface of what stands there, so hardly any is added to it
+WALL_THICKNESS = 0.02  # m; small, because the outline is the surface of the walls
 DECIMALS = 4  # of a metre in the plan
 
 
 def import_ros_map(yaml_file: Path, title: str | None = None, name: str | None = None) -> FloorPlan:
     """Return a floor plan made from a ROS map_server map.
 
-    Only what hangs together with the proposed path is kept; unknown cells count as walls. The walls lie in occupied or
-    unknown cells, at most one cell behind the surface, and never in free ones.
+    Only the free space connected with the proposed path is kept; unknown cells count as walls. The walls lie in
+    occupied or unknown cells, at most one cell behind the surface, never in free cells.
 
     Raises
     ------
@@ -32,7 +32,7 @@ def import_ros_map(yaml_file: Path, title: str | None = None, name: str | None =
 def draft_of_map(
     occupancy: OccupancyMap, file: Path, title: str | None = None, name: str | None = None, what: str = "map"
 ) -> Draft:
-    """Return what an occupancy map proposes; ValueError with one sentence that names `file`."""
+    """Return the draft made from an occupancy map; raise ValueError with one sentence that names `file`."""
     route = propose_route(occupancy.free, occupancy.resolution)
     if route is None:
         hint = "resolution" if what == "map" else "scale"

@@ -1,4 +1,4 @@
-"""A drivable path through a map: between two places far apart, with room on both sides where there is some."""
+"""Proposes a drivable path through a map: between two distant places, with clearance where the map allows it."""
 
 from typing import NamedTuple
 
@@ -10,21 +10,21 @@ from scipy.sparse.csgraph import dijkstra
 
 from app.world.kinematics import CHAIR_RADIUS
 
-MARGIN = 0.04  # m beside the chair; no path is proposed through anything narrower
+MARGIN = 0.04  # m beside the chair; no path is proposed through narrower passages
 CORNER = 0.71  # cells from a cell's middle to its corner
-ROOM_AT_ENDS = 1.0  # m, so that a trial does not begin or end against a wall
-CLEARANCE = 0.45  # m, kept where the building allows it
-COMFORT = 0.8  # m; more room than this is not sought
-DETOUR = 6.0  # how many metres with comfort one metre without any is worth
-SIDESTEP = 0.3  # m that a straight piece may lie beside the middle of the free space
-SHORTEST = 2.0  # m; a shorter path is none
+ROOM_AT_ENDS = 1.0  # m, so that a trial does not begin or end at a wall
+CLEARANCE = 0.45  # m, kept where the map allows it
+COMFORT = 0.8  # m; more clearance than this lowers no cost
+DETOUR = 6.0  # cost of a metre with the least clearance, over that of a metre with COMFORT
+SIDESTEP = 0.3  # m, largest distance of a straight piece from the cheapest way
+SHORTEST = 2.0  # m; shorter paths are not proposed
 
 
 class Route(NamedTuple):
-    """Cells (column, row) of the path's points, and the region that it lies in."""
+    """A proposed path, and the region that it lies in."""
 
-    cells: NDArray[np.float64]  # (n, 2), middles of cells
-    region: NDArray[np.bool_]  # (rows, columns) the free cells that hang together with it
+    cells: NDArray[np.float64]  # (n, 2), (column, row) of the path's points, at middles of cells
+    region: NDArray[np.bool_]  # (rows, columns), the free cells connected with the path
 
 
 def propose_route(free: NDArray[np.bool_], resolution: float) -> Route | None:
@@ -61,7 +61,7 @@ def _largest(cells: NDArray[np.bool_], resolution: float) -> NDArray[np.bool_] |
 
 
 class _Grid:
-    """The passable cells as a graph; ways near walls cost more."""
+    """The passable cells as a graph, whose edges cost more near walls."""
 
     def __init__(
         self, passable: NDArray[np.bool_], clearance: NDArray[np.float64], least: float, resolution: float
@@ -84,14 +84,14 @@ class _Grid:
         self.graph = coo_matrix((np.concatenate(costs), edges), shape=(n, n)).tocsr()
 
     def furthest(self, cell: int, among: NDArray[np.bool_]) -> int:
-        """Return the cell of `among` that is the most expensive to reach from `cell`."""
+        """Return the cell of `among` with the highest cost from `cell`."""
         cost = dijkstra(self.graph, directed=False, indices=[cell])[0]
         candidates = self.number[among]
         reached = np.where(np.isfinite(cost[candidates]), cost[candidates], -1.0)
         return int(candidates[int(np.argmax(reached))])
 
     def way(self, start: int, end: int) -> NDArray[np.int64]:
-        """Return the cheapest way (n, 2) as (column, row) of cells."""
+        """Return the cheapest way from `start` to `end`, (n, 2) as (column, row) of cells."""
         _, before = dijkstra(self.graph, directed=False, indices=[start], return_predecessors=True)
         cells = [end]
         while cells[-1] != start:
@@ -101,7 +101,7 @@ class _Grid:
 
 
 def _beside(shape: tuple[int, ...], up: int, across: int) -> tuple[tuple[slice, slice], tuple[slice, slice]]:
-    """Return which cells have a neighbour `up` and `across` from them, and which cells those neighbours are."""
+    """Return slices of the cells with a neighbour `up` rows and `across` columns away, and of those neighbours."""
     rows, columns = shape[0], shape[1]
     here = slice(0, rows - up), slice(max(-across, 0), columns - max(across, 0))
     there = slice(up, rows), slice(max(across, 0), columns + min(across, 0))
@@ -111,12 +111,12 @@ def _beside(shape: tuple[int, ...], up: int, across: int) -> tuple[tuple[slice, 
 def _straightened(
     steps: NDArray[np.int64], clearance: NDArray[np.float64], least: float, resolution: float
 ) -> NDArray[np.float64]:
-    """Return few points of the way, so that the straight pieces between them keep its clearance and its middle."""
+    """Return few points of the way, such that `_is_straight` holds for each piece between two of them."""
     kept, last = [0], len(steps) - 1
     while kept[-1] < last:
         here = kept[-1]
         reach, stride = here + 1, 1
-        while stride:  # reaches out in growing strides, then closes in on the last that is straight
+        while stride:  # double the stride while the piece is straight, then halve it
             there = min(reach + stride, last)
             if there > reach and _is_straight(steps[here : there + 1], clearance, least, resolution):
                 reach, stride = there, stride * 2
@@ -127,7 +127,7 @@ def _straightened(
 
 
 def _is_straight(steps: NDArray[np.int64], clearance: NDArray[np.float64], least: float, resolution: float) -> bool:
-    """Tell whether a straight line can stand for these steps."""
+    """Return whether a straight line can replace these steps: near them, and with no less clearance than needed."""
     start, chord = steps[0].astype(np.float64), (steps[-1] - steps[0]).astype(np.float64)
     length = float(np.hypot(*chord))
     if length == 0.0:
@@ -138,6 +138,6 @@ def _is_straight(steps: NDArray[np.int64], clearance: NDArray[np.float64], least
         return False
     along = np.linspace(0.0, 1.0, int(length * 2) + 2)[:, np.newaxis]
     cells = np.rint(start + along * chord).astype(np.int64)
-    room = float(clearance[steps[:, 1], steps[:, 0]].min()) - resolution  # a line between cells may lose one
+    room = float(clearance[steps[:, 1], steps[:, 0]].min()) - resolution  # rounding the line to cells may lose one
     needed = max(min(room, CLEARANCE), least)
     return bool(clearance[cells[:, 1], cells[:, 0]].min() >= needed)

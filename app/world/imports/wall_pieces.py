@@ -1,4 +1,4 @@
-"""Loose straight pieces, as drawings have them, join_pieces to few long lines."""
+"""Joins the loose straight pieces of a drawing into few long lines."""
 
 import math
 from collections import defaultdict
@@ -7,21 +7,21 @@ from collections.abc import Iterable
 Point = tuple[float, float]
 Piece = tuple[Point, Point]
 
-DECIMALS = 3  # of a metre: what is nearer than that is one place
+DECIMALS = 3  # of a metre, to which points are rounded
 SAME_ANGLE = 1e-4  # rad
 TOUCHING = 1e-3  # m
 
 
 def join_pieces(pieces: Iterable[Piece]) -> list[list[Point]]:
-    """Return the pieces (m) as lines: what lies on one straight line and touches is one piece, and ends that meet join.
+    """Return the pieces (m) as lines: merges collinear pieces that touch, then chains pieces whose ends meet.
 
-    Places are rounded to a millimetre; a piece that is drawn twice, or has no length, is left out.
+    Points are rounded to a millimetre; repeated pieces and pieces of length zero are left out.
     """
     return chain_pieces(_merged(pieces))
 
 
 def chain_pieces(pieces: Iterable[Piece]) -> list[list[Point]]:
-    """Return lines through the pieces, none of which is in two of them; each begins at an open end where it has one."""
+    """Return lines that contain each piece exactly once; a line begins at an open end where it has one."""
     edges = list(dict.fromkeys(tuple(sorted(piece)) for piece in _rounded(pieces)))
     at: dict[Point, list[int]] = defaultdict(list)
     for number, piece in enumerate(edges):
@@ -37,7 +37,7 @@ def chain_pieces(pieces: Iterable[Piece]) -> list[list[Point]]:
 
 
 def _walk(start: Point, edges: list[tuple[Point, ...]], at: dict[Point, list[int]], unused: set[int]) -> list[Point]:
-    """Return the line from `start` along unused edges until none goes on; empty when none leaves `start`."""
+    """Return the line from `start` along unused edges to its end; an empty list when no unused edge is at `start`."""
     line: list[Point] = []
     here = start
     while True:
@@ -62,11 +62,11 @@ def _rounded(pieces: Iterable[Piece]) -> Iterable[Piece]:
 
 
 def _merged(pieces: Iterable[Piece]) -> list[Piece]:
-    """Return the pieces with those on one straight line, that touch or overlap, as one."""
+    """Return the pieces, collinear ones that touch or overlap merged into one."""
     on_line: dict[tuple[int, int], list[tuple[float, float, Piece]]] = defaultdict(list)
     for a, b in _rounded(pieces):
         if b < a:
-            a, b = b, a  # noqa: PLW2901  (towards larger x: opposite directions are one line)
+            a, b = b, a  # noqa: PLW2901  (towards larger x, because opposite directions are one line)
         turn = round(math.atan2(b[1] - a[1], b[0] - a[0]) / SAME_ANGLE)
         angle = turn * SAME_ANGLE
         cos, sin = math.cos(angle), math.sin(angle)
