@@ -27,7 +27,7 @@ from app.session.readings import Readings
 from app.session.real_drive import RealDriveFlow
 from app.session.runs import Runs
 from app.session.screen_codes import PairingCodes
-from app.session.trial import DriveFlow
+from app.session.trial import TrialFlow
 from app.session.trial_qualities import TrialQualities
 from app.settings import Settings
 from app.store.calibrations import fail_interrupted_steps
@@ -60,17 +60,17 @@ def make_parts(
     chairs = Chairs(database, control, settings.keys, tell)
     limits = ClinicLimits(database, control, tell)
     calibration = CalibrationFlow(database, control, equipment, runs, tell, readings)
-    drive = DriveFlow(database, control, runs, tell, readings)
-    real_drive = RealDriveFlow(database, control, runs, tell, readings)
-    session = SessionFlow(database, control, equipment, calibration, drive, real_drive, tell)
-    live_picture = LivePicture(control, equipment, chairs, runs, drive, real_drive, session)
+    trials = TrialFlow(database, control, runs, tell, readings)
+    drives = RealDriveFlow(database, control, runs, tell, readings)
+    session = SessionFlow(database, control, equipment, calibration, trials, drives, tell)
+    live_picture = LivePicture(control, equipment, chairs, runs, trials, drives, session)
     hub = LiveHub(live_picture.picture, live_picture.quality)
-    patient = PatientPicture(live_picture, equipment, runs, drive)
+    patient = PatientPicture(live_picture, equipment, runs, trials)
 
     def current_drive() -> dict[str, int]:
-        trial, real = drive.trial, real_drive.drive
-        if real is not None:
-            return {"drive": real.id}
+        trial, drive = trials.current, drives.current
+        if drive is not None:
+            return {"drive": drive.id}
         return {} if trial is None else {"trial": trial.id}
 
     async def control_changed(_state: str) -> None:
@@ -82,16 +82,16 @@ def make_parts(
         equipment=equipment,
         runs=runs,
         calibration=calibration,
-        drive=drive,
-        real=real_drive,
+        trials=trials,
+        drives=drives,
         chairs=chairs,
         head=HeadChoice(database, control, equipment.located, tell),
         limits=limits,
         arming=RealArming(database, control, equipment, session, chairs, limits),
         session=session,
-        adaptation=AdaptationFlow(database, control, runs, drive, session, chairs, tell, readings),
+        adaptation=AdaptationFlow(database, control, runs, trials, session, chairs, tell, readings),
         screens=Screens(),
-        pictures=Pictures(control, drive),
+        pictures=Pictures(control, trials),
         faults=FaultLog(database, control, current_drive),
         disk=DiskWatch(settings.state, database.ballast, tell),
         live=hub,
@@ -144,7 +144,7 @@ def _tidy_up(database: Database) -> None:
 async def end_parts(web: WebParts) -> None:
     """End what runs, the control process last."""
     await web.calibration.stop()
-    await asyncio.gather(web.drive.stop(), web.real.stop())
+    await asyncio.gather(web.trials.stop(), web.drives.stop())
     await web.adaptation.stop()
     await asyncio.gather(web.live.close(), web.patient_live.close(), web.faults.close(), web.disk.close())
     await asyncio.gather(web.view.close(), web.control.close(), asyncio.to_thread(web.replays.close_all))

@@ -23,7 +23,7 @@ class Controller:
 
 def controller_of(web: WebParts) -> Controller | None:
     """Return whose trial or drive it is that goes on, None when nothing is driven."""
-    drive, trial = web.real.drive, web.drive.trial
+    drive, trial = web.drives.current, web.trials.current
     if drive is not None:
         return Controller(drive.person_id, real=True)
     return None if trial is None else Controller(trial.person_id, real=False)
@@ -46,7 +46,7 @@ def require_hand_on_chair(web: WebParts, who: SignedInPerson, connection: HTTPCo
 
 def require_picture(web: WebParts) -> None:
     """Refuse to go on with a trial whose screens have no picture to drive by."""
-    trial = web.drive.trial
+    trial = web.trials.current
     refusal = "" if trial is None else web.pictures.refusal(Screen(trial.person_id, trial.screen))
     if refusal:
         raise HTTPException(409, refusal)

@@ -31,7 +31,7 @@ from app.session.open_session import SessionFlow
 from app.session.real_drive import RealDriveFlow
 from app.session.runs import Runs
 from app.session.screen_codes import PairingCodes
-from app.session.trial import DriveFlow
+from app.session.trial import TrialFlow
 from app.session.trial_qualities import TrialQualities
 from app.store.files.disk import DiskWatch
 from app.world.floorplan import FloorPlan, bundled_floorplans, load_floorplan
@@ -46,8 +46,8 @@ class WebParts:
     equipment: Equipment
     runs: Runs
     calibration: CalibrationFlow
-    drive: DriveFlow
-    real: RealDriveFlow
+    trials: TrialFlow
+    drives: RealDriveFlow
     chairs: Chairs
     head: HeadChoice
     limits: ClinicLimits
@@ -71,7 +71,7 @@ class WebParts:
 
     def driving_sign(self) -> ScreenSign:
         """Return the last sign of the screen that started the trial or drive; may be called from any thread."""
-        drive, trial = self.real.drive, self.drive.trial  # read once each: they may end meanwhile
+        drive, trial = self.drives.current, self.trials.current  # read once each: they may end meanwhile
         going_on = drive or trial
         if going_on is None:
             return ScreenSign()

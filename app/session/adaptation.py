@@ -15,7 +15,7 @@ from app.session.equipment.chairs import Chairs
 from app.session.open_session import SessionFlow
 from app.session.readings import AdaptationResult, Readings
 from app.session.runs import Runs
-from app.session.trial import DriveFlow
+from app.session.trial import TrialFlow
 from app.store.adaptation_material import is_current, material_for, mode_of
 from app.store.database import Database
 from app.store.log import write_log
@@ -66,7 +66,7 @@ class AdaptationFlow:
         database: Database,
         control: ControlLink,
         runs: Runs,
-        drive: DriveFlow,
+        trials: TrialFlow,
         session: SessionFlow,
         chairs: Chairs,
         tell: Callable[[str], None],
@@ -85,7 +85,7 @@ class AdaptationFlow:
         self._newest: AdaptationProposal | None = None
         self._reasons: dict[int, str] = {}  # patient id -> sentence: why there is no proposal
         self.practice = PracticeHistory()
-        drive.on_over = self.trial_over
+        trials.on_finished = self.trial_over
 
     @property
     def is_proposing(self) -> bool:

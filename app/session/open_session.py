@@ -12,7 +12,7 @@ from app.session.control_link import ControlLink
 from app.session.equipment.shirt import NO_SHIRT, Equipment
 from app.session.page_session import require_page_session
 from app.session.real_drive import RealDriveFlow
-from app.session.trial import DriveFlow
+from app.session.trial import TrialFlow
 from app.store.database import Database
 from app.store.parameters import as_document, current_parameters, newest_profile
 from app.store.patients import open_session
@@ -29,16 +29,16 @@ class SessionFlow:
         control: ControlLink,
         equipment: Equipment,
         calibration: CalibrationFlow,
-        drive: DriveFlow,
-        real: RealDriveFlow,
+        trials: TrialFlow,
+        drives: RealDriveFlow,
         tell: Callable[[str], None],
     ) -> None:
         self._database = database
         self._control = control
         self._equipment = equipment
         self._calibration = calibration
-        self._drive = drive
-        self._real = real
+        self._trials = trials
+        self._drives = drives
         self._tell = tell
         self._one_at_a_time = asyncio.Lock()
         self.loaded: DriveParameters | None = None  # what the control process drives with
@@ -62,7 +62,7 @@ class SessionFlow:
     @property
     def driving(self) -> bool:
         """Whether a trial or a drive is going on; from any thread."""
-        return self._drive.running or self._real.running
+        return self._trials.running or self._drives.running
 
     @property
     def simulated(self) -> bool | None:
@@ -71,9 +71,9 @@ class SessionFlow:
 
     def refuse_while_busy(self, what: str) -> None:
         """Refuse what must not happen during a step, a trial or a drive."""
-        if self._drive.running:
+        if self._trials.running:
             raise Conflict(f"A trial is running: end it first, then {what}.")
-        if self._real.running:
+        if self._drives.running:
             raise Conflict(f"The real chair is armed: end the drive first, then {what}.")
         if self._calibration.running:
             raise Conflict(f"A calibration step is running: cancel it first, then {what}.")

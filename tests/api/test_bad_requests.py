@@ -10,7 +10,7 @@ from fake_clinic import BASE, LAYOUT, WORD
 from starlette.websockets import WebSocketDisconnect
 
 from app.session.calibration import CalibrationFlow
-from app.session.trial import DriveFlow
+from app.session.trial import TrialFlow
 
 LONG = "k" * 100_000
 ORIGIN = {"Origin": BASE}
@@ -121,16 +121,16 @@ def test_a_session_does_not_change_under_a_trial_that_is_being_started(
     other = calibrated.good("POST", "/patients", json={"code": "P-2", "pseudonym": "Otter"})
     plan = calibrated.good("GET", "/floorplans/apartment")
     asked: list[Any] = []
-    start = DriveFlow.start
+    start = TrialFlow.start
 
     with ThreadPoolExecutor(1) as screen:
 
-        async def slowly(self: DriveFlow, *given: Any) -> int:
+        async def slowly(self: TrialFlow, *given: Any) -> int:
             asked.append(screen.submit(calibrated, "POST", "/session", json={"patient_id": other["id"]}))
             await asyncio.sleep(0.3)
             return await start(self, *given)
 
-        monkeypatch.setattr(DriveFlow, "start", slowly)
+        monkeypatch.setattr(TrialFlow, "start", slowly)
         calibrated.good(
             "POST", "/trials", json={"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}
         )

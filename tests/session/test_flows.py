@@ -10,7 +10,7 @@ from app.refusals import Conflict, Unavailable
 from app.session.calibration import CalibrationFlow
 from app.session.real_drive import RealDriveFlow
 from app.session.runs import Runs
-from app.session.trial import DriveFlow
+from app.session.trial import TrialFlow
 from app.source import UNKNOWN_SOURCE
 from app.store.database import Database
 from app.store.patients import add_patient, start_session
@@ -77,11 +77,11 @@ def test_a_run_whose_end_nobody_answers_is_open_no_more(database: Database, tmp_
 def test_a_drive_is_over_though_the_database_is_gone(tmp_path: Any) -> None:
     told: list[str] = []
     flow = RealDriveFlow(Gone(), Asked(), runs_with(Asked(), tmp_path), told.append, None)  # type: ignore[arg-type]
-    flow.drive = SimpleNamespace(id=1, run=None)  # type: ignore[assignment]
+    flow.current = SimpleNamespace(id=1, run=None)  # type: ignore[assignment]
 
     async def story() -> None:
         with pytest.raises(OSError, match="gone"):
-            await flow._finish(flow.drive, "fault")  # type: ignore[arg-type]
+            await flow._finish(flow.current, "fault")  # type: ignore[arg-type]
 
     asyncio.run(story())
     assert not flow.running
@@ -90,12 +90,12 @@ def test_a_drive_is_over_though_the_database_is_gone(tmp_path: Any) -> None:
 
 def test_a_trial_is_over_though_the_database_is_gone(tmp_path: Any) -> None:
     control, told = Asked(), []
-    flow = DriveFlow(Gone(), control, runs_with(control, tmp_path), told.append, None)  # type: ignore[arg-type]
-    flow.trial = SimpleNamespace(id=1, run=None, path=None)  # type: ignore[assignment]
+    flow = TrialFlow(Gone(), control, runs_with(control, tmp_path), told.append, None)  # type: ignore[arg-type]
+    flow.current = SimpleNamespace(id=1, run=None, path=None)  # type: ignore[assignment]
 
     async def story() -> None:
         with pytest.raises(OSError, match="gone"):
-            await flow._finish(flow.trial, "fault")  # type: ignore[arg-type]
+            await flow._finish(flow.current, "fault")  # type: ignore[arg-type]
 
     asyncio.run(story())
     assert not flow.running

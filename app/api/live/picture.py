@@ -18,7 +18,7 @@ from app.session.open_session import SessionFlow
 from app.session.real_drive import RealDriveFlow
 from app.session.run_watch import Halt
 from app.session.runs import Runs
-from app.session.trial import DriveFlow
+from app.session.trial import TrialFlow
 from app.session.words.chair_words import chair_report, closed_chair_report
 
 STALE = 1.0  # s without a tick: the control process is not to be counted on
@@ -36,16 +36,16 @@ class LivePicture:
         equipment: Equipment,
         chairs: Chairs,
         runs: Runs,
-        drive: DriveFlow,
-        real: RealDriveFlow,
+        trials: TrialFlow,
+        drives: RealDriveFlow,
         session: SessionFlow,
     ) -> None:
         self._control = control
         self._equipment = equipment
         self._chairs = chairs
         self._runs = runs
-        self._drive = drive
-        self._real = real
+        self._trials = trials
+        self._drives = drives
         self._session = session
         self._number = 0
         self._pose: list[float | None] = [0.0, 0.0, 0.0]
@@ -144,7 +144,7 @@ class LivePicture:
         return {"kind": run.kind, "t": _number(tick["run_t"], 3), "cue": None if cue == NO_CUE else cue}
 
     def _trial(self) -> dict[str, Any] | None:
-        trial = self._drive.trial
+        trial = self._trials.current
         if trial is None:
             return None
         place, part, stages = trial.place, trial.watch.progress.part, trial.watch.progress.stages
@@ -169,7 +169,7 @@ class LivePicture:
         return chair_report(tick) if tick["chair_kind"] else closed_chair_report(self._chairs.not_open)
 
     def _real_drive(self) -> dict[str, Any] | None:
-        drive = self._real.drive
+        drive = self._drives.current
         if drive is None:
             return None
         return {"id": drive.id, "t": _number(drive.watch.t, 3), "waits": _waits(drive.watch.halt)}

@@ -5,7 +5,7 @@ from typing import Literal
 from app.api.live.screens import Screen
 from app.faults import State
 from app.session.control_link import ControlLink
-from app.session.trial import DriveFlow
+from app.session.trial import TrialFlow
 
 Picture = Literal["view", "plan", "none"]
 
@@ -25,9 +25,9 @@ class Pictures:
     A screen without any report counts as one with a picture: a program may drive over the API.
     """
 
-    def __init__(self, control: ControlLink, drive: DriveFlow) -> None:
+    def __init__(self, control: ControlLink, trials: TrialFlow) -> None:
         self._control = control
-        self._drive = drive
+        self._trials = trials
         self._screens: dict[object, tuple[Screen, Picture]] = {}
         self._patients: dict[object, tuple[int, Picture]] = {}
 
@@ -48,7 +48,7 @@ class Pictures:
     def forget(self, link: object) -> None:
         """Forget the screen of a socket that has ended; a screen of the patient halts the trial by that."""
         self._screens.pop(link, None)
-        if self._patients.pop(link, None) is not None and self._drive.trial is not None:
+        if self._patients.pop(link, None) is not None and self._trials.current is not None:
             self._halt()
 
     def patients(self) -> dict[int, Picture]:
@@ -63,7 +63,7 @@ class Pictures:
 
     def _halt_if_blind(self) -> None:
         # With each message, not only with the first: a trial may begin, or go on, between two of them.
-        trial = self._drive.trial
+        trial = self._trials.current
         if trial is not None and self.refusal(Screen(trial.person_id, trial.screen)):
             self._halt()
 

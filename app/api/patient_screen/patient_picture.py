@@ -7,7 +7,7 @@ from app.calibration.script import movement_words
 from app.faults import Fault, State
 from app.session.equipment.shirt import Equipment
 from app.session.runs import Runs
-from app.session.trial import DriveFlow
+from app.session.trial import TrialFlow
 from app.session.words.patient_words import patient_words
 from app.store.patient_screens import Wishes
 
@@ -18,18 +18,18 @@ SAID_OF_TRIAL = ("id", "t", "done", "length", "stage", "stages", "instruction", 
 class PatientPicture:
     """Makes the patient's picture out of the clinician's, so that both show the same moment in the same way."""
 
-    def __init__(self, shown: LivePicture, equipment: Equipment, runs: Runs, drive: DriveFlow) -> None:
+    def __init__(self, shown: LivePicture, equipment: Equipment, runs: Runs, trials: TrialFlow) -> None:
         self._shown = shown
         self._equipment = equipment
         self._runs = runs
-        self._drive = drive
+        self._trials = trials
         self.wishes = Wishes()  # of the session that goes on
 
     def picture(self) -> dict[str, Any]:
         """Return the message of this moment."""
         shown = self._shown.picture()
         fault, trial = shown["fault"], shown["trial"]
-        over, drives = self._drive.over, trial is not None or shown["drive"] is not None
+        over, drives = self._trials.last_end, trial is not None or shown["drive"] is not None
         words = patient_words(
             State[shown["state"].upper()],
             Fault.NONE if fault is None else Fault[fault["name"].upper()],

@@ -18,7 +18,7 @@ BUSY = "Somebody drives: this trial can be looked at again when the chair stands
 
 def refuse_while_driving(web: WebParts) -> None:
     """Refuse while a chair may move: reading a long recording must not make the heartbeat late."""
-    if web.drive.running or web.real.running:
+    if web.trials.running or web.drives.running:
         raise Conflict(BUSY)
 
 

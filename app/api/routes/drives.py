@@ -156,7 +156,7 @@ async def arm(body: NewDrive, request: Request, who: Clinician, parts: PeoplePar
         if obstacle is not None:
             raise Conflict(obstacle)
         starter = Starter(who.person_id, who.name, body.screen)
-        drive_id = await web.real.start(now.session, starter, chair, now.parameters_id, body.hash)
+        drive_id = await web.drives.start(now.session, starter, chair, now.parameters_id, body.hash)
     return await asyncio.to_thread(_one, parts, who.clinic_id, drive_id)
 
 
@@ -164,7 +164,7 @@ async def arm(body: NewDrive, request: Request, who: Clinician, parts: PeoplePar
 async def end_drive(who: Clinician, parts: PeopleParts, web: Web) -> DriveView:
     """End the drive; answered when its recording is closed."""
     require_controller(web, who)
-    drive_id = await web.real.end()
+    drive_id = await web.drives.end()
     return await asyncio.to_thread(_one, parts, who.clinic_id, drive_id)
 
 

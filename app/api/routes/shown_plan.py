@@ -21,5 +21,5 @@ class ShownPlan(Document):
 @router.get("/view/{role}/plan", dependencies=[Depends(viewer)])
 def shown_plan(web: Web) -> ShownPlan | None:
     """Return the floor plan and the path of the trial that is driven; null while there is none."""
-    trial = web.drive.trial
+    trial = web.trials.current
     return None if trial is None else ShownPlan(trial=trial.id, floorplan=trial.plan, path=trial.path.name)

@@ -209,7 +209,7 @@ async def start_trial(body: NewTrial, who: Clinician, parts: PeopleParts, web: W
         if obstacle is not None:
             raise Conflict(obstacle)
         await web.view.show(plan, path.name)
-        trial_id = await web.drive.start(
+        trial_id = await web.trials.start(
             session, Starter(who.person_id, who.name, body.screen, body.picture), plan, path
         )
     return await asyncio.to_thread(_one, parts, who.clinic_id, trial_id)
@@ -224,7 +224,7 @@ def _one(parts: PeopleParts, clinic_id: int, trial_id: int) -> TrialView:
 async def end_trial(_body: EndTrial, who: Clinician, parts: PeopleParts, web: Web) -> TrialView:
     """End the trial by hand; answered when it has been measured."""
     require_controller(web, who)
-    trial_id = await web.drive.end()
+    trial_id = await web.trials.end()
     return await asyncio.to_thread(_one, parts, who.clinic_id, trial_id)
 
 

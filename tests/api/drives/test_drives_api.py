@@ -43,7 +43,7 @@ def test_an_arming_that_the_control_process_refuses_leaves_no_drive(ready: Any) 
     assert (answer.status_code, answer.json()["detail"]) == (409, "The chair does not answer.")
     assert ready.process.run == 0
     assert ready.good("GET", f"/drives?patient={ready.patient['id']}") == []
-    assert not ready.web.real.running
+    assert not ready.web.drives.running
 
 
 def test_a_fault_that_nobody_clears_ends_the_drive_and_is_in_the_log(

@@ -86,7 +86,7 @@ def test_a_picture_lost_in_a_trial_halts_it_until_there_is_one_again(ready: Any)
         stops = ready.process.stops
         says(socket, "none")
         says(socket, "plan")
-        trial = ready.web.drive.trial
+        trial = ready.web.trials.current
         while ready.web.pictures.refusal(Screen(trial.person_id, trial.screen)):
             time.sleep(0.002)
         assert ready.process.stops == stops  # what stands is not stopped again

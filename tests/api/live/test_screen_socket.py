@@ -97,9 +97,9 @@ def test_a_page_that_stands_still_counts_less_long_on_a_real_chair(driving: Any)
         driving.start()
         socket.send_json(saying(silence=1.1))
         until_told(driving, "in view")
-        driving.web.real.drive, driving.web.drive.trial = driving.web.drive.trial, None
+        driving.web.drives.current, driving.web.trials.current = driving.web.trials.current, None
         until_told(driving, "slow")
-        driving.web.drive.trial, driving.web.real.drive = driving.web.real.drive, None
+        driving.web.trials.current, driving.web.drives.current = driving.web.drives.current, None
 
 
 def test_a_second_socket_with_the_same_word_does_not_keep_the_chair_driving(driving: Any) -> None:

@@ -18,7 +18,7 @@ def driven(calibrated: Any) -> Any:
     where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}
     with calibrated.screen():
         calibrated.trial = calibrated.good("POST", "/trials", json=where)
-        run = calibrated.web.drive.trial.run
+        run = calibrated.web.trials.current.run
         assert calibrated("GET", f"/trials/{calibrated.trial['id']}/timeline").status_code == 409
         calibrated.good("POST", "/trials/current/end", json={"reason": "by hand"})
     calibrated.folder = run.folder

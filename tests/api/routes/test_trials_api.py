@@ -42,9 +42,9 @@ def test_a_trial_ends_at_the_goal_and_is_measured(ready: Any) -> None:
     assert ready("POST", "/trials", json=ready.where).status_code == 409
     assert ready("PUT", "/equipment/unused", json={"channels": []}).status_code == 409
 
-    drive = ready.client.app.state.web.drive
-    line, s = drive.trial.path.line, 0.0
-    while (trial_now := drive.trial) is not None:
+    trials = ready.client.app.state.web.trials
+    line, s = trials.current.path.line, 0.0
+    while (trial_now := trials.current) is not None:
         # The chair goes on once the watch has seen where it is.
         ready.process.pose = (*line.point_at(s), 0.0)
         if abs(trial_now.place.done - s) < 0.01:

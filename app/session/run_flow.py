@@ -1,0 +1,179 @@
+"""The course of a trial or a drive: recorded, armed, watched to its end, closed and measured."""
+
+import asyncio
+from abc import ABC, abstractmethod
+from collections.abc import AsyncIterator, Callable
+from contextlib import asynccontextmanager, suppress
+from dataclasses import dataclass
+from typing import Any, ClassVar, Generic, NamedTuple, Protocol, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.refusals import Conflict
+from app.session.control_link import ControlLink
+from app.session.readings import Readings
+from app.session.run_watch import RunLost, follow_run
+from app.session.runs import OpenRun, Runs
+from app.store.database import Database
+
+STOP_LIMIT = 1.5  # s for closing a run when the application ends; then it stays without figures
+END_LIMIT = 30.0  # s for closing and measuring a run, before a caller is told to look later
+
+
+class Watch(Protocol):
+    """Watches the ticks of a run."""
+
+    def take(self, ticks: NDArray[np.void]) -> str | None:
+        """Take the newest ticks of the run; return how it ended, None while it goes on."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class ArmedRun:
+    """A trial or a drive that is going on."""
+
+    id: int
+    person_id: int  # who started it
+    screen: str  # the random word of the screen that started it, which must stay in view
+    run: OpenRun
+    watch: Watch
+
+
+Current = TypeVar("Current", bound=ArmedRun)
+
+
+class RunEnd(NamedTuple):
+    """The trial or drive that ended last, and how."""
+
+    id: int
+    end: str
+
+
+class FlowWords(NamedTuple):
+    """The words of a flow."""
+
+    event: str  # told to the pages when something changed
+    to_start: str  # "..., then start a trial."
+    not_running: str
+    still_closing: str
+
+
+class RunFlow(ABC, Generic[Current]):
+    """Starts one trial or drive at a time and follows it to its end."""
+
+    words: ClassVar[FlowWords]
+
+    def __init__(
+        self, database: Database, control: ControlLink, runs: Runs, tell: Callable[[str], None], readings: Readings
+    ) -> None:
+        self._database = database
+        self._control = control
+        self._runs = runs
+        self._tell = tell
+        self._readings = readings
+        self._task: asyncio.Task[None] | None = None
+        self._end_asked = asyncio.Event()
+        self._starting = False
+        self.current: Current | None = None
+        self.last_end: RunEnd | None = None  # since the program was started
+        self.on_finished: Callable[[int], None] = lambda _id: None  # called with the id, after closing and measuring
+
+    @property
+    def running(self) -> bool:
+        """Whether one is being started, driven or measured."""
+        return self._starting or self.current is not None
+
+    async def end(self) -> int:
+        """End what runs by hand, and return its id when it is closed and measured."""
+        current, task = self.current, self._task
+        if current is None or task is None:
+            raise Conflict(self.words.not_running)
+        self._end_asked.set()
+        try:
+            await asyncio.wait_for(asyncio.shield(task), END_LIMIT)
+        except TimeoutError as late:
+            raise Conflict(self.words.still_closing) from late
+        return current.id
+
+    async def stop(self) -> None:
+        """End what runs because the application ends."""
+        if self._task is not None:
+            self._end_asked.set()
+            await asyncio.wait([self._task], timeout=STOP_LIMIT)
+            self._task.cancel()
+            await asyncio.gather(self._task, return_exceptions=True)
+
+    @asynccontextmanager
+    async def _alone(self) -> AsyncIterator[None]:
+        """Refuse to start beside another recording, and let no other start meanwhile."""
+        if self.running or self._runs.open is not None:
+            raise Conflict(f"Something is being recorded already: end it first, then {self.words.to_start}.")
+        self._starting = True
+        try:
+            yield
+        finally:
+            self._starting = False
+
+    async def _arm(
+        self, session_id: int, meta: dict[str, Any], parameters_hash: str, add: Callable[[OpenRun], Current]
+    ) -> int:
+        """Begin the recording, store the trial or drive by `add`, and arm the chair; return the id."""
+        run = await self._runs.begin(session_id, "drive", (), meta)
+        try:
+            current = await asyncio.to_thread(add, run)
+        except BaseException:
+            await self._runs.end()
+            raise
+        self._end_asked.clear()
+        self.current = current
+        try:
+            await self._control.call("arm", hash=parameters_hash)
+        except BaseException:
+            # It never began: the recording stays, the trial or drive is deleted.
+            self.current = None
+            await self._runs.end()
+            await asyncio.to_thread(self._delete, current.id)
+            raise
+        self._task = asyncio.create_task(self._follow(current))
+        self._tell(self.words.event)
+        return current.id
+
+    async def _follow(self, current: Current) -> None:
+        end = "fault"  # also when watching fails: nothing is left open
+        try:
+            with suppress(RunLost):
+                end = (
+                    await follow_run(self._control, current.run.number, self._end_asked, current.watch.take)
+                    or "by hand"
+                )
+            self.last_end = RunEnd(current.id, end)
+        finally:
+            await self._finish(current, end)
+
+    async def _finish(self, current: Current, end: str) -> None:
+        figures: dict[str, Any] = {}
+        try:
+            await self._runs.end()
+            await self._measure(current, figures)
+        except (ValueError, OSError):
+            pass  # too short to measure, or a recording that was cut: it stays without those figures
+        finally:
+            try:
+                await asyncio.to_thread(self._save, current.id, end, **figures)
+            finally:  # also when the database is gone: it is over
+                self.current = None
+                self._tell(self.words.event)
+        self.on_finished(current.id)
+
+    @abstractmethod
+    async def _measure(self, current: Current, figures: dict[str, Any]) -> None:
+        """Read the figures for `_save` from the closed recording, one by one: those before an error are kept."""
+
+    @abstractmethod
+    def _delete(self, current_id: int) -> None:
+        """Delete the trial or drive that was not armed."""
+
+    @abstractmethod
+    def _save(self, current_id: int, end: str, **figures: Any) -> None:
+        """Store how the trial or drive ended, with its figures."""
