@@ -87,3 +87,6 @@ export type MapDifference = {
 };
 
 export type MapVersion = Omit<MapView, "difference"> & { difference: MapDifference | null };
+
+/** The map of a joint inside a profile, as far as pages read it. */
+export type JointMap = { name: string; dead_zone: number; full: number };

@@ -1,11 +1,14 @@
-/** What the clinician had better look at, calmly: what was seen, what to do, and where. */
+/**
+ * What the clinician had better look at, calmly: what was seen, what to do, and where.
+ * @import { ControlWarning } from "types/api"
+ */
 import { t } from "../texts.js";
 import { h } from "../widgets/dom.js";
 
 const WHERE = { sensor: "#/shirt", map: "#/calibrate", noise: "#/controls", span: "#/calibrate" };
 
 /**
- * @param {{kind: string, joint: string, words: string, advice: string}[]} warnings
+ * @param {ControlWarning[]} warnings
  * @param {boolean} mayChange whether to lead to the pages @param {boolean} [isOpen] at first; otherwise a tap opens it
  * @returns {HTMLElement | false} nothing when there is nothing to look at
  */
@@ -31,7 +34,7 @@ export function controlWarnings(warnings, mayChange, isOpen = true) {
   );
 }
 
-/** In one line: of what kind, and where. */
+/** In one line: of what kind, and where. @param {ControlWarning[]} warnings */
 function summaryOf(warnings) {
   const parts = together(warnings).map((same) => {
     const joints = [...new Set(same.map(({ joint }) => joint))].join(", ");
@@ -40,7 +43,7 @@ function summaryOf(warnings) {
   return h("span", { class: "quiet small" }, parts.join(" · "));
 }
 
-/** Those with the same advice stand together, so that it is given once. */
+/** Those with the same advice stand together, so that it is given once. @param {ControlWarning[]} warnings */
 function together(warnings) {
   return [...new Set(warnings.map(({ advice }) => advice))].map((same) =>
     warnings.filter(({ advice }) => advice === same),
@@ -56,7 +59,7 @@ export function warningsPlace(app, patient, signal) {
   app.api
     .get(`/patients/${patient}/quality`)
     .then(({ warnings }) => {
-      const shown = !signal.aborted && controlWarnings(warnings, app.me.role !== "reviewer", false);
+      const shown = !signal.aborted && controlWarnings(warnings, app.me?.role !== "reviewer", false);
       if (shown) place.append(shown);
     })
     .catch(() => {}); // the page itself does not depend on it

@@ -10,12 +10,14 @@ export function discardForm(onDiscard, onClose) {
   let chosen = REASONS[0];
   const words = h("input", { type: "text", maxlength: 200, autocomplete: "off" });
   const other = h("div", { hidden: true }, field(t("over.discard.other"), words));
+  /** @param {string} reason */
   const choose = (reason) => {
     chosen = reason;
     other.hidden = reason !== "other";
     words.required = reason === "other";
     if (reason === "other") words.focus();
   };
+  /** @param {SubmitEvent} event */
   const submit = (event) => {
     event.preventDefault();
     onDiscard(chosen === "other" ? words.value.trim() : t(`over.discard.${chosen}`));

@@ -1,4 +1,7 @@
-/** The measures of all tasks: unit, digits, which way is better, and how two trials compare. */
+/**
+ * The measures of all tasks: unit, digits, which way is better, and how two trials compare.
+ * @typedef {{readonly [name: string]: unknown}} Measures of a trial, as the server answers them: most are numbers
+ */
 import { t } from "../texts.js";
 import { number, signed } from "../widgets/format.js";
 
@@ -39,9 +42,15 @@ const LARGE = [
   { has: [], large: ["dist", "e_diff", "time"] },
 ];
 
-/** The three measures that say most about a task, by what was measured. @param {any} measures @returns {string[]} */
+/** A measure as a number; null when it was not measured. @param {Measures | null} measures @param {string} name */
+export function measured(measures, name) {
+  const value = measures?.[name];
+  return typeof value === "number" && Number.isFinite(value) ? value : null;
+}
+
+/** The three measures that say most about a task, by what was measured. @param {Measures} measures @returns {string[]} */
 export function mostTelling(measures) {
-  return LARGE.find(({ has }) => has.every((name) => Number.isFinite(measures[name]))).large;
+  return LARGE.find(({ has }) => has.every((name) => measured(measures, name) !== null))?.large ?? [];
 }
 
 /** @param {string} name @param {number | null | undefined} value */
@@ -49,31 +58,38 @@ export function withUnit(name, value) {
   return joined(number(value, MEASURES[name].digits), MEASURES[name].unit);
 }
 
-/** A degree sign stands close to its figure. */
+/** A degree sign stands close to its figure. @param {string} figure @param {string} unit */
 function joined(figure, unit) {
   return unit === "°" ? `${figure}${unit}` : `${figure} ${unit}`.trim();
 }
 
-/** What stands small behind a measure: its unit, or of how many. @param {string} name @param {any} measures */
+/** What stands small behind a measure: its unit, or of how many. @param {string} name @param {Measures} measures */
 export function unitOf(name, measures) {
   const { unit, of } = MEASURES[name];
-  return of && Number.isFinite(measures[of]) ? t("measure.of", { count: measures[of] }) : unit;
+  const count = of ? measured(measures, of) : null;
+  return count === null ? unit : t("measure.of", { count });
 }
 
-/** Tell whether a trial's measure can stand beside others. @param {string} name @param {any} measures */
+/** Tell whether a trial's measure can stand beside others. @param {string} name @param {Measures | null} measures */
 export function comparable(name, measures) {
-  return Number.isFinite(measures?.[name]) && (measures.reached || !MEASURES[name].needsGoal);
+  return comparison(name, measures) !== null;
+}
+
+/** A trial's measure where it can stand beside others; otherwise null. @param {string} name @param {Measures | null} measures */
+function comparison(name, measures) {
+  return measures?.reached || !MEASURES[name].needsGoal ? measured(measures, name) : null;
 }
 
 /**
  * How one trial stands against another in one measure; null when they cannot be compared.
- * @param {string} name @param {any} measures @param {any} before
+ * @param {string} name @param {Measures | null} measures @param {Measures | null} before
  * @returns {{words: string, amount: string, arrow: string, tone: "good" | "bad" | ""} | null}
  */
 export function change(name, measures, before) {
-  if (!comparable(name, measures) || !comparable(name, before)) return null;
+  const [now, then] = [comparison(name, measures), comparison(name, before)];
+  if (now === null || then === null) return null;
   const { unit, digits, better } = MEASURES[name];
-  const difference = Number((measures[name] - before[name]).toFixed(digits));
+  const difference = Number((now - then).toFixed(digits));
   if (difference === 0) return { words: t("over.same"), amount: "", arrow: "=", tone: "" };
   const isBetter = difference < 0 === (better === "low");
   return {
@@ -84,9 +100,9 @@ export function change(name, measures, before) {
   };
 }
 
-/** The best of several trials in one measure; null when there is none. @param {string} name @param {any[]} trials */
+/** The best of several trials in one measure; null when there is none. @param {string} name @param {{measures: Measures | null}[]} trials */
 export function best(name, trials) {
-  const values = trials.filter(({ measures }) => comparable(name, measures)).map(({ measures }) => measures[name]);
+  const values = trials.flatMap(({ measures }) => comparison(name, measures) ?? []);
   if (!values.length) return null;
   return MEASURES[name].better === "low" ? Math.min(...values) : Math.max(...values);
 }

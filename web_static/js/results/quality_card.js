@@ -1,7 +1,11 @@
-/** How well the map fitted one trial: a card for a trial that is over, and for its page in Review. */
+/**
+ * How well the map fitted one trial: a card for a trial that is over, and for its page in Review.
+ * @import { ControlQuality, JointQuality } from "types/api"
+ */
 import { t } from "../texts.js";
 import { h } from "../widgets/dom.js";
 import { number, percent } from "../widgets/format.js";
+import { scrollTable } from "../widgets/scroll_table.js";
 
 /** How each figure is written. @type {Record<string, (value: number | null | undefined) => string>} */
 export const QUALITIES = {
@@ -15,10 +19,10 @@ export const QUALITIES = {
   rest_rate: (value) => (Number.isFinite(value) ? `${number(value, 3)} FS/s` : number(value, 3)),
 };
 
-const OF_TRIAL = ["activations_per_metre", "cross_talk"];
-export const OF_JOINT = ["map_angle_deg", "evr", "null_space_share", "span_share", "rest_rate", "activations"];
+const OF_TRIAL = /** @type {const} */ (["activations_per_metre", "cross_talk"]);
+export const OF_JOINT = /** @type {const} */ (["map_angle_deg", "evr", "null_space_share", "span_share", "rest_rate", "activations"]);
 
-/** @param {{quality: any}} trial what GET /trials/ID answered @returns {HTMLElement} */
+/** @param {{quality: ControlQuality | null}} trial what GET /trials/ID answered @returns {HTMLElement} */
 export function qualityCard({ quality }) {
   const title = h("h2", {}, t("quality.title"));
   if (!quality) return h("section", { class: "card" }, title, h("p", { class: "quiet" }, t("quality.none")));
@@ -51,7 +55,9 @@ export function qualityCard({ quality }) {
   );
 }
 
+/** @param {JointQuality[]} joints */
 function jointTable(joints) {
+  /** @param {JointQuality} joint */
   const row = (joint) =>
     h(
       "tr",
@@ -59,16 +65,13 @@ function jointTable(joints) {
       h("th", { scope: "row" }, joint.label),
       OF_JOINT.map((name) => h("td", {}, QUALITIES[name](joint[name]))),
     );
+  /** @param {string} name */
   const head = (name) =>
     h("th", { scope: "col", title: name === "activations" ? null : t(`quality.means.${name}`) }, t(`quality.${name}`));
-  return h(
-    "div",
-    { class: "scroll-x", tabindex: "0", role: "region", "aria-label": t("quality.title") },
-    h(
-      "table",
-      { class: "measures" },
-      h("thead", {}, h("tr", {}, h("th", { scope: "col" }, t("quality.joint")), OF_JOINT.map(head))),
-      h("tbody", {}, joints.map(row)),
-    ),
+  return scrollTable(
+    t("quality.title"),
+    "measures",
+    h("thead", {}, h("tr", {}, h("th", { scope: "col" }, t("quality.joint")), OF_JOINT.map(head))),
+    h("tbody", {}, joints.map(row)),
   );
 }

@@ -1,24 +1,29 @@
-/** Groups of trials by their source: worn, simulated, or not recorded; a curve or comparison has one group only. */
+/**
+ * Groups of trials by their source: worn, simulated, or not recorded; a curve or comparison has one group only.
+ * @typedef {"worn" | "simulated" | "unknown"} SourceGroup
+ * @typedef {{source: {simulated: boolean | null}}} WithSource a trial, as far as its group goes
+ */
 import { t } from "../texts.js";
 import { h } from "../widgets/dom.js";
 import { field, selection } from "../widgets/fields.js";
 
+/** @type {SourceGroup[]} */
 const GROUPS = ["worn", "simulated", "unknown"];
 
-/** @param {{source: {simulated: boolean | null}}} trial @returns {"worn" | "simulated" | "unknown"} */
+/** @param {WithSource} trial @returns {SourceGroup} */
 export function groupOf({ source: { simulated } }) {
   if (simulated === null) return "unknown";
   return simulated ? "simulated" : "worn";
 }
 
-/** A sign for trials that nobody drove by their own movements; null for worn ones. @param {"worn" | "simulated" | "unknown"} group */
+/** A sign for trials that nobody drove by their own movements; null for worn ones. @param {SourceGroup} group */
 export function groupMark(group) {
   return group === "worn" ? null : h("span", { class: "tag source-mark" }, t(`source.group.${group}`));
 }
 
 /**
  * Which trials are looked at; null where there is only one group.
- * @param {any[]} trials @param {string} chosen @param {(group: string) => void} onChange
+ * @param {(WithSource & {kept: boolean})[]} trials @param {SourceGroup} chosen @param {(group: SourceGroup) => void} onChange
  */
 export function groupChoice(trials, chosen, onChange) {
   const present = GROUPS.filter((group) => group === chosen || trials.some((trial) => groupOf(trial) === group));

@@ -1,4 +1,9 @@
-/** A trial that is over: its figures, keep or discard, and the next one in one tap. */
+/**
+ * A trial that is over: its figures, keep or discard, and the next one in one tap.
+ * @import { TrialDetail } from "types/api"
+ * @import { Child } from "types/dom"
+ * @typedef {Awaited<ReturnType<typeof readTrial>>} TrialReading a trial with all that stands beside it
+ */
 import { t } from "../texts.js";
 import { discardForm } from "./discard.js";
 import { h, put } from "../widgets/dom.js";
@@ -21,8 +26,8 @@ export async function readTrial(api, id) {
 }
 
 /**
- * @param {import("../main.js").App} app @param {HTMLElement} root @param {{trial: any, trials: any[], plan: any}} read
- * @param {(trial: any) => (Node | false)[]} actions what stands at the right of the foot
+ * @param {import("../main.js").App} app @param {HTMLElement} root @param {TrialReading} read
+ * @param {(trial: TrialDetail) => Child[]} actions what stands at the right of the foot
  * @param {Node} [above] what stands before the figures; without it, a link leads to the replay
  */
 export function showTrialOver(app, root, read, actions, above) {
@@ -30,19 +35,19 @@ export function showTrialOver(app, root, read, actions, above) {
   const place = h("div", {});
   const path = plan?.paths.find(({ name }) => name === trial.path_name)?.title ?? trial.path_name;
   const again = async () => showTrialOver(app, root, await readTrial(app.api, trial.id), actions, above);
-  const call = async (what, body) => {
-    try {
-      await app.api.post(`/trials/${trial.id}/${what}`, body);
+  /** @param {() => Promise<unknown>} change */
+  const call = (change) =>
+    app.toasts.attempt(async () => {
+      await change();
       await again();
-    } catch (error) {
-      app.toasts.show(error.message);
-    }
-  };
+    });
+  const keep = () => call(() => app.api.post(`/trials/${trial.id}/keep`));
+  /** @param {string} reason */
   const discard = async (reason) => {
-    await call("discard", { reason });
+    await call(() => app.api.post(`/trials/${trial.id}/discard`, { reason }));
     app.toasts.show(t("over.discarded.toast", { number: trial.number }), {
       action: t("undo"),
-      run: () => call("keep"),
+      run: keep,
     });
   };
   const ask = () => {
@@ -51,11 +56,11 @@ export function showTrialOver(app, root, read, actions, above) {
       discardForm(discard, () => put(place)),
     );
     place.scrollIntoView({ block: "nearest" });
-    place.querySelector("input").focus();
+    place.querySelector("input")?.focus();
   };
   const keeping = trial.kept
     ? h("button", { type: "button", class: "btn", onclick: ask }, t("over.discard"))
-    : h("button", { type: "button", class: "btn", onclick: () => call("keep") }, t("over.keep"));
+    : h("button", { type: "button", class: "btn", onclick: keep }, t("over.keep"));
   put(
     root,
     h(

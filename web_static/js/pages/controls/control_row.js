@@ -1,4 +1,10 @@
-/** One of the five controls: which gestures it answers to, their live bars, and the fine-tuning. */
+/**
+ * One of the five controls: which gestures it answers to, their live bars, and the fine-tuning.
+ * @import { Binding, Gesture } from "types/api"
+ * @import { LiveMessage } from "../../live/live.js"
+ * @import { Control, ControlsDraft } from "./controls_draft.js"
+ * @typedef {{name: string, which: "dead_zone" | "full", stepper: ReturnType<typeof stepper>}} Threshold a gesture's
+ */
 import { t } from "../../texts.js";
 import { h } from "../../widgets/dom.js";
 import { selection, segments, setting, stepper } from "../../widgets/fields.js";
@@ -6,17 +12,19 @@ import { gestureFor, gestureWords, jointLabels } from "../../widgets/gestures.js
 import { handleBar } from "./handle_bar.js";
 import { icon } from "../../widgets/icons.js";
 
+/** @type {Gesture["feature"][]} */
+const FEATURES = ["rate", "displacement"];
 const THRESHOLD = { step: 0.01, digits: 2 };
 const GAIN = { step: 0.1, digits: 1 };
 
 /**
- * @param {string} control "u1+" ... "stop" @param {import("./controls_draft.js").ControlsDraft} draft @param {boolean} isOpen
- * @param {(control: string, isOpen: boolean) => void} onToggle
+ * @param {Control} control @param {ControlsDraft} draft @param {boolean} isOpen
+ * @param {(control: Control, isOpen: boolean) => void} onToggle
  */
 export function controlRow(control, draft, isOpen, onToggle) {
   const binding = draft.binding(control);
   const labels = jointLabels(draft.profile);
-  const gestures = binding.gestures.map((name) => draft.gesture(name)).filter(Boolean);
+  const gestures = binding.gestures.flatMap((name) => draft.gesture(name) ?? []);
   const words = gestures.map((gesture) => gestureWords(gesture, labels));
   const live = h("span", { class: "tag", style: "visibility:hidden" }, t("control.live"));
   const isStop = control === "stop";
@@ -27,7 +35,7 @@ export function controlRow(control, draft, isOpen, onToggle) {
         bar: handleBar(gesture, words[i], (from, full) => draft.setHandles(gesture.name, from, full)),
       }));
   const joined = words.join(t(isStop ? "control.and" : "control.or")).toLowerCase() || t("control.nothing");
-  /** @type {{name: string, which: "dead_zone" | "full", stepper: any}[]} */
+  /** @type {Threshold[]} */
   const steppers = [];
   const tuning = h("div", { hidden: !isOpen }, fineTune(control, binding, gestures, words, labels, draft, steppers));
   const tune = h(
@@ -50,7 +58,9 @@ export function controlRow(control, draft, isOpen, onToggle) {
     tuning,
   );
 
+  /** @param {LiveMessage} now */
   const showLive = (now) => {
+    /** @param {string} name */
     const index = (name) => now.gestures.indexOf(name);
     for (const { gesture, bar } of bars) bar.showLive(now.rate[index(gesture.name)] ?? 0);
     const levels = gestures.map(({ name }) => now.activation[index(name)] ?? 0);
@@ -58,7 +68,7 @@ export function controlRow(control, draft, isOpen, onToggle) {
       levels.length > 0 && (isStop ? levels.every((level) => level > 0) : levels.some((level) => level > 0));
     live.style.visibility = isLive ? "visible" : "hidden";
   };
-  /** Follow handles that were moved elsewhere: on the bar, by the steppers, in another row. */
+  /** Follow handles that were moved elsewhere: on the bar, by the steppers, in another row. @param {Gesture} changed */
   const follow = (changed) => {
     for (const { gesture, bar } of bars)
       if (gesture.name === changed.name) bar.setHandles(changed.dead_zone, changed.full);
@@ -67,6 +77,10 @@ export function controlRow(control, draft, isOpen, onToggle) {
   return { element, showLive, follow };
 }
 
+/**
+ * @param {Control} control @param {Binding} binding @param {Gesture[]} gestures @param {string[]} words of each gesture
+ * @param {Record<string, string>} labels of the joints @param {ControlsDraft} draft @param {Threshold[]} steppers to add to
+ */
 function fineTune(control, binding, gestures, words, labels, draft, steppers) {
   const chips = gestures.map((gesture, i) =>
     h(
@@ -104,19 +118,22 @@ function fineTune(control, binding, gestures, words, labels, draft, steppers) {
   );
 }
 
+/** @param {Gesture} gesture @param {string} words @param {ControlsDraft} draft @param {Threshold[]} steppers to add to */
 function oneGesture(gesture, words, draft, steppers) {
   const unit = gesture.feature === "rate" ? "FS/s" : "FS";
   const high = draft.limits.threshold[1];
+  /** @param {"from" | "full"} place @param {Threshold["which"]} which @param {(value: number) => void} onChange */
   const threshold = (place, which, onChange) => {
     const label = t(`handle.${place}.label`, { gesture: words });
     const one = stepper({ label, value: gesture[which], low: 0, high, ...THRESHOLD, unit, onChange });
     steppers.push({ name: gesture.name, which, stepper: one });
     return setting(t(`tune.${place}`), words, one);
   };
-  const options = ["rate", "displacement"].map((value) => ({ value, label: t(`tune.${value}`) }));
+  const now = () => draft.gesture(gesture.name) ?? gesture;
+  const options = FEATURES.map((value) => ({ value, label: t(`tune.${value}`) }));
   return [
-    threshold("from", "dead_zone", (value) => draft.setHandles(gesture.name, value, draft.gesture(gesture.name).full)),
-    threshold("full", "full", (value) => draft.setHandles(gesture.name, draft.gesture(gesture.name).dead_zone, value)),
+    threshold("from", "dead_zone", (value) => draft.setHandles(gesture.name, value, now().full)),
+    threshold("full", "full", (value) => draft.setHandles(gesture.name, now().dead_zone, value)),
     setting(
       t("tune.feature"),
       words,
@@ -125,12 +142,13 @@ function oneGesture(gesture, words, draft, steppers) {
   ];
 }
 
+/** @param {Control} control @param {Binding} binding @param {Record<string, string>} labels @param {ControlsDraft} draft */
 function addGesture(control, binding, labels, draft) {
   const options = [{ value: "", label: t("tune.add") }];
   for (const direction of [1, -1]) {
     for (const joint of Object.keys(labels)) {
       const gesture = gestureFor(draft.settings.gestures, joint, direction);
-      if (binding.gestures.includes(gesture?.name)) continue;
+      if (gesture && binding.gestures.includes(gesture.name)) continue;
       options.push({
         value: `${joint}:${direction}`,
         label: gestureWords({ joint, direction, feature: "rate" }, labels),
@@ -139,7 +157,7 @@ function addGesture(control, binding, labels, draft) {
   }
   const select = selection(options, "", (value) => {
     const [joint, direction] = value.split(":");
-    if (joint) draft.bind(control, joint, Number(direction));
+    if (joint) draft.bind(control, joint, direction === "1" ? 1 : -1);
   });
   select.setAttribute("aria-label", t("tune.add"));
   return select;

@@ -1,4 +1,11 @@
-/** Controls: which movement does what, from where it counts, how fast the chair goes; tried without driving. */
+/**
+ * Controls: which movement does what, from where it counts, how fast the chair goes; tried without driving.
+ * @import { App } from "../../main.js"
+ * @import { LiveMessage } from "../../live/live.js"
+ * @import { ControlsView } from "types/api"
+ * @import { Control } from "./controls_draft.js"
+ */
+import { failureWords } from "../../api.js";
 import { controlRow } from "./control_row.js";
 import { ControlsDraft } from "./controls_draft.js";
 import { cross } from "../../widgets/cross.js";
@@ -7,25 +14,28 @@ import { h, put, write } from "../../widgets/dom.js";
 import { signed } from "../../widgets/format.js";
 import { jointLabels, withLabels } from "../../widgets/gestures.js";
 import { icon } from "../../widgets/icons.js";
-import { emptyPage, nobodyIsHere } from "../../shell/nobody.js";
+import { emptyPage, patientHere } from "../../shell/nobody.js";
 import { OTHER_SESSION } from "../../shell/other_session.js";
 import { pads } from "../../widgets/pads.js";
 import { setsCard } from "./sets_card.js";
 import { modesCard, speedsCard } from "./speeds_card.js";
 import { t } from "../../texts.js";
 
+/** @type {Control[]} */
 const CONTROLS = ["u1+", "u1-", "u2+", "u2-", "stop"];
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal}} page */
 export async function show(app, root, { signal }) {
-  if (nobodyIsHere(app, root)) return;
-  if (!app.session.has_profile) {
+  const here = patientHere(app, root);
+  if (!here) return;
+  if (!here.hasProfile) {
     emptyPage(root, t("controls.none.title"), t("controls.none.lead"), "#/calibrate", t("controls.none.go"));
     return;
   }
   const [view, equipment] = await Promise.all([app.api.get("/controls"), app.api.get("/equipment")]);
   if (signal.aborted) return;
   const draft = new ControlsDraft(app.api, view);
+  /** @type {Set<Control>} */
   const open = new Set(); // rows whose fine-tuning is open stay open when the page is drawn again
   const state = h("span", { role: "status" });
   const problem = h("p", { class: "problem", role: "alert" });
@@ -33,23 +43,23 @@ export async function show(app, root, { signal }) {
   const rowsPlace = h("section", { class: "card" });
   const sidePlace = h("div", { class: "stack" });
   const morePlace = h("div", { class: "controls-more" });
-  const undo = iconButton("undo", () => ask("/controls/undo"));
-  const redo = iconButton("redo", () => ask("/controls/redo"));
+  const undo = iconButton("undo", () => ask(() => draft.api.post("/controls/undo")));
+  const redo = iconButton("redo", () => ask(() => draft.api.post("/controls/redo")));
+  const suggest = () => ask(() => draft.api.post("/controls/suggest"), true);
   const title = h("span", {});
+  /** @type {ReturnType<typeof controlRow>[]} */
   let rows = [];
   let speeds = speedsCard(draft);
 
-  const ask = async (path) => {
+  /** @param {() => Promise<ControlsView>} change @param {boolean} [saysWhy] whether the reason of the suggestion is shown */
+  const ask = async (change, saysWhy = false) => {
     write(problem, "");
     try {
-      await draft.ask(path);
-      write(
-        suggestion,
-        path.endsWith("suggest") ? withLabels(draft.view.suggested.reason, jointLabels(draft.profile)) : "",
-      );
+      await draft.ask(change);
+      write(suggestion, saysWhy ? withLabels(draft.view.suggested.reason, jointLabels(draft.profile)) : "");
       suggestion.hidden = !suggestion.textContent;
     } catch (error) {
-      write(problem, error.message);
+      write(problem, failureWords(error));
     }
   };
   const showState = () => {
@@ -78,7 +88,7 @@ export async function show(app, root, { signal }) {
   });
   draft.addEventListener("saved", () => {
     write(state, t("controls.saved"));
-    speeds.showHeld();
+    speeds.showLowered();
     showState();
   });
   draft.addEventListener("refused", ({ detail }) => {
@@ -106,13 +116,13 @@ export async function show(app, root, { signal }) {
       suggestion,
       h("div", { class: "controls-columns" }, rowsPlace, sidePlace),
       morePlace,
-      discoveryCard(app.api, jointLabels(draft.profile), () => ask("/controls/suggest")),
+      discoveryCard(app.api, jointLabels(draft.profile), suggest),
       equipment.body?.kind === "visitor" && h("div", { class: "card pad-card docked" }, pads(app, signal).element),
     ),
     h(
       "div",
       { class: "foot" },
-      h("button", { type: "button", class: "btn", onclick: () => ask("/controls/suggest") }, t("controls.suggest")),
+      h("button", { type: "button", class: "btn", onclick: suggest }, t("controls.suggest")),
       h("a", { class: "btn bare", href: "#/adapt" }, t("adapt.link")),
       h("span", { class: "grow" }),
       h("a", { class: "btn go", href: "#/drive" }, t("controls.drive")),
@@ -121,6 +131,7 @@ export async function show(app, root, { signal }) {
   draw();
 }
 
+/** @param {"undo" | "redo"} name @param {() => void} run */
 function iconButton(name, run) {
   return h(
     "button",
@@ -129,11 +140,12 @@ function iconButton(name, run) {
   );
 }
 
-/** u1 and u2 live, while the chair stands. */
+/** u1 and u2 live, while the chair stands. @param {App} app @param {ControlsDraft} draft @param {AbortSignal} signal */
 function tryCard(app, draft, signal) {
   const square = cross();
   const [u1, u2] = [h("b", { class: "number" }), h("b", { class: "number" })];
   const u1Words = h("span", {});
+  /** @param {CustomEvent<LiveMessage>} event */
   const showLive = ({ detail: now }) => {
     square.show(now.u1 ?? 0, now.u2 ?? 0);
     write(u1, signed(now.u1, 2));

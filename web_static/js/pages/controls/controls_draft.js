@@ -1,22 +1,34 @@
 /**
  * The controls as they are being edited: changes show at once, are sent when the hand rests, and go back when refused.
- * Events: `shape` (draw again), `handles` (detail: the gesture whose handles moved), `saved`, `saving`, `refused` (detail: the server's sentence).
+ * @import { Binding, ControlSettings, ControlsView, Gesture, Speeds } from "types/api"
+ * @import { JointMap } from "types/documents"
  */
+import { failureWords } from "../../api.js";
+import { TypedEvents } from "../../live/typed_events.js";
 import { gestureFor, newGestureName } from "../../widgets/gestures.js";
 
 const REST = 400; // ms without another change, then it is sent
-const SETTINGS = ["title", "gestures", "bindings", "mode_u1", "mode_u2", "cutoff", "cruise_time", "turn_cruise_time", "speeds"];
 const LEAST_GAP = 0.02; // FS/s or FS
 
-export class ControlsDraft extends EventTarget {
+/**
+ * `shape`: the page is to be drawn again; `handles`: the detail is the gesture whose handles moved; `refused`: the
+ * detail is the server's sentence.
+ * @typedef {{shape: Event, handles: CustomEvent<Gesture>, saving: Event, saved: Event, refused: CustomEvent<string>}} DraftEvents
+ * @typedef {Binding["control"]} Control
+ * @typedef {"cutoff" | "cruise_time" | "turn_cruise_time"} ValueName of a setting that is one number
+ */
+
+/** @extends {TypedEvents<DraftEvents>} */
+export class ControlsDraft extends TypedEvents {
   #timer = 0;
   #sending = Promise.resolve();
 
-  /** @param {import("../../api.js").Api} api @param {any} view what GET /controls answered */
+  /** @param {import("../../api.js").Api} api @param {ControlsView} view what GET /controls answered */
   constructor(api, view) {
     super();
     this.api = api;
-    this.#take(view);
+    this.view = view;
+    this.settings = settingsOf(view);
   }
 
   get profile() {
@@ -27,10 +39,12 @@ export class ControlsDraft extends EventTarget {
     return this.view.limits;
   }
 
+  /** @param {Control} control @returns {Binding} */
   binding(control) {
     return this.settings.bindings.find((binding) => binding.control === control) ?? { control, gestures: [], gain: 1 };
   }
 
+  /** @param {string} name */
   gesture(name) {
     return this.settings.gestures.find((gesture) => gesture.name === name);
   }
@@ -38,44 +52,66 @@ export class ControlsDraft extends EventTarget {
   /** @param {string} name @param {number} from @param {number} full */
   setHandles(name, from, full) {
     const gesture = this.gesture(name);
+    if (!gesture) return;
     gesture.dead_zone = Number(from.toFixed(4));
     gesture.full = Number(Math.max(full, from + LEAST_GAP).toFixed(4));
     this.dispatchEvent(new CustomEvent("handles", { detail: gesture }));
     this.#changed();
   }
 
+  /** @param {string} name @param {Gesture["feature"]} feature */
   setFeature(name, feature) {
-    this.gesture(name).feature = feature;
+    const gesture = this.gesture(name);
+    if (!gesture) return;
+    gesture.feature = feature;
     this.#changed(true);
   }
 
+  /** @param {Control} control @param {number} gain */
   setGain(control, gain) {
     this.#ownBinding(control).gain = gain;
     this.#changed();
   }
 
-  /** @param {"mode_u1" | "mode_u2" | "cutoff" | "cruise_time" | "turn_cruise_time" | "title"} name @param {any} value */
+  /** @param {ValueName} name @param {number} value */
   setValue(name, value) {
     this.settings[name] = value;
-    this.#changed(name.startsWith("mode"));
+    this.#changed();
   }
 
+  /** @param {"mode_u1" | "mode_u2"} name @param {ControlSettings["mode_u1"]} mode */
+  setMode(name, mode) {
+    this.settings[name] = mode;
+    this.#changed(true);
+  }
+
+  /** @param {string} title */
+  setTitle(title) {
+    this.settings.title = title;
+    this.#changed();
+  }
+
+  /** @param {keyof Speeds} name @param {number} value in SI units */
   setSpeed(name, value) {
     this.settings.speeds[name] = value;
     this.#changed();
   }
 
+  /** @param {Control} control @param {string} name of the gesture */
   unbind(control, name) {
     const binding = this.#ownBinding(control);
     binding.gestures = binding.gestures.filter((one) => one !== name);
     this.#changed(true);
   }
 
+  /** @param {Control} control @param {string} joint @param {1 | -1} direction */
   bind(control, joint, direction) {
     let gesture = gestureFor(this.settings.gestures, joint, direction);
     if (!gesture) {
       const twin = gestureFor(this.settings.gestures, joint, -direction);
-      const suggested = twin ?? this.profile.joints.find(({ name }) => name === joint);
+      const maps = /** @type {JointMap[]} */ (this.profile.joints);
+      const suggested = twin ?? maps.find(({ name }) => name === joint);
+      if (!suggested) return;
       gesture = {
         name: newGestureName(joint, direction),
         joint,
@@ -111,10 +147,10 @@ export class ControlsDraft extends EventTarget {
     this.#timer = 0;
   }
 
-  /** Undo, redo, suggest or load: what the server makes of it is taken. @param {string} path @param {any} [body] */
-  async ask(path, body) {
+  /** Undo, redo, suggest or load: what the server makes of it is taken. @param {() => Promise<ControlsView>} change */
+  async ask(change) {
     await this.flush();
-    this.#take(await this.api.post(path, body));
+    this.#take(await change());
     this.dispatchEvent(new Event("shape"));
   }
 
@@ -128,6 +164,7 @@ export class ControlsDraft extends EventTarget {
     this.dispatchEvent(new Event("shape"));
   }
 
+  /** @param {ControlSettings} body */
   async #put(body) {
     try {
       const view = await this.api.put("/controls", body);
@@ -139,15 +176,17 @@ export class ControlsDraft extends EventTarget {
       this.#timer = 0;
       this.#take(this.view);
       this.dispatchEvent(new Event("shape"));
-      this.dispatchEvent(new CustomEvent("refused", { detail: error.message }));
+      this.dispatchEvent(new CustomEvent("refused", { detail: failureWords(error) }));
     }
   }
 
+  /** @param {ControlsView} view */
   #take(view) {
     this.view = view;
-    this.settings = structuredClone(Object.fromEntries(SETTINGS.map((name) => [name, view.parameters[name]])));
+    this.settings = settingsOf(view);
   }
 
+  /** @param {Control} control */
   #ownBinding(control) {
     let binding = this.settings.bindings.find((one) => one.control === control);
     if (!binding) this.settings.bindings.push((binding = { control, gestures: [], gain: 1 }));
@@ -160,4 +199,11 @@ export class ControlsDraft extends EventTarget {
     this.dispatchEvent(new Event("saving"));
     if (isShape) this.dispatchEvent(new Event("shape"));
   }
+}
+
+/** A copy of what can be set: the parameters without the profile. @param {ControlsView} view @returns {Required<ControlSettings>} */
+function settingsOf({ parameters }) {
+  const { title, gestures, bindings, mode_u1, mode_u2, cutoff, cruise_time, turn_cruise_time, speeds } = parameters;
+  const settings = { title, gestures, bindings, mode_u1, mode_u2, cutoff, cruise_time, turn_cruise_time, speeds };
+  return /** @type {Required<ControlSettings>} */ (structuredClone(settings)); // turn_cruise_time is null in files only
 }

@@ -1,4 +1,8 @@
-/** A gesture's live bar with its two handles: from here it counts, here it is full. Pointer, arrow keys and − + all move them. */
+/**
+ * A gesture's live bar with its two handles: from here it counts, here it is full. Pointer, arrow keys and − + all move them.
+ * @import { Gesture } from "types/api"
+ * @typedef {"from" | "full"} HandleName
+ */
 import { t } from "../../texts.js";
 import { h, set, write } from "../../widgets/dom.js";
 import { number } from "../../widgets/format.js";
@@ -9,10 +13,20 @@ const COARSE = 0.1; // page up and down
 const GRAB = 44; // px around a handle that takes hold of it
 const PEAK_STAYS = 3000; // ms: long enough to see how far a movement went
 const CROWDED = 26; // % of the bar: closer handles have their words turned outwards
+const HANDLES = /** @type {const} */ (["from", "full"]);
+/** What a key moves a handle by. @type {Record<string, number | undefined>} */
+const STEPS = {
+  ArrowRight: FINE,
+  ArrowUp: FINE,
+  ArrowLeft: -FINE,
+  ArrowDown: -FINE,
+  PageUp: COARSE,
+  PageDown: -COARSE,
+};
 const SHORTEST = { rate: 1.2, displacement: 1 }; // the bar's end at least
 
 /**
- * @param {any} gesture @param {string} name for people @param {(dead_zone: number, full: number) => void} onChange
+ * @param {Gesture} gesture @param {string} name for people @param {(dead_zone: number, full: number) => void} onChange
  */
 export function handleBar(gesture, name, onChange) {
   const end = Math.ceil(Math.max(SHORTEST[gesture.feature], gesture.full * 1.35) * 5) / 5;
@@ -29,10 +43,11 @@ export function handleBar(gesture, name, onChange) {
     h("div", { class: "under", "aria-hidden": "true" }, words.from, words.full),
   );
 
+  /** @param {number} value */
   const share = (value) => (100 * Math.min(end, Math.max(0, value))) / end;
   const show = () => {
     const isCrowded = share(at.full) - share(at.from) < CROWDED;
-    for (const which of ["from", "full"]) {
+    for (const which of HANDLES) {
       const value = t(`handle.${gesture.feature}`, { value: number(at[which], 2) });
       handles[which].style.left = words[which].style.left = `${share(at[which])}%`;
       write(words[which], `${t(`handle.${which}`)} ${value}`);
@@ -45,6 +60,7 @@ export function handleBar(gesture, name, onChange) {
       });
     }
   };
+  /** @param {HandleName} which @param {number} value */
   const move = (which, value) => {
     const bounded =
       which === "from"
@@ -56,16 +72,9 @@ export function handleBar(gesture, name, onChange) {
     show();
     onChange(at.from, at.full);
   };
-  for (const which of ["from", "full"]) {
+  for (const which of HANDLES) {
     handles[which].addEventListener("keydown", (event) => {
-      const step = {
-        ArrowRight: FINE,
-        ArrowUp: FINE,
-        ArrowLeft: -FINE,
-        ArrowDown: -FINE,
-        PageUp: COARSE,
-        PageDown: -COARSE,
-      }[event.key];
+      const step = STEPS[event.key];
       const value = event.key === "Home" ? 0 : event.key === "End" ? end : step ? at[which] + step : null;
       if (value === null) return;
       event.preventDefault();
@@ -77,6 +86,7 @@ export function handleBar(gesture, name, onChange) {
 
   let highest = 0;
   let highestAt = 0;
+  /** @param {number} value */
   const showLive = (value) => {
     const now = performance.now();
     if (value >= highest || now - highestAt > PEAK_STAYS) [highest, highestAt] = [Math.max(0, value), now];
@@ -84,16 +94,15 @@ export function handleBar(gesture, name, onChange) {
     live.classList.toggle("counts", value > at.from);
     peak.style.left = `${share(highest)}%`;
   };
-  return {
-    element,
-    showLive,
-    setHandles: (from, full) => {
-      [at.from, at.full] = [from, full];
-      show();
-    },
+  /** @param {number} from @param {number} full */
+  const setHandles = (from, full) => {
+    [at.from, at.full] = [from, full];
+    show();
   };
+  return { element, showLive, setHandles };
 }
 
+/** @param {HandleName} which @param {string} name of the gesture for people */
 function handle(which, name) {
   return h("div", {
     class: "handle",
@@ -103,32 +112,42 @@ function handle(which, name) {
   });
 }
 
-/** Which way the words under a handle run, so that they neither overlap nor leave the bar. */
+/**
+ * Which way the words under a handle run, so that they neither overlap nor leave the bar.
+ * @param {HandleName} which @param {boolean} isCrowded @param {number} share in %
+ */
 function turnOf(which, isCrowded, share) {
   if (share < 12) return "right";
   if (share > 88) return "left";
   return isCrowded ? (which === "from" ? "left" : "right") : "middle";
 }
 
-/** A finger takes the nearer handle, if it lands near one. */
+/**
+ * A finger takes the nearer handle, if it lands near one.
+ * @param {HTMLElement} bar @param {Record<HandleName, HTMLElement>} handles
+ * @param {(which: HandleName, share: number) => void} onMove
+ */
 function dragNearest(bar, handles, onMove) {
-  let held = "";
+  /** @type {HandleName | null} */
+  let taken = null;
+  /** @param {PointerEvent} event */
   const place = (event) => {
     const box = bar.getBoundingClientRect();
     return { x: (event.clientX - box.left) / box.width, width: box.width };
   };
   bar.addEventListener("pointerdown", (event) => {
+    /** @param {HandleName} which */
     const away = (which) => {
       const box = handles[which].getBoundingClientRect();
       return Math.abs(event.clientX - (box.left + box.width / 2));
     };
-    held = away("from") < away("full") ? "from" : "full";
-    if (away(held) > GRAB) held = "";
-    if (!held) return;
+    const nearer = away("from") < away("full") ? "from" : "full";
+    taken = away(nearer) > GRAB ? null : nearer;
+    if (!taken) return;
     event.preventDefault();
     bar.setPointerCapture(event.pointerId);
-    handles[held].focus({ preventScroll: true });
+    handles[taken].focus({ preventScroll: true });
   });
-  bar.addEventListener("pointermove", (event) => held && onMove(held, place(event).x));
-  for (const name of ["pointerup", "pointercancel"]) bar.addEventListener(name, () => (held = ""));
+  bar.addEventListener("pointermove", (event) => taken && onMove(taken, place(event).x));
+  for (const name of ["pointerup", "pointercancel"]) bar.addEventListener(name, () => (taken = null));
 }

@@ -15,21 +15,20 @@ export function setsCard(app, draft) {
     required: true,
     autocomplete: "off",
   });
+  /** @param {SubmitEvent} event */
   const save = async (event) => {
     event.preventDefault();
-    draft.setValue("title", name.value.trim());
+    draft.setTitle(name.value.trim());
     await draft.flush();
     if (draft.view.parameters.title === name.value.trim())
       app.toasts.show(t("sets.saved", { title: name.value.trim() }));
   };
-  const load = async (chosen) => {
-    try {
-      await draft.ask("/controls/load", { title: chosen });
+  /** @param {string} chosen */
+  const load = (chosen) =>
+    app.toasts.attempt(async () => {
+      await draft.ask(() => draft.api.post("/controls/load", { title: chosen }));
       app.toasts.show(t("sets.loaded", { title: chosen }));
-    } catch (error) {
-      app.toasts.show(error.message);
-    }
-  };
+    });
   return h(
     "section",
     { class: "card" },

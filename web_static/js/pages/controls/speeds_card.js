@@ -1,11 +1,17 @@
-/** How the chair drives: control mode per axis in words, speeds with their units, tremor damping, time-outs. */
+/**
+ * How the chair drives: control mode per axis in words, speeds with their units, tremor damping, time-outs.
+ * @import { ControlsDraft, ValueName } from "./controls_draft.js"
+ */
 import { t } from "../../texts.js";
 import { h } from "../../widgets/dom.js";
 import { choices, setting, stepper } from "../../widgets/fields.js";
 import { SPEEDS, speedRows, speedWords } from "../../widgets/speed_rows.js";
 
-/** @param {import("./controls_draft.js").ControlsDraft} draft */
+const MODES = /** @type {const} */ (["acceleration", "velocity"]);
+
+/** @param {ControlsDraft} draft */
 export function modesCard(draft) {
+  /** @param {"u1" | "u2"} name */
   const axis = (name) =>
     h(
       "div",
@@ -13,13 +19,13 @@ export function modesCard(draft) {
       h("h3", {}, t(`how.${name}`)),
       choices(
         t(`how.${name}`),
-        ["acceleration", "velocity"].map((mode) => ({
+        MODES.map((mode) => ({
           value: mode,
           label: t(`how.${name}.${mode}`),
           hint: t(`how.${name}.${mode}.hint`),
         })),
         draft.settings[`mode_${name}`],
-        (mode) => draft.setValue(`mode_${name}`, mode),
+        (mode) => draft.setMode(`mode_${name}`, mode),
       ),
     );
   return h(
@@ -31,19 +37,20 @@ export function modesCard(draft) {
 }
 
 /**
- * `showHeld` tells where a smaller limit than the set's own holds.
- * @param {import("./controls_draft.js").ControlsDraft} draft
+ * `showLowered` notes where a smaller limit than the set's own applies.
+ * @param {ControlsDraft} draft
  */
 export function speedsCard(draft) {
   const rows = speedRows(draft.settings.speeds, draft.limits, (name, value) => draft.setSpeed(name, value));
-  const showHeld = () => {
+  const showLowered = () => {
     for (const speed of SPEEDS) {
-      const [own, held] = [draft.settings.speeds[speed.name], draft.view.held?.[speed.name]];
-      rows.note(speed.name, held < own ? t("speed.held", { value: speedWords(speed, held) }) : "");
+      const [own, limit] = [draft.settings.speeds[speed.name], draft.view.held?.[speed.name]];
+      rows.note(speed.name, limit < own ? t("speed.held", { value: speedWords(speed, limit) }) : "");
     }
   };
+  /** @param {"u1" | "u2"} axis */
   const keeps = (axis) => draft.settings[`mode_${axis}`] === "acceleration";
-  showHeld();
+  showLowered();
   const element = h(
     "section",
     { class: "card" },
@@ -53,9 +60,10 @@ export function speedsCard(draft) {
     keeps("u1") && value(draft, "cruise_time", { step: 1, digits: 0 }),
     keeps("u2") && value(draft, "turn_cruise_time", { step: 1, digits: 0 }),
   );
-  return { element, showHeld };
+  return { element, showLowered };
 }
 
+/** @param {ControlsDraft} draft @param {ValueName} name @param {{step: number, digits: number}} scale */
 function value(draft, name, { step, digits }) {
   const [low, high] = draft.limits[name];
   const label = t(`speed.${name}`);

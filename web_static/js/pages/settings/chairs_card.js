@@ -1,4 +1,8 @@
-/** The chairs that are paired: what they are called, where they are, what they may do; pair one, unpair one. */
+/**
+ * The chairs that are paired: what they are called, where they are, what they may do; pair one, unpair one.
+ * @import { ChairsView, NewChair, PairedView } from "types/api"
+ * @typedef {ChairsView["chairs"][number]} Chair
+ */
 import { t } from "../../texts.js";
 import { h, put } from "../../widgets/dom.js";
 import { day, number } from "../../widgets/format.js";
@@ -6,37 +10,40 @@ import { icon } from "../../widgets/icons.js";
 import { pairForm } from "./pair_form.js";
 import { pairedCard } from "../../widgets/one_time_key.js";
 
-/** @param {import("../../main.js").App} app @param {any} chairs what GET /chairs answered @param {boolean} isOwner @param {AbortSignal} signal */
+/** @param {import("../../main.js").App} app @param {ChairsView} chairs @param {boolean} isOwner @param {AbortSignal} signal */
 export function chairsCard(app, chairs, isOwner, signal) {
   const list = h("div", { class: "paired-chairs", role: "list" });
   const below = h("div", {});
-  let asked = null; // the chair that somebody is about to unpair
+  /** @type {number | null} id of the chair that somebody is about to unpair */
+  let unpairing = null;
   const draw = () =>
     put(
       list,
       chairs.chairs.map((chair) => row(chair)),
       !chairs.chairs.length && h("p", { class: "quiet" }, t("chairs.none")),
     );
+  /** @param {CustomEvent<string>} event */
   const readAgain = async ({ detail }) => {
     if (detail !== "equipment" && detail !== "everything") return;
     chairs = await app.api.get("/chairs").catch(() => chairs);
     draw();
   };
+  /** @param {Chair | null} chair */
   const ask = (chair) => {
-    asked = chair?.id ?? null;
+    unpairing = chair?.id ?? null;
     draw();
-    list.querySelector("[data-first]")?.focus();
+    /** @type {HTMLElement | null} */ (list.querySelector("[data-first]"))?.focus();
   };
+  /** @param {Chair} chair */
   const unpair = async (chair) => {
-    asked = null;
-    try {
+    unpairing = null;
+    await app.toasts.attempt(async () => {
       chairs = await app.api.remove(`/chairs/${chair.id}`);
       app.toasts.show(t("chairs.unpaired", { name: chair.name }));
-    } catch (error) {
-      app.toasts.show(error.message);
-    }
+    });
     draw();
   };
+  /** @param {Chair} chair */
   const row = (chair) =>
     h(
       "div",
@@ -65,20 +72,21 @@ export function chairsCard(app, chairs, isOwner, signal) {
             icon("bin", 22),
           ),
       ),
-      asked === chair.id && confirmation(chair, unpair, () => ask(null)),
+      unpairing === chair.id && confirmation(chair, unpair, () => ask(null)),
     );
   const offer = () =>
     put(below, isOwner && h("button", { type: "button", class: "btn", onclick: openForm }, icon("plus", 20), t("chairs.pair")));
   const openForm = () => {
-    put(below, pairForm(app, { onPaired: paired, onClose: offer }));
-    below.querySelector("input").focus();
+    put(below, pairForm(app, { onPaired: showKey, onClose: offer }));
+    below.querySelector("input")?.focus();
   };
-  const paired = (answer, chair) => {
+  /** @param {PairedView} answer @param {Required<NewChair>} chair */
+  const showKey = (answer, chair) => {
     chairs = answer;
     draw();
     const card = pairedCard(app, answer, chair, offer);
     put(below, card);
-    card.querySelector("h2").focus();
+    card.querySelector("h2")?.focus();
     card.scrollIntoView({ block: "nearest" });
   };
   app.live.addEventListener("changed", readAgain, { signal });
@@ -94,11 +102,13 @@ export function chairsCard(app, chairs, isOwner, signal) {
   );
 }
 
+/** @param {Chair} chair */
 function factsOf({ speeds, key_id: key, paired }) {
   const figures = { forward: number(speeds.forward, 2), reverse: number(speeds.reverse, 2), when: day(paired) };
   return `${t("chairs.facts", figures)} · ${t("chairs.key", { key })}`;
 }
 
+/** @param {Chair} chair @param {(chair: Chair) => void} onUnpair @param {() => void} onClose */
 function confirmation(chair, onUnpair, onClose) {
   return h(
     "div",

@@ -1,4 +1,8 @@
-/** The clinic's limits: what its owner allows, and clinicians move inside. */
+/**
+ * The clinic's limits: what its owner allows, and clinicians move inside.
+ * @import { Speeds } from "types/api"
+ */
+import { failureWords } from "../../api.js";
 import { t } from "../../texts.js";
 import { h, put, write } from "../../widgets/dom.js";
 import { facts } from "../../widgets/facts.js";
@@ -6,7 +10,7 @@ import { SPEEDS, speedRows, speedWords } from "../../widgets/speed_rows.js";
 
 const REST = 500; // ms without another change, then it is sent
 
-/** @param {import("../../main.js").App} app @param {any} clinic what GET /limits answered @param {boolean} isOwner @param {AbortSignal} signal */
+/** @param {import("../../main.js").App} app @param {Speeds} clinic what GET /limits answered @param {boolean} isOwner @param {AbortSignal} signal */
 export function limitsCard(app, clinic, isOwner, signal) {
   const state = h("span", { class: "quiet small", role: "status" });
   const problem = h("p", { class: "problem", role: "alert" });
@@ -15,6 +19,7 @@ export function limitsCard(app, clinic, isOwner, signal) {
   let wanted = { ...clinic };
   let timer = 0;
   const draw = () => put(place, isOwner ? speedRows(wanted, {}, change).elements : inWords(kept));
+  /** @param {keyof Speeds} name @param {number} value */
   const change = (name, value) => {
     wanted[name] = value;
     write(state, t("limits.saving"));
@@ -29,7 +34,7 @@ export function limitsCard(app, clinic, isOwner, signal) {
       write(state, t("limits.saved"));
     } catch (error) {
       write(state, "");
-      write(problem, error.message);
+      write(problem, failureWords(error));
       wanted = { ...kept };
       draw();
     }
@@ -49,6 +54,7 @@ export function limitsCard(app, clinic, isOwner, signal) {
   );
 }
 
+/** @param {Speeds} clinic */
 function inWords(clinic) {
   const list = facts(SPEEDS.map(({ name }) => `speed.${name}`));
   for (const speed of SPEEDS) list.write(`speed.${speed.name}`, speedWords(speed, clinic[speed.name]));

@@ -1,4 +1,5 @@
 /** Whether anybody changed the log, for the owner; checked when the page opens, and again on a tap. */
+import { failureWords } from "../../api.js";
 import { t } from "../../texts.js";
 import { h, write } from "../../widgets/dom.js";
 
@@ -15,7 +16,7 @@ export function logCard(app, signal) {
     try {
       ({ whole, words } = await app.api.get("/log/check"));
     } catch (error) {
-      words = error.message;
+      words = failureWords(error);
     }
     if (signal.aborted) return;
     write(finding, whole ? words : "");

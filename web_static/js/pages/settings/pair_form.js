@@ -1,4 +1,9 @@
-/** The form that pairs a chair: what it is called, where it is, and what it may do. */
+/**
+ * The form that pairs a chair: what it is called, where it is, and what it may do.
+ * @import { NewChair, PairedView, Speeds } from "types/api"
+ * @import { Attributes } from "types/dom"
+ */
+import { failureWords } from "../../api.js";
 import { t } from "../../texts.js";
 import { h } from "../../widgets/dom.js";
 import { field } from "../../widgets/fields.js";
@@ -19,16 +24,19 @@ const FIRST_SPEEDS = {
 
 /**
  * @param {import("../../main.js").App} app
- * @param {{onPaired: (answer: any, chair: any) => void, onClose: () => void}} then
+ * @param {{onPaired: (answer: PairedView, chair: Required<NewChair>) => void, onClose: () => void}} then
  */
 export function pairForm(app, { onPaired, onClose }) {
+  /** @param {Attributes} more */
   const text = (more) => h("input", { type: "text", required: true, autocomplete: "off", ...more });
   const name = text({ maxlength: 40 });
   const host = text({ maxlength: 253, inputmode: "url", spellcheck: "false" });
   const port = h("input", { type: "number", required: true, min: 1, max: 65535, value: PORT });
+  /** @type {Speeds} */
   const speeds = { ...FIRST_SPEEDS };
   const problem = h("p", { class: "problem", role: "alert" });
   const go = h("button", { class: "btn go" }, t("pair.go"));
+  /** @param {SubmitEvent} event */
   const submit = async (event) => {
     event.preventDefault();
     problem.textContent = "";
@@ -37,7 +45,7 @@ export function pairForm(app, { onPaired, onClose }) {
     try {
       onPaired(await app.api.post("/chairs", chair), chair);
     } catch (error) {
-      problem.textContent = error.message;
+      problem.textContent = failureWords(error);
     }
     go.disabled = false;
   };

@@ -10,12 +10,13 @@ import { t } from "../../texts.js";
 export async function show(app, root, { signal }) {
   const [clinic, chairs] = await Promise.all([app.api.get("/limits"), app.api.get("/chairs")]);
   if (signal.aborted) return;
-  const isOwner = app.me.role === "owner";
+  const role = app.me?.role;
+  const isOwner = role === "owner";
   const limits = limitsCard(app, clinic, isOwner, signal);
   const right = [
     chairsCard(app, chairs, isOwner, signal),
-    app.me.role !== "reviewer" && patientScreenCard(app, signal),
-    app.me.role !== "reviewer" && plansCard(),
+    role !== "reviewer" && patientScreenCard(app, signal),
+    role !== "reviewer" && plansCard(),
     isOwner && logCard(app, signal),
   ];
   put(
