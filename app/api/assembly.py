@@ -85,7 +85,7 @@ def make_parts(
         trials=trials,
         drives=drives,
         chairs=chairs,
-        head=HeadChoice(database, control, equipment.located, tell),
+        head=HeadChoice(database, control, equipment.with_paths, tell),
         limits=limits,
         arming=RealArming(database, control, equipment, session, chairs, limits),
         session=session,

@@ -1,4 +1,4 @@
-"""A key that a chair or a shirt shares with this machine: made, kept in a file of its own, taken away."""
+"""Pairing of chairs and shirts: make the key that they share with this machine, store it in a file, delete it."""
 
 from pathlib import Path
 
@@ -12,23 +12,23 @@ from app.store.tables import Chair, Clinic
 
 
 def key_file(keys: Path, key_id: int) -> Path:
-    """Return where the key of this number lies in the folder of all keys."""
+    """Return the file of the key of this number in the folder of all keys."""
     return keys / f"{key_id}.key"
 
 
 def pair_chair(
     db: Transaction, clinic: Clinic, keys: Path, name: str, host: str, port: int, speeds: Speeds
 ) -> tuple[Chair, Key]:
-    """Note a new chair and write its key into `keys`; the secret goes nowhere else than into what is returned.
+    """Add a chair and write its key into `keys`; the secret is in that file and in the returned key only.
 
     Raises
     ------
     Conflict
         When there is a chair of this name.
     OSError
-        When the key cannot be written; then nothing must be kept in `db` either.
+        When the key cannot be written; then the caller must roll `db` back.
     """
-    # A key file without a chair is what an interrupted pairing left: its number is not used again.
+    # An interrupted pairing leaves a key file without a chair: its number is not used again.
     key = new_key(next(key_id for key_id in free_key_ids(db, clinic) if not key_file(keys, key_id).exists()))
     chair = add_chair(db, clinic, name, host, port, key.id, speeds)
     keys.mkdir(mode=0o700, parents=True, exist_ok=True)
@@ -37,14 +37,14 @@ def pair_chair(
 
 
 def unpair_chair(db: Transaction, clinic: Clinic, keys: Path, chair_id: int) -> Chair:
-    """Take a chair out of use and its key from the disk."""
+    """Remove a chair and delete its key file."""
     chair = remove_chair(db, clinic, chair_id)
     key_file(keys, chair.key_id).unlink(missing_ok=True)
     return chair
 
 
 def shirt_key_file(keys: Path, key_id: int) -> Path:
-    """Return where the shirt's key of this number lies in the folder of all keys."""
+    """Return the file of the shirt's key of this number in the folder of all keys."""
     return keys / f"shirt-{key_id}.key"
 
 
@@ -54,17 +54,17 @@ def shirt_key_files(keys: Path) -> list[Path]:
 
 
 def pair_shirt(keys: Path) -> Key:
-    """Write a new shirt's key into `keys`, and that none of its frames has come yet; return the key.
+    """Write a new shirt's key into `keys`, with a record that no frame has come yet; return the key.
 
     Raises
     ------
     Conflict
         When every number of a key was used.
     OSError
-        When the key cannot be written; nothing stays then.
+        When the key cannot be written; then no file is left.
     """
     keys.mkdir(mode=0o700, parents=True, exist_ok=True)
-    # Deleting a key takes a shirt out of use; the note of its newest frame stays, so that its number is not used again.
+    # Deleting its key takes a shirt out of use; the record of its newest frame stays, so the number is not used again.
     for key_id in range(1, LARGEST_KEY_ID + 1):
         file = shirt_key_file(keys, key_id)
         if not file.exists() and not newest_file(file).exists():
@@ -82,7 +82,7 @@ def pair_shirt(keys: Path) -> Key:
 
 
 def unpair_shirt(keys: Path, key_id: int) -> None:
-    """Take back a pairing that could not be completed."""
+    """Delete the files of a pairing that could not be completed."""
     file = shirt_key_file(keys, key_id)
     file.unlink(missing_ok=True)
     newest_file(file).unlink(missing_ok=True)

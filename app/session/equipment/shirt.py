@@ -1,6 +1,5 @@
-"""The shirt in use, what moves inside it when it is simulated, and which of its channels are left alone."""
+"""The shirt in use, the simulated body inside it, and the channels that are marked as unused."""
 
-import asyncio
 from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any, Literal
@@ -11,9 +10,10 @@ from app.hardware.registry import SHIRTS
 from app.layout import ShirtLayout
 from app.refusals import Conflict, NotFound, Refusal, Unavailable
 from app.session.control_link import ControlLink
+from app.session.equipment.choice import ClinicChoice
 from app.session.equipment.pairing import shirt_key_files
-from app.store.database import Database
-from app.store.people import the_clinic
+from app.store.database import Database, Transaction
+from app.store.tables import Clinic
 
 STANDARD_SHIRT: dict[str, Any] = {
     "kind": "simulator",
@@ -31,8 +31,8 @@ def shirt_kinds() -> dict[str, bool]:
     return {kind: driver.simulated for kind, driver in SHIRTS.items()}
 
 
-class Equipment:
-    """What is connected; chosen by people, kept in the database, opened by the control process.
+class Equipment(ClinicChoice):
+    """The shirt in use with its simulated body and its unused channels.
 
     Until somebody has chosen a shirt there is none, except in a demonstration, which starts with the simulated one.
     """
@@ -47,11 +47,9 @@ class Equipment:
         *,
         demonstration: bool,
     ) -> None:
-        self._database = database
-        self._control = control
+        super().__init__(database, control, tell)
         self._files = files
         self._keys = keys
-        self._tell = tell
         self.shirt: dict[str, Any] | None = STANDARD_SHIRT if demonstration else None
         self.body: dict[str, Any] | None = STANDARD_BODY if demonstration else None
         self.unused: list[str] = []
@@ -61,8 +59,8 @@ class Equipment:
         self.mistrust = NO_SHIRT  # why the shirt arms no real chair, empty when it may
 
     async def open(self) -> None:
-        """Open what was in use last; what does not open is said in words, and nothing takes its place."""
-        await asyncio.to_thread(self._read)
+        """Open the shirt that was in use last; when it does not open, `words` says why, and none takes its place."""
+        await self._in_clinic(self._read)
         if self.shirt is None:
             self.words = NO_SHIRT
             return
@@ -90,7 +88,7 @@ class Equipment:
 
     async def use_shirt(self, config: dict[str, Any]) -> None:
         """Open another shirt; when it does not open, the one before is opened again and the reason is raised."""
-        self.located(config)  # a file that is not here is refused before the shirt in use is closed
+        self.with_paths(config)  # refuse a missing file before the shirt in use is closed
         before, body = self.shirt, self.body
         wanted = (body or STANDARD_BODY) if config["kind"] == "simulator" else None
         try:
@@ -108,15 +106,15 @@ class Equipment:
             self._control.forget("body")
         if before != config:
             self.unused = []
-        await self._keep()
+        await self._store()
 
     async def use_body(self, config: dict[str, Any]) -> None:
-        """Let somebody else move inside the simulated shirt."""
+        """Choose another simulated body for the simulated shirt."""
         if self.kind != "simulator":
             raise Conflict("Only the simulated shirt has a body to choose: choose the simulated shirt first.")
         await self._open_body(config)
         self.body = config
-        await self._keep()
+        await self._store()
 
     async def leave_unused(self, channels: list[str]) -> None:
         """Mark channels as unused: the next calibration leaves them out."""
@@ -125,7 +123,7 @@ class Equipment:
             if name not in known:
                 raise NotFound(f"This shirt has no channel '{name}': choose one of its lamps.")
         self.unused = [name for name in known if name in channels]
-        await self._keep()
+        await self._store()
 
     def needed_layout(self) -> ShirtLayout:
         """Return the layout of the shirt, refusing when there is none."""
@@ -148,8 +146,8 @@ class Equipment:
 
     async def _load(self, do: Literal["shirt", "body"], config: dict[str, Any]) -> dict[str, Any]:
         try:
-            return await self._control.load(do, config=self.located(config))
-        except Conflict as refusal:  # a page knows files by their names, not by their places on this machine
+            return await self._control.load(do, config=self.with_paths(config))
+        except Conflict as refusal:  # a page knows files by their names, not by their paths on this machine
             sentence = str(refusal).replace(f"{self._files}/", "").replace(f"{self._keys}/", "")
             raise Conflict(sentence) from refusal
 
@@ -163,36 +161,33 @@ class Equipment:
         await self._control.call("sender", sender=sender)
         self._tell("equipment")
 
-    def located(self, config: dict[str, Any]) -> dict[str, Any]:
-        """Return the configuration with the places of its file and its key instead of their names."""
-        found = dict(config)
+    def with_paths(self, config: dict[str, Any]) -> dict[str, Any]:
+        """Return the configuration with the paths of its file and its key in place of their names."""
+        complete = dict(config)
         if "file" in config:
-            found["file"] = _place_of(str(config["file"]), self._files.glob("*"), "bring it with 'Add a file' first")
+            complete["file"] = _path_of(str(config["file"]), self._files.glob("*"), "bring it with 'Add a file' first")
         if config.get("key_file") is not None:
             keys = shirt_key_files(self._keys)
-            found["key_file"] = _place_of(str(config["key_file"]), keys, "pair the shirt first (bodydrive shirt pair)")
-        return found
+            complete["key_file"] = _path_of(
+                str(config["key_file"]), keys, "pair the shirt first (bodydrive shirt pair)"
+            )
+        return complete
 
-    def _read(self) -> None:
-        with self._database.transaction() as db:
-            clinic = the_clinic(db)
-            if clinic is not None and clinic.shirt is not None:
-                self.shirt, self.body, self.unused = clinic.shirt, clinic.body, list(clinic.unused)
+    def _read(self, _db: Transaction, clinic: Clinic) -> None:
+        if clinic.shirt is not None:
+            self.shirt, self.body, self.unused = clinic.shirt, clinic.body, list(clinic.unused)
 
-    async def _keep(self) -> None:
-        def _write() -> None:
-            with self._database.transaction() as db:
-                clinic = the_clinic(db)
-                if clinic is not None:
-                    clinic.shirt, clinic.body, clinic.unused = self.shirt, self.body, list(self.unused)
+    async def _store(self) -> None:
+        def _write(_db: Transaction, clinic: Clinic) -> None:
+            clinic.shirt, clinic.body, clinic.unused = self.shirt, self.body, list(self.unused)
 
-        await asyncio.to_thread(_write)
+        await self._in_clinic(_write)
         self._tell("equipment")
 
 
-def _place_of(name: str, files: Iterable[Path], otherwise: str) -> str:
-    """Return the place of the file of this name, or refuse and say what to do otherwise."""
+def _path_of(name: str, files: Iterable[Path], remedy: str) -> str:
+    """Return the path of the file of this name; NotFound, with what to do instead, when there is none."""
     for file in files:
         if file.name == name:
             return str(file)
-    raise NotFound(f"There is no file '{name[:80]}' here: {otherwise}.")
+    raise NotFound(f"There is no file '{name[:80]}' here: {remedy}.")

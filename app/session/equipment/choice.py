@@ -1,0 +1,29 @@
+"""A choice of people that is stored with the clinic and loaded into the control process."""
+
+import asyncio
+from collections.abc import Callable
+
+from app.session.control_link import ControlLink
+from app.store.database import Database, Transaction
+from app.store.people import the_clinic
+from app.store.tables import Clinic
+
+
+class ClinicChoice:
+    """What every such choice needs: the clinic's row, the control link, and a way to tell the pages."""
+
+    def __init__(self, database: Database, control: ControlLink, tell: Callable[[str], None]) -> None:
+        self._database = database
+        self._control = control
+        self._tell = tell
+
+    async def _in_clinic(self, act: Callable[[Transaction, Clinic], None]) -> None:
+        """Read or write the clinic's row in a transaction, in a thread; do nothing before the set-up."""
+
+        def _transact() -> None:
+            with self._database.transaction() as db:
+                clinic = the_clinic(db)
+                if clinic is not None:
+                    act(db, clinic)
+
+        await asyncio.to_thread(_transact)
