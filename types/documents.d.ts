@@ -1,5 +1,5 @@
 /** Parts of answers that the OpenAPI document leaves open: what the routes fill in (docs/protocols.md, section 4). */
-import type { CalibrationView, components, MapCheck, MapView } from "./api";
+import type { CalibrationView, components, EquipmentView, MapCheck, MapView } from "./api";
 
 type Schemas = components["schemas"];
 
@@ -59,15 +59,28 @@ export type Calibration = Omit<CalibrationView, "steps" | "result"> & {
   result: CalibrationResult | null;
 };
 
-export type ShirtConfig = Schemas["SimulatorConfig"] | Schemas["ReplayConfig"] | Schemas["UdpConfig"];
-export type BodyConfig = Schemas["PersonConfig"] | Schemas["VisitorConfig"] | Schemas["RecordedConfig"];
+/** Configurations (docs/protocols.md, section 2) as they are answered: with every field. */
+export type ShirtConfig =
+  | Required<Schemas["SimulatorConfig"]>
+  | Required<Schemas["ReplayConfig"]>
+  | Required<Schemas["UdpConfig"]>;
+export type BodyConfig =
+  | Required<Schemas["PersonConfig"]>
+  | Required<Schemas["VisitorConfig"]>
+  | Required<Schemas["RecordedConfig"]>;
 export type HeadConfig =
-  | Schemas["OpentrackConfig"]
-  | Schemas["FreepieConfig"]
-  | Schemas["FlockOfBirdsConfig"]
-  | Schemas["SimulatedHeadConfig"]
-  | Schemas["RecordedHeadConfig"]
-  | Schemas["TabletHeadConfig"];
+  | Required<Schemas["OpentrackConfig"]>
+  | Required<Schemas["FreepieConfig"]>
+  | Required<Schemas["FlockOfBirdsConfig"]>
+  | Required<Schemas["SimulatedHeadConfig"]>
+  | Required<Schemas["RecordedHeadConfig"]>
+  | Required<Schemas["TabletHeadConfig"]>;
+
+export type Equipment = Omit<EquipmentView, "shirt" | "body" | "head"> & {
+  shirt: ShirtConfig | null;
+  body: BodyConfig | null;
+  head: { config: HeadConfig | null; words: string };
+};
 
 /** What an adaptation changed of one joint. */
 export type JointDifference = {

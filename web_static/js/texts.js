@@ -52,7 +52,7 @@ const PLURALS = new Intl.PluralRules(LANGUAGE);
 
 /**
  * Return a text with its values put in.
- * @param {string} key @param {Record<string, string | number>} [values] @returns {string}
+ * @param {string} key @param {Record<string, string | number | null | undefined>} [values] @returns {string}
  */
 export function t(key, values = {}) {
   const found = CATALOGUE[key];

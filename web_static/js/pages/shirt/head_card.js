@@ -1,4 +1,15 @@
-/** The head tracker: which one, how it is, and what is straight ahead. */
+/**
+ * The head tracker: which one, how it is, and what is straight ahead.
+ * @import { App } from "../../main.js"
+ * @import { Body } from "types/requests"
+ * @import { FileView } from "types/api"
+ * @import { Equipment } from "types/documents"
+ * @import { Attributes, Child } from "types/dom"
+ * @typedef {Body<"put", "/equipment/head">["config"]} HeadRequest
+ * @typedef {{kind?: string, host?: string, port?: number, device?: string, baud?: number, address?: number | null, file?: string}} HeadSettings
+ * @typedef {{fields: Child, config: () => HeadRequest}} Part the settings of one kind of head tracker
+ */
+import { failureWords } from "../../api.js";
 import { t } from "../../texts.js";
 import { h, put } from "../../widgets/dom.js";
 import { choices, field } from "../../widgets/fields.js";
@@ -6,36 +17,40 @@ import { addFile, fileField } from "./source_form.js";
 import { endTabletHead, tabletHead } from "./tablet_head.js";
 
 const KINDS = ["none", "opentrack", "freepie", "flock_of_birds", "tablet", "recorded", "simulator"];
+/** @type {Record<string, number>} */
 const PORTS = { opentrack: 4242, freepie: 5555 };
 const BAUD = 115200;
 
-/** In one line what is in use. @param {any} config */
+/** In one line what is in use. @param {HeadSettings | null} config */
 export function headWords(config) {
   return t(`head.${config?.kind ?? "none"}.now`, { port: config?.port, device: config?.device, file: config?.file });
 }
 
 /**
- * @param {import("../../main.js").App} app @param {any} equipment @param {(config: any) => Promise<void>} onUse rejects with a sentence
+ * @param {App} app @param {Equipment} equipment @param {(config: HeadRequest) => Promise<void>} onUse rejects with a sentence
  * @param {{kind: string, onKind: (kind: string) => void}} shown the kind whose settings are shown
  */
 export function headForm(app, equipment, onUse, { kind: first, onKind }) {
   const { config: now } = equipment.head;
   const settings = h("div", { class: "stack settings" });
   const problem = h("p", { class: "problem", role: "alert" });
+  /** @type {Part["config"]} */
   let read = () => null;
+  /** @param {string} kind */
   const choose = (kind) => {
     onKind(kind);
     const parts = fieldsOf(app, kind, now?.kind === kind ? now : null, equipment.files);
     read = parts.config;
     put(settings, parts.fields);
   };
+  /** @param {SubmitEvent} event */
   const submit = async (event) => {
     event.preventDefault();
     problem.textContent = "";
     try {
       await onUse(read());
     } catch (error) {
-      problem.textContent = error.message;
+      problem.textContent = failureWords(error);
     }
   };
   choose(first || now?.kind || "none");
@@ -54,18 +69,15 @@ export function headForm(app, equipment, onUse, { kind: first, onKind }) {
   );
 }
 
-/** What is asked live of the tracker in use. @param {import("../../main.js").App} app @param {any} head */
+/** What is asked live of the tracker in use. @param {App} app @param {Equipment["head"]} head */
 export function headActions(app, head) {
   if (head.config?.kind !== "tablet") endTabletHead();
   if (!head.config) return null;
-  const ahead = async () => {
-    try {
+  const ahead = () =>
+    app.toasts.attempt(async () => {
       await app.api.post("/equipment/head/ahead", {});
       app.toasts.show(t("head.ahead.done"));
-    } catch (error) {
-      app.toasts.show(error.message);
-    }
-  };
+    });
   return h(
     "div",
     { class: "stack" },
@@ -74,7 +86,12 @@ export function headActions(app, head) {
   );
 }
 
+/**
+ * The fields of one kind of head tracker.
+ * @param {App} app @param {string} kind @param {HeadSettings | null} now @param {FileView[]} files @returns {Part}
+ */
 function fieldsOf(app, kind, now, files) {
+  /** @param {string} label @param {string | number} value @param {Attributes} [more] */
   const input = (label, value, more = {}) => {
     const element = h("input", { type: "text", value, required: true, autocomplete: "off", ...more });
     return { element: field(t(label), element), read: () => element.value.trim() };
@@ -83,12 +100,16 @@ function fieldsOf(app, kind, now, files) {
     const host = input("source.host", now?.host ?? "127.0.0.1");
     const port = input("source.port", now?.port ?? PORTS[kind], { type: "number", min: 1, max: 65535 });
     const config = () => ({ kind, host: host.read(), port: Number(port.read()) });
-    return { fields: [h("div", { class: "columns" }, host.element, port.element)], config };
+    return {
+      fields: [h("div", { class: "columns" }, host.element, port.element)],
+      config: () => /** @type {HeadRequest} */ (config()),
+    };
   }
   if (kind === "flock_of_birds") {
     const device = input("head.device", now?.device ?? "/dev/ttyUSB0");
     const baud = input("head.baud", now?.baud ?? BAUD, { type: "number", min: 2400, max: 115200 });
     const address = input("head.address", now?.address ?? "", { type: "number", min: 1, max: 14, required: false });
+    /** @returns {HeadRequest} */
     const config = () => ({
       kind,
       device: device.read(),
@@ -106,8 +127,10 @@ function fieldsOf(app, kind, now, files) {
   if (kind === "recorded") {
     const config = { kind, file: now?.file, loop: true };
     const heads = files.filter((file) => file.kind === "head");
-    return { fields: [fileField(heads, config), addFile(app)], config: () => config };
+    // Without a file, the server says what is missing.
+    return { fields: [fileField(heads, config), addFile(app)], config: () => /** @type {HeadRequest} */ (config) };
   }
   if (kind === "none") return { fields: [], config: () => null };
-  return { fields: [], config: () => (kind === "simulator" ? { kind, seed: 1 } : { kind }) };
+  const config = kind === "simulator" ? { kind, seed: 1 } : { kind };
+  return { fields: [], config: () => /** @type {HeadRequest} */ (config) };
 }

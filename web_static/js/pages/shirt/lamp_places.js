@@ -1,18 +1,20 @@
 /** Where a lamp lies: where the layout says, otherwise near its joint, so that every sensor can be tapped. */
 
 // The patient's right, seen from the front; in the units of a layout. The left mirrors it.
+/** @type {Record<string, [number, number]>} */
 const ANCHORS = { shoulder: [0.33, 0.26], elbow: [0.17, 0.485], wrist: [0.11, 0.715] };
 const ELSEWHERE = [0.5, 0.5];
 const APART = [0.05, 0.04]; // between two lamps of one joint
 const COLUMNS = 3;
 
-/** @typedef {{name: string, joint: string, position: [number, number] | null, side: "front" | "back" | null}} Channel */
+/** @typedef {import("types/api").Channel} Channel */
 
 /**
  * @param {Channel[]} channels
  * @returns {{channel: Channel, index: number, side: "front" | "back", position: [number, number]}[]}
  */
 export function lampPlaces(channels) {
+  /** @type {Map<string, number>} */
   const placed = new Map(); // how many of each joint have been given a place by us
   return channels.map((channel, index) => {
     if (channel.position) return { channel, index, side: channel.side ?? "front", position: channel.position };

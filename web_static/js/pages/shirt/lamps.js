@@ -5,12 +5,14 @@ import { h, s, set } from "../../widgets/dom.js";
 import { lampPlaces } from "./lamp_places.js";
 
 const SIZE = 4.6; // half the width of a lamp, in units of the outline
+/** @type {Record<string, SVGElement>} */
 const SHAPES = {
   circle: s("circle", { r: SIZE }),
   diamond: s("path", { d: `M0 ${-SIZE * 1.3}L${SIZE * 1.3} 0 0 ${SIZE * 1.3} ${-SIZE * 1.3} 0Z` }),
   square: s("rect", { x: -SIZE, y: -SIZE, width: 2 * SIZE, height: 2 * SIZE, rx: 1 }),
   triangle: s("path", { d: `M0 ${-SIZE * 1.25}L${SIZE * 1.3} ${SIZE} ${-SIZE * 1.3} ${SIZE}Z` }),
 };
+/** @type {Record<string, {shape: string, sign: string}>} */
 export const QUALITIES = {
   good: { shape: "circle", sign: "" },
   near: { shape: "diamond", sign: "!" },
@@ -22,7 +24,13 @@ export const QUALITIES = {
   silent: { shape: "circle", sign: "?" },
 };
 
-/** @typedef {import("./lamp_places.js").Channel} Channel */
+/** What a key moves the choice by. @type {Record<string, number | undefined>} */
+const STEPS = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 };
+
+/**
+ * @typedef {import("./lamp_places.js").Channel} Channel
+ * @typedef {ReturnType<typeof makeLamp>} Lamp
+ */
 
 /** A channel's name for people: "Right elbow 3". @param {Channel} channel */
 export function sensorName({ name }) {
@@ -30,7 +38,7 @@ export function sensorName({ name }) {
   return words.charAt(0).toUpperCase() + words.slice(1);
 }
 
-/** The sign of one quality, as it stands on the body and in the legend. @param {keyof typeof QUALITIES} quality */
+/** The sign of one quality, as it stands on the body and in the legend. @param {string} quality */
 export function lampSign(quality) {
   const { shape, sign } = QUALITIES[quality] ?? QUALITIES.silent;
   return [SHAPES[shape].cloneNode(true), s("text", { y: 2.6, "text-anchor": "middle" }, sign)];
@@ -43,26 +51,19 @@ export function lampSign(quality) {
  */
 export function bodyLamps(layout, onPick) {
   const labels = Object.fromEntries(layout.joints.map(({ name, label }) => [name, label]));
-  const lamps = lampPlaces(layout.channels).map((place) => ({ ...place, quality: "", element: null }));
+  const lamps = lampPlaces(layout.channels).map(makeLamp);
   let picked = "";
+  /** @param {Lamp} lamp @param {boolean} focus */
   const pick = (lamp, focus) => {
     onPick(lamp.channel.name);
     if (focus) lamp.element.focus();
   };
-  const sides = ["front", "back"].map((side) => {
+  const sides = /** @type {const} */ (["front", "back"]).map((side) => {
     const here = lamps.filter((lamp) => lamp.side === side);
     const group = s("g", {});
     for (const lamp of here) {
-      const [x, y] = inDrawing(lamp);
-      lamp.element = s("g", {
-        class: "sensor",
-        transform: `translate(${x} ${y})`,
-        role: "radio",
-        "aria-checked": "false",
-        tabindex: "-1",
-      });
       lamp.element.addEventListener("keydown", (event) => {
-        const step = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 }[event.key];
+        const step = STEPS[event.key];
         if (!step && event.key !== " " && event.key !== "Enter") return;
         event.preventDefault();
         pick(lamps[(lamps.indexOf(lamp) + (step ?? 0) + lamps.length) % lamps.length], true);
@@ -78,6 +79,7 @@ export function bodyLamps(layout, onPick) {
   });
   if (lamps.length) set(lamps[0].element, { tabindex: "0" });
 
+  /** @param {string[]} qualities */
   const show = (qualities) => {
     for (const lamp of lamps) {
       const quality = qualities[lamp.index] ?? "silent";
@@ -90,6 +92,7 @@ export function bodyLamps(layout, onPick) {
       });
     }
   };
+  /** @param {string} name of the sensor that was picked */
   const mark = (name) => {
     picked = name;
     for (const lamp of lamps) {
@@ -105,16 +108,32 @@ export function bodyLamps(layout, onPick) {
   };
 }
 
+/** A lamp without a quality yet. @param {ReturnType<typeof lampPlaces>[number]} place */
+function makeLamp(place) {
+  const [x, y] = inDrawing(place);
+  const element = s("g", {
+    class: "sensor",
+    transform: `translate(${x} ${y})`,
+    role: "radio",
+    "aria-checked": "false",
+    tabindex: "-1",
+  });
+  return { ...place, quality: "", element };
+}
+
 /** @param {{position: [number, number]}} lamp */
 function inDrawing({ position }) {
   return [position[0] * WIDTH, position[1] * LAYOUT_HEIGHT];
 }
 
+/** @param {SVGGraphicsElement} picture @param {Lamp[]} lamps @param {MouseEvent} event @returns {Lamp | null} */
 function nearestLamp(picture, lamps, event) {
-  const at = new DOMPoint(event.clientX, event.clientY).matrixTransform(picture.getScreenCTM().inverse());
+  const at = new DOMPoint(event.clientX, event.clientY).matrixTransform(picture.getScreenCTM()?.inverse());
+  /** @param {Lamp} lamp */
   const distance = (lamp) => {
     const [x, y] = inDrawing(lamp);
     return Math.hypot(x - at.x, y - at.y);
   };
-  return lamps.reduce((best, lamp) => (!best || distance(lamp) < distance(best) ? lamp : best), null);
+  const [first = null, ...others] = lamps;
+  return others.reduce((best, lamp) => (best && distance(lamp) < distance(best) ? lamp : best), first);
 }

@@ -9,7 +9,7 @@ import { TraceCanvas } from "../../charts/traces.js";
 
 /**
  * @param {import("../../main.js").App} app
- * @param {{channel: any, index: number, joint: string, isUnused: boolean, signal: AbortSignal}} sensor
+ * @param {{channel: import("types/api").Channel, index: number, joint: string, isUnused: boolean, signal: AbortSignal}} sensor
  * @param {(isUnused: boolean) => void} onUnused
  */
 export function sensorCard(app, { channel, index, joint, isUnused, signal }, onUnused) {
@@ -36,7 +36,7 @@ export function sensorCard(app, { channel, index, joint, isUnused, signal }, onU
     ({ detail }) => write(value, t("sensor.now", { value: figure(detail.values?.[index]) })),
     { signal },
   );
-  drawTraces(app.live, [{ canvas, values: (now) => [now.values[index]] }], signal);
+  drawTraces(app.live, [{ canvas, values: (now) => [now.values?.[index] ?? null] }], signal);
   showQuality();
   set(canvas.element, { class: "trace large" });
   return h(
@@ -66,9 +66,9 @@ export function sensorCard(app, { channel, index, joint, isUnused, signal }, onU
   );
 }
 
-/** Three significant digits, whatever the unit of the shirt. */
+/** Three significant digits, whatever the unit of the shirt. @param {number | null | undefined} value */
 function figure(value) {
-  if (!Number.isFinite(value)) return "–";
+  if (typeof value !== "number" || !Number.isFinite(value)) return "–";
   const digits = value === 0 ? 2 : Math.min(5, Math.max(0, 2 - Math.floor(Math.log10(Math.abs(value)))));
   return number(value, digits);
 }

@@ -1,4 +1,12 @@
-/** The shirt: where its signals come from, who is inside, and how every sensor is. */
+/**
+ * The shirt: where its signals come from, who is inside, and how every sensor is.
+ * @import { EquipmentView, ShirtLayout } from "types/api"
+ * @import { Equipment } from "types/documents"
+ * @import { Child } from "types/dom"
+ * @typedef {{kind: string, onKind: (kind: string) => void}} ShownForm what a form shows, and what it tells of that
+ * @typedef {"source" | "body" | "head"} CardName
+ */
+import { failureWords } from "../../api.js";
 import { bodyForm, bodyWords } from "./body_form.js";
 import { h, put, s, write } from "../../widgets/dom.js";
 import { headActions, headForm, headWords } from "./head_card.js";
@@ -11,11 +19,12 @@ import { shirtSender } from "./shirt_sender.js";
 import { sourceForm, sourceWords } from "./source_form.js";
 import { t } from "../../texts.js";
 
-const NO_LAYOUT = { channels: [], joints: [] }; // before a shirt was chosen: a body without lamps
+/** @type {ShirtLayout} */
+const NO_LAYOUT = { name: "", channels: [], joints: [] }; // before a shirt was chosen: a body without lamps
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal}} page */
 export async function show(app, root, { signal }) {
-  let equipment = await app.api.get("/equipment");
+  let equipment = /** @type {Equipment} */ (await app.api.get("/equipment"));
   if (signal.aborted) return;
   const lead = h("p", { class: "lead", "aria-live": "polite" });
   const left = h("div", { class: "stack" });
@@ -23,7 +32,7 @@ export async function show(app, root, { signal }) {
   const below = h("div", {});
   let drawn = new AbortController(); // ends what was drawn of the equipment before
   let picked = "";
-  /** @type {Map<string, string>} cards whose form is open, with the choice it shows */
+  /** @type {Map<CardName, string>} cards whose form is open, with the choice it shows */
   const open = new Map();
 
   const replaced = replacedList(app, ["file"], async () => take(await app.api.get("/equipment")));
@@ -43,13 +52,16 @@ export async function show(app, root, { signal }) {
     drawRight();
     showWords();
   };
+  /** @param {EquipmentView} answer */
   const take = (answer) => {
-    const isSame = keyOf(answer) === keyOf(equipment);
-    equipment = answer;
-    replaced.show().catch((error) => app.toasts.show(error.message));
+    const fresh = /** @type {Equipment} */ (answer);
+    const isSame = keyOf(fresh) === keyOf(equipment);
+    equipment = fresh;
+    app.toasts.attempt(replaced.show);
     if (!isSame) draw();
     else drawRight(); // only the files to choose from may be others
   };
+  /** @param {ShirtLayout} layout */
   const lampsCard = (layout) => {
     const lamps = bodyLamps(layout, pick);
     const showLamps = () => lamps.show(app.live.quality);
@@ -65,7 +77,9 @@ export async function show(app, root, { signal }) {
       legend(),
     );
   };
-  let markLamp = (_name) => {};
+  /** @type {(name: string) => void} */
+  let markLamp = () => {};
+  /** @param {string} name */
   const pick = (name) => {
     picked = name;
     markLamp(name);
@@ -78,28 +92,36 @@ export async function show(app, root, { signal }) {
     drawn.signal.addEventListener("abort", () => sensorShown.abort(), { signal: sensorShown.signal });
     put(right, pickedSensor(sensorShown.signal), sourceCard(), equipment.shirt?.kind === "simulator" && bodyCard(), headCard(), replaced.element);
   };
+  /** @param {AbortSignal} until */
   const pickedSensor = (until) => {
-    const index = equipment.layout?.channels.findIndex(({ name }) => name === picked) ?? -1;
+    const { channels, joints } = equipment.layout ?? NO_LAYOUT;
+    const index = channels.findIndex(({ name }) => name === picked);
     if (index < 0) return null;
-    const channel = equipment.layout.channels[index];
-    const joint = equipment.layout.joints.find(({ name }) => name === channel.joint).label;
+    const channel = channels[index];
+    const joint = joints.find(({ name }) => name === channel.joint)?.label ?? channel.joint;
+    /** @param {boolean} isUnused */
     const mark = async (isUnused) => {
       const others = equipment.unused.filter((name) => name !== picked);
       await use(app.api.put("/equipment/unused", { channels: isUnused ? [...others, picked] : others })).catch(
         (error) => {
-          app.toasts.show(error.message);
+          app.toasts.show(failureWords(error));
           drawRight();
         },
       );
     };
     return sensorCard(app, { channel, index, joint, isUnused: equipment.unused.includes(picked), signal: until }, mark);
   };
+  /** @param {Promise<EquipmentView>} call @param {CardName} [card] whose form made it */
   const use = async (call, card) => {
     const answer = await call;
     if (card) open.delete(card);
     take(answer);
   };
-  /** A card that says what is in use; its form stays open, and as it is, when the page is drawn again. */
+  /**
+   * A card that says what is in use; its form stays open, and as it is, when the page is drawn again.
+   * @param {CardName} name @param {string} words @param {string} first the choice that the form begins with
+   * @param {(shown: ShownForm) => HTMLElement} makeForm
+   */
   const card = (name, words, first, makeForm) =>
     summary(
       t(`${name}.title`),
@@ -144,8 +166,9 @@ export async function show(app, root, { signal }) {
         .join(" "),
     );
   };
+  /** @param {CustomEvent<string>} event */
   const readAgain = async ({ detail }) => {
-    if (detail === "equipment" || detail === "everything") take(await app.api.get("/equipment").catch(() => equipment));
+    if (detail === "equipment" || detail === "everything") take(await app.api.get("/equipment").catch(() => /** @type {EquipmentView} */ (equipment)));
   };
   app.live.addEventListener("quality", showWords, { signal });
   app.live.addEventListener("changed", readAgain, { signal });
@@ -172,11 +195,15 @@ export async function show(app, root, { signal }) {
   draw();
 }
 
-/** What, drawn anew, would change more than a list of files. */
+/** What, drawn anew, would change more than a list of files. @param {Equipment} equipment */
 function keyOf({ shirt, body, layout, unused }) {
   return JSON.stringify([shirt, body, layout, unused]);
 }
 
+/**
+ * @param {string} title @param {Child} words @param {boolean} isOpen @param {(isOpen: boolean) => void} onToggle
+ * @param {() => HTMLElement} makeForm called when it is opened first
+ */
 function summary(title, words, isOpen, onToggle, makeForm) {
   const place = h("div", {});
   const details = h("details", { open: isOpen }, h("summary", {}, t("source.change")), place);

@@ -11,6 +11,7 @@ const LOOK_EVERY = 2000; // ms
 export function shirtSender(app, signal) {
   const element = h("div", { class: "stack", "aria-live": "polite" });
   let shown = "";
+  /** @param {import("types/api").SendersView} senders */
   const show = (senders) => {
     const key = JSON.stringify([senders.shirt, senders.other]);
     if (key === shown) return; // a button that is drawn anew would lose the focus
@@ -18,7 +19,7 @@ export function shirtSender(app, signal) {
     put(
       element,
       senders.shirt && h("p", { class: "quiet small" }, t("sender.now", { shirt: senders.shirt })),
-      senders.other && h("p", { class: "problem", id: "other-sender" }, t("sender.other", senders)),
+      senders.other && h("p", { class: "problem", id: "other-sender" }, t("sender.other", { shirt: senders.shirt, other: senders.other, others: senders.others })),
       senders.other &&
         h(
           "button",
@@ -31,13 +32,12 @@ export function shirtSender(app, signal) {
     const senders = await app.api.get("/equipment/sender").catch(() => null);
     if (senders && !signal.aborted) show(senders);
   };
+  /** @param {string} sender */
   const use = async (sender) => {
-    try {
+    await app.toasts.attempt(async () => {
       await app.api.put("/equipment/sender", { sender });
       app.toasts.show(t("sender.used", { sender }));
-    } catch (error) {
-      app.toasts.show(error.message);
-    }
+    });
     await look();
   };
   const timer = setInterval(look, LOOK_EVERY);

@@ -1,7 +1,17 @@
-/** Where the shirt's signals come from: the form, and the configuration that it makes. */
+/**
+ * Where the shirt's signals come from: the form, and the configuration that it makes.
+ * @import { App } from "../../main.js"
+ * @import { Body } from "types/requests"
+ * @import { FileView, ShirtLayout } from "types/api"
+ * @import { Equipment } from "types/documents"
+ * @import { Child } from "types/dom"
+ * @typedef {Body<"put", "/equipment/shirt">} ShirtRequest
+ * @typedef {{fields: Child, config: () => Promise<ShirtRequest>}} Part the settings of one kind of shirt
+ */
+import { failureWords } from "../../api.js";
 import { t } from "../../texts.js";
 import { h, put } from "../../widgets/dom.js";
-import { choices, field, segments, selection, stepper, toggle } from "../../widgets/fields.js";
+import { choices, field, hiddenFileInput, segments, selection, stepper, toggle } from "../../widgets/fields.js";
 import { size } from "../../widgets/format.js";
 import { sendUnderName } from "../../widgets/same_name.js";
 
@@ -9,39 +19,47 @@ const RATES = [50, 100, 200, 500, 1000]; // Hz; 100 is the rate of the shirts th
 const PORT = 5252;
 const REPLAYED = new Set(["signals", "recording"]);
 
-/** In one line what is in use. @param {any} shirt */
+/**
+ * In one line what is in use.
+ * @param {{kind: string, sample_rate?: number, file?: string, port?: number} | null} shirt
+ */
 export function sourceWords(shirt) {
   if (!shirt) return t("source.none");
   return t(`source.${shirt.kind}.now`, { rate: shirt.sample_rate, file: shirt.file, port: shirt.port });
 }
 
 /**
- * @param {import("../../main.js").App} app @param {any} equipment
- * @param {(config: any) => Promise<void>} onUse rejects with a sentence
+ * @param {App} app @param {Equipment} equipment
+ * @param {(config: ShirtRequest) => Promise<void>} onUse rejects with a sentence
  * @param {{kind: string, onKind: (kind: string) => void}} shown the kind whose settings are shown
  */
 export function sourceForm(app, equipment, onUse, { kind: first, onKind }) {
+  /** @type {Record<string, (app: App, equipment: Equipment) => Part>} */
   const made = { simulator, replay, udp };
+  /** @param {boolean} simulated */
   const kinds = (simulated) =>
     equipment.shirts
       .filter((one) => one.simulated === simulated && one.kind in made)
       .map(({ kind }) => ({ value: kind, label: t(`source.${kind}`), hint: t(`source.${kind}.hint`) }));
   const settings = h("div", { class: "stack settings" });
   const problem = h("p", { class: "problem", role: "alert" });
+  /** @type {Part | null} */
   let parts = null;
+  /** @param {string} kind */
   const choose = (kind) => {
     onKind(kind);
     parts = made[kind](app, equipment);
     put(settings, parts.fields);
     use.hidden = false;
   };
+  /** @param {SubmitEvent} event */
   const submit = async (event) => {
     event.preventDefault();
     problem.textContent = "";
     try {
-      await onUse(await parts.config());
+      if (parts) await onUse(await parts.config());
     } catch (error) {
-      problem.textContent = error.message;
+      problem.textContent = failureWords(error);
     }
   };
   const use = h("button", { class: "btn go", hidden: true }, t("source.use"));
@@ -64,8 +82,10 @@ export function sourceForm(app, equipment, onUse, { kind: first, onKind }) {
   );
 }
 
+/** @param {App} _app @param {Equipment} equipment @returns {Part} */
 function simulator(_app, { shirt, layout }) {
   const now = shirt?.kind === "simulator" ? shirt : { sample_rate: 100, seed: 1, dead_channels: [], layout: null };
+  /** @type {Extract<ShirtRequest, {kind: "simulator"}>} */
   const config = {
     kind: "simulator",
     sample_rate: now.sample_rate,
@@ -121,8 +141,11 @@ function simulator(_app, { shirt, layout }) {
   return { fields, config: async () => config };
 }
 
+/** @param {App} app @param {Equipment} equipment @returns {Part} */
 function replay(app, { shirt, files }) {
-  const config = { kind: "replay", file: shirt?.file, loop: shirt?.loop ?? true };
+  const now = shirt?.kind === "replay" ? shirt : null;
+  /** @type {{kind: "replay", file: string | undefined, loop: boolean}} */
+  const config = { kind: "replay", file: now?.file, loop: now?.loop ?? true };
   return {
     fields: [
       fileField(
@@ -132,23 +155,25 @@ function replay(app, { shirt, files }) {
       toggle(t("source.loop"), config.loop, (loop) => (config.loop = loop)),
       addFile(app),
     ],
-    config: async () => config,
+    config: async () => /** @type {ShirtRequest} */ (config), // without a file, the server says what is missing
   };
 }
 
+/** @param {App} _app @param {Equipment} equipment @returns {Part} */
 function udp(_app, { shirt, layout, shirt_keys: keys }) {
-  const now = shirt?.kind === "udp" ? shirt : { host: "127.0.0.1", port: PORT, sample_rate: 100 };
+  const now = shirt?.kind === "udp" ? shirt : { host: "127.0.0.1", port: PORT, sample_rate: 100, key_file: null };
   const host = h("input", { type: "text", value: now.host, required: true, autocomplete: "off" });
   const port = h("input", { type: "number", value: now.port, min: 1, max: 65535, required: true });
   const rate = h("input", { type: "number", value: now.sample_rate, min: 1, max: 5000, required: true });
   const file = h("input", { type: "file", accept: ".json,application/json" });
-  let key = keys.includes(now.key_file) ? now.key_file : "";
+  let key = now.key_file && keys.includes(now.key_file) ? now.key_file : "";
+  /** @returns {Promise<ShirtRequest>} */
   const config = async () => ({
     kind: "udp",
     host: host.value.trim(),
     port: Number(port.value),
     sample_rate: Number(rate.value),
-    layout: file.files[0] ? await readDocument(file.files[0]) : (layout ?? undefined), // without one: the standard shirt
+    layout: file.files?.[0] ? await readDocument(file.files[0]) : (layout ?? undefined), // without one: the standard shirt
     key_file: key || null,
   });
   return {
@@ -175,6 +200,7 @@ function udp(_app, { shirt, layout, shirt_keys: keys }) {
   };
 }
 
+/** @param {File} file @returns {Promise<ShirtLayout>} as far as the server accepts it */
 async function readDocument(file) {
   try {
     return JSON.parse(await file.text());
@@ -183,34 +209,26 @@ async function readDocument(file) {
   }
 }
 
-/** A selection among files that lie on the machine. @param {any[]} files @param {{file?: string}} config */
+/** A selection among files that lie on the machine. @param {FileView[]} files @param {{file?: string}} config */
 export function fileField(files, config) {
   if (!files.length) return h("p", { class: "quiet small" }, t("source.no-file"));
-  if (!files.some(({ name }) => name === config.file)) config.file = files[0].name;
+  const chosen = files.find(({ name }) => name === config.file)?.name ?? files[0].name;
+  config.file = chosen;
   const options = files.map((file) => ({
     value: file.name,
     label: t("source.file.option", { name: file.name, size: size(file.size) }),
   }));
   return field(
     t("source.file"),
-    selection(options, config.file, (name) => (config.file = name)),
+    selection(options, chosen, (name) => (config.file = name)),
   );
 }
 
-/** A button that brings a file to the machine; the page reads the equipment again by itself. @param {import("../../main.js").App} app */
+/** A button that brings a file to the machine; the page reads the equipment again by itself. @param {App} app */
 export function addFile(app) {
-  const input = h("input", {
-    type: "file",
-    accept: ".csv,.parquet",
-    class: "unseen",
-    tabindex: "-1",
-    "aria-hidden": "true",
-  });
-  input.addEventListener("change", async () => {
-    const [file] = input.files;
-    if (!file) return;
+  const input = hiddenFileInput(".csv,.parquet", async (file) => {
     app.toasts.show(t("source.adding", { file: file.name }));
-    try {
+    await app.toasts.attempt(async () => {
       const equipment = await sendUnderName(app.question, (sameName) =>
         app.api.upload(`/equipment/files?same_name=${sameName}`, file),
       );
@@ -218,9 +236,7 @@ export function addFile(app) {
         app.dispatchEvent(new CustomEvent("equipment", { detail: equipment }));
         app.toasts.show(t("source.added", { file: file.name }));
       }
-    } catch (error) {
-      app.toasts.show(error.message);
-    }
+    });
     input.value = "";
   });
   return h(

@@ -7,36 +7,44 @@ const RADIANS = Math.PI / 180;
 
 const PATIENCE = 3000; // ms without an event after which there is no sensor
 
-let following = null; // since it was asked for, whatever page is shown: how it says what it does, and how it ends
+/**
+ * Since it was asked for, whatever page is shown: how it says what it does, and how it ends.
+ * @type {{say: (sentence: string) => void, ended: () => void, end: () => void} | null}
+ */
+let tracking = null;
 
 /** @param {import("../../main.js").App} app */
 export function tabletHead(app) {
   const words = h("p", { class: "quiet small", role: "status" });
+  /** @param {string} sentence */
   const say = (sentence) => write(words, sentence);
   const button = h("button", { type: "button", class: "btn" }, t("head.tablet.start"));
   const start = async () => {
     if (!window.isSecureContext) return say(t("head.tablet.insecure"));
     if (!("DeviceOrientationEvent" in window)) return say(t("head.tablet.none"));
-    const asks = window.DeviceOrientationEvent.requestPermission;
-    const answer = asks ? await asks.call(window.DeviceOrientationEvent).catch(() => "denied") : "granted";
+    /** @type {typeof DeviceOrientationEvent & {requestPermission?: () => Promise<string>}} asked for by Safari */
+    const sensor = window.DeviceOrientationEvent;
+    const answer = sensor.requestPermission ? await sensor.requestPermission().catch(() => "denied") : "granted";
     if (answer !== "granted") return say(t("head.tablet.denied"));
     button.disabled = true;
     follow(app, say, () => (button.disabled = false));
   };
-  button.disabled = following !== null;
-  if (following) Object.assign(following, { say, ended: () => (button.disabled = false) });
+  button.disabled = tracking !== null;
+  if (tracking) Object.assign(tracking, { say, ended: () => (button.disabled = false) });
   button.addEventListener("click", start);
   return h("div", { class: "spread" }, button, words);
 }
 
 /** Tell nothing any more: another tracker is used. */
 export function endTabletHead() {
-  following?.end();
+  tracking?.end();
 }
 
+/** @param {import("../../main.js").App} app @param {(sentence: string) => void} say @param {() => void} ended */
 function follow(app, say, ended) {
   endTabletHead();
   let last = -Infinity;
+  /** @param {DeviceOrientationEvent} event */
   const tell = ({ alpha, beta, gamma }) => {
     if (alpha === null || beta === null || gamma === null) return;
     clearTimeout(patience);
@@ -44,19 +52,19 @@ function follow(app, say, ended) {
     if (now - last < EVERY) return;
     last = now;
     app.live.send({ look: orientation(alpha, beta, gamma, screen.orientation?.angle ?? 0) });
-    following.say(t("head.tablet.tells"));
+    tracking?.say(t("head.tablet.tells"));
   };
   const patience = setTimeout(() => {
-    following.say(t("head.tablet.none"));
+    tracking?.say(t("head.tablet.none"));
     endTabletHead();
   }, PATIENCE);
   const end = () => {
     clearTimeout(patience);
     window.removeEventListener("deviceorientation", tell);
-    following.ended();
-    following = null;
+    tracking?.ended();
+    tracking = null;
   };
-  following = { say, ended, end };
+  tracking = { say, ended, end };
   say(t("head.tablet.waiting"));
   window.addEventListener("deviceorientation", tell);
 }
