@@ -2,15 +2,18 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Protocol, runtime_checkable
+from typing import Literal, Protocol, runtime_checkable
 
 import numpy as np
 from numpy.typing import NDArray
 
 from app.cues import Cue
-from app.geometry import Pose
+from app.faults import State
+from app.geometry import Pose, Twist
+from app.hardware.shirt.sender_choice import SenderChoice
 from app.layout import ShirtLayout
-from app.messages import HeadPose, SensorFrame
+from app.messages import HeadPose, SensorFrame, Tick
+from app.speeds import Speeds
 from app.world.floorplan import FloorPlan, PrescribedPath
 
 ORIGIN = Pose(0.0, 0.0, 0.0)
@@ -125,31 +128,12 @@ class Shirt(Protocol):
         ...
 
 
-class SenderReport(Protocol):
-    """Which addresses send good frames to a shirt's port."""
-
-    @property
-    def name(self) -> str:
-        """The shirt's own address, empty before its first frame."""
-        ...
-
-    @property
-    def other(self) -> str:
-        """The address of another sender, empty when only the shirt sends."""
-        ...
-
-    @property
-    def other_frames(self) -> int:
-        """How many frames of other senders were ignored."""
-        ...
-
-
 @runtime_checkable
 class NetworkShirt(Protocol):
     """A shirt over the network: anybody could send its frames, so a person chooses the sender."""
 
     @property
-    def sender_choice(self) -> SenderReport:
+    def sender_choice(self) -> SenderChoice:
         """The sender in use, and the others."""
         ...
 
@@ -185,4 +169,126 @@ class HeadTracker(Protocol):
 
     def close(self) -> None:
         """Release the device; closing twice does no harm."""
+        ...
+
+
+@dataclass(slots=True)
+class ChairState:
+    """Where a chair is and how it moves."""
+
+    x: float  # m
+    y: float  # m
+    theta: float  # rad
+    v: float  # m/s, forwards; less than commanded when a wall holds the virtual chair
+    omega: float  # rad/s
+    in_contact: bool
+    contacts: int  # beginnings of contact since the chair was placed
+    scene_t: float = 0.0  # s of permitted motion since the chair was placed: the time of what moves by itself
+
+
+class Chair(Protocol):
+    """A chair to be driven: the virtual chair, or a real one behind its receiver.
+
+    A tick calls `listen`, `drive` and `send`, in this order. `listen` and `send` are also called between two ticks.
+    """
+
+    @property
+    def kind(self) -> Literal["virtual", "udp"]:
+        """The kind of chair, as its configuration names it."""
+        ...
+
+    @property
+    def is_real(self) -> bool:
+        """Whether a person may sit in the chair."""
+        ...
+
+    @property
+    def speeds(self) -> Speeds:
+        """The chair's own limits."""
+        ...
+
+    @property
+    def dynamics(self) -> str | None:
+        """How the virtual chair moves; None for a real chair."""
+        ...
+
+    @property
+    def state(self) -> ChairState:
+        """Where the chair is and how it moves, as of the newest `drive`."""
+        ...
+
+    @property
+    def ready(self) -> bool:
+        """Whether the chair has accepted the current arming and obeys commands to move."""
+        ...
+
+    @property
+    def inhibited(self) -> bool:
+        """Whether the chair's stop switch is pressed, or the chair has a fault."""
+        ...
+
+    @property
+    def stands(self) -> bool:
+        """Whether the chair does not move by itself once it is commanded to stand."""
+        ...
+
+    @property
+    def silent(self) -> bool:
+        """Whether no telemetry has come from the chair for too long."""
+        ...
+
+    @property
+    def switch_seen(self) -> bool:
+        """Whether the chair has reported its stop switch as pressed, so that the switch works."""
+        ...
+
+    @property
+    def due(self) -> float:
+        """When the next command is to be sent (monotonic s), inf when none is."""
+        ...
+
+    def close(self) -> None:
+        """Release the chair; closing twice does no harm."""
+        ...
+
+    def words(self) -> str:
+        """Return the chair's state in words."""
+        ...
+
+    def place(self, pose: Pose) -> None:
+        """Take `pose` as the chair's place, at a standstill."""
+        ...
+
+    def use_parameters(self, digest: bytes) -> None:
+        """Name the parameter set of the next arming by the first 8 bytes of its SHA-256."""
+        ...
+
+    def longest_wait(self, deadline: float, t: float) -> float:
+        """Return how long (s) after `t` the loop may wait before it serves the chair; inf: until its next tick.
+
+        `deadline` is when that tick is due (monotonic s).
+        """
+        ...
+
+    def listen(self, t: float) -> None:
+        """Take in the telemetry that has come up to `t` (monotonic s)."""
+        ...
+
+    def drive(self, twist: Twist, dt: float, permitted: bool = False, /) -> ChairState:
+        """Command `twist` for `dt` (s) and return the new state; what moves by itself goes on while `permitted`."""
+        ...
+
+    def send(self, state: State, limits: Speeds, t: float) -> None:
+        """Send the twist of the newest `drive`, when a command is due or the gate's `state` has changed.
+
+        Unless `state` is ARMED, zeros are sent in its place.
+        """
+        ...
+
+    def age(self, t: float) -> float:
+        """Return how old (s) at `t` the knowledge of the chair is; inf when nothing is known."""
+        ...
+
+    def report(self, tick: Tick, t: float) -> None:
+        """Write into a tick what the chair has reported of itself up to `t` (monotonic s)."""
         ...

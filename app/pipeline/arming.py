@@ -24,18 +24,18 @@ def refusal(loop: ControlLoop, digest: str) -> str:
 def real_chair_refusal(loop: ControlLoop) -> str:
     """Return what else a real chair needs before it is armed, in a sentence; empty for the virtual one."""
     setup = loop.setup
-    link, parameters = setup.link, setup.parameters
-    if link is None or parameters is None:
+    chair, parameters = setup.chair, setup.parameters
+    if not chair.is_real or parameters is None:
         return ""
     if setup.mistrust:
         return setup.mistrust
     if loop.run is None:
         return "A real chair drives only while it is recorded: begin a drive first."
-    if link.silent:
-        return link.words()
-    if link.telemetry.inhibited:
-        return f"{link.words()} Look around, release the switch, then arm again."
-    if "acceleration" in (parameters.mode_u1, parameters.mode_u2) and not link.telemetry.switch_seen:
+    if chair.silent:
+        return chair.words()
+    if chair.inhibited:
+        return f"{chair.words()} Look around, release the switch, then arm again."
+    if "acceleration" in (parameters.mode_u1, parameters.mode_u2) and not chair.switch_seen:
         return (
             "In acceleration mode a chair cruises by itself, so a real one needs its stop switch: press and release "
             "it once to show that it works, or choose velocity mode."

@@ -1,11 +1,11 @@
 """The whole way from a frame to a tick: decode, controls, shape, gate, chair. The same in the loop and in tests."""
 
 import math
-from typing import Protocol
 
 from app.calibration.vocabulary import DriveParameters
 from app.faults import Fault, State
 from app.geometry import STANDSTILL, Twist
+from app.hardware.base import Chair
 from app.messages import SensorFrame, Tick
 from app.pipeline.controls import Controls
 from app.pipeline.decoder import Decoder, periods_between
@@ -15,35 +15,6 @@ from app.pipeline.shaping import Shaper
 from app.speeds import HIGHEST_SPEEDS, Speeds, apply_dial, most_restrictive
 
 NONE_BAD = BadGestures()
-
-
-class ChairState(Protocol):
-    """Where a chair is and what it does, as it tells."""
-
-    x: float
-    y: float
-    theta: float
-    in_contact: bool
-    contacts: int
-    scene_t: float
-
-
-class Chair(Protocol):
-    """The one verb that a chair has, and what it is."""
-
-    @property
-    def speeds(self) -> Speeds:
-        """What it may do at most."""
-        ...
-
-    @property
-    def is_real(self) -> bool:
-        """Whether a person may sit in it."""
-        ...
-
-    def drive(self, twist: Twist, dt: float, permitted: bool, /) -> ChairState:
-        """Do `twist` for `dt` (s) and tell where that led; what moves by itself goes on while motion is permitted."""
-        ...
 
 
 class Chain:

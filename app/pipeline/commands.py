@@ -181,12 +181,8 @@ class Commands:
 
     def _chair(self, fields: command_fields.Device, command_id: int) -> None:
         self._require_no_drive()
-
-        def answer() -> Answer:
-            self._loop.new_chair()
-            return {"kind": "virtual" if self._setup.link is None else "udp"}
-
-        self._open(self._setup.change_chair(parse_chair(fields.config)), command_id, answer)
+        change = self._setup.change_chair(parse_chair(fields.config))
+        self._open(change, command_id, lambda: {"kind": self._setup.chair.kind})
 
     def _limits(self, fields: command_fields.Limits, _id: int) -> Answer:
         self._setup.use_clinic(fields.clinic)
@@ -213,7 +209,7 @@ class Commands:
     def _begin_neutral_check(self) -> None:
         # The screen counts as in view until the next heartbeat says otherwise: the last one was sent before arming.
         self._loop.last_screen_report, self._loop.conditions.screen = self._clock.now(), Fault.NONE
-        self._loop.tell_chair()  # a real one hears of what was before: then this is a new arming to it
+        self._loop.send_to_chair()  # the state before the arming, so that the chair sees a new arming after it
         self._setup.chain.arm()
         if self._loop.run is not None:
             self._loop.run.was_armed = True

@@ -5,8 +5,7 @@ import math
 from app.clock import Clock
 from app.faults import State
 from app.geometry import Pose
-from app.hardware.base import BodyView, LeaderView, Shirt
-from app.hardware.chair.link import ChairLink
+from app.hardware.base import BodyView, Chair, LeaderView, Shirt
 from app.hardware.chair.report import ChairReport
 from app.messages import NO_CUE, SensorFrame, Tick
 from app.pipeline.open_run import OpenRun
@@ -14,15 +13,14 @@ from app.pipeline.safety import ChairCondition, Conditions
 from app.pipeline.setup import Setup
 from app.process.ring import TickRing
 
-LONGEST_WAIT = 0.02  # s without a frame, then a tick is made without one
-WAIT_PERIODS = 2.0  # the same for a fast shirt, so that its jitter makes no ticks of its own
-CHAIR_WAIT = 0.01  # s between two looks at a real chair, and at what the web process wants of it (LONGEST_WAIT / 2)
-BURST = 0.01  # s for which a due command is put off while frames are there already: only the newest matters
-ALIVE = 0.5  # s: a shirt that sent nothing for so long is not alive
+LONGEST_WAIT = 0.02  # s without a frame after which a tick is made without one
+WAIT_PERIODS = 2.0  # of a fast shirt's frames without a frame after which a tick is made: its jitter adds no ticks
+BURST = 0.01  # s for which a due command is delayed while more frames wait: only the newest frame counts
+ALIVE = 0.5  # s without a frame after which a shirt is not alive
 
 
 class ControlLoop:
-    """Turns for ever; whoever calls `turn` decides when it ends.
+    """Makes one tick at each `turn`; the caller decides when to end.
 
     Attributes
     ----------
@@ -42,82 +40,72 @@ class ControlLoop:
         self.last_heartbeat = -math.inf
         self.last_screen_report = -math.inf
         self.conditions = Conditions()
-        self._put_off = math.inf  # since when a command waits for newer frames
+        self._delayed_since = math.inf  # since when a due command waits for newer frames (monotonic s)
         self._report = report
         self._clock = clock
         self.new_shirt()
 
     def new_shirt(self) -> None:
-        """Take up the rate of another shirt, of which nothing has come yet."""
+        """Take the rate of another shirt, from which no frame has come yet."""
         self._period = 1.0 / self.setup.sample_rate
         self._wait = min(LONGEST_WAIT, WAIT_PERIODS * self._period)
         self._frame_t = -math.inf
         self.begin_anew()
 
-    def new_chair(self) -> None:
-        """Forget the condition of the chair before."""
-        self.conditions.chair, self.conditions.chair_age = ChairCondition.READY, 0.0
-
     def begin_anew(self) -> None:
-        """Set a new deadline: what took long to set up is not called late."""
+        """Set a new deadline, so that a tick after a long change of the setup does not count as late."""
         self._deadline = self._clock.now() + self._wait
 
     @property
     def shirt_alive(self) -> bool:
-        """Whether the shirt sent a frame just now."""
+        """Whether the shirt has sent a frame within the last `ALIVE` seconds."""
         return self.setup.shirt is not None and self._clock.now() - self._frame_t < ALIVE
 
     @property
-    def chair_is_told(self) -> bool:
-        """Whether nothing is left to be told to a real chair."""
-        link = self.setup.link
-        return link is None or math.isinf(link.due)
+    def all_commands_sent(self) -> bool:
+        """Whether no command is left to be sent to the chair."""
+        return math.isinf(self.setup.chair.due)
 
     def turn(self) -> None:
-        """Wait for a frame, not beyond the deadline, and make a tick of it or without it.
+        """Wait for a frame until the deadline, and make a tick with the frame or without one.
 
-        Every frame gets its tick, at once when several wait: each moves the chair by its own time. For a real chair
-        it also returns earlier, without a tick, when a command is due: the ticks are the same for every chair.
+        Every frame gets its own tick, without a wait when several frames are there: each moves the chair by its own
+        time. When the chair wants to be served sooner, `turn` serves it and returns without a tick, so that ticks do
+        not depend on the chair.
         """
-        shirt, link = self.setup.shirt, self.setup.link
-        wait = self._wait
-        if link is not None:
-            now = self._clock.now()
-            left = max(0.0, min(self._deadline, link.due) - now)
-            wait = left if left <= CHAIR_WAIT else left / 2
+        shirt, chair = self.setup.shirt, self.setup.chair
+        now = self._clock.now()
+        chair_wait = chair.longest_wait(self._deadline, now)
         if shirt is not None:
-            frame, lost = self._read(shirt, wait)
+            frame, lost = self._read(shirt, min(self._wait, chair_wait))
         else:
-            self._clock.sleep_until(self._deadline if link is None else now + wait)
+            self._clock.sleep_until(min(self._deadline, now + chair_wait))
             frame, lost = None, 0
-        if link is not None:
-            t = self._clock.now()
-            link.listen(t)
-            if frame is None and t < self._deadline:
-                self.tell_chair()
-                return
+        t = self._clock.now()
+        chair.listen(t)
+        if frame is None and t < self._deadline and chair_wait < math.inf:
+            self.send_to_chair()
+            return
         self._step(frame, lost)
 
     def _read(self, shirt: Shirt, wait: float) -> tuple[SensorFrame | None, int]:
-        """Return the shirt's next frame and how many it has lost; a driver that fails is let go of."""
+        """Return the shirt's next frame and how many it has lost; release a shirt whose driver fails."""
         try:
             return shirt.read(wait), shirt.lost
-        except Exception as error:  # whatever a device does, the loop turns on
+        except Exception as error:  # whatever a driver raises, the loop turns on
             self.setup.release_failed_shirt(error)
             return None, 0
 
-    def tell_chair(self) -> None:
-        """Tell a real chair what the gate permits, if it is time to or the gate's state has changed."""
-        link, shirt, gate = self.setup.link, self.setup.shirt, self.setup.chain.gate
-        if link is None:
-            return
+    def send_to_chair(self) -> None:
+        """Let the chair send what the gate permits, when a command is due or the gate's state has changed."""
+        chair, shirt, gate = self.setup.chair, self.setup.shirt, self.setup.chain.gate
         t = self._clock.now()
-        if gate.state is State.ARMED and t >= link.due and shirt is not None and shirt.pending():
-            self._put_off = min(self._put_off, t)
-            if t - self._put_off < BURST:
+        if gate.state is State.ARMED and t >= chair.due and shirt is not None and shirt.pending():
+            self._delayed_since = min(self._delayed_since, t)
+            if t - self._delayed_since < BURST:
                 return
-        self._put_off = math.inf
-        link.tell(gate.state, gate.last, self.setup.chain.limits, t)
+        self._delayed_since = math.inf
+        chair.send(gate.state, self.setup.chain.limits, t)
 
     def _step(self, frame: SensorFrame | None, lost: int) -> None:
         t = self._clock.now()
@@ -125,19 +113,17 @@ class ControlLoop:
             self.late += 1
         self._deadline = t + self._wait
         setup, conditions, run = self.setup, self.conditions, self.run
-        link = setup.link
+        chair = setup.chair
         conditions.supervisor_age = t - self.last_heartbeat
         conditions.screen_age = t - self.last_screen_report
-        conditions.recording = link is None if run is None else not run.writer.words
-        if link is not None:
-            conditions.chair, conditions.chair_age = chair_condition(link), link.age(t)
+        conditions.recording = not run.writer.words if run is not None else not chair.is_real
+        conditions.chair, conditions.chair_age = chair_condition(chair), chair.age(t)
         tick = setup.chain.step(frame, t, conditions)
-        state = setup.chair.state
+        state = chair.state
         tick.driven_v, tick.driven_omega, tick.dial = state.v, state.omega, setup.chain.dial
-        if link is not None:
-            self.tell_chair()  # before anything else: nothing that only shows may delay a stop
-            note_chair(tick, link, t)
-        elif self._report is not None:
+        self.send_to_chair()  # first: nothing that is only shown or recorded may delay a stop
+        chair.report(tick, t)
+        if self._report is not None and not chair.is_real:
             self._report.send(tick)
         setup.head.note(tick, t)
         if frame is not None:
@@ -153,7 +139,7 @@ class ControlLoop:
             self._show(setup.simulated_shirt.view, tick, cue, run_t)
 
     def _show(self, view: BodyView, tick: Tick, cue: int, run_t: float) -> None:
-        """Let the body in the simulated shirt see what its wearer would see."""
+        """Update what the simulated body sees."""
         run = self.run
         if run is None or cue == NO_CUE:
             view.cue, view.cue_elapsed = None, 0.0
@@ -169,18 +155,8 @@ class ControlLoop:
         view.leader = None if leader is None else LeaderView(*leader.at(tick.scene_t))
 
 
-def chair_condition(link: ChairLink) -> ChairCondition:
-    """Return what the gate must know of what a real chair says."""
-    if link.telemetry.inhibited:
+def chair_condition(chair: Chair) -> ChairCondition:
+    """Return the condition of the chair that the gate takes into account."""
+    if chair.inhibited:
         return ChairCondition.INHIBITED
-    return ChairCondition.READY if link.ready else ChairCondition.WAITING
-
-
-def note_chair(tick: Tick, link: ChairLink, t: float) -> None:
-    """Write into a tick what a real chair says of itself."""
-    tick.chair_kind = 1
-    tick.chair_age = link.age(t)
-    newest = link.telemetry.newest
-    if newest is not None:
-        tick.chair_state, tick.chair_fault, tick.stop_input = newest.state, newest.fault, newest.stop_input
-        tick.battery = newest.battery
+    return ChairCondition.READY if chair.ready else ChairCondition.WAITING

@@ -60,16 +60,16 @@ def _turn_until_told(loop: ControlLoop, commands: Commands, server: CommandServe
         if now >= poll_at:
             poll_at = now + POLL_EVERY
             commands.poll()
-            loop.tell_chair()  # a stop is not kept until the next tick
+            loop.send_to_chair()  # a stop does not wait for the next tick
 
 
 def _come_to_a_stop(loop: ControlLoop, clock: MonotonicClock) -> None:
-    """Go on turning while the gate brings the chair to its stop, the recording included; a real one is told so."""
+    """Turn on, recording included, until the gate has brought the chair to its stop and all commands are sent."""
     loop.setup.chain.gate.stop(Fault.WEB_SILENT)
-    loop.tell_chair()
+    loop.send_to_chair()
     until = clock.now() + LAST_TURNS
     loop.turn()
-    while not (loop.setup.stands and loop.chair_is_told) and clock.now() < until:
+    while not (loop.setup.stands and loop.all_commands_sent) and clock.now() < until:
         loop.turn()
 
 

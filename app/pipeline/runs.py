@@ -39,7 +39,7 @@ class Runs:
         if setup.shirt is None:
             raise Refused(setup.shirt_words)
         setup.chain.gate.disarm()
-        loop.tell_chair()
+        loop.send_to_chair()
         if not setup.stands:
             raise Refused("The chair still comes to its stop: try again in a moment.")
         writer = self._new_writer(fields)
@@ -114,7 +114,7 @@ class Runs:
             "parameters": parameters.model_dump(mode="json") if parameters else None,
             "floorplan": floorplan.model_dump(mode="json") if floorplan else None,
             "path": setup.path.name if setup.path else None,
-            "dynamics": setup.dynamics,
+            "dynamics": setup.chair.dynamics,
             "clinic": setup.chain.clinic.model_dump(mode="json"),
             "source": setup.source.model_dump(mode="json"),
             "meta": fields.meta,

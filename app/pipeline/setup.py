@@ -6,8 +6,7 @@ from app.calibration.vocabulary import DriveParameters
 from app.clock import Clock
 from app.faults import State
 from app.geometry import STANDSTILL
-from app.hardware.base import ORIGIN, Body, BodyView, DrivingBody, NetworkShirt, Shirt
-from app.hardware.chair.link import ChairLink
+from app.hardware.base import ORIGIN, Body, BodyView, Chair, DrivingBody, NetworkShirt, Shirt
 from app.hardware.chair.packet import DIGEST_BYTES
 from app.hardware.chair.simulator import Dynamics, VirtualChair
 from app.hardware.configs import BodyConfig, ChairConfig, RealChairConfig, ShirtConfig
@@ -53,17 +52,11 @@ class Setup:
         self.floorplan: FloorPlan | None = None
         self.path: PrescribedPath | None = None
         self.leader: Track | None = None  # whom the path's task says to follow
-        self.chair: VirtualChair | ChairLink = VirtualChair(None, ORIGIN)
-        self.link: ChairLink | None = None  # the same chair, when it is a real one
-        self._dynamics: Dynamics = "unicycle"
+        self.chair: Chair = VirtualChair(None, ORIGIN)
+        self._dynamics: Dynamics = "unicycle"  # of the newest virtual chair
         self._clinic = HIGHEST_SPEEDS
         self._dial = 1.0
         self.chain = Chain(IDLE_RATE, None, self.chair)
-
-    @property
-    def dynamics(self) -> Dynamics | None:
-        """How the virtual chair moves; None when a real one is driven, which moves by itself."""
-        return None if self.link else self._dynamics
 
     @property
     def sample_rate(self) -> float:
@@ -92,19 +85,14 @@ class Setup:
         return Source(
             shirt=self.shirt_kind or UNKNOWN,
             body=self.body_kind,
-            chair="virtual" if self.link is None else "udp",
+            chair=self.chair.kind,
             simulated=None if driver is None else driver.simulated,
         )
 
     @property
-    def chair_words(self) -> str:
-        """The chair's state in words."""
-        return self.link.words() if self.link else f"The virtual chair, moving as a {self._dynamics}."
-
-    @property
     def stands(self) -> bool:
-        """Whether the chair is commanded to stand; a real one is waited for until it does."""
-        return self.chain.gate.last == STANDSTILL and (self.link is None or self.link.stands)
+        """Whether the chair is commanded to stand, and stands."""
+        return self.chain.gate.last == STANDSTILL and self.chair.stands
 
     def require_still(self) -> None:
         """Raise Refused while the chair moves or may move."""
@@ -139,7 +127,7 @@ class Setup:
     def close(self) -> None:
         """Give the devices back."""
         self.head.close()
-        self.close_chair()
+        self.chair.close()
         close_quietly(self.shirt)
 
     def change_body(self, config: BodyConfig) -> Change:
@@ -156,12 +144,6 @@ class Setup:
             return Change("chair", lambda: open_device(make_real_chair(config)), self._take_real_chair)
         dynamics = config.dynamics
         return Change("chair", lambda: None, lambda _: self._take_virtual_chair(dynamics))
-
-    def close_chair(self) -> None:
-        """Let go of a real chair."""
-        if self.link is not None:
-            self.link.close()
-        self.link = None
 
     def use_clinic(self, speeds: Speeds) -> None:
         """Hold the clinic's limits: lower ones at once, higher ones only while nothing moves."""
@@ -190,7 +172,7 @@ class Setup:
     def use_world(self, floorplan: FloorPlan | None, path: str | None) -> None:
         """Put the virtual chair on the start of a path, or on an endless floor, which is all that a real one knows."""
         self.require_still()
-        if self.link is not None:
+        if self.chair.is_real:
             if floorplan is not None:
                 raise Refused("A real chair drives in no floor plan: choose the virtual chair first.")
             return
@@ -225,14 +207,14 @@ class Setup:
             self.simulated_shirt.body, self.body_kind = body, kind
             self._show_path()
 
-    def _take_real_chair(self, link: ChairLink) -> None:
-        self.close_chair()
-        self.chair = self.link = link
+    def _take_real_chair(self, chair: Chair) -> None:
+        self.chair.close()
+        self.chair = chair
         self.floorplan = self.path = self.leader = None
         self._link_chain()
 
     def _take_virtual_chair(self, dynamics: Dynamics) -> None:
-        self.close_chair()
+        self.chair.close()
         self._dynamics = dynamics
         self.chair = VirtualChair(self.floorplan, self.path.start if self.path else ORIGIN, dynamics)
         self._link_chain()
@@ -260,8 +242,7 @@ class Setup:
         self.chain.gate.stops = gate.stops
         if gate.state is State.FAULT:
             self.chain.gate.stop(gate.fault)
-        if self.link is not None:
-            self.link.digest = bytes.fromhex(self.hash)[:DIGEST_BYTES] if self.hash else bytes(DIGEST_BYTES)
+        self.chair.use_parameters(bytes.fromhex(self.hash)[:DIGEST_BYTES] if self.hash else bytes(DIGEST_BYTES))
 
     def _show_path(self) -> None:
         """Let a body that drives by himself see what is asked."""

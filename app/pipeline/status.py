@@ -19,9 +19,9 @@ def status(loop: ControlLoop) -> dict[str, Any]:
             "senders": _senders(setup.network_shirt),
         },
         "chair": {
-            "kind": "virtual" if setup.link is None else "udp",
-            "words": setup.chair_words,
-            "switch_seen": setup.link is not None and setup.link.telemetry.switch_seen,
+            "kind": setup.chair.kind,
+            "words": setup.chair.words(),
+            "switch_seen": setup.chair.switch_seen,
         },
         "head": {"kind": setup.head.kind, "words": setup.head.words},
         "dial": setup.chain.dial,

@@ -4,9 +4,8 @@ import numpy as np
 
 from app.cues import Cue
 from app.geometry import Pose
-from app.hardware.base import BodyView, LeaderView
+from app.hardware.base import BodyView, ChairState, LeaderView
 from app.hardware.body.person import Person
-from app.hardware.chair.simulator import ChairState
 from app.hardware.shirt.fabric import Fabric
 from app.layout import ShirtLayout
 from app.messages import SensorFrame

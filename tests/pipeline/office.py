@@ -73,6 +73,6 @@ class Office:
 
     def close(self):
         self.commands.close()
-        self.setup.close_chair()
+        self.setup.chair.close()
         self._ours.close()
         self.ring.close()

@@ -137,7 +137,7 @@ def test_the_caps_of_a_real_chair_hold_and_go_with_it(office, chair):
     slow = {**chair.document, "speeds": limits(forward=0.25)}
     assert office.done("chair", config=slow)["kind"] == "udp"
     assert office.setup.chain.limits.forward == 0.25
-    assert office.setup.link.digest == bytes.fromhex(office.parameters.hash)[:8]
+    assert office.setup.chair._digest == bytes.fromhex(office.parameters.hash)[:8]
     assert office.done("chair", config={"kind": "virtual", "dynamics": "wheelchair"})["kind"] == "virtual"
     assert office.setup.chain.limits.forward == office.parameters.speeds.forward
     assert "wheelchair" in office.done("status")["chair"]["words"]
@@ -208,7 +208,7 @@ def test_a_defect_after_a_device_was_opened_is_a_sentence_and_ends_nothing(offic
     def fails():
         raise KeyError("nobody foresaw this")
 
-    monkeypatch.setattr(office.loop, "new_chair", fails)
+    monkeypatch.setattr(office.loop, "begin_anew", fails)
     assert "report it" in office.refused("chair", config={"kind": "virtual"})
     office.done("status")
 

@@ -102,7 +102,7 @@ def make_drive():
 
     yield make
     for drive in made:
-        drive.setup.close_chair()
+        drive.setup.chair.close()
         drive.ring.close()
 
 
@@ -185,7 +185,7 @@ def test_a_stop_between_two_ticks_is_told_without_waiting_for_the_next(make_driv
     chair.commands()
     ticks = drive.ring.number
     drive.gate.stop(Fault.STOP_TABLET)
-    drive.loop.tell_chair()
+    drive.loop.send_to_chair()
     assert [command.flags for command in chair.commands()] == [STOP]
     assert drive.ring.number == ticks
 
@@ -265,7 +265,6 @@ def test_back_on_the_virtual_chair_nothing_is_asked_of_the_real_one(make_drive, 
     drive = make_drive(frame_times(6.0), chair=chair)
     drive.until(0.5)
     drive.use_chair(VirtualChairConfig(kind="virtual"))
-    drive.loop.new_chair()
     drive.chair = None
     drive.arm(0.6)
     assert drive.ticks()["chair_kind"][-1] == 0
@@ -276,7 +275,7 @@ def test_a_new_arming_in_the_same_breath_is_a_new_one_to_the_chair(make_drive, c
     drive.arm()
     first = chair.epoch
     drive.gate.disarm()
-    drive.loop.tell_chair()
+    drive.loop.send_to_chair()
     drive.setup.chain.arm()
     drive.until(2.0)
     flags = [(command.epoch == first, command.flags) for _, command in chair.log[-20:]]

@@ -1,6 +1,6 @@
-"""The sender of a real chair: commands at 50 Hz to its receiver, telemetry back (docs/protocols.md, section 9).
+"""The link to a real chair: commands at 50 Hz to its receiver, telemetry back (docs/protocols.md, section 9).
 
-It decides nothing about motion: what the gate permits is what it tells. It never waits.
+The link decides nothing about motion: it sends what the gate permits. It never waits.
 """
 
 import itertools
@@ -9,10 +9,11 @@ import secrets
 import socket
 from collections import deque
 from pathlib import Path
+from typing import Literal
 
 from app.faults import State
 from app.geometry import STANDSTILL, Pose, Twist
-from app.hardware.base import ORIGIN, HardwareError
+from app.hardware.base import ORIGIN, ChairState, HardwareError
 from app.hardware.chair.key import Key, KeyRefused, read_key
 from app.hardware.chair.odometry import arc
 from app.hardware.chair.packet import (
@@ -26,69 +27,61 @@ from app.hardware.chair.packet import (
     encode_command,
     encode_hello,
 )
-from app.hardware.chair.reasons import WORDS, Reason
-from app.hardware.chair.simulator import FASTEST, ChairState
-from app.hardware.chair.telemetry import SILENT, ChairTelemetry
+from app.hardware.chair.simulator import FASTEST
+from app.hardware.chair.telemetry import SILENT, ChairTelemetry, telemetry_words
 from app.hardware.configs import RealChairConfig
+from app.messages import Tick
 from app.speeds import Speeds
 
 PERIOD = 0.02  # s between two commands
-LEAST_GAP = 0.005  # s: after a hold-up the next deadline may be very near
-STALLED = 0.15  # s without a command: the chair, which waits 0.1 s, has stopped, and is not to go on by itself (S15)
-LAST_FRAMES = 10  # zero commands after disarming or a stop: any one of them suffices
-HELLO_AFTER = 0.15  # s without telemetry, which comes every 0.1 s to whom the chair is paired with
-HELLO_EVERY = 0.2  # s: a chair that is paired with another address is heard at 5 Hz, and so never counts as silent
-MOST_DATAGRAMS = 32  # taken at once: whoever floods this port does not hold up the loop
-SETTLE = 1.0  # s after which a chair that still says that it moves is no longer waited for
+LEAST_GAP = 0.005  # s between two commands: after a hold-up the next deadline may be very near
+LOOK_EVERY = 0.01  # s between two looks at the socket, half of the loop's longest wait for a frame
+STALLED = 0.15  # s without a command: the chair, which waits 0.1 s, has stopped and must not resume by itself (S15)
+LAST_FRAMES = 10  # zero commands sent after disarming or a stop; the chair needs one of them
+HELLO_AFTER = 0.15  # s without telemetry, which a chair sends every 0.1 s to its paired address
+HELLO_EVERY = 0.2  # s: a chair that is paired with another address then answers at 5 Hz and never counts as silent
+MOST_DATAGRAMS = 32  # read at once, so that a flood of this port does not hold up the loop
+SETTLE = 1.0  # s after which a chair that still reports motion counts as standing
 RUNNING = (State.CHECKING, State.ARMED)
-STATE_WORDS = ("disarmed", "checking that it is told to stand", "armed", "inhibited")
 
-_sequence = itertools.count(1)  # of this process: it grows on when a chair is opened again
+_sequence = itertools.count(1)  # of this process: it continues when a chair is opened again
 
 
 class ChairLink:
-    """A chair behind a receiver, with the verbs of a chair; x, y and heading are reckoned from what it says it drives.
+    """A chair behind a receiver; x, y and heading are integrated from the speeds in its telemetry."""
 
-    Attributes
-    ----------
-    digest : bytes
-        The first 8 bytes of the SHA-256 of the parameter set, for the next arming.
-    due : float
-        When the next command is to be sent (monotonic s), inf when none is.
-    """
-
+    kind: Literal["udp"] = "udp"
     is_real = True
+    dynamics = None
 
     def __init__(self, config: RealChairConfig) -> None:
         self.config = config
         self.speeds = config.speeds
-        self.digest = bytes(DIGEST_BYTES)
         self.due = math.inf
         self.telemetry = ChairTelemetry()
         self._now = -math.inf
         self._key = Key(0, b"")
         self._socket: socket.socket | None = None
         self._state = State.DISARMED
-        self._flags = 0
-        self._left = 0  # zero commands still to be sent after the last arming
+        self._flags = self._left = 0  # flags of zero commands; how many are still to be sent after the last arming
         self._ended = -math.inf
-        self._epoch = 0  # 0: none yet
-        self._nonce = b""  # for which the epoch was begun
-        self._armed_digest = self.digest
+        self._epoch, self._nonce = 0, b""  # of the current arming, and the nonce for which it was made; 0: none yet
+        self._digest = self._armed_digest = bytes(DIGEST_BYTES)  # of the parameters: now, and when it was armed
+        self._twist = STANDSTILL  # of the newest `drive`
         self._sent: deque[tuple[int, float]] = deque(maxlen=100)  # sequence, when
         self._sent_at = -math.inf
-        self._stalled = False  # since the arming no command was sent for too long
-        self._echoed = -math.inf  # when the newest command was sent of which the chair has told that it has it
+        self._stalled = False  # whether no command was sent for too long since the arming
+        self._echoed = -math.inf  # when the newest command was sent that the chair has acknowledged
         self._hello_due = -math.inf
         self.place(ORIGIN)
 
     def open(self) -> None:
-        """Read the key and open the way to the chair.
+        """Read the key and open the socket to the chair.
 
         Raises
         ------
         HardwareError
-            In one sentence, when the key file is not one or the host is not known; nothing is held then.
+            In one sentence, when the key file is invalid or the host is unknown; no socket stays open then.
         """
         self.close()
         host, port = self.config.host, self.config.port
@@ -101,7 +94,7 @@ class ChairLink:
             family, kind, protocol, _, address = socket.getaddrinfo(host, port, type=socket.SOCK_DGRAM)[0]
             opened = socket.socket(family, kind, protocol)
             opened.setblocking(False)
-            opened.connect(address)  # from now on the kernel drops what others send
+            opened.connect(address)  # from now on the kernel drops datagrams from other addresses
         except (OSError, UnicodeError) as error:
             if opened is not None:
                 opened.close()
@@ -112,25 +105,35 @@ class ChairLink:
         self._socket = opened
 
     def close(self) -> None:
-        """Give the socket back; closing twice does no harm."""
+        """Close the socket; closing twice does no harm."""
         if self._socket is not None:
             self._socket.close()
             self._socket = None
 
     def place(self, pose: Pose) -> None:
-        """Begin to reckon at `pose`."""
+        """Continue the integration from `pose`."""
         self._pose = pose
         self.state = ChairState(*pose, 0.0, 0.0, in_contact=False, contacts=0)
 
-    def drive(self, _twist: Twist, dt: float, _permitted: bool = False) -> ChairState:
-        """Reckon on by `dt` (s) and return the new state; `tell` is what tells the chair to drive."""
+    def use_parameters(self, digest: bytes) -> None:
+        """Name the parameter set of the next arming by the first 8 bytes of its SHA-256."""
+        self._digest = digest
+
+    def longest_wait(self, deadline: float, t: float) -> float:
+        """Return how long (s) after `t` the loop may wait: at most until its `deadline` or until a command is due."""
+        left = max(0.0, min(deadline, self.due) - t)
+        return left if left <= LOOK_EVERY else left / 2
+
+    def drive(self, twist: Twist, dt: float, _permitted: bool = False) -> ChairState:
+        """Take `twist` as the next command, and integrate the reported speeds over `dt` (s) to the new state."""
+        self._twist = twist
         driven = self._driven()
         self._pose = pose = arc(self._pose, driven, dt)
         self.state = ChairState(*pose, *driven, in_contact=False, contacts=0)
         return self.state
 
     def listen(self, t: float) -> None:
-        """Take what has come up to `t` (monotonic s), and ask for telemetry when none comes."""
+        """Take in the telemetry up to `t` (monotonic s); when none comes, send a hello, which asks for it."""
         self._now = t
         self._stalled |= self._state is State.ARMED and t - self._sent_at > STALLED
         for _ in range(MOST_DATAGRAMS):
@@ -144,41 +147,51 @@ class ChairLink:
             self._hello_due = t + HELLO_EVERY
             self._put(encode_hello(self._key.id))
 
-    def tell(self, state: State, twist: Twist, limits: Speeds, t: float) -> None:
-        """Tell the chair, when it is time to or the gate's `state` has changed, to do `twist` within `limits`.
+    def send(self, state: State, limits: Speeds, t: float) -> None:
+        """Send the twist of the newest `drive`, when a command is due or the gate's `state` has changed.
 
-        Only while armed the twist is told; otherwise zeros are.
+        Unless `state` is ARMED, zeros are sent in its place.
         """
         if state is not self._state:
             self._follow(state, t)
         if state is State.CHECKING and self.telemetry.newest is not None and self.telemetry.newest.nonce != self._nonce:
-            # A chair that disarmed meanwhile has a new nonce, and takes no epoch twice.
+            # A chair that disarmed since has a new nonce, and accepts no epoch twice.
             self._begin_epoch(self.telemetry.newest.nonce)
         if t >= self.due:
-            self._send(twist, limits, t)
+            self._send(limits, t)
 
     def age(self, t: float) -> float:
-        """Return how old (s) at `t` is what is known of the chair; inf when nothing is.
+        """Return how old (s) at `t` the knowledge of the chair is; inf when nothing is known.
 
-        While it drives, that is since the newest command was sent of which it has told that it has it: commands that
-        take long to reach the chair are as bad as none.
+        While armed, the age also counts from when the newest command was sent that the chair has acknowledged:
+        commands that take long to reach the chair are as bad as none.
         """
         age = t - self.telemetry.t
         return max(age, t - self._echoed) if self._state is State.ARMED and self.telemetry.ready else age
 
     @property
     def ready(self) -> bool:
-        """Whether the chair has accepted this arming, moves when told, and has been told without a pause."""
+        """Whether the chair has accepted the current arming and has got commands without a pause since."""
         return self.telemetry.ready and not self._stalled
 
     @property
+    def inhibited(self) -> bool:
+        """Whether the chair's stop switch is pressed, or the chair has a fault."""
+        return self.telemetry.inhibited
+
+    @property
+    def switch_seen(self) -> bool:
+        """Whether the chair has reported its stop switch as pressed, so that the switch works."""
+        return self.telemetry.switch_seen
+
+    @property
     def silent(self) -> bool:
-        """Whether the chair has not been heard for too long."""
-        return not self._now - self.telemetry.t <= SILENT  # before anything was listened for, that is no number
+        """Whether no telemetry has come for `SILENT` seconds."""
+        return not self._now - self.telemetry.t <= SILENT  # NaN before the first `listen`
 
     @property
     def stands(self) -> bool:
-        """Whether the chair was told to stand, and says that it does; one that goes on saying otherwise is left."""
+        """Whether the chair was commanded to stand and reports that it does, or `SETTLE` seconds have passed since."""
         if self._state in RUNNING:
             return False
         return self._driven() == STANDSTILL or self._now - self._ended > SETTLE
@@ -189,14 +202,19 @@ class ChairLink:
         newest = self.telemetry.newest
         if newest is None or self.silent:
             return f"{chair} does not answer: check its power and the network."
-        words = f"{chair}, {'stop switch pressed' if newest.stop_input else STATE_WORDS[min(newest.state, 3)]}"
-        if 0.0 <= newest.battery <= 1.0:
-            words += f", battery {newest.battery:.0%}"
-        why = Reason(newest.fault) if newest.fault in WORDS else Reason.NONE
-        return f"{words}." if why is Reason.NONE else f"{words}. {WORDS[why]}"
+        return f"{chair}, {telemetry_words(newest)}"
+
+    def report(self, tick: Tick, t: float) -> None:
+        """Write into a tick what the chair has reported of itself up to `t` (monotonic s)."""
+        tick.chair_kind = 1
+        tick.chair_age = self.age(t)
+        newest = self.telemetry.newest
+        if newest is not None:
+            tick.chair_state, tick.chair_fault, tick.stop_input = newest.state, newest.fault, newest.stop_input
+            tick.battery = newest.battery
 
     def _driven(self) -> Twist:
-        """Return how the chair says that it drives; one that is not heard stands by itself."""
+        """Return the speeds that the chair reports; zero while the chair is silent, for then it stands by itself."""
         newest = self.telemetry.newest
         if newest is None or self.silent:
             return STANDSTILL
@@ -207,7 +225,7 @@ class ChairLink:
         before, self._state = self._state, state
         if state is State.CHECKING:
             self._flags = self._left = 0
-            self._armed_digest = self.digest
+            self._armed_digest = self._digest
             self._nonce = b""
             self._stalled = False
             self.due = t
@@ -224,8 +242,8 @@ class ChairLink:
         self.telemetry.begin_epoch(self._epoch)
         self._sent.clear()
 
-    def _send(self, twist: Twist, limits: Speeds, t: float) -> None:
-        # Deadlines are absolute; those that were missed are left out.
+    def _send(self, limits: Speeds, t: float) -> None:
+        # Deadlines are absolute; missed ones are skipped.
         self.due += PERIOD * ((t - self.due) // PERIOD)
         while self.due < t + LEAST_GAP:
             self.due += PERIOD
@@ -237,7 +255,7 @@ class ChairLink:
         newest = self.telemetry.newest
         if newest is None or not self._epoch:
             return
-        v, omega = twist if armed else STANDSTILL
+        v, omega = self._twist if armed else STANDSTILL
         command = Command(
             flags=DRIVE if armed else self._flags,
             key_id=self._key.id,
@@ -260,23 +278,23 @@ class ChairLink:
                 self._echoed = self._sent.popleft()[1]
 
     def _received(self) -> bytes | None:
-        """Return a datagram, None when there is no other; one byte more than a frame shows what is too long."""
+        """Return a datagram, None when none is left; the one byte beyond a frame shows a datagram that is too long."""
         if self._socket is not None:
             try:
                 return self._socket.recv(FRAME_BYTES + 1)
             except BlockingIOError:
                 return None
             except OSError:
-                return b""  # nobody listened there for what was sent before
+                return b""  # no receiver listened for the datagram sent before
         return None
 
     def _put(self, datagram: bytes) -> None:
-        for _ in range(2):  # the first attempt may only tell that nobody listened to the datagram before
+        for _ in range(2):  # the first attempt may fail because no receiver listened for the datagram before
             try:
                 if self._socket is not None:
                     self._socket.send(datagram)
             except ConnectionRefusedError:
                 continue
             except OSError:
-                pass  # no room, no network: the next one is newer
+                pass  # no room, no network: the next datagram is newer
             return

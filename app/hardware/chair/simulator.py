@@ -1,11 +1,13 @@
-"""The virtual chair on a floor plan, stopped by walls, with the verbs of a chair: the unicycle, or a wheelchair."""
+"""The virtual chair on a floor plan, stopped by walls: a unicycle, or a wheelchair with lag, castors and slip."""
 
 import math
-from dataclasses import dataclass
 from typing import Literal, get_args
 
+from app.faults import State
 from app.geometry import STANDSTILL, Pose, Twist
-from app.speeds import HIGHEST_SPEEDS
+from app.hardware.base import ChairState
+from app.messages import Tick
+from app.speeds import HIGHEST_SPEEDS, Speeds
 from app.world import dynamics, kinematics
 from app.world.collision import Collision
 from app.world.dynamics import Motion, Wheelchair
@@ -14,36 +16,26 @@ from app.world.floorplan import FloorPlan
 
 Dynamics = Literal["unicycle", "wheelchair"]
 
-LONGEST_STEP = 0.1  # s; after a longer silence the chair has not driven on by itself
+LONGEST_STEP = 0.1  # s: during a longer pause the chair does not drive on
 FREE_AGAIN = 0.25  # s without touching after which the next touch is a new contact
-FASTEST = 10.0  # m/s or rad/s; nothing beyond is a command of a wheelchair (nor is NaN)
-
-
-@dataclass(slots=True)
-class ChairState:
-    """Where the chair is and how it moves."""
-
-    x: float  # m
-    y: float  # m
-    theta: float  # rad
-    v: float  # m/s, forwards; less than told when a wall holds the chair
-    omega: float  # rad/s
-    in_contact: bool
-    contacts: int  # beginnings of contact since it was placed
-    scene_t: float = 0.0  # s of permitted motion since it was placed: the time of what moves by itself
+FASTEST = 10.0  # m/s or rad/s: a faster twist, or a NaN, is no command of a wheelchair
 
 
 class VirtualChair:
-    """A chair that is a program; without a floor plan the floor has no end.
+    """A simulated chair; without a floor plan it stands on an endless floor.
 
-    As a unicycle it does what it is told, exactly and at once, as in the paper; as a wheelchair it lags, its castors
-    swing in and its wheels slip, and the state tells what it really does.
+    A unicycle follows its command exactly and at once, as in the paper. A wheelchair lags behind its command, its
+    castors swing in and its wheels slip; its state holds the motion that results.
     """
 
+    kind: Literal["virtual"] = "virtual"
     is_real = False
     speeds = HIGHEST_SPEEDS
+    ready = stands = True
+    inhibited = silent = switch_seen = False
+    due = math.inf
 
-    __slots__ = ("_collision", "_contacts", "_encounters", "_free_for", "_motion", "_wheelchair", "state")
+    __slots__ = ("_collision", "_contacts", "_encounters", "_free_for", "_motion", "_wheelchair", "dynamics", "state")
 
     def __init__(self, floorplan: FloorPlan | None, start: Pose, dynamics: Dynamics = "unicycle") -> None:
         """Raise ValueError when there are no such `dynamics`, or the chair cannot stand on `start`."""
@@ -51,6 +43,7 @@ class VirtualChair:
             raise ValueError(f"there are no dynamics '{dynamics}': use unicycle or wheelchair")
         self._collision = Collision(floorplan)
         self._encounters = Encounters(floorplan.movers if floorplan else ())
+        self.dynamics: Dynamics = dynamics
         self._wheelchair = Wheelchair() if dynamics == "wheelchair" else None
         self.place(start)
 
@@ -76,8 +69,8 @@ class VirtualChair:
     def drive(self, twist: Twist, dt: float, permitted: bool = False) -> ChairState:
         """Drive `twist` for `dt` seconds (at most 0.1) and return the new state.
 
-        A step of no or negative duration moves nothing; a twist that is no command of a wheelchair is a standstill.
-        While motion is `permitted`, what moves by itself goes on, too.
+        A step of zero or negative duration moves nothing; a twist that is no command of a wheelchair counts as zero.
+        While motion is `permitted`, people and objects that move by themselves move on.
         """
         if not (-FASTEST <= twist.v <= FASTEST and -FASTEST <= twist.omega <= FASTEST):
             twist = STANDSTILL
@@ -95,16 +88,43 @@ class VirtualChair:
         if self._encounters:
             x, y, met = self._encounters.slide(pose.x, pose.y, x, y, scene_t)
             if met:
-                x, y, _ = self._collision.slide(pose.x, pose.y, x, y)  # along somebody, but not into a wall
+                x, y, _ = self._collision.slide(pose.x, pose.y, x, y)  # along the person, but not into a wall
                 touching = True
         if touching:
             if self._free_for >= FREE_AGAIN:
                 self._contacts += 1
             self._free_for = 0.0
             v = ((x - pose.x) * math.cos(pose.theta) + (y - pose.y) * math.sin(pose.theta)) / dt
-            wanted = wanted._replace(pose=Pose(x, y, theta), v=v)  # the wall holds the wheels, too
+            wanted = wanted._replace(pose=Pose(x, y, theta), v=v)  # the wall stops the wheels, too
         else:
             self._free_for += dt
         self._motion = wanted
         self.state = ChairState(x, y, theta, v, wanted.omega, touching, self._contacts, scene_t)
         return self.state
+
+    def words(self) -> str:
+        """Return the chair's state in words."""
+        return f"The virtual chair, moving as a {self.dynamics}."
+
+    def close(self) -> None:
+        """Do nothing: the virtual chair holds no device."""
+
+    def use_parameters(self, digest: bytes) -> None:
+        """Do nothing: the virtual chair takes every parameter set."""
+
+    def longest_wait(self, _deadline: float, _t: float) -> float:
+        """Return inf: the virtual chair is served at each tick only."""
+        return math.inf
+
+    def listen(self, t: float) -> None:
+        """Do nothing: the virtual chair sends no telemetry."""
+
+    def send(self, state: State, limits: Speeds, t: float) -> None:
+        """Do nothing: `drive` has moved the virtual chair already."""
+
+    def age(self, _t: float) -> float:
+        """Return 0 s: the state of the virtual chair is always known."""
+        return 0.0
+
+    def report(self, tick: Tick, t: float) -> None:
+        """Do nothing: a tick's fields of a chair's telemetry stay as they are for the virtual chair."""

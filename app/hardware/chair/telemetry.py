@@ -3,10 +3,12 @@
 import math
 
 from app.hardware.chair.packet import Telemetry
+from app.hardware.chair.reasons import WORDS, Reason
 
 SILENT = 0.3  # s without telemetry, which comes every 0.1 s
 MOST_NONCES = 1000  # number of nonces kept: a chair makes a new one at each disarming
 ARMED, FAULT = 2, 3  # values of Telemetry.state
+STATE_WORDS = ("disarmed", "checking that it is told to stand", "armed", "inhibited")
 
 
 class ChairTelemetry:
@@ -77,3 +79,12 @@ class ChairTelemetry:
     def inhibited(self) -> bool:
         """Whether the chair's stop switch is pressed, or it has a fault."""
         return self.newest is not None and (self.newest.state == FAULT or self.newest.stop_input != 0)
+
+
+def telemetry_words(telemetry: Telemetry) -> str:
+    """Return the state, the battery and the fault of a telemetry in words."""
+    words = "stop switch pressed" if telemetry.stop_input else STATE_WORDS[min(telemetry.state, FAULT)]
+    if 0.0 <= telemetry.battery <= 1.0:
+        words += f", battery {telemetry.battery:.0%}"
+    reason = Reason(telemetry.fault) if telemetry.fault in WORDS else Reason.NONE
+    return f"{words}." if reason is Reason.NONE else f"{words}. {WORDS[reason]}"

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from app.calibration.vocabulary import DriveParameters
 from app.faults import State
 from app.geometry import Twist
-from app.pipeline.chain import Chair
+from app.hardware.base import Chair
 from app.pipeline.controls import Controls
 from app.pipeline.decoder import LONGEST_GAP, Decoder, channels_used, projection
 from app.pipeline.guided_rate import PARTS, guided_projection, is_guided

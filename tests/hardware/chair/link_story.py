@@ -28,7 +28,8 @@ class Story:
         """One turn of a loop; return the commands that it brought."""
         self.t += dt
         self.link.listen(self.t)
-        self.link.tell(state, twist, LIMITS, self.t)
+        self.link.drive(twist, dt)
+        self.link.send(state, LIMITS, self.t)
         return self.chair.commands()
 
     def during(self, seconds, state, twist=STANDSTILL, dt=0.005):

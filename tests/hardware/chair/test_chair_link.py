@@ -10,7 +10,6 @@ from chair_stand_in import DISARMED
 from link_story import AHEAD, LIMITS, Story
 
 from app.faults import State
-from app.geometry import STANDSTILL
 from app.hardware.base import HardwareError
 from app.hardware.chair.key import Key, write_key
 from app.hardware.chair.link import HELLO_EVERY, LAST_FRAMES, PERIOD, ChairLink
@@ -51,7 +50,7 @@ def test_a_held_up_loop_leaves_deadlines_out(story):
 
 
 def test_the_neutral_check_sends_zeros_and_armed_sends_the_twist(story):
-    story.link.digest = b"digest-1"
+    story.link.use_parameters(b"digest-1")
     story.meet()
     first = story.check()
     commands = [first, *story.during(0.2, State.CHECKING, AHEAD)]
@@ -68,10 +67,10 @@ def test_the_neutral_check_sends_zeros_and_armed_sends_the_twist(story):
 
 
 def test_the_parameter_set_of_an_arming_stays_the_same(story):
-    story.link.digest = b"digest-1"
+    story.link.use_parameters(b"digest-1")
     story.meet()
     story.check()
-    story.link.digest = b"digest-2"
+    story.link.use_parameters(b"digest-2")
     assert story.during(0.1, State.ARMED)[-1].digest == b"digest-1"
     story.turn(State.DISARMED)
     assert story.check().digest == b"digest-2"
@@ -149,12 +148,12 @@ def test_nobody_there_is_no_trouble_and_costs_no_command_once_somebody_is(tmp_pa
         story.check()
         story.chair.socket.close()
         story.t += PERIOD
-        story.link.tell(State.CHECKING, STANDSTILL, LIMITS, story.t)  # the kernel answers: nobody listens
+        story.link.send(State.CHECKING, LIMITS, story.t)  # the kernel answers: nobody listens
         story.chair.socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         story.chair.socket.bind(address)
         story.chair.socket.setblocking(False)
         story.t += 0.001
-        story.link.tell(State.FAULT, STANDSTILL, LIMITS, story.t)
+        story.link.send(State.FAULT, LIMITS, story.t)
         assert [command.flags for command in story.chair.commands()] == [STOP]
     finally:
         story.close()
