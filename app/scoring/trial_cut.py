@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.world.path import Path
-from app.world.progress import Progress
+from app.world.progress import LineProgress
 
 Numbers = NDArray[np.float64]
 
@@ -59,7 +59,7 @@ def cut_at_goal(t: Numbers, points: Numbers, path: Path, goal_radius: float) -> 
 
 def _covered_from(points: Numbers, path: Path, goal_radius: float) -> int:
     """Return the first piece of the trajectory after which most of the path is covered; their number when none is."""
-    progress = Progress(path, goal_radius)
+    progress = LineProgress(path, goal_radius)
     x, y = (float(value) for value in points[0])
     progress.update(x, y)
     for piece, (next_x, next_y) in enumerate(points[1:].tolist()):

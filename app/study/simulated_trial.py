@@ -16,7 +16,7 @@ from app.pipeline.safety import Conditions
 from app.scoring.task_measures import task_measures
 from app.study.participant import Participant
 from app.world.floorplan import FloorPlan, PrescribedPath
-from app.world.task_progress import leader_of, progress_of
+from app.world.progress import leader_of, progress_of
 
 REST_BEFORE = 2.0  # s at rest before a trial, so that the filters forget the last trial's strokes
 CLEAR_AFTER = 2.0  # s from a latched fault until a clinician would clear it and arm again

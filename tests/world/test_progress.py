@@ -1,7 +1,7 @@
 import pytest
 
 from app.world.path import Path
-from app.world.progress import Progress
+from app.world.progress import LineProgress
 
 ROUND = [(0, 0), (10, 0), (10, 10), (0, 10), (0, 0)]
 
@@ -14,7 +14,7 @@ def drive(progress, line, spacing=0.1):
 
 
 def test_the_end_is_reached_after_the_path():
-    progress = Progress(Path([(0, 0), (10, 0)]), 0.5)
+    progress = LineProgress(Path([(0, 0), (10, 0)]), 0.5)
     drive(progress, [(0, 1), (9, 1)])
     assert progress.s == pytest.approx(9)
     assert progress.cross_track == pytest.approx(1)
@@ -24,7 +24,7 @@ def test_the_end_is_reached_after_the_path():
 
 
 def test_a_round_is_not_over_when_it_begins():
-    progress = Progress(Path(ROUND), 0.5)
+    progress = LineProgress(Path(ROUND), 0.5)
     drive(progress, [(0, 0), (-1.5, 0), (0.3, 0)])  # back and forth at the start
     assert not progress.reached
     drive(progress, [(0.3, 0), *ROUND[1:]])
@@ -32,20 +32,20 @@ def test_a_round_is_not_over_when_it_begins():
 
 
 def test_a_short_cut_to_the_end_does_not_reach_it():
-    progress = Progress(Path([(0, 0), (10, 0), (10, 3), (0, 3)]), 0.5)
+    progress = LineProgress(Path([(0, 0), (10, 0), (10, 3), (0, 3)]), 0.5)
     drive(progress, [(0, 0), (0, 3)])
     assert not progress.reached
 
 
 def test_who_gets_lost_is_found_again_on_another_stretch():
-    progress = Progress(Path(ROUND), 0.5)
+    progress = LineProgress(Path(ROUND), 0.5)
     drive(progress, [(0, 0), (6, 0), (6, 5), (9, 5), (9, 9)])
     assert progress.s == pytest.approx(19, abs=1.1)
     assert abs(progress.cross_track) < 1.1
 
 
 def test_waiting_covers_nothing():
-    progress = Progress(Path(ROUND), 0.5)
+    progress = LineProgress(Path(ROUND), 0.5)
     for _ in range(1000):
         progress.update(0, 0)
     assert progress.covered < 0.02

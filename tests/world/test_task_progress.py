@@ -6,8 +6,7 @@ from hypothesis import strategies as st
 
 from app.geometry import Pose
 from app.world.floorplan import FloorPlan, PrescribedPath
-from app.world.progress import Progress
-from app.world.task_progress import progress_of
+from app.world.progress import LineProgress, progress_of
 
 LINE = ((0.0, 0.0), (4.0, 0.0))
 PLACES = st.lists(st.tuples(st.floats(-1, 5), st.floats(-2, 2)), min_size=1, max_size=40)
@@ -28,7 +27,7 @@ def begun(**changes):
 @settings(max_examples=60, deadline=None)
 @given(PLACES)
 def test_a_path_is_judged_as_ever(places):
-    task, plain = begun(), Progress(plan_with().paths[0].line, 0.5)
+    task, plain = begun(), LineProgress(plan_with().paths[0].line, 0.5)
     for x, y in places:
         task.update(Pose(x, y, 1.0), 0.3, 1.0)
         plain.update(x, y)

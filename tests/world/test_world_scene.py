@@ -9,8 +9,8 @@ from hypothesis import strategies as st
 from app.world.collision import Collision
 from app.world.encounter import Encounters
 from app.world.floorplan import bundled_floorplans
+from app.world.progress import leader_of, parts_of
 from app.world.scene import at_level, bundled_places, bundled_scenes, find_place, is_scene, load_scene
-from app.world.task_progress import leader_of, parts_of
 from app.world.tasks import Course
 
 PLACES = bundled_places()

@@ -12,7 +12,7 @@ from app.hardware.body.person_parameters import PersonParameters
 from app.hardware.body.steering import Steering, Wish
 from app.hardware.body.stroke_estimate import StrokeEstimate
 from app.world.floorplan import FloorPlan, PrescribedPath
-from app.world.task_progress import TaskProgress, progress_of
+from app.world.progress import TaskProgress, progress_of
 from app.world.tasks import Back, FollowLeader, Turn
 
 Aim = Steering | TurnAim | BackAim

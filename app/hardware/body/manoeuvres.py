@@ -7,7 +7,7 @@ from app.hardware.body.person_parameters import PersonParameters
 from app.hardware.body.steering import Intention
 from app.world.floorplan import PrescribedPath
 from app.world.path import Path
-from app.world.task_progress import TurnProgress
+from app.world.progress import TurnProgress
 from app.world.tasks import Turn
 
 CREEP = 0.03  # m/s: slower looks like standing

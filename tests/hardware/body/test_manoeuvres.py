@@ -13,7 +13,7 @@ from app.hardware.body.manoeuvres import BackAim, TurnAim
 from app.hardware.body.person_parameters import PRACTISED
 from app.hardware.body.steering import Steering
 from app.world.floorplan import FloorPlan
-from app.world.task_progress import leader_of, progress_of
+from app.world.progress import leader_of, progress_of
 
 WORTH = {"right_elbow": 0.3, "left_elbow": -0.3, "right_shoulder": 0.45, "left_shoulder": -0.45}
 DT = 0.01  # s
