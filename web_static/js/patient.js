@@ -1,5 +1,5 @@
-/** The patient's screen: paired by its link, shown while the session goes on, and a word of thanks at its end. */
-import { Api } from "./api.js";
+/** The page of the patient's screen: paired by a link, shown during the session, with a word of thanks at its end. */
+import { Api, failureWords } from "./api.js";
 import { Live } from "./live/live.js";
 import { h, put } from "./widgets/dom.js";
 import { practiceMark, readPractice } from "./shell/practice_mark.js";
@@ -14,8 +14,9 @@ const LONGEST_PAUSE = 5000; // ms
 
 class PatientPage {
   #api = new Api(() => {});
+  /** @type {Live<import("./patient/message.js").PatientMessage>} */
   #live = new Live("/api/v1/patient/live");
-  #shown = new AbortController();
+  #screen = new AbortController();
   #root = h("main", { class: "patient" });
   #practice = practiceMark();
   #isShowing = false;
@@ -26,7 +27,7 @@ class PatientPage {
     document.title = t("patient.title");
     document.body.replaceChildren(this.#root, this.#practice.element);
     stayAwake();
-    // Both say that the pairing may have ended: then the page asks how it stands.
+    // After either event the pairing may have ended: ask the server for its state.
     this.#live.addEventListener("changed", ({ detail }) => detail === "sign-in" && this.#ask());
     this.#live.addEventListener("connection", () => !this.#live.connected && this.#ask());
     this.#live.addEventListener("tick", ({ detail }) => this.#practice.show(detail.practice));
@@ -34,7 +35,7 @@ class PatientPage {
     await this.enter();
   }
 
-  /** Pair by the link if this page was opened by one, then show what there is to show. */
+  /** Pair by the link if this page was opened by one, then show the state of the pairing. */
   async enter() {
     const link = PAIR_LINK.exec(location.hash);
     let words = "";
@@ -44,7 +45,7 @@ class PatientPage {
       try {
         await this.#api.post("/patient-screen/pair", { code: decodeURIComponent(link[1]) });
       } catch (error) {
-        words = error.message;
+        words = failureWords(error);
       }
     }
     await this.#ask(words);
@@ -59,9 +60,9 @@ class PatientPage {
       if (state === "paired") this.#show();
       else this.#leave(state, words);
     } catch (error) {
-      // While the screen is shown, its socket comes back by itself.
+      // While the screen is shown, its socket reconnects by itself.
       if (this.#isShowing) return;
-      this.#say(t("patient.lost"), error.message, t("patient.lost.why"));
+      this.#say(t("patient.lost"), failureWords(error), t("patient.lost.why"));
       this.#timer = setTimeout(() => this.#ask(), this.#pause);
       this.#pause = Math.min(2 * this.#pause, LONGEST_PAUSE);
     }
@@ -70,18 +71,20 @@ class PatientPage {
   #show() {
     if (this.#isShowing) return;
     this.#isShowing = true;
-    this.#shown = new AbortController();
+    this.#screen = new AbortController();
     this.#live.open();
-    showScreen(this.#root, this.#live, this.#shown.signal);
+    showScreen(this.#root, this.#live, this.#screen.signal);
   }
 
+  /** @param {"over" | "unpaired" | "none"} state @param {string} words instead of the usual ones */
   #leave(state, words) {
     this.#isShowing = false;
-    this.#shown.abort();
+    this.#screen.abort();
     this.#live.close();
     this.#say(t(`patient.${state}.title`), words || t(`patient.${state}.lead`), t(`patient.${state}.next`));
   }
 
+  /** @param {string} title @param {string} lead @param {string} next what to do */
   #say(title, lead, next) {
     put(this.#root, h("section", { class: "calm", role: "status" }, h("h1", {}, title), h("p", {}, lead), h("p", {}, next)));
   }

@@ -1,4 +1,4 @@
-/** The stereo page: the patient's view for two eyes, shown to whoever may see it, and back by itself when it was lost. */
+/** The stereo page: the patient's view for two eyes, for those who may see it; a lost view is loaded again. */
 import { Api } from "./api.js";
 import { h, put, write } from "./widgets/dom.js";
 import { practiceMark, readPractice } from "./shell/practice_mark.js";
@@ -10,9 +10,9 @@ import { Settings } from "./stereo/settings.js";
 import { t } from "./texts.js";
 
 const VIEW = "/view/patient/";
-const LOOK_EVERY = 1500; // ms
+const CHECK_EVERY = 1500; // ms
 const OLD = 3; // s: an older picture may have lost its connection
-const PATIENCE = 15; // s for the first picture; after that somebody should know why there is none
+const PATIENCE = 15; // s for the first picture; later the page says that it is waiting
 
 class StereoPage {
   #root = h("main", { class: "stereo" });
@@ -22,7 +22,7 @@ class StereoPage {
   /** @type {Eyes | null} */
   #eyes = null;
   #isRefused = false;
-  #shown = new AbortController();
+  #picture = new AbortController();
   #liveAt = 0;
   #isLost = false;
 
@@ -30,50 +30,50 @@ class StereoPage {
     document.title = t("stereo.title");
     document.body.replaceChildren(this.#root, this.#practice.element);
     stayAwake();
-    this.#look();
+    this.#check();
   }
 
-  /** Look after the picture, again and again: one question at a time, and none while there is a picture. */
-  async #look() {
+  /** Check the picture again and again; ask the server only while there is none, one request at a time. */
+  async #check() {
     if (document.visibilityState === "visible") {
-      readPractice(this.#api).then((kind) => this.#practice.show(kind), () => null); // lost: the picture says so
-      if (this.#eyes?.age() < OLD) this.#liveAt = performance.now();
-      if (!this.#eyes || this.#waited > OLD) await this.#ask();
+      readPractice(this.#api).then((kind) => this.#practice.show(kind), () => null); // no answer: the check of the picture reports it
+      if (this.#eyes && this.#eyes.age() < OLD) this.#liveAt = performance.now();
+      if (!this.#eyes || this.#silence > OLD) await this.#ask();
       else this.#say("");
     }
-    setTimeout(() => this.#look(), LOOK_EVERY);
+    setTimeout(() => this.#check(), CHECK_EVERY);
   }
 
-  /** For how long there has been no picture, s. */
-  get #waited() {
+  /** The time (s) since the last picture. */
+  get #silence() {
     return (performance.now() - this.#liveAt) / 1000;
   }
 
   async #ask() {
-    const may = await mayLook();
-    if (may === null) {
+    const mayView = await isViewAllowed();
+    if (mayView === null) {
       this.#isLost = true;
       this.#isRefused = false;
       this.#say("lost");
-    } else if (may) {
+    } else if (mayView) {
       if (!this.#eyes) this.#show();
       else if (this.#isLost) this.#eyes.renew();
       this.#isLost = false;
-      this.#say(this.#waited > PATIENCE ? "waiting" : "");
+      this.#say(this.#silence > PATIENCE ? "waiting" : "");
     } else if (!this.#isRefused) this.#leave();
   }
 
   #show() {
     this.#isRefused = false;
     const settings = new Settings();
-    this.#shown = new AbortController();
+    this.#picture = new AbortController();
     this.#liveAt = performance.now();
-    this.#eyes = new Eyes(settings, this.#shown.signal);
-    put(this.#root, this.#eyes.element, this.#words, controlBar(settings, this.#root, this.#shown.signal));
+    this.#eyes = new Eyes(settings, this.#picture.signal);
+    put(this.#root, this.#eyes.element, this.#words, controlBar(settings, this.#root, this.#picture.signal));
   }
 
   #leave() {
-    this.#shown.abort();
+    this.#picture.abort();
     this.#eyes = null;
     this.#isRefused = true;
     put(
@@ -96,17 +96,17 @@ class StereoPage {
   }
 }
 
-/** Whether this browser may see the patient's view; null when nobody answers. */
-async function mayLook() {
-  const asked = new AbortController();
+/** Whether this browser may see the patient's view; null without an answer. */
+async function isViewAllowed() {
+  const request = new AbortController();
   try {
-    const { ok, status } = await fetch(VIEW, { signal: asked.signal });
+    const { ok, status } = await fetch(VIEW, { signal: request.signal });
     if (ok) return true;
     return status === 401 || status === 403 ? false : null;
   } catch {
     return null;
   } finally {
-    asked.abort(); // the page itself is not wanted here
+    request.abort(); // only the status is needed
   }
 }
 

@@ -1,15 +1,16 @@
-/** An arrow that turns with the chair and points to where it shall go. */
+/** An arrow on the screen that points from the chair to the target. */
 import { h, s, set, write } from "../widgets/dom.js";
+import { isPose } from "../plan/floor_plan.js";
 import { number } from "../widgets/format.js";
 import { t } from "../texts.js";
 
-const NEAR = 0.2; // m: nearer than this a direction means nothing
+const NEAR = 0.2; // m: at a shorter distance the direction has no meaning
 const AHEAD = Math.PI / 6; // rad to either side
 const BEHIND = (5 * Math.PI) / 6; // rad
 
 /**
- * Where a target lies, as seen from the chair.
- * @param {[number, number, number]} pose x, y (m), theta (rad) @param {[number, number]} target m
+ * The bearing and the distance of a target, as seen from the chair.
+ * @param {import("../plan/floor_plan.js").Pose} pose @param {readonly number[]} target x, y in m
  * @returns {{bearing: number, distance: number}} rad, left positive, within a half turn; m
  */
 export function bearingTo([x, y, theta], [targetX, targetY]) {
@@ -30,12 +31,12 @@ export function arrow() {
   const distance = h("span", { class: "number" });
   const picture = s("svg", { viewBox: "0 0 100 100", role: "img" }, needle);
   const element = h("div", { class: "hud arrow", hidden: true }, h("span", { class: "label" }, t("patient.goal.name")), picture, distance);
-  /** @param {any} now a message */
+  /** @param {import("./message.js").PatientMessage} now */
   const show = ({ asks, trial, pose }) => {
-    const isWanted = Boolean(asks.arrow && trial?.target && pose.every(Number.isFinite));
-    element.hidden = !isWanted;
-    if (!isWanted) return;
-    const to = bearingTo(pose, trial.target);
+    const target = asks.arrow && isPose(pose) ? trial?.target : null;
+    element.hidden = !target;
+    if (!target || !isPose(pose)) return;
+    const to = bearingTo(pose, target);
     const bearing = to.distance < NEAR ? 0 : to.bearing;
     set(needle, { transform: `rotate(${number((-bearing * 180) / Math.PI, 0).replace("−", "-")} 50 50)` });
     set(picture, { "aria-label": t("patient.arrow", { where: t(`patient.arrow.${side(bearing)}`) }) });

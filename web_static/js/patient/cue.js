@@ -1,21 +1,26 @@
-/** The large cue of a calibration prompt: what to do, in words that are read from 2 m, and a ring that shows for how long. */
+/** The large cue of a calibration: the words, legible from 2 m, and a ring that fills with the time of the cue. */
 import { h, s, set, write } from "../widgets/dom.js";
 import { discRadius } from "../widgets/cue_circle.js";
 import { t } from "../texts.js";
 
 const RADIUS = 118;
 const ROUND = 2 * Math.PI * RADIUS;
-const FURTHEST = 0.3; // s to go on without news; then the ring stands, because the run may stand too
+const FURTHEST = 0.3; // s for which the ring goes on without a message; then it stops, because the run may have stopped too
 const CALM = matchMedia("(prefers-reduced-motion: reduce)");
-const CALM_STEPS = 4; // of the ring, for those whom motion disturbs
+const CALM_STEPS = 4; // of the ring, for people who prefer reduced motion
 const COUNTED = new Set(["ready", "rest", "free"]); // whole seconds; the others are too short to be counted
 
-/** What a cue says. @param {{kind: string, movement: string | null}} cue */
+/**
+ * @typedef {import("../live/live.js").Live<import("./message.js").PatientMessage>} PatientLive
+ * @typedef {import("./message.js").PatientCue} PatientCue
+ */
+
+/** The words of a cue. @param {Pick<PatientCue, "kind" | "movement">} cue */
 export function cueWords({ kind, movement }) {
   return kind === "move" && movement ? movement : t(`patient.cue.${kind}`);
 }
 
-/** @param {import("../live/live.js").Live} live @param {AbortSignal} signal */
+/** @param {PatientLive} live @param {AbortSignal} signal */
 export function cueLayer(live, signal) {
   const disc = s("circle", { class: "disc", cx: 150, cy: 150, r: discRadius("rest", 0) });
   const ring = s("circle", { class: "ring", cx: 150, cy: 150, r: RADIUS, transform: "rotate(-90 150 150)" });
@@ -26,11 +31,12 @@ export function cueLayer(live, signal) {
   const then = h("p", { class: "cue-then" });
   const element = h("div", { class: "cue-layer", hidden: true }, picture, words, then);
 
+  /** @param {PatientCue} cue */
   const draw = (cue) => {
     const time = Math.min(cue.length, cue.t + Math.min(live.age, FURTHEST));
     const share = time / cue.length;
-    const shown = CALM.matches ? Math.floor(share * CALM_STEPS) / CALM_STEPS : share;
-    set(ring, { "stroke-dasharray": ROUND, "stroke-dashoffset": ROUND * (1 - shown) });
+    const filled = CALM.matches ? Math.floor(share * CALM_STEPS) / CALM_STEPS : share;
+    set(ring, { "stroke-dasharray": ROUND, "stroke-dashoffset": ROUND * (1 - filled) });
     set(disc, { r: discRadius(cue.kind, CALM.matches ? Number(share > 0.5) : share) });
     write(seconds, COUNTED.has(cue.kind) ? String(Math.ceil(cue.length - time)) : "");
   };
@@ -40,14 +46,13 @@ export function cueLayer(live, signal) {
     if (cue && !element.hidden) draw(cue);
     requestAnimationFrame(turn);
   };
-  /** @param {any} now a message */
+  /** @param {import("./message.js").PatientMessage} now */
   const show = ({ cue, state }) => {
     element.hidden = !cue || state === "fault";
     if (!cue) return;
     element.dataset.kind = cue.kind;
     write(words, cueWords(cue));
-    const isReady = cue.kind === "ready" && cue.movement;
-    const after = isReady ? cue.movement : cue.next && cueWords({ kind: cue.next, movement: cue.movement });
+    const after = cue.kind === "ready" && cue.movement ? cue.movement : cue.next && cueWords({ kind: cue.next, movement: cue.movement });
     write(then, after ? t("patient.cue.next", { next: after.toLowerCase() }) : "");
   };
   turn();

@@ -1,19 +1,22 @@
-/** The large word of a moment: rest, go, goal reached. */
+/** The large word at the start and at the end of a trial: rest, go, goal reached. */
 import { h, put } from "../widgets/dom.js";
 import { t } from "../texts.js";
 
-const GO_SHOWN = 1600; // ms
-const OVER_SHOWN = 8000; // ms
+const GO_FOR = 1600; // ms
+const OVER_FOR = 8000; // ms
+
+/** @typedef {import("./message.js").PatientMessage} PatientMessage */
 
 export function momentCard() {
   const element = h("div", { class: "moment", "aria-live": "assertive" });
-  let shown = "";
+  let word = "";
   let until = 0;
-  /** @type {any} */
+  /** @type {PatientMessage | null} */
   let before = null;
+  /** @param {string} name of the word; empty: none */
   const say = (name, why = "", tone = "") => {
-    if (shown === name) return;
-    shown = name;
+    if (word === name) return;
+    word = name;
     put(
       element,
       name &&
@@ -25,21 +28,21 @@ export function momentCard() {
         ),
     );
   };
-  /** @param {any} now a message */
+  /** @param {PatientMessage} now */
   const show = (now) => {
-    const isNew = before && now.over && now.over.id !== before.over?.id;
+    const over = before && now.over?.id !== before.over?.id ? now.over : null;
     const begins = before && now.state === "armed" && before.state !== "armed";
     before = now;
     if (now.state === "fault" || now.cue) say("");
     else if (now.state === "checking") say("rest", now.waits.words);
-    else if (isNew) {
-      const name = now.over.end === "goal" ? "goal" : "ended";
+    else if (over) {
+      const name = over.end === "goal" ? "goal" : "ended";
       say(name, t(`patient.${name}.why`), name === "goal" ? "good" : "");
-      until = performance.now() + OVER_SHOWN;
+      until = performance.now() + OVER_FOR;
     } else if (begins) {
       say("go", "", "go");
-      until = performance.now() + GO_SHOWN;
-    } else if (performance.now() > until || shown === "rest") say("");
+      until = performance.now() + GO_FOR;
+    } else if (performance.now() > until || word === "rest") say("");
   };
   return { element, show };
 }

@@ -1,4 +1,4 @@
-/** What the patient sees: the picture, and over it what to do, the speed, the arrow, and a stop that nobody overlooks. */
+/** What the patient sees: the picture, and over it the task, the speed, the arrow, and a conspicuous stop. */
 import { h, put, s, write } from "../widgets/dom.js";
 import { number } from "../widgets/format.js";
 import { t } from "../texts.js";
@@ -6,11 +6,16 @@ import { arrow } from "./arrow.js";
 import { cueLayer } from "./cue.js";
 import { momentCard } from "./moment.js";
 import { patientPicture } from "./picture.js";
-import { heard, Sounds } from "./sounds.js";
+import { soundsBetween, Sounds } from "./sounds.js";
 
 const BACKWARDS = -0.02; // m/s
 
-/** @param {HTMLElement} root @param {import("../live/live.js").Live} live @param {AbortSignal} signal */
+/**
+ * @typedef {import("./message.js").PatientMessage} PatientMessage
+ * @typedef {import("../live/live.js").Live<PatientMessage>} PatientLive
+ */
+
+/** @param {HTMLElement} root @param {PatientLive} live @param {AbortSignal} signal */
 export function showScreen(root, live, signal) {
   const sounds = new Sounds();
   const picture = patientPicture(live, signal);
@@ -21,12 +26,14 @@ export function showScreen(root, live, signal) {
     await sounds.turnOn();
     sound.hidden = sounds.isOn;
   });
+  /** @type {PatientMessage | null} */
   let before = null;
+  /** @param {CustomEvent<PatientMessage>} event */
   const show = ({ detail: now }) => {
     for (const part of [picture, ...parts]) part.show(now);
     document.documentElement.classList.toggle("large", now.asks.large);
     sound.hidden = !now.asks.sounds || sounds.isOn;
-    if (now.asks.sounds) for (const name of heard(before, now)) sounds.play(name);
+    if (now.asks.sounds) for (const name of soundsBetween(before, now)) sounds.play(name);
     before = now;
   };
   const showConnection = () => {
@@ -35,7 +42,7 @@ export function showScreen(root, live, signal) {
   };
   live.addEventListener("tick", show, { signal });
   live.addEventListener("connection", showConnection, { signal });
-  signal.addEventListener("abort", () => root.classList.remove("is-lost")); // what is said then is not of the past
+  signal.addEventListener("abort", () => root.classList.remove("is-lost")); // what the page shows next is up to date
   put(root, picture.element, parts.map(({ element }) => element), sound, lost);
   showConnection();
 }
@@ -46,11 +53,12 @@ function taskCard() {
   const done = h("span", {});
   const progress = h("div", { class: "progress", "aria-hidden": "true" }, done);
   const element = h("div", { class: "hud task" }, stage, words, progress);
+  /** @param {PatientMessage} now */
   const show = ({ trial, state, waits }) => {
-    write(stage, trial?.stages > 1 ? t("patient.stage", { stage: trial.stage + 1, stages: trial.stages }) : "");
+    write(stage, trial && trial.stages > 1 ? t("patient.stage", { stage: trial.stage + 1, stages: trial.stages }) : "");
     write(words, state === "disarmed" ? waits.words : (trial?.instruction ?? ""));
     progress.hidden = !trial?.length;
-    if (trial?.length) done.style.width = `${100 * Math.min(1, Math.max(0, trial.done / trial.length))}%`;
+    if (trial?.length) done.style.width = `${100 * Math.min(1, Math.max(0, Number(trial.done) / trial.length))}%`;
     element.hidden = !words.textContent;
   };
   return { element, show };
@@ -66,9 +74,10 @@ function speedCard() {
     h("div", { class: "big" }, speed, " ", h("small", {}, t("unit.speed"))),
     way,
   );
+  /** @param {PatientMessage} now */
   const show = ({ v }) => {
     write(speed, number(Math.abs(v ?? 0), 1));
-    write(way, v < BACKWARDS ? t("patient.backwards") : "");
+    write(way, v !== null && v < BACKWARDS ? t("patient.backwards") : "");
   };
   return { element, show };
 }
@@ -83,6 +92,7 @@ function stopBand() {
     s("path", { class: "bars", d: "M36 30v40M64 30v40" }),
   );
   const element = band("stopped", shape, h("div", {}, h("b", {}, t("patient.stopped")), words, wait));
+  /** @param {PatientMessage} now */
   const show = ({ state, fault, waits }) => {
     if (fault) {
       write(words, fault.words);
@@ -93,6 +103,7 @@ function stopBand() {
   return { element, show };
 }
 
+/** @param {string} name class @param {...import("types/dom").Child} children */
 function band(name, ...children) {
   return h("div", { class: `band ${name}`, role: "alert", hidden: true }, children);
 }

@@ -1,6 +1,6 @@
-/** Keeps the screen from going dark, where the browser can (encrypted pages, and this machine's own). */
+/** Keeps the screen from going dark, where the browser can (on encrypted pages, and on the server's own computer). */
 
-/** Ask for it now, and again whenever the page comes back into view: a hidden page loses it. */
+/** Request it now, and again whenever the page comes back into view: a hidden page loses it. */
 export function stayAwake() {
   const ask = () => {
     if (document.visibilityState === "visible") navigator.wakeLock?.request("screen").catch(() => null);

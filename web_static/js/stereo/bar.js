@@ -1,13 +1,13 @@
-/** The controls of the stereo page: there when somebody moves, taps or types, gone when they only look. */
-import { h } from "../widgets/dom.js";
+/** The controls of the stereo page: visible after a movement, tap or key, hidden after 8 s without any. */
+import { h, put } from "../widgets/dom.js";
 import { segments, selection, setting, stepper, toggle } from "../widgets/fields.js";
 import { t } from "../texts.js";
 import { CONVERGENCES, MODES, MOST_APART } from "./settings.js";
 
-const SHOWN = 8000; // ms
+const VISIBLE_FOR = 8000; // ms
 
 /**
- * @param {import("./settings.js").Settings} settings @param {HTMLElement} root what is looked at
+ * @param {import("./settings.js").Settings} settings @param {HTMLElement} root of the page
  * @param {AbortSignal} signal
  */
 export function controlBar(settings, root, signal) {
@@ -16,7 +16,7 @@ export function controlBar(settings, root, signal) {
     t("stereo.mode"),
     MODES.map((value) => ({ value, label: t(`stereo.mode.${value}`) })),
     chosen.mode,
-    (mode) => settings.choose({ mode }),
+    (name) => settings.choose({ mode: MODES.find((mode) => mode === name) }),
   );
   const modeSetting = setting(t("stereo.mode"), t(`stereo.mode.${chosen.mode}.why`), modes);
   const apart = stepper({
@@ -32,7 +32,7 @@ export function controlBar(settings, root, signal) {
   const convergence = selection(
     CONVERGENCES.map((value) => ({ value, label: value === "Infinity" ? t("stereo.far") : `${value} m` })),
     chosen.convergence,
-    (value) => settings.choose({ convergence: value }),
+    (metres) => settings.choose({ convergence: CONVERGENCES.find((value) => value === metres) }),
   );
   convergence.setAttribute("aria-label", t("stereo.convergence"));
   const swap = toggle(t("stereo.swap"), chosen.swapped, (swapped) => settings.choose({ swapped }));
@@ -41,7 +41,7 @@ export function controlBar(settings, root, signal) {
   const show = () => {
     const { mode, convergence: value } = settings.chosen;
     convergence.value = value; // another mode may have changed it
-    modeSetting.querySelector("span").textContent = t(`stereo.mode.${mode}.why`);
+    put(/** @type {HTMLElement} */ (modeSetting.querySelector("span")), t(`stereo.mode.${mode}.why`));
     splitSetting.hidden = mode === "red-cyan";
   };
   settings.addEventListener("change", show, { signal });
@@ -61,12 +61,14 @@ export function controlBar(settings, root, signal) {
   return bar;
 }
 
+/** @param {AbortSignal} signal */
 function fullScreenButton(signal) {
   const words = () => t(document.fullscreenElement ? "stereo.full.leave" : "stereo.full.enter");
   const button = h("button", { type: "button", class: "btn" }, words());
   button.addEventListener("click", () => {
-    const asked = document.fullscreenElement ? document.exitFullscreen() : document.documentElement.requestFullscreen();
-    asked.catch(() => null); // the browser has said why
+    const root = document.documentElement;
+    const change = document.fullscreenElement ? document.exitFullscreen() : root.requestFullscreen();
+    change.catch(() => null); // the browser shows the reason
   });
   document.addEventListener("fullscreenchange", () => (button.textContent = words()), { signal });
   return button;
@@ -75,13 +77,13 @@ function fullScreenButton(signal) {
 /** @param {HTMLElement} root @param {AbortSignal} signal */
 function hideWhenQuiet(root, signal) {
   let timer = 0;
-  const wake = () => {
+  const show = () => {
     root.classList.remove("is-quiet");
     clearTimeout(timer);
-    timer = setTimeout(() => root.classList.add("is-quiet"), SHOWN);
+    timer = setTimeout(() => root.classList.add("is-quiet"), VISIBLE_FOR);
   };
   for (const event of ["pointermove", "pointerdown", "keydown", "focusin", "change"])
-    document.addEventListener(event, wake, { signal });
+    document.addEventListener(event, show, { signal });
   signal.addEventListener("abort", () => clearTimeout(timer));
-  wake();
+  show();
 }

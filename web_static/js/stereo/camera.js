@@ -1,38 +1,40 @@
 /**
- * Where an eye's camera stands, and which part of its picture plane is shown.
+ * The place of each eye's camera, and the part of its picture plane that is shown.
  *
  * Both cameras look straight ahead. What lies at the distance of convergence falls on the same spot of both pictures,
  * because each picture is cut off-centre; cameras turned towards each other would tilt the pictures against each other.
  */
 
+/** @typedef {"left" | "right"} Side of the page */
+
 /**
- * How far an eye is to the right of the middle between both, m.
- * @param {"left" | "right"} side of the page @param {{apart: number, swapped: boolean}} chosen
+ * The distance (m) of an eye to the right of the middle between both.
+ * @param {Side} side @param {{apart: number, swapped: boolean}} chosen apart: mm
  */
-export function aside(side, { apart, swapped }) {
+export function offset(side, { apart, swapped }) {
   return ((side === "right") === swapped ? -1 : 1) * (apart / 2000);
 }
 
 /**
- * How far the picture is cut to the right of straight ahead, as a tangent.
+ * The shift of the shown part of the picture plane to the right of straight ahead, as a tangent.
  * @param {number} right m @param {number} convergence m
  */
-export function cut(right, convergence) {
+export function shift(right, convergence) {
   return -right / convergence;
 }
 
 /**
- * Put the camera of a frame with the 3D view there; once more does nothing. It touches neither the field of view nor
- * the place and direction that the server gives.
- * @param {any} view the frame's window @param {number} right m @param {number} convergence m
+ * Shift the camera in a frame with the 3D view; repeating it changes nothing. The field of view, and the place and
+ * direction from the server, stay as they are.
+ * @param {Window | null} view the frame's window @param {number} right m @param {number} convergence m
  */
 export function aim(view, right, convergence) {
   const viewer = view?.__viserMutable;
   const { camera, cameraControl } = viewer ?? {};
-  if (!camera || !cameraControl) return;
+  if (!viewer || !camera || !cameraControl) return;
   if (Math.abs(cameraControl.getFocalOffset().x - right) > 1e-7) cameraControl.setFocalOffset(right, 0, 0, false);
-  // three.js takes the cut in millimetres of a film, whose width changes with the shape of the picture.
-  const film = cut(right, convergence) * camera.getFilmWidth();
+  // three.js takes the shift in millimetres of a film, whose width changes with the shape of the picture.
+  const film = shift(right, convergence) * camera.getFilmWidth();
   if (Math.abs(camera.filmOffset - film) < 1e-7) return;
   camera.filmOffset = film;
   camera.updateProjectionMatrix();

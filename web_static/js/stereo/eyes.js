@@ -1,14 +1,14 @@
 /** The patient's view twice, each with the camera of one eye, laid out for a holder, a projector or coloured glasses. */
 import { h, put, s } from "../widgets/dom.js";
 import { viewFrame } from "../view/view_frame.js";
-import { aim, aside } from "./camera.js";
+import { aim, offset } from "./camera.js";
 
-/** @type {("left" | "right")[]} */
+/** @type {import("./camera.js").Side[]} */
 const SIDES = ["left", "right"];
-const AIM_EVERY = 100; // ms: a frame that was loaded again, or changed its shape, has forgotten
+const AIM_EVERY = 100; // ms: a frame that was reloaded or resized has lost its camera's shift
 
-// The left eye sees how bright things are, through the red glass; the right one sees green and blue. With red alone,
-// a red thing would shine for one eye and be black for the other.
+// Colour matrices: the left eye sees the brightness of things through the red glass, the right eye green and blue. If the
+// left eye saw only red, a red thing would shine for it and be black for the other eye.
 const COLOURS = {
   left: "0.3 0.59 0.11 0 0  0 0 0 0 0  0 0 0 0 0  0 0 0 1 0",
   right: "0 0 0 0 0  0 1 0 0 0  0 0 1 0 0  0 0 0 1 0",
@@ -20,25 +20,25 @@ export class Eyes {
     this.settings = settings;
     this.places = SIDES.map((side) => h("div", { class: `eye ${side}` }));
     this.element = h("div", { class: "eyes" }, colourFilters(), this.places, h("div", { class: "split" }));
-    this.shown = new AbortController();
+    this.frames = new AbortController();
     settings.addEventListener("change", () => this.#apply(), { signal });
     const timer = setInterval(() => this.#aim(), AIM_EVERY);
     signal.addEventListener("abort", () => {
       clearInterval(timer);
-      this.shown.abort();
+      this.frames.abort();
     });
     this.renew();
     this.#apply();
   }
 
-  /** Load both views anew: one that failed to load stays as it is. */
+  /** Load both views anew, because a frame that failed to load does not try again. */
   renew() {
-    this.shown.abort();
-    this.shown = new AbortController();
-    for (const place of this.places) put(place, viewFrame(this.shown.signal, "patient").element);
+    this.frames.abort();
+    this.frames = new AbortController();
+    for (const place of this.places) put(place, viewFrame(this.frames.signal, "patient").element);
   }
 
-  /** How old the older picture is, s. */
+  /** The age (s) of the older picture. */
   age() {
     return Math.max(...this.places.map((place) => windowOf(place)?.bodydriveView?.age() ?? Infinity));
   }
@@ -53,15 +53,15 @@ export class Eyes {
 
   #aim() {
     const { chosen } = this.settings;
-    SIDES.forEach((side, i) => aim(windowOf(this.places[i]), aside(side, chosen), Number(chosen.convergence)));
+    SIDES.forEach((side, i) => aim(windowOf(this.places[i]), offset(side, chosen), Number(chosen.convergence)));
   }
 }
 
-/** The window of the view's frame; null while it shows an error page, which belongs to nobody. */
+/** The window of the view's frame; null while it shows an error page, which no page may read. @param {Element} place */
 function windowOf(place) {
   try {
-    const view = place.querySelector("iframe").contentWindow;
-    return view.document && view;
+    const view = place.querySelector("iframe")?.contentWindow;
+    return view?.document ? view : null;
   } catch {
     return null;
   }

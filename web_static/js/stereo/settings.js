@@ -1,42 +1,55 @@
-/** What was chosen for the two eyes; remembered on this screen. */
+/** The settings of the picture for two eyes; stored in this browser. */
 
-const PLACE = "bodydrive-stereo";
-export const MODES = ["side", "squeezed", "red-cyan"];
+const STORAGE_KEY = "bodydrive-stereo";
+export const MODES = /** @type {const} */ (["side", "squeezed", "red-cyan"]);
 export const MOST_APART = 80; // mm
-export const CONVERGENCES = ["0.5", "0.75", "1", "1.5", "2", "3", "5", "10", "Infinity"]; // m
+export const CONVERGENCES = /** @type {const} */ (["0.5", "0.75", "1", "1.5", "2", "3", "5", "10", "Infinity"]); // m
+
+/**
+ * @typedef {typeof MODES[number]} Mode
+ * @typedef {typeof CONVERGENCES[number]} Convergence m
+ * @typedef {{mode: Mode, apart: number, convergence: Convergence, swapped: boolean, split: boolean}} Choices apart: mm
+ *   between the eyes; swapped: each eye has the other's side; split: a line between both pictures
+ */
+
 // Two lenses of a holder look straight ahead; on one surface for both eyes, far things shall lie behind it.
-const SUITS = { side: "Infinity", squeezed: "3", "red-cyan": "3" };
-const USUAL = { mode: "side", apart: 63, convergence: SUITS.side, swapped: false, split: false };
+/** @type {Record<Mode, Convergence>} */
+const SUITABLE = { side: "Infinity", squeezed: "3", "red-cyan": "3" };
+/** @type {Choices} */
+const USUAL = { mode: "side", apart: 63, convergence: SUITABLE.side, swapped: false, split: false };
+/** @type {Record<string, (value: unknown) => boolean>} */
 const IS_VALID = {
-  mode: (value) => MODES.includes(value),
-  apart: (value) => Number.isInteger(value) && value >= 0 && value <= MOST_APART,
-  convergence: (value) => CONVERGENCES.includes(value),
+  mode: (value) => MODES.some((one) => one === value),
+  apart: (value) => Number.isInteger(value) && Number(value) >= 0 && Number(value) <= MOST_APART,
+  convergence: (value) => CONVERGENCES.some((one) => one === value),
   swapped: (value) => typeof value === "boolean",
   split: (value) => typeof value === "boolean",
 };
 
-/** Tells "change" when something was chosen. */
+/** Dispatches "change" after each choice. */
 export class Settings extends EventTarget {
-  #chosen = { ...USUAL, ...remembered() };
+  /** @type {Choices} */
+  #chosen = { ...USUAL, ...storedChoices() };
 
-  /** @returns {Readonly<typeof USUAL>} */
+  /** @returns {Readonly<Choices>} */
   get chosen() {
     return this.#chosen;
   }
 
-  /** Choose; another mode brings the convergence that suits it. @param {Partial<typeof USUAL>} what */
-  choose(what) {
-    const suited = what.mode ? { convergence: SUITS[what.mode] } : {};
-    this.#chosen = { ...this.#chosen, ...suited, ...what };
-    localStorage.setItem(PLACE, JSON.stringify(this.#chosen));
+  /** Choose; with another mode comes its suitable convergence. @param {Partial<Choices>} change */
+  choose(change) {
+    const suitable = change.mode ? { convergence: SUITABLE[change.mode] } : {};
+    this.#chosen = { ...this.#chosen, ...suitable, ...change };
+    localStorage.setItem(STORAGE_KEY, JSON.stringify(this.#chosen));
     this.dispatchEvent(new Event("change"));
   }
 }
 
-function remembered() {
+/** The stored choices that are valid. @returns {Partial<Choices>} */
+function storedChoices() {
   try {
-    const found = Object.entries(JSON.parse(localStorage.getItem(PLACE) ?? "{}"));
-    return Object.fromEntries(found.filter(([name, value]) => IS_VALID[name]?.(value)));
+    const stored = Object.entries(JSON.parse(localStorage.getItem(STORAGE_KEY) ?? "{}"));
+    return Object.fromEntries(stored.filter(([name, value]) => IS_VALID[name]?.(value)));
   } catch {
     return {};
   }

@@ -1,16 +1,17 @@
-/** Counts the pictures of a frame over two seconds. */
+/** Counts the pictures that a frame draws, over two seconds. */
 
 const WINDOW = 2000; // ms
 
-/** @returns {{perSecond: (frame: HTMLIFrameElement) => number}} Infinity while it does not know yet */
+/** @returns {{perSecond: (frame: HTMLIFrameElement) => number}} Infinity within the first two seconds */
 export function frameCounter() {
+  /** The window whose pictures are counted. @type {Window | null} */
   let counted = null;
   let pictures = 0;
   let since = 0;
   return {
     perSecond(frame) {
       const view = frame.contentWindow;
-      if (counted !== view) {
+      if (view && counted !== view) {
         counted = view;
         const count = () => {
           pictures += 1;

@@ -14,6 +14,9 @@ const KEY_MOVE = 40; // pixels that a key stands for
 const LOW = { elevation: 0.05, distance: 1, place: -1000 };
 const HIGH = { elevation: 1.57, distance: 100, place: 1000 };
 
+/** @typedef {import("types/api").FreeCamera} CameraPlace where the camera stands and looks, as the server has it */
+
+/** @type {[string, string, (camera: Orbit) => void][]} name, sign and act */
 const BUTTONS = [
   ["left", "⟲", (camera) => camera.turn(-STEP, 0)],
   ["right", "⟳", (camera) => camera.turn(STEP, 0)],
@@ -22,19 +25,20 @@ const BUTTONS = [
   ["nearer", "+", (camera) => camera.zoom(NEARER)],
   ["farther", "−", (camera) => camera.zoom(1 / NEARER)],
 ];
+/** @type {Record<string, (camera: Orbit, moves: boolean) => void>} moves: the shift key is down */
 const KEYS = {
-  ArrowLeft: (camera, isMoved) => (isMoved ? camera.move(KEY_MOVE, 0) : camera.turn(-STEP, 0)),
-  ArrowRight: (camera, isMoved) => (isMoved ? camera.move(-KEY_MOVE, 0) : camera.turn(STEP, 0)),
-  ArrowUp: (camera, isMoved) => (isMoved ? camera.move(0, KEY_MOVE) : camera.turn(0, STEP)),
-  ArrowDown: (camera, isMoved) => (isMoved ? camera.move(0, -KEY_MOVE) : camera.turn(0, -STEP)),
+  ArrowLeft: (camera, moves) => (moves ? camera.move(KEY_MOVE, 0) : camera.turn(-STEP, 0)),
+  ArrowRight: (camera, moves) => (moves ? camera.move(-KEY_MOVE, 0) : camera.turn(STEP, 0)),
+  ArrowUp: (camera, moves) => (moves ? camera.move(0, KEY_MOVE) : camera.turn(0, STEP)),
+  ArrowDown: (camera, moves) => (moves ? camera.move(0, -KEY_MOVE) : camera.turn(0, -STEP)),
   "+": (camera) => camera.zoom(NEARER),
   "-": (camera) => camera.zoom(1 / NEARER),
 };
 
 /**
- * @param {(place: any) => Promise<any>} send tells the server where the camera is
+ * @param {(place: CameraPlace) => Promise<unknown>} send reports the camera's place to the server
  * @param {HTMLElement} surface what lies over the picture
- * @returns {{element: HTMLElement, open: (is: boolean, place?: any) => void}}
+ * @returns {{element: HTMLElement, open: (is: boolean, place?: CameraPlace) => void}}
  */
 export function freeCamera(send, surface) {
   const camera = new Orbit(newestWins(send, SEND_EVERY));
@@ -49,6 +53,7 @@ export function freeCamera(send, surface) {
     }),
   );
   listen(surface, camera);
+  /** @param {boolean} is @param {CameraPlace} [place] */
   const open = (is, place) => {
     if (place) camera.place = place;
     element.hidden = surface.hidden = !is;
@@ -56,49 +61,58 @@ export function freeCamera(send, surface) {
   return { element, open };
 }
 
-/** Where the camera is; each change is sent. */
+/** The camera's place around what it looks at; each change is sent. */
 class Orbit {
-  /** @param {(place: any) => void} send */
+  /** @param {(place: CameraPlace) => void} send */
   constructor(send) {
     this.send = send;
-    this.place = null; // as the server has it
+    /** @type {CameraPlace | null} null until the server has answered */
+    this.place = null;
   }
 
+  /** @param {number} azimuth rad, a change @param {number} elevation rad, a change */
   turn(azimuth, elevation) {
     const { place } = this;
     if (!place) return;
     const turned = place.azimuth + azimuth;
     this.#go({
+      ...place,
       azimuth: Math.atan2(Math.sin(turned), Math.cos(turned)),
       elevation: within(place.elevation + elevation, "elevation"),
     });
   }
 
-  zoom(share) {
-    if (this.place) this.#go({ distance: within(this.place.distance * share, "distance") });
+  /** @param {number} ratio of the distance after to that before */
+  zoom(ratio) {
+    const { place } = this;
+    if (place) this.#go({ ...place, distance: within(place.distance * ratio, "distance") });
   }
 
-  /** Let the picture follow fingers. @param {number} right pixels @param {number} down pixels */
+  /** Move the camera so that the picture follows the fingers. @param {number} right pixels @param {number} down pixels */
   move(right, down) {
     const { place } = this;
     if (!place) return;
     const [sin, cos] = [Math.sin(place.azimuth), Math.cos(place.azimuth)];
     const scale = MOVE * place.distance;
     this.#go({
+      ...place,
       x: within(place.x + scale * (right * sin - down * cos), "place"),
       y: within(place.y - scale * (right * cos + down * sin), "place"),
     });
   }
 
-  #go(change) {
-    this.place = { ...this.place, ...change };
-    this.send(this.place);
+  /** @param {CameraPlace} place */
+  #go(place) {
+    this.place = place;
+    this.send(place);
   }
 }
 
+/** @param {HTMLElement} surface @param {Orbit} camera */
 function listen(surface, camera) {
+  /** The place of each finger in px, by its id. @type {Map<number, [number, number]>} */
   const fingers = new Map();
-  surface.addEventListener("mousedown", (event) => event.preventDefault()); // the keys stay with who had them
+  surface.addEventListener("mousedown", (event) => event.preventDefault()); // the keyboard focus stays where it is
   surface.addEventListener("contextmenu", (event) => event.preventDefault());
   surface.addEventListener("pointerdown", (event) => {
     surface.setPointerCapture(event.pointerId);
@@ -107,6 +121,7 @@ function listen(surface, camera) {
   surface.addEventListener("pointermove", (event) => {
     const before = fingers.get(event.pointerId);
     if (!before) return;
+    /** @type {[number, number]} */
     const now = [event.clientX, event.clientY];
     const [right, down] = [now[0] - before[0], now[1] - before[1]];
     fingers.set(event.pointerId, now);
@@ -117,7 +132,7 @@ function listen(surface, camera) {
     } else if (event.shiftKey || event.buttons > 1) camera.move(right, down);
     else camera.turn(-DRAG * right, DRAG * down);
   });
-  for (const event of ["pointerup", "pointercancel", "lostpointercapture"])
+  for (const event of /** @type {const} */ (["pointerup", "pointercancel", "lostpointercapture"]))
     surface.addEventListener(event, ({ pointerId }) => fingers.delete(pointerId));
   surface.addEventListener(
     "wheel",
@@ -136,10 +151,12 @@ function listen(surface, camera) {
   });
 }
 
+/** @param {[number, number]} a @param {[number, number]} b */
 function apart(a, b) {
   return Math.hypot(a[0] - b[0], a[1] - b[1]);
 }
 
+/** @param {number} value @param {keyof typeof LOW} name */
 function within(value, name) {
   return Math.min(HIGH[name], Math.max(LOW[name], value));
 }

@@ -1,4 +1,4 @@
-/** Where one looks from, or the drawn plan: the buttons, the eye's settings, and the free camera's pad. */
+/** The choice of the view, in 3D or the drawn plan; the settings of the patient's eye; the pad of the free camera. */
 import { t } from "../texts.js";
 import { h } from "../widgets/dom.js";
 import { segments } from "../widgets/fields.js";
@@ -7,44 +7,57 @@ import { newestWins } from "../live/newest_wins.js";
 import { viewSettings } from "./view_settings.js";
 import { canDrawIn3d } from "./webgl.js";
 
-const VIEWS_IN_3D = ["eye", "chase", "top", "free"];
-const VIEWS = [...VIEWS_IN_3D, "plan"];
-const VIEW_PLACE = "bodydrive-view";
+const VIEWS_IN_3D = /** @type {const} */ (["eye", "chase", "top", "free"]);
+const VIEWS = /** @type {const} */ ([...VIEWS_IN_3D, "plan"]);
+const STORAGE_KEY = "bodydrive-view";
 const SEND_EVERY = 50; // ms
 
-/** The view that was chosen last on this page. @returns {string} */
+/** @typedef {typeof VIEWS[number]} ViewName */
+
+/** The view that was chosen last on this page. @returns {ViewName} */
 export function chosenView() {
-  const stored = sessionStorage.getItem(VIEW_PLACE) ?? "";
-  return VIEWS.includes(stored) ? stored : "eye";
+  return viewNamed(sessionStorage.getItem(STORAGE_KEY)) ?? "eye";
 }
 
-/** Choose the view that the next trial on this page begins with. @param {string} view */
+/** @param {string | null} name */
+function viewNamed(name) {
+  return VIEWS.find((view) => view === name);
+}
+
+/** Choose the view with which the next trial on this page begins. @param {ViewName} view */
 export function chooseView(view) {
-  sessionStorage.setItem(VIEW_PLACE, view);
+  sessionStorage.setItem(STORAGE_KEY, view);
 }
 
 /**
  * @param {import("../main.js").App} app @param {HTMLElement} surface what lies over the picture
  * @param {(which: "view" | "plan") => void} onChoose the 3D view or the drawn plan was chosen
- * @returns {{element: HTMLElement, pad: HTMLElement, choosePlan: () => void}} the bar, and what turns the free camera
+ * @returns {{element: HTMLElement, pad: HTMLElement, choosePlan: () => void}} the bar, and the buttons that turn the free camera
  */
 export function viewBar(app, surface, onChoose) {
   let view = chosenView();
-  const ask = (call) => call.catch((error) => app.toasts.show(error.message));
-  const free = freeCamera((place) => ask(app.api.post("/view/clinician/free", place)), surface);
+  const free = freeCamera(
+    (place) => app.toasts.attempt(() => app.api.post("/view/clinician/free", place)),
+    surface,
+  );
   const settings = viewSettings(() => {
     look();
     sendPatients({ ...settings.eye });
   });
-  const send = newestWins(async (choice) => {
-    const shown = await ask(app.api.post("/view/clinician/camera", choice));
-    if (shown && choice.view === view) free.open(view === "free", shown.free);
+  const send = newestWins(async (/** @type {import("types/api").CameraChoice} */ choice) => {
+    const answer = await app.toasts.attempt(() => app.api.post("/view/clinician/camera", choice));
+    if (answer && choice.view === view) free.open(view === "free", answer.free);
   }, SEND_EVERY);
   const look = () => view !== "plan" && send({ view, ...settings.mine() });
-  // The eye is the patient's: the same settings hold on the patient's own screen, which can change nothing.
-  const sendPatients = newestWins((eye) => ask(app.api.post("/view/patient/camera", eye)), SEND_EVERY);
-  const choose = (chosen) => {
-    view = chosen;
+  // The eye is the patient's: its settings also apply to the patient's own screen, which has no settings.
+  const sendPatients = newestWins(
+    (/** @type {import("./view_settings.js").Eye} */ eye) =>
+      app.toasts.attempt(() => app.api.post("/view/patient/camera", eye)),
+    SEND_EVERY,
+  );
+  /** @param {string} name */
+  const choose = (name) => {
+    view = viewNamed(name) ?? view;
     chooseView(view);
     free.open(false);
     onChoose(view === "plan" ? "plan" : "view");
@@ -58,8 +71,9 @@ export function viewBar(app, surface, onChoose) {
     view,
     choose,
   );
-  const radio = (value) => views.querySelector(`input[value="${value}"]`);
-  if (!canDrawIn3d()) for (const value of VIEWS_IN_3D) radio(value).disabled = value !== view;
+  /** @param {ViewName} name @returns {HTMLInputElement} */
+  const radio = (name) => /** @type {HTMLInputElement} */ (views.querySelector(`input[value="${name}"]`));
+  if (!canDrawIn3d()) for (const name of VIEWS_IN_3D) radio(name).disabled = name !== view;
   const element = h("div", { class: "view-bar" }, views, settings.button, settings.panel);
   return { element, pad: free.element, choosePlan: () => radio("plan").click() };
 }

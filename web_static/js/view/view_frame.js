@@ -1,4 +1,4 @@
-/** The 3D view in its frame: whether it has a live picture, why not, and how fine it is drawn. */
+/** The 3D view in its frame: whether its picture is live, why not, and how finely it is drawn. */
 import { t } from "../texts.js";
 import { h, write } from "../widgets/dom.js";
 import { number } from "../widgets/format.js";
@@ -7,23 +7,29 @@ import { LOOK_EVERY, ageLimit } from "./picture_age.js";
 import { canDrawIn3d } from "./webgl.js";
 
 const DEAD = 3.0; // s: by then a picture will not come back by itself
-const PATIENCE = 12000; // ms for a fresh frame to show its first picture, on a slow tablet; doubled in vain, up to ...
-const LONGEST_PATIENCE = 96000; // ms: a machine that needs longer than it gets would load again for ever
-const CALM = 4; // looks in a row without a stutter: loading is over, and Stop answers at once
-const SLOW = 10; // pictures a second; a slower machine draws with fewer pixels, so that the view stays live
-const QUICK = 45; // pictures a second; there is room for more pixels
-const COARSE_PLACE = "bodydrive-view-coarse";
+const PATIENCE = 12000; // ms for a new frame to show its first picture, on a slow tablet; doubled after each failure, up to ...
+const LONGEST_PATIENCE = 96000; // ms; a fixed patience would reload a slow machine for ever
+const CALM = 4; // looks in a row that are on time: loading is over, and Stop reacts at once
+const SLOW = 10; // pictures a second; a slower machine draws fewer pixels, so that the view stays live
+const QUICK = 45; // pictures a second; a faster machine can draw more pixels
+const STORAGE_KEY = "bodydrive-view-coarse";
 const PLOTS_WIDTH = 800; // px that the 3D view's page needs to lay its plots beside the picture
 const COARSEST = 3; // screen pixels to one drawn pixel, each way
 
-/** @typedef {"" | "coming" | "late" | "webgl" | "context" | "stale"} Why why there is no live picture; empty: there is one */
+/**
+ * @typedef {"" | "coming" | "late" | "webgl" | "context" | "stale"} Why why there is no live picture; empty: there is one
+ * @typedef {object} ViewFrame
+ * @property {HTMLElement} element
+ * @property {HTMLElement} surface lies over the picture, hidden until somebody wants to touch it
+ * @property {() => Why} why
+ * @property {(is: boolean) => void} setWanted a view that is not wanted has no frame and costs nothing
+ * @property {(is: boolean) => void} setPlots plots need a picture that is wide enough
+ */
 
 /**
- * `surface` lies over the picture, hidden until somebody wants to touch it.
  * @param {AbortSignal} signal @param {"clinician" | "patient"} [role] whose picture it is
  * @param {() => void} [onChange] `why` has changed
- * @returns {{element: HTMLElement, surface: HTMLElement, why: () => Why, setWanted: (is: boolean) => void, setPlots: (is: boolean) => void}}
- *   a view that is not wanted costs nothing: its frame is gone, until it is wanted again
+ * @returns {ViewFrame}
  */
 export function viewFrame(signal, role = "clinician", onChange = () => {}) {
   const make = () => h("iframe", { src: `/view/${role}/`, title: t("trial.frame"), tabindex: "-1" });
@@ -34,40 +40,42 @@ export function viewFrame(signal, role = "clinician", onChange = () => {}) {
   const element = h("div", { class: "view" }, surface, paceWords, words);
   /** @type {Why} */
   let why = "coming";
-  const tell = (now) => {
-    if (now === why) return;
-    why = now;
+  /** @param {Why} next */
+  const tell = (next) => {
+    if (next === why) return;
+    why = next;
     words.hidden = why === "" || why === "coming";
     write(words, words.hidden ? "" : t(`picture.${why}`));
     element.classList.toggle("without", why === "webgl" || why === "context");
     onChange();
   };
-  const shown = { element, surface, why: () => why, setWanted: (_is) => {}, setPlots: (_is) => {} };
   if (!canDrawIn3d()) {
     tell("webgl");
-    return shown;
+    return { element, surface, why: () => why, setWanted: () => {}, setPlots: () => {} };
   }
 
   let frame = make();
   let isWanted = true;
   element.prepend(frame);
   let loadedAt = performance.now();
-  let deadSince = Infinity; // ms of performance.now, since when the browser has taken the drawing context away
+  let deadSince = Infinity; // ms of performance.now when the browser took the drawing context away
   let calm = 0;
-  let isBegun = false; // this frame has shown a live picture
+  let wasLive = false; // this frame has shown a live picture
   let patience = PATIENCE;
   const pace = frameCounter();
   const age = ageLimit();
 
-  let mayRefine = true; // once: a machine on the border shall not go to and fro
+  let mayRefine = true; // once, so that a machine at the limit does not change to and fro
   let hasPlots = false;
-  let coarse = Number(sessionStorage.getItem(COARSE_PLACE)) || 1;
+  let coarse = Number(sessionStorage.getItem(STORAGE_KEY)) || 1;
+  /** @param {number} times screen pixels to one drawn pixel, each way */
   const setCoarse = (times) => {
     coarse = times;
-    sessionStorage.setItem(COARSE_PLACE, String(times));
+    sessionStorage.setItem(STORAGE_KEY, String(times));
     draw(element, times);
   };
-  const suit = (rate) => {
+  /** Draw coarser when the view is slow, finer when it is quick. @param {number} rate pictures a second */
+  const adjust = (rate) => {
     if (rate < SLOW) setCoarse(Math.min(COARSEST, coarse + 1));
     else if (rate > QUICK && coarse > 1 && mayRefine) {
       mayRefine = false;
@@ -75,48 +83,52 @@ export function viewFrame(signal, role = "clinician", onChange = () => {}) {
     }
   };
   draw(element, coarse);
+  /** @param {boolean} isLive */
   const showPace = (isLive) => {
     const rate = isLive ? pace.perSecond(frame) : Infinity;
     if (!isLive) write(paceWords, "");
     if (!Number.isFinite(rate)) return;
-    write(paceWords, paceSentence(rate, ask(frame, "lag", null), coarse));
-    if (!hasPlots) suit(rate);
+    write(paceWords, paceSentence(rate, pictureOf(frame)?.lag() ?? null, coarse));
+    if (!hasPlots) adjust(rate);
   };
   const look = () => {
     const { onTime, limit } = age();
     if (!isWanted || document.visibilityState !== "visible") return;
     const now = performance.now();
-    const isDrawn = ask(frame, "draws", true);
-    const old = ask(frame, "age", Infinity);
+    const picture = pictureOf(frame);
+    const isDrawn = picture?.draws() ?? true;
+    const old = picture?.age() ?? Infinity;
     const isLive = isDrawn && old < limit;
     const isNew = now - loadedAt < patience;
     calm = isLive && onTime ? calm + 1 : 0;
     deadSince = isDrawn ? Infinity : Math.min(deadSince, now);
     showPace(isLive);
     if (!isDrawn) tell("context");
-    else if (isLive && (isBegun || calm >= CALM || !isNew)) {
-      isBegun = true;
+    else if (isLive && (wasLive || calm >= CALM || !isNew)) {
+      wasLive = true;
       tell("");
-    } else if (!isLive && isBegun) tell("stale");
+    } else if (!isLive && wasLive) tell("stale");
     else if (!isNew && why === "coming") tell("late");
     const isDead = now - deadSince > 1000 * DEAD || (isDrawn && old >= DEAD && !isNew);
     if (isDead) renew(now, old);
   };
+  /** Load the frame anew, if the browser can draw. @param {number} now ms of performance.now @param {number} old s, age of the picture */
   const renew = (now, old) => {
     patience = old === Infinity ? Math.min(2 * patience, LONGEST_PATIENCE) : PATIENCE;
     if (canDrawIn3d()) return load();
-    [loadedAt, deadSince] = [now, Infinity]; // look again later: a browser may give the context back
+    [loadedAt, deadSince] = [now, Infinity]; // try again later: a browser may give the context back
     tell("webgl");
   };
   const load = () => {
-    [loadedAt, deadSince, isBegun, calm] = [performance.now(), Infinity, false, 0];
+    [loadedAt, deadSince, wasLive, calm] = [performance.now(), Infinity, false, 0];
     frame.remove();
     frame = make();
     element.prepend(frame);
   };
   const timer = setInterval(look, LOOK_EVERY);
   signal.addEventListener("abort", () => clearInterval(timer));
-  shown.setWanted = (is) => {
+  /** @param {boolean} is */
+  const setWanted = (is) => {
     if (is === isWanted) return;
     isWanted = is;
     write(paceWords, "");
@@ -124,23 +136,20 @@ export function viewFrame(signal, role = "clinician", onChange = () => {}) {
     else frame.remove();
     tell("coming");
   };
-  /** Plots need room beside the picture, so that the frame may not become too narrow. @param {boolean} is */
-  shown.setPlots = (is) => {
+  /** With plots the frame must not become too narrow, because they stand beside the picture. @param {boolean} is */
+  const setPlots = (is) => {
     hasPlots = is;
     draw(element, is ? Math.max(1, Math.min(coarse, element.clientWidth / PLOTS_WIDTH)) : coarse);
   };
-  return shown;
+  return { element, surface, why: () => why, setWanted, setPlots };
 }
 
-/**
- * Return what the page in the frame tells of its picture; `otherwise` while it tells nothing.
- * @template T @param {HTMLIFrameElement} frame @param {"age" | "lag" | "draws"} what @param {T} otherwise
- */
-function ask(frame, what, otherwise) {
+/** The state of the picture in a frame; undefined while its page has none. @param {HTMLIFrameElement} frame */
+function pictureOf(frame) {
   try {
-    return frame.contentWindow?.bodydriveView?.[what]() ?? otherwise;
+    return frame.contentWindow?.bodydriveView;
   } catch {
-    return otherwise; // a frame with an error page cannot be read
+    return undefined; // a frame with an error page cannot be read
   }
 }
 

@@ -1,51 +1,60 @@
-/** How the patient's eye looks: field of view, eye height, comfort, head; remembered on this screen. */
+/** The settings of the patient's eye: field of view, eye height, comfort, head; stored in this browser. */
 import { t } from "../texts.js";
 import { h } from "../widgets/dom.js";
 import { setting, stepper, toggle } from "../widgets/fields.js";
 import { icon } from "../widgets/icons.js";
 
-const PLACE = "bodydrive-eye";
+const STORAGE_KEY = "bodydrive-eye";
+/**
+ * @typedef {"fov_deg" | "eye_height" | "roll_share"} NumberName
+ * @typedef {Record<NumberName, number> & {head: boolean}} Eye fov_deg: °; eye_height: m; roll_share: of the chair's roll;
+ *   head: whether the view follows the head
+ */
+
+/** @type {Eye} */
 const USUAL = { fov_deg: 68, eye_height: 1.2, roll_share: 0, head: true };
-const RANGES = { fov_deg: [30, 110], eye_height: [0.8, 1.6], roll_share: [0, 1], head: [false, true] };
+/** The least and the greatest value of each number. @type {Record<NumberName, [number, number]>} */
+const RANGES = { fov_deg: [30, 110], eye_height: [0.8, 1.6], roll_share: [0, 1] };
 const REDUCED = matchMedia("(prefers-reduced-motion: reduce)");
 
-let made = 0;
+let made = 0; // panels, each with an id of its own
 
 /**
  * @param {() => void} onChange
- * @returns {{button: HTMLElement, panel: HTMLElement, eye: typeof USUAL, mine: () => typeof USUAL}}
- *   what was chosen, and what of it this screen shows
+ * @returns {{button: HTMLElement, panel: HTMLElement, eye: Eye, mine: () => Eye}} eye: as chosen; mine: as this screen shows it
  */
 export function viewSettings(onChange) {
-  const eye = { ...USUAL, ...remembered() };
-  const set = (name) => (value) => {
-    eye[name] = value;
-    localStorage.setItem(PLACE, JSON.stringify(eye));
+  const eye = { ...USUAL, ...storedEye() };
+  /** @param {Partial<Eye>} change */
+  const set = (change) => {
+    Object.assign(eye, change);
+    localStorage.setItem(STORAGE_KEY, JSON.stringify(eye));
     onChange();
   };
-  const step = (name, low, high, size, digits, unit, toShown = 1) =>
+  /** @param {NumberName} name @param {number} size of a step @param {number} digits @param {string} unit @param {number} [scale] of the number on screen */
+  const step = (name, size, digits, unit, scale = 1) =>
     stepper({
       label: t(`trial.view.${name}`),
-      value: eye[name] * toShown,
-      low,
-      high,
+      value: eye[name] * scale,
+      low: RANGES[name][0] * scale,
+      high: RANGES[name][1] * scale,
       step: size,
       digits,
       unit,
-      onChange: (value) => set(name)(value / toShown),
+      onChange: (value) => set({ [name]: value / scale }),
     });
   const id = `view-settings-${++made}`;
   const panel = h(
     "div",
     { class: "card view-settings", id, popover: "auto", role: "group", "aria-label": t("trial.view.settings") },
-    setting(t("trial.view.fov_deg"), "", step("fov_deg", ...RANGES.fov_deg, 2, 0, "°")),
-    setting(t("trial.view.eye_height"), "", step("eye_height", ...RANGES.eye_height, 0.05, 2, "m")),
+    setting(t("trial.view.fov_deg"), "", step("fov_deg", 2, 0, "°")),
+    setting(t("trial.view.eye_height"), "", step("eye_height", 0.05, 2, "m")),
     setting(
       t("trial.view.roll_share"),
       REDUCED.matches ? t("trial.view.reduced") : t("trial.view.roll_share.why"),
-      REDUCED.matches ? h("span", {}) : step("roll_share", 0, 100, 25, 0, "%", 100),
+      REDUCED.matches ? h("span", {}) : step("roll_share", 25, 0, "%", 100),
     ),
-    setting(t("trial.view.head"), t("trial.view.head.why"), toggle(t("trial.view.head.on"), eye.head, set("head"))),
+    setting(t("trial.view.head"), t("trial.view.head.why"), toggle(t("trial.view.head.on"), eye.head, (head) => set({ head }))),
     setting(
       t("stereo.open"),
       t("stereo.open.why"),
@@ -61,16 +70,19 @@ export function viewSettings(onChange) {
   return { button, panel, eye, mine: () => (REDUCED.matches ? { ...eye, roll_share: 0 } : eye) };
 }
 
-function remembered() {
+/** The stored settings that are valid. @returns {Partial<Eye>} */
+function storedEye() {
   try {
-    const found = JSON.parse(localStorage.getItem(PLACE) ?? "{}");
-    return Object.fromEntries(Object.keys(USUAL).flatMap((name) => kept(name, found?.[name])));
+    const stored = JSON.parse(localStorage.getItem(STORAGE_KEY) ?? "{}");
+    return Object.fromEntries(Object.keys(USUAL).flatMap((name) => validField(name, stored?.[name])));
   } catch {
     return {};
   }
 }
 
-function kept(name, value) {
-  const [low, high] = RANGES[name];
-  return typeof value === typeof low && value >= low && value <= high ? [[name, value]] : [];
+/** @param {string} name @param {unknown} value @returns {[string, unknown][]} none when the value is not valid */
+function validField(name, value) {
+  if (name === "head") return typeof value === "boolean" ? [[name, value]] : [];
+  const [low, high] = RANGES[/** @type {NumberName} */ (name)];
+  return typeof value === "number" && value >= low && value <= high ? [[name, value]] : [];
 }
