@@ -234,6 +234,11 @@ class Trial(Table):
     measures: Mapped[dict[str, Any] | None]
     quality: Mapped[dict[str, Any] | None]  # how well the map fitted the movements of this trial
 
+    @property
+    def source(self) -> Source:
+        """Return where the signals of its run came from."""
+        return self.run.source
+
 
 class Chair(Table):
     """A real chair that shares a key with this machine; the key itself lies in a file, never here."""
@@ -268,6 +273,11 @@ class Drive(Table):
     ended: Mapped[datetime | None]
     end: Mapped[str | None] = mapped_column(String(16))  # by hand, fault
     distance: Mapped[float | None] = mapped_column(Float)  # m
+
+    @property
+    def source(self) -> Source:
+        """Return where the signals of its run came from."""
+        return self.run.source
 
 
 class LogEntry(Table):

@@ -8,6 +8,7 @@ from pydantic import Field
 
 from app.api.deps import Anyone, Clinician, PeopleParts, RowId
 from app.api.parts import Web, WebParts
+from app.api.views import MomentText, View
 from app.calibration.adaptation.proposal import JointChange
 from app.quantities import Document
 from app.scoring.trial_forecast import Effect
@@ -71,14 +72,14 @@ class AdaptationView(Document):
     looking: bool  # a proposal is being made
 
 
-class MapView(Document):
+class MapView(View):
     """One version of a map."""
 
     version: int
     origin: str
     parent: int | None
     difference: dict[str, Any] | None
-    created: str
+    created: MomentText
     trials: list[int]
 
 
@@ -197,14 +198,4 @@ def list_maps(patient_id: RowId, who: Anyone, parts: PeopleParts) -> list[MapVie
     with parts.database.transaction(closing=True) as db:
         find_patient(db, who.clinic_id, patient_id)
         write_log(db, who.name, "patient viewed", patient=patient_id)
-        return [
-            MapView(
-                version=one.version,
-                origin=one.origin,
-                parent=one.parent,
-                difference=one.difference,
-                created=one.created.isoformat(),
-                trials=one.trials,
-            )
-            for one in versions_of(db, patient_id)
-        ]
+        return [MapView.of(version) for version in versions_of(db, patient_id)]

@@ -10,6 +10,7 @@ from app.api.deps import Anyone, Clinician, Owner, People, PeopleParts, RowId
 from app.api.parts import Web, WebParts
 from app.api.qr import qr_picture
 from app.api.sign_in.signed_in import SignedInPerson
+from app.api.views import MomentText, View
 from app.hardware.chair.key import Key
 from app.hardware.places import Host
 from app.quantities import Document, Port, Title
@@ -40,7 +41,7 @@ class Choice(Document):
     dynamics: Dynamics
 
 
-class ChairView(Document):
+class ChairView(View):
     """A chair that is paired."""
 
     id: int
@@ -49,7 +50,7 @@ class ChairView(Document):
     port: int
     key_id: int
     speeds: Speeds
-    paired: str
+    paired: MomentText
 
 
 class ChairsView(Document):
@@ -68,22 +69,10 @@ class PairedView(ChairsView):
     qr: str
 
 
-def _chair_view(chair: Chair) -> ChairView:
-    return ChairView(
-        id=chair.id,
-        name=chair.name,
-        host=chair.host,
-        port=chair.port,
-        key_id=chair.key_id,
-        speeds=Speeds.model_validate(chair.speeds),
-        paired=chair.paired.isoformat(),
-    )
-
-
 async def _view(parts: People, web: WebParts, who: SignedInPerson) -> ChairsView:
     def _read() -> list[ChairView]:
         with parts.database.transaction() as db:
-            return [_chair_view(chair) for chair in chairs_of(db, own_clinic(db, who))]
+            return [ChairView.of(chair) for chair in chairs_of(db, own_clinic(db, who))]
 
     chosen = web.chairs.chosen
     return ChairsView(

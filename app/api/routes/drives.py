@@ -14,6 +14,7 @@ from app.api.live.screens import Screen
 from app.api.nearby import require_nearby
 from app.api.parts import Web
 from app.api.routes.source_view import SourceView
+from app.api.views import MomentText, View
 from app.calibration.vocabulary import ControlMode
 from app.clock import monotonic
 from app.quantities import Document
@@ -22,7 +23,6 @@ from app.session.run_watch import Starter
 from app.speeds import Speeds
 from app.store.drives import drives_of, find_drive
 from app.store.patients import find_patient
-from app.store.tables import Drive
 
 router = APIRouter(prefix="/drives", tags=["drives"])
 
@@ -31,14 +31,14 @@ CHANGED = "The controls were changed meanwhile: read again what applies, then ar
 NOT_IN_VIEW = "This screen has not said yet that it is in view: wait a moment, then arm again."
 
 
-class ArmedChair(Document):
+class ArmedChair(View):
     """Which chair."""
 
     id: int
     name: str
 
 
-class ArmedSet(Document):
+class ArmedSet(View):
     """Which set, and how it drives."""
 
     title: str
@@ -50,14 +50,14 @@ class ArmedSet(Document):
     turn_cruise_time: float  # s
 
 
-class PracticeView(Document):
+class PracticeView(View):
     """How often exactly this set was driven on the virtual chair, and when last."""
 
     trials: int
-    last: str | None
+    last: MomentText | None
 
 
-class LastPractised(Document):
+class LastPractised(View):
     """The set that was practised last."""
 
     hash: str
@@ -83,28 +83,16 @@ class NewDrive(Document):
     screen: ScreenWord
 
 
-class DriveView(Document):
+class DriveView(View):
     """A drive."""
 
     id: int
-    started: str
-    ended: str | None
+    started: MomentText
+    ended: MomentText | None
     hash: str
     distance: float | None  # m, None when it never moved
     end: str | None
     source: SourceView
-
-
-def _drive_view(drive: Drive) -> DriveView:
-    return DriveView(
-        id=drive.id,
-        started=drive.started.isoformat(),
-        ended=None if drive.ended is None else drive.ended.isoformat(),
-        hash=drive.hash,
-        distance=drive.distance,
-        end=drive.end,
-        source=SourceView.of(drive.run.source),
-    )
 
 
 @router.get("/summary")
@@ -113,24 +101,11 @@ async def summary(who: Anyone, web: Web) -> Summary:
     now = await web.arming.summary(who.clinic_id)
     chair, parameters, last = web.chairs.chosen, now.parameters, now.last_practised
     return Summary(
-        chair=None if chair is None else ArmedChair(id=chair.id, name=chair.name),
-        parameters=None
-        if parameters is None
-        else ArmedSet(
-            title=parameters.title,
-            hash=parameters.hash,
-            mode_u1=parameters.mode_u1,
-            mode_u2=parameters.mode_u2,
-            cutoff=parameters.cutoff,
-            cruise_time=parameters.cruise_time,
-            turn_cruise_time=parameters.turn_cruise_time,
-        ),
+        chair=None if chair is None else ArmedChair.of(chair),
+        parameters=None if parameters is None else ArmedSet.of(parameters),
         speeds=now.speeds,
-        practised=PracticeView(
-            trials=now.practice.trials,
-            last=None if now.practice.last is None else now.practice.last.isoformat(),
-        ),
-        last_practised=None if last is None else LastPractised(hash=last.hash, title=last.title),
+        practised=PracticeView.of(now.practice),
+        last_practised=None if last is None else LastPractised.of(last),
         differences=now.differences,
         refusals=now.refusals,
     )
@@ -173,9 +148,9 @@ def list_drives(patient: Annotated[int, Query(ge=1, le=2**31)], who: Anyone, par
     """List a patient's drives, the newest last."""
     with parts.database.transaction() as db:
         find_patient(db, who.clinic_id, patient)
-        return [_drive_view(drive) for drive in drives_of(db, who.clinic_id, patient)]
+        return [DriveView.of(drive) for drive in drives_of(db, who.clinic_id, patient)]
 
 
 def _one(parts: People, clinic_id: int, drive_id: int) -> DriveView:
     with parts.database.transaction() as db:
-        return _drive_view(find_drive(db, clinic_id, drive_id))
+        return DriveView.of(find_drive(db, clinic_id, drive_id))

@@ -3,13 +3,13 @@
 from fastapi import APIRouter
 
 from app.api.deps import Owner, PeopleParts
-from app.quantities import Document
+from app.api.views import View
 from app.store.log_chain import verify_log
 
 router = APIRouter(prefix="/log", tags=["log"])
 
 
-class LogCheckView(Document):
+class LogCheckView(View):
     """What a check of the log found."""
 
     whole: bool
@@ -20,5 +20,4 @@ class LogCheckView(Document):
 @router.get("/check")
 def check_log(_who: Owner, parts: PeopleParts) -> LogCheckView:
     """Check every row of the log, and its newest rows against its head."""
-    check = verify_log(parts.settings.database)
-    return LogCheckView(whole=check.whole, rows=check.rows, words=check.words)
+    return LogCheckView.of(verify_log(parts.settings.database))

@@ -8,6 +8,7 @@ from pydantic import Field
 
 from app.api.deps import Anyone, Clinician, PeopleParts, RowId
 from app.api.parts import Web, open_view
+from app.api.views import MomentText, View
 from app.quantities import Count, Document, Name, Note, Title
 from app.store.database import Transaction
 from app.store.log import write_log
@@ -55,12 +56,12 @@ class NewSession(Document):
     patient_id: Count
 
 
-class SessionView(Document):
+class SessionView(View):
     """The open session."""
 
     id: int
     number: int
-    started: str
+    started: MomentText
     opened_by: str | None  # a person's name
 
 
@@ -129,12 +130,7 @@ def _session(parts: PeopleParts, clinic_id: int) -> CurrentSession:
         has_profile, done = session_progress(db, session)
         return CurrentSession(
             patient=_view(db, find_patient(db, clinic_id, session.patient_id)),
-            session=SessionView(
-                id=session.id,
-                number=session.number,
-                started=session.started.isoformat(),
-                opened_by=session.opened_by,
-            ),
+            session=SessionView.of(session),
             has_profile=has_profile,
             steps_done=done,
         )

@@ -9,6 +9,7 @@ from pydantic import ValidationError
 from app.api.deps import Clinician, People, PeopleParts
 from app.api.parts import Web
 from app.api.routes.plan_files import draft_of_uploads
+from app.api.views import View
 from app.quantities import Document, Name
 from app.sentences import one_sentence
 from app.store.files.plans import OwnPlans
@@ -22,7 +23,7 @@ MOST_PARTS = 250_000  # lists and objects of a document: far more than a buildin
 router = APIRouter(tags=["floor plans"])
 
 
-class OwnPlanView(Document):
+class OwnPlanView(View):
     """A floor plan of the clinic's own; `version` is what a change is held against."""
 
     name: str
@@ -90,7 +91,7 @@ def _log(parts: People, person: str, what: str, **details: Any) -> None:
 @router.get("/own-floorplans")
 def list_own(_who: Clinician, web: Web) -> list[OwnPlanView]:
     """List the clinic's own floor plans."""
-    return [OwnPlanView(**plan._asdict()) for plan in OwnPlans(web.own_floorplans).listed()]
+    return [OwnPlanView.of(plan) for plan in OwnPlans(web.own_floorplans).listed()]
 
 
 @router.post("/floorplans/check")
@@ -121,7 +122,7 @@ async def save_new(
     def save() -> OwnPlanView:
         saved = OwnPlans(web.own_floorplans).add(_parsed(content), same_name, parts.replaced)
         _log(parts, who.name, "floor plan saved", floorplan=saved.name, version=saved.version, **log_details(same_name))
-        return OwnPlanView(**saved._asdict())
+        return OwnPlanView.of(saved)
 
     return await asyncio.to_thread(save)
 

@@ -7,6 +7,7 @@ from fastapi import APIRouter, HTTPException, Path
 from pydantic import ValidationError
 
 from app.api.deps import Clinician, People, PeopleParts
+from app.api.views import MomentText, View
 from app.quantities import Document
 from app.store.files.plans import OwnPlans
 from app.store.files.replacements import Kind
@@ -18,15 +19,15 @@ router = APIRouter(prefix="/replaced", tags=["uploads"])
 Identity = Annotated[str, Path(max_length=160, pattern=r"^[0-9TZ.]+--[A-Za-z0-9_.-]+$")]
 
 
-class ReplacedView(Document):
+class ReplacedView(View):
     """One file that was replaced: `until` is when it is removed for good."""
 
     kind: Kind
     id: str
     name: str
     bytes: int
-    replaced: str
-    until: str
+    replaced: MomentText
+    until: MomentText
 
 
 class PutBackView(Document):
@@ -39,10 +40,7 @@ class PutBackView(Document):
 @router.get("")
 def list_replaced(_who: Clinician, parts: PeopleParts) -> list[ReplacedView]:
     """List what was replaced in the last 30 days, newest first."""
-    return [
-        ReplacedView(**one._asdict() | {"replaced": one.replaced.isoformat(), "until": one.until.isoformat()})
-        for one in parts.replaced.listed()
-    ]
+    return [ReplacedView.of(file) for file in parts.replaced.listed()]
 
 
 @router.post("/{kind}/{identity}/restore")

@@ -1,8 +1,9 @@
 """The source of a trial or drive, as every answer shows it, and which trials a review looks at."""
 
-from typing import Annotated
+from typing import Annotated, Any
 
 from fastapi import Depends, Query
+from pydantic import model_validator
 
 from app.api.deps import PeopleParts
 from app.source import Source, SourceGroup, source_words
@@ -13,10 +14,12 @@ class SourceView(Source):
 
     words: str
 
+    @model_validator(mode="before")
     @classmethod
-    def of(cls, source: Source) -> "SourceView":
-        """Return what is shown of a source."""
-        return cls(**source.model_dump(), words=source_words(source))
+    def _add_words(cls, source: Any) -> Any:
+        if isinstance(source, Source) and not isinstance(source, SourceView):
+            return {**source.model_dump(), "words": source_words(source)}
+        return source
 
 
 def requested_group(parts: PeopleParts, source: Annotated[SourceGroup | None, Query()] = None) -> SourceGroup:

@@ -14,6 +14,7 @@ from app.api.live.screens import Screen
 from app.api.parts import Web, WebParts, load_plan
 from app.api.routes.source_view import SourceView
 from app.api.sign_in.signed_in import SignedInPerson
+from app.api.views import MomentText, View
 from app.quantities import Document, Line, Name
 from app.refusals import Conflict, NotFound
 from app.scoring.control_quality import ControlQuality
@@ -21,7 +22,6 @@ from app.session.run_watch import Starter
 from app.store.log import write_log
 from app.store.patients import find_patient
 from app.store.runs import find_trial, keep_trial, trials_of
-from app.store.tables import Trial
 from app.world.floorplan import FloorPlan
 from app.world.scene import DrivingPlace
 
@@ -37,7 +37,7 @@ class PathView(Document):
     task: str  # path, follow, turn, back or course
 
 
-class SceneView(Document):
+class SceneView(View):
     """The scene that a floor plan is a level of."""
 
     name: str
@@ -45,7 +45,7 @@ class SceneView(Document):
     about: str
 
 
-class LevelView(Document):
+class LevelView(View):
     """How difficult."""
 
     name: str
@@ -85,7 +85,7 @@ class Discard(Document):
     reason: Annotated[Line, Field(min_length=1, max_length=200)]
 
 
-class TrialView(Document):
+class TrialView(View):
     """A trial and what was measured."""
 
     id: int
@@ -94,7 +94,7 @@ class TrialView(Document):
     floorplan: str
     floorplan_title: str
     path: str
-    started: str
+    started: MomentText
     status: str
     end: str | None
     kept: bool
@@ -103,7 +103,7 @@ class TrialView(Document):
     measures: dict[str, Any] | None
 
 
-class TrajectoryView(Document):
+class TrajectoryView(View):
     """Where the chair went, decimated."""
 
     t: list[float]
@@ -121,7 +121,7 @@ class TrialDetail(Document):
     floorplan_title: str
     path: list[tuple[float, float]]
     path_name: str
-    started: str
+    started: MomentText
     status: str
     end: str | None
     kept: bool
@@ -130,25 +130,6 @@ class TrialDetail(Document):
     measures: dict[str, Any] | None
     trajectory: TrajectoryView | None
     quality: ControlQuality | None  # None where the recording does not tell
-
-
-def trial_view(trial: Trial) -> TrialView:
-    """Return what is shown of a trial."""
-    return TrialView(
-        id=trial.id,
-        number=trial.number,
-        patient_id=trial.patient_id,
-        floorplan=trial.floorplan,
-        floorplan_title=trial.floorplan_title,
-        path=trial.path,
-        started=trial.started.isoformat(),
-        status=trial.status,
-        end=trial.end,
-        kept=trial.kept,
-        discard_reason=trial.discard_reason,
-        source=SourceView.of(trial.run.source),
-        measures=trial.measures,
-    )
 
 
 @router.get("/floorplans")
@@ -169,8 +150,8 @@ def _offered(offer: DrivingPlace) -> FloorPlanView:
             PathView(name=path.name, title=path.title, length=round(path.line.length, 3), task=path.task.kind)
             for path in plan.paths
         ],
-        scene=None if scene is None else SceneView(name=scene.name, title=scene.title, about=scene.about),
-        level=None if level is None else LevelView(name=level.name, title=level.title),
+        scene=None if scene is None else SceneView.of(scene),
+        level=None if level is None else LevelView.of(level),
     )
 
 
@@ -217,7 +198,7 @@ async def start_trial(body: NewTrial, who: Clinician, parts: PeopleParts, web: W
 
 def _one(parts: PeopleParts, clinic_id: int, trial_id: int) -> TrialView:
     with parts.database.transaction() as db:
-        return trial_view(find_trial(db, clinic_id, trial_id))
+        return TrialView.of(find_trial(db, clinic_id, trial_id))
 
 
 @router.post("/trials/current/end")
@@ -233,7 +214,7 @@ def list_trials(patient: Annotated[int, Query(ge=1, le=2**31)], who: Anyone, par
     """List a patient's trials, the newest last."""
     with parts.database.transaction() as db:
         find_patient(db, who.clinic_id, patient)
-        return [trial_view(trial) for trial in trials_of(db, who.clinic_id, patient)]
+        return [TrialView.of(trial) for trial in trials_of(db, who.clinic_id, patient)]
 
 
 @router.get("/trials/{trial_id}")
@@ -243,12 +224,12 @@ def one_trial(trial_id: RowId, who: Anyone, parts: PeopleParts, web: Web) -> Tri
         trial = find_trial(db, who.clinic_id, trial_id)
         write_log(db, who.name, "trial viewed", trial=trial_id)
     found = web.trajectories.of(web.runs.folder_of(trial.run_id)) if trial.status == "done" else None
-    shown = trial_view(trial).model_dump(exclude={"path"})
+    shown = TrialView.of(trial).model_dump(exclude={"path"})
     return TrialDetail(
         **shown,
         path=[(x, y) for x, y in trial.path_points],
         path_name=trial.path,
-        trajectory=None if found is None else TrajectoryView(t=found.t, x=found.x, y=found.y),
+        trajectory=None if found is None else TrajectoryView.of(found),
         quality=web.qualities.of(trial),
     )
 
@@ -269,4 +250,4 @@ def _keep(parts: People, who: SignedInPerson, trial_id: int, reason: str | None)
     with parts.database.transaction() as db:
         trial = keep_trial(db, who.clinic_id, trial_id, reason)
         write_log(db, who.name, "trial kept" if reason is None else "trial discarded", trial=trial_id)
-        return trial_view(trial)
+        return TrialView.of(trial)
