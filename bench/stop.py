@@ -1,4 +1,4 @@
-"""How long from Stop on the tablet to the first frame that stops the chair, on one machine."""
+"""Measures the time from Stop on the tablet to the first frame that stops the chair, on one machine."""
 
 import http.client
 import random
@@ -15,13 +15,13 @@ from app.hardware.chair.key import new_key, write_key
 from app.hardware.chair.packet import STOP
 from app.session.equipment.pairing import pair_shirt, shirt_key_file
 from bench.children import ask, free_ports, next_line, started
-from bench.processes.listening import ListeningChair
+from bench.processes.measured_chair import MeasuredChair
 from bench.row import Row
 
 STOPS = 100  # of each kind
 REACH = 25.0  # ms
-DRIVING = 0.1  # s at most before a stop, at random, so that it meets every phase of the loop
-FRAME_LIMIT = 2.0  # s: a frame that comes no sooner never comes
+DRIVING = 0.1  # s: longest drive before a stop, of random length, so that stops meet every phase of the loop
+FRAME_LIMIT = 2.0  # s to wait for the stop frame
 LOOK_EVERY = 0.002  # s
 
 
@@ -32,7 +32,7 @@ def measure_stop(stops: int = STOPS) -> list[Row]:
     over_http: list[float] = []
     with served() as (web, chair, port):
         address = ("127.0.0.1", port)
-        request(address, "GET", "/")  # the page that has the button was loaded before
+        request(address, "GET", "/")  # the page with the button is loaded before a stop
         for times, stop in [(over_link, _by_link), (over_http, _by_http)] * stops:
             ask(web, "arm")
             clock.sleep_until(clock.now() + pause.uniform(0.0, DRIVING))
@@ -44,10 +44,10 @@ def measure_stop(stops: int = STOPS) -> list[Row]:
 
 
 @contextmanager
-def served() -> Iterator[tuple[subprocess.Popen[str], ListeningChair, int]]:
-    """Yield the web process of `stop_served`, the chair that it drives, and the port that it serves."""
+def served() -> Iterator[tuple[subprocess.Popen[str], MeasuredChair, int]]:
+    """Yield the web process of `stop_served`, the chair that it drives, and the port on which it serves."""
     key = new_key(1)
-    with tempfile.TemporaryDirectory() as folder, ListeningChair(key) as chair:
+    with tempfile.TemporaryDirectory() as folder, MeasuredChair(key) as chair:
         key_file = Path(folder) / "1.key"
         write_key(key_file, key)
         shirt_port, shirt_key = free_ports(1)[0], str(shirt_key_file(Path(folder), pair_shirt(Path(folder)).id))
@@ -72,9 +72,9 @@ def _by_http(_web: subprocess.Popen[str], address: tuple[str, int]) -> float:
 
 
 def request(address: tuple[str, int], method: str, path: str) -> float:
-    """Ask the web process, and return when that began (monotonic s)."""
+    """Send a request to the web process, and return when it was sent (monotonic s)."""
     connection = http.client.HTTPConnection(*address, timeout=FRAME_LIMIT)
-    connection.connect()  # a page's connection stands already
+    connection.connect()  # before the time counts: the connection of a page is open already
     before = monotonic()
     connection.request(method, path)
     status = connection.getresponse().status
@@ -84,12 +84,12 @@ def request(address: tuple[str, int], method: str, path: str) -> float:
     return before
 
 
-def _stopped(chair: ListeningChair, clock: MonotonicClock, stop: Callable[[], float]) -> float:
-    """Stop, and return how long after that the first stop frame came, s."""
-    seen = len(chair.heard)
+def _stopped(chair: MeasuredChair, clock: MonotonicClock, stop: Callable[[], float]) -> float:
+    """Stop, and return the time until the first stop frame came (s)."""
+    seen = len(chair.commands)
     before = stop()
     while clock.now() < before + FRAME_LIMIT:
-        for came, command in chair.heard[seen:]:
+        for came, command in chair.commands[seen:]:
             if command.flags & STOP:
                 return came - before
         clock.sleep_until(clock.now() + LOOK_EVERY)

@@ -11,8 +11,8 @@ from app.clock import monotonic, stopwatch
 from app.scene.servers import ROLES
 from bench.children import ask, next_line, started
 from bench.circle import age_at
-from bench.looking import chair_positions, open_view, packets
 from bench.row import Row
+from bench.view_client import chair_positions, open_view, packets
 
 VIEWERS = (1, 4, 8)
 RUNS = 3

@@ -1,7 +1,7 @@
-"""The stand-in chair as a process, with the scheduling that a receiver has: notes when each command came.
+"""A chair's real receiver as a process, with a receiver's scheduling; it notes when each command came.
 
-Arguments: a bound socket's descriptor, a key file. Prints the port of its sender as soon as that drives; when a line
-comes on stdin, the times (monotonic s) of all commands, and of those that drive.
+Arguments: the descriptor of a bound socket, a key file. Prints the port of its sender at the first command that drives;
+at a line on stdin, prints the times (monotonic s) of all accepted commands, and of those that drive.
 """
 
 import json
@@ -13,22 +13,21 @@ from pathlib import Path
 from app.hardware.chair.key import read_key
 from app.hardware.chair.packet import DRIVE, Command
 from app.realtime import go_real_time
-from bench.processes.listening import Address, listen
-from bench.processes.stand_in_chair import StandInChair
+from bench.processes.measured_chair import Address, run_chair
 
 
 def main(descriptor: int, key_file: Path) -> None:
-    """Be the chair until told to tell."""
+    """Run the receiver until a line comes on stdin, then print the times."""
     times: list[float] = []
     driving: list[float] = []
     ending = threading.Event()
 
-    def note(command: Command, now: float, sender: Address) -> None:
-        times.append(now)
+    def note(t: float, command: Command, sender: Address) -> None:
+        times.append(t)
         if command.flags & DRIVE:
-            driving.append(now)
+            driving.append(t)
             if len(driving) == 1:
-                _say(str(sender[1]))
+                _print(str(sender[1]))
 
     def wait() -> None:
         sys.stdin.readline()
@@ -37,11 +36,11 @@ def main(descriptor: int, key_file: Path) -> None:
     threading.Thread(target=wait, daemon=True).start()
     go_real_time()
     with socket.socket(fileno=descriptor) as opened:
-        listen(StandInChair(read_key(key_file)), opened, note, lambda: not ending.is_set())
-    _say(json.dumps({"times": times, "driving": driving}))
+        run_chair(read_key(key_file), opened, note, lambda: not ending.is_set())
+    _print(json.dumps({"times": times, "driving": driving}))
 
 
-def _say(line: str) -> None:
+def _print(line: str) -> None:
     sys.stdout.write(f"{line}\n")
     sys.stdout.flush()
 
