@@ -3129,6 +3129,17 @@ export interface components {
             /** @default 1 */
             gain: number;
         };
+        BindingDifference: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "binding";
+            /** @enum {string} */
+            control: "u1+" | "u1-" | "u2+" | "u2-" | "stop";
+            before: components["schemas"]["BoundGestures"][];
+            now: components["schemas"]["BoundGestures"][];
+        };
         Body_bring_file_api_v1_equipment_files_post: {
             file: string;
         };
@@ -3139,6 +3150,10 @@ export interface components {
             files: string[];
             /** @default {} */
             options?: string;
+        };
+        BoundGestures: {
+            gestures: components["schemas"]["NamedGesture"][];
+            gain: number;
         };
         Box: {
             /**
@@ -3488,6 +3503,16 @@ export interface components {
             kind: "checking" | "armed" | "stop" | "fault" | "disarmed" | "contact" | "goal";
             words: string;
         };
+        FieldDifference: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "field";
+            name: string;
+            before: string | number | null;
+            now: string | number | null;
+        };
         FileView: {
             name: string;
             /** @enum {string} */
@@ -3643,6 +3668,20 @@ export interface components {
             feature: "rate" | "displacement";
             dead_zone: number;
             full: number;
+        };
+        GestureDifference: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "gesture";
+            gesture: components["schemas"]["NamedGesture"];
+            /** @enum {string} */
+            feature: "rate" | "displacement";
+            /** @enum {string} */
+            name: "added" | "removed" | "joint" | "direction" | "feature" | "dead_zone" | "full";
+            before: string | number | null;
+            now: string | number | null;
         };
         GestureLine: {
             name: string;
@@ -3872,6 +3911,11 @@ export interface components {
         MyState: {
             /** @enum {string} */
             state: "paired" | "over" | "unpaired" | "none";
+        };
+        NamedGesture: {
+            joint: string;
+            /** @enum {integer} */
+            direction: 1 | -1;
         };
         NewChair: {
             name: string;
@@ -4243,7 +4287,7 @@ export interface components {
             speeds: components["schemas"]["Speeds"] | null;
             practised: components["schemas"]["PracticeView"];
             last_practised: components["schemas"]["LastPractised"] | null;
-            differences: string[];
+            differences: (components["schemas"]["FieldDifference"] | components["schemas"]["BindingDifference"] | components["schemas"]["GestureDifference"])[];
             refusals: string[];
         };
         TabletHeadConfig: {
@@ -4416,9 +4460,11 @@ export type ArmedSet = components['schemas']['ArmedSet'];
 export type Back = components['schemas']['Back'];
 export type BadChannel = components['schemas']['BadChannel'];
 export type Binding = components['schemas']['Binding'];
+export type BindingDifference = components['schemas']['BindingDifference'];
 export type BodyBringFileApiV1EquipmentFilesPost = components['schemas']['Body_bring_file_api_v1_equipment_files_post'];
 export type BodyBringModelApiV1ModelsPost = components['schemas']['Body_bring_model_api_v1_models_post'];
 export type BodyImportFilesApiV1FloorplansImportPost = components['schemas']['Body_import_files_api_v1_floorplans_import_post'];
+export type BoundGestures = components['schemas']['BoundGestures'];
 export type Box = components['schemas']['Box'];
 export type CalibrationProfile = components['schemas']['CalibrationProfile'];
 export type CalibrationView = components['schemas']['CalibrationView'];
@@ -4457,6 +4503,7 @@ export type Effect = components['schemas']['Effect'];
 export type EndTrial = components['schemas']['EndTrial'];
 export type EquipmentView = components['schemas']['EquipmentView'];
 export type Event = components['schemas']['Event'];
+export type FieldDifference = components['schemas']['FieldDifference'];
 export type FileView = components['schemas']['FileView'];
 export type FirstOwner = components['schemas']['FirstOwner'];
 export type FlockOfBirdsConfig = components['schemas']['FlockOfBirdsConfig'];
@@ -4469,6 +4516,7 @@ export type FreeCamera = components['schemas']['FreeCamera'];
 export type FreepieConfig = components['schemas']['FreepieConfig'];
 export type Gap = components['schemas']['Gap'];
 export type Gesture = components['schemas']['Gesture'];
+export type GestureDifference = components['schemas']['GestureDifference'];
 export type GestureLine = components['schemas']['GestureLine'];
 export type Ground = components['schemas']['Ground'];
 export type GuidedMap = components['schemas']['GuidedMap'];
@@ -4494,6 +4542,7 @@ export type ModelView = components['schemas']['ModelView'];
 export type Mover = components['schemas']['Mover'];
 export type MoverLine = components['schemas']['MoverLine'];
 export type MyState = components['schemas']['MyState'];
+export type NamedGesture = components['schemas']['NamedGesture'];
 export type NewChair = components['schemas']['NewChair'];
 export type NewDrive = components['schemas']['NewDrive'];
 export type NewPatient = components['schemas']['NewPatient'];

@@ -12,8 +12,8 @@ from app.session.equipment.chairs import Chairs
 from app.session.equipment.limits import ClinicLimits
 from app.session.equipment.shirt import Equipment
 from app.session.open_session import SessionFlow
+from app.session.parameter_differences import Difference, differences
 from app.session.words.chair_words import CHAIR_FAULT, fault_sentence, is_silent
-from app.session.words.differences import differences
 from app.speeds import HIGHEST_SPEEDS, Speeds, apply_dial, most_restrictive
 from app.store.database import Database
 from app.store.parameters import as_document, current_parameters, newest_profile
@@ -41,7 +41,7 @@ class ArmingSummary:
     speeds: Speeds | None  # the limits that would apply
     practice: Practice
     last_practised: DriveParameters | None
-    differences: list[str]  # of `parameters` from `last_practised`, in sentences
+    differences: list[Difference]  # of `parameters` from `last_practised`
     refusals: list[str]  # why the chair cannot be armed, in sentences
 
 

@@ -19,6 +19,7 @@ from app.calibration.vocabulary import ControlMode
 from app.clock import monotonic
 from app.quantities import Document
 from app.refusals import Conflict
+from app.session.parameter_differences import Difference
 from app.session.run_watch import Starter
 from app.speeds import Speeds
 from app.store.drives import drives_of, find_drive
@@ -72,7 +73,7 @@ class Summary(Document):
     speeds: Speeds | None
     practised: PracticeView
     last_practised: LastPractised | None
-    differences: list[str]
+    differences: list[Difference]
     refusals: list[str]
 
 

@@ -39,11 +39,14 @@ def test_the_summary_is_what_would_apply(ready: Any) -> None:
     assert (summary["differences"], summary["refusals"]) == ([], [])
 
 
-def test_what_was_not_practised_is_not_armed_and_the_differences_are_said(ready: Any) -> None:
+def test_what_was_not_practised_is_not_armed_and_the_differences_are_named(ready: Any) -> None:
     faster = {**Speeds().model_dump(), "forward": 1.0}
     digest = velocity(ready, speeds=faster, cutoff=4.0)["hash"]
     summary = ready.good("GET", "/drives/summary")
-    assert summary["differences"] == ["Tremor damping: 3.0 → 4.0 Hz.", "Forward speed: 0.80 → 1.00 m/s."]
+    assert summary["differences"] == [
+        {"kind": "field", "name": "cutoff", "before": 3.0, "now": 4.0},
+        {"kind": "field", "name": "forward", "before": 0.8, "now": 1.0},
+    ]
     assert "never practised" in summary["refusals"][0]
     with ready.screen():
         assert arm(ready).status_code == 409

@@ -11,6 +11,7 @@ import { h, put } from "../../widgets/dom.js";
 import { field, selection } from "../../widgets/fields.js";
 import { moment, number, percent } from "../../widgets/format.js";
 import { SPEEDS, speedWords } from "../../widgets/speed_rows.js";
+import { differenceWords } from "./difference_words.js";
 
 const FIRST = new Set(["forward", "reverse", "turn"]); // what a person feels first; the others are folded away
 const FINGERPRINT = 8; // digits that people compare
@@ -141,7 +142,7 @@ function practised({ practised: { trials, last }, last_practised: before, differ
       h(
         "ul",
         {},
-        differences.map((sentence) => h("li", {}, sentence)),
+        differences.map((difference) => h("li", {}, differenceWords(difference))),
       ),
     h(
       "button",

@@ -1,0 +1,72 @@
+"""The sentences of the differences of two parameter sets; the module runs in node, without a page."""
+
+import json
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+from session.test_parameter_differences import STANDARD, changed, gesture
+
+from app.session.parameter_differences import differences
+from app.settings import static_folder
+from app.speeds import HIGHEST_SPEEDS, Speeds
+from small_profile import small_profile
+
+CASES = [
+    (changed(title="Gentle"), "The set's name: “Standard” → “Gentle”."),
+    (changed(mode_u1="velocity"), "Forward and back: keeps its speed → follows the movement."),
+    (changed(mode_u2="acceleration"), "Turning: follows the movement → keeps turning."),
+    (changed(cutoff=4.0), "Tremor damping: 3.0 → 4.0 Hz."),
+    (changed(cutoff=3.001), "Tremor damping: 3.000 → 3.001 Hz."),
+    (changed(cruise_time=8.0), "Stops by itself after: 10 → 8 s."),
+    (changed(turn_cruise_time=2.5), "Stops turning by itself after: 3.0 → 2.5 s."),
+    (changed(turn_cruise_time=None), "Stops turning by itself after: 3 s → no time-out."),
+    (changed(speeds=Speeds(forward=0.6)), "Forward speed: 0.80 → 0.60 m/s."),
+    (changed(speeds=Speeds(turn=0.6)), "Turn speed: 69 → 34 °/s."),
+    (gesture(dead_zone=0.25), "right_elbow counts from: 0.20 → 0.25 FS/s."),
+    (gesture(full=1.2), "right_elbow is full: 1.00 → 1.20 FS/s."),
+    (gesture(feature="displacement"), "right_elbow: moving → holding."),
+    (gesture(direction=-1), "right_elbow, going back: counts in the other direction."),
+    (changed(bindings=()), "Faster: right_elbow, gain 1 → nothing."),
+    (changed(profile=small_profile(("right_elbow", "left_elbow", "left_wrist"))), "The calibration is another one."),
+    (changed(gestures=STANDARD.gestures[1:]), "right_elbow: is no movement any more."),
+    (
+        changed(gestures=tuple(reversed(STANDARD.gestures))),
+        "The same movements and numbers, noted in another order.",
+    ),
+]
+EVERY_SPEED = [changed(speeds=Speeds(**{name: getattr(HIGHEST_SPEEDS, name)})) for name in Speeds.model_fields]
+
+
+@pytest.fixture(scope="module")
+def words(tmp_path_factory):
+    """Return, for each set of both lists, the sentences that the page shows."""
+    node = shutil.which("node")
+    if node is None:
+        pytest.skip("there is no node here: install Debian's package 'nodejs' to run this test")
+    folder = tmp_path_factory.mktemp("words")
+    # Beside a file that says what browsers assume: these are modules.
+    shutil.copytree(static_folder() / "js", folder / "js")
+    (folder / "package.json").write_text('{"type": "module"}')
+    sets = [now for now, _ in CASES] + EVERY_SPEED
+    documents = [[one.model_dump(mode="json") for one in differences(now, STANDARD)] for now in sets]
+    (folder / "differences.json").write_text(json.dumps(documents), encoding="utf-8")
+    script = Path(__file__).with_name("difference_words.mjs")
+    command = [node, str(script), str(folder / "js"), str(folder / "differences.json")]
+    ran = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
+    assert ran.returncode == 0, ran.stderr
+    return json.loads(ran.stdout)
+
+
+@pytest.mark.parametrize(("number", "sentence"), list(enumerate(sentence for _, sentence in CASES)))
+def test_each_difference_has_its_sentence(words, number, sentence):
+    assert sentence in words[number]
+
+
+def test_every_speed_has_its_words_and_every_sentence_its_end(words):
+    for sentences in words[len(CASES) :]:
+        assert len(sentences) == 1
+    sentences = [sentence for one in words for sentence in one]
+    assert all(sentence.endswith(".") for sentence in sentences)
+    assert not any("{" in sentence or "differs." in sentence or "speed." in sentence for sentence in sentences)

@@ -1,0 +1,102 @@
+/**
+ * How a parameter set differs from the one that was practised last, in words.
+ * @import { BoundGestures, FieldDifference, GestureDifference, NamedGesture, Summary } from "types/api"
+ */
+import { t } from "../../texts.js";
+import { number } from "../../widgets/format.js";
+import { SPEEDS } from "../../widgets/speed_rows.js";
+
+const MOST_DIGITS = 9;
+const DIGITS = { cutoff: 1, cruise_time: 0, turn_cruise_time: 1 };
+
+/** A sentence. @param {Summary["differences"][number]} difference */
+export function differenceWords(difference) {
+  switch (difference.kind) {
+    case "field":
+      return fieldWords(difference);
+    case "gesture":
+      return gestureWords(difference);
+    case "binding": {
+      const { control, before, now } = difference;
+      return change(t(`control.${control}`), boundWords(control, before), boundWords(control, now));
+    }
+  }
+}
+
+/** @param {FieldDifference} difference */
+function fieldWords({ name, before, now }) {
+  if (name === "title") return t("differs.title", { before: String(before), now: String(now) });
+  if (name === "profile" || name === "order") return t(`differs.${name}`);
+  if (name === "mode_u1" || name === "mode_u2") {
+    const how = `how.${name.slice(-2)}`;
+    return change(t(how), lowered(t(`${how}.${before}`)), lowered(t(`${how}.${now}`)));
+  }
+  const what = t(`speed.${name}`);
+  if (before === null || now === null) return change(what, timeOut(before), timeOut(now));
+  const { unit, factor, digits } = SPEEDS.find((speed) => speed.name === name) ?? {
+    unit: name,
+    factor: 1,
+    digits: DIGITS[/** @type {keyof DIGITS} */ (name)],
+  };
+  const [old, fresh] = distinct(Number(before) * factor, Number(now) * factor, digits);
+  return change(what, old, `${fresh} ${t(`unit.${unit}`)}`);
+}
+
+/** @param {GestureDifference} difference */
+function gestureWords({ gesture, feature, name, before, now }) {
+  const label = named(gesture);
+  if (name === "feature") return change(label, lowered(t(featureKey(before))), lowered(t(featureKey(now))));
+  if (name !== "dead_zone" && name !== "full") return t(`differs.gesture.${name}`, { gesture: label });
+  const [old, fresh] = distinct(Number(before), Number(now), 2);
+  const what = t(name === "full" ? "handle.full" : "handle.from");
+  return change(`${label} ${what}`, old, t(`handle.${feature}`, { value: fresh }));
+}
+
+/** @param {string | number | null} feature */
+function featureKey(feature) {
+  return feature === "rate" ? "tune.rate" : "tune.displacement";
+}
+
+/** @param {string} control @param {BoundGestures[]} bindings */
+function boundWords(control, bindings) {
+  const together = t(control === "stop" ? "control.and" : "control.or");
+  const parts = bindings.map(({ gestures, gain }) => {
+    const words = gestures.map(named).join(together) || t("differs.nothing");
+    return t("differs.gain", { gestures: words, gain: short(gain) });
+  });
+  return parts.join("; ") || t("differs.nothing");
+}
+
+/** @param {NamedGesture} gesture */
+function named({ joint, direction }) {
+  return direction === 1 ? joint : t("gesture.back", { joint });
+}
+
+/** The time-out of turning, which older sets do not have. @param {string | number | null} time */
+function timeOut(time) {
+  return time === null ? t("differs.no-time-out") : `${short(Number(time))} ${t("unit.turn_cruise_time")}`;
+}
+
+/** @param {string} what @param {string} before @param {string} now */
+function change(what, before, now) {
+  return t("differs.change", { what, before, now });
+}
+
+/**
+ * Two numbers, with at least `digits` digits and as many as show their difference.
+ * @param {number} before @param {number} now @param {number} digits
+ */
+function distinct(before, now, digits) {
+  while (digits < MOST_DIGITS && number(before, digits) === number(now, digits)) digits += 1;
+  return [number(before, digits), number(now, digits)];
+}
+
+/** At most six significant digits. @param {number} value */
+function short(value) {
+  return String(Number(value.toPrecision(6)));
+}
+
+/** @param {string} words */
+function lowered(words) {
+  return words.charAt(0).toLowerCase() + words.slice(1);
+}
