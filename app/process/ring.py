@@ -14,6 +14,7 @@ from app.messages import MAX_GESTURES, TICK, Tick
 RING_SLOTS = 16_384  # 16 s at 1 kHz, 160 s at 100 Hz
 HEADER = 64  # bytes before the slots: the number of the newest tick, then padding
 COPY_ATTEMPTS = 3  # of `newest`, when the writer overwrites the slot that is being copied
+SCALAR_FIELDS = [name for name in TICK.names or () if name != "number" and not TICK[name].shape]
 NUMBER_WORDS = TICK.itemsize // 8  # size of a slot in words of 8 bytes; a slot's number is written as one such word
 
 Ticks = NDArray[np.void]
@@ -28,7 +29,8 @@ def ring_file(name: str) -> Path:
 def _slot_layout(n_gestures: int) -> Struct:
     """Return the format of the fields of `TICK` after `number` up to the activations; unused gestures become zero."""
     unused = 8 * (MAX_GESTURES - n_gestures)
-    return Struct(f"@11d6Ii9fHH8B{n_gestures}d{unused}x{n_gestures}d{unused}x{n_gestures}d")
+    scalars = "".join(TICK[name].char for name in SCALAR_FIELDS)  # numpy and struct have the same letters for types
+    return Struct(f"@{scalars}{n_gestures}d{unused}x{n_gestures}d{unused}x{n_gestures}d")
 
 
 class TickRing:

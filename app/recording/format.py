@@ -23,34 +23,15 @@ SEGMENT, SEGMENT_CHECK = "segment-{:04d}.arrows", "segment-{:04d}.check"
 META_KEY = b"bodydrive"  # key of the copy of run.json in the Arrow schema's metadata
 END_OF_STREAM = b"\xff\xff\xff\xff\x00\x00\x00\x00"  # the end marker of an Arrow IPC stream
 
-SCALARS = {
-    "t": np.float64,
-    "run_t": np.float64,
-    "t_device": np.float64,
-    "has_frame": np.uint8,
-    "frame_seq": np.uint32,
-    "u1": np.float64,
-    "u2": np.float64,
-    "v": np.float64,
-    "omega": np.float64,
-    "x": np.float64,
-    "y": np.float64,
-    "theta": np.float64,
-    "state": np.uint8,
-    "fault": np.uint8,
-    "cue": np.int32,
-    "in_contact": np.uint8,
-    "contacts": np.uint32,
-}
-ADDED_SCALARS = {  # added later: older recordings do not have these columns
-    "driven_v": np.float32,  # measured by the chair
-    "driven_omega": np.float32,
-    "scene_t": np.float64,
-    "head_yaw": np.float32,
-    "head_pitch": np.float32,
-    "head_roll": np.float32,
-    "dial": np.float32,  # the speed dial, without which the commands cannot be computed again
-}
+# The columns of a recording, in their order: fields of `TICK`, with its types.
+SCALARS = (
+    *("t", "run_t", "t_device", "has_frame", "frame_seq", "u1", "u2", "v", "omega", "x", "y", "theta"),
+    *("state", "fault", "cue", "in_contact", "contacts"),
+)
+ADDED_SCALARS = (  # older recordings do not have these columns
+    *("driven_v", "driven_omega", "scene_t", "head_yaw", "head_pitch", "head_roll"),
+    "dial",  # the speed dial, without which the commands cannot be computed again
+)
 PER_GESTURE = ("score", "rate", "activation")
 PER_CHANNEL = "values"
 
@@ -101,7 +82,7 @@ def parse_end(content: bytes) -> dict[str, Any] | None:
 
 def rows_to_columns(rows: NDArray[np.void], n_channels: int, n_gestures: int) -> dict[str, NDArray[Any]]:
     """Return the columns of ticks (n,): scalars (n,), `values` (n, n_channels), per gesture (n, n_gestures)."""
-    columns: dict[str, NDArray[Any]] = {name: np.ascontiguousarray(rows[name]) for name in SCALARS | ADDED_SCALARS}
+    columns: dict[str, NDArray[Any]] = {name: np.ascontiguousarray(rows[name]) for name in (*SCALARS, *ADDED_SCALARS)}
     for name in PER_GESTURE:
         columns[name] = np.ascontiguousarray(rows[name][:, :n_gestures])
     columns[PER_CHANNEL] = np.ascontiguousarray(rows[PER_CHANNEL][:, :n_channels])

@@ -11,6 +11,7 @@ import pyarrow as pa
 import pyarrow.parquet as pa_parquet
 from numpy.typing import NDArray
 
+from app.messages import TICK
 from app.recording.format import (
     ADDED_SCALARS,
     DAMAGE_FILE,
@@ -165,9 +166,9 @@ def _columns(tables: list[pa.Table], meta: dict[str, Any]) -> Columns:
         return _no_rows(meta)
     rows = pa.concat_tables(tables)
     columns: Columns = {name: rows.column(name).to_numpy() for name in SCALARS}
-    for name, kind in ADDED_SCALARS.items():
+    for name in ADDED_SCALARS:
         known = name in rows.column_names
-        columns[name] = rows.column(name).to_numpy() if known else np.full(rows.num_rows, np.nan, kind)
+        columns[name] = rows.column(name).to_numpy() if known else np.full(rows.num_rows, np.nan, TICK[name])
     for name in (*PER_GESTURE, PER_CHANNEL):
         if name in rows.column_names:
             lists: Any = rows.column(name)
@@ -182,7 +183,7 @@ def _columns(tables: list[pa.Table], meta: dict[str, Any]) -> Columns:
 
 
 def _no_rows(meta: dict[str, Any]) -> Columns:
-    columns: Columns = {name: np.empty(0, kind) for name, kind in (SCALARS | ADDED_SCALARS).items()}
+    columns: Columns = {name: np.empty(0, TICK[name]) for name in (*SCALARS, *ADDED_SCALARS)}
     columns |= {name: np.empty((0, len(meta.get("gestures") or ()))) for name in PER_GESTURE}
     layout = meta.get("layout")
     channels = layout.get("channels") if isinstance(layout, dict) else None
