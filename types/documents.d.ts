@@ -1,5 +1,5 @@
 /** Parts of answers that the OpenAPI document leaves open: what the routes fill in (docs/protocols.md, section 4). */
-import type { CalibrationView, components, EquipmentView, MapCheck, MapView } from "./api";
+import type { CalibrationView, components, EquipmentView, LearningView, MapCheck, MapView } from "./api";
 
 type Schemas = components["schemas"];
 
@@ -103,3 +103,41 @@ export type MapVersion = Omit<MapView, "difference"> & { difference: MapDifferen
 
 /** The map of a joint inside a profile, as far as pages read it. */
 export type JointMap = { name: string; dead_zone: number; full: number };
+
+export type CurveForm = "exponential" | "power" | "level";
+
+/** A fitted curve with its 95 % band; a level line has no points. `aicc_more`: how much worse than the best it describes. */
+export type CurveModel = {
+  form: CurveForm | null;
+  aicc_more: number;
+  n?: number[];
+  value?: number[];
+  low?: number[];
+  high?: number[];
+};
+
+/** One measure over trials, in sentences and as curves. */
+export type LearningCurve = {
+  text: string;
+  sessions: string | null;
+  fit: { n: number[]; value: number[]; low: number[]; high: number[] } | null;
+  form: CurveForm | null;
+  others: CurveModel[];
+};
+
+/** A trial that counts, with its measures by name. */
+export type LearningTrial = {
+  number: number;
+  id: number;
+  session: number;
+  profile_version: number;
+  origin: string;
+  simulated: boolean | null;
+  source: string;
+  [measure: string]: unknown;
+};
+
+export type Learning = Omit<LearningView, "trials" | "curves"> & {
+  trials: LearningTrial[];
+  curves: Record<string, LearningCurve | undefined>;
+};

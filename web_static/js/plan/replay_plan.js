@@ -40,8 +40,8 @@ export function replayDrawn(plan, trial, line) {
   return { ...drawn, show };
 }
 
-/** @param {Timeline} line @returns {import("./floor_plan.js").Point[]} */
-function trajectoryOf(line) {
+/** The line that was driven. @param {Timeline} line @returns {import("./floor_plan.js").Point[]} */
+export function trajectoryOf(line) {
   return line.x.map((x, i) => [Number(x), Number(line.y[i])]);
 }
 

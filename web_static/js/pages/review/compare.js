@@ -1,4 +1,9 @@
-/** Two trials side by side: on one plan, along the path, and in their measures. */
+/**
+ * Two trials side by side: on one plan, along the path, and in their measures.
+ * @import { App } from "../../main.js"
+ * @import { TrialDetail } from "types/api"
+ */
+import { failureWords } from "../../api.js";
 import { compareReplay } from "./compare_replay.js";
 import { compareTable } from "./compare_table.js";
 import { h, put } from "../../widgets/dom.js";
@@ -13,8 +18,10 @@ export async function show(app, root, { signal, rest: [patient, , ...ids] }) {
   if (signal.aborted) return;
   const above = await pictures(app, root, trials, signal);
   if (signal.aborted) return;
+  /** @param {TrialDetail} trial */
   const link = (trial) =>
-    h("a", { href: `#/review/${patient}/trial/${trial.id}` }, t("compare.trial", trial), ` (${moment(trial.started)})`);
+    h("a", { href: `#/review/${patient}/trial/${trial.id}` }, t("compare.trial", { number: trial.number }), ` (${moment(trial.started)})`);
+  /** @param {TrialDetail} trial */
   const named = (trial) => [link(trial), " ", groupMark(groupOf(trial))];
   put(
     root,
@@ -35,7 +42,10 @@ export async function show(app, root, { signal, rest: [patient, , ...ids] }) {
   );
 }
 
-/** What can be shown of both together, or why nothing can. */
+/**
+ * What can be shown of both together, or why nothing can.
+ * @param {App} app @param {HTMLElement} root @param {TrialDetail[]} trials two @param {AbortSignal} signal
+ */
 async function pictures(app, root, trials, signal) {
   const [first, second] = trials;
   if (first.floorplan !== second.floorplan || first.path_name !== second.path_name)
@@ -45,6 +55,6 @@ async function pictures(app, root, trials, signal) {
     const plan = lines[1].floorplan ?? (await app.api.get(`/floorplans/${first.floorplan}`).catch(() => null));
     return await compareReplay(root, trials, lines, plan, signal);
   } catch (error) {
-    return h("p", { class: "card quiet" }, t("compare.no-recording", { why: error.message }));
+    return h("p", { class: "card quiet" }, t("compare.no-recording", { why: failureWords(error) }));
   }
 }

@@ -1,13 +1,16 @@
-/** Two trials of the list, chosen to be compared. */
+/**
+ * Two trials of the list, chosen to be compared.
+ * @import { TrialView } from "types/api"
+ */
 import { t } from "../../texts.js";
 import { h, set, write } from "../../widgets/dom.js";
 
 /**
  * A box for each trial, and the link that compares the two that are ticked; a third takes the place of the first.
- * @param {number} patient id @returns {{element: HTMLElement, box: (trial: any) => HTMLElement}}
+ * @param {number} patient id @returns {{element: HTMLElement, box: (trial: TrialView) => HTMLElement}}
  */
 export function compareChoice(patient) {
-  /** @type {{trial: any, input: HTMLInputElement}[]} */
+  /** @type {{trial: TrialView, input: HTMLInputElement}[]} */
   let chosen = [];
   const link = h("a", { class: "btn" }, t("compare.go"));
   const words = h("span", { class: "quiet", role: "status" });
@@ -23,16 +26,19 @@ export function compareChoice(patient) {
       ready ? t("compare.chosen", { first: first.number, second: second.number }) : t("compare.choose", { count: 2 - chosen.length }),
     );
   };
+  /** @param {TrialView} trial @param {HTMLInputElement} input */
   const change = (trial, input) => {
     chosen = chosen.filter((one) => one.input !== input);
     if (input.checked) chosen.push({ trial, input });
-    if (chosen.length > 2) chosen.shift().input.checked = false;
+    if (chosen.length > 2) {
+      chosen[0].input.checked = false;
+      chosen = chosen.slice(1);
+    }
     show();
   };
+  /** @param {TrialView} trial */
   const box = (trial) => {
-    const input = /** @type {HTMLInputElement} */ (
-      h("input", { type: "checkbox", "aria-label": t("compare.pick", { number: trial.number }) })
-    );
+    const input = h("input", { type: "checkbox", "aria-label": t("compare.pick", { number: trial.number }) });
     input.addEventListener("change", () => change(trial, input));
     return h("label", { class: "pick" }, input);
   };

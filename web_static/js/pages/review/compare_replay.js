@@ -1,4 +1,7 @@
-/** Two trials on one plan, both replayed from when motion was permitted; and speed and error along the path. */
+/**
+ * Two trials on one plan, both replayed from when motion was permitted; and speed and error along the path.
+ * @import { FloorPlan, Timeline, TrialDetail } from "types/api"
+ */
 import { t } from "../../texts.js";
 import { h, write } from "../../widgets/dom.js";
 import { number } from "../../widgets/format.js";
@@ -6,24 +9,25 @@ import { planPicture } from "../../plan/plan_svg.js";
 import { playBar, playKeys } from "./play_bar.js";
 import { PlayHead } from "./play_head.js";
 import { chart } from "../../charts/plotly.js";
-import { poseAt } from "../../plan/replay_plan.js";
+import { poseAt, trajectoryOf } from "../../plan/replay_plan.js";
 
 const ARMED = 2; // app.faults.State
 export const COLOURS = ["path-driven", "action"]; // of the first and of the second trial
 
 /**
- * @param {HTMLElement} root of the page @param {any[]} trials two, as GET /trials/ID answered @param {any[]} lines their time lines
- * @param {any} plan or null @param {AbortSignal} signal
+ * @param {HTMLElement} root of the page @param {TrialDetail[]} trials two, as GET /trials/ID answered
+ * @param {Timeline[]} lines their time lines @param {FloorPlan | null} plan @param {AbortSignal} signal
  */
 export async function compareReplay(root, trials, lines, plan, signal) {
-  const head = new PlayHead(0, Math.max(...lines.map((line) => line.t.at(-1))), signal);
-  const where = lines.at(-1).floorplan ?? plan;
+  const head = new PlayHead(0, Math.max(...lines.map(endOf)), signal);
+  const [lastTrial, lastLine] = [trials[trials.length - 1], lines[lines.length - 1]];
+  const where = lastLine.floorplan ?? plan;
   const hasPath = lines.every(({ along }) => along.length);
   const now = trials.map(() => h("span", { class: "number" }));
-  const shown = where && bothOnOne(where, trials.at(-1), lines);
+  const shown = where && bothOnOne(where, lastTrial, lines);
   const show = () => {
     lines.forEach((line, i) => {
-      const at = poseAt(line, Math.min(head.t, line.t.at(-1)));
+      const at = poseAt(line, Math.min(head.t, endOf(line)));
       shown?.setPose[i](at.pose);
       write(now[i], momentWords(line, at.place));
     });
@@ -48,7 +52,7 @@ export async function compareReplay(root, trials, lines, plan, signal) {
       h(
         "ul",
         { class: "compare-now" },
-        trials.map((trial, i) => h("li", {}, swatch(i), h("b", {}, t("compare.trial", trial)), " ", now[i])),
+        trials.map((trial, i) => h("li", {}, swatch(i), h("b", {}, t("compare.trial", { number: trial.number })), " ", now[i])),
       ),
       h("p", { class: "quiet small" }, t("compare.start")),
     ),
@@ -60,23 +64,33 @@ export async function compareReplay(root, trials, lines, plan, signal) {
   return element;
 }
 
+/** When a time line ends, s. @param {Timeline} line */
+function endOf(line) {
+  return Number(line.t.at(-1));
+}
+
+/** @param {FloorPlan} plan @param {TrialDetail} trial @param {Timeline[]} lines */
 function bothOnOne(plan, trial, lines) {
   const request = plan.paths.find(({ name }) => name === trial.path_name) ?? null;
   const picture = planPicture(plan, trial.path, { label: t("compare.plan"), hasRooms: true, request });
   const second = picture.another();
-  const way = (line) => line.x.map((x, i) => [x, line.y[i]]);
-  picture.setTrajectory(way(lines[0]));
-  second.setTrajectory(way(lines[1]));
+  picture.setTrajectory(trajectoryOf(lines[0]));
+  second.setTrajectory(trajectoryOf(lines[1]));
   return { element: picture.element, setPose: [picture.setPose, second.setPose] };
 }
 
+/** @param {Timeline} line @param {number} place in it */
 function momentWords(line, place) {
   const v = number(line.v[place], 2);
   if (!line.along.length) return t("compare.now.spot", { v });
   return t("compare.now", { along: number(line.along[place], 1), across: number(line.across[place], 2), v });
 }
 
-/** One column of both trials over the way along the path, while motion was permitted. */
+/**
+ * One column of both trials over the way along the path, while motion was permitted.
+ * @param {TrialDetail[]} trials @param {Timeline[]} lines @param {"v" | "across"} column
+ * @param {string} label @param {string} axis @param {AbortSignal} signal
+ */
 function alongChart(trials, lines, column, label, axis, signal) {
   return chart(label, signal, (colours) => ({
     traces: lines.map((line, i) => {
@@ -85,7 +99,7 @@ function alongChart(trials, lines, column, label, axis, signal) {
         mode: "lines",
         x: armed.map((k) => line.along[k]),
         y: armed.map((k) => line[column][k]),
-        name: t("compare.trial", trials[i]),
+        name: t("compare.trial", { number: trials[i].number }),
         line: { color: colours[COLOURS[i]], width: 2, dash: i ? "dash" : "solid" },
         hovertemplate: `%{x:.1f} m: %{y:.2f}<extra></extra>`,
       };
@@ -94,6 +108,7 @@ function alongChart(trials, lines, column, label, axis, signal) {
   }));
 }
 
+/** @param {number} i of the trial */
 function swatch(i) {
   return h("i", { class: "swatch", style: `border-top: 4px ${i ? "dashed" : "solid"} var(--${COLOURS[i]})` });
 }

@@ -1,4 +1,7 @@
-/** The learning curve as a card: the chart, which curve is drawn, and what it says in sentences. */
+/**
+ * The learning curve as a card: the chart, which curve is drawn, and what it says in sentences.
+ * @import { CurveForm, CurveModel, Learning, LearningCurve } from "types/documents"
+ */
 import { t } from "../../texts.js";
 import { curveChart } from "../../charts/curve_chart.js";
 import { h, put, write } from "../../widgets/dom.js";
@@ -6,28 +9,33 @@ import { segments } from "../../widgets/fields.js";
 import { number } from "../../widgets/format.js";
 import { groupMark } from "../../results/source_group.js";
 
+/** Of a measure that no trial has. @type {LearningCurve} */
+const NO_CURVE = { text: "", fit: null, form: null, others: [], sessions: null };
 const CLEARLY_WORSE = 2; // of AICc; below it two curves describe the trials about as well
 
 /**
- * @param {any} learning what GET /patients/ID/learning answered @param {string} measure
+ * @param {Learning} learning what GET /patients/ID/learning answered @param {string} measure
  * @param {(trial: number) => void} opens what a tap on a trial does @param {AbortSignal} signal
  */
 export async function curveCard(learning, measure, opens, signal) {
-  const curve = learning.curves[measure] ?? { text: "", fit: null, form: null, others: [], sessions: null };
+  const curve = learning.curves[measure] ?? NO_CURVE;
+  /** @type {CurveModel[]} the best first */
   const models = [{ form: curve.form, aicc_more: 0, ...curve.fit }, ...curve.others];
   const place = h("div", {});
   const words = h("p", { class: "small quiet", role: "status" });
   let drawn = new AbortController();
   signal.addEventListener("abort", () => drawn.abort());
+  /** @param {CurveModel} model */
   const draw = async (model) => {
     drawn.abort();
     drawn = new AbortController();
     const { signal: until } = drawn;
-    write(words, saidOf(model, models[0]));
+    write(words, comparisonWords(model, models[0]));
     const made = await curveChart(learning, measure, model.value ? model : null, opens, until);
     if (!until.aborted && !signal.aborted) put(place, made);
   };
-  const choose = (form) => draw(models.find((model) => model.form === form));
+  /** @param {CurveForm} form */
+  const choose = (form) => draw(models.find((model) => model.form === form) ?? models[0]);
   await draw(models[0]);
   return h(
     "section",
@@ -37,7 +45,7 @@ export async function curveCard(learning, measure, opens, signal) {
     models.length > 1 &&
       segments(
         t("review.model"),
-        models.map(({ form }) => ({ value: form, label: t(`review.form.${form}`) })),
+        models.flatMap(({ form }) => (form ? [{ value: form, label: t(`review.form.${form}`) }] : [])),
         models[0].form,
         choose,
       ),
@@ -48,7 +56,8 @@ export async function curveCard(learning, measure, opens, signal) {
   );
 }
 
-function saidOf(model, best) {
+/** How a curve describes the trials beside the best one. @param {CurveModel} model @param {CurveModel} best */
+function comparisonWords(model, best) {
   if (model === best) return "";
   const worse = model.aicc_more < CLEARLY_WORSE ? "review.model.as-well" : "review.model.worse";
   return t(worse, {

@@ -1,12 +1,17 @@
-/** The paths that a patient has driven: which, in what order, and in what words. */
+/**
+ * The paths that a patient has driven: which, in what order, and in what words.
+ * @import { FloorPlanView, TrialView } from "types/api"
+ * @typedef {{key: string, floorplan: string, name: string, title: string}} PathChoice
+ */
 
 /** Which path a trial was driven on. @param {{floorplan: string, path: string}} trial */
 export function keyOf({ floorplan, path }) {
   return `${floorplan}/${path}`;
 }
 
-/** The paths that were driven, the last driven last. @param {any[]} trials */
-export function driven(trials) {
+/** The paths of some trials, the last driven last. @param {TrialView[]} trials @returns {PathChoice[]} */
+export function pathsOf(trials) {
+  /** @type {Map<string, PathChoice>} */
   const found = new Map();
   for (const trial of trials) {
     found.delete(keyOf(trial));
@@ -20,8 +25,9 @@ export function driven(trials) {
   return [...found.values()];
 }
 
-/** By place and level as on the Drive page, then by task; what is not there any more last. @param {any[]} paths @param {any[]} plans */
+/** By place and level as on the Drive page, then by task; what is not there any more last. @param {PathChoice[]} paths @param {FloorPlanView[]} plans */
 export function inOrder(paths, plans) {
+  /** @param {PathChoice} path */
   const rank = ({ floorplan, name }) => {
     const at = plans.findIndex((plan) => plan.name === floorplan);
     return at < 0 ? Infinity : at + plans[at].paths.findIndex((one) => one.name === name) / 100;
@@ -29,7 +35,7 @@ export function inOrder(paths, plans) {
   return paths.toSorted((a, b) => (rank(a) === rank(b) ? 0 : rank(a) - rank(b)));
 }
 
-/** Where it is, how difficult, and the task; the levels of one scene stand together. @param {any} path @param {any[]} plans */
+/** Where it is, how difficult, and the task; the levels of one scene stand together. @param {PathChoice} path @param {FloorPlanView[]} plans */
 export function pathWords({ floorplan, name, title }, plans) {
   const plan = plans.find((one) => one.name === floorplan);
   const task = plan?.paths.find((one) => one.name === name)?.title ?? name;

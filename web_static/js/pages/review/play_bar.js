@@ -1,4 +1,7 @@
-/** Play, speed, and the slider of a replay, with what happened marked on it. Space is Stop everywhere, so P plays. */
+/**
+ * Play, speed, and the slider of a replay, with what happened marked on it. Space is Stop everywhere, so P plays.
+ * @import { Event as TrialEvent } from "types/api"
+ */
 import { t } from "../../texts.js";
 import { h, put, set, write } from "../../widgets/dom.js";
 import { segments } from "../../widgets/fields.js";
@@ -13,7 +16,7 @@ const FAR = 10; // s with Shift
 
 /**
  * @param {import("./play_head.js").PlayHead} head
- * @param {{t: number, kind: string, words: string}[]} events
+ * @param {TrialEvent[]} events
  * @param {AbortSignal} signal
  */
 export function playBar(head, events, signal) {
@@ -64,16 +67,20 @@ export function playBar(head, events, signal) {
  * @param {HTMLElement} root of the page @param {import("./play_head.js").PlayHead} head @param {AbortSignal} signal
  */
 export function playKeys(root, head, signal) {
+  /** @type {Record<string, number | undefined>} */
   const acts = { ArrowLeft: -1, ArrowRight: 1 };
+  /** @type {Record<string, number | undefined>} */
   const ends = { Home: head.start, End: head.end };
+  /** @param {KeyboardEvent} event */
   const press = (event) => {
-    if (event.ctrlKey || event.metaKey || event.altKey || belongsElsewhere(event.target)) return;
+    const target = /** @type {Element} */ (event.target);
+    if (event.ctrlKey || event.metaKey || event.altKey || belongsElsewhere(target)) return;
     if (event.key.toLowerCase() === "p") {
       if (!event.repeat) head.toggle();
       return;
     }
     // Elsewhere than on the slider these two go to the ends of the page.
-    const end = event.target.matches("input[type=range]") ? ends[event.key] : undefined;
+    const end = target.matches("input[type=range]") ? ends[event.key] : undefined;
     const step = (acts[event.key] ?? NaN) * (event.shiftKey ? FAR : ARROW);
     if (end === undefined && Number.isNaN(step)) return;
     event.preventDefault();
@@ -83,14 +90,15 @@ export function playKeys(root, head, signal) {
   root.addEventListener("keydown", press, { signal });
 }
 
-/** What has keys of its own: a field, a choice side by side, something that scrolls sideways. */
+/** What has keys of its own: a field, a choice side by side, something that scrolls sideways. @param {Element} target */
 function belongsElsewhere(target) {
   if (target.matches("input[type=range]")) return false;
   return isWriting(target) || target.matches("input[type=radio], .scroll-x");
 }
 
-/** What happened, one below the other; a tap goes there. @param {any[]} events @param {import("./play_head.js").PlayHead} head */
+/** What happened, one below the other; a tap goes there. @param {TrialEvent[]} events @param {import("./play_head.js").PlayHead} head */
 export function eventList(events, head) {
+  /** @param {TrialEvent} event */
   const go = (event) => {
     head.pause();
     head.seek(event.t);

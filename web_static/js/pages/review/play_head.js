@@ -1,7 +1,11 @@
 /** The one moment of a replay that all its pictures show, and how it goes on by itself. */
+import { TypedEvents } from "../../live/typed_events.js";
 
-/** Events: `time` when the moment changes, `state` when it begins or ceases to play, or plays at another speed. */
-export class PlayHead extends EventTarget {
+/**
+ * Events: `time` when the moment changes, `state` when it begins or ceases to play, or plays at another speed.
+ * @extends {TypedEvents<{time: Event, state: Event}>}
+ */
+export class PlayHead extends TypedEvents {
   #frame = 0;
   #last = 0;
 
@@ -51,6 +55,7 @@ export class PlayHead extends EventTarget {
     this.dispatchEvent(new Event("state"));
   }
 
+  /** @param {number} now ms */
   #go(now) {
     this.seek(this.t + (this.speed * Math.max(0, now - this.#last)) / 1000);
     this.#last = now;

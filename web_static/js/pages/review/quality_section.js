@@ -1,4 +1,7 @@
-/** The quality of control over trials: a figure to choose, for all joints or one, and what to look at. */
+/**
+ * The quality of control over trials: a figure to choose, for all joints or one, and what to look at.
+ * @import { QualityRow } from "types/api"
+ */
 import { t } from "../../texts.js";
 import { controlWarnings } from "../../results/control_warnings.js";
 import { h, put } from "../../widgets/dom.js";
@@ -7,8 +10,10 @@ import { chart, faint } from "../../charts/plotly.js";
 import { groupMark } from "../../results/source_group.js";
 import { OF_JOINT, QUALITIES } from "../../results/quality_card.js";
 
+/** @type {string[]} */
 const OF_ALL = ["map_angle_deg", "evr", "null_space_share", "cross_talk", "activations_per_metre", "activations"];
 const SHARES = new Set(["evr", "null_space_share", "cross_talk", "span_share"]);
+/** @type {Record<string, string>} */
 const UNITS = { map_angle_deg: "°", rest_rate: "FS/s", activations_per_metre: "/m" };
 const ALL = "";
 
@@ -31,8 +36,9 @@ export async function qualitySection(app, patient, where, signal) {
     const picture = await qualityChart(found.trials, name, joint, until);
     if (!until.aborted) put(place, picture);
   };
-  const redraw = () => draw().catch((error) => app.toasts.show(error.message));
+  const redraw = () => app.toasts.attempt(draw);
   const choose = () => {
+    /** @type {readonly string[]} */
     const names = joint === ALL ? OF_ALL : OF_JOINT;
     if (!names.includes(name)) name = names[0];
     put(
@@ -68,7 +74,7 @@ export async function qualitySection(app, patient, where, signal) {
   return h(
     "div",
     { class: "stack" },
-    controlWarnings(found.warnings, app.me.role !== "reviewer"),
+    controlWarnings(found.warnings, app.me?.role !== "reviewer"),
     h(
       "section",
       { class: "card" },
@@ -79,13 +85,16 @@ export async function qualitySection(app, patient, where, signal) {
   );
 }
 
+/** @param {QualityRow[]} trials @param {string} name of the figure @param {string} joint or ALL @param {AbortSignal} signal */
 function qualityChart(trials, name, joint, signal) {
   const scale = SHARES.has(name) ? 100 : 1;
   const unit = SHARES.has(name) ? "%" : (UNITS[name] ?? "");
   const title = [t(`quality.${name}`), unit && `(${unit})`].filter(Boolean).join(" ");
-  const rows = trials
-    .map((trial) => ({ trial, value: joint === ALL ? trial.quality[name] : trial.joints[joint]?.[name] }))
-    .filter(({ value }) => Number.isFinite(value));
+  const rows = trials.flatMap((trial) => {
+    const value = joint === ALL ? trial.quality[name] : trial.joints[joint]?.[name];
+    return typeof value === "number" && Number.isFinite(value) ? [{ trial, value }] : [];
+  });
+  /** @param {typeof rows[number]} row */
   const words = ({ trial, value }) =>
     [
       `${t("quality.trial")} ${trial.number}: ${QUALITIES[name](value)}`,
@@ -110,7 +119,7 @@ function qualityChart(trials, name, joint, signal) {
       xaxis: {
         title: { text: t("quality.trial") },
         dtick: trials.length > 12 ? undefined : 1,
-        range: [trials[0].number - 0.5, trials.at(-1).number + 0.5],
+        range: [trials[0].number - 0.5, trials[trials.length - 1].number + 0.5],
       },
       yaxis: { title: { text: title }, rangemode: "tozero" },
       shapes: breaks.map(({ number }) => ({

@@ -1,4 +1,7 @@
-/** All charts of a trial's time line: chair, commands, activations, rates, scores, and the signals of one joint. */
+/**
+ * All charts of a trial's time line: chair, commands, activations, rates, scores, and the signals of one joint.
+ * @import { GestureLine, Timeline } from "types/api"
+ */
 import { t } from "../../texts.js";
 import { h, put } from "../../widgets/dom.js";
 import { field, selection } from "../../widgets/fields.js";
@@ -6,15 +9,19 @@ import { gestureWords } from "../../widgets/gestures.js";
 import { palette } from "../../shell/theme.js";
 import { timeChart } from "../../charts/time_chart.js";
 
-const COLOURS = ["action", "path-driven", "path-prescribed", "good", "attention", "bad"];
+const COLOURS = /** @type {const} */ (["action", "path-driven", "path-prescribed", "good", "attention", "bad"]);
 
 /**
- * @param {any} line what GET /trials/ID/timeline answered @param {import("./play_head.js").PlayHead} head
+ * @param {Timeline} line what GET /trials/ID/timeline answered @param {import("./play_head.js").PlayHead} head
  * @param {AbortSignal} signal
  */
 export function replayCharts(line, head, signal) {
   const { colours, stop } = palette("border", "text-quiet", ...COLOURS);
   const common = { times: line.t, state: line.state };
+  /**
+   * @param {string} title @param {string} unit @param {{name: string, values: (number | null)[]}[]} lines
+   * @param {{range?: [number, number], digits?: number, height?: number}} [more]
+   */
   const make = (title, unit, lines, more = {}) =>
     timeChart(
       { ...common, title, unit, lines: lines.map((one, i) => ({ colour: COLOURS[i % COLOURS.length], ...one })), ...more },
@@ -22,6 +29,7 @@ export function replayCharts(line, head, signal) {
       colours,
     );
   const labels = Object.fromEntries(line.joints.map(({ name, label }) => [name, label]));
+  /** @param {"activation" | "rate" | "score"} column */
   const gestures = (column) =>
     line.gestures.map((one) => ({ name: gestureWords(one, labels), values: one[column] }));
   const fixed = [
@@ -44,8 +52,9 @@ export function replayCharts(line, head, signal) {
   let signals = null;
   const place = h("div", {});
   const joints = line.joints.filter(({ channels }) => channels.length);
+  /** @param {string} name */
   const chooseJoint = (name) => {
-    const joint = joints.find((one) => one.name === name);
+    const joint = joints.find((one) => one.name === name) ?? joints[0];
     const lines = joint.channels.map((channel) => ({ name: channel.name, values: channel.values }));
     signals = make(t("replay.signals", { shown: lines.length, of: joint.of }), "", lines, { digits: 3, height: 120 });
     put(place, signals.element);
@@ -79,6 +88,7 @@ export function replayCharts(line, head, signal) {
   return element;
 }
 
+/** @param {GestureLine[]} gestures */
 function rateUnit(gestures) {
   return gestures.every(({ feature }) => feature === "rate") ? "FS/s" : "FS/s · FS";
 }

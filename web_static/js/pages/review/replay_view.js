@@ -1,24 +1,34 @@
-/** The large picture of a replay: in 3D, in a frame of its own server that shows nothing live, or as the drawn plan. */
+/**
+ * The large picture of a replay: in 3D, in a frame of its own server that shows nothing live, or as the drawn plan.
+ * @import { App } from "../../main.js"
+ * @import { Shown } from "types/api"
+ * @import { Child } from "types/dom"
+ * @import { PlayHead } from "./play_head.js"
+ * @typedef {Shown["view"] | "plan"} View
+ */
+import { ApiError, failureWords } from "../../api.js";
 import { t } from "../../texts.js";
 import { h, put, write } from "../../widgets/dom.js";
 import { segments } from "../../widgets/fields.js";
 import { newestWins } from "../../live/newest_wins.js";
 import { canDrawIn3d } from "../../view/webgl.js";
 
+/** @type {NonNullable<Shown["view"]>[]} */
 const VIEWS_IN_3D = ["chase", "eye", "top"];
 const SEND_EVERY = 50; // ms
 const AGAIN_EVERY = 2000; // ms: also a picture that has just come, or that was refused while somebody drove
 
 /**
- * @param {import("../../main.js").App} app @param {number} trial id
- * @param {ReturnType<import("../../plan/replay_plan.js").replayDrawn>} drawn the drawn plan; null where the place is not known
- * @param {import("./play_head.js").PlayHead} head @param {AbortSignal} signal
+ * @param {App} app @param {number} trial id
+ * @param {ReturnType<import("../../plan/replay_plan.js").replayDrawn> | null} drawn the drawn plan; null where the place is not known
+ * @param {PlayHead} head @param {AbortSignal} signal
  */
 export function replayView(app, trial, drawn, head, signal) {
   const has3d = canDrawIn3d();
   const first = has3d || !drawn ? VIEWS_IN_3D[0] : "plan";
   const in3d = replayIn3d(app, trial, head, signal);
   const place = h("div", { class: "view replay-frame" }, in3d.element, drawn?.element);
+  /** @param {View} view */
   const choose = (view) => {
     drawn?.setShown(view === "plan");
     if (view !== "plan" && has3d) in3d.look(view);
@@ -27,9 +37,11 @@ export function replayView(app, trial, drawn, head, signal) {
   head.addEventListener("time", showDrawn, { signal });
   showDrawn();
   choose(first);
+  /** @type {NonNullable<View>[]} */
+  const offered = drawn ? [...VIEWS_IN_3D, "plan"] : VIEWS_IN_3D;
   const views = segments(
     t("trial.views"),
-    [...VIEWS_IN_3D, ...(drawn ? ["plan"] : [])].map((value) => ({ value, label: t(`trial.view.${value}`) })),
+    offered.map((value) => ({ value, label: t(`trial.view.${value}`) })),
     first,
     choose,
   );
@@ -39,13 +51,17 @@ export function replayView(app, trial, drawn, head, signal) {
   return h("section", { class: "card replay-picture" }, place, why, bar);
 }
 
-/** The 3D picture; its server is opened with the first look. */
+/**
+ * The 3D picture; its server is opened with the first look.
+ * @param {App} app @param {number} trial id @param {PlayHead} head @param {AbortSignal} signal
+ */
 function replayIn3d(app, trial, head, signal) {
   const words = h("p", { class: "over-picture", role: "status" }, t("replay.picture.loading"));
   const frame = h("iframe", { title: t("replay.picture"), tabindex: "-1" });
   const element = h("div", { class: "in-3d" }, frame, words);
   let word = "";
-  let view = "";
+  /** @type {Shown["view"] | null} */
+  let view = null;
   let isOpening = false;
   const isLeft = () => signal.aborted;
   const open = async () => {
@@ -61,22 +77,25 @@ function replayIn3d(app, trial, head, signal) {
       isOpening = false;
     }
   };
+  /** @param {string} id */
   const close = (id) => app.api.remove(`/replays/${id}`).catch(() => {});
+  /** @param {string} why @param {...Child} more */
   const off = (why, ...more) => {
     element.classList.add("off");
     put(words, t("replay.picture.off", { why }), ...more);
   };
+  /** @param {unknown} error */
   const refused = (error) => {
-    off(error.message);
+    off(failureWords(error));
     // A replay that was closed meanwhile is opened anew.
-    if (error.status === 404 && word) {
+    if (error instanceof ApiError && error.status === 404 && word) {
       word = "";
-      off(error.message, " ", again);
+      off(failureWords(error), " ", again);
     }
   };
   const again = h("button", { type: "button", class: "btn small", onclick: open }, t("replay.picture.again"));
   const isDrawn = () => frame.contentWindow?.bodydriveView?.draws() ?? true;
-  const send = newestWins(async (moment) => {
+  const send = newestWins(async (/** @type {Shown} */ moment) => {
     if (!word || isLeft()) return;
     try {
       await app.api.post(`/replays/${word}/at`, moment);
@@ -99,7 +118,7 @@ function replayIn3d(app, trial, head, signal) {
     clearInterval(timer);
     if (word) close(word);
   });
-  /** @param {string} from where to look from */
+  /** @param {Shown["view"]} from where to look from */
   const look = (from) => {
     view = from;
     if (!word && !isOpening) open();

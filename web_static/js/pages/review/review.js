@@ -1,9 +1,14 @@
-/** Review: how a measure went over trials, all trajectories over the path, and every trial. */
+/**
+ * Review: how a measure went over trials, all trajectories over the path, and every trial.
+ * @import { Learning } from "types/documents"
+ * @import { SourceGroup } from "../../results/source_group.js"
+ */
+import { failureWords } from "../../api.js";
 import { curveCard } from "./curve_card.js";
 import { h, put } from "../../widgets/dom.js";
-import { driven, inOrder, keyOf, pathWords } from "./path_choice.js";
+import { inOrder, keyOf, pathsOf, pathWords } from "./path_choice.js";
 import { field, selection } from "../../widgets/fields.js";
-import { MEASURES, mostTelling } from "../../results/measures.js";
+import { measured, MEASURES, mostTelling } from "../../results/measures.js";
 import { emptyPage } from "../../shell/nobody.js";
 import { groupChoice, groupMark } from "../../results/source_group.js";
 import { qualitySection } from "./quality_section.js";
@@ -37,15 +42,17 @@ export async function show(app, root, { signal, rest }) {
     ),
   );
   if (!trials.length) return noTrials(root, patients.length > 1 ? who : null);
-  const [plans, paths] = [await app.api.get("/floorplans"), driven(trials)];
+  const [plans, paths] = [await app.api.get("/floorplans"), pathsOf(trials)];
   if (signal.aborted) return;
-  let path = paths.find(({ key }) => key === decodeURIComponent(rest.slice(1, 3).join("/"))) ?? paths.at(-1);
+  let path = paths.find(({ key }) => key === decodeURIComponent(rest.slice(1, 3).join("/"))) ?? paths[paths.length - 1];
+  /** @param {number} trial id */
   const opens = (trial) => app.go(`#/review/${patient.id}/trial/${trial}`);
   let measure = sessionStorage.getItem(MEASURE_PLACE) ?? "e_diff";
   const place = h("div", { class: "stack" });
   const measurePlace = h("div", {});
   const groupPlace = h("div", {});
-  let group = app.me.demo ? "simulated" : "worn";
+  /** @type {SourceGroup} */
+  let group = app.me?.demo ? "simulated" : "worn";
   let drawn = new AbortController();
   const draw = async () => {
     drawn.abort();
@@ -55,16 +62,18 @@ export async function show(app, root, { signal, rest }) {
     const where = `floorplan=${encodeURIComponent(path.floorplan)}&path=${encodeURIComponent(path.name)}&source=${group}`;
     chooseGroup();
     const known = plans.some(({ name }) => name === path.floorplan);
-    const [learning, plan] = await Promise.all([
+    const [answer, plan] = await Promise.all([
       app.api.get(`/patients/${patient.id}/learning?${where}`),
       known ? app.api.get(`/floorplans/${path.floorplan}`) : null,
     ]);
     if (until.aborted) return;
+    const learning = /** @type {Learning} */ (answer);
     const charts = await Promise.all([curveCard(learning, measure, opens, until), trajectoriesChart(learning, plan, until)]);
     if (until.aborted) return;
     const counts = learning.trials.length > 0;
     const quality = h("div", {});
-    const fail = (error) => until.aborted || app.toasts.show(error.message);
+    /** @param {unknown} error */
+    const fail = (error) => until.aborted || app.toasts.show(failureWords(error));
     // It may read old recordings: the curve does not wait for it.
     if (counts) qualitySection(app, patient, where, until).then((one) => put(quality, one), fail);
     put(
@@ -88,30 +97,30 @@ export async function show(app, root, { signal, rest }) {
     inOrder(paths, plans).map((one) => ({ value: one.key, ...pathWords(one, plans) })),
     path.key,
     (key) => {
-      path = paths.find((one) => one.key === key);
-      draw().catch((error) => app.toasts.show(error.message));
+      path = paths.find((one) => one.key === key) ?? path;
+      app.toasts.attempt(draw);
     },
   );
   const chooseGroup = () => {
     const choice = groupChoice(trials.filter((trial) => keyOf(trial) === path.key), group, (chosen) => {
       group = chosen;
-      draw().catch((error) => app.toasts.show(error.message));
+      app.toasts.attempt(draw);
     });
     put(groupPlace, choice);
   };
   /** Only what the task has: a turn on the spot has no distance driven. */
   const chooseMeasure = () => {
-    const measured = trials.filter((trial) => keyOf(trial) === path.key && trial.measures).map(({ measures }) => measures);
-    const names = Object.keys(MEASURES).filter((name) => measured.some((measures) => Number.isFinite(measures[name])));
+    const all = trials.flatMap(({ measures, ...trial }) => (measures && keyOf(trial) === path.key ? [measures] : []));
+    const names = Object.keys(MEASURES).filter((name) => all.some((measures) => measured(measures, name) !== null));
     if (!names.length) names.push(measure);
-    if (!names.includes(measure)) measure = mostTelling(measured.at(-1)).find((name) => names.includes(name)) ?? names[0];
+    if (!names.includes(measure)) measure = mostTelling(all[all.length - 1]).find((name) => names.includes(name)) ?? names[0];
     const choice = selection(
       names.map((name) => ({ value: name, label: t(`measure.${name}`) })),
       measure,
       (name) => {
         measure = name;
         sessionStorage.setItem(MEASURE_PLACE, name);
-        draw().catch((error) => app.toasts.show(error.message));
+        app.toasts.attempt(draw);
       },
     );
     put(measurePlace, field(t("review.measure"), choice));
@@ -136,7 +145,8 @@ export async function show(app, root, { signal, rest }) {
   await draw();
 }
 
+/** @param {HTMLElement} root @param {Node | null} who to choose another patient by */
 function noTrials(root, who) {
   emptyPage(root, t("review.none.title"), t("review.none.lead"), "#/drive", t("review.none.go"));
-  if (who) root.firstElementChild.append(h("div", { class: "other-patient" }, who));
+  if (who) root.firstElementChild?.append(h("div", { class: "other-patient" }, who));
 }

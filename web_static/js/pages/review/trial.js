@@ -1,4 +1,10 @@
-/** One trial of Review: its replay, where one slider moves picture, plan and charts together, and what it came to. */
+/**
+ * One trial of Review: its replay, where one slider moves picture, plan and charts together, and what it came to.
+ * @import { App } from "../../main.js"
+ * @import { Timeline } from "types/api"
+ * @import { TrialReading } from "../../results/trial_over.js"
+ */
+import { failureWords } from "../../api.js";
 import { h } from "../../widgets/dom.js";
 import { PlayHead } from "./play_head.js";
 import { eventList, playBar, playKeys } from "./play_bar.js";
@@ -12,15 +18,17 @@ import { t } from "../../texts.js";
 export async function show(app, root, { signal, rest: [patient, , id] }) {
   const read = await readTrial(app.api, id);
   if (signal.aborted) return;
-  const line = await app.api.get(`/trials/${id}/timeline`).catch((error) => ({ why: error.message }));
+  let why = "";
+  const line = await app.api.get(`/trials/${id}/timeline`).catch((error) => void (why = failureWords(error)));
   if (signal.aborted) return;
-  const above = line.why ? h("p", { class: "card quiet" }, t("replay.none"), " ", line.why) : replay(app, root, read, line, signal);
+  const above = line ? replay(app, root, read, line, signal) : h("p", { class: "card quiet" }, t("replay.none"), " ", why);
   const back = () => [h("a", { class: "btn", href: `#/review/${patient}` }, t("review.back"))];
   showTrialOver(app, root, read, back, above);
 }
 
+/** @param {App} app @param {HTMLElement} root @param {TrialReading} read @param {Timeline} line @param {AbortSignal} signal */
 function replay(app, root, { trial, plan }, line, signal) {
-  const head = new PlayHead(line.t[0], line.t.at(-1), signal);
+  const head = new PlayHead(Number(line.t[0]), Number(line.t.at(-1)), signal);
   const where = line.floorplan ?? plan;
   const fromAbove = where && replayPlan(where, trial, line, t("replay.plan"));
   if (fromAbove) {

@@ -1,15 +1,20 @@
-/** Every trial on one path, the newest first: opened one by one, or two side by side. */
+/**
+ * Every trial on one path, the newest first: opened one by one, or two side by side.
+ * @import { TrialView } from "types/api"
+ */
 import { t } from "../../texts.js";
 import { compareChoice } from "./compare_choice.js";
 import { h } from "../../widgets/dom.js";
 import { moment } from "../../widgets/format.js";
-import { mostTelling, withUnit } from "../../results/measures.js";
+import { scrollTable } from "../../widgets/scroll_table.js";
+import { measured, mostTelling, withUnit } from "../../results/measures.js";
 import { groupMark, groupOf } from "../../results/source_group.js";
 
-/** @param {{id: number}} patient @param {any[]} trials the newest last */
+/** @param {{id: number}} patient @param {TrialView[]} trials the newest last */
 export function trialList(patient, trials) {
   const listed = mostTelling(trials.findLast(({ measures }) => measures)?.measures ?? {});
   const compare = compareChoice(patient.id);
+  /** @param {TrialView} trial */
   const row = (trial) =>
     h(
       "tr",
@@ -29,7 +34,7 @@ export function trialList(patient, trials) {
       ),
       h("td", {}, moment(trial.started)),
       h("td", {}, t(`review.end.${trial.end}`)),
-      listed.map((name) => h("td", {}, trial.measures ? withUnit(name, trial.measures[name]) : "–")),
+      listed.map((name) => h("td", {}, trial.measures ? withUnit(name, measured(trial.measures, name)) : "–")),
       h("td", { title: trial.source.words }, groupMark(groupOf(trial)) ?? t("source.group.worn")),
       h("td", {}, trial.kept ? t("review.kept") : trial.discard_reason),
       h("td", {}, compare.box(trial)),
@@ -47,23 +52,19 @@ export function trialList(patient, trials) {
     "section",
     { class: "card" },
     h("h2", {}, t("review.trials")),
-    h(
-      "div",
-      { class: "scroll-x", tabindex: "0", role: "region", "aria-label": t("review.trials") },
+    scrollTable(
+      t("review.trials"),
+      "measures trials",
       h(
-        "table",
-        { class: "measures trials" },
+        "thead",
+        {},
         h(
-          "thead",
+          "tr",
           {},
-          h(
-            "tr",
-            {},
-            head.map((words) => h("th", { scope: "col" }, words)),
-          ),
+          head.map((words) => h("th", { scope: "col" }, words)),
         ),
-        h("tbody", {}, trials.toReversed().map(row)),
       ),
+      h("tbody", {}, trials.toReversed().map(row)),
     ),
     trials.length > 1 && compare.element,
   );
