@@ -1,24 +1,31 @@
 /** A measure over trials with its fitted curve, the sessions behind it and the versions of the map above it. */
 import { t } from "../texts.js";
 import { ABOVE, mapAxis, mapTraces, sessionShapes, sessionWords } from "./curve_marks.js";
-import { comparable, MEASURES } from "../results/measures.js";
+import { comparable, measured, MEASURES } from "../results/measures.js";
 import { chart, faint } from "./plotly.js";
 
 /**
- * @param {any} learning what GET /patients/ID/learning answered @param {string} measure
- * @param {any} fit the curve that is drawn with its band: {form, n, value, low, high}, or null
- * @param {(trial: number) => void} opens what a tap on a trial does @param {AbortSignal} signal
+ * @typedef {import("./learning.js").LearningTrial} LearningTrial
+ * @typedef {import("./plotly.js").Colours} Colours
  */
-export function curveChart(learning, measure, fit, opens, signal) {
-  const rows = learning.trials.filter((row) => Number.isFinite(row[measure]));
+
+/**
+ * @param {Pick<import("./learning.js").Learning, "trials">} learning @param {string} measure
+ * @param {import("./learning.js").CurveModel | null} fit the curve to draw with its band
+ * @param {(trial: number) => void} open called with the id of a trial after a tap on it @param {AbortSignal} signal
+ */
+export function curveChart(learning, measure, fit, open, signal) {
+  const rows = learning.trials.filter((row) => measured(row, measure) !== null);
   const { unit, better } = MEASURES[measure];
   const title = [t(`measure.${measure}`), unit && `(${unit})`].filter(Boolean).join(" ");
+  /** @param {Colours} colours */
   const make = (colours) => {
-    const range = rows.length ? [rows[0].number - 0.5, rows.at(-1).number + 0.5] : [0.5, 1.5];
+    const last = rows.at(-1);
+    const range = last ? [rows[0].number - 0.5, last.number + 0.5] : [0.5, 1.5];
     return {
       traces: [
         ...(fit ? fitTraces(fit, colours) : []),
-        ...(measure === "dist" && rows.length ? [lengthTrace(rows, colours)] : []),
+        ...(measure === "dist" && last ? [lengthTrace(rows[0], last, colours)] : []),
         ...trialTraces(rows, measure, colours),
         ...mapTraces(rows, colours),
       ],
@@ -32,9 +39,12 @@ export function curveChart(learning, measure, fit, opens, signal) {
       },
     };
   };
-  return chart(`${t("review.curve")}: ${title}`, signal, make, ({ customdata }) => customdata && opens(customdata));
+  return chart(`${t("review.curve")}: ${title}`, signal, make, ({ customdata }) => {
+    if (typeof customdata === "number") open(customdata);
+  });
 }
 
+/** @param {import("./learning.js").CurveModel} fit @param {Colours} colours @returns {PlotlyTrace[]} */
 function fitTraces(fit, colours) {
   const band = { mode: "lines", line: { width: 0 }, hoverinfo: "skip", x: fit.n };
   return [
@@ -51,11 +61,12 @@ function fitTraces(fit, colours) {
   ];
 }
 
-function lengthTrace(rows, colours) {
-  const length = rows.at(-1).path_length;
+/** @param {LearningTrial} first @param {LearningTrial} last @param {Colours} colours @returns {PlotlyTrace} */
+function lengthTrace(first, last, colours) {
+  const length = last.path_length;
   return {
     mode: "lines",
-    x: [rows[0].number, rows.at(-1).number],
+    x: [first.number, last.number],
     y: [length, length],
     line: { color: colours["path-prescribed"], dash: "dash", width: 1.5 },
     name: t("review.length"),
@@ -63,9 +74,10 @@ function lengthTrace(rows, colours) {
   };
 }
 
-/** The trials that can be compared, joined by a line; the others as rings beside it. */
+/** The trials that can be compared, joined by a line; the others as rings. @param {LearningTrial[]} rows @param {string} measure @param {Colours} colours */
 function trialTraces(rows, measure, colours) {
   const { unit, digits } = MEASURES[measure];
+  /** @param {LearningTrial[]} some @param {PlotlyTrace} more @returns {PlotlyTrace} */
   const trace = (some, more) => ({
     x: some.map(({ number }) => number),
     y: some.map((row) => row[measure]),

@@ -2,24 +2,32 @@
 import { t } from "../texts.js";
 import { faint } from "./plotly.js";
 
+/**
+ * @typedef {import("./learning.js").LearningTrial} LearningTrial
+ * @typedef {import("./plotly.js").Colours} Colours
+ */
+
 export const ABOVE = 0.82; // share of the chart's height that the curve has; sessions and maps stand above it
 const MAPS = [0.84, 0.93]; // of the height
 const SESSIONS = 0.94;
 const MANY = 6; // sessions: from then on the word stands only at the first
-const ROOM = 40; // numbers of maps side by side over the whole width; closer ones would stand on one another
+const ROOM = 40; // numbers of maps that fit side by side over the whole width
+/** @type {Record<LearningTrial["origin"], string>} */
 const SYMBOLS = { calibration: "diamond", adaptation: "triangle-up", back: "triangle-left" };
 
-/** The sessions: number, and from which to which trial. @param {any[]} rows trials in order */
+/** The sessions: number, and from which to which trial. @param {LearningTrial[]} rows trials in order */
 function sessions(rows) {
-  const found = [];
+  /** @type {{session: number, first: number, last: number}[]} */
+  const groups = [];
   for (const { session, number } of rows) {
-    if (found.at(-1)?.session === session) found.at(-1).last = number;
-    else found.push({ session, first: number, last: number });
+    const newest = groups.at(-1);
+    if (newest?.session === session) newest.last = number;
+    else groups.push({ session, first: number, last: number });
   }
-  return found;
+  return groups;
 }
 
-/** Every other session has a light band. @param {any[]} rows @param {Record<string, string>} colours */
+/** Every other session has a light band. @param {LearningTrial[]} rows @param {Pick<Colours, "text" | "path-prescribed">} colours */
 export function sessionShapes(rows, colours) {
   return sessions(rows)
     .filter((_, i) => i % 2 === 0)
@@ -36,7 +44,7 @@ export function sessionShapes(rows, colours) {
     }));
 }
 
-/** @param {any[]} rows */
+/** @param {LearningTrial[]} rows */
 export function sessionWords(rows) {
   const all = sessions(rows);
   return all.map(({ session, first, last }, i) => ({
@@ -54,10 +62,11 @@ export function mapAxis() {
   return { domain: MAPS, range: [0, 1], visible: false, fixedrange: true };
 }
 
-/** A mark with its version where the map is another one than in the trial before. @param {any[]} rows @param {Record<string, string>} colours */
+/** A mark with its version at each trial whose map is not that of the trial before. @param {LearningTrial[]} rows @param {Pick<Colours, "text" | "path-prescribed">} colours */
 export function mapTraces(rows, colours) {
   const changed = rows.filter((row, i) => row.profile_version !== rows[i - 1]?.profile_version);
-  const apart = rows.length && (rows.at(-1).number - rows[0].number + 1) / ROOM;
+  const apart = rows.length && (rows[rows.length - 1].number - rows[0].number + 1) / ROOM;
+  /** @param {LearningTrial} row */
   const hasRoom = (row) => !(changed[changed.indexOf(row) + 1]?.number - row.number < apart);
   return Object.entries(SYMBOLS)
     .map(([origin, symbol]) => ({ origin, symbol, some: changed.filter((row) => row.origin === origin) }))

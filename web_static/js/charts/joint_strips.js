@@ -1,9 +1,9 @@
-/** One small strip per joint with all of its channels. */
+/** One small chart per joint with the traces of all its channels. */
 import { t } from "../texts.js";
 import { h } from "../widgets/dom.js";
 import { TraceCanvas } from "./traces.js";
 
-export const QUIET_SPAN = 16; // times the noise: a body at rest then shows a calm line instead of magnified noise
+export const QUIET_SPAN = 16; // times the noise: so that a body at rest shows a calm line instead of magnified noise
 
 /**
  * @param {import("../live/live.js").Live} live
@@ -26,7 +26,7 @@ export function jointStrips(live, layout, signal) {
   );
   drawTraces(
     live,
-    strips.map(({ canvas, indices }) => ({ canvas, values: (now) => indices.map((index) => now.values[index]) })),
+    strips.map(({ canvas, indices }) => ({ canvas, values: (now) => indices.map((index) => now.values?.[index] ?? null) })),
     signal,
   );
   return h(
@@ -38,16 +38,18 @@ export function jointStrips(live, layout, signal) {
   );
 }
 
-/** The median of what is a number, otherwise 0. @param {(number | null | undefined)[]} values */
+/** The median of the finite values; 0 without any. @param {(number | null | undefined)[]} values */
 export function middle(values) {
-  const sorted = values.filter((value) => Number.isFinite(value)).sort((a, b) => a - b);
+  const finite = values.flatMap((value) => (typeof value === "number" && Number.isFinite(value) ? [value] : []));
+  const sorted = finite.sort((a, b) => a - b);
   return sorted.length ? sorted[sorted.length >> 1] : 0;
 }
 
 /**
  * Feed canvases from the live link and draw them, until the page is left.
+ * @typedef {import("../live/live.js").LiveMessage} LiveMessage
  * @param {import("../live/live.js").Live} live
- * @param {{canvas: TraceCanvas, values: (now: any) => (number | null)[]}[]} traces
+ * @param {{canvas: TraceCanvas, values: (now: LiveMessage) => (number | null)[]}[]} traces
  * @param {AbortSignal} signal
  */
 export function drawTraces(live, traces, signal) {
@@ -55,7 +57,7 @@ export function drawTraces(live, traces, signal) {
   live.addEventListener(
     "tick",
     ({ detail: now }) => {
-      if (!now.values) return;
+      if (!now.values || now.t === null) return;
       for (const { canvas, values } of traces) canvas.push(now.t, values(now));
       isFresh = true;
     },

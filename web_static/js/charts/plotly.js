@@ -1,4 +1,4 @@
-/** plotly, loaded from this machine and only when a chart is wanted; its colours follow the theme. */
+/** plotly, loaded from the server when the first chart is drawn; its colours follow the theme. */
 import { t } from "../texts.js";
 import { h } from "../widgets/dom.js";
 import { palette } from "../shell/theme.js";
@@ -6,14 +6,14 @@ import { palette } from "../shell/theme.js";
 const SCRIPT = "/vendor/plotly.min.js";
 const CONFIG = { displaylogo: false, displayModeBar: false, responsive: true, scrollZoom: false, doubleClick: false };
 
-/** @type {Promise<any> | null} one script for as long as the page is open */
+/** @type {Promise<Plotly> | null} one script for as long as the page is open */
 let loading = null;
 
-/** @returns {Promise<any>} plotly itself */
+/** Load plotly. @returns {Promise<Plotly>} */
 function plotly() {
   loading ??= new Promise((resolve, reject) => {
     const script = h("script", { src: SCRIPT });
-    script.onload = () => resolve(window["Plotly"]);
+    script.onload = () => resolve(window.Plotly);
     script.onerror = () => {
       loading = null;
       script.remove();
@@ -24,11 +24,13 @@ function plotly() {
   return loading;
 }
 
+/** @typedef {Record<"text" | "text-quiet" | "border" | "panel" | "action" | "path-prescribed" | "path-driven", string>} Colours */
+
 /**
  * A chart that draws itself again when the theme changes.
  * @param {string} label @param {AbortSignal} signal
- * @param {(colours: Record<string, string>) => {traces: any[], layout: any}} make
- * @param {(point: any) => void} [onPoint] what a tap on a point does
+ * @param {(colours: Colours) => {traces: PlotlyTrace[], layout: PlotlyLayout}} make
+ * @param {(point: PlotlyPoint) => void} [onPoint] called after a tap on a point
  */
 export async function chart(label, signal, make, onPoint) {
   const { colours, stop } = palette(
@@ -56,18 +58,21 @@ export async function chart(label, signal, make, onPoint) {
       CONFIG,
     );
   };
-  // Drawn once it stands in the page: only there it has a size.
-  const stands = new ResizeObserver(() => {
+  // The chart is drawn when it stands in the page: only then it has a size.
+  const placement = new ResizeObserver(() => {
     if (signal.aborted || !element.clientWidth) return;
-    stands.disconnect();
+    placement.disconnect();
     draw();
     document.addEventListener("themechange", draw);
-    // Later, because plotly goes on with its own element after it has told of the tap.
-    if (onPoint) element["on"]("plotly_click", ({ points }) => setTimeout(() => onPoint(points[0])));
+    // The call is deferred, because plotly still uses its element after it has reported the tap.
+    if (onPoint)
+      /** @type {PlotlyElement} */ (/** @type {unknown} */ (element)).on("plotly_click", ({ points }) =>
+        setTimeout(() => onPoint(points[0])),
+      );
   });
-  stands.observe(element);
+  placement.observe(element);
   signal.addEventListener("abort", () => {
-    stands.disconnect();
+    placement.disconnect();
     document.removeEventListener("themechange", draw);
     stop();
     Plotly.purge(element);
@@ -75,6 +80,7 @@ export async function chart(label, signal, make, onPoint) {
   return element;
 }
 
+/** @param {Colours} colours */
 function frame(colours) {
   return {
     paper_bgcolor: "rgba(0,0,0,0)",
@@ -89,6 +95,7 @@ function frame(colours) {
   };
 }
 
+/** @param {Colours} colours */
 function axis(colours) {
   return {
     gridcolor: colours.border,
@@ -99,7 +106,7 @@ function axis(colours) {
   };
 }
 
-/** A colour with less of it. @param {string} rgb as the browser gives it @param {number} share 0..1 */
+/** A colour with an opacity. @param {string} rgb as the browser gives it @param {number} share 0..1 */
 export function faint(rgb, share) {
   const parts = rgb
     .match(/[\d.]+/g)

@@ -1,4 +1,4 @@
-/** Lines over the time of a replay, on a canvas that is drawn once; what moves is the cursor and the numbers. */
+/** Lines over the time of a replay, on a canvas that is drawn once; only the cursor and the numbers change. */
 import { t } from "../texts.js";
 import { h, write } from "../widgets/dom.js";
 import { number } from "../widgets/format.js";
@@ -8,16 +8,20 @@ const LEFT = 46; // px for the numbers at the side
 const RIGHT = 10;
 const EDGE = 8; // px above and below
 const DASHES = [[], [7, 4], [2, 3], [10, 3, 2, 3]];
-const LOOK = 1.75; // px a line is thick
+const THICKNESS = 1.75; // px of a line
 const ARMED = 2; // app.faults.State
 
-/** @typedef {{name: string, values: (number | null)[], colour: string}} Line */
+/**
+ * @template {string} Colour
+ * @typedef {{name: string, values: (number | null)[], colour: Colour}} Line colour: a name of the palette
+ */
 
 /**
- * @param {{title: string, unit: string, times: number[], state: number[], lines: Line[], digits?: number, range?: [number, number], height?: number}} what
- *   colour: a name of the palette; range: shown at least
+ * @template {string} Colour
+ * @param {{title: string, unit: string, times: (number | null)[], state: number[], lines: Line<Colour>[], digits?: number, range?: [number, number], height?: number}} what
+ *   state: of the chair at each time (app.faults.State); range: at least this is shown
  * @param {import("../pages/review/play_head.js").PlayHead} head
- * @param {Record<string, string>} colours that follow the theme
+ * @param {Record<Colour | "border" | "text-quiet", string>} colours that follow the theme
  */
 export function timeChart({ title, unit, times, state, lines, digits = 2, range, height = 96 }, head, colours) {
   const canvas = h("canvas", { role: "img", "aria-label": t("replay.chart", { title }) });
@@ -35,7 +39,9 @@ export function timeChart({ title, unit, times, state, lines, digits = 2, range,
   );
   const { low, high } = spanOf(lines, range);
   let width = 0;
-  const xAt = (now) => LEFT + ((now - head.start) / (head.end - head.start || 1)) * Math.max(1, width - LEFT - RIGHT);
+  /** @param {number | null} now s @returns {number} px */
+  const xAt = (now) => LEFT + ((Number(now) - head.start) / (head.end - head.start || 1)) * Math.max(1, width - LEFT - RIGHT);
+  /** @param {number} value @returns {number} px */
   const yAt = (value) => EDGE + ((high - value) / (high - low)) * (height - 2 * EDGE);
 
   const draw = () => {
@@ -44,6 +50,7 @@ export function timeChart({ title, unit, times, state, lines, digits = 2, range,
     const ratio = window.devicePixelRatio || 1;
     [canvas.width, canvas.height] = [Math.round(width * ratio), Math.round(height * ratio)];
     const pen = canvas.getContext("2d");
+    if (!pen) return;
     pen.setTransform(ratio, 0, 0, ratio, 0, 0);
     shadeUnarmed(pen);
     drawAxis(pen);
@@ -51,6 +58,7 @@ export function timeChart({ title, unit, times, state, lines, digits = 2, range,
     show();
   };
 
+  /** @param {CanvasRenderingContext2D} pen */
   const shadeUnarmed = (pen) => {
     pen.fillStyle = colours.border;
     pen.globalAlpha = 0.45;
@@ -64,6 +72,7 @@ export function timeChart({ title, unit, times, state, lines, digits = 2, range,
     pen.globalAlpha = 1;
   };
 
+  /** @param {CanvasRenderingContext2D} pen */
   const drawAxis = (pen) => {
     pen.font = "12px system-ui, sans-serif";
     pen.textAlign = "right";
@@ -83,9 +92,10 @@ export function timeChart({ title, unit, times, state, lines, digits = 2, range,
     }
   };
 
+  /** @param {CanvasRenderingContext2D} pen @param {Line<Colour>} line @param {number} i */
   const drawLine = (pen, line, i) => {
     pen.strokeStyle = colours[line.colour];
-    pen.lineWidth = LOOK;
+    pen.lineWidth = THICKNESS;
     pen.lineJoin = "round";
     pen.setLineDash(DASHES[Math.floor(i / 6) + (lines.length > 1 ? i % DASHES.length : 0)] ?? []);
     pen.beginPath();
@@ -110,6 +120,7 @@ export function timeChart({ title, unit, times, state, lines, digits = 2, range,
     lines.forEach((line, i) => write(values[i], number(line.values[now], digits)));
   };
 
+  /** @param {PointerEvent} event */
   const seek = (event) => {
     const inner = event.clientX - box.getBoundingClientRect().left - LEFT;
     head.pause();
@@ -124,11 +135,15 @@ export function timeChart({ title, unit, times, state, lines, digits = 2, range,
   return { element, draw, show };
 }
 
+/** @param {string} colour @param {number} i */
 function swatch(colour, i) {
   return h("i", { class: "swatch", style: `border-top: 3px ${i % DASHES.length ? "dashed" : "solid"} var(--${colour})` });
 }
 
-/** From the smallest to the largest value, and a little room when all are one. */
+/**
+ * The least and the greatest value, with some room when all are equal.
+ * @param {{values: (number | null)[]}[]} lines @param {[number, number]} [range] at least this
+ */
 function spanOf(lines, range = [Infinity, -Infinity]) {
   let [low, high] = range;
   for (const { values } of lines)

@@ -5,7 +5,7 @@ import { palette } from "../shell/theme.js";
 const SECONDS = 10;
 const MARGIN = 4; // px above and below
 const SMALLEST_SPAN = 1e-6; // so that a flat line stays a flat line
-const FADED = 0.55; // opacity where many lines lie on each other
+const FADED = 0.55; // opacity when a chart has several lines
 
 export class TraceCanvas {
   /** @type {number[]} */
@@ -27,8 +27,9 @@ export class TraceCanvas {
 
   /** @param {number} t seconds @param {(number | null)[]} values one per line */
   push(t, values) {
-    if (this.#times.length && t <= this.#times.at(-1)) {
-      if (t < this.#times.at(-1)) this.clear(); // another control process counts its own time
+    const last = this.#times.at(-1);
+    if (last !== undefined && t <= last) {
+      if (t < last) this.clear(); // another control process counts its own time
       return;
     }
     this.#times.push(t);
@@ -54,6 +55,7 @@ export class TraceCanvas {
       canvas.height = Math.round(this.height * ratio);
     }
     const pen = canvas.getContext("2d");
+    if (!pen) return;
     pen.setTransform(ratio, 0, 0, ratio, 0, 0);
     pen.clearRect(0, 0, width, this.height);
     pen.strokeStyle = this.palette.colours.border;
@@ -66,7 +68,7 @@ export class TraceCanvas {
     const lines = this.#rows[0].length;
     const middles = this.#middles(lines);
     const half = this.#halfSpan(lines, middles);
-    const end = this.#times.at(-1);
+    const end = this.#times[this.#times.length - 1];
     pen.strokeStyle = this.palette.colours.action;
     pen.globalAlpha = lines > 1 ? FADED : 1;
     pen.lineWidth = lines > 1 ? 1.25 : 2;
@@ -95,6 +97,7 @@ export class TraceCanvas {
     this.palette.stop();
   }
 
+  /** The mean of each line. @param {number} lines their number */
   #middles(lines) {
     return Array.from({ length: lines }, (_, line) => {
       let low = Infinity;
@@ -109,6 +112,7 @@ export class TraceCanvas {
     });
   }
 
+  /** Half of the span of the picture. @param {number} lines their number @param {number[]} middles */
   #halfSpan(lines, middles) {
     let half = this.floor / 2;
     for (const row of this.#rows) {

@@ -1,10 +1,14 @@
-/** All trajectories over the path: the paper's figure. */
+/** All trajectories over the path, as in the paper's figure. */
 import { t } from "../texts.js";
 import { chart, faint } from "./plotly.js";
 
 const AROUND = 1.5; // m of the building shown around what was driven
 
-/** @param {any} learning @param {any} plan or null @param {AbortSignal} signal */
+/**
+ * @typedef {import("../plan/floor_plan.js").Point} Point
+ * @param {Pick<import("types/api").LearningView, "trajectories" | "path">} learning
+ * @param {Pick<import("../plan/floor_plan.js").FloorPlan, "walls"> | null} plan @param {AbortSignal} signal
+ */
 export function trajectoriesChart(learning, plan, signal) {
   return chart(t("review.trajectories"), signal, (colours) => {
     const wall = {
@@ -13,6 +17,7 @@ export function trajectoriesChart(learning, plan, signal) {
       hoverinfo: "skip",
       showlegend: false,
     };
+    /** @type {PlotlyTrace[]} */
     const traces = (plan?.walls ?? []).map((line) => ({ ...wall, ...columns(line) }));
     const newest = learning.trajectories.length - 1;
     const share = Math.max(0.4, 1 / Math.max(1, learning.trajectories.length ** 0.4));
@@ -39,8 +44,12 @@ export function trajectoriesChart(learning, plan, signal) {
         name: t("review.path.line"),
         hoverinfo: "skip",
       });
-    const driven = learning.trajectories.flatMap(({ x, y }) => x.map((each, i) => [each, y[i]]));
-    const shown = columns([...learning.path, ...driven]);
+    const path = columns(learning.path);
+    const all = {
+      x: [...path.x, ...learning.trajectories.flatMap(({ x }) => x)],
+      y: [...path.y, ...learning.trajectories.flatMap(({ y }) => y)],
+    };
+    /** @param {string} words @param {number[]} values */
     const axis = (words, values) => ({
       title: { text: words },
       range: around(values),
@@ -49,7 +58,7 @@ export function trajectoriesChart(learning, plan, signal) {
     });
     return {
       traces,
-      layout: { xaxis: axis("x (m)", shown.x), yaxis: { ...axis("y (m)", shown.y), scaleanchor: "x" } },
+      layout: { xaxis: axis("x (m)", all.x), yaxis: { ...axis("y (m)", all.y), scaleanchor: "x" } },
     };
   });
 }
@@ -62,6 +71,7 @@ function around(values) {
   return [least - AROUND, greatest + AROUND];
 }
 
+/** @param {Point[]} line */
 function columns(line) {
   return { x: line.map(([x]) => x), y: line.map(([, y]) => y) };
 }
