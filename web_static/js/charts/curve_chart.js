@@ -5,13 +5,13 @@ import { comparable, measured, MEASURES } from "../results/measures.js";
 import { chart, faint } from "./plotly.js";
 
 /**
- * @typedef {import("./learning.js").LearningTrial} LearningTrial
+ * @typedef {import("types/documents").LearningTrial} LearningTrial
  * @typedef {import("./plotly.js").Colours} Colours
  */
 
 /**
- * @param {Pick<import("./learning.js").Learning, "trials">} learning @param {string} measure
- * @param {import("./learning.js").CurveModel | null} fit the curve to draw with its band
+ * @param {Pick<import("types/documents").Learning, "trials">} learning @param {string} measure
+ * @param {import("types/documents").CurveModel | null} fit the curve to draw with its band
  * @param {(trial: number) => void} open called with the id of a trial after a tap on it @param {AbortSignal} signal
  */
 export function curveChart(learning, measure, fit, open, signal) {
@@ -44,7 +44,7 @@ export function curveChart(learning, measure, fit, open, signal) {
   });
 }
 
-/** @param {import("./learning.js").CurveModel} fit @param {Colours} colours @returns {PlotlyTrace[]} */
+/** @param {import("types/documents").CurveModel} fit @param {Colours} colours @returns {PlotlyTrace[]} */
 function fitTraces(fit, colours) {
   const band = { mode: "lines", line: { width: 0 }, hoverinfo: "skip", x: fit.n };
   return [

@@ -3,7 +3,7 @@ import { t } from "../texts.js";
 import { faint } from "./plotly.js";
 
 /**
- * @typedef {import("./learning.js").LearningTrial} LearningTrial
+ * @typedef {import("types/documents").LearningTrial} LearningTrial
  * @typedef {import("./plotly.js").Colours} Colours
  */
 
@@ -12,7 +12,7 @@ const MAPS = [0.84, 0.93]; // of the height
 const SESSIONS = 0.94;
 const MANY = 6; // sessions: from then on the word stands only at the first
 const ROOM = 40; // numbers of maps that fit side by side over the whole width
-/** @type {Record<LearningTrial["origin"], string>} */
+/** The mark of a map by where it comes from. @type {Record<string, string>} */
 const SYMBOLS = { calibration: "diamond", adaptation: "triangle-up", back: "triangle-left" };
 
 /** The sessions: number, and from which to which trial. @param {LearningTrial[]} rows trials in order */

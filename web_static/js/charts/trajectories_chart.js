@@ -36,15 +36,15 @@ export function trajectoriesChart(learning, plan, signal) {
         hovertemplate: `${t("review.trial")} ${one.number}<extra></extra>`,
       }),
     );
+    const path = columns(learning.path);
     if (learning.path.length)
       traces.push({
         mode: "lines",
-        ...columns(learning.path),
+        ...path,
         line: { color: colours["path-prescribed"], width: 3 },
         name: t("review.path.line"),
         hoverinfo: "skip",
       });
-    const path = columns(learning.path);
     const all = {
       x: [...path.x, ...learning.trajectories.flatMap(({ x }) => x)],
       y: [...path.y, ...learning.trajectories.flatMap(({ y }) => y)],

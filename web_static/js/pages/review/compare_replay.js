@@ -12,7 +12,8 @@ import { chart } from "../../charts/plotly.js";
 import { poseAt, trajectoryOf } from "../../plan/replay_plan.js";
 
 const ARMED = 2; // app.faults.State
-export const COLOURS = ["path-driven", "action"]; // of the first and of the second trial
+/** Of the first and of the second trial. */
+export const COLOURS = /** @type {const} */ (["path-driven", "action"]);
 
 /**
  * @param {HTMLElement} root of the page @param {TrialDetail[]} trials two, as GET /trials/ID answered
