@@ -54,7 +54,7 @@ export class App extends TypedEvents {
   showsTrial = false;
   #leave = new AbortController();
   /** @type {{floorplan: string, path: string} | null} the trial that the drive page shall start */
-  #wanted = null;
+  #trialRequest = null;
 
   root = h("main", { class: "page", tabindex: "-1" });
   rail = rail(this);
@@ -134,22 +134,22 @@ export class App extends TypedEvents {
   }
 
   /** Start a trial: the drive page prepares the picture first. @param {{floorplan: string, path: string}} where */
-  want(where) {
+  requestTrial(where) {
     if (this.live.latest?.fault) {
       // A stop is taken back by Continue and by nothing else.
       this.toasts.show(t("note.fault.first"));
       /** @type {HTMLElement | null} */ (this.frame.querySelector(".note .btn"))?.focus();
       return;
     }
-    this.#wanted = where;
+    this.#trialRequest = where;
     this.go("#/drive");
   }
 
   /** The trial that shall be started, once. */
-  takeWanted() {
-    const wanted = this.#wanted;
-    this.#wanted = null;
-    return wanted;
+  takeTrialRequest() {
+    const request = this.#trialRequest;
+    this.#trialRequest = null;
+    return request;
   }
 
   /** Tell the rest of the frame whether a trial or a drive has the page, and shows its faults itself. @param {boolean} is */

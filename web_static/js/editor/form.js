@@ -1,6 +1,6 @@
 /** The form at the side: the chosen item in numbers and words, or the plan itself. */
 import { h, set } from "../widgets/dom.js";
-import { field, selection } from "../widgets/fields.js";
+import { field, hiddenFileInput, selection } from "../widgets/fields.js";
 import { number } from "../widgets/format.js";
 import { t } from "../texts.js";
 import { fieldsOf, itemOf, itemsOf, LISTS, pointsOf, timeFor } from "./document.js";
@@ -179,14 +179,7 @@ function modelRow(one, models, acts) {
   );
   select.dataset.key = "model";
   const own = models.find(({ name }) => name === one.model);
-  const file = h("input", {
-    type: "file",
-    accept: ".glb,model/gltf-binary",
-    class: "unseen",
-    tabindex: "-1",
-    "aria-hidden": "true",
-  });
-  file.addEventListener("change", () => file.files?.[0] && acts.model(file.files[0]));
+  const file = hiddenFileInput(".glb,model/gltf-binary", (model) => acts.model(model));
   const takeSize = () => own && acts.change({ size: own.size.slice(0, 2), height: own.size[2] });
   return [
     field(t("editor.model"), select, t("editor.model.hint")),

@@ -49,7 +49,7 @@ export function measured(measures, name) {
 }
 
 /** The three measures that say most about a task, by what was measured. @param {Measures} measures @returns {string[]} */
-export function mostTelling(measures) {
+export function leadingMeasures(measures) {
   return LARGE.find(({ has }) => has.every((name) => measured(measures, name) !== null))?.large ?? [];
 }
 

@@ -7,7 +7,7 @@
 import { t } from "../texts.js";
 import { h } from "../widgets/dom.js";
 import { number } from "../widgets/format.js";
-import { best, change, measured, MEASURES, mostTelling, unitOf, withUnit } from "./measures.js";
+import { best, change, measured, MEASURES, leadingMeasures, unitOf, withUnit } from "./measures.js";
 import { planPicture } from "../plan/plan_svg.js";
 import { scrollTable } from "../widgets/scroll_table.js";
 import { groupOf } from "./source_group.js";
@@ -36,7 +36,7 @@ export function trialSummary(trial, trials, plan) {
       h(
         "div",
         { class: "large-figures" },
-        mostTelling(measures).map((name) => largeFigure(name, measures, previous)),
+        leadingMeasures(measures).map((name) => largeFigure(name, measures, previous)),
       ),
     measures?.parts ? stagesCard(/** @type {StageResult[]} */ (measures.parts)) : null,
     h("div", { class: "summary-columns" }, drivenCard(trial, plan), measures && tableCard(measures, previous, earlier)),
@@ -79,7 +79,7 @@ function requestOf(trial, plan) {
 function stagesCard(parts) {
   /** @param {StageResult} part @param {number} index */
   const row = ({ title, reached, time, ...own }, index) => {
-    const [first] = mostTelling(own).filter((name) => measured(own, name) !== null && name !== "dist");
+    const [first] = leadingMeasures(own).filter((name) => measured(own, name) !== null && name !== "dist");
     return h(
       "tr",
       {},

@@ -15,7 +15,7 @@ export function notices(app) {
   const element = h("div", { class: "notes", "aria-live": "assertive" });
   let shown = "";
   const show = () => {
-    const kind = app.me?.signed_in ? wanted(app) : "";
+    const kind = app.me?.signed_in ? noticeKind(app) : "";
     if (kind === shown) return;
     shown = kind;
     put(element, kind && note(app, kind));
@@ -26,8 +26,8 @@ export function notices(app) {
   return element;
 }
 
-/** The one thing that most needs to be known; empty when all is well. @param {App} app */
-function wanted(app) {
+/** The kind of the one notice that is needed most; empty when all is well. @param {App} app */
+function noticeKind(app) {
   if (!app.live.connected) return "lost";
   const now = app.live.latest;
   if (!now) return "";

@@ -34,13 +34,13 @@ export function chairCard(live, signal, { hasWhy = true } = {}) {
     tag.className = `tag ${TONES[state]}`;
     write(tag, t(`chair.state.${state}`));
     write(why, whyNot(chair, state));
-    // What a silent chair said last is not how it is.
+    // The last report of a silent chair does not tell how it is now.
     /** @param {string} words */
-    const said = (words) => (state === "silent" ? number(null, 0) : words);
+    const current = (words) => (state === "silent" ? number(null, 0) : words);
     const twist = { v: number(chair.v, 2), omega: number(chair.omega * DEGREES, 0) };
-    list.write("chair.drives", said(t("chair.drives.value", twist)));
-    list.write("chair.battery", said(chair.battery === null ? t("chair.battery.unknown") : percent(chair.battery)));
-    list.write("chair.switch", said(t(chair.stop_input ? "chair.switch.pressed" : "chair.switch.released")));
+    list.write("chair.drives", current(t("chair.drives.value", twist)));
+    list.write("chair.battery", current(chair.battery === null ? t("chair.battery.unknown") : percent(chair.battery)));
+    list.write("chair.switch", current(t(chair.stop_input ? "chair.switch.pressed" : "chair.switch.released")));
     list.write("chair.age", chair.age === null ? t("chair.never") : ageWords(chair.age));
   };
   live.addEventListener("tick", show, { signal });

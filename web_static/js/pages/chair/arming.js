@@ -5,7 +5,7 @@
  * @import { LiveMessage } from "../../live/live.js"
  */
 import { t } from "../../texts.js";
-import { appliesCard } from "./applies_card.js";
+import { armingSummary } from "./arming_summary.js";
 import { chairCard, chairState } from "../../widgets/chair_card.js";
 import { h, put, write } from "../../widgets/dom.js";
 import { missingList, reasonsAgainst } from "./open_points.js";
@@ -62,7 +62,7 @@ export function showArming(app, root, read, onDrive, signal) {
     await look();
   };
   const chair = chairCard(app.live, until.signal, { hasWhy: false }); // the list of what is missing does
-  const applies = appliesCard({ onLoad: load, onPractise: useVirtual });
+  const settings = armingSummary({ onLoad: load, onPractise: useVirtual });
   const neutral = neutralCard(app.live, until.signal);
   const missing = missingList();
   const brief = h("span", { class: "grow" });
@@ -77,7 +77,7 @@ export function showArming(app, root, read, onDrive, signal) {
     write(brief, reasons.length ? t("arm.missing.short", { count: reasons.length }) : t("arm.front"));
   };
   const showAll = () => {
-    applies.show({ ...read, dial: app.live.latest?.dial ?? 1 });
+    settings.show({ ...read, dial: app.live.latest?.dial ?? 1 });
     neutral.use(read.controls);
     showMissing();
   };
@@ -118,7 +118,7 @@ export function showArming(app, root, read, onDrive, signal) {
   const timer = setInterval(look, LOOK_EVERY);
   until.signal.addEventListener("abort", () => clearInterval(timer));
 
-  const cards = [chair, applies, neutral];
+  const cards = [chair, settings, neutral];
   cards.forEach(({ title }, i) => title.prepend(h("span", { class: "step-number" }, String(i + 1))));
   const nobodySits = isSimulated(app, read);
   const isVisitor = read.equipment.body?.kind === "visitor";
@@ -134,7 +134,7 @@ export function showArming(app, root, read, onDrive, signal) {
       h(
         "div",
         { class: "arming" },
-        h("div", { class: "stack" }, chair.element, applies.element),
+        h("div", { class: "stack" }, chair.element, settings.element),
         neutral.element,
       ),
       isVisitor && h("div", { class: "card pad-card" }, pads(app, until.signal).element),

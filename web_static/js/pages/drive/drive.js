@@ -4,7 +4,6 @@
  * @import { EquipmentView, FloorPlan, PatientView, TrialView } from "types/api"
  * @import { Place } from "./plan_chooser.js"
  */
-import { failureWords } from "../../api.js";
 import { adaptLink } from "./adapt_link.js";
 import { chairChoice } from "./chair_choice.js";
 import { warningsPlace } from "../../results/control_warnings.js";
@@ -25,7 +24,7 @@ export async function show(app, root, { signal, rest }) {
   const trials = await app.api.get(`/trials?patient=${here.patient.id}`);
   if (signal.aborted) return;
   const running = trials.find(({ status }) => status === "running");
-  const where = app.takeWanted();
+  const where = app.takeTrialRequest();
   const place = running ? { floorplan: running.floorplan, path: running.path } : where;
   if (place) return drive(app, root, running, place, signal);
   if (rest[0] === "over") return over(app, root, rest[1], signal);
@@ -57,7 +56,7 @@ async function choose(app, root, patient, signal) {
   const has3d = canDrawIn3d();
   const start = () => {
     if (!has3d) chooseView("plan");
-    app.want(chooser.chosen());
+    app.requestTrial(chooser.chosen());
   };
   const button = h(
     "button",
@@ -132,14 +131,13 @@ async function drive(app, root, running, where, signal) {
   if (running) return view.begin(running);
   view.picture.ready.then(async () => {
     if (signal.aborted) return;
-    try {
+    const hasBegun = await app.toasts.attempt(async () => {
       trial = await app.api.post("/trials", { ...where, screen: app.screen.word, picture: view.picture.shows });
       view.begin(trial);
       await lookWhetherOver();
-    } catch (error) {
-      app.toasts.show(failureWords(error));
-      app.go("#/drive");
-    }
+      return true;
+    });
+    if (!hasBegun) app.go("#/drive");
   });
 }
 
@@ -155,7 +153,7 @@ async function over(app, root, id, signal) {
       {
         type: "button",
         class: "btn go",
-        onclick: () => app.want({ floorplan: trial.floorplan, path: trial.path_name }),
+        onclick: () => app.requestTrial({ floorplan: trial.floorplan, path: trial.path_name }),
       },
       t("over.next"),
     ),

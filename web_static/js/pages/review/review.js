@@ -8,7 +8,7 @@ import { curveCard } from "./curve_card.js";
 import { h, put } from "../../widgets/dom.js";
 import { inOrder, keyOf, pathsOf, pathWords } from "./path_choice.js";
 import { field, selection } from "../../widgets/fields.js";
-import { measured, MEASURES, mostTelling } from "../../results/measures.js";
+import { measured, MEASURES, leadingMeasures } from "../../results/measures.js";
 import { emptyPage } from "../../shell/nobody.js";
 import { groupChoice, groupMark } from "../../results/source_group.js";
 import { qualitySection } from "./quality_section.js";
@@ -113,7 +113,7 @@ export async function show(app, root, { signal, rest }) {
     const all = trials.flatMap(({ measures, ...trial }) => (measures && keyOf(trial) === path.key ? [measures] : []));
     const names = Object.keys(MEASURES).filter((name) => all.some((measures) => measured(measures, name) !== null));
     if (!names.length) names.push(measure);
-    if (!names.includes(measure)) measure = mostTelling(all[all.length - 1]).find((name) => names.includes(name)) ?? names[0];
+    if (!names.includes(measure)) measure = leadingMeasures(all[all.length - 1]).find((name) => names.includes(name)) ?? names[0];
     const choice = selection(
       names.map((name) => ({ value: name, label: t(`measure.${name}`) })),
       measure,

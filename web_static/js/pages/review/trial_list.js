@@ -7,12 +7,12 @@ import { compareChoice } from "./compare_choice.js";
 import { h } from "../../widgets/dom.js";
 import { moment } from "../../widgets/format.js";
 import { scrollTable } from "../../widgets/scroll_table.js";
-import { measured, mostTelling, withUnit } from "../../results/measures.js";
+import { measured, leadingMeasures, withUnit } from "../../results/measures.js";
 import { groupMark, groupOf } from "../../results/source_group.js";
 
 /** @param {{id: number}} patient @param {TrialView[]} trials the newest last */
 export function trialList(patient, trials) {
-  const listed = mostTelling(trials.findLast(({ measures }) => measures)?.measures ?? {});
+  const listed = leadingMeasures(trials.findLast(({ measures }) => measures)?.measures ?? {});
   const compare = compareChoice(patient.id);
   /** @param {TrialView} trial */
   const row = (trial) =>

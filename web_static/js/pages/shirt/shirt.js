@@ -3,7 +3,7 @@
  * @import { EquipmentView, ShirtLayout } from "types/api"
  * @import { Equipment } from "types/documents"
  * @import { Child } from "types/dom"
- * @typedef {{kind: string, onKind: (kind: string) => void}} ShownForm what a form shows, and what it tells of that
+ * @typedef {{kind: string, onKind: (kind: string) => void}} FormState what a form shows, and what it tells of that
  * @typedef {"source" | "body" | "head"} CardName
  */
 import { failureWords } from "../../api.js";
@@ -120,7 +120,7 @@ export async function show(app, root, { signal }) {
   /**
    * A card that says what is in use; its form stays open, and as it is, when the page is drawn again.
    * @param {CardName} name @param {string} words @param {string} first the choice that the form begins with
-   * @param {(shown: ShownForm) => HTMLElement} makeForm
+   * @param {(shown: FormState) => HTMLElement} makeForm
    */
   const card = (name, words, first, makeForm) =>
     summary(

@@ -21,7 +21,7 @@ const EQUAL = 1e-6;
  * `show` draws it again when something is another.
  * @param {{onLoad: (title: string) => void, onPractise: () => void}} act
  */
-export function appliesCard({ onLoad, onPractise }) {
+export function armingSummary({ onLoad, onPractise }) {
   const place = h("div", { class: "stack" });
   const title = h("h2", {}, t("apply.card"));
   let shown = "";
@@ -33,7 +33,7 @@ export function appliesCard({ onLoad, onPractise }) {
     shown = key;
     const more = h("details", { open: isOpen }, h("summary", {}, t("apply.more")), details(read));
     more.addEventListener("toggle", () => (isOpen = more.open));
-    put(place, chosenSet(read, onLoad), main(read), practised(read.summary, onPractise), more);
+    put(place, chosenSet(read, onLoad), main(read), practice(read.summary, onPractise), more);
   };
   return { element: h("section", { class: "card" }, title, place), title, show };
 }
@@ -98,13 +98,13 @@ function details(read) {
  * @param {typeof SPEEDS[number]} speed @param {Application} read @returns {Row}
  */
 function limit(speed, { summary, controls, clinic, chair, dial }) {
-  const held = summary.speeds[speed.name];
+  const applied = summary.speeds[speed.name];
   const own = controls.parameters.speeds[speed.name];
   const levels = Math.min(clinic[speed.name], chair.speeds[speed.name]);
   let why = "";
-  if (held < Math.min(own, levels) - EQUAL) why = t("apply.level.dial", { share: percent(dial) });
-  else if (held < own - EQUAL) why = t(`apply.level.${clinic[speed.name] <= levels ? "clinic" : "chair"}`);
-  return [t(`speed.${speed.name}`), speedWords(speed, held), why];
+  if (applied < Math.min(own, levels) - EQUAL) why = t("apply.level.dial", { share: percent(dial) });
+  else if (applied < own - EQUAL) why = t(`apply.level.${clinic[speed.name] <= levels ? "clinic" : "chair"}`);
+  return [t(`speed.${speed.name}`), speedWords(speed, applied), why];
 }
 
 /** @param {...(Row | false)} all */
@@ -121,7 +121,7 @@ function rows(...all) {
 }
 
 /** @param {FullSummary} summary @param {() => void} onPractise */
-function practised({ practised: { trials, last }, last_practised: before, differences }, onPractise) {
+function practice({ practised: { trials, last }, last_practised: before, differences }, onPractise) {
   if (trials > 0)
     return rows([
       t("apply.practised"),
