@@ -1,8 +1,8 @@
-// What the editor does to documents, without a page. Run by test_editor_logic.py with the folder of the modules.
+// What the editor does to documents, without a page. Run by test_editor_logic.py with the folder js.
 import assert from "node:assert/strict";
 import { pathToFileURL } from "node:url";
 
-const from = (name) => import(pathToFileURL(`${process.argv[2]}/${name}.js`));
+const from = (name) => import(pathToFileURL(`${process.argv[2]}/editor/${name}.js`));
 const documents = await from("document");
 const { insertDoor, removeDoor, changeDoor } = await from("doors");
 const { newHistory, addStep, stepBack, stepForward } = await from("history");

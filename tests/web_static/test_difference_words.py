@@ -1,15 +1,11 @@
 """The sentences of the differences of two parameter sets; the module runs in node, without a page."""
 
 import json
-import shutil
-import subprocess
-from pathlib import Path
 
 import pytest
 from session.test_parameter_differences import STANDARD, changed, gesture
 
 from app.session.parameter_differences import differences
-from app.settings import static_folder
 from app.speeds import HIGHEST_SPEEDS, Speeds
 from small_profile import small_profile
 
@@ -40,23 +36,13 @@ EVERY_SPEED = [changed(speeds=Speeds(**{name: getattr(HIGHEST_SPEEDS, name)})) f
 
 
 @pytest.fixture(scope="module")
-def words(tmp_path_factory):
+def words(run_script, tmp_path_factory):
     """Return, for each set of both lists, the sentences that the page shows."""
-    node = shutil.which("node")
-    if node is None:
-        pytest.skip("there is no node here: install Debian's package 'nodejs' to run this test")
-    folder = tmp_path_factory.mktemp("words")
-    # Beside a file that says what browsers assume: these are modules.
-    shutil.copytree(static_folder() / "js", folder / "js")
-    (folder / "package.json").write_text('{"type": "module"}')
     sets = [now for now, _ in CASES] + EVERY_SPEED
     documents = [[one.model_dump(mode="json") for one in differences(now, STANDARD)] for now in sets]
-    (folder / "differences.json").write_text(json.dumps(documents), encoding="utf-8")
-    script = Path(__file__).with_name("difference_words.mjs")
-    command = [node, str(script), str(folder / "js"), str(folder / "differences.json")]
-    ran = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
-    assert ran.returncode == 0, ran.stderr
-    return json.loads(ran.stdout)
+    file = tmp_path_factory.mktemp("words") / "differences.json"
+    file.write_text(json.dumps(documents), encoding="utf-8")
+    return json.loads(run_script("difference_words.mjs", file))
 
 
 @pytest.mark.parametrize(("number", "sentence"), list(enumerate(sentence for _, sentence in CASES)))

@@ -1,23 +1,5 @@
 """How old a picture may be that somebody drives by (S24); the module runs in node, without a page."""
 
-import shutil
-import subprocess
-from pathlib import Path
 
-import pytest
-
-from app.settings import static_folder
-
-
-def test_a_second_is_too_old_unless_the_page_itself_is_late(tmp_path):
-    node = shutil.which("node")
-    if node is None:
-        pytest.skip("there is no node here: install Debian's package 'nodejs' to run this test")
-    # Beside a file that says what browsers assume: these are modules.
-    shutil.copytree(static_folder() / "js", tmp_path / "js")
-    (tmp_path / "package.json").write_text('{"type": "module"}')
-    script = Path(__file__).with_name("picture_age.mjs")
-    command = [node, str(script), str(tmp_path / "js")]
-    ran = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
-    assert ran.returncode == 0, ran.stderr
-    assert " holds" in ran.stdout
+def test_a_second_is_too_old_unless_the_page_itself_is_late(run_script):
+    assert " holds" in run_script("picture_age.mjs")

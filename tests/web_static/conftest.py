@@ -1,0 +1,32 @@
+"""Scripts that test the modules of web_static/js in node, without a page."""
+
+import shutil
+import subprocess
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from api_types import NODE
+from app.settings import static_folder
+
+
+@pytest.fixture(scope="session")
+def modules(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A copy of web_static/js beside a package.json that lets node read its files as modules, as browsers do."""
+    folder = tmp_path_factory.mktemp("modules")
+    (folder / "package.json").write_text('{"type": "module"}')
+    return Path(shutil.copytree(static_folder() / "js", folder / "js"))
+
+
+@pytest.fixture(scope="session")
+def run_script(modules: Path) -> Callable[..., str]:
+    """Run a script of this folder with the folder of the modules and further arguments, and return what it prints."""
+
+    def run(name: str, *arguments: Path) -> str:
+        command = [NODE, Path(__file__).with_name(name), modules, *arguments]
+        done = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
+        assert done.returncode == 0, done.stderr
+        return done.stdout
+
+    return run
