@@ -16,6 +16,29 @@ from small_profile import small_profile
 settings.register_profile("bodydrive", deadline=None, derandomize=os.environ.get("CI") == "true")
 settings.load_profile("bodydrive")
 
+# Folders whose tests wait for real processes at the pace of a drive, and judge them by the clock.
+REAL_TIME = {"processes", "bench"}
+# Files that take longest are begun first where files run side by side; then the other browser tests, then the rest.
+LONGEST = (
+    *("test_calibrate_page", "test_drills_short"),
+    *("test_story", "test_drawn_plan", "test_chair_page", "test_without_program", "test_view"),
+)
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    for item in items:
+        if item.path.parent.name in REAL_TIME:
+            item.add_marker("real_time")
+    if hasattr(config, "workerinput"):  # one of several processes
+        items.sort(key=_turn)
+
+
+def _turn(item: pytest.Item) -> int:
+    if item.path.stem in LONGEST:
+        return LONGEST.index(item.path.stem)
+    return len(LONGEST) + (item.path.parent.name != "browser")
+
 
 @pytest.fixture(autouse=True)
 def _umask() -> Iterator[None]:

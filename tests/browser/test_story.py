@@ -1,25 +1,20 @@
-"""The whole story in a real browser: equipment, calibration, controls, a drive, its score, and what goes wrong."""
+"""The whole story in a real browser: equipment, controls, a drive, its score, and what goes wrong."""
 
 import os
 import re
 import signal
-from contextlib import ExitStack, contextmanager
 
 import psutil
 import pytest
 from browser.driving import bend_until, go_on_until
+from browser.tablets import PATIENCE, go_to, signed_in
 from playwright.sync_api import expect
 from processes.test_demo_process import bodydrive, printed_link
 
-from folders import SCREENSHOTS
-
 pytestmark = [pytest.mark.browser, pytest.mark.timeout(420)]
 
-TABLETS = {"1024x768": (1024, 768), "820x1180": (820, 1180)}
-STEP_LIMIT = 60_000  # ms: the longest step of the calibration takes 13 s
 AFTER_SOME_SECONDS = re.compile(r"^0:(0[2-9]|[1-5]\d)$")
 DRIVE_LIMIT = 150  # s
-PATIENCE = 60_000  # ms: drawing in software on a busy machine is slow
 
 
 @pytest.fixture
@@ -33,38 +28,11 @@ def demo():
             assert process.wait(20) == 0
 
 
-@contextmanager
-def signed_in(name, browser, page_log, link):
-    """Yield a page of one tablet, signed in to the demonstration, and a function that keeps a screenshot."""
-    width, height = TABLETS[name]
-    page = browser.new_page(viewport={"width": width, "height": height}, has_touch=True)
-    page.set_default_timeout(PATIENCE)
-    log = page_log(link)
-    log.watch(page)
-    SCREENSHOTS.mkdir(parents=True, exist_ok=True)
-    page.goto(link)
-    expect(page.get_by_role("heading", name="Where to?")).to_be_visible(timeout=PATIENCE)
-    yield page, lambda picture: page.screenshot(path=SCREENSHOTS / f"{name}-{picture}.png")
-    log.assert_clean()
-    page.close()
-
-
 @pytest.fixture(params=["1024x768", pytest.param("820x1180", marks=pytest.mark.long)])
 def tablet(request, browser, page_log, demo):
     """Yield one tablet after the other, each in a demonstration of its own."""
     with signed_in(request.param, browser, page_log, demo[1]) as page_and_keep:
         yield page_and_keep
-
-
-@pytest.fixture
-def tablets(browser, page_log, demo):
-    """Yield both tablets, side by side in one demonstration."""
-    with ExitStack() as stack:
-        yield [stack.enter_context(signed_in(name, browser, page_log, demo[1])) for name in TABLETS]
-
-
-def go_to(page, step):
-    page.goto(page.url.split("#")[0] + f"#/{step}")
 
 
 def drives_to_the_goal(page, keep):
@@ -131,37 +99,6 @@ def test_from_the_shirt_to_a_scored_drive(tablet):
     expect(page.locator(".js-plotly-plot").first).to_be_visible(timeout=PATIENCE)
     page.wait_for_timeout(1000)
     keep("review")
-
-
-def test_the_calibration_is_walked_through_and_survives_a_reload(tablets):
-    """One tablet leads, the other one follows; both are looked at."""
-    (page, _), (follower, _) = tablets
-
-    def keep(picture):
-        for _, keep_one in tablets:
-            keep_one(picture)
-
-    for one in (follower, page):
-        go_to(one, "calibrate")
-        expect(one.get_by_role("button", name="Start")).to_be_visible()
-        one.get_by_role("switch", name="Go on by itself").set_checked(False, force=True)
-    keep("calibrate-rest")
-    page.get_by_role("button", name="Start").click()
-    expect(page.get_by_role("heading", name="Move freely")).to_be_visible(timeout=STEP_LIMIT)
-    page.reload()
-    expect(page.get_by_role("heading", name="Move freely")).to_be_visible()
-    page.get_by_role("switch", name="Go on by itself").set_checked(True, force=True)
-    page.get_by_role("button", name="Start").click()
-    page.wait_for_timeout(5000)
-    keep("calibrate-free")
-    expect(page.locator(".cue-word")).to_have_text("Push", timeout=STEP_LIMIT)
-    keep("calibrate-prompt")
-    for one in (page, follower):
-        expect(one.get_by_role("heading", name="What this body can do")).to_be_visible(timeout=4 * STEP_LIMIT)
-        expect(one.get_by_text("When one gesture is made, what else moves")).to_be_visible(timeout=PATIENCE)
-    keep("calibrate-result")
-    page.get_by_role("button", name="Use this calibration").click()
-    expect(page.get_by_role("heading", name="Which movement does what")).to_be_visible()
 
 
 def test_the_visitor_drives_by_pads_stops_and_goes_on(tablet, demo):

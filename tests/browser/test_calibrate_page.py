@@ -1,0 +1,57 @@
+"""The calibration in a real browser, at the pace of a person: two tablets, one leads and one follows."""
+
+from contextlib import ExitStack
+
+import pytest
+from browser.tablets import PATIENCE, TABLETS, go_to, signed_in
+from playwright.sync_api import expect
+from processes.served_demo import running_demo
+
+pytestmark = [pytest.mark.browser, pytest.mark.real_time, pytest.mark.timeout(420)]
+
+STEP_LIMIT = 60_000  # ms: the longest step of the calibration takes 13 s
+
+
+@pytest.fixture
+def demo():
+    """Yield the link of a running demonstration."""
+    with running_demo() as link:
+        yield link
+
+
+@pytest.fixture
+def tablets(browser, page_log, demo):
+    """Yield both tablets, side by side in one demonstration."""
+    with ExitStack() as stack:
+        yield [stack.enter_context(signed_in(name, browser, page_log, demo)) for name in TABLETS]
+
+
+def test_the_calibration_is_walked_through_and_survives_a_reload(tablets):
+    """One tablet leads, the other one follows; both are looked at."""
+    (page, _), (follower, _) = tablets
+
+    def keep(picture):
+        for _, keep_one in tablets:
+            keep_one(picture)
+
+    for one in (follower, page):
+        go_to(one, "calibrate")
+        expect(one.get_by_role("button", name="Start")).to_be_visible()
+        one.get_by_role("switch", name="Go on by itself").set_checked(False, force=True)
+    keep("calibrate-rest")
+    page.get_by_role("button", name="Start").click()
+    expect(page.get_by_role("heading", name="Move freely")).to_be_visible(timeout=STEP_LIMIT)
+    page.reload()
+    expect(page.get_by_role("heading", name="Move freely")).to_be_visible()
+    page.get_by_role("switch", name="Go on by itself").set_checked(True, force=True)
+    page.get_by_role("button", name="Start").click()
+    page.wait_for_timeout(5000)
+    keep("calibrate-free")
+    expect(page.locator(".cue-word")).to_have_text("Push", timeout=STEP_LIMIT)
+    keep("calibrate-prompt")
+    for one in (page, follower):
+        expect(one.get_by_role("heading", name="What this body can do")).to_be_visible(timeout=4 * STEP_LIMIT)
+        expect(one.get_by_text("When one gesture is made, what else moves")).to_be_visible(timeout=PATIENCE)
+    keep("calibrate-result")
+    page.get_by_role("button", name="Use this calibration").click()
+    expect(page.get_by_role("heading", name="Which movement does what")).to_be_visible()
