@@ -35,7 +35,7 @@ MAY_IMPORT = {
     ),
     "study": (
         *(LEAVES, "signals", "recording", "world", "calibration", *PURE_CHAIN, "scoring", "hardware.base"),
-        *("hardware.body", "hardware.shirt.fabric", "hardware.shirt.standard", "hardware.chair.simulator"),
+        *("hardware.body", "hardware.shirt.fabric", "hardware.chair.simulator"),
     ),
     "figures": (LEAVES, "world", "scoring", "study"),
     "scene": (LEAVES, "world"),

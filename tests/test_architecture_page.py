@@ -1,0 +1,50 @@
+"""The page docs/architecture.md: the files that it names exist, each folder has its paragraph, its table is tested."""
+
+import re
+
+from test_imports import LEAVES, MAY_IMPORT, PURE_CHAIN
+
+from folders import ROOT
+
+PAGE = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
+TOP = ("app", "bench", "data", "docs", "tests", "web_static")
+NAMED = re.findall(rf"`((?:{'|'.join(TOP)})/[\w./]*)`", PAGE)
+QUESTIONS = re.findall(r"^\| (.+\?) \| `(.+)` \|$", PAGE, flags=re.MULTILINE)
+LEAST_QUESTIONS = 25
+AREAS = (
+    *("app/pipeline/", "app/hardware/", "app/calibration/", "app/session/", "app/store/", "app/api/", "app/scene/"),
+    *("web_static/js/pages/", "tests/", "bench/"),
+)
+
+
+def test_every_file_and_folder_that_the_page_names_exists():
+    assert [name for name in NAMED if not (ROOT / name).exists()] == []
+    assert [name for name in NAMED if name.endswith("/") != (ROOT / name).is_dir()] == []
+
+
+def test_every_folder_has_its_paragraph():
+    paragraphs = re.findall(r"^\*\*`([\w/]+)/`\*\*", PAGE, flags=re.MULTILINE)
+    folders = {file.parent.relative_to(ROOT).as_posix() for file in (ROOT / "app").rglob("*.py")}
+    packages = {"/".join(folder.split("/")[:2]) for folder in folders}
+    assert sorted(paragraphs) == sorted({*packages, "bench", "data", "tests", "web_static"})
+    named = {name.rstrip("/") for name in NAMED}
+    assert sorted(folders - named) == []
+
+
+def test_the_questions_name_one_file_each_over_all_areas():
+    assert len(QUESTIONS) >= LEAST_QUESTIONS
+    assert [answer for _, answer in QUESTIONS if not (ROOT / answer).is_file()] == []
+    assert [area for area in AREAS if not any(answer.startswith(area) for _, answer in QUESTIONS)] == []
+
+
+def test_the_import_table_is_the_tested_one():
+    section = PAGE.partition("## Who may import whom")[2].partition("##")[0]
+    rows = dict(re.findall(r"^\| `(\w+)` \| (.+) \|$", section, flags=re.MULTILINE))
+    assert rows.keys() == MAY_IMPORT.keys() - {LEAVES}
+    for package, allowed in MAY_IMPORT.items():
+        if package != LEAVES:
+            entries = rows[package].split(", ")
+            assert ("leaves" in entries) == (LEAVES in allowed), package
+            assert ("the pure chain" in entries) == (set(PURE_CHAIN) <= set(allowed)), package
+            named = {entry.strip("`") for entry in entries} - {"leaves", "the pure chain"}
+            assert named == set(allowed) - {LEAVES} - set(PURE_CHAIN), package
