@@ -1,4 +1,4 @@
-"""The turn of a direction: its sign never flips and its step is never too long, whatever the covariance."""
+"""The turn of a direction never flips its sign and never exceeds its limit, whatever the covariance."""
 
 import math
 
@@ -81,13 +81,13 @@ def test_the_newest_movement_weighs_most() -> None:
     assert covariance[1, 1] / covariance[0, 0] == pytest.approx(4.0, rel=0.02)  # a second is two half-lives
 
 
-def test_what_is_not_a_number_moves_nothing() -> None:
+def test_a_number_that_is_not_finite_changes_nothing() -> None:
     assert not exponential_covariance(np.array([[np.nan, 1.0]]), 100.0).any()
     assert not exponential_covariance(np.empty((0, 2)), 100.0).any()
     assert principal(np.full((2, 2), np.nan), np.array([1.0, 0.0])) is None
 
 
-def test_square_to_the_old_direction_there_is_no_sign() -> None:
+def test_orthogonal_to_the_old_direction_there_is_no_sign() -> None:
     assert principal(np.diag([0.0, 1.0]), np.array([1.0, 0.0])) is None
 
 

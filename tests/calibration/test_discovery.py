@@ -1,8 +1,8 @@
-"""Which gestures a simulated body can make, found again from its calibration."""
+"""The gestures of a simulated body are found from its calibration."""
 
 import numpy as np
 import pytest
-from cued_wearing import dressed, profile_of, recorded, runs_of
+from cued_calibration import profile_of, record_steps, runs_of, simulated_participant
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -12,28 +12,28 @@ from app.calibration.gestures.numbers import ratios, score_of
 from app.calibration.profile import GuidedMap, MapCheck
 from app.layout import ShirtLayout
 
-CHANNELS = dressed().layout.channels_of_joint
+CHANNELS = simulated_participant().layout.channels_of_joint
 PAPER = {"u1+": "right_elbow", "u1-": "left_elbow", "u2+": "right_shoulder", "u2-": "left_shoulder"}
 
 
 @pytest.fixture(scope="module")
-def wearer():
-    return dressed()
+def participant():
+    return simulated_participant()
 
 
 @pytest.fixture(scope="module")
 def steps():
-    return recorded(dressed())
+    return record_steps(simulated_participant())
 
 
 @pytest.fixture(scope="module")
-def found(wearer, steps):
-    return discover(profile_of(wearer.layout, steps), runs_of(steps))
+def found(participant, steps):
+    return discover(profile_of(participant.layout, steps), runs_of(steps))
 
 
-def found_with(wearer, steps, change):
+def found_with(participant, steps, change):
     changed = [(step, change(step, values.astype(np.float64)), cue) for step, values, cue in steps]
-    return discover(profile_of(wearer.layout, changed), runs_of(changed))
+    return discover(profile_of(participant.layout, changed), runs_of(changed))
 
 
 def by_name(discovery):
@@ -48,9 +48,9 @@ def used(discovery):
     return {name for names in bound(discovery).values() for name in names}
 
 
-def test_every_joint_is_ranked_there_and_back_with_its_four_numbers(wearer, found):
+def test_every_joint_is_ranked_there_and_back_with_its_four_numbers(participant, found):
     assert {(one.joint, one.direction) for one in found.gestures} == {
-        (joint, way) for joint in wearer.layout.joint_names for way in (1, -1)
+        (joint, way) for joint in participant.layout.joint_names for way in (1, -1)
     }
     scores = [one.score for one in found.gestures]
     assert scores == sorted(scores, reverse=True)
@@ -68,7 +68,7 @@ def test_the_way_back_is_a_gesture_that_costs_twice_the_effort(found):
         assert back.full < there.full  # nobody was asked to hurry back
 
 
-def test_an_able_body_gets_the_papers_vocabulary_with_numbers(found):
+def test_an_able_body_gets_the_vocabulary_of_the_paper_with_numbers(found):
     assert bound(found) == {
         **{control: (joint,) for control, joint in PAPER.items()},
         "stop": ("right_elbow", "left_elbow"),
@@ -77,29 +77,29 @@ def test_an_able_body_gets_the_papers_vocabulary_with_numbers(found):
     assert "(95 %)" in found.suggestion.reason
 
 
-def test_the_suggestions_gestures_have_the_profiles_handles(wearer, steps, found):
-    profile = profile_of(wearer.layout, steps)
+def test_the_suggestions_gestures_have_the_profiles_handles(participant, steps, found):
+    profile = profile_of(participant.layout, steps)
     gestures = {gesture.name: gesture for gesture in found.suggestion.gestures}
     for joint in profile.joints:
         assert (gestures[joint.name].dead_zone, gestures[joint.name].full) == (joint.dead_zone, joint.full)
 
 
 @pytest.mark.parametrize("noisy", ["left_wrist", "left_elbow"])
-def test_a_noisy_joint_is_not_suggested(wearer, steps, noisy):
+def test_a_noisy_joint_is_not_suggested(participant, steps, noisy):
     random = np.random.default_rng(5)
 
     def shake(_step, values):
         values[:, CHANNELS[noisy]] += random.normal(0.0, 0.08, (len(values), len(CHANNELS[noisy])))
         return values
 
-    discovery = found_with(wearer, steps, shake)
+    discovery = found_with(participant, steps, shake)
     assert not {noisy, f"{noisy}_back"} & used(discovery)
     assert by_name(discovery)[noisy].weakest == "signal_to_noise"
     assert discovery.gestures[-1].joint == noisy
 
 
-def test_a_joint_that_moves_with_another_is_not_suggested_beside_it(wearer, steps):
-    """The right elbow never moves without the right shoulder: one of the two is enough, and wrists are free."""
+def test_a_joint_that_moves_with_another_is_not_suggested_beside_it(participant, steps):
+    """The right elbow always moves with the right shoulder: one of the two is suggested, and a wrist."""
     channels = CHANNELS["right_shoulder"]
     alone = next(values for step, values, _cue in steps if step.joint == "right_shoulder")
 
@@ -108,15 +108,15 @@ def test_a_joint_that_moves_with_another_is_not_suggested_beside_it(wearer, step
             values[:, channels] += alone[:, channels] - alone[0, channels]
         return values
 
-    discovery = found_with(wearer, steps, tie)
+    discovery = found_with(participant, steps, tie)
     assert by_name(discovery)["right_shoulder"].appears_with.joint == "right_elbow"
     assert by_name(discovery)["right_elbow"].brings.joint == "right_shoulder"
     assert by_name(discovery)["right_shoulder"].cross_talk > 0.3
     assert not {"right_elbow", "right_shoulder"} <= used(discovery)
 
 
-def test_no_two_bound_gestures_read_one_joint(wearer, steps):
-    """Only the right arm can be felt: three joints, each of which goes back as well."""
+def test_no_two_bound_gestures_read_one_joint(participant, steps):
+    """Only the right arm has signals: three joints, each with a way back."""
 
     def one_sided(_step, values):
         for joint, channels in CHANNELS.items():
@@ -124,15 +124,15 @@ def test_no_two_bound_gestures_read_one_joint(wearer, steps):
                 values[:, channels] = 1.0
         return values
 
-    discovery = found_with(wearer, steps, one_sided)
+    discovery = found_with(participant, steps, one_sided)
     assert set(discovery.not_found) == {"left_shoulder", "left_elbow", "left_wrist"}
     assert len(used(discovery)) == 3
     assert len({name.removesuffix("_back") for name in used(discovery)}) == 3
 
 
-def test_a_joint_that_was_skipped_is_ranked_without_what_only_prompts_tell(wearer, steps):
+def test_a_joint_that_was_not_prompted_is_ranked_without_the_numbers_of_prompts(participant, steps):
     without = [one for one in steps if one[0].joint != "right_wrist"]
-    discovery = discover(profile_of(wearer.layout, without), runs_of(without))
+    discovery = discover(profile_of(participant.layout, without), runs_of(without))
     skipped = by_name(discovery)["right_wrist"]
     assert (skipped.repeatability, skipped.cross_talk, skipped.effort) == (None, None, None)
     assert skipped.prediction.hit_rate is None
@@ -140,18 +140,18 @@ def test_a_joint_that_was_skipped_is_ranked_without_what_only_prompts_tell(weare
     assert "right_wrist" not in used(discovery)
 
 
-def test_without_recordings_the_profile_speaks_and_says_what_is_missing(wearer, steps):
-    discovery = discovery_from_profile(profile_of(wearer.layout, steps), "They are gone.")
+def test_without_recordings_the_profile_ranks_and_reports_what_is_missing(participant, steps):
+    discovery = discovery_from_profile(profile_of(participant.layout, steps), "They are gone.")
     assert (discovery.source, discovery.words) == ("profile", "They are gone.")
     assert {one.direction for one in discovery.gestures} == {1}
     assert all(one.prediction is None and one.effort is None for one in discovery.gestures)
     assert len(used(discovery)) == 4
 
 
-def test_with_a_prompt_table_the_way_back_follows_the_prompt(wearer, steps):
-    """A file: no rest, no pauses; nothing is said that needs them."""
+def test_with_a_prompt_table_the_way_back_follows_the_prompt(participant, steps):
+    """A file without rest and pauses: the numbers that need them are None."""
     discovery = discover(
-        profile_of(wearer.layout, steps),
+        profile_of(participant.layout, steps),
         [CuedRun(run.values, tuple(p for p in run.phases if p.kind in {"move", "return"})) for run in runs_of(steps)],
     )
     one = by_name(discovery)["left_elbow_back"]
@@ -164,7 +164,7 @@ def test_with_a_prompt_table_the_way_back_follows_the_prompt(wearer, steps):
 @settings(max_examples=8, deadline=None)
 @given(st.floats(0.01, 100.0), st.randoms(use_true_random=False))
 def test_unit_and_order_of_the_channels_change_nothing(found, steps, scale, random):
-    layout = dressed().layout
+    layout = simulated_participant().layout
     order = list(range(len(layout.channels)))
     random.shuffle(order)
     turned = ShirtLayout(name=layout.name, channels=tuple(layout.channels[i] for i in order), joints=layout.joints)
@@ -181,9 +181,9 @@ def test_unit_and_order_of_the_channels_change_nothing(found, steps, scale, rand
         assert one.prediction.counted == other.prediction.counted
 
 
-def test_a_guided_map_is_judged_by_what_it_decodes(wearer, steps, found):
-    """One that has the weights of the paper's map gives the paper's numbers, one that is twice as fast does not."""
-    profile = profile_of(wearer.layout, steps)
+def test_a_guided_map_is_judged_by_what_it_decodes(participant, steps, found):
+    """A guided map with the PCA map's weights gives the same numbers, one that is twice as fast does not."""
+    profile = profile_of(participant.layout, steps)
 
     def guided(faster):
         check = MapCheck(in_phase=0.9, hit_rate=0.9, false_per_minute=0.0, false_count=0)

@@ -1,4 +1,4 @@
-"""Gestures found on a real piezoresistive knit, and their forecast held against what the same people did later."""
+"""Gestures found on a real piezoresistive knit; their prediction is compared to later movements of the same people."""
 
 import numpy as np
 import pytest

@@ -2,8 +2,8 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from simulated_person import JOINTS, SimulatedPerson, calibrate, layout_of
 from sklearn.decomposition import PCA
-from wearing import JOINTS, Wearer, calibrate, layout_of
 
 from app.calibration.fit.profile_fit import fit_profile
 from app.calibration.fit.repetitions import Repetition
@@ -20,12 +20,12 @@ def scores(joint, values):
 
 
 @pytest.fixture
-def wearer():
-    return Wearer(LAYOUT)
+def person():
+    return SimulatedPerson(LAYOUT)
 
 
-def test_all_is_well_with_somebody_who_follows_the_cues(wearer):
-    profile = calibrate(wearer)
+def test_a_person_who_follows_the_cues_gets_a_good_profile(person):
+    profile = calibrate(person)
     assert [joint.name for joint in profile.joints] == list(JOINTS)
     assert profile.left_out == {}
     for joint in profile.joints:
@@ -39,15 +39,15 @@ def test_all_is_well_with_somebody_who_follows_the_cues(wearer):
     assert np.array(profile.cross_talk) == pytest.approx(np.eye(4), abs=0.05)
 
 
-def test_the_saved_document_is_read_back_the_same(wearer):
-    profile = calibrate(wearer)
+def test_the_saved_document_is_read_back_the_same(person):
+    profile = calibrate(person)
     assert CalibrationProfile.model_validate_json(profile.model_dump_json()) == profile
     standard_parameters(profile)
 
 
-def test_evr_and_span_are_those_of_the_free_movement(wearer):
-    free = wearer.free()
-    profile = calibrate(wearer, free=free)
+def test_evr_and_span_are_those_of_the_free_movement(person):
+    free = person.free()
+    profile = calibrate(person, free=free)
     for joint in profile.joints:
         reference = PCA().fit(free[:, joint.channels])
         assert joint.evr == pytest.approx(reference.explained_variance_ratio_[0])
@@ -59,34 +59,34 @@ def test_evr_and_span_are_those_of_the_free_movement(wearer):
 @settings(max_examples=15, deadline=None)
 @given(seed=SEEDS, flipped=st.booleans(), shift=st.integers(-20, 30))
 def test_the_prompted_movement_is_the_rising_direction(seed, flipped, shift):
-    """Whichever way the fabric answers, and though the label leads or follows the movement by some 0.3 s."""
-    wearer = Wearer(LAYOUT, seed=seed)
-    wearer.gains *= -1 if flipped else 1
-    profile = calibrate(wearer, repetitions=wearer.repetitions(shift=shift))
+    """For either sign of the fabric's response, and labels that lead or trail the movement by some 0.3 s."""
+    person = SimulatedPerson(LAYOUT, seed=seed)
+    person.gains *= -1 if flipped else 1
+    profile = calibrate(person, repetitions=person.repetitions(shift=shift))
     angles = np.linspace(0, 1, 11)[:, np.newaxis] * np.ones(4)
     for joint in profile.joints:
-        assert (np.diff(scores(joint, angles @ wearer.gains)) > 0).all()
+        assert (np.diff(scores(joint, angles @ person.gains)) > 0).all()
 
 
 @settings(max_examples=10, deadline=None)
 @given(seed=SEEDS)
 def test_prompts_with_the_way_back_in_them_still_fix_the_sign(seed):
-    wearer = Wearer(LAYOUT, seed=seed)
+    person = SimulatedPerson(LAYOUT, seed=seed)
     whole = [
         Repetition(one.joint, one.values, slice(one.moving.start, one.moving.stop + 150))
-        for one in wearer.repetitions()
+        for one in person.repetitions()
     ]
-    profile = calibrate(wearer, repetitions=whole)
+    profile = calibrate(person, repetitions=whole)
     angles = np.linspace(0, 1, 11)[:, np.newaxis] * np.ones(4)
     for joint in profile.joints:
-        assert (np.diff(scores(joint, angles @ wearer.gains)) > 0).all()
+        assert (np.diff(scores(joint, angles @ person.gains)) > 0).all()
 
 
 @settings(max_examples=10, deadline=None)
 @given(seed=SEEDS)
 def test_the_order_of_channels_does_not_matter(seed):
-    wearer = Wearer(LAYOUT, seed=3)
-    free, rest, repetitions = wearer.free(), wearer.rest(), wearer.repetitions()
+    person = SimulatedPerson(LAYOUT, seed=3)
+    free, rest, repetitions = person.free(), person.rest(), person.repetitions()
     order = np.random.default_rng(seed).permutation(len(LAYOUT.channels))
     shuffled = ShirtLayout(name="shuffled", channels=tuple(LAYOUT.channels[i] for i in order), joints=LAYOUT.joints)
     one = fit_profile(LAYOUT, 100.0, free=free, rest=rest, repetitions=repetitions)
@@ -106,8 +106,8 @@ def test_the_order_of_channels_does_not_matter(seed):
 @settings(max_examples=10, deadline=None)
 @given(scale=st.floats(1e-4, 1e5))
 def test_the_unit_of_the_signals_does_not_matter(scale):
-    wearer = Wearer(LAYOUT, seed=4)
-    free, rest, repetitions = wearer.free(), wearer.rest(), wearer.repetitions()
+    person = SimulatedPerson(LAYOUT, seed=4)
+    free, rest, repetitions = person.free(), person.rest(), person.repetitions()
     one = fit_profile(LAYOUT, 100.0, free=free, rest=rest, repetitions=repetitions)
     other = fit_profile(
         LAYOUT,
@@ -123,8 +123,8 @@ def test_the_unit_of_the_signals_does_not_matter(scale):
         assert after.grade == before.grade
 
 
-def test_without_prompts_the_sign_is_arbitrary_and_told_but_always_the_same(wearer):
-    free, rest = wearer.free(), wearer.rest()
+def test_without_prompts_the_sign_is_arbitrary_reported_and_reproducible(person):
+    free, rest = person.free(), person.rest()
     profile = fit_profile(LAYOUT, 100.0, free=free, rest=rest)
     again = fit_profile(LAYOUT, 100.0, free=free, rest=rest)
     assert [joint.sign for joint in profile.joints] == [joint.sign for joint in again.joints]
@@ -137,35 +137,35 @@ def test_without_prompts_the_sign_is_arbitrary_and_told_but_always_the_same(wear
         assert joint.sign * joint.weights[heaviest] > 0
 
 
-def test_the_prompted_direction_wins_when_the_free_movement_was_another(wearer):
-    """The free movement goes the other way that the joint can move; the prompts go the intended one."""
+def test_the_prompted_direction_wins_when_the_free_movement_was_another(person):
+    """The free movement is the joint's second way to move; the prompts are the intended one."""
     angles = np.zeros((1000, 4))
     others = np.sin(np.arange(1000) / 20.0)[:, np.newaxis] * np.ones(4) * 8
-    profile = calibrate(wearer, free=wearer.signals(angles, others))
+    profile = calibrate(person, free=person.signals(angles, others))
     for row, joint in enumerate(profile.joints):
         assert joint.angle_deg > 30
         assert "prompted direction is used" in joint.reason
         assert joint.grade == "usable"
-        gains = wearer.gains[row, list(joint.channels)]
+        gains = person.gains[row, list(joint.channels)]
         assert joint.sign * np.dot(joint.weights, gains) / np.linalg.norm(gains) > 0.95
 
 
-def test_a_joint_that_was_forgotten_in_the_free_movement_takes_its_span_from_the_prompts(wearer):
+def test_a_joint_that_was_forgotten_in_the_free_movement_takes_its_span_from_the_prompts(person):
     angles = np.random.default_rng(1).uniform(0, 1) * np.sin(np.arange(1000) / 15.0)[:, np.newaxis] * np.ones(4)
     angles[:, 1] *= 0.05
-    profile = calibrate(wearer, free=wearer.signals(angles))
-    excursion = np.linalg.norm(wearer.gains[1])
+    profile = calibrate(person, free=person.signals(angles))
+    excursion = np.linalg.norm(person.gains[1])
     assert profile.joints[1].span == pytest.approx(excursion, rel=0.15)
     assert "the span is that of the prompts" in profile.joints[1].reason
 
 
-def test_cross_talk_is_seen_and_told(wearer):
+def test_cross_talk_is_measured_and_reported(person):
     repetitions = [
-        wearer.repetition(joint, along={"left_shoulder": 0.9} if joint == "right_shoulder" else None)
+        person.repetition(joint, along={"left_shoulder": 0.9} if joint == "right_shoulder" else None)
         for joint in JOINTS
         for _ in range(3)
     ]
-    profile = calibrate(wearer, repetitions=repetitions)
+    profile = calibrate(person, repetitions=repetitions)
     matrix = np.array(profile.cross_talk)
     assert matrix[2, 3] > 0.7
     assert matrix[3, 2] < 0.1
@@ -174,30 +174,30 @@ def test_cross_talk_is_seen_and_told(wearer):
     assert profile.joints[3].grade == "good"
 
 
-def test_uneven_repetitions_are_told(wearer):
+def test_uneven_repetitions_are_reported(person):
     sizes = (1.0, 0.3, 0.15)
-    repetitions = [wearer.repetition("left_elbow", size=size) for size in sizes]
-    joint = calibrate(wearer, repetitions=repetitions).joints[1]
+    repetitions = [person.repetition("left_elbow", size=size) for size in sizes]
+    joint = calibrate(person, repetitions=repetitions).joints[1]
     assert joint.repeatability == pytest.approx(np.std(sizes) / np.mean(sizes), rel=0.1)
     assert joint.grade == "repeat"
     assert "differ" in joint.reason
 
 
-def test_prompts_that_point_both_ways_are_to_be_repeated(wearer):
+def test_prompts_that_point_both_ways_are_to_be_repeated(person):
     ways = (1.0, -1.0, 1.0, -0.9)
-    joint = calibrate(wearer, repetitions=[wearer.repetition("left_elbow", size=way) for way in ways]).joints[1]
+    joint = calibrate(person, repetitions=[person.repetition("left_elbow", size=way) for way in ways]).joints[1]
     assert joint.grade == "repeat"
     assert "both ways" in joint.reason
 
 
-def test_tiny_prompted_movements_are_to_be_repeated(wearer):
-    joint = calibrate(wearer, repetitions=[wearer.repetition("left_elbow", size=0.02) for _ in range(3)]).joints[1]
+def test_tiny_prompted_movements_are_to_be_repeated(person):
+    joint = calibrate(person, repetitions=[person.repetition("left_elbow", size=0.02) for _ in range(3)]).joints[1]
     assert joint.grade == "repeat"
 
 
-def test_a_joint_that_moves_any_way_has_a_low_evr_and_is_told():
-    wearer = Wearer(LAYOUT, second=0.8)
-    low = [joint for joint in calibrate(wearer).joints if joint.evr < 0.8]
+def test_a_joint_that_moves_in_many_ways_has_a_low_evr_which_is_reported():
+    person = SimulatedPerson(LAYOUT, second=0.8)
+    low = [joint for joint in calibrate(person).joints if joint.evr < 0.8]
     assert len(low) >= 2
     for joint in low:
         assert joint.grade != "good"
@@ -205,7 +205,7 @@ def test_a_joint_that_moves_any_way_has_a_low_evr_and_is_told():
 
 
 def test_dead_zone_is_four_times_the_noise_at_rest_where_that_is_more():
-    restless = Wearer(LAYOUT, noise=0.2)
+    restless = SimulatedPerson(LAYOUT, noise=0.2)
     for joint in calibrate(restless).joints:
         assert joint.dead_zone == pytest.approx(4 * joint.rest_rate, abs=1e-4)
         assert joint.dead_zone > 0.15
@@ -213,30 +213,30 @@ def test_dead_zone_is_four_times_the_noise_at_rest_where_that_is_more():
 
 @pytest.mark.parametrize("sample_rate", [50.0, 100.0, 250.0, 1000.0])
 def test_the_map_does_not_depend_on_the_sample_rate(sample_rate):
-    profile = calibrate(Wearer(LAYOUT, sample_rate=sample_rate))
+    profile = calibrate(SimulatedPerson(LAYOUT, sample_rate=sample_rate))
     for joint in profile.joints:
         assert joint.grade == "good", joint.reason
         # A smooth movement of 1 s has its largest rate at 1.875 of its size; the span is a little less than its size.
         assert joint.full == pytest.approx(1.9, abs=0.35)
 
 
-def test_drift_between_the_recordings_does_no_harm(wearer):
+def test_drift_between_the_recordings_does_no_harm(person):
     drift = np.linspace(0, 0.5, 12)
     repetitions = [
-        Repetition(one.joint, one.values + drift[i], one.moving) for i, one in enumerate(wearer.repetitions())
+        Repetition(one.joint, one.values + drift[i], one.moving) for i, one in enumerate(person.repetitions())
     ]
-    for joint in calibrate(wearer, repetitions=repetitions).joints:
+    for joint in calibrate(person, repetitions=repetitions).joints:
         assert joint.grade == "good", joint.reason
 
 
-def test_channels_in_other_units_do_no_harm(wearer):
+def test_channels_in_other_units_do_no_harm(person):
     units = np.tile([1.0, 1000.0, 0.01, 50.0, 1e-3], 4)
     profile = fit_profile(
         LAYOUT,
         100.0,
-        free=wearer.free() * units,
-        rest=wearer.rest() * units,
-        repetitions=[Repetition(r.joint, r.values * units, r.moving) for r in wearer.repetitions()],
+        free=person.free() * units,
+        rest=person.rest() * units,
+        repetitions=[Repetition(r.joint, r.values * units, r.moving) for r in person.repetitions()],
     )
     assert profile.left_out == {}
     assert {joint.grade for joint in profile.joints} == {"good"}
@@ -246,7 +246,7 @@ def test_one_channel_is_enough_for_a_joint():
     layout = ShirtLayout(
         name="one", channels=(Channel(name="a", joint="elbow"),), joints=(Joint(name="elbow", label="Elbow"),)
     )
-    joint = calibrate(Wearer(layout)).joints[0]
+    joint = calibrate(SimulatedPerson(layout)).joints[0]
     assert joint.evr == 1.0
     assert joint.grade == "good"
 
@@ -263,7 +263,7 @@ def test_one_channel_is_enough_for_a_joint():
         ({"repetitions": [Repetition("knee", np.zeros((100, 20)), slice(10, 90))]}, "there is no joint 'knee'"),
     ],
 )
-def test_what_cannot_be_fitted_is_refused_in_one_sentence(wearer, changes, words):
+def test_what_cannot_be_fitted_is_refused_in_one_sentence(person, changes, words):
     with pytest.raises(ValueError, match=words) as refusal:
-        calibrate(wearer, **changes)
+        calibrate(person, **changes)
     assert "\n" not in str(refusal.value)

@@ -1,10 +1,10 @@
-"""Channels that cannot be used: named, told, and kept out of the map."""
+"""Unusable channels are named with the reason and left out of the map."""
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from wearing import Wearer, calibrate, layout_of
+from simulated_person import SimulatedPerson, calibrate, layout_of
 
 from app.calibration.fit.profile_fit import fit_profile, joints_without_map
 
@@ -12,21 +12,21 @@ LAYOUT = layout_of()
 
 
 @pytest.fixture
-def wearer():
-    return Wearer(LAYOUT)
+def person():
+    return SimulatedPerson(LAYOUT)
 
 
 @settings(max_examples=15, deadline=None)
 @given(bad=st.sets(st.integers(0, 19), max_size=6), how=st.sampled_from(["all", "some", "dead"]))
 def test_broken_channels_are_named_and_kept_out(bad, how):
-    wearer = Wearer(LAYOUT, seed=5)
-    free = wearer.free()
+    person = SimulatedPerson(LAYOUT, seed=5)
+    free = person.free()
     columns = sorted(bad)
     if how == "dead":
         free[:, columns] = 7.5
     else:
         free[slice(None) if how == "all" else slice(300, 330), columns] = np.nan
-    profile = calibrate(wearer, free=free)
+    profile = calibrate(person, free=free)
     assert sorted(profile.left_out) == sorted(LAYOUT.channels[i].name for i in bad)
     for joint in profile.joints:
         assert not set(joint.channels) & bad
@@ -35,24 +35,24 @@ def test_broken_channels_are_named_and_kept_out(bad, how):
     assert set(joints_without_map(profile)) == lost
 
 
-def test_lost_frames_do_no_harm(wearer):
-    free = wearer.free()
-    whole = calibrate(wearer, free=free)
+def test_lost_frames_do_no_harm(person):
+    free = person.free()
+    whole = calibrate(person, free=free)
     free[400:410] = np.nan
-    holed = calibrate(wearer, free=free)
+    holed = calibrate(person, free=free)
     assert holed.left_out == {}
     for one, other in zip(whole.joints, holed.joints, strict=True):
         assert other.span == pytest.approx(one.span, rel=0.02)
 
 
-def test_unused_channels_are_left_out_because_a_person_said_so(wearer):
-    profile = calibrate(wearer, unused={"left_elbow_2"})
+def test_channels_marked_as_unused_are_left_out(person):
+    profile = calibrate(person, unused={"left_elbow_2"})
     assert profile.left_out == {"left_elbow_2": "marked as unused"}
     assert "Channels left out: 1 of 5" in profile.joints[1].reason
 
 
-def test_near_railed_channels_stay_only_when_the_joint_has_no_better_one(wearer):
-    free = wearer.free()
+def test_near_railed_channels_stay_only_when_the_joint_has_no_better_one(person):
+    free = person.free()
     reach = np.abs(free).max(axis=0)
     free *= np.where(np.arange(20) < 5, 80.0, 20.0) / reach
     free[:, 5] *= 4

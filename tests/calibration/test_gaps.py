@@ -1,19 +1,19 @@
-"""Gaps of single channels: bridged for fitting when short and few, named when not."""
+"""Gaps of single channels: short and rare ones are bridged for fitting, others are named."""
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from simulated_person import SimulatedPerson, calibrate, layout_of
 from test_guided_knit import Knit
 from test_knit_shirt import FOLDER
-from wearing import Wearer, calibrate, layout_of
 
 from app.calibration.fit.gaps import bridge_gaps, why_missing
 
 RATE = 100.0
 SHIRT = layout_of()
-FREE = Wearer(SHIRT, seed=5).free()
-WHOLE = calibrate(Wearer(SHIRT, seed=5), free=FREE)
+FREE = SimulatedPerson(SHIRT, seed=5).free()
+WHOLE = calibrate(SimulatedPerson(SHIRT, seed=5), free=FREE)
 
 
 @given(st.lists(st.tuples(st.integers(0, 999), st.integers(1, 60)), max_size=8), st.floats(-5, 5), st.floats(-5, 5))
@@ -45,7 +45,7 @@ def test_a_short_gap_leaves_nothing_out_and_changes_the_weights_little(data):
         length = data.draw(st.integers(1, min(20, len(free) // 100)))
         start = data.draw(st.integers(0, len(free) - length))
         free[start : start + length, channel] = np.nan
-    holed = calibrate(Wearer(SHIRT, seed=5), free=free)
+    holed = calibrate(SimulatedPerson(SHIRT, seed=5), free=free)
     assert holed.left_out == {}
     for one, other in zip(WHOLE.joints, holed.joints, strict=True):
         np.testing.assert_allclose(other.weights, one.weights, atol=0.02)
@@ -62,14 +62,14 @@ def test_a_short_gap_leaves_nothing_out_and_changes_the_weights_little(data):
         (slice(None), "gives no numbers"),
     ],
 )
-def test_what_is_missing_is_said(rows, words):
+def test_too_many_missing_samples_are_described(rows, words):
     values = np.zeros((3000, 2))
     values[rows, 0] = np.nan
     assert why_missing([values], 0, RATE) == words
     assert why_missing([values], 1, RATE) == ""
 
 
-def test_only_what_is_fitted_counts():
+def test_only_missing_samples_in_fitted_pieces_count():
     whole, holed = np.zeros((1000, 2)), np.zeros((1000, 2))
     holed[::60, 0] = np.nan
     assert why_missing([holed], 0, RATE) != ""
@@ -94,4 +94,4 @@ def test_a_few_missing_cells_cost_the_knit_nothing():
     for one, other in zip(whole.profile.joints, holed.profile.joints, strict=True):
         assert other.evr == pytest.approx(one.evr, abs=0.001)
     for kind in ("pca", "guided"):
-        np.testing.assert_allclose(knit.judged(holed.profile, kind), knit.judged(whole.profile, kind), atol=0.005)
+        np.testing.assert_allclose(knit.measures(holed.profile, kind), knit.measures(whole.profile, kind), atol=0.005)

@@ -1,8 +1,8 @@
-"""The guided map on bodies made for it: where it must be better, where it cannot be made."""
+"""The guided map on simulated joints: where it must be better, and where it cannot be made."""
 
 import numpy as np
 import pytest
-from wearing import Wearer, layout_of, stroke
+from simulated_person import SimulatedPerson, layout_of, stroke
 
 from app.calibration.fit.profile_fit import fit_profile
 from app.calibration.fit.repetitions import (
@@ -20,8 +20,8 @@ from app.cues import cue_index
 LAYOUT = layout_of(("right_elbow",))
 
 
-class Deceiver(Wearer):
-    """A limb that also turns on its way back, which most channels feel as they feel the movement that is asked for."""
+class Deceiver(SimulatedPerson):
+    """A limb that also rotates on its way back, which most channels measure like the prompted movement."""
 
     def __init__(self, layout, sample_rate=100.0):
         super().__init__(layout, sample_rate)
@@ -32,11 +32,11 @@ class Deceiver(Wearer):
         return super().signals(angles, away[:, np.newaxis] if others is None else others)
 
 
-def recorded(wearer, count=3, lag=0.3, **how):
+def recorded(person, count=3, lag=0.3, **how):
     """Return one recording of repetitions, and prompts that lead them by `lag` (s)."""
-    path, moving = stroke(wearer.sample_rate, after=1.5, **how)
-    values = wearer.signals(np.tile(path, count)[:, np.newaxis])
-    rate = wearer.sample_rate
+    path, moving = stroke(person.sample_rate, after=1.5, **how)
+    values = person.signals(np.tile(path, count)[:, np.newaxis])
+    rate = person.sample_rate
     prompts = [
         Prompt((moving.start + i * len(path)) / rate - lag, (moving.stop + i * len(path)) / rate - lag, "right_elbow")
         for i in range(count)
@@ -44,21 +44,21 @@ def recorded(wearer, count=3, lag=0.3, **how):
     return np.arange(len(values)) / rate, values, prompts
 
 
-def fitted(wearer, rest=True, **how):
-    t, values, prompts = recorded(wearer, **how)
-    resting = wearer.rest() if rest else None
-    repetitions = repetitions_of_prompts(t, values, prompts, wearer.sample_rate)
-    profile = fit_profile(LAYOUT, wearer.sample_rate, wearer.free(), resting, repetitions)
-    return with_guided_maps(profile, stretches_of_prompts(t, values, prompts, wearer.sample_rate), resting)
+def fitted(person, rest=True, **how):
+    t, values, prompts = recorded(person, **how)
+    resting = person.rest() if rest else None
+    repetitions = repetitions_of_prompts(t, values, prompts, person.sample_rate)
+    profile = fit_profile(LAYOUT, person.sample_rate, person.free(), resting, repetitions)
+    return with_guided_maps(profile, stretches_of_prompts(t, values, prompts, person.sample_rate), resting)
 
 
-def deceiver(rate=100.0):
+def misleading_limb(rate=100.0):
     return Deceiver(LAYOUT, rate)
 
 
 @pytest.mark.parametrize("rate", [50.0, 100.0, 200.0])
-def test_it_is_offered_where_the_main_movement_is_not_the_one_that_is_meant(rate):
-    joint = fitted(deceiver(rate)).profile.joints[0]
+def test_a_guided_map_is_offered_where_the_main_movement_is_not_the_prompted_one(rate):
+    joint = fitted(misleading_limb(rate)).profile.joints[0]
     assert joint.map == "pca"
     assert joint.guided.is_better
     assert joint.guided.guided_check.in_phase > 0.95
@@ -69,29 +69,29 @@ def test_it_is_offered_where_the_main_movement_is_not_the_one_that_is_meant(rate
 
 
 def test_prompted_movements_are_as_fast_as_on_the_paper_s_map():
-    wearer = deceiver()
-    joint = fitted(wearer).profile.joints[0]
-    _, values, _ = recorded(wearer)
+    person = misleading_limb()
+    joint = fitted(person).profile.joints[0]
+    _, values, _ = recorded(person)
     rate = features(values, 100.0) @ np.concatenate((joint.guided.rate, joint.guided.short, joint.guided.long))
     assert np.percentile(rate[rate > joint.guided.dead_zone], 90) == pytest.approx(joint.full, rel=0.25)
 
 
-def test_where_the_map_of_the_paper_is_perfect_it_is_not_offered():
-    joint = fitted(Wearer(LAYOUT, second=0.0)).profile.joints[0]
+def test_no_guided_map_is_offered_where_the_pca_map_is_perfect():
+    joint = fitted(SimulatedPerson(LAYOUT, second=0.0)).profile.joints[0]
     assert joint.guided.pca_check.in_phase > 0.97
     assert not joint.guided.is_better
 
 
-def test_a_channel_that_says_nothing_gets_next_to_no_weight():
-    wearer = Wearer(LAYOUT, second=0.0)
-    wearer.gains[0, 2] = 0.0
-    guided = fitted(wearer).profile.joints[0].guided
-    share = np.abs(guided.rate) * features(recorded(wearer)[1], 100.0)[:, :5].std(axis=0)
+def test_a_channel_without_signal_gets_nearly_no_weight():
+    person = SimulatedPerson(LAYOUT, second=0.0)
+    person.gains[0, 2] = 0.0
+    guided = fitted(person).profile.joints[0].guided
+    share = np.abs(guided.rate) * features(recorded(person)[1], 100.0)[:, :5].std(axis=0)
     assert share[2] < 0.1 * share.max()
 
 
 def test_the_unit_of_a_channel_does_not_matter():
-    plain, large = deceiver(), deceiver()
+    plain, large = misleading_limb(), misleading_limb()
     large.gains *= 1000.0
     large.second *= 1000.0
     large.noise *= 1000.0
@@ -101,12 +101,12 @@ def test_the_unit_of_a_channel_does_not_matter():
 
 
 def test_missing_samples_are_bridged():
-    wearer = deceiver()
-    t, values, prompts = recorded(wearer)
+    person = misleading_limb()
+    t, values, prompts = recorded(person)
     repetitions = repetitions_of_prompts(t, values, prompts, 100.0)
-    profile = fit_profile(LAYOUT, 100.0, wearer.free(), wearer.rest(), repetitions)
+    profile = fit_profile(LAYOUT, 100.0, person.free(), person.rest(), repetitions)
     values[::97, 1] = np.nan
-    guided = with_guided_maps(profile, stretches_of_prompts(t, values, prompts, 100.0), wearer.rest())
+    guided = with_guided_maps(profile, stretches_of_prompts(t, values, prompts, 100.0), person.rest())
     assert guided.profile.joints[0].guided.guided_check.in_phase > 0.95
 
 
@@ -117,45 +117,45 @@ def test_missing_samples_are_bridged():
         ({"count": 2}, "from 2 prompted repetitions: prompt at least 3"),
     ],
 )
-def test_too_few_repetitions_are_said(how, words):
-    guided = fitted(deceiver(), **how)
+def test_too_few_repetitions_are_a_reason(how, words):
+    guided = fitted(misleading_limb(), **how)
     assert guided.profile.joints[0].guided is None
     assert words in guided.reasons["right_elbow"]
 
 
-def test_without_prompts_it_is_said():
-    wearer = deceiver()
-    profile = fit_profile(LAYOUT, 100.0, wearer.free(), wearer.rest())
-    assert "never prompted" in with_guided_maps(profile, (), wearer.rest()).reasons["right_elbow"]
+def test_missing_prompts_are_a_reason():
+    person = misleading_limb()
+    profile = fit_profile(LAYOUT, 100.0, person.free(), person.rest())
+    assert "never prompted" in with_guided_maps(profile, (), person.rest()).reasons["right_elbow"]
 
 
-def test_without_any_rest_it_is_said():
-    wearer = deceiver()
+def test_missing_rest_is_a_reason():
+    person = misleading_limb()
     path, moving = stroke(100.0, before=0.0, after=0.0)
-    values = wearer.signals(np.tile(path, 4)[:, np.newaxis])
+    values = person.signals(np.tile(path, 4)[:, np.newaxis])
     asked = tuple(slice(moving.start + i * len(path), moving.stop + i * len(path)) for i in range(4))
     t = np.arange(len(values)) / 100
     prompts = [Prompt(t[one.start], t[one.stop], "right_elbow") for one in asked]
     repetitions = repetitions_of_prompts(t, values, prompts, 100.0)
-    profile = fit_profile(LAYOUT, 100.0, wearer.free(), None, repetitions)
+    profile = fit_profile(LAYOUT, 100.0, person.free(), None, repetitions)
     guided = with_guided_maps(profile, [Stretch("right_elbow", values, asked)])
     assert "nowhere at rest" in guided.reasons["right_elbow"]
 
 
-def test_the_rest_of_one_who_trembles_raises_the_dead_zone():
-    calm = fitted(deceiver()).profile.joints[0]
-    wearer = deceiver()
-    t, values, prompts = recorded(wearer)
-    resting = wearer.rest()
-    resting += 0.3 * np.sin(2 * np.pi * 2.0 * np.arange(len(resting)) / 100)[:, np.newaxis] * wearer.gains[0]
+def test_tremor_at_rest_raises_the_dead_zone():
+    calm = fitted(misleading_limb()).profile.joints[0]
+    person = misleading_limb()
+    t, values, prompts = recorded(person)
+    resting = person.rest()
+    resting += 0.3 * np.sin(2 * np.pi * 2.0 * np.arange(len(resting)) / 100)[:, np.newaxis] * person.gains[0]
     repetitions = repetitions_of_prompts(t, values, prompts, 100.0)
-    profile = fit_profile(LAYOUT, 100.0, wearer.free(), resting, repetitions)
+    profile = fit_profile(LAYOUT, 100.0, person.free(), resting, repetitions)
     shaky = with_guided_maps(profile, stretches_of_prompts(t, values, prompts, 100.0), resting).profile.joints[0]
     assert shaky.guided.dead_zone > 2 * calm.guided.dead_zone
 
 
 def test_a_step_of_the_application_is_one_stretch():
-    wearer = deceiver()
+    person = misleading_limb()
     step = next(step for step in calibration_script(LAYOUT) if step.kind == "prompt")
     count = round(step.duration * 100)
     cue = np.array([cue_index(step.cues, i / 100) for i in range(count)])
@@ -164,18 +164,18 @@ def test_a_step_of_the_application_is_one_stretch():
     angle = np.zeros(count)
     for start in np.flatnonzero(np.diff(asked.astype(int)) > 0) + 31:
         angle[start : start + len(path)] = path[: count - start]
-    values = wearer.signals(angle[:, np.newaxis])
+    values = person.signals(angle[:, np.newaxis])
     stretch = stretch_of_run(values, cue, step.cues)
     assert [one.stop - one.start for one in stretch.moving] == [100, 100, 100]
     repetitions = repetitions_of_run(values, cue, step.cues, 100.0)
-    profile = fit_profile(LAYOUT, 100.0, wearer.free(), wearer.rest(), repetitions)
-    guided = with_guided_maps(profile, [stretch], wearer.rest()).profile.joints[0].guided
+    profile = fit_profile(LAYOUT, 100.0, person.free(), person.rest(), repetitions)
+    guided = with_guided_maps(profile, [stretch], person.rest()).profile.joints[0].guided
     assert guided.repetitions == 3
     assert guided.guided_check.in_phase > 0.95
     assert guided.lag == pytest.approx(0.3, abs=0.2)
 
 
-def test_prompts_far_apart_are_two_stretches_and_nothing_later_than_said_is_taken():
+def test_prompts_far_apart_are_two_stretches_which_end_at_the_given_time():
     t = np.arange(6000) / 100
     prompts = [Prompt(start, start + 1.0, "right_elbow") for start in (1.0, 5.0, 30.0, 33.0)]
     first, second = stretches_of_prompts(t, np.zeros((6000, 5)), prompts, 100.0, until=35.0)

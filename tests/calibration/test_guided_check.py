@@ -1,4 +1,4 @@
-"""In-phase share, hit rate and false activations, on signals whose answers are known by heart."""
+"""In-phase share, hit rate and false activations of signals with known results."""
 
 import numpy as np
 import pytest
@@ -11,48 +11,48 @@ LABEL = np.repeat([0, 1, -1, 0], [200, 100, 100, 200]).astype(np.int8)
 ONE = np.zeros(600, dtype=np.int_)
 
 
-def judged(rate, dead_zone=0.2, full=1.0, label=LABEL, repetition=ONE):
+def measures(rate, dead_zone=0.2, full=1.0, label=LABEL, repetition=ONE):
     return check(rate, label, repetition, dead_zone, full, RATE)
 
 
 def test_a_perfect_map():
-    found = judged(np.where(LABEL > 0, 1.0, 0.0))
+    found = measures(np.where(LABEL > 0, 1.0, 0.0))
     assert (found.in_phase, found.hit_rate, found.false_per_minute, found.false_count) == (1.0, 1.0, 0.0, 0)
 
 
 def test_half_of_the_activation_on_the_way_back_is_half_in_phase():
     rate = np.where(LABEL != 0, 0.6, 0.0)
-    assert judged(rate).in_phase == pytest.approx(0.5)
+    assert measures(rate).in_phase == pytest.approx(0.5)
 
 
 def test_activation_counts_by_its_size_and_not_above_full():
     rate = np.where(LABEL > 0, 9.0, 0.0) + np.where(LABEL < 0, 0.6, 0.0)
-    assert judged(rate).in_phase == pytest.approx(1.0 / 1.5)
+    assert measures(rate).in_phase == pytest.approx(1.0 / 1.5)
 
 
 def test_hits_are_counted_in_time():
     rate = np.zeros(600)
     rate[200:225] = 1.0
-    assert judged(rate).hit_rate == 0.25
+    assert measures(rate).hit_rate == 0.25
 
 
 def test_false_activations_are_counted_once_each_and_not_beside_a_movement():
     rate = np.zeros(600)
     rate[[50, 51, 52, 100, 500]] = 1.0  # three at rest
-    rate[[190, 420]] = 1.0  # within 0.3 s of what was asked for
-    found = judged(rate)
+    rate[[190, 420]] = 1.0  # within 0.3 s of a labelled movement
+    found = measures(rate)
     assert found.false_count == 3
     assert found.false_per_minute == pytest.approx(60 * 3 / (4.0 - 0.6))
 
 
 def test_without_any_activation_nothing_is_in_phase():
-    found = judged(np.zeros(600))
+    found = measures(np.zeros(600))
     assert (found.in_phase, found.hit_rate) == (0.0, 0.0)
 
 
 def test_the_end_of_one_repetition_is_not_the_beginning_of_the_next():
     rate = np.where(np.arange(1200) % 600 == 0, 1.0, 0.0)
-    found = judged(rate, label=np.tile(LABEL, 2), repetition=np.repeat([0, 1], 600))
+    found = measures(rate, label=np.tile(LABEL, 2), repetition=np.repeat([0, 1], 600))
     assert found.false_count == 2
 
 

@@ -1,4 +1,4 @@
-"""The guided map on a real knit: cues that lead the movement by 0.3 +- 0.15 s, fitted on 20 s, judged on the rest."""
+"""The guided map on a real knit: cues lead by 0.3 +- 0.15 s; fitted on 20 s, checked on the rest."""
 
 import numpy as np
 import pytest
@@ -55,7 +55,7 @@ class Knit:
         profile = fit_profile(LAYOUT, self.rate, free=values[window], repetitions=repetitions)
         return with_guided_maps(profile, stretches_of_prompts(self.t, values, rows, self.rate, until=end))
 
-    def judged(self, profile, kind, start=0.0, end=20.0, values=None):
+    def measures(self, profile, kind, start=0.0, end=20.0, values=None):
         """Return per joint in-phase share, and hit rate in time, outside of the window, as `decode` gives them."""
         joints = [joint.model_copy(update={"map": kind if joint.guided else "pca"}) for joint in profile.joints]
         parameters = standard_parameters(profile.model_copy(update={"joints": tuple(joints)}))
@@ -64,11 +64,11 @@ class Knit:
         outside = (self.t < start) | (self.t >= end)
         shares = []
         for gesture, activation in zip(parameters.gestures, decoded.activation.T, strict=True):
-            judged = np.where(outside, activation, 0.0)
+            measures = np.where(outside, activation, 0.0)
             moving = np.zeros(len(self.t), dtype=bool)
             for a, b, size in self.phases[gesture.joint]:
                 moving[a:b] = size > LARGE and outside[a] and outside[b - 1]
-            shares.append((judged[self.rising[gesture.joint]].sum() / judged.sum(), (judged[moving] > 0).mean()))
+            shares.append((measures[self.rising[gesture.joint]].sum() / measures.sum(), (measures[moving] > 0).mean()))
         return np.array(shares)
 
 
@@ -79,12 +79,12 @@ def knit():
 
 def better(knit, profile, **where):
     """Return how much larger the medians over the joints are than PCA's: in-phase share, hit rate."""
-    pca, guided = knit.judged(profile, "pca", **where), knit.judged(profile, "guided", **where)
+    pca, guided = knit.measures(profile, "pca", **where), knit.measures(profile, "guided", **where)
     return np.median(guided, axis=0) - np.median(pca, axis=0), np.median(guided - pca, axis=0)
 
 
 @pytest.mark.parametrize("seed", range(4))
-def test_with_cues_that_lead_it_beats_the_map_of_the_paper(knit, seed):
+def test_with_leading_cues_the_guided_map_beats_the_pca_map(knit, seed):
     fitted = knit.fit(knit.prompts(seed))
     assert fitted.reasons == {}
     of_medians, of_differences = better(knit, fitted.profile)
@@ -94,7 +94,7 @@ def test_with_cues_that_lead_it_beats_the_map_of_the_paper(knit, seed):
 
 
 @pytest.mark.parametrize(("start", "end"), [(20.0, 40.0), (70.0, 90.0), (98.0, 118.0)])
-def test_so_it_does_on_other_stretches(knit, start, end):
+def test_the_guided_map_is_better_on_other_parts_of_the_recording(knit, start, end):
     fitted = knit.fit(knit.prompts(1, start, end), start, end)
     (gain, change), _ = better(knit, fitted.profile, start=start, end=end)
     assert gain >= GAIN
@@ -102,7 +102,7 @@ def test_so_it_does_on_other_stretches(knit, start, end):
 
 
 @pytest.mark.parametrize("lead", [0.0, 0.6])
-def test_so_it_does_with_another_lag(knit, lead):
+def test_the_guided_map_is_better_with_another_lag(knit, lead):
     fitted = knit.fit(knit.prompts(2, lead=lead))
     (gain, change), _ = better(knit, fitted.profile)
     assert gain >= GAIN
@@ -110,7 +110,7 @@ def test_so_it_does_with_another_lag(knit, lead):
 
 
 @pytest.mark.parametrize("rate", [50.0, 250.0])
-def test_so_it_does_at_another_sample_rate(rate):
+def test_the_guided_map_is_better_at_another_sample_rate(rate):
     other = Knit(rate)
     (gain, change), _ = better(other, other.fit(other.prompts(3)).profile)
     assert gain >= GAIN
@@ -122,10 +122,10 @@ def test_the_unit_and_the_polarity_of_a_channel_change_nothing(knit):
     plain = knit.fit(rows).profile
     turned = knit.values * np.where(np.arange(20) % 2, 1.0, -1.0)
     other = knit.fit(rows, values=turned).profile
-    np.testing.assert_allclose(knit.judged(other, "guided", values=turned), knit.judged(plain, "guided"), atol=0.02)
+    np.testing.assert_allclose(knit.measures(other, "guided", values=turned), knit.measures(plain, "guided"), atol=0.02)
     large = knit.values * np.where(np.arange(20) % 5 == 0, 1000.0, 1.0)  # PCA then sees this channel only
     scaled = knit.fit(rows, values=large).profile
-    assert np.median(knit.judged(scaled, "guided", values=large)[:, 0]) > 0.9
+    assert np.median(knit.measures(scaled, "guided", values=large)[:, 0]) > 0.9
 
 
 def test_a_dead_channel_does_not_enter(knit):

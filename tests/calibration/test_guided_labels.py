@@ -1,4 +1,4 @@
-"""Prompts that lead or trail the movement are shifted to where it is; the way back is found."""
+"""Prompts that lead or trail the movement are shifted to it; the way back is found."""
 
 import numpy as np
 import pytest
@@ -42,7 +42,7 @@ def test_noise_does_not_move_the_lag_far():
     assert lags_of(noisy, asked, RATE) == pytest.approx([30] * 4, abs=8)
 
 
-def test_there_is_plus_back_is_minus_and_rest_is_nothing():
+def test_the_movement_is_plus_one_the_way_back_minus_one_and_rest_zero():
     rate, rising = movements()
     found = labels(rate, [CuedMovement(*one) for one in rising], [0] * 4, RATE)
     for start, stop in rising:

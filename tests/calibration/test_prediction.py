@@ -1,4 +1,4 @@
-"""Forecasts against processes whose truth is known."""
+"""Predictions compared with simulated processes of known rates."""
 
 import numpy as np
 import pytest
@@ -19,7 +19,7 @@ RATE = 100.0
 
 
 def rest(seconds, seed, noise=1.0):
-    """The rate of white noise behind the chain's low-pass, as a joint at rest has it; FS/s."""
+    """Return the rate (FS/s) of white noise filtered by the chain's low-pass, as of a joint at rest."""
     place = smooth(noise * np.random.default_rng(seed).normal(size=round(seconds * RATE) + 100), 3.0, RATE)
     return (np.diff(place) * RATE)[100:]
 
@@ -33,7 +33,7 @@ def test_rices_formula_counts_what_long_noise_does():
 
 
 def test_what_short_noise_predicts_is_right_on_average():
-    """Three seconds each: a dead-zone at three times the noise that was seen."""
+    """Rests of 3 s each, with a dead-zone of three times the measured noise."""
     predicted, counted = [], []
     for seed in range(150):
         quiet = rest_statistics([rest(3, seed)], RATE)
@@ -58,14 +58,14 @@ def test_a_larger_dead_zone_is_never_worse_and_the_unit_does_not_matter(one, oth
     assert false_per_minute(scaled, scale * low) == pytest.approx(false_per_minute(quiet, low), rel=1e-6)
 
 
-def test_silence_and_nothing():
+def test_no_rest_gives_no_statistics_and_a_silent_rest_no_false_activations():
     assert rest_statistics([], RATE) is None
     assert rest_statistics([np.zeros(2)], RATE) is None
     assert false_per_minute(rest_statistics([np.zeros(300)], RATE), 0.15) == 0.0
     assert at_most_per_minute(0, 0.0) is None
 
 
-def test_passes_are_counted_once_each():
+def test_each_crossing_is_counted_once():
     assert count_crossings([np.array([0, 2, 2, 0, 2]), np.array([2, 2]), np.array([0.0])], 1.0) == 3
 
 
@@ -78,14 +78,14 @@ def test_the_count_alone_proves_three_per_time():
 
 
 def test_hits_are_right_on_average_for_few_repetitions():
-    """Each person's spread is another one; three movements are seen, a hundred are made."""
+    """Each person has another spread; three movements predict a hundred."""
     random = np.random.default_rng(3)
     predicted, made = [], []
     for _ in range(300):
         spread = random.uniform(0.05, 0.4)
         peaks = np.exp(random.normal(0.0, spread, 3))
         others = [np.exp(random.normal(0.0, spread, 3)) for _ in range(5)]
-        level = 0.8 * np.median(peaks)  # as half of full is: a share of what was seen
+        level = 0.8 * np.median(peaks)  # a share of the median peak, like half of full
         predicted.append(hit_probability(peaks, level, others))
         made.append(np.mean(np.exp(random.normal(0.0, spread, 100)) >= level))
     assert np.mean(predicted) == pytest.approx(np.mean(made), abs=0.04)

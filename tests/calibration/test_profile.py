@@ -1,4 +1,4 @@
-"""The profile as a document: what was saved before guided maps reads, writes and hashes as it did."""
+"""The profile as a document: documents from before guided maps are read, written and hashed as they were."""
 
 import json
 
@@ -103,6 +103,6 @@ def test_a_joint_that_contradicts_itself_is_refused(changes, words):
         ({"false_count": 3}, False),
     ],
 )
-def test_it_is_better_only_where_nothing_is_lost_for_it(check, better):
+def test_a_guided_map_is_better_only_when_it_loses_nothing(check, better):
     fields = {"in_phase": 0.95, "hit_rate": 0.78, "false_per_minute": 2.0, "false_count": 2} | check
     assert guided(2, guided_check=MapCheck(**fields)).is_better is better

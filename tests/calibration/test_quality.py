@@ -9,7 +9,7 @@ GROUP = [[0, 1, 2, 3, 4]]
 
 @pytest.fixture
 def moving():
-    """Ten seconds of one joint with five channels that follow it."""
+    """Return ten seconds of one joint with five channels that follow it."""
     rng = np.random.default_rng(3)
     t = np.arange(1000) / FS
     return np.sin(3 * t)[:, np.newaxis] * np.array([1, 0.8, -0.6, 0.3, 0.1]) + 0.005 * rng.normal(size=(1000, 5))
@@ -24,7 +24,7 @@ def test_channels_that_follow_are_good(moving):
     assert conditions(moving, full_scale=10.0) == ["good"] * 5
 
 
-def test_a_dead_channel_is_flat_and_said_so(moving):
+def test_a_dead_channel_is_flat_with_its_reason(moving):
     moving[:, 1] = 0.25
     quality = channel_quality(moving, GROUP, FS)
     assert [one.condition for one in quality] == ["good", "flat", "good", "good", "good"]
@@ -36,7 +36,7 @@ def test_a_channel_that_gets_stuck_is_flat(moving):
     assert conditions(moving)[2] == "flat"
 
 
-def test_a_single_missing_sample_is_told(moving):
+def test_a_single_missing_sample_is_reported(moving):
     moving[500, 3] = np.nan
     quality = channel_quality(moving, GROUP, FS)
     assert quality[3].condition == "nan"
@@ -72,12 +72,12 @@ def test_noise_that_matters_is_named_and_weak_noise_is_not(moving):
     assert conditions(moving) == ["good", "noisy", "good", "good", "good"]
 
 
-def test_nobody_is_to_blame_when_the_joint_did_not_move():
+def test_no_channel_is_marked_when_the_joint_did_not_move():
     assert conditions(np.random.default_rng(1).normal(size=(1000, 5))) == ["good"] * 5
 
 
 def test_a_rest_without_any_noise_is_not_flat(moving):
-    """A recording made by a program has none, and everything stands still together."""
+    """A recording made by a program has no noise, and all channels are still together."""
     t = np.arange(1000) / FS
     clean = np.maximum(0, np.sin(t))[:, np.newaxis] * np.array([1, 0.8, 0.6, 0.3, 0.1])
     assert conditions(clean) == ["good"] * 5

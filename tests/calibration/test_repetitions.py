@@ -1,6 +1,6 @@
 import numpy as np
 import pytest
-from wearing import layout_of
+from simulated_person import layout_of
 
 from app.calibration.fit.repetitions import Prompt, repetitions_of_prompts, repetitions_of_run
 from app.calibration.prompts_file import read_prompts
@@ -12,7 +12,7 @@ LAYOUT = layout_of()
 
 
 def counted(n):
-    """Frames that carry their own row number in channel 0, so that a cut in the wrong place cannot hide."""
+    """Return frames with their row number in channel 0, so that a wrong cut is found."""
     return np.arange(n, dtype=np.float64)[:, np.newaxis] * np.ones(20)
 
 

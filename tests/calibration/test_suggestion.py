@@ -1,4 +1,4 @@
-from wearing import JOINTS, Wearer, layout_of
+from simulated_person import JOINTS, SimulatedPerson, layout_of
 
 from app.calibration.fit.profile_fit import fit_profile
 from app.calibration.gestures.discovery import discovery_from_profile
@@ -6,17 +6,17 @@ from app.calibration.vocabulary import PAPER_VOCABULARY, standard_parameters
 
 
 def calibrated(joints, along=None):
-    wearer = Wearer(layout_of(joints))
+    person = SimulatedPerson(layout_of(joints))
     repetitions = [
-        wearer.repetition(joint, along=(along or {}).get(joint))
-        for joint in wearer.layout.joint_names
+        person.repetition(joint, along=(along or {}).get(joint))
+        for joint in person.layout.joint_names
         for _ in range(3)
     ]
-    return fit_profile(wearer.layout, 100.0, free=wearer.free(), rest=wearer.rest(), repetitions=repetitions)
+    return fit_profile(person.layout, 100.0, free=person.free(), rest=person.rest(), repetitions=repetitions)
 
 
 def suggested(profile):
-    """What the profile's own numbers speak for, as when its recordings are gone."""
+    """Return the suggestion from the profile's numbers, as when its recordings are gone."""
     return discovery_from_profile(profile, "No recordings.").suggestion
 
 
@@ -66,16 +66,16 @@ def test_fewer_joints_give_fewer_bindings_that_are_still_valid():
 
 
 def test_without_prompts_nothing_is_claimed_about_cross_talk():
-    wearer = Wearer(layout_of())
-    suggestion = suggested(fit_profile(wearer.layout, 100.0, free=wearer.free(), rest=wearer.rest()))
+    person = SimulatedPerson(layout_of())
+    suggestion = suggested(fit_profile(person.layout, 100.0, free=person.free(), rest=person.rest()))
     assert len(suggestion.bindings) == 5
     assert "not known" in suggestion.reason
 
 
 def test_a_joint_that_was_not_prompted_while_others_were_is_left_to_the_clinician():
-    wearer = Wearer(layout_of())
-    repetitions = [wearer.repetition(joint) for joint in ("right_elbow", "left_elbow") for _ in range(3)]
-    profile = fit_profile(wearer.layout, 100.0, free=wearer.free(), rest=wearer.rest(), repetitions=repetitions)
+    person = SimulatedPerson(layout_of())
+    repetitions = [person.repetition(joint) for joint in ("right_elbow", "left_elbow") for _ in range(3)]
+    profile = fit_profile(person.layout, 100.0, free=person.free(), rest=person.rest(), repetitions=repetitions)
     assert bound(suggested(profile)) == {
         "u1+": ("right_elbow",),
         "u1-": ("left_elbow",),

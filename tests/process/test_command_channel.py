@@ -1,4 +1,4 @@
-"""Commands and answers over a socket pair: whatever comes, the control process never waits and never falls."""
+"""Commands and answers over a socket pair: the control process never waits and never fails, whatever arrives."""
 
 import asyncio
 import json
@@ -30,7 +30,7 @@ def answers(ours):
 
 @given(st.lists(st.integers(1, 60), max_size=30))
 @settings(max_examples=50, deadline=None)
-def test_lines_are_put_together_however_they_are_cut(cuts):
+def test_lines_are_assembled_from_any_pieces(cuts):
     ours, theirs = socket.socketpair()
     server = CommandServer(theirs)
     sent = [{"id": i, "do": "move", "joints": {"elbow": i / 7}} for i in range(1, 5)]
@@ -49,13 +49,13 @@ def test_lines_are_put_together_however_they_are_cut(cuts):
     theirs.close()
 
 
-def test_nothing_to_read_is_no_end(pair):
+def test_no_data_does_not_close_the_channel(pair):
     _, server = pair
     assert server.poll() == []
     assert not server.closed
 
 
-def test_what_was_sent_before_the_end_still_counts(pair):
+def test_commands_sent_before_the_end_are_returned(pair):
     ours, server = pair
     ours.sendall(line(id=1, do="stop"))
     ours.close()
@@ -160,7 +160,7 @@ def test_a_refusal_is_raised_with_its_sentence():
     with_client(story)
 
 
-def test_no_answer_in_time_is_a_lost_link_and_a_late_one_harms_nothing():
+def test_a_missing_answer_is_a_lost_link_and_a_late_answer_does_no_harm():
     async def story(client, server):
         with pytest.raises(LinkLost, match="did not answer 'status'"):
             await client.call("status", limit=0.02)
@@ -174,7 +174,7 @@ def test_no_answer_in_time_is_a_lost_link_and_a_late_one_harms_nothing():
     with_client(story)
 
 
-def test_the_other_s_end_fails_what_waits_and_what_comes_later():
+def test_a_closed_channel_fails_waiting_and_later_calls():
     async def story(client, server):
         call = asyncio.create_task(client.call("status"))
         await polled(server)
@@ -192,7 +192,7 @@ def test_the_other_s_end_fails_what_waits_and_what_comes_later():
     with_client(story)
 
 
-def test_nothing_that_json_does_not_know_is_sent():
+def test_values_that_json_does_not_know_are_not_sent():
     async def story(client, server):
         with pytest.raises(ValueError, match="not JSON compliant"):
             client.send("move", joints={"elbow": float("nan")})

@@ -1,4 +1,4 @@
-"""The ring between the processes: no torn tick, none out of order, and every missing one counted."""
+"""The ring between the processes: no torn tick, none out of order, and every missing tick is counted."""
 
 import math
 import subprocess
@@ -152,7 +152,7 @@ def test_read_and_missed_add_up(written, asked):
     ring.close()
 
 
-def test_a_slot_that_is_being_written_is_not_handed_on(ring):
+def test_a_slot_that_is_being_written_is_not_returned(ring):
     for _ in range(10):
         ring.write(Tick(), 0, math.nan, -1, 0, 0)
     ring._numbers[4] = 0  # as if the writer had just begun to overwrite the oldest of what a slow reader copies
@@ -163,12 +163,12 @@ def test_a_slot_that_is_being_written_is_not_handed_on(ring):
     assert ring.newest() is None
 
 
-def test_one_name_one_ring(ring, name):
+def test_a_name_of_a_ring_is_used_once(ring, name):
     with pytest.raises(FileExistsError):
         TickRing.create(name)
 
 
-def test_a_writer_at_full_speed_tears_nothing(name):
+def test_readers_get_no_torn_tick_from_a_writer_at_full_speed(name):
     count = 150_000
     writer = subprocess.Popen(
         [sys.executable, "-c", WRITER, name, str(count)],
@@ -214,7 +214,7 @@ def is_whole(ticks):
     )
 
 
-def test_a_reader_that_ends_takes_nothing_away_and_says_nothing(ring, name):
+def test_a_reader_that_ends_leaves_the_memory_and_prints_nothing(ring, name):
     ring.write(Tick(t=5.0), 0, math.nan, -1, 0, 0)
     code = "import sys; from app.process.ring import TickRing; print(TickRing.attach(sys.argv[1]).newest()['t'])"
     for _ in range(2):

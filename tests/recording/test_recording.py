@@ -1,4 +1,4 @@
-"""A recording: what was written is read; whatever is cut or changed costs only itself, and is told."""
+"""A recording: written rows are read; a cut or changed byte loses only what comes after it, and is reported."""
 
 import errno
 import os
@@ -142,7 +142,7 @@ def test_an_empty_run_is_a_run(ring, tmp_path):
     assert run.columns["values"].shape == (0, CHANNELS)
 
 
-def test_ticks_that_the_writer_never_saw_are_counted(ring, tmp_path):
+def test_ticks_that_the_writer_missed_are_counted(ring, tmp_path):
     writer = RunWriter(tmp_path / "run", META, CHANNELS, GESTURES)
     write_ticks(ring, RING_SLOTS + 50)
     writer.start(ring, 0, 1)
@@ -171,7 +171,7 @@ def test_no_recording_is_one_sentence(tmp_path):
         read_run(tmp_path)
 
 
-def test_a_run_that_was_not_closed_is_read_and_says_so(cut_run):
+def test_a_run_that_was_not_closed_is_read_and_described(cut_run):
     run = read_run(cut_run)
     assert run.rows == 400
     assert_rows_begin(run, 400)
@@ -214,7 +214,7 @@ def test_a_closed_run_cut_at_any_byte_raises_nothing(ring, tmp_path, name):
 
 
 @pytest.mark.parametrize("name", ["segment-0000.arrows", "segment-0000.check"])
-def test_a_changed_byte_of_a_cut_run_is_told_and_what_is_before_it_is_read(cut_run, name):
+def test_before_a_changed_byte_of_a_cut_run_all_rows_are_read(cut_run, name):
     file = cut_run / name
     content = bytearray(file.read_bytes())
     for place in range(0, len(content), max(1, len(content) // 60)):
@@ -227,7 +227,7 @@ def test_a_changed_byte_of_a_cut_run_is_told_and_what_is_before_it_is_read(cut_r
 
 
 @pytest.mark.parametrize("name", ["run.parquet", "run.json", "end.json"])
-def test_a_changed_byte_of_a_closed_run_is_told(ring, tmp_path, name):
+def test_a_changed_byte_of_a_closed_run_is_reported(ring, tmp_path, name):
     folder = record(ring, tmp_path / "run", 400)
     file = folder / name
     content = bytearray(file.read_bytes())
@@ -239,7 +239,7 @@ def test_a_changed_byte_of_a_closed_run_is_told(ring, tmp_path, name):
 
 
 @pytest.mark.parametrize("failing", ["write", "fsync"])
-def test_a_failing_disk_is_said_once_and_not_tried_again(ring, tmp_path, monkeypatch, failing):
+def test_a_failing_disk_is_reported_once_and_not_tried_again(ring, tmp_path, monkeypatch, failing):
     writer = RunWriter(tmp_path / "run", META, CHANNELS, GESTURES)
     real, calls = getattr(os, failing), []
 

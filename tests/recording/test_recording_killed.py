@@ -1,4 +1,4 @@
-"""A recorder that is killed: nothing that it acknowledged is lost."""
+"""A recorder that is killed loses no row that it has acknowledged."""
 
 import math
 import signal

@@ -1,4 +1,4 @@
-"""The same table in any dialect of CSV reads equal, and the dialect is told."""
+"""A table reads equal in every dialect of CSV, and the dialect is reported."""
 
 import csv
 import io
@@ -51,7 +51,7 @@ def test_any_dialect_of_a_table_reads_equal(tmp_path_factory, rows, dialect, end
     assert told.decimal == dialect.decimal
 
 
-def test_words_with_commas_do_not_make_decimal_commas(tmp_path):
+def test_text_with_commas_does_not_mean_decimal_commas(tmp_path):
     file = tmp_path / "table.csv"
     file.write_text("t;a;remark\n0.5;1.25;up, then down\n")
     found, told = read_columns_and_dialect(file, only=("t", "a"))
@@ -78,7 +78,7 @@ def test_a_small_file_that_holds_very_many_numbers_is_not_unpacked(tmp_path):
         ("t;a\n0,5;1.234,5\n", "'1.234,5' is not a number"),
     ],
 )
-def test_what_is_wrong_is_said_in_the_files_own_dialect(tmp_path, content, words):
+def test_an_error_is_described_in_the_dialect_of_the_file(tmp_path, content, words):
     file = tmp_path / "table.csv"
     file.write_text(content)
     with pytest.raises(ValueError, match="table") as refused:

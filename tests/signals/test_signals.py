@@ -215,6 +215,6 @@ def test_a_bad_layout_is_refused_in_one_sentence(write, content, words):
     assert "\n" not in str(refusal.value)
 
 
-def test_a_missing_layout_is_told(tmp_path):
+def test_a_missing_layout_is_refused(tmp_path):
     with pytest.raises(ValueError, match="there is no such layout"):
         read_layout(tmp_path / "layout.json")

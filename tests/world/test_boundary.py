@@ -64,7 +64,7 @@ def test_a_slanted_wall_becomes_few_pieces():
     assert len(outlines(region)[0]) <= 24
 
 
-def test_a_small_thing_keeps_its_shape():
+def test_a_small_outline_is_not_simplified():
     region = np.ones((9, 9), bool)
     region[4, 4] = False
     outer, inner = sorted(outlines(region), key=len, reverse=True)

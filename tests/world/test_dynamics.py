@@ -31,7 +31,7 @@ def driven(motion, twist, seconds, dt=0.01, chair=CHAIR):
 
 @settings(max_examples=60, deadline=None)
 @given(MOTIONS, st.lists(TWISTS, min_size=1, max_size=20), st.floats(1e-4, 0.1))
-def test_without_any_effect_it_is_the_unicycle_bit_for_bit(motion, twists, dt):
+def test_without_any_effect_the_model_is_exactly_the_unicycle(motion, twists, dt):
     pose = motion.pose
     for twist in twists:
         motion = step(motion, twist, dt, IDEAL)
@@ -41,7 +41,7 @@ def test_without_any_effect_it_is_the_unicycle_bit_for_bit(motion, twists, dt):
 
 @settings(max_examples=60, deadline=None)
 @given(MOTIONS, CHAIRS)
-def test_told_nothing_it_comes_to_rest_and_stays(motion, chair):
+def test_without_a_command_the_chair_comes_to_rest_and_stays(motion, chair):
     longest = max(chair.speed_lag, chair.turn_lag)
     last = driven(motion, STANDSTILL, 2.0 + 12.0 * longest, 0.02, chair)[-1]
     assert (last.v, last.omega) == (0.0, 0.0)
@@ -57,7 +57,7 @@ def test_at_rest_nothing_turns_its_castors():
 @given(
     st.lists(st.builds(Twist, st.floats(-1e3, 1e3), st.floats(-1e3, 1e3)), max_size=60), CHAIRS, st.floats(1e-3, 0.1)
 )
-def test_no_command_makes_it_much_faster_than_it_was_told(twists, chair, dt):
+def test_no_command_makes_the_chair_much_faster_than_commanded(twists, chair, dt):
     motion, fastest = ORIGIN, 0.0
     for twist in twists:
         motion = step(motion, twist, dt, chair)

@@ -13,7 +13,7 @@ REACH = CHAIR_RADIUS + 0.3
 NUMBERS = st.floats(-3, 6)
 
 
-def test_somebody_who_stands_holds_the_chair():
+def test_a_standing_mover_stops_the_chair():
     meets = Encounters([STANDS])
     x, touching = 0.0, False
     for _ in range(400):
@@ -22,7 +22,7 @@ def test_somebody_who_stands_holds_the_chair():
     assert (y, touching) == (0.0, True)
 
 
-def test_beside_somebody_the_way_along_is_kept():
+def test_beside_a_mover_the_movement_along_it_is_kept():
     meets = Encounters([STANDS])
     at = (2.0 - REACH * math.cos(0.3), REACH * math.sin(0.3))
     x, y, touching = meets.slide(*at, at[0] + 0.05, at[1], 0.0)
@@ -33,7 +33,7 @@ def test_beside_somebody_the_way_along_is_kept():
 
 @settings(max_examples=60, deadline=None)
 @given(NUMBERS, NUMBERS, NUMBERS, NUMBERS)
-def test_a_way_off_is_free_and_no_way_leads_nearer_than_it_was(x, y, new_x, new_y):
+def test_moving_away_is_free_and_no_movement_leads_nearer_than_before(x, y, new_x, new_y):
     came_x, came_y, touching = Encounters([STANDS]).slide(x, y, new_x, new_y, 1.0)
     before, wanted, came = (math.hypot(a - 2.0, b) for a, b in ((x, y), (new_x, new_y), (came_x, came_y)))
     if wanted >= min(before, REACH):

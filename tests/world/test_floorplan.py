@@ -51,7 +51,7 @@ def test_a_turned_box():
     assert not box.covers(0.9, 0)
 
 
-def test_the_chair_looks_along_the_path_or_as_told():
+def test_the_chair_starts_along_the_path_or_with_the_given_heading():
     plan = storey(path=[(0, 0), (0, 3)])
     assert plan.paths[0].start.theta == pytest.approx(math.pi / 2)
     told = FloorPlan.model_validate(document(paths=[path([[1, 1], [9, 1]], start_heading=-1.0)]))
@@ -139,7 +139,7 @@ def test_a_bundled_door_stands_in_a_gap_of_its_width(name):
 
 
 @pytest.mark.parametrize("walls", [["x"] * 100_000, [[[0, "x"]] * 1000] * 100])
-def test_of_a_long_list_the_first_fault_is_told(walls):
+def test_of_a_long_list_the_first_error_is_reported(walls):
     """To collect every one of them would keep the web process from all other work."""
     with pytest.raises(ValidationError) as refused:
         FloorPlan.model_validate_json(json.dumps({"name": "a", "title": "A", "walls": walls, "paths": []}))

@@ -66,7 +66,7 @@ def test_two_rooms_become_walls_where_they_are(tmp_path):
     assert drive_along(plan, path) == (pytest.approx(0, abs=1e-9), False)
 
 
-def test_the_origins_yaw_turns_the_plan(tmp_path):
+def test_the_yaw_of_the_origin_rotates_the_plan(tmp_path):
     straight = import_ros_map(write(tmp_path, two_rooms()))
     turned = import_ros_map(write(tmp_path, two_rooms(), DOCUMENT.replace("2.0, 0.0]", "2.0, 1.5707963267948966]")))
     for a, b in zip(straight.paths[0].points, turned.paths[0].points, strict=True):
@@ -87,7 +87,7 @@ def test_rooms_without_a_door_are_left_out(tmp_path):
     assert plan.bounds == pytest.approx((-0.5, 2.5, 3.5, 6.5))
 
 
-def test_the_fields_of_other_programs_are_left_alone(tmp_path):
+def test_the_fields_of_other_programs_are_ignored(tmp_path):
     import_ros_map(write(tmp_path, two_rooms(), DOCUMENT + "mode: trinary\n"))
 
 

@@ -29,7 +29,7 @@ def test_repeated_points_count_once():
 
 
 @pytest.mark.parametrize("line", [[], [(1, 1)], [(1, 1), (1, 1)], [(0, 0), (math.nan, 1)], [(0, 0), (math.inf, 1)]])
-def test_what_is_no_line_is_refused(line):
+def test_an_invalid_line_is_refused(line):
     with pytest.raises(ValueError, match="path"):
         Path(line)
 
@@ -56,7 +56,7 @@ def test_a_sharp_turn_keeps_its_sides():
     assert hairpin.project(2, 0.2)[1] > 0  # between the two legs
 
 
-def test_a_path_that_crosses_itself_is_followed_from_where_one_was():
+def test_at_a_crossing_of_the_path_the_previous_place_decides():
     cross = Path([(0, 0), (10, 0), (10, 5), (5, 5), (5, -5)])
     assert cross.project_near(5, 0.1, s_hint=4.8, window=2)[0] == pytest.approx(5)
     assert cross.project_near(5.1, 0, s_hint=24.8, window=2)[0] == pytest.approx(25)

@@ -23,7 +23,7 @@ def test_the_end_is_reached_after_the_path():
     assert progress.reached
 
 
-def test_a_round_is_not_over_when_it_begins():
+def test_a_round_course_is_not_done_at_its_start():
     progress = LineProgress(Path(ROUND), 0.5)
     drive(progress, [(0, 0), (-1.5, 0), (0.3, 0)])  # back and forth at the start
     assert not progress.reached
@@ -37,7 +37,7 @@ def test_a_short_cut_to_the_end_does_not_reach_it():
     assert not progress.reached
 
 
-def test_who_gets_lost_is_found_again_on_another_stretch():
+def test_a_chair_that_left_the_path_is_found_on_another_part_of_it():
     progress = LineProgress(Path(ROUND), 0.5)
     drive(progress, [(0, 0), (6, 0), (6, 5), (9, 5), (9, 9)])
     assert progress.s == pytest.approx(19, abs=1.1)

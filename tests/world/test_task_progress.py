@@ -26,7 +26,7 @@ def begun(**changes):
 
 @settings(max_examples=60, deadline=None)
 @given(PLACES)
-def test_a_path_is_judged_as_ever(places):
+def test_the_progress_on_a_path_is_that_along_its_line(places):
     task, plain = begun(), LineProgress(plan_with().paths[0].line, 0.5)
     for x, y in places:
         task.update(Pose(x, y, 1.0), 0.3, 1.0)
@@ -49,7 +49,7 @@ def along(heading):
     return [Pose(0.1 * i, 0.0, heading) for i in range(41)]
 
 
-def test_a_path_that_is_to_be_backed_counts_backwards_only():
+def test_a_path_to_drive_backwards_is_done_backwards_only():
     plan = plan_with(task={"kind": "back"})
     assert plan.paths[0].start.theta == pytest.approx(math.pi)
     forwards, backwards = begun(task={"kind": "back"}), begun(task={"kind": "back"})
@@ -72,7 +72,7 @@ def turned(degrees, hold=2.0, task=None, at=(0.0, 0.0), v=0.0, step=3.0):
     return progress
 
 
-def test_a_turn_is_done_when_it_was_stood_looking_at_the_mark():
+def test_a_turn_is_done_after_standing_and_facing_the_mark():
     assert turned(90).reached
     assert turned(90).s == pytest.approx(math.pi / 2)
     assert turned(90).length == pytest.approx(math.pi / 2)
@@ -110,7 +110,7 @@ def test_a_leader_has_been_followed_when_both_have_arrived():
     assert not far.reached, "the leader waits, but the chair is not there yet"
 
 
-def test_an_unknown_leader_is_said():
+def test_an_unknown_leader_is_refused():
     with pytest.raises(ValueError, match="there is no mover 'nobody' to follow: use one of guide"):
         plan_with(task={"kind": "follow", "leader": "nobody"}, movers=(GUIDE,))
 

@@ -10,7 +10,7 @@ from app.world.imports.wall_pieces import chain_pieces, join_pieces
 places = st.tuples(st.integers(-20, 20), st.integers(-20, 20)).map(lambda p: (p[0] / 10, p[1] / 10))
 
 
-def test_what_lies_on_one_line_and_touches_is_one_piece():
+def test_collinear_pieces_that_touch_are_merged():
     pieces = [((0, 0), (1, 0)), ((3, 0), (1, 0)), ((0.5, 0), (2, 0)), ((4, 0), (5, 0)), ((0, 0), (1, 0))]
     assert sorted(join_pieces(pieces)) == [[(0, 0), (3, 0)], [(4, 0), (5, 0)]]
 

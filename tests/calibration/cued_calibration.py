@@ -1,4 +1,4 @@
-"""A simulated wearer taken through the calibration's script: the runs as they are recorded, and the profile."""
+"""Takes a simulated participant through the steps of the calibration: recordings, cued runs and profile."""
 
 from dataclasses import replace
 
@@ -13,14 +13,14 @@ from app.study.simulated_calibration import fit_recorded, record_step
 RATE = 100.0
 
 
-def dressed(seed=1, tremor=0.0, layout=None):
+def simulated_participant(seed=1, tremor=0.0, layout=None):
     person = Person(replace(PRACTISED, tremor=tremor), seed)
     return Participant(person, layout or standard_layout(), RATE, seed)
 
 
-def recorded(wearer):
+def record_steps(participant):
     """Return (step, values, cue) of every step."""
-    return [(step, *record_step(wearer, step)) for step in calibration_script(wearer.layout)]
+    return [(step, *record_step(participant, step)) for step in calibration_script(participant.layout)]
 
 
 def runs_of(steps):

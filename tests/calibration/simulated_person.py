@@ -1,4 +1,4 @@
-"""A person in a shirt, for the tests of the calibration: joints that move, and channels that follow them."""
+"""A simulated person for the tests of the calibration: joints that move, and channels that follow them."""
 
 import numpy as np
 
@@ -30,8 +30,8 @@ def stroke(sample_rate, move=1.0, back=1.5, before=0.5, after=0.5):
     return path, slice(start, start + len(rise))
 
 
-class Wearer:
-    """Joint angles 0..1 become channels through gains of the person's own; every joint has two ways to move."""
+class SimulatedPerson:
+    """A person whose joint angles 0..1 become channels by random gains; every joint has a second way to move."""
 
     def __init__(self, layout, sample_rate=100.0, seed=1, noise=0.006, second=0.15, gain=1.0):
         self.layout, self.sample_rate, self.noise = layout, sample_rate, noise
@@ -45,7 +45,7 @@ class Wearer:
         self.offsets = self.rng.normal(size=channels)
 
     def signals(self, angles, others=None):
-        """Return channels for joint angles (n, joints), and for angles in the other way to move."""
+        """Return channels for joint angles (n, joints) and for angles of the second way to move."""
         others = np.zeros_like(angles) if others is None else others
         clean = angles @ self.gains + others @ self.second + self.offsets
         return clean + self.noise * self.rng.normal(size=clean.shape)
@@ -72,7 +72,7 @@ class Wearer:
         return [self.repetition(joint, **how) for joint in self.layout.joint_names for _ in range(count)]
 
 
-def calibrate(wearer, **changes):
-    """Return the profile of a wearer who did all steps; `changes` replace what `fit_profile` gets."""
-    pieces = {"free": wearer.free(), "rest": wearer.rest(), "repetitions": wearer.repetitions()}
-    return fit_profile(wearer.layout, wearer.sample_rate, **{**pieces, **changes})
+def calibrate(person, **changes):
+    """Return the profile after all steps; `changes` replace arguments of `fit_profile`."""
+    pieces = {"free": person.free(), "rest": person.rest(), "repetitions": person.repetitions()}
+    return fit_profile(person.layout, person.sample_rate, **{**pieces, **changes})
