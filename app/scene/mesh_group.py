@@ -5,8 +5,8 @@ from collections.abc import ItemsView, Mapping, ValuesView
 import numpy as np
 import viser
 
+from app.scene.cameras import Placement
 from app.scene.meshes.bodies import Part
-from app.scene.views import Placement
 
 MeshNode = viser.MeshHandle
 

@@ -8,14 +8,7 @@ from typing import Final
 import viser
 
 from app.geometry import Pose
-from app.scene.head_view import AHEAD, Angles, HeadView
-from app.scene.lighting import Lighting
-from app.scene.mesh_group import MeshGroup, numbered, place_node
-from app.scene.meshes.bodies import Part
-from app.scene.meshes.building import FURNITURE, WALLS
-from app.scene.meshes.wheelchair import chair_parts, person_parts
-from app.scene.scene_state import SceneState
-from app.scene.views import (
+from app.scene.cameras import (
     FIELD_OF_VIEW,
     NEAREST,
     Bounds,
@@ -31,6 +24,13 @@ from app.scene.views import (
     top_camera,
     world_placement,
 )
+from app.scene.head_view import AHEAD, Angles, HeadView
+from app.scene.lighting import Lighting
+from app.scene.mesh_group import MeshGroup, numbered, place_node
+from app.scene.meshes.bodies import Part
+from app.scene.meshes.building import FURNITURE, WALLS
+from app.scene.meshes.wheelchair import chair_parts, person_parts
+from app.scene.scene_state import SceneState
 from app.world.scenery import Lights
 
 WALL_CUT_HEIGHT: Final[dict[View, float]] = {"eye": math.inf, "chase": 1.1, "top": 0.5, "free": 1.1}

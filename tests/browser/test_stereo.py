@@ -13,7 +13,7 @@ from view_app import Running
 
 from app.api.pages import Pages
 from app.geometry import Pose
-from app.scene.views import EYE_BACK, EYE_DOWN, EyeSettings
+from app.scene.cameras import EYE_BACK, EYE_DOWN, EyeSettings
 from app.settings import static_folder
 from app.world.floorplan import FloorPlan
 from folders import SCREENSHOTS

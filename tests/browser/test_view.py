@@ -8,7 +8,7 @@ import pytest
 from PIL import Image
 from view_app import running
 
-from app.scene.views import VIEWS
+from app.scene.cameras import VIEWS
 from app.world.floorplan import bundled_floorplans, load_floorplan
 
 PANEL = "document.querySelector('[data-floating-window]:has(.uplot)')"

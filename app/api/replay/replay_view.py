@@ -13,10 +13,10 @@ from app.api.view.view_bridge import NO_VIEW, ViewPage, bridge
 from app.quantities import Count, Document
 from app.recording.reader import read_run
 from app.refusals import Conflict, NotFound
+from app.scene.cameras import View
 from app.scene.client_messages import SUBPROTOCOL
 from app.scene.replay import Replay, ReplayPoses
 from app.scene.viewer_page import client_page
-from app.scene.views import View
 from app.scoring.timeline import plan_of, poses_of
 from app.store.log import write_log
 from app.store.runs import find_trial

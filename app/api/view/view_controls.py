@@ -7,9 +7,9 @@ from fastapi import APIRouter, Depends, HTTPException
 from pydantic import Field, StrictBool
 
 from app.quantities import Document, Fraction, Metres, Radians
+from app.scene.cameras import Orbit, View
 from app.scene.servers import Role
 from app.scene.session_scene import Scene
-from app.scene.views import Orbit, View
 
 SceneNow = Callable[[], Scene | None]
 """Returns the scene of the session, None while no session is open."""

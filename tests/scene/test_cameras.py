@@ -6,8 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from app.geometry import Pose
-from app.scene.head_view import Angles
-from app.scene.views import (
+from app.scene.cameras import (
     EYE_DOWN,
     EYE_HEIGHT,
     FIELD_OF_VIEW,
@@ -22,6 +21,7 @@ from app.scene.views import (
     top_camera,
     world_placement,
 )
+from app.scene.head_view import Angles
 
 metres = st.floats(-50, 50)
 poses = st.builds(Pose, metres, metres, st.floats(-math.pi, math.pi))

@@ -1,4 +1,4 @@
-"""The views of the scene: cameras, and the placements of nodes that show what a camera would see.
+"""The cameras of the views, and the placements of nodes that show what a camera would see.
 
 viser's camera never moves; the world is moved in front of it. A camera looks along x, its left is y, its up is z, as a
 chair's. The node `/world` gets the inverse of the camera's pose in the plan, so that each point of the plan appears
