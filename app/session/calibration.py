@@ -1,4 +1,4 @@
-"""The calibration as it goes on: steps that are recorded one by one, can be repeated, and survive a restart."""
+"""The calibration of the open session: its steps are recorded one by one, can be repeated, and survive a restart."""
 
 import asyncio
 import math
@@ -25,19 +25,19 @@ from app.store.database import Database
 from app.store.tables import PatientSession
 
 LOOK_EVERY = 0.05  # s
-STANDSTILL_LIMIT = 3.0  # s without progress of the run: nothing more will come
+STANDSTILL_LIMIT = 3.0  # s without progress of the run's time, after which the step fails
 RESULT = "result"
-OVER = ("done", "skipped")  # states of a step that nothing waits for any more
+OVER = ("done", "skipped")  # statuses of a finished step
 
 
 @dataclass(frozen=True, slots=True)
 class Progress:
-    """Everything that is known about the calibration of one session."""
+    """The state of the calibration of one session."""
 
     layout: ShirtLayout | None
     steps: tuple[Step, ...]
     current: str
-    status: dict[str, tuple[str, str]]  # step: status and words
+    status: dict[str, tuple[str, str]]  # step -> (status, words)
     running: str | None
     started_run: int | None
     profile: CalibrationProfile | None
@@ -45,7 +45,7 @@ class Progress:
 
 
 class CalibrationFlow:
-    """Drives the steps of the session's calibration; one step runs at a time, in a task of its own."""
+    """Records the steps of the session's calibration, one at a time, each in a task of its own."""
 
     def __init__(
         self,
@@ -71,11 +71,11 @@ class CalibrationFlow:
         return self._running is not None
 
     async def progress(self, session_id: int) -> Progress:
-        """Return how far the session's calibration has come, beginning one when there is none."""
+        """Return the state of the session's calibration; begin one when there is none."""
         return await asyncio.to_thread(self._progress, session_id)
 
     async def start(self, session_id: int, step_id: str) -> None:
-        """Record one step; what was recorded for it before no longer counts."""
+        """Record one step; its earlier recording no longer counts."""
         progress = await self.progress(session_id)
         step = self._find(progress, step_id)
         if progress.layout != self._equipment.needed_layout():
@@ -85,7 +85,7 @@ class CalibrationFlow:
         self._running, self._task = step.id, None
         try:
             run = await self._runs.begin(session_id, step.kind, step.cues, {"step": step.id})
-        except BaseException:  # what may be recorded now is somebody else's
+        except BaseException:  # do not end the open run: it is not of this step
             self._running = None
             raise
         try:
@@ -95,19 +95,19 @@ class CalibrationFlow:
             await self._runs.end()
             raise
         task = asyncio.create_task(self._record(session_id, step, run.number))
-        await asyncio.sleep(0)  # a task that is cancelled before it began would never close its recording
+        await asyncio.sleep(0)  # let it begin: a task cancelled before that would never close its recording
         self._task = task
         self._tell("calibration")
 
     async def cancel(self, session_id: int, step_id: str) -> None:
-        """Stop recording a step; it waits again."""
+        """Stop recording a step; its status is then "waiting" again."""
         self._find(await self.progress(session_id), step_id)
         if self._running != step_id or self._task is None or self._runs.open is None:
             raise Conflict("This step is not being recorded, or no longer: start it, or choose another.")
         await self.stop("waiting", "")
 
     async def skip(self, session_id: int, step_id: str) -> None:
-        """Go on without a prompted movement that this body cannot make; the map is fitted from the others."""
+        """Skip a prompted movement that this patient cannot make; the map is fitted from the others."""
         step = self._find(await self.progress(session_id), step_id)
         if step.kind != "prompt":
             raise Conflict("Rest and free movement cannot be skipped: the map is fitted from them.")
@@ -120,7 +120,7 @@ class CalibrationFlow:
             self._ended()
 
     async def stop(self, status: str = "failed", words: str = "The application ended during this step.") -> None:
-        """End whatever runs, leaving its step with this status."""
+        """Stop the step that is being recorded, and give it this status."""
         task, self._task = self._task, None
         if task is None:
             return
@@ -128,7 +128,7 @@ class CalibrationFlow:
         await asyncio.gather(task, return_exceptions=True)
 
     async def go(self, session_id: int, step_id: str) -> None:
-        """Look at another step."""
+        """Show another step."""
         progress = await self.progress(session_id)
         if step_id != RESULT:
             self._find(progress, step_id)
@@ -141,7 +141,7 @@ class CalibrationFlow:
         self._tell("calibration")
 
     async def restart(self, session_id: int) -> None:
-        """Begin anew; the recordings made so far stay on disk but no longer count."""
+        """Begin the calibration anew; the recordings made so far stay on disk but no longer count."""
         if self._running is not None:
             raise Conflict("A step is being recorded: cancel it first, then begin anew.")
         await asyncio.to_thread(self._begin, session_id, self._equipment.needed_layout())
@@ -165,7 +165,7 @@ class CalibrationFlow:
             try:
                 await self._runs.end()
                 await asyncio.to_thread(self._set, session_id, step.id, status, words, None, None)
-            except BaseException:  # also when the database is gone: the step is over
+            except BaseException:  # also when the database is gone: the step has ended
                 self._ended()
                 raise
             if status != "done":
@@ -198,7 +198,7 @@ class CalibrationFlow:
                 return "Nothing was recorded for three seconds: look at the Shirt page, then repeat this step."
 
     async def _go_on(self, session_id: int) -> None:
-        """After a step: show the next one that is missing, or fit when none is."""
+        """After a step, show the next unfinished one, or fit the map when all are finished."""
         progress = await self.progress(session_id)
         missing = [step.id for step in progress.steps if progress.status[step.id][0] not in OVER]
         await self.go(session_id, missing[0] if missing else RESULT)
@@ -206,7 +206,7 @@ class CalibrationFlow:
             await self._fit_now(session_id)
 
     async def _fit_now(self, session_id: int) -> None:
-        """Fit the map from the recordings; they are the truth, not what was shown meanwhile."""
+        """Fit the map from the recordings, and show the status of the fit as that of the result step."""
         self._running = RESULT
         await asyncio.to_thread(self._set, session_id, RESULT, "running", "The map is being fitted.", None, None)
         self._tell("calibration")
@@ -225,7 +225,7 @@ class CalibrationFlow:
             raise Conflict("There is no shirt: choose one on the Shirt page, then begin the calibration anew.")
         with self._database.transaction() as db:
             folders = recordings_of(db, session_id)
-            is_calibration_simulated(db, session_id)  # refuses a mixture before the fit
+            is_calibration_simulated(db, session_id)  # refuse a mixture of worn and simulated recordings before the fit
         done = [step for step in progress.steps if progress.status[step.id][0] == "done"]
         recorded = [(step, self._runs.folder_of(folders[step.id])) for step in done]
         profile = self._readings.fit(progress.layout, recorded, self._equipment.unused)
@@ -239,9 +239,9 @@ class CalibrationFlow:
             rows = calibration_steps(db, session_id)
             script, current, result = session.script, session.current_step, session.result
             untouched = all(row.status == "waiting" for row in rows.values())
-        worn = self._equipment.layout
-        if untouched and worn is not None and (script is None or script["layout"] != worn.model_dump(mode="json")):
-            self._begin(session_id, worn)
+        in_use = self._equipment.layout
+        if untouched and in_use is not None and (script is None or script["layout"] != in_use.model_dump(mode="json")):
+            self._begin(session_id, in_use)
             return self._progress(session_id)
         layout = None if script is None else ShirtLayout.model_validate(script["layout"])
         steps = () if layout is None else calibration_script(layout)

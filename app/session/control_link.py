@@ -18,10 +18,10 @@ from app.session.loop_thread import LoopThread
 logger = logging.getLogger("bodydrive")
 
 HEARTBEAT_EVERY = 0.1  # s; the control process stops the chair after 0.3 s of silence
-STOP_LIMIT = 0.4  # s: whoever stops gets an answer, also when there is nobody left who could give one
+STOP_LIMIT = 0.4  # s until a stop is answered, also when the control process does not answer
 LOOK_EVERY = 0.25  # s
-HANG_LIMIT = 2.0  # s without a tick: a loop that stood for so long has lost its chair, and is replaced
-OPENING_LIMIT = 12.0  # s, while it does one of these for us: longer than its answer is waited for
+HANG_LIMIT = 2.0  # s without a tick, after which the process is replaced: its chair has stopped long before
+OPENING_LIMIT = 12.0  # s without a tick during an opening command; longer than its answer is waited for
 OPENING = frozenset({"chair", "shirt", "body", "head", "parameters", "world", "run"})  # refused while it may move
 START_AGAIN_AFTER = 0.5  # s; doubled with each start that fails, up to ...
 LONGEST_PAUSE = 8.0  # s
@@ -32,9 +32,9 @@ LoadCommand = Literal["limits", "dial", "chair", "shirt", "body", "head", "param
 
 
 class ScreenSign(NamedTuple):
-    """What the screen that drives said of itself last."""
+    """The last report of the screen that drives."""
 
-    age: float | None = None  # s since then; None: there is no such screen, or its socket has ended
+    age: float | None = None  # s since the report; None: no screen drives, or its socket has ended
     view: Literal["in view", "hidden", "slow"] = "in view"
 
 
@@ -46,7 +46,7 @@ class LinkedProcess(Protocol):
         ...
 
     def tell(self, do: str, **fields: Any) -> None:
-        """Send a command that wants no answer."""
+        """Send a command that gets no answer."""
         ...
 
     def newest(self) -> np.void | None:
@@ -62,11 +62,11 @@ class LinkedProcess(Protocol):
         ...
 
     def kill(self) -> None:
-        """End the process at once, whatever it does."""
+        """Kill the process at once."""
         ...
 
     async def close(self) -> None:
-        """End the process and give back what it held."""
+        """End the process and release its resources."""
         ...
 
 
@@ -79,14 +79,14 @@ class ControlLink:
         self.on_change: list[Callable[[ControlState], Awaitable[None]]] = []
         self._start_process = start_process
         self._process: LinkedProcess | None = None
-        self._loaded: dict[str, dict[str, Any]] = {}  # what a later control process must be given, too
-        self._opening = 0  # commands under way that may hold the loop up, because they open something
-        self._hurried: set[asyncio.Task[dict[str, Any]]] = set()  # stops that nobody waits for any more
+        self._loaded: dict[str, dict[str, Any]] = {}  # commands that a new control process is given again
+        self._opening = 0  # opening commands under way: they may delay the loop
+        self._pending_stops: set[asyncio.Task[dict[str, Any]]] = set()  # kept, so that they are not garbage-collected
         self._keeping: asyncio.Task[None] | None = None
-        # The link lives in a thread of its own: a request that takes long must not keep the heartbeat waiting. Should
-        # the loop of the requests stand, then nobody hears the screens any more, and their age stops the chair.
+        # The link has a thread of its own, so that a long request does not delay the heartbeat. When the event loop of
+        # the requests hangs, the screens' reports are no longer read, and their age stops the chair.
         self._thread: LoopThread | None = None
-        self._reading = threading.Lock()  # the 3D view reads ticks in a thread of its own, but not while they vanish
+        self._reading = threading.Lock()  # the 3D view reads ticks in a thread of its own; not while they are unmapped
 
     async def start(self) -> None:
         """Start the control process."""
@@ -101,7 +101,7 @@ class ControlLink:
         self._keeping = asyncio.create_task(self._keep(self._thread))
 
     async def close(self) -> None:
-        """End the control process for good."""
+        """End the control process and start no other."""
         if self._keeping is None or self._thread is None:
             return
         self._keeping.cancel()
@@ -131,52 +131,52 @@ class ControlLink:
         except LinkRefused as refusal:
             raise Conflict(str(refusal)) from refusal
         except LinkLost as lost:
-            # One that does not answer may still do later what it was asked, a run without anybody who knows of it.
+            # It might still carry the command out later, and begin a run that nobody knows of.
             process.kill()
             raise Unavailable("The control process did not answer, and the chair stands: try again.") from lost
         finally:
             self._opening -= opening
 
     async def stop(self) -> bool:
-        """Stop the chair; return soon whether the control process said that it did. One that does not is replaced."""
+        """Stop the chair; return within STOP_LIMIT whether the control process confirmed it; if not, it is replaced."""
         stopping = self.begin_stop("tablet")
         await asyncio.wait({stopping}, timeout=STOP_LIMIT)
         return stopping.done() and not stopping.cancelled() and stopping.exception() is None
 
     def begin_stop(self, by: StopReason) -> "asyncio.Task[dict[str, Any]]":
-        """Send a stop without waiting for its answer; nobody has to look at the task that is returned."""
+        """Send a stop without waiting for its answer; the returned task need not be awaited."""
         stopping = asyncio.create_task(self.call("stop", by=by))
-        self._hurried.add(stopping)
+        self._pending_stops.add(stopping)
         stopping.add_done_callback(self._stopped)
         return stopping
 
     def _stopped(self, stopping: "asyncio.Task[dict[str, Any]]") -> None:
-        self._hurried.discard(stopping)
+        self._pending_stops.discard(stopping)
         if not stopping.cancelled():
-            stopping.exception()  # nobody may be left who looks at it
+            stopping.exception()  # mark as retrieved: perhaps nobody awaits the task
 
     async def load(self, do: LoadCommand, **fields: Any) -> dict[str, Any]:
-        """Send what a later control process must be given too."""
+        """Send a command that a new control process is given again, and return its answer."""
         answer = await self.call(do, **fields)
         self._loaded[do] = fields
         return answer
 
     def forget(self, do: LoadCommand) -> None:
-        """Leave something out from what a later control process is given."""
+        """Do not give a new control process this command again."""
         self._loaded.pop(do, None)
 
     def move(self, joints: dict[str, float]) -> None:
-        """Say where the visitor wants the joints of the simulated body."""
+        """Set the target of each joint of the simulated body (0 to 1) that a person moves on the screen."""
         if self._thread is not None:
             self._thread.soon(lambda: self._tell("move", joints=joints))
 
     def look(self, yaw: float, pitch: float, roll: float) -> None:
-        """Say where a tablet looks (rad) that is used as the head tracker."""
+        """Report the direction (rad) of the tablet that is used as the head tracker."""
         if self._thread is not None:
             self._thread.soon(lambda: self._tell("look", yaw=yaw, pitch=pitch, roll=roll))
 
     def beat(self) -> None:
-        """Send a heartbeat now: the screen that drives does not count any more, and the chair must not wait."""
+        """Send a heartbeat at once, because the screen that drives is out of view: the chair must stop now."""
         if self._thread is not None:
             self._thread.soon(self._beat)
 
@@ -191,7 +191,7 @@ class ControlLink:
                 process.tell(do, **fields)
 
     def newest(self) -> np.void | None:
-        """Return the newest tick, None when there is none; from any thread."""
+        """Return the newest tick, None when there is none; may be called from any thread."""
         with self._reading:
             return self._process.newest() if self._process is not None and self.state == "alive" else None
 
@@ -210,7 +210,7 @@ class ControlLink:
         self._process = await thread.run(_opened(self._start_process))
         for do in get_args(LoadCommand):
             if do in self._loaded:
-                # A device that cannot be opened again shows in `status`; the rest goes on.
+                # A device that cannot be opened again is reported by `status`; the others are opened.
                 with suppress(LinkRefused):
                     await thread.run(self._process.call(do, **self._loaded[do]))
         self.state = "alive"
@@ -223,7 +223,7 @@ class ControlLink:
             await asyncio.sleep(max(deadline - monotonic(), 0.0))
 
     async def _watch(self) -> None:
-        """Kill a control process whose loop stands: what it still holds may be a chair that waits to drive on."""
+        """Kill a control process whose loop hangs: it might go on driving the chair later."""
         watched, since = self._process, monotonic()
         while True:
             await asyncio.sleep(LOOK_EVERY)
@@ -262,8 +262,8 @@ class ControlLink:
                 return
 
     async def _tell_change(self) -> None:
-        for told in self.on_change:
-            await told(self.state)
+        for callback in self.on_change:
+            await callback(self.state)
 
 
 async def _opened(start_process: Callable[[], Awaitable[LinkedProcess]]) -> LinkedProcess:

@@ -1,4 +1,4 @@
-"""The session that is going on: what its patient drives with, and what may not be done meanwhile."""
+"""The open session: load its patient's parameters, and refuse what must not be done during a step, trial or drive."""
 
 import asyncio
 from collections.abc import AsyncIterator, Callable
@@ -21,7 +21,7 @@ from app.store.tables import PatientSession
 
 
 class SessionFlow:
-    """Keeps what is loaded in the control process in step with who is here and what they are wearing."""
+    """Loads the parameters of the patient who is here into the control process, where they fit the shirt in use."""
 
     def __init__(
         self,
@@ -42,16 +42,17 @@ class SessionFlow:
         self._tell = tell
         self._one_at_a_time = asyncio.Lock()
         self.loaded: DriveParameters | None = None  # what the control process drives with
-        self.session_id: int | None = None  # of the open session; from any thread
+        self.session_id: int | None = None  # of the open session; may be read from any thread
 
     @asynccontextmanager
     async def undisturbed(self, what: str) -> AsyncIterator[None]:
-        """Refuse what must not happen during a step, a trial or a drive, and let none begin until it is done.
+        """Refuse during a step, a trial or a drive, and let none of them begin inside the `async with` block.
 
-        Two screens may ask at the same moment: a session must not change under a trial that is just being started.
+        `what` completes the refusal: "..., then WHAT." Two screens may ask at the same moment: without the lock, the
+        session could change while a trial is being started.
         """
         async with self._one_at_a_time:
-            await asyncio.to_thread(self._require_page_session)  # the request may have waited while the session changed
+            await asyncio.to_thread(self._require_page_session)  # the session may have changed while the request waited
             self.refuse_while_busy(what)
             yield
 
@@ -61,16 +62,16 @@ class SessionFlow:
 
     @property
     def driving(self) -> bool:
-        """Whether a trial or a drive is going on; from any thread."""
+        """Whether a trial or a drive is going on; may be read from any thread."""
         return self._trials.running or self._drives.running
 
     @property
     def simulated(self) -> bool | None:
-        """Whether nobody wears the shirt in use, None while there is none; from any thread."""
+        """Whether nobody wears the shirt in use, None while there is none; may be read from any thread."""
         return self._equipment.simulated
 
     def refuse_while_busy(self, what: str) -> None:
-        """Refuse what must not happen during a step, a trial or a drive."""
+        """Raise Conflict during a step, a trial or a drive; `what` completes the sentence: "..., then WHAT."."""
         if self._trials.running:
             raise Conflict(f"A trial is running: end it first, then {what}.")
         if self._drives.running:
@@ -79,7 +80,7 @@ class SessionFlow:
             raise Conflict(f"A calibration step is running: cancel it first, then {what}.")
 
     async def needed_session(self, clinic_id: int) -> PatientSession:
-        """Return the session that is going on, refusing when nobody is here."""
+        """Return the open session; Conflict when there is none."""
 
         def _read() -> PatientSession | None:
             with self._database.transaction() as db:
@@ -92,19 +93,19 @@ class SessionFlow:
         return session
 
     async def session_changed(self) -> None:
-        """Load what the patient who is here now drives with, or nothing."""
+        """Load the parameters of the patient who is here now; load none when nobody is here."""
         self.session_id = await asyncio.to_thread(self._open_id)
         await self.try_load_parameters()
         self._tell("session")
 
     async def load_parameters(self) -> str | None:
         """Load the current parameters into the control process; return in one sentence why they cannot drive."""
-        # What was loaded for somebody else must not come back with a new control process.
+        # Otherwise a restarted control process would be given the parameters of the patient before.
         self._control.forget("parameters")
         self.loaded = None
-        found = await asyncio.to_thread(self._current)
-        if found is not None:
-            document, simulated = found
+        current = await asyncio.to_thread(self._current)
+        if current is not None:
+            document, simulated = current
             words = self.misfit(document, simulated=simulated)
             if words is None:
                 await self._control.load("parameters", parameters=document.model_dump(mode="json"))
@@ -116,7 +117,7 @@ class SessionFlow:
         return words
 
     def obstacle(self, parameters: DriveParameters, *, simulated: bool | None) -> str | None:
-        """Return in one sentence why parameters cannot drive: not in this shirt, or not so that a person can stop."""
+        """Return in one sentence why parameters cannot drive: another shirt, or no way to stop; None when they can."""
         return self.misfit(parameters, simulated=simulated) or missing_brake(parameters) or None
 
     def misfit(self, parameters: DriveParameters, *, simulated: bool | None) -> str | None:
@@ -136,7 +137,7 @@ class SessionFlow:
         return None
 
     async def try_load_parameters(self) -> None:
-        """Load them if it can be done now; a trial loads them anyway before it arms."""
+        """Load the current parameters, ignoring a refusal: a trial loads them again before it arms."""
         with suppress(Refusal):
             await self.load_parameters()
 

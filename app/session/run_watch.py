@@ -1,4 +1,4 @@
-"""Follows a run by its ticks until it is over: for trials on the virtual chair and drives of a real one alike."""
+"""Follow a run by its ticks until it ends: a trial on the virtual chair or a drive of a real one."""
 
 import asyncio
 from collections.abc import Callable
@@ -11,28 +11,28 @@ from app.faults import State
 from app.session.control_link import ControlLink
 
 LOOK_EVERY = 0.04  # s
-# s for which a halted trial or drive waits for Continue; S27 asks for 180 at least. There must be time to help the
-# patient or to change a cable. It ends at last, because nothing else can be recorded meanwhile.
+# s for which a halted trial or drive waits for Continue: time to help the patient or to change a cable. S27 requires
+# at least 180. It is limited because nothing else can be recorded meanwhile.
 HALT_LIMIT = 300.0
 
 End = TypeVar("End")
 
 
 class RunLost(Exception):  # noqa: N818
-    """The control process that recorded the run is gone."""
+    """The control process that recorded the run has ended."""
 
 
 class Starter(NamedTuple):
-    """Who starts a trial or a drive, and from which screen: it must stay in view, and others only look and stop."""
+    """The person who starts a trial or a drive, and the screen, which must stay in view; others may only stop."""
 
     person_id: int
     name: str
     screen: str
-    picture: str | None = None  # what that screen shows to drive by: "view" or "plan", None: not known
+    picture: str | None = None  # what that screen shows: "view" (3D) or "plan"; None: not reported
 
 
 class Halt:
-    """The halt of a trial or a drive by a latched stop: how long it waits for a person who goes on.
+    """The halt of a trial or a drive by a latched stop, and how long it still waits for Continue.
 
     Attributes
     ----------
@@ -49,7 +49,7 @@ class Halt:
         self._before = 0.0  # s of the halts before this one
 
     def take(self, t: float, state: State) -> bool:
-        """Take the state at `t` (s); return whether nobody has gone on for too long."""
+        """Take the state at `t` (s); return True when the halt has lasted for HALT_LIMIT."""
         if state is not State.FAULT:
             self._since, self._before, self.remaining = None, self.total, None
             return False
@@ -62,9 +62,9 @@ class Halt:
 async def follow_run(
     control: ControlLink, run: int, asked_to_end: asyncio.Event, take: Callable[[NDArray[np.void]], End | None]
 ) -> End | None:
-    """Give the ticks of a run (its number in ticks) to `take` until that returns how it ended.
+    """Pass the ticks of a run (`run` is its number in the ticks) to `take` until `take` returns how it ended.
 
-    Return None when somebody asked to end it; raise RunLost when nothing is left that could be followed.
+    Return None when `asked_to_end` is set; raise RunLost when the control process has ended.
     """
     last = 0
     while True:

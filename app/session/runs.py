@@ -1,4 +1,4 @@
-"""One run at a time: begun in the control process and noted in the database, and ended in both."""
+"""Begin and end a run: in the control process, which records it, and in the database. One run at a time."""
 
 import asyncio
 import uuid
@@ -21,14 +21,14 @@ class OpenRun:
     """A run that is being recorded."""
 
     id: str
-    number: int  # as it stands in the ticks
+    number: int  # of the run in the ticks
     folder: Path
     kind: str
     cues: tuple[Cue, ...]
 
 
 class Runs:
-    """Begins and ends runs; their folders bear no name but the run's own."""
+    """Begins and ends runs; a run's folder is named by its random id, never by a patient."""
 
     def __init__(self, database: Database, control: ControlLink, folder: Path) -> None:
         self._database = database
@@ -38,11 +38,11 @@ class Runs:
         self._beginning = False
 
     def folder_of(self, run: str) -> Path:
-        """Return where the recording of a run lies."""
+        """Return the folder of the recording of a run."""
         return self._folder / run
 
     async def begin(self, session_id: int, kind: str, cues: Sequence[Cue], meta: dict[str, Any]) -> OpenRun:
-        """Start recording; the run is in the database only when the control process has begun it."""
+        """Start recording; store the run in the database once the control process has begun it."""
         if self.open is not None or self._beginning:
             raise Conflict("Something is being recorded already: wait for its end, or stop it first.")
         self._beginning = True
@@ -65,14 +65,14 @@ class Runs:
         try:
             await asyncio.to_thread(self._note, run_id, session_id, kind, Source.model_validate(answer["source"]))
         except BaseException:
-            with suppress(Refusal):  # nobody would know of this run, so nobody would ever end it
+            with suppress(Refusal):  # otherwise a run that nobody knows of would never be ended
                 await self._control.call("end_run")
             raise
         self.open = OpenRun(run_id, int(answer["run"]), folder, kind, tuple(cues))
         return self.open
 
     async def end(self) -> OpenRun | None:
-        """Close the recording and return its run, None when there is none; a recording that was cut counts too."""
+        """Close the recording and return its run, also when the recording was cut; None when nothing is recorded."""
         run = self.open
         if run is None:
             return None
@@ -81,7 +81,7 @@ class Runs:
             answer = await self._control.call("end_run")
             rows, dropped = answer.get("rows"), answer.get("dropped")
         except Refusal:
-            pass  # the control process has gone; the recording holds what it had written by then
+            pass  # the control process has ended; the recording holds what was written until then
         self.open = None
         await asyncio.to_thread(self._close, run.id, rows, dropped)
         return run

@@ -1,4 +1,4 @@
-"""Where a trial stands, from its ticks: how far, how well so far, and whether it is over."""
+"""The progress of a trial, from its ticks: distance along the path, area off it, and whether it has ended."""
 
 import math
 from typing import Literal, NamedTuple
@@ -17,7 +17,7 @@ End = Literal["goal", "time-out", "by hand", "fault"]
 
 
 class TrialPlace(NamedTuple):
-    """Where the chair is in its task."""
+    """The chair's progress in its task."""
 
     t: float  # s since motion was first permitted
     done: float  # m along the path of the present stage, or rad turned
@@ -25,15 +25,15 @@ class TrialPlace(NamedTuple):
     cross_track: float  # m, left positive; for a turn, distance to the spot
     e_diff: float  # m2, area between the driven line and the path so far
     stage: int = 0  # from 0
-    leader: Pose | None = None  # who is to be followed
+    leader: Pose | None = None  # of the person or chair to follow
     leader_distance: float | None = None  # m, between the two middles
 
 
 class TrialWatch:
-    """Takes the ticks of one trial, in order, and says when it is over.
+    """Takes the ticks of one trial, in order, and tells when it has ended.
 
-    The running area is the sum of |cross-track| over what was covered of the path, in both directions: for people to
-    look at. The trial's own E_diff is measured afterwards, from the recording.
+    The running area is the sum of |cross-track error| over the covered length of the path, in both directions, for the
+    live picture only. The E_diff of the trial is measured afterwards, from the recording.
     """
 
     def __init__(self, plan: FloorPlan, path: PrescribedPath) -> None:
@@ -46,7 +46,7 @@ class TrialWatch:
         self.place = TrialPlace(0.0, 0.0, self.progress.length, 0.0, 0.0)
 
     def movers(self, scene_t: float) -> list[Pose]:
-        """Return where all that moves by itself is at the scene's time (s), in the plan's order."""
+        """Return the poses of the plan's movers at the scene's time (s), in the plan's order."""
         return [track.at(scene_t).pose for track in self._tracks]
 
     def take(self, ticks: NDArray[np.void]) -> End | None:
@@ -77,7 +77,7 @@ class TrialWatch:
             t - self._began, done, progress.length, cross_track, e_diff, progress.stage, leader, distance
         )
         if state is State.FAULT:
-            return None  # halted: only a person, or the end of the halt, ends it
+            return None  # halted: only a person or HALT_LIMIT ends it
         if progress.reached:
             return "goal"
         return "time-out" if self.place.t - self.halt.total > self._time_limit else None

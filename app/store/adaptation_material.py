@@ -1,4 +1,4 @@
-"""What a proposal to adapt the map is made from, and whether it still holds."""
+"""The trials from which a proposal to adapt the map is made, and the check that it is still current."""
 
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -13,24 +13,24 @@ from app.store.parameters import as_document, current_parameters
 from app.store.practice import PRACTICE_ENDS
 from app.store.tables import Parameters, Patient, Profile, Run, Trial
 
-LAST_TRIALS = 6  # what a person did long ago says little of today
+LAST_TRIALS = 6  # older trials say little about how the person moves today
 
 
 class AdaptationMaterial(NamedTuple):
-    """The set that drives now, and the trials that show how the person moves."""
+    """The current parameter set, and the trials that show how the person moves."""
 
     parameters: DriveParameters
-    calibrated: CalibrationProfile  # what the map of now goes back to
+    calibrated: CalibrationProfile  # the calibration from which the current map comes
     trials: tuple[int, ...]  # ids, the newest last
     run_ids: list[str]  # of their recordings
-    fresh: int  # how many of them were driven with the map of now
+    fresh: int  # number of trials driven with the current map, the newest ones
 
 
 def material_for(db: Session, patient_id: int, session_id: int, *, simulated: bool | None) -> AdaptationMaterial:
-    """Return the last trials of a session that count, and were driven with a map of the same calibration.
+    """Return the last kept trials of a session that were driven with a map of the same calibration.
 
-    Those of earlier sessions tell nothing: the shirt was put on again since. `simulated` says of the shirt in use
-    whether nobody wears it: a simulated movement never changes the map of a person, nor the other way round.
+    Trials of earlier sessions are left out, because the shirt has been put on again since. `simulated`: nobody wears
+    the shirt in use. A simulated movement never changes the map of a person, nor the other way round.
     """
     row, profile = current_parameters(db, patient_id)
     versions = family(db, patient_id, profile.version)
@@ -60,12 +60,12 @@ def material_for(db: Session, patient_id: int, session_id: int, *, simulated: bo
 
 
 def is_current(db: Session, patient_id: int, base: str, trials: Sequence[int]) -> bool:
-    """Tell whether the set of this hash still drives, and all of these trials still count."""
+    """Return whether the set of this hash is still the current one, and all of these trials are still kept."""
     if as_document(*current_parameters(db, patient_id)).hash != base:
         return False
     return all(trial is not None and trial.kept for trial in (db.get(Trial, each) for each in trials))
 
 
 def mode_of(db: Session, patient_id: int) -> str:
-    """Return whether a patient's map is adapted: off, suggest, auto."""
+    """Return the adaptation mode of a patient's map: off, suggest or auto."""
     return db.get_one(Patient, patient_id).adaptation

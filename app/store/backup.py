@@ -1,4 +1,4 @@
-"""Copies of the database: made while it may be in use, verified, readable by their owner only."""
+"""Copy the database while it is in use: verified, readable by its owner only."""
 
 import os
 import shutil
@@ -14,21 +14,21 @@ from app.files import sync_folder
 from app.refusals import DiskFull, Unavailable
 
 SLACK = 4_000_000  # bytes that must stay free beside a copy
-BUSY_LIMIT = 5.0  # s; another program may write to the database for a moment
+BUSY_LIMIT = 5.0  # s to wait for another program that writes to the database
 
 Counts = dict[str, int]
 
 
 @dataclass(frozen=True, slots=True)
 class Backup:
-    """A verified copy."""
+    """A verified copy of the database."""
 
     file: Path
     rows: Counts  # of each table
 
 
 def back_up(database: Path, folder: Path, label: str) -> Backup:
-    """Copy `database` into `folder` with SQLite's own means, and return the copy when it was found whole.
+    """Copy `database` into `folder` by SQLite's backup function, verify the copy and return it.
 
     The copy is one file, `NAME.LABEL.DATE.backup`, and can take the place of the database unchanged. It appears under
     this name only when its integrity check passed and each of its tables has as many rows as the original.
@@ -40,19 +40,19 @@ def back_up(database: Path, folder: Path, label: str) -> Backup:
     Unavailable
         When the copy is not equal to the original.
     OSError, sqlite3.Error
-        When the one cannot be read or the other not be written. No copy is left behind in any of these cases.
+        When `database` cannot be read or the copy cannot be written. No copy is left behind in any of these cases.
     """
     target = folder / f"{database.name}.{label}.{utc_now():%Y-%m-%dT%H-%M-%S-%f}Z.backup"
     part = target.with_name(f".{target.name}.part")
     with closing(sqlite3.connect(database, timeout=BUSY_LIMIT, isolation_level=None)) as source:
-        source.execute("BEGIN")  # one state of the database for all that follows, whoever writes meanwhile
+        source.execute("BEGIN")  # all that follows sees one state of the database, even if another program writes
         size = _one(source, "PRAGMA page_count") * _one(source, "PRAGMA page_size")
         _require_room(folder, size)
         try:
             os.close(os.open(part, os.O_WRONLY | os.O_CREAT | os.O_EXCL, OWNER_FILE))
             with closing(sqlite3.connect(part, isolation_level=None)) as copy:
                 source.backup(copy)
-                copy.execute("PRAGMA journal_mode=DELETE")  # one file, without another beside it
+                copy.execute("PRAGMA journal_mode=DELETE")  # one file, without a write-ahead log beside it
                 complaint, rows = _one(copy, "PRAGMA integrity_check"), _counts(copy)
             if complaint != "ok" or rows != _counts(source):
                 raise Unavailable(

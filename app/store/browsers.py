@@ -1,4 +1,4 @@
-"""Known browsers: where a person has signed in before, so that somebody else's wrong passwords do not lock them out."""
+"""Known browsers, in which a person has signed in before: wrong passwords from elsewhere do not lock them out."""
 
 import hashlib
 import secrets
@@ -16,12 +16,12 @@ MOST = 20  # of one person
 
 
 def _hash(person: Person, token: str) -> str:
-    # With another password every browser of the person is unknown: the stored hash of the password is part of this.
+    # The hash includes the stored hash of the password: after a change of password, every browser is unknown.
     return hashlib.sha256(f"{person.password_hash} {token}".encode()).hexdigest()
 
 
 def find_browser(db: Session, person: Person | None, token: str | None) -> KnownBrowser | None:
-    """Return the known browser that a token stands for, None when this person has not signed in there."""
+    """Return the known browser of a token, None when this person has not signed in there."""
     if person is None or person.disabled is not None or token is None:
         return None
     return db.scalar(
@@ -34,7 +34,7 @@ def find_browser(db: Session, person: Person | None, token: str | None) -> Known
 
 
 def remember_browser(db: Session, person: Person, token: str | None) -> str:
-    """Know the browser in which a person has just signed in; return its token, stored nowhere but there."""
+    """Make the browser in which a person has just signed in a known one; return its token, which only it stores."""
     now = utc_now()
     known = find_browser(db, person, token)
     if known is not None and token is not None:

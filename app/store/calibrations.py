@@ -1,4 +1,4 @@
-"""The calibration under way: its script, its steps and their recordings, kept so that a restart finds them."""
+"""The calibration under way: its script, its steps and their recordings, which survive a restart."""
 
 from typing import Any
 
@@ -16,7 +16,7 @@ MIXED = (
 
 
 def begin_calibration(db: Session, session: PatientSession, script: dict[str, Any], steps: list[str]) -> None:
-    """Begin anew with this script: every step waits; the recordings made so far stay on disk."""
+    """Begin the calibration anew with this script; every step is waiting, earlier recordings stay on disk."""
     db.execute(delete(CalibrationStep).where(CalibrationStep.session_id == session.id))
     db.add_all(
         CalibrationStep(session_id=session.id, step=step, status="waiting", words="", run_id=None) for step in steps
@@ -32,7 +32,7 @@ def calibration_steps(db: Session, session_id: int) -> dict[str, CalibrationStep
 
 
 def set_step(db: Session, session_id: int, step: str, status: str, words: str, run_id: str | None = None) -> None:
-    """Note how far a step has come; a run once named stays its run until another takes its place."""
+    """Store the status of a step, and its run when one is given; otherwise the step keeps its run."""
     row = db.get_one(CalibrationStep, (session_id, step))
     row.status, row.words = status, words
     if run_id is not None:
@@ -51,7 +51,7 @@ def recordings_of(db: Session, session_id: int) -> dict[str, str]:
 
 
 def recordings_behind(db: Session, row: Profile) -> dict[str, str]:
-    """Return the recordings of the calibration that a map was adapted from; none when the steps were done again."""
+    """Return the recordings of the calibration that a map comes from; none when its steps were recorded again."""
     first = min(family(db, row.patient_id, row.version))
     origin = db.scalars(select(Profile).where(Profile.patient_id == row.patient_id, Profile.version == first)).one()
     session = db.get(PatientSession, origin.session_id)
@@ -61,7 +61,7 @@ def recordings_behind(db: Session, row: Profile) -> dict[str, str]:
 
 
 def is_calibration_simulated(db: Session, session_id: int) -> bool | None:
-    """Return whether nobody wore the shirt of the done steps, None when unknown; refuse a mixture of both."""
+    """Return whether nobody wore the shirt in the done steps, None when unknown; Conflict for a mixture of both."""
     sources = set(
         db.scalars(
             select(Run.simulated)
@@ -75,6 +75,6 @@ def is_calibration_simulated(db: Session, session_id: int) -> bool | None:
 
 
 def fail_interrupted_steps(db: Session) -> None:
-    """Say of steps that a dead web process left running that they have to be repeated."""
+    """Mark the steps that an ended web process left running as failed: they have to be repeated."""
     for row in db.scalars(select(CalibrationStep).where(CalibrationStep.status == "running")):
         row.status, row.words = "failed", "The application was restarted during this step: repeat it."

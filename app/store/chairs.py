@@ -1,4 +1,4 @@
-"""Real chairs: which there are, which one is driven, and what the clinic's owner allows."""
+"""Paired real chairs, and the clinic's speed limits."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -16,7 +16,7 @@ LARGEST_KEY_ID = 65_535  # u16 of the frames to the chair
 
 
 def add_chair(db: Session, clinic: Clinic, name: str, host: str, port: int, key_id: int, speeds: Speeds) -> Chair:
-    """Note a chair that was just paired; its key lies in `<state>/keys/<key_id>.key`, written by who calls this."""
+    """Add a chair that was just paired; the caller writes its key into `<state>/keys/<key_id>.key`."""
     if any(chair.name == name for chair in chairs_of(db, clinic)):
         raise Conflict(f"There is already a chair called '{name}': choose another name, or unpair that one first.")
     chair = Chair(
@@ -35,7 +35,7 @@ def add_chair(db: Session, clinic: Clinic, name: str, host: str, port: int, key_
 
 
 def free_key_ids(db: Session, clinic: Clinic) -> Iterator[int]:
-    """Yield the numbers of keys that no chair here ever had, so that an old key is nobody's."""
+    """Yield the key numbers that no chair here ever had, so that the key of a removed chair is never valid again."""
     used = set(db.scalars(select(Chair.key_id).where(Chair.clinic_id == clinic.id)))
     yield from (key_id for key_id in range(1, LARGEST_KEY_ID + 1) if key_id not in used)
     raise Conflict("Every number of a key was used: begin with a new state folder.")
@@ -58,7 +58,7 @@ def find_chair(db: Session, clinic: Clinic, chair_id: int) -> Chair:
 
 
 def remove_chair(db: Session, clinic: Clinic, chair_id: int) -> Chair:
-    """Unpair a chair; its drives still name it."""
+    """Unpair a chair; the row stays, because drives refer to it."""
     chair = find_chair(db, clinic, chair_id)
     chair.removed = utc_now()
     db.flush()

@@ -1,4 +1,4 @@
-"""How well each trial was controlled, as the database keeps it."""
+"""The stored control quality of trials."""
 
 from pydantic import ValidationError
 from sqlalchemy import select
@@ -9,12 +9,12 @@ from app.store.tables import Parameters, Profile, Trial
 
 
 def save_quality(db: Session, trial_id: int, quality: ControlQuality) -> None:
-    """Keep how well a trial was controlled."""
+    """Store how well a trial was controlled."""
     db.get_one(Trial, trial_id).quality = quality.model_dump(mode="json")
 
 
 def stored_quality(trial: Trial) -> ControlQuality | None:
-    """Return what is kept of a trial; None where nothing is, or what an older program kept otherwise."""
+    """Return the stored quality of a trial; None when there is none, or an older program stored other fields."""
     try:
         return None if trial.quality is None else ControlQuality.model_validate(trial.quality)
     except ValidationError:

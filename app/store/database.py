@@ -1,4 +1,4 @@
-"""The one place that opens the database: SQLite, its settings, its migrations, one writer at a time."""
+"""Open the database: SQLite with its settings and migrations, one transaction at a time."""
 
 import logging
 import sqlite3
@@ -19,13 +19,13 @@ from app.store.log import HAS_NEW_ROWS, write_log
 from app.store.log_chain import HEAD_BEGUN, Head, HeadFile, advance
 from app.store.schema import bring_up_to_date
 
-# What SQLite also says of a full disk: its index cannot grow, a quota is used up, a file cannot be made.
+# Error codes that SQLite may also report on a full disk: a file cannot grow or be created, a quota is used up.
 NO_ROOM_PERHAPS = {sqlite3.SQLITE_IOERR, sqlite3.SQLITE_CANTOPEN}
 BUSY_TIMEOUT = 5000  # ms; another program (a backup) may hold the file for a moment
 
 
 def make_engine(file: Path) -> Engine:
-    """Return an engine on `file`; every connection is durable (WAL, FULL) and keeps its references whole."""
+    """Return an engine on `file`; every connection is durable (WAL, FULL) and checks foreign keys."""
     engine = create_engine(f"sqlite:///{file}")
 
     @event.listens_for(engine, "connect")
@@ -38,7 +38,7 @@ def make_engine(file: Path) -> Engine:
 
     @event.listens_for(engine, "begin")
     def _begin(connection: Any) -> None:
-        # A transaction that starts by reading and then writes cannot be refused half-way.
+        # Lock at once: otherwise a transaction that reads first could be refused when it begins to write.
         connection.exec_driver_sql("BEGIN IMMEDIATE")
 
     return engine
@@ -47,13 +47,13 @@ def make_engine(file: Path) -> Engine:
 logger = logging.getLogger("bodydrive")
 
 Transaction = Session
-"""What the store's functions work in."""
+"""The database session that the functions of the store take as `db`."""
 
 
 class Database:
     """The clinic's database, brought to the newest schema when it is opened; Refusal when it cannot be.
 
-    Beside its file lie the head of its log, and the ballast when somebody has made it.
+    The head of the log lies beside its file, and the ballast, once it has been allocated.
     """
 
     def __init__(self, file: Path) -> None:
@@ -64,7 +64,7 @@ class Database:
         self._one_at_a_time = threading.Lock()
         self.ballast.make_room()
         try:
-            with self._in_words():
+            with self._as_refusals():
                 if not file.exists():
                     file.touch(OWNER_FILE)
                 bring_up_to_date(file, self._engine)
@@ -75,10 +75,10 @@ class Database:
 
     @contextmanager
     def transaction(self, *, closing: bool = False) -> Iterator[Transaction]:
-        """Yield a session; all of what was done in it is kept, or nothing when an exception passes.
+        """Yield a database session: its changes are committed together, or rolled back when an exception is raised.
 
-        `closing`: this transaction must be possible on a full disk, too, and may use the ballast: it ends something,
-        lets somebody in or out, or notes in the log what happened anyway.
+        `closing`: this transaction must succeed on a full disk, too, and may use the ballast: it ends something, signs
+        somebody in or out, or only logs what has happened anyway.
 
         Raises
         ------
@@ -89,10 +89,10 @@ class Database:
         """
         if closing:
             self.ballast.make_room()
-        with self._in_words(), self._one_at_a_time:
-            with Session(self._engine, expire_on_commit=False) as session, session.begin():
-                yield session
-                head = self._head_file.after(session) if HAS_NEW_ROWS in session.info else None
+        with self._as_refusals(), self._one_at_a_time:
+            with Session(self._engine, expire_on_commit=False) as db, db.begin():
+                yield db
+                head = self._head_file.after(db) if HAS_NEW_ROWS in db.info else None
             if head is not None:
                 self._write_head(head)
 
@@ -101,7 +101,7 @@ class Database:
         self._engine.dispose()
 
     def _open_head(self) -> None:
-        """Bring the head of the log to its newest row, and say in the log where it was missing or behind."""
+        """Bring the head of the log to its newest row, and log it when the head was missing or behind."""
         with self.transaction(closing=True) as db:
             head = self._head_file.read()
             newest = advance(db, head or Head())
@@ -119,12 +119,12 @@ class Database:
             self.ballast.make_room()
             try:
                 self._head_file.write(head)
-            except OSError:  # behind the log it raises no false alarm; the next row brings it up
+            except OSError:  # a head behind the log raises no alarm, and the next row updates it
                 logger.exception("The head of the log could not be written")
 
     @contextmanager
-    def _in_words(self) -> Iterator[None]:
-        """Turn the errors that a person can mend into refusals with a sentence."""
+    def _as_refusals(self) -> Iterator[None]:
+        """Turn database errors that a person can resolve into refusals with a sentence."""
         try:
             yield
         except (DatabaseError, sqlite3.DatabaseError) as error:

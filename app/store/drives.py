@@ -11,7 +11,7 @@ from app.store.tables import Drive, Run
 def add_drive(
     db: Session, *, run: Run, clinic_id: int, patient_id: int, chair_id: int, parameters_id: int, digest: str
 ) -> Drive:
-    """Note that a drive begins; `digest` is the hash of the parameter set as it is armed."""
+    """Add a drive that begins; `digest` is the hash of the parameter set that is armed."""
     drive = Drive(
         clinic_id=clinic_id,
         patient_id=patient_id,
@@ -31,7 +31,7 @@ def add_drive(
 
 
 def finish_drive(db: Session, drive_id: int, end: str, distance: float | None) -> Drive:
-    """Note how a drive ended, and how far (m) it went by what the chair told; None when it never moved or told."""
+    """Store how a drive ended, and its length (m) by the chair's reports; None when it never moved or reported."""
     drive = db.get_one(Drive, drive_id)
     drive.ended, drive.end, drive.distance = utc_now(), end, distance
     return drive
@@ -49,7 +49,7 @@ def drives_of(db: Session, clinic_id: int, patient_id: int) -> list[Drive]:
 
 
 def close_interrupted_drives(db: Session) -> list[Drive]:
-    """End the drives that a dead web process left open."""
+    """End the drives that an ended web process left open."""
     left = list(db.scalars(select(Drive).where(Drive.ended.is_(None))))
     for drive in left:
         drive.ended, drive.end = utc_now(), "fault"

@@ -1,4 +1,4 @@
-"""The trials that count for a learning curve, each with the session and the version of the map it was driven with."""
+"""The trials of a learning curve, each with its session and the version of the map that it was driven with."""
 
 from typing import Any, NamedTuple
 
@@ -10,7 +10,7 @@ from app.store.tables import Parameters, PatientSession, Profile, Trial
 
 
 class CountedTrial(NamedTuple):
-    """A finished trial that was kept and measured."""
+    """A trial of a learning curve: finished, kept and measured."""
 
     trial: Trial
     session: int  # number of the session: 1, 2, 3 ... per patient
@@ -23,7 +23,7 @@ class CountedTrial(NamedTuple):
         return self.trial.run.source.group
 
     def row(self) -> dict[str, Any]:
-        """Return its measures, and what it is, by name."""
+        """Return its measures and its attributes by name."""
         return {
             **(self.trial.measures or {}),
             "number": self.trial.number,

@@ -1,4 +1,4 @@
-"""The log: who did what, when; append-only, each row's hash covering the row before."""
+"""Write the log: who did what, when. Rows are only appended, and each row's hash covers the row before."""
 
 from typing import Any
 
@@ -9,7 +9,7 @@ from app.clock import utc_now
 from app.store.log_chain import FIRST, entry_hash
 from app.store.tables import LogEntry
 
-HAS_NEW_ROWS = "logged"  # in `Session.info`: rows were added, so the log's head has to follow
+HAS_NEW_ROWS = "logged"  # key in `Session.info`: rows were added, so the log's head must be written
 
 
 def write_log(db: Session, person: str | None, what: str, **details: Any) -> None:

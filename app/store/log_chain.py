@@ -1,4 +1,4 @@
-"""The chain of the log, and its head: whether rows were edited, moved, put in or removed, the newest ones too."""
+"""Verify the log by its chain of hashes and its head: edited, moved, inserted and removed rows are detected."""
 
 import json
 import logging
@@ -19,8 +19,8 @@ from app.file_modes import OWNER_FILE
 from app.files import sync_folder
 from app.store.schema import connect
 
-FIRST = "0" * 64  # stands before the first row
-HEAD_BEGUN = "log head begun"  # the row that says from where on a removal of the newest rows shows
+FIRST = "0" * 64  # previous hash of the first row
+HEAD_BEGUN = "log head begun"  # this row says from where on a removal of the newest rows is detected
 LINE = 128  # bytes
 WHOLE_LINE = re.compile(
     rb"(?P<content>(?P<rows>\d{1,15}) (?P<id>\d{1,19}) (?P<hash>[0-9a-f]{64})) (?P<check>[0-9a-f]{8}) *\n"
@@ -32,7 +32,7 @@ RawRow = Any  # id, at, person, what, details, previous_hash, hash as SQLite sto
 
 @dataclass(frozen=True, slots=True)
 class Head:
-    """How far the log goes: how many rows there are, and the id and hash of the newest."""
+    """The number of rows of the log, and the id and hash of the newest row."""
 
     rows: int = 0
     id: int = 0
@@ -42,11 +42,11 @@ class Head:
 class HeadFile:
     """The file beside the database that keeps the head.
 
-    It is written after each commit that added rows. A crash in between leaves it behind by the rows of that commit,
-    never ahead; so rows that chain on from the head are no alarm, and a head that is ahead of the log always is.
+    It is written after each commit that added rows. After a crash in between, the head lacks the rows of that commit,
+    and is never ahead of the log. So rows that follow on the head raise no alarm; a head ahead of the log always does.
 
-    Two lines of 128 bytes, `ROWS ID HASH CRC-32`, of which the whole one with more rows counts. The other is written
-    over, in its place: that takes no room on a full disk, and a power cut spoils the new line at most.
+    The file has two lines of 128 bytes, `ROWS ID HASH CRC-32`. The valid line with more rows counts; the other one is
+    overwritten in place. This needs no room on a full disk, and a power cut damages the new line at most.
     """
 
     def __init__(self, database: Path) -> None:
@@ -57,7 +57,7 @@ class HeadFile:
         return self._newest()[1]
 
     def write(self, head: Head) -> None:
-        """Write the head durably; raise OSError when that cannot be done."""
+        """Write the head and wait until it is on the disk; raise OSError when that fails."""
         place, before = self._newest()
         content = f"{head.rows} {head.id} {head.hash}"
         line = f"{content} {crc32(content.encode()):08x}".ljust(LINE - 1).encode() + b"\n"
@@ -71,7 +71,7 @@ class HeadFile:
             sync_folder(self.file.parent)
 
     def _newest(self) -> tuple[int, Head | None]:
-        """Return which line counts (0 or 1), and what it says; (1, None) when neither is whole."""
+        """Return the index of the line that counts (0 or 1) and its head; (1, None) when neither line is valid."""
         newest: tuple[int, Head | None] = (1, None)
         try:
             content = self.file.read_bytes()
@@ -88,20 +88,20 @@ class HeadFile:
     def after(self, db: Session) -> Head | None:
         """Return the head with the newest rows of `db`.
 
-        None when they do not chain on from the head in the file: that head stays, because it shows what was changed.
+        None when they do not follow on the head in the file: then the file stays as evidence that the log was changed.
         """
         head = self.read()
         return None if head is None else advance(db, head)
 
 
 def entry_hash(previous: str, at: datetime, person: str | None, what: str, details: dict[str, Any]) -> str:
-    """Return the hash of a row (hexadecimal SHA-256), which covers the hash of the row before."""
+    """Return the hash of a row (hexadecimal SHA-256), which includes the hash of the row before."""
     content = json.dumps([previous, at.isoformat(), person, what, details], sort_keys=True, separators=(",", ":"))
     return sha256(content.encode()).hexdigest()
 
 
 def advance(db: Session, head: Head) -> Head | None:
-    """Return the head after the rows that came since; None when they do not chain on from it."""
+    """Return the head advanced over the rows added since; None when they do not follow on it."""
     connection = db.connection()
     if head.rows:
         found = connection.exec_driver_sql("SELECT hash FROM log WHERE id = ?", (head.id,)).scalar()
@@ -115,7 +115,7 @@ def advance(db: Session, head: Head) -> Head | None:
 
 
 def _chains_on(previous: str, row: RawRow) -> bool:
-    """Tell whether a row, whatever somebody may have written into it, is whole and follows on `previous`."""
+    """Return whether a row is valid and follows on `previous`; never raises, whatever the row contains."""
     _, at, person, what, details, previous_hash, own_hash = row
     try:
         moment = datetime.fromisoformat(at)
@@ -128,29 +128,29 @@ def _chains_on(previous: str, row: RawRow) -> bool:
 
 @dataclass(frozen=True, slots=True)
 class LogCheck:
-    """What a check of the whole log found."""
+    """The result of a check of the whole log."""
 
     whole: bool
-    rows: int  # that are whole, from the first
+    rows: int  # number of valid rows, from the first
     words: str  # the finding in sentences
 
 
 def verify_log(database: Path) -> LogCheck:
-    """Check every row of the log, and its newest rows against the head; nothing is written.
+    """Check every row of the log, and the newest ones against the head; write nothing.
 
     Raises
     ------
     sqlite3.DatabaseError
         When there is no log in the file.
     """
-    head = HeadFile(database).read()  # before the rows: those that are added meanwhile chain on from it
+    head = HeadFile(database).read()  # read before the rows: rows added meanwhile follow on it
     with closing(connect(database)) as connection:
         connection.text_factory = lambda text: text.decode(errors="replace")
         return _check(head, connection.execute(f"{ROWS} ORDER BY id"))
 
 
 def warn_of_changed_log(database: Path) -> None:
-    """Say on the console when the log was changed; the owner's settings show it, too."""
+    """Warn on the console when the log was changed; the owner's settings page shows it, too."""
     check = verify_log(database)
     if not check.whole:
         logging.getLogger("bodydrive").warning("%s", check.words)

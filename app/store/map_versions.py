@@ -1,4 +1,4 @@
-"""Versions of a patient's map: adapted from one another, and one tap back; nothing is ever overwritten."""
+"""Versions of a patient's map: adapted from one another, or restored; none is ever overwritten."""
 
 from collections.abc import Mapping
 from datetime import datetime
@@ -49,17 +49,17 @@ def save_adapted(
 
 
 def version_before(db: Session, patient_id: int) -> int | None:
-    """Return the version that going back would restore, None where there is nothing to go back from."""
+    """Return the version that going back would restore; None for a map that comes straight from a calibration."""
     _row, now = current_parameters(db, patient_id)
     before = _before(db, now)
     return None if before is None else before.version
 
 
 def go_back(db: Session, patient_id: int, session_id: int) -> Profile:
-    """Make the map before the current one the next version, and return it.
+    """Make a copy of the map before the current one the next version, and return it.
 
-    Dead-zones and fulls go back with it, except those that a person has set since; bindings, modes and speeds stay.
-    Where nothing was set since, the set is to the last digit the one that was driven before: it has its hash.
+    Dead-zones and fulls are restored with it, except those that a person has set since; bindings, modes and speeds
+    stay. When nothing was set since, the set equals the earlier one exactly and has its hash.
     """
     row, now = current_parameters(db, patient_id)
     before = _before(db, now)
@@ -122,15 +122,15 @@ def family(db: Session, patient_id: int, version: int) -> set[int]:
 
 
 def _before(db: Session, now: Profile) -> Profile | None:
-    """Return the map before `now`; a version that went back stands where the one stands that it went back to."""
-    shown = now
-    while shown.origin == "back" and shown.difference is not None:
-        shown = version_row(db, now.patient_id, shown.difference[BACK_TO])
-    return None if shown.parent is None else version_row(db, now.patient_id, shown.parent)
+    """Return the map before `now`; for a version that restored an earlier one, the map before that earlier one."""
+    original = now
+    while original.origin == "back" and original.difference is not None:
+        original = version_row(db, now.patient_id, original.difference[BACK_TO])
+    return None if original.parent is None else version_row(db, now.patient_id, original.parent)
 
 
 def _settings_of(db: Session, profile: Profile, *, newest: bool) -> dict[str, Any]:
-    """Return the settings that a version was driven with at the last, or that it began with."""
+    """Return the newest settings of a version, or its first ones."""
     query = select(Parameters).where(Parameters.profile_id == profile.id)
     if newest:
         query = query.where(Parameters.current.is_(True))
@@ -142,6 +142,6 @@ def _gestures_back(
     now: Mapping[str, Any], at_first: Mapping[str, Any], restored: Mapping[str, Any]
 ) -> list[dict[str, Any]]:
     """Return the gestures of `now` as they are in `restored`, where nobody has changed them since `at_first`."""
-    born = {gesture["name"]: gesture for gesture in at_first.get("gestures", ())}
+    initial = {gesture["name"]: gesture for gesture in at_first.get("gestures", ())}
     old = {gesture["name"]: gesture for gesture in restored.get("gestures", ())}
-    return [old.get(each["name"], each) if born.get(each["name"]) == each else each for each in now["gestures"]]
+    return [old.get(each["name"], each) if initial.get(each["name"]) == each else each for each in now["gestures"]]

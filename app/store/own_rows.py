@@ -1,4 +1,4 @@
-"""A row of the database by its id: one of the person's own clinic, or none at all."""
+"""Find a row by its id, in the person's own clinic only."""
 
 from typing import TypeVar
 
@@ -18,7 +18,7 @@ def own_row(db: Session, kind: type[Row], clinic_id: int, row_id: int, missing: 
     NotFound
         With the sentence `missing`, when there is none of this id.
     OtherClinicRow
-        With the same sentence, when another clinic has it; whoever answers the person notes it in the log.
+        With the same sentence, when it belongs to another clinic; the handler of this error logs it.
     """
     row = db.get(kind, row_id)
     if row is None:

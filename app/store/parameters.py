@@ -1,4 +1,4 @@
-"""Profiles and parameter sets: versions that are kept, with undo, redo and names to come back to."""
+"""Profiles and parameter sets: every version is kept, with undo, redo and sets saved by name."""
 
 from typing import Any
 
@@ -24,7 +24,7 @@ def save_profile(
     parent: int | None = None,
     difference: dict[str, Any] | None = None,
 ) -> Profile:
-    """Keep an accepted map as the patient's next version; `parent` is the version that it was made from.
+    """Save an accepted map as the patient's next version; `parent` is the version that it was made from.
 
     `simulated` says whether nobody wore the shirt in which it was calibrated, None where that is unknown.
     """
@@ -68,7 +68,7 @@ def _history(db: Session, profile: Profile) -> list[Parameters]:
 
 
 def save_parameters(db: Session, profile: Profile, parameters: DriveParameters) -> Parameters:
-    """Make `parameters` the current set of `profile`; what had been undone before is out of reach from now on."""
+    """Make `parameters` the current set of `profile`; sets that were undone before can no longer be redone."""
     passed_current = False
     for row in _history(db, profile):
         row.abandoned = passed_current
@@ -89,7 +89,7 @@ def save_parameters(db: Session, profile: Profile, parameters: DriveParameters) 
 
 
 def current_parameters(db: Session, patient_id: int) -> tuple[Parameters, Profile]:
-    """Return the set that drives now, with the profile that it stands on."""
+    """Return the current set with its profile."""
     profile = _needed_profile(db, patient_id)
     row = db.scalar(select(Parameters).where(Parameters.profile_id == profile.id, Parameters.current.is_(True)))
     if row is None:
@@ -109,7 +109,7 @@ def as_document(row: Parameters, profile: Profile) -> DriveParameters:
 
 
 def parameters_of_trial(db: Session, trial_id: int) -> DriveParameters:
-    """Return what a trial was driven with: its own set on its own version of the map."""
+    """Return the parameter set that a trial was driven with, on the version of the map at that time."""
     row = db.get_one(Parameters, db.get_one(Trial, trial_id).parameters_id)
     return as_document(row, db.get_one(Profile, row.profile_id))
 
@@ -152,9 +152,9 @@ def saved_titles(db: Session, patient_id: int) -> list[str]:
 
 
 def load_titled(db: Session, patient_id: int, title: str) -> Parameters:
-    """Make a copy of the newest set of this name current, put on the newest profile.
+    """Make a copy of the newest set of this name current, on the newest profile.
 
-    Dead-zones and fulls are in full scales of the joint, so that they keep their meaning on a newer calibration.
+    Dead-zones and fulls are given in full scales of the joint, so they stay valid on a newer calibration.
     """
     profile = _needed_profile(db, patient_id)
     saved: dict[str, Any] | None = db.scalar(

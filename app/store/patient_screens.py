@@ -1,4 +1,4 @@
-"""The patient's screens: paired for one session, found by their token, and what they are asked to show."""
+"""The patient's screens: paired for one session, found by their token, with the settings of what they show."""
 
 import hashlib
 import secrets
@@ -17,8 +17,8 @@ from app.store.own_rows import own_row
 from app.store.tables import PatientScreen, PatientSession
 
 TOKEN_BYTES = 32
-PAIRED_FOR = timedelta(hours=12)  # a session ends sooner; nobody's forgotten session keeps a screen for longer
-MOST = 8  # screens of one session: a person looks at one or two
+PAIRED_FOR = timedelta(hours=12)  # longer than a session; limits the pairing when a session is never ended
+MOST = 8  # screens of one session; one or two are usual
 
 ScreenState = Literal["paired", "over", "unpaired", "none"]
 
@@ -86,7 +86,7 @@ def screens_of(db: Session, session_id: int) -> list[PatientScreen]:
 
 
 def find_screen(db: Session, token: str) -> tuple[PatientScreen | None, ScreenState]:
-    """Return the screen of a token while it may look, and how it stands with it."""
+    """Return the screen of a token, None unless it is paired, and its state."""
     found = db.execute(
         select(PatientScreen, PatientSession)
         .join(PatientSession, PatientSession.id == PatientScreen.session_id)
@@ -113,10 +113,10 @@ def unpair_screen(db: Session, clinic_id: int, screen_id: int, person: str) -> N
 
 
 def wishes_of(db: Session, session_id: int) -> Wishes:
-    """Return what the screens of a session are asked to show."""
+    """Return the settings of a session's screens."""
     return Wishes.model_validate(db.get_one(PatientSession, session_id).screen or {})
 
 
 def set_wishes(db: Session, session_id: int, wishes: Wishes) -> None:
-    """Keep what the screens of a session are asked to show."""
+    """Store the settings of a session's screens."""
     db.get_one(PatientSession, session_id).screen = wishes.model_dump(mode="json")

@@ -1,4 +1,4 @@
-"""Patients and their sessions: who comes, and who is here now."""
+"""Patients and their sessions."""
 
 from sqlalchemy import func, select
 from sqlalchemy.orm import Session
@@ -10,7 +10,7 @@ from app.store.tables import CalibrationStep, Patient, PatientSession, Profile, 
 
 
 def add_patient(db: Session, clinic_id: int, code: str, pseudonym: str, note: str) -> Patient:
-    """Make a patient; the code is theirs alone within the clinic."""
+    """Add a patient; Conflict when another patient of the clinic has the code."""
     same = db.scalar(select(Patient).where(Patient.clinic_id == clinic_id, Patient.code == code))
     if same is not None and same.deleted is None:
         raise Conflict(f"The code '{code}' already belongs to {same.pseudonym}: choose another code.")
@@ -26,7 +26,7 @@ def add_patient(db: Session, clinic_id: int, code: str, pseudonym: str, note: st
 
 
 def find_patient(db: Session, clinic_id: int, patient_id: int, *, deleted: bool = False) -> Patient:
-    """Return one of the clinic's patients; `deleted` looks among the deleted ones too."""
+    """Return one of the clinic's patients, a deleted one only with `deleted`."""
     missing = f"There is no patient {patient_id}: choose one from the list of patients."
     patient = own_row(db, Patient, clinic_id, patient_id, missing)
     if patient.deleted is not None and not deleted:
@@ -35,7 +35,7 @@ def find_patient(db: Session, clinic_id: int, patient_id: int, *, deleted: bool 
 
 
 def all_patients(db: Session, clinic_id: int) -> list[Patient]:
-    """Return the clinic's patients, the ones of the last sessions first."""
+    """Return the clinic's patients, those with the latest sessions first."""
     last = select(func.max(PatientSession.started)).where(PatientSession.patient_id == Patient.id).scalar_subquery()
     return list(
         db.scalars(
@@ -47,7 +47,7 @@ def all_patients(db: Session, clinic_id: int) -> list[Patient]:
 
 
 def delete_patient(db: Session, clinic_id: int, patient_id: int) -> Patient:
-    """Take a patient from the list; nothing is lost, and it can be undone."""
+    """Mark a patient as deleted; no data is lost, and it can be undone."""
     patient = find_patient(db, clinic_id, patient_id)
     session = open_session(db, clinic_id)
     if session is not None and session.patient_id == patient_id:
@@ -64,16 +64,16 @@ def restore_patient(db: Session, clinic_id: int, patient_id: int) -> Patient:
 
 
 def open_session(db: Session, clinic_id: int) -> PatientSession | None:
-    """Return the session that is going on, None when nobody is here."""
+    """Return the open session, None when there is none."""
     return db.scalar(
         select(PatientSession).where(PatientSession.clinic_id == clinic_id, PatientSession.ended.is_(None))
     )
 
 
 def start_session(db: Session, clinic_id: int, patient_id: int, person: str | None = None) -> PatientSession:
-    """Open a session; the one that was open is ended. For the patient who is here already it simply goes on.
+    """Open a session and end the one that was open; a session of the same patient stays open.
 
-    `person` is the name of who opens it, which other screens show.
+    `person` is the name of the person who opens it, which other screens show.
     """
     find_patient(db, clinic_id, patient_id)
     session = open_session(db, clinic_id)
@@ -100,7 +100,7 @@ def start_session(db: Session, clinic_id: int, patient_id: int, person: str | No
 
 
 def end_session(db: Session, clinic_id: int) -> None:
-    """End the session that is going on, if there is one."""
+    """End the open session, if there is one."""
     session = open_session(db, clinic_id)
     if session is not None:
         session.ended = utc_now()

@@ -1,4 +1,4 @@
-"""Who may come in: the clinic, its people, and their sign-ins."""
+"""The clinic, its people, and their sign-ins."""
 
 import hashlib
 import secrets
@@ -13,11 +13,11 @@ from app.store.log import write_log
 from app.store.tables import Clinic, Person, SignIn
 
 TOKEN_BYTES = 32
-SIGNED_IN_FOR = timedelta(hours=12)  # a working day; then everybody signs in again
+SIGNED_IN_FOR = timedelta(hours=12)  # a working day
 
 
 def add_clinic(db: Session, name: str) -> Clinic:
-    """Make the clinic of this database."""
+    """Add the clinic of this database."""
     clinic = Clinic(name=name, created=utc_now(), shirt=None, body=None, unused=[], chair=None, limits=None)
     db.add(clinic)
     db.flush()
@@ -30,7 +30,7 @@ def the_clinic(db: Session) -> Clinic | None:
 
 
 def add_person(db: Session, clinic: Clinic, name: str, role: str, password_hash: str | None) -> Person:
-    """Make a person who may sign in."""
+    """Add a person who may sign in."""
     if find_person(db, name) is not None:
         raise Conflict(f"There is already somebody called '{name}': choose another name to sign in with.")
     person = Person(
@@ -43,12 +43,12 @@ def add_person(db: Session, clinic: Clinic, name: str, role: str, password_hash:
 
 
 def count_people(db: Session) -> int:
-    """Return how many people there are; none means that the first owner has still to be made."""
+    """Return the number of people; 0 before the set-up, which adds the first owner."""
     return db.scalar(select(func.count(Person.id))) or 0
 
 
 def find_person(db: Session, name: str) -> Person | None:
-    """Return the person of this name, whether or not they may still sign in."""
+    """Return the person of this name, also one who may no longer sign in; None when there is none."""
     return db.scalar(select(Person).where(Person.name == name))
 
 
@@ -57,7 +57,7 @@ def _token_hash(token: str) -> str:
 
 
 def sign_in(db: Session, person: Person, how: str) -> str:
-    """Open a new sign-in and return its token, which is stored nowhere but with the browser."""
+    """Add a sign-in and return its token, which only the browser stores."""
     token = secrets.token_urlsafe(TOKEN_BYTES)
     now = utc_now()
     for old in db.scalars(select(SignIn).where(SignIn.expires < now)):
@@ -68,7 +68,7 @@ def sign_in(db: Session, person: Person, how: str) -> str:
 
 
 def signed_in(db: Session, token: str) -> tuple[SignIn, Person] | None:
-    """Return the sign-in that a token opens and its person, None when it has ended."""
+    """Return the sign-in of a token with its person, None when it has ended."""
     found = db.execute(
         select(SignIn, Person)
         .join(Person, Person.id == SignIn.person_id)

@@ -1,4 +1,4 @@
-"""What was practised on the virtual chair, by hash, and how it differs from what would be armed."""
+"""Practice on the virtual chair: how often a parameter set was driven, found by its hash."""
 
 from collections.abc import Iterator
 from datetime import datetime
@@ -12,7 +12,7 @@ from app.refusals import Conflict
 from app.store.parameters import as_document
 from app.store.tables import Parameters, Profile, Run, Trial
 
-PRACTICE_ENDS = ("goal", "time-out", "by hand")  # a trial that a fault ended shows little of how the chair drives
+PRACTICE_ENDS = ("goal", "time-out", "by hand")  # a trial that a fault ended is no practice
 
 
 class Practice(NamedTuple):
@@ -26,34 +26,36 @@ NO_PRACTICE = Practice(0, None)
 
 
 class PracticeHistory:
-    """Reads a patient's trials; hashes are computed anew, because a stored one may be of an older program's fields.
+    """Finds practice in a patient's trials. Hashes are computed anew: an older program stored them for fewer fields.
 
-    Trials count only where they were driven as the shirt in use would drive now: worn, or simulated (`simulated`).
+    Only trials with the same kind of shirt as the one in use count: `simulated` is true when nobody wears it.
     """
 
     def __init__(self) -> None:
         self._hashes: dict[int, str] = {}  # of rows of parameters, which never change
 
     def practice(self, db: Session, patient_id: int, digest: str, *, simulated: bool | None) -> Practice:
-        """Return what the patient has practised of the set of this hash, in finished trials that were kept."""
-        driven = _driven(db, patient_id, simulated)
-        started = [trial.started for trial, row, profile in driven if self._is(row, profile, digest)]
+        """Return how often the patient practised the set of this hash, in finished and kept trials."""
+        found = _practice_trials(db, patient_id, simulated)
+        started = [trial.started for trial, row, profile in found if self._has_hash(row, profile, digest)]
         return Practice(len(started), max(started, default=None))
 
     def newest(self, db: Session, patient_id: int, *, simulated: bool | None) -> DriveParameters | None:
-        """Return the set of the newest such trial, None when there is none."""
-        for _trial, row, profile in _driven(db, patient_id, simulated):
+        """Return the parameter set of the newest finished and kept trial, None when there is none."""
+        for _trial, row, profile in _practice_trials(db, patient_id, simulated):
             return _document(row, profile)
         return None
 
-    def _is(self, row: Parameters, profile: Profile, digest: str) -> bool:
+    def _has_hash(self, row: Parameters, profile: Profile, digest: str) -> bool:
         if row.id not in self._hashes:
             document = _document(row, profile)
             self._hashes[row.id] = "" if document is None else document.hash
         return self._hashes[row.id] == digest
 
 
-def _driven(db: Session, patient_id: int, simulated: bool | None) -> Iterator[tuple[Trial, Parameters, Profile]]:
+def _practice_trials(
+    db: Session, patient_id: int, simulated: bool | None
+) -> Iterator[tuple[Trial, Parameters, Profile]]:
     """Yield the patient's finished and kept trials in which the chair was permitted to move, the newest first."""
     found = db.execute(
         select(Trial, Parameters, Profile)
@@ -70,5 +72,5 @@ def _driven(db: Session, patient_id: int, simulated: bool | None) -> Iterator[tu
 def _document(row: Parameters, profile: Profile) -> DriveParameters | None:
     try:
         return as_document(row, profile)
-    except Conflict:  # of a program that knew other fields
+    except Conflict:  # saved by a program with other fields
         return None

@@ -1,4 +1,4 @@
-"""Runs and trials: which recordings there are, and what was made of them."""
+"""Runs (recordings) and trials."""
 
 import math
 from typing import Any
@@ -14,7 +14,7 @@ from app.store.tables import Run, Trial
 
 
 def add_run(db: Session, run_id: str, session_id: int, kind: str, folder: str, source: Source = UNKNOWN_SOURCE) -> Run:
-    """Note that a recording begins in `folder` (below the folder of all runs), and where its signals come from."""
+    """Add a run that begins in `folder` (relative to the folder of all runs), with the source of its signals."""
     run = Run(
         id=run_id,
         session_id=session_id,
@@ -32,7 +32,7 @@ def add_run(db: Session, run_id: str, session_id: int, kind: str, folder: str, s
 
 
 def close_run(db: Session, run_id: str, rows: int | None, dropped: int | None) -> None:
-    """Note that a recording is closed, and how much is in it; None where nobody was left to count."""
+    """Store that a run has ended, with its counts; None when the control process could not report them."""
     run = db.get_one(Run, run_id)
     run.ended, run.rows, run.dropped = utc_now(), rows, dropped
 
@@ -49,7 +49,7 @@ def add_trial(
     path: str,
     path_points: list[list[float]],
 ) -> Trial:
-    """Make the patient's next trial on this path."""
+    """Add the patient's next trial on this path."""
     last = db.scalar(
         select(func.max(Trial.number)).where(
             Trial.patient_id == patient_id, Trial.floorplan == floorplan, Trial.path == path
@@ -79,7 +79,7 @@ def add_trial(
 
 
 def finish_trial(db: Session, trial_id: int, end: str, measures: dict[str, Any] | None) -> Trial:
-    """Note how a trial ended and what was measured; a measure that is not a number is kept as none."""
+    """Store how a trial ended, and its measures; one that is not finite is stored as null."""
     trial = db.get_one(Trial, trial_id)
     trial.status, trial.end = "done", end
     trial.measures = _storable(measures)
@@ -112,7 +112,7 @@ def trials_of(
 
 
 def keep_trial(db: Session, clinic_id: int, trial_id: int, discard_reason: str | None) -> Trial:
-    """Keep a trial, or discard it for a reason; its recording stays in either case."""
+    """Keep a trial, or discard it for a reason; its recording stays."""
     trial = find_trial(db, clinic_id, trial_id)
     if trial.status != "done":
         raise Conflict("This trial is still running: end it first.")
@@ -121,7 +121,7 @@ def keep_trial(db: Session, clinic_id: int, trial_id: int, discard_reason: str |
 
 
 def close_interrupted_trials(db: Session) -> list[Trial]:
-    """End the trials that a dead web process left running; their recordings may still be read."""
+    """End the trials that an ended web process left running; their recordings can still be read."""
     left = list(db.scalars(select(Trial).where(Trial.status == "running")))
     for trial in left:
         trial.status, trial.end = "done", "fault"

@@ -1,4 +1,4 @@
-"""The schema of a database file: which revision it has, and how it is brought to the revision of this program."""
+"""The schema of a database file: its revision, and the migration to the revision of this program."""
 
 import sqlite3
 from contextlib import closing
@@ -18,7 +18,7 @@ MIGRATIONS = Path(__file__).parent / "migrations"
 
 
 def connect(file: Path) -> sqlite3.Connection:
-    """Return a connection to a database file that exists; it must be closed."""
+    """Return a connection to an existing database file; the caller closes it."""
     return sqlite3.connect(f"file:{quote(str(file))}?mode=rw", uri=True)
 
 
@@ -46,7 +46,7 @@ def bring_up_to_date(file: Path, engine: Engine) -> None:
     ------
     Refusal
         When it is of a newer program, when there is no room for the copy, or when the migration fails. The database
-        is as it was.
+        is then unchanged.
     """
     revision, newest = revision_of(file), newest_revision()
     if revision is None:
@@ -71,7 +71,7 @@ def bring_up_to_date(file: Path, engine: Engine) -> None:
 
 
 def migrate(engine: Engine, revision: str = "head") -> None:
-    """Bring the schema to `revision`, whole or not at all: up with "head" or a number, down with "base" or "-1"."""
+    """Migrate to `revision` in one transaction: up with "head" or a number, down with "base" or "-1"."""
     with engine.begin() as connection:
         config = _config()
         config.attributes["connection"] = connection

@@ -12,7 +12,7 @@ from app.source import Source
 
 
 class Moment(TypeDecorator[datetime]):
-    """A moment in UTC; SQLite forgets the zone, so it is put back on reading."""
+    """A moment in UTC; SQLite stores no time zone, so it is added again on reading."""
 
     impl = DateTime(timezone=True)
     cache_ok = True
@@ -27,7 +27,7 @@ class Moment(TypeDecorator[datetime]):
 
 
 class Table(DeclarativeBase):
-    """What all tables share."""
+    """Base of all tables."""
 
     metadata = MetaData(
         naming_convention={
@@ -48,15 +48,17 @@ class Clinic(Table):
     name: Mapped[str] = mapped_column(String(80))
     created: Mapped[datetime]
     shirt: Mapped[dict[str, Any] | None]  # configuration of the shirt in use
-    body: Mapped[dict[str, Any] | None]  # configuration of what moves inside a simulated shirt
+    body: Mapped[dict[str, Any] | None]  # configuration of the simulated body inside a simulated shirt
     unused: Mapped[list[Any]]  # names of channels that are marked as unused
-    head: Mapped[dict[str, Any] | None]  # configuration of the head tracker in use; None: straight ahead
-    chair: Mapped[dict[str, Any] | None]  # which chair is driven: its id (none: the virtual one) and the dynamics
-    limits: Mapped[dict[str, Any] | None]  # Speeds that nobody here may exceed; None: the owner has set none
+    head: Mapped[dict[str, Any] | None]  # configuration of the head tracker in use; None: none
+    chair: Mapped[
+        dict[str, Any] | None
+    ]  # the chair in use: its id (None: the virtual one), and the dynamics of the virtual one
+    limits: Mapped[dict[str, Any] | None]  # the clinic's speed limits; None: the owner has set none
 
 
 class Person(Table):
-    """Who signs in."""
+    """A person who may sign in."""
 
     __tablename__ = "person"
     __table_args__ = (UniqueConstraint("clinic_id", "name"),)
@@ -64,7 +66,7 @@ class Person(Table):
     clinic_id: Mapped[int] = mapped_column(ForeignKey("clinic.id"))
     name: Mapped[str] = mapped_column(String(80))
     role: Mapped[str] = mapped_column(String(16))  # owner, clinician, reviewer
-    password_hash: Mapped[str | None]  # None: comes in by the link of a demonstration only
+    password_hash: Mapped[str | None]  # None: signs in by the link of a demonstration only
     created: Mapped[datetime]
     disabled: Mapped[datetime | None]
 
@@ -92,7 +94,7 @@ class KnownBrowser(Table):
 
 
 class Patient(Table):
-    """Who wears the shirt: a pseudonym and a code, no name."""
+    """A patient, who wears the shirt: a pseudonym and a code, no name."""
 
     __tablename__ = "patient"
     __table_args__ = (UniqueConstraint("clinic_id", "code"),)
@@ -103,7 +105,7 @@ class Patient(Table):
     note: Mapped[str] = mapped_column(String(2000))
     adaptation: Mapped[str] = mapped_column(String(8), server_default="off")  # of the map: off, suggest, auto
     created: Mapped[datetime]
-    deleted: Mapped[datetime | None]  # kept, so that it can be undone
+    deleted: Mapped[datetime | None]  # the row stays, so that the deletion can be undone
 
 
 class PatientSession(Table):
@@ -122,11 +124,11 @@ class PatientSession(Table):
     started: Mapped[datetime]
     opened_by: Mapped[str | None] = mapped_column(String(80))  # a person's name; None: not recorded
     ended: Mapped[datetime | None]
-    script: Mapped[dict[str, Any] | None]  # the calibration under way: layout and cues, so that a reload finds it
+    script: Mapped[dict[str, Any] | None]  # the calibration under way: its layout; survives a restart
     current_step: Mapped[str | None] = mapped_column(String(64))
     result: Mapped[dict[str, Any] | None]  # the fitted profile before it is accepted
     accepted: Mapped[bool]
-    screen: Mapped[dict[str, Any] | None]  # what the patient's screens show; None: what they show at first
+    screen: Mapped[dict[str, Any] | None]  # settings of the patient's screens; None: the standard ones
 
 
 class PatientScreen(Table):
@@ -144,7 +146,7 @@ class PatientScreen(Table):
 
 
 class CalibrationStep(Table):
-    """How far one step of the calibration under way has come."""
+    """The status of one step of the calibration under way."""
 
     __tablename__ = "calibration_step"
     session_id: Mapped[int] = mapped_column(ForeignKey("session.id"), primary_key=True)
@@ -179,7 +181,7 @@ class Run(Table):
 
 
 class Profile(Table):
-    """A map that was accepted: saved once, never changed, only succeeded by a newer version."""
+    """An accepted map; never changed, only succeeded by a newer version."""
 
     __tablename__ = "profile"
     __table_args__ = (UniqueConstraint("patient_id", "version"),)
@@ -189,14 +191,14 @@ class Profile(Table):
     version: Mapped[int]
     origin: Mapped[str] = mapped_column(String(16), server_default="calibration")  # calibration, adaptation, back
     parent: Mapped[int | None]  # version of the same patient that it was made from; None: from a calibration
-    difference: Mapped[dict[str, Any] | None]  # what was changed against the parent
+    difference: Mapped[dict[str, Any] | None]  # the changes from the parent
     document: Mapped[dict[str, Any]]
     created: Mapped[datetime]
     simulated: Mapped[bool | None]  # whether nobody wore the shirt in which it was calibrated; None: unknown
 
 
 class Parameters(Table):
-    """One setting of the controls on one profile; undo and redo move `current` along them."""
+    """One parameter set on one profile; undo and redo move `current` from one to another."""
 
     __tablename__ = "parameters"
     id: Mapped[int] = mapped_column(primary_key=True)
@@ -206,7 +208,7 @@ class Parameters(Table):
     hash: Mapped[str] = mapped_column(String(64))
     created: Mapped[datetime]
     current: Mapped[bool]
-    abandoned: Mapped[bool]  # undone, then something else was set
+    abandoned: Mapped[bool]  # it was undone, and then another set was made
 
 
 class Trial(Table):
@@ -225,14 +227,14 @@ class Trial(Table):
     floorplan: Mapped[str] = mapped_column(String(64))
     floorplan_title: Mapped[str] = mapped_column(String(80))
     path: Mapped[str] = mapped_column(String(64))
-    path_points: Mapped[list[Any]]  # as it was driven: a floor plan may change later
+    path_points: Mapped[list[Any]]  # copied, because the floor plan may change later
     started: Mapped[datetime]
     status: Mapped[str] = mapped_column(String(16))  # running, done
     end: Mapped[str | None] = mapped_column(String(16))  # goal, time-out, by hand, fault
     kept: Mapped[bool]
     discard_reason: Mapped[str | None] = mapped_column(String(200))
     measures: Mapped[dict[str, Any] | None]
-    quality: Mapped[dict[str, Any] | None]  # how well the map fitted the movements of this trial
+    quality: Mapped[dict[str, Any] | None]  # the control quality, as a document
 
     @property
     def source(self) -> Source:
@@ -251,9 +253,9 @@ class Chair(Table):
     host: Mapped[str] = mapped_column(String(253))
     port: Mapped[int]
     key_id: Mapped[int]
-    speeds: Mapped[dict[str, Any]]  # what this chair may do
+    speeds: Mapped[dict[str, Any]]  # the speed limits of this chair
     paired: Mapped[datetime]
-    removed: Mapped[datetime | None]  # its drives still name it
+    removed: Mapped[datetime | None]  # the row stays, because drives refer to it
 
 
 class Drive(Table):
@@ -281,7 +283,7 @@ class Drive(Table):
 
 
 class LogEntry(Table):
-    """Who did what, when; each row's hash covers the row before, so that editing shows."""
+    """A row of the log: who did what, when. Its hash covers the row before, so that a change can be detected."""
 
     __tablename__ = "log"
     id: Mapped[int] = mapped_column(primary_key=True)

@@ -1,4 +1,4 @@
-"""What a real chair says of itself, in words."""
+"""The reports of a real chair, in words for the pages."""
 
 import math
 from typing import Any
@@ -9,23 +9,23 @@ from app.hardware.chair.reasons import WORDS, Reason
 from app.pipeline.safety import CHAIR_SILENT
 
 STATES = ("disarmed", "checking", "armed", "fault")
-CHAIR_FAULT = 3  # the last of them
+CHAIR_FAULT = 3  # index of "fault" in STATES
 
 
 def fault_sentence(fault: int) -> str:
-    """Return in a sentence why a chair whose state is fault stands."""
+    """Return the sentence for the fault number of a chair whose state is "fault"."""
     if fault == Reason.NONE or fault not in WORDS:
         return "The chair reports a fault that this program does not know."
     return WORDS[Reason(fault)]
 
 
 def is_silent(tick: np.void) -> bool:
-    """Return whether the chair of this tick has not been heard for too long."""
+    """Return whether the chair has sent nothing for longer than CHAIR_SILENT at this tick."""
     return not float(tick["chair_age"]) <= CHAIR_SILENT
 
 
 def chair_report(tick: np.void) -> dict[str, Any]:
-    """Return what the newest tick (`app.messages.TICK`) holds of a real chair, for the live picture."""
+    """Return the fields of a real chair in a tick (`app.messages.TICK`) for the live picture."""
     state, fault = int(tick["chair_state"]), int(tick["chair_fault"])
     if is_silent(tick):
         words = "The chair does not answer: check its power and the network."
@@ -46,7 +46,7 @@ def chair_report(tick: np.void) -> dict[str, Any]:
 
 
 def closed_chair_report(words: str) -> dict[str, Any]:
-    """Return the same of a chair that was chosen and could not be opened."""
+    """Return the fields of `chair_report` for a chair that was chosen and could not be opened."""
     return {
         "kind": "udp",
         "state": STATES[0],

@@ -1,4 +1,4 @@
-"""What the patient reads while the chair stands or waits: what happened, and who is waited for."""
+"""The sentences for the patient while the chair stands: why it was stopped, and who acts next."""
 
 from enum import StrEnum
 from typing import NamedTuple
@@ -7,7 +7,7 @@ from app.faults import Fault, State
 
 
 class Actor(StrEnum):
-    """Who has to do something before the chair moves."""
+    """Who must act before the chair moves."""
 
     CLINICIAN = "clinician"
     PROGRAM = "program"
@@ -20,7 +20,7 @@ class PatientWords(NamedTuple):
 
     happened: str  # why the chair was stopped; empty when it was not
     actor: Actor
-    wait: str  # who is waited for
+    wait: str  # who must act, in a sentence
 
 
 _HAPPENED: dict[Fault, str] = {
@@ -55,7 +55,7 @@ _AFTER_STOP = {
 
 
 def patient_words(state: State, fault: Fault, *, drives: bool, shirt_alive: bool) -> PatientWords:
-    """Return what the patient reads; `drives`: a trial or a drive goes on, `shirt_alive`: the shirt sends."""
+    """Return the words for the patient; `drives`: a trial or drive is going on, `shirt_alive`: the shirt sends."""
     if state is State.FAULT:
         actor = _actor_after(fault, shirt_alive)
         return PatientWords(_HAPPENED.get(fault, _STOPPED), actor, _AFTER_STOP[actor])
@@ -67,7 +67,7 @@ def _actor_after(fault: Fault, shirt_alive: bool) -> Actor:
         return Actor.PROGRAM
     if fault in {Fault.SHIRT_SILENT, Fault.SHIRT_LOSSY} and not shirt_alive:
         return Actor.SHIRT
-    return Actor.CLINICIAN  # nothing but Continue takes a stop back
+    return Actor.CLINICIAN  # a stop is cleared by Continue only
 
 
 def _actor_without_stop(state: State, drives: bool, shirt_alive: bool) -> tuple[Actor, str]:

@@ -1,4 +1,4 @@
-"""The disk of the database and the recordings: how much room it has, and what is said about it."""
+"""Free room on the disk of the database and the recordings, and the sentence about it."""
 
 import asyncio
 import logging
@@ -9,9 +9,9 @@ from pathlib import Path
 
 from app.store.files.ballast import Ballast
 
-LITTLE_ROOM = 2_000_000_000  # bytes: somebody should make room, and there is still time to
-LEAST_ROOM = 500_000_000  # bytes: from there on the control process refuses to record
-NO_ROOM = 32_000_000  # bytes: as good as none; the parts of the ballast that are free lie below it
+LITTLE_ROOM = 2_000_000_000  # bytes: below, people are asked to make room
+LEAST_ROOM = 500_000_000  # bytes: below, the control process refuses to record
+NO_ROOM = 32_000_000  # bytes: below, the disk counts as full; more than the ballast can release
 LOOK_EVERY = 1.0  # s: people are told of a full disk within 2 s
 
 logger = logging.getLogger("bodydrive")
@@ -19,7 +19,7 @@ logger = logging.getLogger("bodydrive")
 
 @dataclass(frozen=True, slots=True)
 class DiskRoom:
-    """How much room there is."""
+    """The free room on a disk."""
 
     free: int  # bytes
     words: str  # what to do about it, empty while there is enough
@@ -44,7 +44,7 @@ def disk_room(folder: Path) -> DiskRoom:
 
 
 class DiskWatch:
-    """Looks at the disk every second: lets pages know when there is something else to say, and keeps the ballast."""
+    """Checks the disk every second: tells the pages when the sentence changes, and refills the ballast."""
 
     def __init__(self, folder: Path, ballast: Ballast, tell: Callable[[str], None]) -> None:
         self._folder = folder
@@ -54,11 +54,11 @@ class DiskWatch:
         self._task: asyncio.Task[None] | None = None
 
     def start(self) -> None:
-        """Begin to look."""
+        """Begin to check."""
         self._task = asyncio.create_task(self._watch())
 
     async def close(self) -> None:
-        """Look no more."""
+        """Stop checking."""
         if self._task is not None:
             self._task.cancel()
             await asyncio.gather(self._task, return_exceptions=True)
@@ -67,7 +67,7 @@ class DiskWatch:
         while True:
             try:
                 words = await asyncio.to_thread(self._look)
-            except OSError:  # a disk that is gone now may come back
+            except OSError:  # keep checking: a disk that is gone may come back
                 logger.exception("The disk of the recordings could not be looked at")
                 words = self._words
             if words != self._words:

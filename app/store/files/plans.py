@@ -1,4 +1,4 @@
-"""The clinic's own floor plans: one file each, and every version that was ever saved beside them."""
+"""The clinic's own floor plans: one file each, and beside them every saved version."""
 
 from pathlib import Path
 from threading import Lock
@@ -14,11 +14,11 @@ from app.world.scene import bundled_scenes
 MOST_PLANS = 200
 VERSIONS = "versions"  # folder beside the plans; one folder for each plan, one file for each version
 
-_saving = Lock()  # two people may save at the same moment; there is one web process
+_saving = Lock()  # two people may save at the same time, in threads of the one web process
 
 
 class OwnPlan(NamedTuple):
-    """What a list of them shows."""
+    """An entry of the list of own floor plans."""
 
     name: str
     title: str
@@ -32,22 +32,22 @@ class OwnPlans:
         self._folder = folder
 
     def listed(self) -> list[OwnPlan]:
-        """Return those that can be read, by name."""
+        """Return the plans that can be read, by name."""
         found = []
         for file in sorted(self._folder.glob("*.json")):
             try:
                 found.append(OwnPlan(file.stem, load_floorplan(file).title, self.version(file.stem)))
             except ValueError:
-                continue  # it is not offered for driving either
+                continue  # unreadable: not offered for driving either
         return found
 
     def version(self, name: str) -> int:
-        """Return the number of the plan's present version; of a deleted one, that of its last."""
-        kept = self._kept(name)
+        """Return the number of a plan's current version; of a deleted plan, of its last one."""
+        versions = self._version_files(name)
         file = self._file(name)
-        # A file that somebody else put there, or changed, is a version that was not kept yet.
-        foreign = file.is_file() and (not kept or kept[-1].read_bytes() != file.read_bytes())
-        return len(kept) + foreign
+        # A file that was written by another program counts as a version that is not stored yet.
+        foreign = file.is_file() and (not versions or versions[-1].read_bytes() != file.read_bytes())
+        return len(versions) + foreign
 
     def add(self, plan: FloorPlan, same_name: SameName, shelf: ReplacedFiles) -> OwnPlan:
         """Save a plan; one that it replaces goes on the shelf. NameTaken when the name is taken and nobody chose."""
@@ -75,7 +75,7 @@ class OwnPlans:
             return self._save(plan)
 
     def remove(self, name: str) -> None:
-        """Take a plan out of what is offered; its versions stay."""
+        """Delete a plan; its versions stay."""
         with _saving:
             if is_bundled(name):
                 raise Conflict("A plan that comes with the software cannot be deleted.")
@@ -84,27 +84,27 @@ class OwnPlans:
             self._file(name).unlink()
 
     def restore(self, name: str) -> int:
-        """Offer a deleted plan again, as it was, and return its version."""
+        """Restore a deleted plan, and return its version."""
         with _saving:
-            kept = self._kept(name)
-            if self._file(name).is_file() or not kept:
+            versions = self._version_files(name)
+            if self._file(name).is_file() or not versions:
                 raise NotFound(f"There is no deleted floor plan '{name}': look at the list.")
-            write_atomically(self._file(name), kept[-1].read_bytes())
-            return len(kept)
+            write_atomically(self._file(name), versions[-1].read_bytes())
+            return len(versions)
 
     def _save(self, plan: FloorPlan) -> int:
         self._keep(plan.name)
         content = plan.model_dump_json(exclude_none=True).encode() + b"\n"
-        kept = self._kept(plan.name)
-        if not kept or kept[-1].read_bytes() != content:
-            write_atomically(self._versions(plan.name) / f"{len(kept) + 1:06d}.json", content)
+        versions = self._version_files(plan.name)
+        if not versions or versions[-1].read_bytes() != content:
+            write_atomically(self._versions(plan.name) / f"{len(versions) + 1:06d}.json", content)
         write_atomically(self._file(plan.name), content)
-        return len(self._kept(plan.name))
+        return len(self._version_files(plan.name))
 
     def _keep(self, name: str) -> None:
-        """Put what is there among the versions, if it is not there yet."""
+        """Store the current file as a version, if it is not stored yet."""
         file, number = self._file(name), self.version(name)
-        if number > len(self._kept(name)):
+        if number > len(self._version_files(name)):
             write_atomically(self._versions(name) / f"{number:06d}.json", file.read_bytes())
 
     def _needed(self, name: str) -> None:
@@ -117,11 +117,11 @@ class OwnPlans:
     def _versions(self, name: str) -> Path:
         return self._folder / VERSIONS / name
 
-    def _kept(self, name: str) -> list[Path]:
+    def _version_files(self, name: str) -> list[Path]:
         return sorted(self._versions(name).glob("*.json"))
 
 
 def is_bundled(name: str) -> bool:
-    """Tell whether a name belongs to what comes with the software: a building, or a scene at one of its levels."""
+    """Return whether a name belongs to a bundled building, or to a bundled scene at one of its levels."""
     plain = name.lower()
     return plain in map(str.lower, bundled_floorplans()) or plain.partition(".")[0] in map(str.lower, bundled_scenes())

@@ -1,4 +1,4 @@
-"""Files that a person replaced by another one: kept for 30 days, and restored on request."""
+"""Replaced files: kept for 30 days, and restored on request."""
 
 import os
 import shutil
@@ -22,7 +22,7 @@ KINDS: Final[tuple[Kind, ...]] = get_args(Kind)
 
 
 class ReplacedFile(NamedTuple):
-    """One file that was replaced; `id` is its name on the shelf."""
+    """A replaced file; `id` is its name on the shelf."""
 
     kind: Kind
     id: str
@@ -37,19 +37,19 @@ class ReplacedFile(NamedTuple):
 
 
 class ReplacedFiles:
-    """Stores files by kind, each kind in a folder of its own, and keeps what they replace on a shelf."""
+    """Stores files by kind, each kind in its own folder, and puts the files that they replace on a shelf (a folder)."""
 
     def __init__(self, shelf: Path, folders: dict[Kind, Path]) -> None:
         self._shelf = shelf
         self._folders = folders
-        self.lock = RLock()  # two people may bring a file at the same moment; there is one web process
+        self.lock = RLock()  # two people may upload at the same time, in threads of the one web process
 
     def check_name(self, kind: Kind, name: str, same_name: SameName) -> None:
-        """Raise NameTaken when `put` would, before the work that its content needs."""
+        """Raise NameTaken when `put` would raise it; call it before the content is checked, which takes long."""
         self._name_for(kind, name, same_name)
 
     def put(self, kind: Kind, name: str, content: bytes, same_name: SameName) -> str:
-        """Store a file, whole or not at all, and return the name that it has now; NameTaken when nobody chose."""
+        """Store a file atomically and return its name; NameTaken when the name is taken and nobody chose."""
         folder = self._folders[kind]
         with self.lock:
             now = self._name_for(kind, name, same_name)
@@ -58,7 +58,7 @@ class ReplacedFiles:
         return now
 
     def keep(self, kind: Kind, file: Path) -> None:
-        """Put a file on the shelf as well, before another is written in its place; without a file, do nothing."""
+        """Put a copy of a file on the shelf, before another replaces it; do nothing when there is no file."""
         if not file.exists():
             return
         self.purge()
@@ -67,23 +67,23 @@ class ReplacedFiles:
         place = shelf / f"{utc_now().strftime(STAMP)}{BETWEEN}{file.name}"
         try:
             os.link(file, place)
-        except OSError:  # a disk without links
+        except OSError:  # a file system without hard links
             shutil.copy2(file, place)
 
     def listed(self) -> list[ReplacedFile]:
-        """Return what can be put back, newest first."""
+        """Return the replaced files, newest first."""
         self.purge()
-        return sorted(self._all(), key=lambda one: one.id, reverse=True)
+        return sorted(self._all(), key=lambda file: file.id, reverse=True)
 
     def content(self, kind: Kind, identity: str) -> tuple[ReplacedFile, bytes]:
-        """Return a file of the shelf; NotFound when it is not there, or no longer."""
+        """Return a file of the shelf with its content; NotFound when there is none."""
         for one in self._all():
             if (one.kind, one.id) == (kind, identity):
                 return one, (self._shelf / kind / identity).read_bytes()
         raise NotFound("There is no such replaced file, or its 30 days are over: look at the list.")
 
     def restore(self, kind: Kind, identity: str) -> str:
-        """Put a file back, under a free name when its own is taken, and return the name."""
+        """Restore a file, under a free name when its own is taken, and return the name."""
         with self.lock:
             found, content = self.content(kind, identity)
             taken = [file.name for file in self._folders[kind].glob("*")]
@@ -105,7 +105,7 @@ class ReplacedFiles:
     def _name_for(self, kind: Kind, name: str, same_name: SameName) -> str:
         taken = {file.name: file for file in self._folders[kind].glob("*")}
         standing = next((file for one, file in taken.items() if one.lower() == name.lower()), None)
-        # A folder is a recording of this program: none that is brought takes its place.
+        # A folder is a recording of this program: an uploaded file never replaces it.
         return name_for(name, taken, same_name, may_replace=standing is None or standing.is_file())
 
     def _all(self) -> list[ReplacedFile]:
@@ -118,7 +118,7 @@ class ReplacedFiles:
 
 
 def replaced_files(settings: Settings) -> ReplacedFiles:
-    """Return where a clinic's files lie, and the shelf beside them; what is too old is removed at once."""
+    """Return the stores of a clinic's files with their shelf; delete at once what is older than 30 days."""
     folders: dict[Kind, Path] = {"file": settings.files, "model": settings.models, "floorplan": settings.floorplans}
     found = ReplacedFiles(settings.replaced, folders)
     found.purge()

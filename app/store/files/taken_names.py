@@ -1,4 +1,4 @@
-"""The rule for an upload whose name is taken: nothing is replaced unless a person says so."""
+"""The rule for an upload whose name is taken: no file is replaced unless a person chooses that."""
 
 from collections.abc import Collection
 from itertools import count
@@ -13,7 +13,7 @@ SameName = Literal["ask", "keep-both", "replace"]
 
 
 class NameTaken(Conflict):
-    """Something has this name already: a person chooses between the free name proposed and replacing it."""
+    """The name is taken: a person chooses between the proposed free name and replacing the file."""
 
     def __init__(self, sentence: str, proposed: str, *, may_replace: bool) -> None:
         super().__init__(sentence)
@@ -27,12 +27,12 @@ def log_details(same_name: SameName) -> dict[str, str]:
 
 
 def name_for(name: str, taken: Collection[str], same_name: SameName, *, may_replace: bool = True) -> str:
-    """Return the name under which something is kept; names that differ in case alone are the same.
+    """Return the name under which an upload is stored; names that differ only in case count as equal.
 
     Raises
     ------
     NameTaken
-        When the name is taken and nobody chose, or when what has it cannot be replaced.
+        When the name is taken and nobody chose, or when the file of this name cannot be replaced.
     """
     standing = next((one for one in sorted(taken) if one.lower() == name.lower()), None)
     if standing is None:
