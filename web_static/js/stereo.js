@@ -36,7 +36,8 @@ class StereoPage {
   /** Check the picture again and again; ask the server only while there is none, one request at a time. */
   async #check() {
     if (document.visibilityState === "visible") {
-      readPractice(this.#api).then((kind) => this.#practice.show(kind), () => null); // no answer: the check of the picture reports it
+      const showPractice = (/** @type {string | null} */ kind) => this.#practice.show(kind);
+      readPractice(this.#api).then(showPractice, () => null); // no answer: the check of the picture reports it
       if (this.#eyes && this.#eyes.age() < OLD) this.#liveAt = performance.now();
       if (!this.#eyes || this.#silence > OLD) await this.#ask();
       else this.#say("");

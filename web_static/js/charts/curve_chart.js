@@ -74,7 +74,10 @@ function lengthTrace(first, last, colours) {
   };
 }
 
-/** The trials that can be compared, joined by a line; the others as rings. @param {LearningTrial[]} rows @param {string} measure @param {Colours} colours */
+/**
+ * The trials that can be compared, joined by a line; the others as rings.
+ * @param {LearningTrial[]} rows @param {string} measure @param {Colours} colours
+ */
 function trialTraces(rows, measure, colours) {
   const { unit, digits } = MEASURES[measure];
   /** @param {LearningTrial[]} some @param {PlotlyTrace} more @returns {PlotlyTrace} */

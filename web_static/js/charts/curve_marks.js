@@ -27,7 +27,10 @@ function sessions(rows) {
   return groups;
 }
 
-/** Every other session has a light band. @param {LearningTrial[]} rows @param {Pick<Colours, "text" | "path-prescribed">} colours */
+/**
+ * Every other session has a light band.
+ * @param {LearningTrial[]} rows @param {Pick<Colours, "text" | "path-prescribed">} colours
+ */
 export function sessionShapes(rows, colours) {
   return sessions(rows)
     .filter((_, i) => i % 2 === 0)
@@ -62,7 +65,10 @@ export function mapAxis() {
   return { domain: MAPS, range: [0, 1], visible: false, fixedrange: true };
 }
 
-/** A mark with its version at each trial whose map is not that of the trial before. @param {LearningTrial[]} rows @param {Pick<Colours, "text" | "path-prescribed">} colours */
+/**
+ * A mark with its version at each trial whose map is not that of the trial before.
+ * @param {LearningTrial[]} rows @param {Pick<Colours, "text" | "path-prescribed">} colours
+ */
 export function mapTraces(rows, colours) {
   const changed = rows.filter((row, i) => row.profile_version !== rows[i - 1]?.profile_version);
   const apart = rows.length && (rows[rows.length - 1].number - rows[0].number + 1) / ROOM;

@@ -18,8 +18,20 @@ const ARMED = 2; // app.faults.State
 
 /**
  * @template {string} Colour
- * @param {{title: string, unit: string, times: (number | null)[], state: number[], lines: Line<Colour>[], digits?: number, range?: [number, number], height?: number}} what
- *   state: of the chair at each time (app.faults.State); range: at least this is shown
+ * @typedef {object} ChartContent
+ * @property {string} title
+ * @property {string} unit
+ * @property {(number | null)[]} times s
+ * @property {number[]} state of the chair at each time (app.faults.State)
+ * @property {Line<Colour>[]} lines
+ * @property {number} [digits]
+ * @property {[number, number]} [range] at least this is shown
+ * @property {number} [height] px
+ */
+
+/**
+ * @template {string} Colour
+ * @param {ChartContent<Colour>} content
  * @param {import("../pages/review/play_head.js").PlayHead} head
  * @param {Record<Colour | "border" | "text-quiet", string>} colours that follow the theme
  */

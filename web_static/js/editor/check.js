@@ -40,7 +40,10 @@ export function checker(app, onVerdict) {
   };
 }
 
-/** The item of a plan that a verdict names. @param {Verdict["place"]} place @returns {import("./document.js").Ref | null} */
+/**
+ * The item of a plan that a verdict names.
+ * @param {Verdict["place"]} place @returns {import("./document.js").Ref | null}
+ */
 export function refAt([name, index]) {
   const list = LISTS.find((one) => one === name);
   return list && typeof index === "number" ? { list, index } : null;

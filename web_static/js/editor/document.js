@@ -15,7 +15,9 @@
 
 /**
  * @typedef {Sparse<PrescribedPath, "name" | "title" | "points" | "instruction">} PathItem
- * @typedef {Sparse<Box, "kind" | "label" | "position" | "size"> | Sparse<Cylinder, "kind" | "label" | "position" | "radius">} ObstacleItem
+ * @typedef {Sparse<Box, "kind" | "label" | "position" | "size">} BoxItem
+ * @typedef {Sparse<Cylinder, "kind" | "label" | "position" | "radius">} CylinderItem
+ * @typedef {BoxItem | CylinderItem} ObstacleItem
  * @typedef {Sparse<Door, "position">} DoorItem
  * @typedef {Sparse<Gap, "label" | "position" | "width">} GapItem
  * @typedef {Sparse<Cone, "position">} ConeItem
@@ -81,7 +83,10 @@ export function fieldsOf(plan, ref) {
   return Array.isArray(item) ? {} : item;
 }
 
-/** The points of a wall, a path or a mover; the position of another item. @param {Plan} plan @param {Ref} ref @returns {Point[]} */
+/**
+ * The points of a wall, a path or a mover; the position of another item.
+ * @param {Plan} plan @param {Ref} ref @returns {Point[]}
+ */
 export function pointsOf(plan, ref) {
   const item = itemOf(plan, ref);
   if (Array.isArray(item)) return item;
@@ -126,13 +131,19 @@ export function moveBy(plan, ref, dx, dy) {
   return setPoints(plan, ref, pointsOf(plan, ref).map(move));
 }
 
-/** Move an item so that its first point lies at a place, or move only its chosen point there. @param {Plan} plan @param {Ref} ref @param {Point} place */
+/**
+ * Move an item so that its first point lies at a place, or move only its chosen point there.
+ * @param {Plan} plan @param {Ref} ref @param {Point} place
+ */
 export function moveTo(plan, ref, place) {
   const [x, y] = pointsOf(plan, ref)[ref.point ?? 0];
   return moveBy(plan, ref, place[0] - x, place[1] - y);
 }
 
-/** Insert a point halfway between the chosen one and the next, or 1 m beyond the last one. @param {Plan} plan @param {Ref} ref @returns {{plan: Plan, ref: Ref}} */
+/**
+ * Insert a point halfway between the chosen one and the next, or 1 m beyond the last one.
+ * @param {Plan} plan @param {Ref} ref @returns {{plan: Plan, ref: Ref}}
+ */
 export function insertPoint(plan, ref) {
   const points = pointsOf(plan, ref);
   const i = ref.point ?? points.length - 1;

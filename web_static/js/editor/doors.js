@@ -12,7 +12,10 @@ import { distance, nearestOn, tidy } from "./geometry.js";
 const SAME = 0.002; // m
 const THICKNESS = 0.1; // m, of the walls of a plan that does not give it
 
-/** The width (m) of the gap for a door: each wall end reaches into it by half the wall's thickness. @param {Plan} plan @param {number} width m, clear */
+/**
+ * The width (m) of the gap for a door: each wall end reaches into it by half the wall's thickness.
+ * @param {Plan} plan @param {number} width m, clear
+ */
 function gapOf(plan, width) {
   return width + (plan.wall_thickness ?? THICKNESS);
 }
@@ -97,7 +100,10 @@ function nearestPiece(walls, place) {
   return best;
 }
 
-/** The wall end at a place; null when there is none. @param {Point[][]} walls @param {Point} place @returns {WallEnd | null} */
+/**
+ * The wall end at a place; null when there is none.
+ * @param {Point[][]} walls @param {Point} place @returns {WallEnd | null}
+ */
 function wallEndAt(walls, place) {
   for (const [wall, points] of walls.entries()) {
     if (distance(points[0], place) < SAME) return { wall, atStart: true };
@@ -106,12 +112,18 @@ function wallEndAt(walls, place) {
   return null;
 }
 
-/** A line in the direction in which the given end is its last point. @param {Point[]} points @param {boolean} atStart whether the end is the first point now */
+/**
+ * A line in the direction in which the given end is its last point.
+ * @param {Point[]} points @param {boolean} atStart whether the end is the first point now
+ */
 function orient(points, atStart) {
   return atStart ? points.toReversed() : points;
 }
 
-/** Join two lines, without a point where the joint lies on a straight piece. @param {Point[]} first @param {Point[]} second */
+/**
+ * Join two lines, without a point where the joint lies on a straight piece.
+ * @param {Point[]} first @param {Point[]} second
+ */
 function joinLines(first, second) {
   /** @param {Point} a @param {Point} b @param {Point} c */
   const isStraight = (a, b, c) => nearestOn(a, c, b).away < SAME;

@@ -47,8 +47,8 @@ export function drawing(label) {
   );
   /** @param {DrawingContent} content @param {View} view @param {Size} size */
   const show = (content, view, size) => {
-    const matrix = `translate(${size.width / 2} ${size.height / 2}) scale(${view.scale} ${-view.scale}) translate(${-view.x} ${-view.y})`;
-    set(world, { transform: matrix });
+    const middle = `translate(${size.width / 2} ${size.height / 2})`;
+    set(world, { transform: `${middle} scale(${view.scale} ${-view.scale}) translate(${-view.x} ${-view.y})` });
     set(fine, { d: gridLines(view, size, STEP) });
     set(coarse, { d: gridLines(view, size, 1) });
     const px = 1 / view.scale;
@@ -58,7 +58,10 @@ export function drawing(label) {
   return { element, show };
 }
 
-/** The lines of a grid as an SVG path in px; empty where they would be too dense. @param {View} view @param {Size} size @param {number} step m */
+/**
+ * The lines of a grid as an SVG path in px; empty where they would be too dense.
+ * @param {View} view @param {Size} size @param {number} step m
+ */
 function gridLines(view, size, step) {
   if (step * view.scale < NEAREST_LINES) return "";
   const [left, top] = toPlace(view, size, [0, 0]);
@@ -117,7 +120,10 @@ function round({ position: [x, y], radius }, name) {
   return s("circle", { class: name, cx: x, cy: y, r: radius ?? 0.15 });
 }
 
-/** A line as wide as a door or gap, across the way through it. @param {{position: Point, width?: number, heading?: number}} item @param {string} name class */
+/**
+ * A line as wide as a door or gap, across the way through it.
+ * @param {{position: Point, width?: number, heading?: number}} item @param {string} name class
+ */
 function across({ position: [x, y], width = 1, heading = 0 }, name) {
   const along = heading + Math.PI / 2;
   const [dx, dy] = [(Math.cos(along) * width) / 2, (Math.sin(along) * width) / 2];
@@ -179,7 +185,10 @@ function pendingLine({ pending, ghost, cursor }, px) {
   ];
 }
 
-/** The lengths (m) of the pending line and of the chosen item, and the names of rooms. @param {DrawingContent} content @param {View} view @param {Size} size */
+/**
+ * The lengths (m) of the pending line and of the chosen item, and the names of rooms.
+ * @param {DrawingContent} content @param {View} view @param {Size} size
+ */
 function labels({ plan, pending, chosen, ghost }, view, size) {
   /** @param {Point} place @param {string} words @param {string} name class */
   const at = (place, words, name) => {

@@ -38,7 +38,10 @@ export function form({ plan, chosen, models }, acts) {
   return [itemList(plan, ref, acts), ref ? itemForm(plan, ref, models, acts) : planForm(plan, acts)];
 }
 
-/** All items of the plan by name, to choose one without tapping the drawing. @param {Plan} plan @param {Ref | null} chosen @param {Acts} acts */
+/**
+ * All items of the plan by name, to choose one without tapping the drawing.
+ * @param {Plan} plan @param {Ref | null} chosen @param {Acts} acts
+ */
 function itemList(plan, chosen, acts) {
   const refs = LISTS.flatMap((list) => itemsOf(plan, list).slice(0, 300).map((_, index) => ({ list, index })));
   const options = refs.map((ref) => ({ value: `${ref.list} ${ref.index}`, label: nameOf(plan, ref) }));
@@ -161,7 +164,10 @@ function obstacleRows(one, models, acts) {
   ];
 }
 
-/** The 3D model that is drawn in place of a box. @param {Extract<ObstacleItem, {kind: "box"}>} one @param {ModelView[]} models @param {Acts} acts */
+/**
+ * The 3D model that is drawn in place of a box.
+ * @param {import("./document.js").BoxItem} one @param {ModelView[]} models @param {Acts} acts
+ */
 function modelRow(one, models, acts) {
   const options = models.map(({ name, size: [a, b, c] }) => ({
     value: name,
@@ -247,7 +253,8 @@ function size(name, label, value, acts) {
 
 /**
  * A number in its unit; an empty field is null.
- * @param {string} key @param {string} label @param {number | ""} value @param {string} unit @param {(value: number | null) => void} onChange
+ * @param {string} key @param {string} label @param {number | ""} value @param {string} unit
+ * @param {(value: number | null) => void} onChange
  */
 function numberRow(key, label, value, unit, onChange) {
   const shown = value === "" ? "" : String(Number(Number(value).toFixed(unit === "°" ? 1 : 3)));

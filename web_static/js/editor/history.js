@@ -10,7 +10,10 @@ export function newHistory(now) {
   return { past: [], now, future: [] };
 }
 
-/** Add a version; an unchanged one is not added. @template T @param {History<T>} history @param {T} next @returns {History<T>} */
+/**
+ * Add a version; an unchanged one is not added. @template T
+ * @param {History<T>} history @param {T} next @returns {History<T>}
+ */
 export function addStep(history, next) {
   if (next === history.now) return history;
   return { past: [...history.past, history.now].slice(-MOST), now: next, future: [] };

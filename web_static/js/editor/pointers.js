@@ -20,7 +20,10 @@ const WHEEL = 0.0015; // zoom per px of a wheel's turn
 export function listenToPointers(element, on, signal) {
   /** @type {Map<number, Pixel>} */
   const down = new Map();
-  /** The only finger that is down; null as soon as it cannot tap any more. @type {{at: Pixel, isDrag: boolean, pans: boolean} | null} */
+  /**
+   * The only finger that is down; null as soon as it cannot tap any more.
+   * @type {{at: Pixel, isDrag: boolean, pans: boolean} | null}
+   */
   let start = null;
   let hasItem = false;
   let isSpace = false;

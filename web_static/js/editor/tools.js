@@ -91,7 +91,10 @@ export function erase(state, ref) {
   return { ...state, plan, chosen: null };
 }
 
-/** Move the chosen item, or its chosen point, to a place. @param {State} state @param {Point} at @param {number} reach m @returns {NextState} */
+/**
+ * Move the chosen item, or its chosen point, to a place.
+ * @param {State} state @param {Point} at @param {number} reach m @returns {NextState}
+ */
 export function placeChosen(state, at, reach) {
   const { plan, chosen } = state;
   if (!chosen) return state;
@@ -100,7 +103,10 @@ export function placeChosen(state, at, reach) {
   return { ...state, plan: made.plan, chosen: made.ref, words: made.problem && `editor.door.${made.problem}` };
 }
 
-/** Finish the line that is being drawn; with fewer than two points there is none. @param {State} state @returns {NextState} */
+/**
+ * Finish the line that is being drawn; with fewer than two points there is none.
+ * @param {State} state @returns {NextState}
+ */
 export function finishLine(state) {
   const { plan, tool, pending } = state;
   if ((tool !== "wall" && tool !== "path") || pending.length < 2) return { ...state, pending: [] };

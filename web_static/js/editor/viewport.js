@@ -24,7 +24,10 @@ export function panView(view, dx, dy) {
   return { ...view, x: view.x - dx / view.scale, y: view.y + dy / view.scale };
 }
 
-/** Zoom; the point of the floor under a pixel stays under it. @param {View} view @param {Size} size @param {number} factor @param {[number, number]} [pixel] */
+/**
+ * Zoom; the point of the floor under a pixel stays under it.
+ * @param {View} view @param {Size} size @param {number} factor @param {[number, number]} [pixel]
+ */
 export function zoomView(view, size, factor, pixel = [size.width / 2, size.height / 2]) {
   const [x, y] = toPlace(view, size, pixel);
   const scale = Math.min(LARGEST, Math.max(SMALLEST, view.scale * factor));
@@ -33,7 +36,10 @@ export function zoomView(view, size, factor, pixel = [size.width / 2, size.heigh
   return { ...other, x: view.x + x - otherX, y: view.y + y - otherY };
 }
 
-/** The view that shows everything. @param {{x: number, y: number, width: number, height: number} | null} bounds m @param {Size} size @returns {View} */
+/**
+ * The view that shows everything.
+ * @param {{x: number, y: number, width: number, height: number} | null} bounds m @param {Size} size @returns {View}
+ */
 export function fitView(bounds, { width, height }) {
   if (!bounds) return { x: 4, y: 3, scale: FIRST };
   const scale = MARGIN * Math.min(width / Math.max(bounds.width, 1), height / Math.max(bounds.height, 1));

@@ -90,7 +90,12 @@ const SIGNED_OUT = 4401; // close code
  * `open`: the socket is open. `tick`: a message came. `quality`: the condition of the channels came, once a second.
  * `changed`: something changed on the server; the detail names it. `connection`: the detail tells whether messages come.
  * @template Message
- * @typedef {{open: Event, tick: CustomEvent<Message>, quality: Event, changed: CustomEvent<string>, connection: CustomEvent<boolean>}} LiveEvents
+ * @typedef {object} LiveEvents
+ * @property {Event} open
+ * @property {CustomEvent<Message>} tick
+ * @property {Event} quality
+ * @property {CustomEvent<string>} changed
+ * @property {CustomEvent<boolean>} connection
  */
 
 /**

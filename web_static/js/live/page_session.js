@@ -49,7 +49,10 @@ export class PageSession {
     if (app.root.querySelector(".body.empty")) app.show(); // the page says that nobody is here
   }
 
-  /** Cover the page of the earlier session, list the entries that were not sent, and send none of them. @param {CurrentSession} before @param {CurrentSession} now */
+  /**
+   * Cover the page of the earlier session, list the entries that were not sent, and send none of them.
+   * @param {CurrentSession} before @param {CurrentSession} now
+   */
   #coverPage(before, now) {
     const app = this.#app;
     const drafts = changedFields(app.root);

@@ -8,7 +8,8 @@ const FIRST_PAUSE = 50; // ms before the socket is opened again; doubled with ea
 const LONGEST_PAUSE = 800; // ms
 const OPENING_LIMIT = 2000; // ms for a socket to open
 const WORD_IN_USE = 4409; // close code: another socket has the word of this page
-const REFUSAL_LIMIT = 5000; // ms of refusals: the server gives up a dead socket after 2 s, so the other socket belongs to a page that lives
+// ms of refusals: the server gives up a dead socket after 2 s, so a socket that still has the word belongs to a live page
+const REFUSAL_LIMIT = 5000;
 const ACCEPTED_AFTER = 500; // ms after which an open socket counts as accepted
 
 /**

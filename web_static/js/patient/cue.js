@@ -52,7 +52,8 @@ export function cueLayer(live, signal) {
     if (!cue) return;
     element.dataset.kind = cue.kind;
     write(words, cueWords(cue));
-    const after = cue.kind === "ready" && cue.movement ? cue.movement : cue.next && cueWords({ kind: cue.next, movement: cue.movement });
+    const { kind, movement, next } = cue;
+    const after = kind === "ready" && movement ? movement : next && cueWords({ kind: next, movement });
     write(then, after ? t("patient.cue.next", { next: after.toLowerCase() }) : "");
   };
   turn();

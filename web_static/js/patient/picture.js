@@ -28,7 +28,10 @@ export function patientPicture(live, signal) {
 
   /** @param {PatientMessage["asks"]} asks */
   const wanted = (asks) => (!asks.plan && view.why() === "" ? "view" : "plan");
-  /** When the 3D view is lost while the chair may move, the drawn plan appears only after the chair has stopped. @param {PatientMessage} now */
+  /**
+   * When the 3D view is lost while the chair may move, the drawn plan appears only after the chair has stopped.
+   * @param {PatientMessage} now
+   */
   const next = (now) => {
     const which = wanted(now.asks);
     if (live.age > limit().limit || (which === "plan" && !plan.isReady(now.trial))) return "none";

@@ -78,7 +78,10 @@ export function door({ position, width, heading: direction }) {
   );
 }
 
-/** A mover at its start, its radius, and the line along which it moves. @param {import("./floor_plan.js").Mover} mover @param {number} scale */
+/**
+ * A mover at its start, its radius, and the line along which it moves.
+ * @param {import("./floor_plan.js").Mover} mover @param {number} scale
+ */
 export function mover({ points: line, radius }, scale) {
   const body = s(
     "g",

@@ -14,11 +14,15 @@ const LIFE = 18; // m: of a plan that is wider, marks are drawn larger than life
 const CHAIR = "M.55 0 L-.35 .34 L-.35 -.34 Z"; // m, pointing ahead
 
 /**
- * @param {import("./floor_plan.js").FloorPlan} plan @param {Point[]} path
- * @param {{label: string, hasRooms?: boolean, isNear?: boolean, request?: import("./floor_plan.js").PrescribedPath | null, isTrue?: boolean}} options
- * isNear: show only what lies near the path; request: the prescribed path with its task; isTrue: draw chair and marks true
- * to size, whatever the size of the plan
+ * @typedef {object} PlanOptions
+ * @property {string} label for screen readers
+ * @property {boolean} [hasRooms] write the names of the rooms
+ * @property {boolean} [isNear] show only what lies near the path
+ * @property {import("./floor_plan.js").PrescribedPath | null} [request] the prescribed path with its task
+ * @property {boolean} [isTrue] draw chair and marks true to size, whatever the size of the plan
  */
+
+/** @param {import("./floor_plan.js").FloorPlan} plan @param {Point[]} path @param {PlanOptions} options */
 export function planPicture(plan, path, { label, hasRooms = false, isNear = false, request = null, isTrue = false }) {
   const { area } = plan.ground;
   /** @type {Point[]} */

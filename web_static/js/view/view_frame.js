@@ -112,7 +112,10 @@ export function viewFrame(signal, role = "clinician", onChange = () => {}) {
     const isDead = now - deadSince > 1000 * DEAD || (isDrawn && old >= DEAD && !isNew);
     if (isDead) renew(now, old);
   };
-  /** Load the frame anew, if the browser can draw. @param {number} now ms of performance.now @param {number} old s, age of the picture */
+  /**
+   * Load the frame anew, if the browser can draw.
+   * @param {number} now ms of performance.now @param {number} old s, age of the picture
+   */
   const renew = (now, old) => {
     patience = old === Infinity ? Math.min(2 * patience, LONGEST_PATIENCE) : PATIENCE;
     if (canDrawIn3d()) return load();

@@ -31,7 +31,10 @@ export function viewSettings(onChange) {
     localStorage.setItem(STORAGE_KEY, JSON.stringify(eye));
     onChange();
   };
-  /** @param {NumberName} name @param {number} size of a step @param {number} digits @param {string} unit @param {number} [scale] of the number on screen */
+  /**
+   * @param {NumberName} name @param {number} size of a step @param {number} digits @param {string} unit
+   * @param {number} [scale] of the number on screen
+   */
   const step = (name, size, digits, unit, scale = 1) =>
     stepper({
       label: t(`trial.view.${name}`),
