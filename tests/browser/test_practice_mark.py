@@ -3,7 +3,7 @@
 import re
 
 import pytest
-from browser.clinic_app import ClinicApp, assert_quiet, go
+from browser.served.clinic_app import ClinicApp, assert_quiet, go
 from playwright.sync_api import expect
 
 from folders import ROOT, SCREENSHOTS

@@ -3,7 +3,7 @@
 import re
 
 import pytest
-from browser.review_app import ReviewApp
+from browser.served.review_app import ReviewApp
 from playwright.sync_api import expect
 
 from folders import SCREENSHOTS

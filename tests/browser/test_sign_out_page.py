@@ -1,7 +1,7 @@
 """Signing out in a real browser: nothing that names a patient stays on the page, and nothing comes later."""
 
 import pytest
-from browser.served_clinic import ServedClinic
+from browser.served.served_clinic import ServedClinic
 from playwright.sync_api import expect
 
 from app.settings import Settings

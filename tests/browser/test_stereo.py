@@ -6,10 +6,10 @@ import signal
 
 import numpy as np
 import pytest
+from browser.served.view_app import Running
 from PIL import Image
 from playwright.sync_api import expect
 from processes.served_demo import SessionClient, bodydrive, free_port, printed_link
-from view_app import Running
 
 from app.api.pages import Pages
 from app.geometry import Pose

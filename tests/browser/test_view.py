@@ -5,8 +5,8 @@ import math
 
 import numpy as np
 import pytest
+from browser.served.view_app import running
 from PIL import Image
-from view_app import running
 
 from app.scene.cameras import VIEWS
 from app.world.floorplan import bundled_floorplans, load_floorplan

@@ -10,7 +10,7 @@ import msgspec
 import numpy as np
 import pytest
 import websockets
-from browser.view_app import running
+from browser.served.view_app import running
 from fastapi import FastAPI, HTTPException
 from fastapi.testclient import TestClient
 from starlette.websockets import WebSocketDisconnect

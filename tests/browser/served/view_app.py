@@ -1,6 +1,6 @@
 """A web process with nothing but the 3D view, and a chair that drives along the path: for the tests of the view.
 
-python tests/browser/view_app.py --floorplan clinic --port 8090
+python tests/browser/served/view_app.py --floorplan clinic --port 8090
 """
 
 import argparse

@@ -1,6 +1,6 @@
 """A clinic with two trials that are over, their recordings made by the real chain; served in a thread of this process.
 
-python tests/browser/review_app.py --port 8131
+python tests/browser/served/review_app.py --port 8131
 """
 
 import argparse
@@ -9,9 +9,9 @@ import tempfile
 import threading
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # for its own start, outside of the tests
+sys.path.insert(0, str(Path(__file__).resolve().parents[2]))  # for its own start, outside of the tests
 
-from browser.served_clinic import ServedClinic
+from browser.served.served_clinic import ServedClinic
 from recorded_trial import record_trial
 
 from app.session.recordings import recorded_readings

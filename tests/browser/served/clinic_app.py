@@ -4,7 +4,7 @@ from pathlib import Path
 from typing import Any
 
 from api.fake_clinic import LAYOUT, profile_for
-from browser.served_clinic import ServedClinic
+from browser.served.served_clinic import ServedClinic
 from processes.served_demo import SessionClient
 
 from app.calibration.vocabulary import standard_parameters
