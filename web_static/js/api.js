@@ -28,7 +28,7 @@ export class ApiError extends Error {
   }
 }
 
-/** What a failure says to people. @param {unknown} error */
+/** The sentence of a failure, for people. @param {unknown} error */
 export function failureWords(error) {
   return error instanceof Error ? error.message : String(error);
 }
@@ -39,7 +39,7 @@ const isForEveryone = (path) => path === STOP || path.startsWith("/auth/");
 let signIns = 0; // counts up with each sign-in that ends, for the calls of every page
 
 /**
- * The calls by method; `onSignedOut` is told when a sign-in has run out. Each change names the session that the page
+ * The calls by method; `onSignedOut` is called when a sign-in has run out. Each change names the session that the page
  * shows (docs/protocols.md, section 4), so that nothing meant for one patient reaches another one.
  */
 export class Api {

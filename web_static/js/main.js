@@ -92,7 +92,7 @@ export class App extends TypedEvents {
     await this.#signedIn();
   }
 
-  /** Go on with what a sign-in answered. @param {Me} me */
+  /** Take the answer of a sign-in. @param {Me} me */
   async signedIn(me) {
     this.me = me;
     await this.#signedIn();
@@ -121,7 +121,7 @@ export class App extends TypedEvents {
     this.show();
   }
 
-  /** Read again who is here. */
+  /** Read the open session again. */
   async readSession() {
     this.session = await this.api.get("/session");
     this.dispatchEvent(new Event("session"));
@@ -145,7 +145,7 @@ export class App extends TypedEvents {
     this.go("#/drive");
   }
 
-  /** The trial that shall be started, once. */
+  /** Return the requested trial and forget it. */
   takeTrialRequest() {
     const request = this.#trialRequest;
     this.#trialRequest = null;
@@ -198,7 +198,7 @@ export class App extends TypedEvents {
     return page;
   }
 
-  /** Where somebody goes on who names no page. */
+  /** The page that comes next when the address names none. */
   #next() {
     if (!this.session?.patient) return "patients";
     return this.session.has_profile ? "drive" : "calibrate";
@@ -243,7 +243,7 @@ export class App extends TypedEvents {
     this.#whoAmI();
   }
 
-  /** Without the program nothing may look like the present, and only pages that work without it are offered. */
+  /** While the server does not answer, mark the frame as offline and disable all pages but those that work without it. */
   #showWhetherOffline() {
     const isOffline = Boolean(this.me?.signed_in) && !this.live.connected;
     this.frame.classList.toggle("offline", isOffline);
@@ -256,12 +256,12 @@ export class App extends TypedEvents {
     if (me && !me.signed_in) this.signedOut();
   }
 
-  /** Let the changes of the page name this session. @param {number | null} id */
+  /** Send this session's id with each change from now on. @param {number | null} id */
   useSession(id) {
     this.api = new Api(() => this.signedOut(), id);
   }
 
-  /** End what the page does. @param {string} [why] */
+  /** End the page's listeners and requests. @param {string} [why] */
   leavePage(why) {
     this.#leave.abort(why);
   }

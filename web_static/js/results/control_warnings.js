@@ -1,5 +1,5 @@
 /**
- * What the clinician had better look at, calmly: what was seen, what to do, and where.
+ * Warnings of the quality of control: what was seen, what to do, and on which page.
  * @import { ControlWarning } from "types/api"
  */
 import { t } from "../texts.js";
@@ -34,7 +34,7 @@ export function controlWarnings(warnings, mayChange, isOpen = true) {
   );
 }
 
-/** In one line: of what kind, and where. @param {ControlWarning[]} warnings */
+/** The kinds and joints of the warnings in one line. @param {ControlWarning[]} warnings */
 function summaryOf(warnings) {
   const parts = together(warnings).map((same) => {
     const joints = [...new Set(same.map(({ joint }) => joint))].join(", ");
@@ -43,7 +43,7 @@ function summaryOf(warnings) {
   return h("span", { class: "quiet small" }, parts.join(" · "));
 }
 
-/** Those with the same advice stand together, so that it is given once. @param {ControlWarning[]} warnings */
+/** Group the warnings with the same advice, so that it is given once. @param {ControlWarning[]} warnings */
 function together(warnings) {
   return [...new Set(warnings.map(({ advice }) => advice))].map((same) =>
     warnings.filter(({ advice }) => advice === same),
@@ -62,6 +62,6 @@ export function warningsPlace(app, patient, signal) {
       const shown = !signal.aborted && controlWarnings(warnings, app.me?.role !== "reviewer", false);
       if (shown) place.append(shown);
     })
-    .catch(() => {}); // the page itself does not depend on it
+    .catch(() => {}); // the page works without the warnings
   return place;
 }

@@ -37,7 +37,7 @@ const LARGE = [
   { has: ["stages_done"], large: ["stages_done", "time", "collisions"] },
   { has: ["heading_error_deg"], large: ["heading_error_deg", "turn_drift", "time"] },
   { has: ["follow_error_rms"], large: ["follow_error_rms", "follow_near", "e_diff"] },
-  { has: ["gaps", "gap_clearance"], large: ["gap_clearance", "e_diff", "time"] }, // where gaps are the task: not any door
+  { has: ["gaps", "gap_clearance"], large: ["gap_clearance", "e_diff", "time"] }, // only where the task has gaps, not at every door
   { has: ["cones_touched"], large: ["cones_touched", "e_diff", "time"] },
   { has: [], large: ["dist", "e_diff", "time"] },
 ];

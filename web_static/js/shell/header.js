@@ -73,7 +73,7 @@ export function header(app) {
     chair.className = `lamp${isBad ? " att" : armed ? "" : " off"}${state ? "" : " wide"}`;
     write(chair, state ? t("lamp.real", { state: t(`lamp.real.${state}`) }) : armed ? t("lamp.armed") : t("lamp.chair"));
   };
-  // A demonstration says of itself that nothing in it is real.
+  // A demonstration has a mark of its own.
   const showPractice = () => practice.show(app.me?.demo ? null : app.practice);
   for (const event of /** @type {const} */ (["me", "practice"])) app.addEventListener(event, showPractice);
   app.addEventListener("me", showWho);
@@ -83,7 +83,7 @@ export function header(app) {
   app.live.addEventListener("connection", () => {
     showShirt();
     showChair();
-    leave.disabled = !app.live.connected; // signing out is something that the program does
+    leave.disabled = !app.live.connected; // signing out needs the server
   });
   showWho();
   showShirt();
@@ -91,7 +91,7 @@ export function header(app) {
   return element;
 }
 
-/** A lamp of which nothing is known now. @param {HTMLElement} lamp @param {string} key of its words @param {string} width */
+/** Show that the state of a lamp is not known now. @param {HTMLElement} lamp @param {string} key of its words @param {string} width */
 function unknown(lamp, key, width) {
   lamp.className = `lamp off unknown ${width}`;
   write(lamp, t(key));

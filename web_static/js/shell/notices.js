@@ -38,7 +38,7 @@ function noticeKind(app) {
   return app.diskWords && !app.showsTrial ? `disk ${app.diskWords}` : "";
 }
 
-/** What is said of a fault is said anew with each further stop. @param {{name: string}} fault @param {number} stops */
+/** The key of a fault's notice: it changes with each further stop, so that the notice is read out again. @param {{name: string}} fault @param {number} stops */
 export function faultKey(fault, stops) {
   return `fault ${fault.name} ${stops}`;
 }
@@ -56,7 +56,7 @@ function note(app, kind) {
   return strip("", happened, next, continueButton(app));
 }
 
-/** It takes back the stops that are shown beside it, and none that came after. @param {import("../main.js").App} app */
+/** The Continue button: it clears the stops that are shown beside it, and none that came later. @param {import("../main.js").App} app */
 export function continueButton(app) {
   const stops = app.live.latest?.stops ?? 0;
   /** @param {boolean} off */

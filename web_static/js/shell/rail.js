@@ -8,7 +8,7 @@ const RAIL = /** @type {const} */ ([...STEPS, "settings"]);
 /** @type {string[]} */
 export const PAGES = [...RAIL, "plans", "adapt"]; // those that have an address of their own
 
-/** Which steps are done, by what the session says. @param {import("../main.js").App} app @returns {Set<string>} */
+/** The steps that are done in the open session. @param {import("../main.js").App} app @returns {Set<string>} */
 export function stepsDone(app) {
   const session = app.session;
   const done = new Set();

@@ -16,7 +16,7 @@ export async function stopNow(app) {
   }
 }
 
-/** The button; it stands in the header of every page, signed in or not. @param {import("../main.js").App} app */
+/** The Stop button of the header, which every page has, signed in or not. @param {import("../main.js").App} app */
 export function stopButton(app) {
   const button = h(
     "button",

@@ -21,7 +21,7 @@ export function nextTheme() {
   return next;
 }
 
-/** Write the theme where the style sheets look for it, and tell what draws its own colours. */
+/** Set the theme's attribute for the style sheets, and tell the canvases by the event `themechange`. */
 export function applyTheme() {
   const choice = chosenTheme();
   const system = CONTRAST.matches ? "contrast" : DARK.matches ? "dark" : "light";

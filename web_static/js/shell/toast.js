@@ -42,7 +42,7 @@ export class Toasts {
     }
   }
 
-  /** Take back everything that was said: it was not meant for the next person at this screen. */
+  /** Remove all messages: they were not meant for the next person at this screen. */
   clear() {
     for (const place of [this.element, this.voice, this.urgent]) place.replaceChildren();
   }

@@ -91,7 +91,7 @@ export function cueCircle(app, step, { isRunning, idleWords, signal, onCue }) {
   return element;
 }
 
-/** The disc leads the movement: smoothly up, smoothly back. @param {string} kind of the cue @param {number} share of its time, 0..1 */
+/** The radius of the disc, which grows and shrinks smoothly to lead the movement. @param {string} kind of the cue @param {number} share of its time, 0..1 */
 export function discRadius(kind, share) {
   const ease = 0.5 - 0.5 * Math.cos(Math.PI * Math.min(1, Math.max(0, share)));
   if (kind === "move") return DISC_SMALL + (DISC_LARGE - DISC_SMALL) * ease;

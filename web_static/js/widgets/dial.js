@@ -29,7 +29,7 @@ export function speedDial(app, signal) {
   const follow = ({ detail: now }) => {
     if (wanted === null && performance.now() - answeredAt > ANSWERED_FOR) element.setValue(share(now));
   };
-  /** Send what was wanted last; while one call is under way, the next waits. @param {number} value in % */
+  /** Send the newest value; while a call is under way, the next one waits. @param {number} value in % */
   const turn = async (value) => {
     const isUnderWay = wanted !== null;
     wanted = value;

@@ -22,7 +22,7 @@ const WRITTEN = {
 };
 
 /**
- * A card that fills itself; it stays away when nothing is calibrated.
+ * A card that fills itself; it is hidden while nothing is calibrated.
  * @param {import("../api.js").Api} api @param {Record<string, string>} labels joint name -> label
  * @param {(() => void) | null} onTake what the tap on the suggestion does, null where it cannot be taken yet
  */
@@ -34,7 +34,7 @@ export function discoveryCard(api, labels, onTake) {
       put(card, h("h2", {}, t("found.title")), content(found, labels, onTake));
       card.hidden = false;
     } catch {
-      card.hidden = true; // the page around it says what is missing
+      card.hidden = true; // the page that contains the card says what is missing
     }
   };
   read();
@@ -129,7 +129,7 @@ function falseWords(prediction) {
 }
 
 /**
- * What was predicted from one part of the recordings beside what was counted in the other.
+ * For each gesture, the prediction from one part of the recordings beside the count in the other part.
  * @param {(FoundGesture & {prediction: Prediction})[]} gestures @param {Words} words
  */
 function checks(gestures, words) {

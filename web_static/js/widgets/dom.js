@@ -1,6 +1,6 @@
 /**
- * Elements by function call, so that pages read like the picture they make.
- * Text is always text: nothing here parses HTML.
+ * Elements by function call: the nesting of the calls is that of the elements.
+ * Text is inserted as text: nothing here parses HTML.
  * @import { Attributes, Child } from "types/dom"
  */
 
@@ -49,7 +49,7 @@ export function set(element, attributes) {
   return element;
 }
 
-/** Write a text only when it differs: a live region must not repeat itself. @param {Element} element @param {string} words */
+/** Write a text only when it differs: a live region would read it out again. @param {Element} element @param {string} words */
 export function write(element, words) {
   if (element.textContent !== words) element.textContent = words;
 }

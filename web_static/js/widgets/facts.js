@@ -3,7 +3,7 @@ import { t } from "../texts.js";
 import { h, write } from "./dom.js";
 
 /**
- * `write` sets one fact by its key; a fact that is not said yet is not shown.
+ * `write` sets one fact by its key; a fact without words is hidden.
  * @param {string[]} keys texts that name the facts, in order
  */
 export function facts(keys) {

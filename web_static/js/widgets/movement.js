@@ -45,7 +45,7 @@ export class Movement extends EventTarget {
     });
   }
 
-  /** Take keys from a window: ours, and that of the 3D view when it has the focus. @param {Window} where */
+  /** Listen to the keys of a window: the page's own, or that of the 3D view. @param {Window} where */
   listenTo(where) {
     /** @param {KeyboardEvent} event @param {number} level */
     const key = (event, level) => {

@@ -44,7 +44,7 @@ export function speedRows(speeds, limits, onChange) {
     const hint = `speed.${name}.hint`;
     const note = h("span", { class: "held" });
     notes.set(name, note);
-    // Whole steps of what people read, within what the chair may do.
+    // The steps are whole in the unit that people read; the result is kept within the chair's limits.
     /** @param {number} value as people read it */
     const change = (value) => onChange(name, Math.min(high, Math.max(low, value / factor)));
     const control = stepper({

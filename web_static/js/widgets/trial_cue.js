@@ -31,7 +31,7 @@ export function trialCue(app, picture, onEnd, onPlan) {
       small && h("p", {}, small),
     );
   const missing = () => (picture.shows === "none" ? picture.why : "");
-  /** Before the trial: the picture is coming, or there is none. */
+  /** Show the card before the trial: a picture is being opened, or there is none. */
   const prepare = () => {
     const why = missing();
     if (!why || why === "coming") put(element, word(t("trial.moment"), t("trial.moment.why")));
@@ -49,7 +49,7 @@ export function trialCue(app, picture, onEnd, onPlan) {
       clearTimeout(timer);
       return put(element, overView(app, fault, missing(), waits.element, onEnd, onPlan));
     }
-    if (key === "disarmed" && !isBegun) return; // not begun: what was prepared stays
+    if (key === "disarmed" && !isBegun) return; // the trial has not begun: keep the card of `prepare`
     clearTimeout(timer);
     isBegun ||= key === "checking";
     if (key === "checking") put(element, word(t("trial.rest"), t("trial.rest.why")));

@@ -63,7 +63,7 @@ export async function show(app, root, { signal }) {
   };
   /** @param {Mode} mode */
   const choose = async (mode) => {
-    shownMode = mode; // the card stays as it is, and with it the place of the keyboard
+    shownMode = mode; // the card is not drawn again, so that it keeps the focus
     await ask(() => app.api.put("/adaptation", { mode }));
   };
   /** @param {string} proposal its id */
@@ -116,7 +116,7 @@ function proposalCards(view, labels) {
 }
 
 /**
- * In ten seconds: how much is felt, what changes, and what it means for a real chair.
+ * The summary: how much is felt, what changes, and what it means for a real chair.
  * @param {AdaptationView} view @param {ProposalView} proposal @param {Record<string, string>} labels
  */
 function headline({ refusal, practised }, proposal, labels) {

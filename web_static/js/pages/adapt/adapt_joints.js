@@ -49,7 +49,7 @@ function jointCard(joint, reason, isApplied) {
   );
 }
 
-/** What stays alike is said once. @param {string} name @param {string[]} values before and after @param {boolean} better */
+/** A figure before and after; equal values are written once. @param {string} name @param {string[]} values before and after @param {boolean} better */
 function figure(name, values, better) {
   const [before, after] = values.length > 1 && values[0] !== values[1] ? values : [null, values[values.length - 1]];
   return h(
@@ -60,7 +60,7 @@ function figure(name, values, better) {
   );
 }
 
-/** What is applied of what the movements ask for. @param {JointView} joint */
+/** The angle that is applied, and the proposed one where that is larger. @param {JointView} joint */
 function turn({ angle_applied_deg: applied, angle_proposed_deg: asked }) {
   if (asked === null || asked - applied < 0.05) return `${number(applied, 1)}°`;
   return t("adapt.row.turn.asked", { applied: number(applied, 1), asked: number(asked, 1) });

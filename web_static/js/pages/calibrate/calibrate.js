@@ -21,7 +21,7 @@ const PAUSE = 1500; // ms between two steps that follow by themselves: time to b
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal}} page */
 export async function show(app, root, { signal }) {
   if (!patientHere(app, root)) return;
-  const { api } = app; // names this page's session for as long as anything of the page is left
+  const { api } = app; // the page's own instance: its changes name the session that this page was opened for
   const read = () => Promise.all([api.get("/calibration"), api.get("/equipment")]);
   let [view, equipment] = await read();
   let calibration = /** @type {Calibration} */ (view);
@@ -30,7 +30,7 @@ export async function show(app, root, { signal }) {
     return;
   }
   /** @type {string | null} */
-  let watched = null; // the step that ran while we looked: only after it does the next one follow by itself
+  let watched = null; // the step whose run this page has seen: only after that one the next step starts by itself
   let timer = 0;
   let drawn = new AbortController();
 
@@ -111,7 +111,7 @@ export async function show(app, root, { signal }) {
     drawn = new AbortController();
     signal.addEventListener("abort", () => drawn.abort(), { signal: drawn.signal });
     const hadFocus = root.contains(document.activeElement) && document.activeElement !== root.querySelector("h1");
-    const choice = document.activeElement?.closest(".segments")?.getAttribute("aria-label"); // a map is being chosen
+    const choice = document.activeElement?.closest(".segments")?.getAttribute("aria-label"); // the label of the choice of a map that has the focus
     const isResult = calibration.current === "result";
     const view = isResult
       ? resultPage(app, calibration, actions, accept)

@@ -18,7 +18,7 @@ const FINGERPRINT = 8; // digits that people compare
 const EQUAL = 1e-6;
 
 /**
- * `show` draws it again when something is another.
+ * `show` draws it again when something has changed.
  * @param {{onLoad: (title: string) => void, onPractise: () => void}} act
  */
 export function armingSummary({ onLoad, onPractise }) {
@@ -57,7 +57,7 @@ function main(read) {
   return [figures(read), how(read.summary.parameters)];
 }
 
-/** What a person feels first, large. @param {Application} read */
+/** The speeds that a person feels first, in large figures. @param {Application} read */
 function figures(read) {
   const shown = SPEEDS.filter(({ name }) => FIRST.has(name)).map((speed) => limit(speed, read));
   return h(
@@ -94,7 +94,7 @@ function details(read) {
 }
 
 /**
- * One limit, and whose it is where it is not the set's own.
+ * One limit, and the level that sets it where it is not the set's own.
  * @param {typeof SPEEDS[number]} speed @param {Application} read @returns {Row}
  */
 function limit(speed, { summary, controls, clinic, chair, dial }) {

@@ -18,7 +18,7 @@ import { pads } from "../../widgets/pads.js";
 import { faultCard, waitWords } from "../../widgets/trial_cue.js";
 
 const DEGREES = 180 / Math.PI;
-const STRAIGHT = 1; // °/s: less is told as straight on
+const STRAIGHT = 1; // °/s: a smaller turn rate is called straight on
 const FIRST_PICTURES = 3000; // ms
 const BACKWARDS = -0.005; // m/s
 
@@ -41,7 +41,8 @@ export function showDrivePanel(app, root, read, id, signal) {
   /** @param {LiveMessage} now */
   const show = (now) => {
     isSeen ||= now.drive?.id === id;
-    // What is not driven any more has ended, here or elsewhere; the first pictures may be older than the drive.
+    // A drive that is missing in the live picture has ended, here or on another screen. The first pictures after the start
+    // may be older than the drive.
     if (!now.drive && now.control === "alive" && (isSeen || performance.now() - openedAt > FIRST_PICTURES))
       return app.go(`#/drive/chair/over/${id}`);
     write(time, clock(now.drive?.t ?? 0));
@@ -98,7 +99,7 @@ function stateCard(app, about, onEnd) {
     if (key === shown) return;
     shown = key;
     element.dataset.state = now.state;
-    app.root.scrollTop = 0; // what has just happened, and Continue, shall not lie outside of the view
+    app.root.scrollTop = 0; // the fault and Continue must be in view
     if (now.fault) {
       const end = h("button", { type: "button", class: "btn", onclick: onEnd }, t("driving.end"));
       put(place, faultCard(app, now.fault, waits.element, end));

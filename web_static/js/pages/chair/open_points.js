@@ -3,7 +3,7 @@ import { t } from "../../texts.js";
 import { h, put } from "../../widgets/dom.js";
 
 /**
- * The page's own reasons come first: without them the server's cannot be trusted to be of this moment.
+ * The page's own reasons come first: without a live link the server's may be out of date.
  * @param {import("../../live/live.js").Live} live @param {{refusals: string[]}} summary
  */
 export function reasonsAgainst(live, { refusals }) {

@@ -126,7 +126,7 @@ export class ControlsDraft extends TypedEvents {
     this.#changed(true);
   }
 
-  /** Send what is waiting, now. */
+  /** Send the changes that wait, at once. */
   async flush() {
     if (!this.#timer) return this.#sending;
     clearTimeout(this.#timer);
@@ -141,20 +141,20 @@ export class ControlsDraft extends TypedEvents {
     return this.#timer !== 0;
   }
 
-  /** Drop the changes that wait: their session is no longer open. */
+  /** Drop the changes that were not sent: their session is no longer open. */
   drop() {
     clearTimeout(this.#timer);
     this.#timer = 0;
   }
 
-  /** Undo, redo, suggest or load: what the server makes of it is taken. @param {() => Promise<ControlsView>} change */
+  /** Undo, redo, suggest or load, and take the controls that the server answers. @param {() => Promise<ControlsView>} change */
   async ask(change) {
     await this.flush();
     this.#take(await change());
     this.dispatchEvent(new Event("shape"));
   }
 
-  /** Take what somebody else has changed, unless it is what we have. */
+  /** Read the controls again after a change from elsewhere; nothing happens when they are equal or a change of this page waits. */
   async readAgain() {
     if (this.#timer) return;
     await this.#sending;

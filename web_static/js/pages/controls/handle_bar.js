@@ -123,7 +123,7 @@ function turnOf(which, isCrowded, share) {
 }
 
 /**
- * A finger takes the nearer handle, if it lands near one.
+ * Let a pointer drag the nearer handle when it lands near one.
  * @param {HTMLElement} bar @param {Record<HandleName, HTMLElement>} handles
  * @param {(which: HandleName, share: number) => void} onMove
  */

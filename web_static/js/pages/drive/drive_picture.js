@@ -58,9 +58,9 @@ export class DrivePicture extends TypedEvents {
 
   /** @param {number} limit s */
   #look(limit) {
-    if (!this.view) return; // the view calls back while it is being made
+    if (!this.view) return; // `viewFrame` calls back before it returns
     const viewWhy = this.view.why();
-    // The plan stays until the 3D view that was chosen is there.
+    // When the 3D view is chosen, the plan is shown until the view has a picture.
     const isPlan = this.#chosen === "plan" || (this.shows === "plan" && viewWhy !== "");
     write(this.#words, isPlan && this.#chosen === "view" ? t(`picture.${viewWhy}`) : "");
     if (!isPlan) this.#show(viewWhy === "" ? "view" : "none", viewWhy);

@@ -46,14 +46,14 @@ export function placeCard(plan, path) {
   return { element, show, name: setName };
 }
 
-/** How far: metres along the line, or degrees that are left to turn. @param {TrialMoment} now */
+/** The progress: metres along the line, or degrees that are left to turn. @param {TrialMoment} now */
 function progressWords(now) {
   if (now.kind !== "turn") return t("trial.done", { done: number(now.done, 1), length: number(now.length, 0) });
   const left = Math.round(((now.length ?? 0) - (now.done ?? 0)) * DEGREES);
   return t(left < 0 ? "trial.turned.over" : "trial.turned", { left: number(Math.abs(left), 0) });
 }
 
-/** How well: beside the line, off the spot. @param {TrialMoment} now */
+/** The distance from the line, or from the spot of a turn. @param {TrialMoment} now */
 function asideWords({ kind, cross_track: aside }) {
   const distance = Math.abs(aside ?? 0) < OFF_PATH ? 0 : Math.abs(aside ?? 0);
   return t(kind === "turn" ? "trial.spot" : "trial.off", { distance: number(distance, 2) });

@@ -34,7 +34,7 @@ function places(plans) {
 
 /**
  * @param {FloorPlanView[]} plans what GET /floorplans answered @param {ReadPlan} read a floor plan's document
- * @param {(words: string) => void} onChosen is told what is chosen
+ * @param {(words: string) => void} onChosen called with the choice in words
  */
 export function planChooser(plans, read, onChosen) {
   let chosen = lastChoice(plans);

@@ -20,7 +20,7 @@ import { chosenView, viewBar } from "../../view/view_bar.js";
 const WIDE = matchMedia("(min-width: 1000px)"); // narrower, the plots would be drawn at the cost of the picture
 
 /**
- * Show the picture and what lies over it; `begin` is told of the trial once it runs.
+ * Show the picture and what lies over it; `begin` is called with the trial once it runs.
  * @param {App} app @param {HTMLElement} root
  * @param {{plan: FloorPlan, path: PrescribedPath, isVisitor: boolean}} what @param {AbortSignal} signal
  * @returns {{picture: DrivePicture, begin: (trial: TrialView) => void}}
@@ -35,7 +35,7 @@ export function showTrial(app, root, { plan, path, isVisitor }, signal) {
   const place = placeCard(plan, path);
   /** @param {boolean} isOpen */
   const onPlots = (isOpen) => {
-    mini.element.hidden = isOpen; // the plots stand in the same corner, and show the same line
+    mini.element.hidden = isOpen; // the plots use the same corner and show the same line
     view.setPlots(isOpen);
   };
   const views = viewBar(app, view.surface, (which) => picture.choose(which));

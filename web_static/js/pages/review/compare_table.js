@@ -11,7 +11,7 @@ import { groupOf } from "../../results/source_group.js";
 /** @param {TrialDetail[]} trials two of them, as GET /trials/ID answered */
 export function compareTable(trials) {
   const [first, second] = trials.map(({ measures }) => measures ?? {});
-  const isMixed = groupOf(trials[0]) !== groupOf(trials[1]); // then neither is better than the other
+  const isMixed = groupOf(trials[0]) !== groupOf(trials[1]); // then no trial is called the better one
   /** @param {string} name */
   const row = (name) => {
     const difference = isMixed ? null : change(name, second, first);

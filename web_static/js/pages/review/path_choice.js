@@ -25,7 +25,7 @@ export function pathsOf(trials) {
   return [...found.values()];
 }
 
-/** By place and level as on the Drive page, then by task; what is not there any more last. @param {PathChoice[]} paths @param {FloorPlanView[]} plans */
+/** Sort by place and level as on the Drive page, then by task; paths that no longer exist come last. @param {PathChoice[]} paths @param {FloorPlanView[]} plans */
 export function inOrder(paths, plans) {
   /** @param {PathChoice} path */
   const rank = ({ floorplan, name }) => {
@@ -35,7 +35,7 @@ export function inOrder(paths, plans) {
   return paths.toSorted((a, b) => (rank(a) === rank(b) ? 0 : rank(a) - rank(b)));
 }
 
-/** Where it is, how difficult, and the task; the levels of one scene stand together. @param {PathChoice} path @param {FloorPlanView[]} plans */
+/** The words of a path: floor plan and task, and the scene under which its levels stand together. @param {PathChoice} path @param {FloorPlanView[]} plans */
 export function pathWords({ floorplan, name, title }, plans) {
   const plan = plans.find((one) => one.name === floorplan);
   const task = plan?.paths.find((one) => one.name === name)?.title ?? name;

@@ -79,7 +79,7 @@ export function playKeys(root, head, signal) {
       if (!event.repeat) head.toggle();
       return;
     }
-    // Elsewhere than on the slider these two go to the ends of the page.
+    // Home and End move the slider only while it has the focus; elsewhere they scroll the page.
     const end = target.matches("input[type=range]") ? ends[event.key] : undefined;
     const step = (acts[event.key] ?? NaN) * (event.shiftKey ? FAR : ARROW);
     if (end === undefined && Number.isNaN(step)) return;
@@ -90,7 +90,7 @@ export function playKeys(root, head, signal) {
   root.addEventListener("keydown", press, { signal });
 }
 
-/** What has keys of its own: a field, a choice side by side, something that scrolls sideways. @param {Element} target */
+/** Whether an element uses these keys itself: a field, radio buttons, a region that scrolls sideways. @param {Element} target */
 function belongsElsewhere(target) {
   if (target.matches("input[type=range]")) return false;
   return isWriting(target) || target.matches("input[type=radio], .scroll-x");

@@ -74,7 +74,7 @@ export async function show(app, root, { signal, rest }) {
     const quality = h("div", {});
     /** @param {unknown} error */
     const fail = (error) => until.aborted || app.toasts.show(failureWords(error));
-    // It may read old recordings: the curve does not wait for it.
+    // The server may have to read old recordings for it, so the curve is drawn first.
     if (counts) qualitySection(app, patient, where, until).then((one) => put(quality, one), fail);
     put(
       place,
@@ -108,7 +108,7 @@ export async function show(app, root, { signal, rest }) {
     });
     put(groupPlace, choice);
   };
-  /** Only what the task has: a turn on the spot has no distance driven. */
+  /** Offer the measures that the task has: a turn on the spot has no distance driven. */
   const chooseMeasure = () => {
     const all = trials.flatMap(({ measures, ...trial }) => (measures && keyOf(trial) === path.key ? [measures] : []));
     const names = Object.keys(MEASURES).filter((name) => all.some((measures) => measured(measures, name) !== null));

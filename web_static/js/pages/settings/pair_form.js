@@ -9,7 +9,7 @@ import { h } from "../../widgets/dom.js";
 import { field } from "../../widgets/fields.js";
 import { speedRows } from "../../widgets/speed_rows.js";
 
-const PORT = 5354; // the receiver's own, when it is told no other
+const PORT = 5354; // the receiver's default
 // For a chair that nobody here has driven yet: an indoor walking pace, in SI units.
 const FIRST_SPEEDS = {
   forward: 0.5,
@@ -40,7 +40,7 @@ export function pairForm(app, { onPaired, onClose }) {
   const submit = async (event) => {
     event.preventDefault();
     problem.textContent = "";
-    go.disabled = true; // a second tap would make a second chair
+    go.disabled = true; // a second tap would pair a second chair
     const chair = { name: name.value.trim(), host: host.value.trim(), port: Number(port.value), speeds };
     try {
       onPaired(await app.api.post("/chairs", chair), chair);

@@ -50,7 +50,7 @@ function face() {
   return s("path", { class: "seam", d: "M94 22h.01M106 22h.01M96.5 33c2 1.8 5 1.8 7 0" });
 }
 
-/** Whose right this is: seen from the front, the patient's right is at the left of the picture. @param {"front" | "back"} side */
+/** The words for left and right: seen from the front, the patient's right is at the left of the picture. @param {"front" | "back"} side */
 function sideWords(side) {
   const [first, second] = side === "front" ? ["shirt.right", "shirt.left"] : ["shirt.left", "shirt.right"];
   return [

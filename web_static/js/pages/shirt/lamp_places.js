@@ -15,7 +15,7 @@ const COLUMNS = 3;
  */
 export function lampPlaces(channels) {
   /** @type {Map<string, number>} */
-  const placed = new Map(); // how many of each joint have been given a place by us
+  const placed = new Map(); // number of channels of each joint that were placed near it
   return channels.map((channel, index) => {
     if (channel.position) return { channel, index, side: channel.side ?? "front", position: channel.position };
     const number = placed.get(channel.joint) ?? 0;

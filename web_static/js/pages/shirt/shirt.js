@@ -30,7 +30,7 @@ export async function show(app, root, { signal }) {
   const left = h("div", { class: "stack" });
   const right = h("div", { class: "stack" });
   const below = h("div", {});
-  let drawn = new AbortController(); // ends what was drawn of the equipment before
+  let drawn = new AbortController(); // aborted when the equipment is drawn again
   let picked = "";
   /** @type {Map<CardName, string>} cards whose form is open, with the choice it shows */
   const open = new Map();
@@ -59,7 +59,7 @@ export async function show(app, root, { signal }) {
     equipment = fresh;
     app.toasts.attempt(replaced.show);
     if (!isSame) draw();
-    else drawRight(); // only the files to choose from may be others
+    else drawRight(); // at most the list of files differs
   };
   /** @param {ShirtLayout} layout */
   const lampsCard = (layout) => {
@@ -195,7 +195,7 @@ export async function show(app, root, { signal }) {
   draw();
 }
 
-/** What, drawn anew, would change more than a list of files. @param {Equipment} equipment */
+/** A key of the parts that need the whole page drawn again. @param {Equipment} equipment */
 function keyOf({ shirt, body, layout, unused }) {
   return JSON.stringify([shirt, body, layout, unused]);
 }

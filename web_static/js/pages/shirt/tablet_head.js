@@ -1,4 +1,4 @@
-/** The orientation of this tablet or phone as the head tracker: told at most thirty times a second. */
+/** The orientation of this tablet or phone as the head tracker: sent at most thirty times a second. */
 import { t } from "../../texts.js";
 import { h, write } from "../../widgets/dom.js";
 
@@ -8,7 +8,7 @@ const RADIANS = Math.PI / 180;
 const PATIENCE = 3000; // ms without an event after which there is no sensor
 
 /**
- * Since it was asked for, whatever page is shown: how it says what it does, and how it ends.
+ * The orientation that is being sent, whichever page is shown: where it reports its state, and how it ends; null: none is sent.
  * @type {{say: (sentence: string) => void, ended: () => void, end: () => void} | null}
  */
 let tracking = null;
@@ -35,7 +35,7 @@ export function tabletHead(app) {
   return h("div", { class: "spread" }, button, words);
 }
 
-/** Tell nothing any more: another tracker is used. */
+/** Stop sending the orientation: another tracker is used. */
 export function endTabletHead() {
   tracking?.end();
 }
