@@ -8,7 +8,8 @@ from folders import ROOT
 
 PAGE = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
 TOP = ("app", "bench", "data", "docs", "tests", "web_static")
-NAMED = re.findall(rf"`((?:{'|'.join(TOP)})/[\w./]*)`", PAGE)
+NAME = re.compile(rf"`((?:{'|'.join(TOP)})/[\w./]*)`")
+NAMED = NAME.findall(PAGE)
 QUESTIONS = re.findall(r"^\| (.+\?) \| `(.+)` \|$", PAGE, flags=re.MULTILINE)
 LEAST_QUESTIONS = 25
 AREAS = (
@@ -20,6 +21,13 @@ AREAS = (
 def test_every_file_and_folder_that_the_page_names_exists():
     assert [name for name in NAMED if not (ROOT / name).exists()] == []
     assert [name for name in NAMED if name.endswith("/") != (ROOT / name).is_dir()] == []
+
+
+def test_every_file_and_folder_that_another_page_names_exists():
+    pages = sorted((ROOT / "docs").rglob("*.md"))
+    named = {(page.name, name) for page in pages for name in NAME.findall(page.read_text(encoding="utf-8"))}
+    assert len(pages) > 1
+    assert [(page, name) for page, name in sorted(named) if not (ROOT / name).exists()] == []
 
 
 def test_every_folder_has_its_paragraph():
