@@ -31,7 +31,7 @@ MAY_IMPORT = {
     "store": (LEAVES, "world", "calibration", "scoring"),
     "session": (
         *(LEAVES, "process", "recording", "signals", "world", "calibration", *PURE_CHAIN, "scoring", "store"),
-        *("hardware.chair.key", "hardware.chair.reasons", "hardware.shirt.newest", "hardware.registry"),
+        *("hardware.chair.key", "hardware.chair.reasons", "hardware.shirt.newest_frame", "hardware.registry"),
     ),
     "study": (
         *(LEAVES, "signals", "recording", "world", "calibration", *PURE_CHAIN, "scoring", "hardware.base"),

@@ -15,7 +15,7 @@ from app.calibration.guided.guided_map import with_guided_maps
 from app.calibration.profile import CalibrationProfile
 from app.calibration.prompts_file import read_prompts
 from app.cli.errors import InputError
-from app.cli.gestures_found import gestures_report
+from app.cli.gesture_table import gesture_table
 from app.cli.map_choice import MapChoice, checks, choose, comparison
 from app.cli.output import dialect_summary, print_dialect, warn, write_output
 from app.signals.signals import Signals, read_layout, read_signals
@@ -90,7 +90,7 @@ def calibrate(
         typer.echo(report(profile, fitted.reasons, out))
         print_dialect(recorded, signals)
         if found is not None:
-            typer.echo(f"\n{gestures_report(found)}")
+            typer.echo(f"\n{gesture_table(found)}")
 
 
 def window(

@@ -14,7 +14,7 @@ from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import DriveParameters, recorded_parameters, standard_parameters
 from app.cli.errors import InputError
 from app.cli.output import dialect_summary, print_dialect, warn, write_output
-from app.pipeline.replay.batch import Decoded, decode_block
+from app.pipeline.replay.batch import DecodedRun, decode_block
 from app.pipeline.replay.rerun import decode_run
 from app.recording.reader import read_run
 from app.sentences import one_sentence
@@ -59,7 +59,7 @@ def decode(
         typer.echo(f"Source: {source_words(source)}")
 
 
-def decode_file(signals: Path, parameters: DriveParameters) -> tuple[Signals, Decoded]:
+def decode_file(signals: Path, parameters: DriveParameters) -> tuple[Signals, DecodedRun]:
     """Return the signals and what was decoded; a recording of ours is driven again, at the times of its frames."""
     recorded = read_signals(signals, parameters.profile.layout)
     if signals.is_dir():
@@ -123,7 +123,7 @@ def overridden(parameters: DriveParameters, dead_zone: float | None, cutoff: flo
         raise InputError(one_sentence(error, "--dead-zone or --cutoff")) from error
 
 
-def columns(parameters: DriveParameters, t: NDArray[np.float64], decoded: Decoded) -> dict[str, NDArray[np.float64]]:
+def columns(parameters: DriveParameters, t: NDArray[np.float64], decoded: DecodedRun) -> dict[str, NDArray[np.float64]]:
     """Return what is written: time, four columns per gesture, controls, twist and pose."""
     named = {"t": t}
     for i, gesture in enumerate(parameters.gestures):

@@ -13,7 +13,7 @@ from app.cli.errors import InputError
 from app.clock import Clock, MonotonicClock
 from app.hardware.base import HardwareError
 from app.hardware.shirt.packet import encode
-from app.hardware.shirt.played import Played, Player, read_played
+from app.hardware.shirt.playback import FrameFile, FramePlayer, read_frames
 
 STANDARD_ADDRESS = "127.0.0.1:5252"
 SLOWEST, FASTEST = 0.01, 100.0  # times the recorded speed
@@ -31,18 +31,18 @@ def replay(
         raise InputError(f"--speed {speed:g}: give a number between {SLOWEST:g} and {FASTEST:g}")
     family, address = parse_address(to)
     try:
-        played = read_played(recording)
+        file = read_frames(recording)
     except HardwareError as error:
         raise InputError(str(error)) from error
     if not as_json:
         typer.echo(
-            f"Sending {played.name} to {to}: {len(played.layout.channels)} channels at "
-            f"{played.sample_rate * speed:g} Hz, {played.t[-1] / speed:.1f} s"
+            f"Sending {file.name} to {to}: {len(file.layout.channels)} channels at "
+            f"{file.sample_rate * speed:g} Hz, {file.t[-1] / speed:.1f} s"
             f"{' again and again' if loop else ''}. Ctrl-C ends it."
         )
     with socket.socket(family, socket.SOCK_DGRAM) as sender:
         sent, stopped, trouble = play(
-            played, lambda packet: _send(sender, packet, address), MonotonicClock(), loop, speed
+            file, lambda packet: _send(sender, packet, address), MonotonicClock(), loop, speed
         )
     if trouble:
         raise InputError(f"--to {to}: nothing can be sent there ({trouble}), give another address")
@@ -64,12 +64,14 @@ def parse_address(text: str) -> tuple[socket.AddressFamily, tuple[str, int]]:
     return family, (str(address[0]), int(address[1]))
 
 
-def play(played: Played, send: Callable[[bytes], str], clock: Clock, loop: bool, speed: float) -> tuple[int, bool, str]:
+def play(
+    file: FrameFile, send: Callable[[bytes], str], clock: Clock, loop: bool, speed: float
+) -> tuple[int, bool, str]:
     """Send the frames at their own times over `speed`, each with the device time it was recorded with.
 
     Returns how many were sent, whether Ctrl-C ended it, and what `send` said was wrong.
     """
-    player = Player(played, loop)
+    player = FramePlayer(file, loop)
     start = clock.now()
     sent = 0
     try:

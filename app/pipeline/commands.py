@@ -15,7 +15,7 @@ from app.pipeline.arming import real_chair_refusal, refusal
 from app.pipeline.loop import ControlLoop
 from app.pipeline.opening import Change, Openings, defect
 from app.pipeline.runs import Runs
-from app.pipeline.setup import Refused
+from app.pipeline.setup import CommandRefused
 from app.pipeline.status import status
 from app.process.command_channel import CommandServer
 from app.quantities import Document
@@ -94,11 +94,11 @@ class Commands:
             return
         try:
             if word in NOT_MEANWHILE and self._openings.busy:
-                raise Refused("Another device is being opened: wait a moment, then try again.")
+                raise CommandRefused("Another device is being opened: wait a moment, then try again.")
             answer = command.do(command.fields.model_validate(message), command_id)
         except ValidationError as error:
             self._server.refuse(command_id, f"{one_sentence(error, word)}.")
-        except (Refused, HardwareError) as refusal:
+        except (CommandRefused, HardwareError) as refusal:
             self._server.refuse(command_id, str(refusal))
         except Exception as error:  # a defect of a command must not end the process that holds the chair
             self._server.refuse(command_id, defect(word, error))
@@ -133,7 +133,7 @@ class Commands:
         self._require_no_drive()
         shirt = self._setup.network_shirt
         if shirt is None or not shirt.use_sender(fields.sender):
-            raise Refused("This sender sends no frames of this shirt: look again who does.")
+            raise CommandRefused("This sender sends no frames of this shirt: look again who does.")
         return {}
 
     def _body(self, fields: command_fields.Device, command_id: int) -> None:
@@ -144,11 +144,11 @@ class Commands:
         body = self._setup.simulated_shirt.body if self._setup.simulated_shirt else None
         move = getattr(body, "move", None)
         if move is None:
-            raise Refused("Nobody is in the shirt whom keys could move: choose yourself as the body first.")
+            raise CommandRefused("Nobody is in the shirt whom keys could move: choose yourself as the body first.")
         try:
             move(fields.joints)
         except ValueError as error:
-            raise Refused(f"{error}.") from error
+            raise CommandRefused(f"{error}.") from error
         return {}
 
     def _head(self, fields: command_fields.Head, command_id: int) -> None:
@@ -159,12 +159,12 @@ class Commands:
 
     def _look(self, fields: command_fields.Look, _id: int) -> Answer:
         if not self._setup.head.look(fields.yaw, fields.pitch, fields.roll):
-            raise Refused("No tablet is used as the head tracker: choose it on the Shirt page first.")
+            raise CommandRefused("No tablet is used as the head tracker: choose it on the Shirt page first.")
         return {}
 
     def _head_ahead(self, _fields: command_fields.Nothing, _id: int) -> Answer:
         if not self._setup.head.set_ahead():
-            raise Refused("The head tracker has not said where the head looks: wait for its first pose.")
+            raise CommandRefused("The head tracker has not said where the head looks: wait for its first pose.")
         return {}
 
     def _parameters(self, fields: command_fields.Parameters, _id: int) -> Answer:
@@ -201,7 +201,7 @@ class Commands:
 
     def _arm(self, fields: command_fields.Arm, _id: int) -> Answer:
         if self._runs.ending:
-            raise Refused("The run is being ended: begin a new one first.")
+            raise CommandRefused("The run is being ended: begin a new one first.")
         _refuse(refusal(self._loop, fields.hash))
         self._begin_neutral_check()
         return {}
@@ -232,7 +232,7 @@ class Commands:
         if goes_on:
             _refuse(real_chair_refusal(self._loop))
         if not gate.clear(fields.stops):
-            raise Refused("There was another stop meanwhile: look around, then tap Continue again.")
+            raise CommandRefused("There was another stop meanwhile: look around, then tap Continue again.")
         if goes_on:
             self._begin_neutral_check()
         return {}
@@ -246,7 +246,7 @@ class Commands:
 
     def _require_no_run(self) -> None:
         if self._loop.run is not None:
-            raise Refused("Something is being recorded already: end it first.")
+            raise CommandRefused("Something is being recorded already: end it first.")
 
     def _require_no_drive(self) -> None:
         """Refuse while armed or recording: a stop in a trial is cleared into what was armed, and into nothing else."""
@@ -277,6 +277,6 @@ class Commands:
 
 
 def _refuse(sentence: str) -> None:
-    """Raise Refused unless the sentence is empty."""
+    """Raise CommandRefused unless the sentence is empty."""
     if sentence:
-        raise Refused(sentence)
+        raise CommandRefused(sentence)

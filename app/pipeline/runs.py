@@ -9,7 +9,7 @@ from app.clock import Clock, utc_now
 from app.pipeline import command_fields
 from app.pipeline.loop import ControlLoop
 from app.pipeline.open_run import OpenRun
-from app.pipeline.setup import Refused
+from app.pipeline.setup import CommandRefused
 from app.process.command_channel import NO_ANSWER, CommandServer
 from app.realtime import collect_garbage
 from app.recording.writer import RunWriter
@@ -34,14 +34,14 @@ class Runs:
         return self._ending is not None
 
     def begin(self, fields: command_fields.Run) -> int:
-        """Disarm and begin a run; return its number in ticks, or raise Refused."""
+        """Disarm and begin a run; return its number in ticks, or raise CommandRefused."""
         loop, setup = self._loop, self._loop.setup
         if setup.shirt is None:
-            raise Refused(setup.shirt_words)
+            raise CommandRefused(setup.shirt_words)
         setup.chain.gate.disarm()
         loop.send_to_chair()
         if not setup.stands:
-            raise Refused("The chair still comes to its stop: try again in a moment.")
+            raise CommandRefused("The chair still comes to its stop: try again in a moment.")
         writer = self._new_writer(fields)
         setup.chain.reset()
         if fields.kind == "drive":
@@ -56,7 +56,7 @@ class Runs:
         """Disarm, and end the run when the chair stands."""
         run = self._loop.run
         if run is None or self._ending is not None:
-            raise Refused("Nothing is being recorded: begin a run first.")
+            raise CommandRefused("Nothing is being recorded: begin a run first.")
         self._loop.setup.chain.gate.disarm()
         run.was_armed = False
         self._ending = run, command_id
@@ -100,7 +100,7 @@ class Runs:
         setup = self._loop.setup
         shirt, parameters, floorplan = setup.shirt, setup.parameters, setup.floorplan
         if shirt is None:
-            raise Refused(setup.shirt_words)
+            raise CommandRefused(setup.shirt_words)
         gestures = [gesture.name for gesture in parameters.gestures] if parameters else []
         meta = {
             "run_id": fields.run_id,
@@ -124,17 +124,17 @@ class Runs:
             require_room(folder)
             return RunWriter(folder, meta, len(shirt.layout.channels), len(gestures))
         except OSError as error:
-            raise Refused(
+            raise CommandRefused(
                 f"The recording cannot be begun ({error.strerror or error}): free some disk space."
             ) from error
 
 
 def require_room(folder: Path) -> None:
-    """Raise Refused when a recording in `folder`, which need not exist yet, could fill its disk."""
+    """Raise CommandRefused when a recording in `folder`, which need not exist yet, could fill its disk."""
     place = next(place for place in (folder, *folder.parents) if place.exists())
     free = shutil.disk_usage(place).free
     if free < LEAST_FREE:
-        raise Refused(
+        raise CommandRefused(
             f"Only {free / 1e6:.0f} MB are free on the disk of the recordings, and nothing may be lost of a drive: "
             f"free {LEAST_FREE / 1e6:.0f} MB, then begin again."
         )

@@ -24,7 +24,7 @@ IDLE_RATE = 50.0  # Hz: how often the loop turns while there is no shirt
 NO_SHIRT = "No shirt is connected: choose one on the Shirt page."
 
 
-class Refused(Exception):  # noqa: N818
+class CommandRefused(Exception):  # noqa: N818
     """Why a command is not done, in one sentence."""
 
 
@@ -95,9 +95,9 @@ class Setup:
         return self.chain.gate.last == STANDSTILL and self.chair.stands
 
     def require_still(self) -> None:
-        """Raise Refused while the chair moves or may move."""
+        """Raise CommandRefused while the chair moves or may move."""
         if self.chain.gate.state in (State.ARMED, State.CHECKING) or not self.stands:
-            raise Refused("The chair is armed: end the drive first.")
+            raise CommandRefused("The chair is armed: end the drive first.")
 
     def change_shirt(self, config: ShirtConfig) -> Change:
         """Release the shirt in use, and return the change that opens another one."""
@@ -134,7 +134,7 @@ class Setup:
         """Return the change to another body inside the simulated shirt."""
         self.require_still()
         if self.simulated_shirt is None:
-            raise Refused("Only the simulated shirt has a body to choose: choose the simulated shirt first.")
+            raise CommandRefused("Only the simulated shirt has a body to choose: choose the simulated shirt first.")
         return Change("body", lambda: make_body(config), lambda body: self._take_body(body, config.kind))
 
     def change_chair(self, config: ChairConfig) -> Change:
@@ -148,13 +148,13 @@ class Setup:
     def use_clinic(self, speeds: Speeds) -> None:
         """Hold the clinic's limits: lower ones at once, higher ones only while nothing moves."""
         if not self.chain.set_clinic(speeds):
-            raise Refused("Limits are raised only while the chair stands and nobody moves: end the drive first.")
+            raise CommandRefused("Limits are raised only while the chair stands and nobody moves: end the drive first.")
         self._clinic = speeds
 
     def use_dial(self, share: float) -> None:
         """Drive at this share of the speeds: a lower one at once, a higher one only while nothing moves."""
         if not self.chain.set_dial(share):
-            raise Refused("The dial is turned up only while the chair stands and the patient is at rest.")
+            raise CommandRefused("The dial is turned up only while the chair stands and the patient is at rest.")
         self._dial = share
 
     def use_parameters(self, parameters: DriveParameters | None) -> None:
@@ -162,9 +162,11 @@ class Setup:
         self.require_still()
         misfit = self._misfit(parameters) if parameters is not None else ""
         if misfit:
-            raise Refused(misfit)
+            raise CommandRefused(misfit)
         if parameters is not None and parameters.turn_cruise_time is None:
-            raise Refused("These controls have no time-out of turning: open the Controls page and save them anew.")
+            raise CommandRefused(
+                "These controls have no time-out of turning: open the Controls page and save them anew."
+            )
         self.parameters = parameters
         self.hash = parameters.hash if parameters else None
         self._link_chain()
@@ -174,7 +176,7 @@ class Setup:
         self.require_still()
         if self.chair.is_real:
             if floorplan is not None:
-                raise Refused("A real chair drives in no floor plan: choose the virtual chair first.")
+                raise CommandRefused("A real chair drives in no floor plan: choose the virtual chair first.")
             return
         chosen = None
         if floorplan is not None:
@@ -182,7 +184,7 @@ class Setup:
                 chosen = floorplan.path_named(path) if path else floorplan.paths[0]
                 chair = VirtualChair(floorplan, chosen.start, self._dynamics)
             except ValueError as error:
-                raise Refused(f"{error}.") from error
+                raise CommandRefused(f"{error}.") from error
         else:
             chair = VirtualChair(None, ORIGIN, self._dynamics)
         self.floorplan, self.path, self.chair = floorplan, chosen, chair

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from app.calibration.vocabulary import DriveParameters
 from app.faults import State
-from app.pipeline.replay.batch import Decoded, decode_block
+from app.pipeline.replay.batch import DecodedRun, decode_block
 from app.quantities import Document
 from app.recording.reader import Columns, Run
 
@@ -58,7 +58,7 @@ def predicted_effect(run: Run, before: DriveParameters, after: DriveParameters) 
     )
 
 
-def _decoded(frames: Columns, parameters: DriveParameters) -> Decoded:
+def _decoded(frames: Columns, parameters: DriveParameters) -> DecodedRun:
     values, profile = frames["values"], parameters.profile
     if values.shape[1] != len(profile.layout.channels):
         raise ValueError(
@@ -76,7 +76,7 @@ def _decoded(frames: Columns, parameters: DriveParameters) -> Decoded:
 
 
 def _activations(
-    decoded: Decoded, parameters: DriveParameters, permitted: NDArray[np.bool_], period: float
+    decoded: DecodedRun, parameters: DriveParameters, permitted: NDArray[np.bool_], period: float
 ) -> tuple[int, int]:
     """Return the number of activations of bound gestures, and how many of them were shorter than `BRIEF`."""
     bound = {name for binding in parameters.bindings for name in binding.gestures}

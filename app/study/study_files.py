@@ -16,7 +16,7 @@ import pyarrow as pa
 import pyarrow.parquet
 
 from app import __version__
-from app.hardware.body.person_parameters import PersonParameters, Practised
+from app.hardware.body.person_parameters import PersonParameters, PracticeEffect
 from app.source import STUDY_SOURCE, source_words
 from app.study.experiment import StudyResult
 
@@ -131,7 +131,7 @@ def summary(result: StudyResult) -> dict[str, Any]:
 def person_document(person: PersonParameters) -> dict[str, Any]:
     """Return a person's parameters by name, ready for JSON."""
     numbers = ((field.name, getattr(person, field.name)) for field in fields(person))
-    return {name: value._asdict() if isinstance(value, Practised) else value for name, value in numbers}
+    return {name: value._asdict() if isinstance(value, PracticeEffect) else value for name, value in numbers}
 
 
 def _put_in_place(part: Path, folder: Path) -> None:

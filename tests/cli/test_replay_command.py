@@ -10,7 +10,7 @@ from app.cli.main import build
 from app.cli.replay import parse_address, play
 from app.clock import FakeClock
 from app.hardware.shirt.packet import decode
-from app.hardware.shirt.played import read_played
+from app.hardware.shirt.playback import read_frames
 
 
 @pytest.fixture
@@ -27,7 +27,7 @@ def run(*words):
 
 def test_what_is_played_are_the_frames_at_their_own_times(signals):
     clock, sent = FakeClock(7.0), []
-    play(read_played(signals), lambda packet: sent.append((clock.now(), packet)) or "", clock, loop=False, speed=2.0)
+    play(read_frames(signals), lambda packet: sent.append((clock.now(), packet)) or "", clock, loop=False, speed=2.0)
     np.testing.assert_allclose([when for when, _ in sent], 7.0 + np.arange(20) / 200, atol=1e-9)
     frames = [decode(packet, len(packet), 2) for _, packet in sent]
     assert [seq for seq, _, _ in frames] == list(range(20))
@@ -44,7 +44,7 @@ def test_a_loop_goes_on_until_ctrl_c(signals):
             raise KeyboardInterrupt
         return ""
 
-    assert play(read_played(signals), send, FakeClock(), loop=True, speed=1.0) == (99, True, "")
+    assert play(read_frames(signals), send, FakeClock(), loop=True, speed=1.0) == (99, True, "")
     assert sent == list(range(100))
 
 

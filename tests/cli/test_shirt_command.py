@@ -13,7 +13,7 @@ import pytest
 from app.file_modes import OTHERS
 from app.hardware.chair.key import read_key
 from app.hardware.shirt import sender
-from app.hardware.shirt.newest import newest_file, read_newest
+from app.hardware.shirt.newest_frame import newest_file, read_newest
 from app.hardware.shirt.packet import decode_signed
 from app.store.database import Database
 from app.store.tables import LogEntry

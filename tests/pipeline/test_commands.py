@@ -15,7 +15,7 @@ from app.faults import Fault, State
 from app.geometry import Twist
 from app.hardware.shirt.packet import encode
 from app.pipeline.runs import LEAST_FREE, require_room
-from app.pipeline.setup import Refused
+from app.pipeline.setup import CommandRefused
 from app.session.equipment.pairing import pair_shirt, shirt_key_file
 from app.speeds import HIGHEST_SPEEDS, Speeds
 
@@ -180,7 +180,7 @@ def test_no_run_begins_on_a_disk_that_could_fill(office, tmp_path, monkeypatch, 
 def test_room_is_looked_for_where_the_folder_will_be(tmp_path, monkeypatch):
     asked = []
     monkeypatch.setattr(shutil, "disk_usage", lambda place: asked.append(place) or SimpleNamespace(free=0))
-    with pytest.raises(Refused, match=r"Only 0 MB are free"):
+    with pytest.raises(CommandRefused, match=r"Only 0 MB are free"):
         require_room(tmp_path / "not" / "yet" / "there")
     assert asked == [tmp_path]
 

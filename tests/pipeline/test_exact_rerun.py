@@ -6,11 +6,11 @@ from recorded_trial import plan_of, record_trial
 
 from app.calibration.vocabulary import DriveParameters
 from app.faults import State
-from app.pipeline.replay.exact_rerun import Replayed, replay_run
+from app.pipeline.replay.exact_rerun import Rerun, replay_run
 from app.recording.reader import read_run
 from building import make_parameters
 
-NAMES = tuple(Replayed.__slots__)
+NAMES = tuple(Rerun.__slots__)
 
 
 def assert_same(run, again):

@@ -8,7 +8,7 @@ from processes.running_control import ROOM, SIMULATED, armed, refusal, running, 
 from processes.udp_shirt import UdpShirtSender, free_port, shirt_config
 
 from app.faults import Fault, State
-from app.pipeline.replay.exact_rerun import Replayed, replay_run
+from app.pipeline.replay.exact_rerun import Rerun, replay_run
 from app.pipeline.replay.rerun import decode_run
 from app.recording.reader import read_run
 from building import make_parameters
@@ -103,7 +103,7 @@ def test_a_drive_is_recorded_and_decoding_the_recording_gives_the_same_drive(tmp
     assert (run.words, run.meta["dynamics"]) == ("", dynamics)
     assert run.meta["source"] == {"shirt": "udp", "body": None, "chair": "virtual", "simulated": False}
     exact = replay_run(run, parameters)
-    for name in Replayed.__slots__:
+    for name in Rerun.__slots__:
         np.testing.assert_array_equal(run.columns[name], getattr(exact, name), err_msg=name)
     again = decode_run(run, parameters)
     frames = run.frames()

@@ -158,8 +158,8 @@ class Driver:
             wrong = rng.choice([name for name in self.limbs if name != limb])
             limb = wrong if self._can_move(wrong, t) else limb
         size = min(p.largest, max(p.smallest, size))
-        worn = p.worn(p.fatigue_noise, self.session_strokes)
-        size *= 1 + rng.gauss(0, p.stroke_noise.after(self.practice) * worn)
+        fatigue = p.fatigue(p.fatigue_noise, self.session_strokes)
+        size *= 1 + rng.gauss(0, p.stroke_noise.after(self.practice) * fatigue)
         size = min(1.0, max(p.smallest / 2, size + rng.gauss(0, p.constant_noise)))
         rise = (p.rise_base + p.rise_slope * size) * max(0.6, 1 + rng.gauss(0, p.timing_noise))
         self.limbs[limb].aside = rng.uniform(-p.shrug, p.shrug)
@@ -174,8 +174,8 @@ class Driver:
     def _pause(self) -> float:
         """Return how long to think before the next stroke, s."""
         p = self.parameters
-        worn = p.worn(p.fatigue_hesitation, self.session_strokes)
-        return p.hesitation.after(self.practice) * worn * self._random.uniform(0.5, 1.5)
+        fatigue = p.fatigue(p.fatigue_hesitation, self.session_strokes)
+        return p.hesitation.after(self.practice) * fatigue * self._random.uniform(0.5, 1.5)
 
     def _awaits_outcome(self, limb: str) -> bool:
         """Return whether a stroke on the same control has not shown its outcome yet."""

@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.hardware.base import BodyView
-from app.hardware.body.cued import CuedBody
+from app.hardware.body.cued_body import CuedBody
 from app.hardware.body.driver import Driver
 from app.hardware.body.joints import ARM_DEGREES_OF_FREEDOM, second_way
 from app.hardware.body.person_parameters import PARAMETERS, PersonParameters, Skill

@@ -3,7 +3,7 @@
 from dataclasses import fields
 from typing import NamedTuple
 
-from app.hardware.body.person_parameters import PersonParameters, Practised
+from app.hardware.body.person_parameters import PersonParameters, PracticeEffect
 
 SECTION_7 = "signal-chain.md, section 7"
 CHOSEN = "chosen"
@@ -74,7 +74,7 @@ def numbers_of(person: PersonParameters) -> dict[str, float]:
     numbers: dict[str, float] = {}
     for field in fields(person):
         value = getattr(person, field.name)
-        if isinstance(value, Practised):
+        if isinstance(value, PracticeEffect):
             numbers |= {f"{field.name}.{part}": number for part, number in value._asdict().items()}
         elif field.name in RANGES:
             numbers[field.name] = value

@@ -1,12 +1,12 @@
-"""Frames at absolute deadlines: no drift, and no endless catching up after the machine stood still."""
+"""Frames at absolute deadlines: no drift, and after a hold-up of the machine no long catching up."""
 
 from app.clock import Clock
 
-LONGEST_LAG = 1.0  # s: what is later than this is lost, as with a device that went on without us
+LONGEST_LAG = 1.0  # s: frames that are later than this count as lost, as of a device that went on
 
 
 class Pace:
-    """Says when each frame is due: the first one at once, then one every period."""
+    """The deadlines of frames: the first at once, then one every period."""
 
     __slots__ = ("_clock", "_missed", "_number", "_period", "_start")
 
@@ -22,7 +22,7 @@ class Pace:
         return self._clock.now() >= self._due
 
     def wait(self, timeout: float) -> bool:
-        """Wait at most `timeout` (s) for the next frame; True when it has come and the one after it is next."""
+        """Wait at most `timeout` (s) for the next deadline; True when it has passed, and the one after it is next."""
         now, due = self._clock.now(), self._due
         if due > now:
             if due > now + timeout:
@@ -37,7 +37,7 @@ class Pace:
         return True
 
     def missed(self) -> int:
-        """Return how many frames were lost since this was asked last."""
+        """Return how many frames were lost since the last call."""
         missed, self._missed = self._missed, 0
         return missed
 

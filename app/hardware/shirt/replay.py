@@ -1,26 +1,26 @@
-"""A file as a shirt: its frames at their own times."""
+"""A file as a shirt: its frames come at their recorded times."""
 
 import math
 
 from app.clock import Clock
 from app.hardware.base import HardwareError
 from app.hardware.configs import ReplayConfig
-from app.hardware.shirt.played import Played, Player, read_played
+from app.hardware.shirt.playback import FrameFile, FramePlayer, read_frames
 from app.layout import ShirtLayout
 from app.messages import SensorFrame
 
-LONGEST_LAG = 1.0  # s: after a longer hold-up the file waits, where a device would have gone on
+LONGEST_LAG = 1.0  # s: after a longer hold-up the replay resumes where it stopped; a device would have gone on
 
 
 class ReplayedShirt:
-    """Plays a recorded run, a CSV or a Parquet file, once or for ever."""
+    """Plays a recorded run, a CSV or a Parquet file, once or in a loop."""
 
     def __init__(self, config: ReplayConfig, clock: Clock) -> None:
         self.lost = 0
         self._config = config
         self._clock = clock
-        self._played: Played | None = None
-        self._player: Player | None = None
+        self._file: FrameFile | None = None
+        self._player: FramePlayer | None = None
         self._start = 0.0  # monotonic s
         self._next_seq = 0
         self._t = 0.0  # s into the replay
@@ -41,9 +41,9 @@ class ReplayedShirt:
         Raises
         ------
         HardwareError
-            When the file is not there, cannot be read, or does not say which channel belongs to which joint.
+            When the file is missing, cannot be read, or does not name the joint of each channel.
         """
-        self._player = Player(self._read(), self._config.loop)
+        self._player = FramePlayer(self._read(), self._config.loop)
         self.lost = self._next_seq = 0
         self._t = 0.0
         self._start = self._clock.now()
@@ -72,22 +72,22 @@ class ReplayedShirt:
 
     def words(self) -> str:
         """Return the shirt's state in words."""
-        if self._player is None or self._played is None:
+        if self._player is None or self._file is None:
             return "The replay is closed."
         if math.isinf(self._player.due):
-            return f"The replay of {self._played.name} has ended: start it again, or let it loop."
-        channels, length = len(self._played.layout.channels), float(self._played.t[-1])
+            return f"The replay of {self._file.name} has ended: start it again, or let it loop."
+        channels, length = len(self._file.layout.channels), float(self._file.t[-1])
         where = f"{self._t % length if length else 0.0:.0f} s of {length:.0f} s"
-        return f"Replay of {self._played.name}, {channels} channels at {self._played.sample_rate:g} Hz, {where}."
+        return f"Replay of {self._file.name}, {channels} channels at {self._file.sample_rate:g} Hz, {where}."
 
     def close(self) -> None:
-        """Stop giving frames."""
+        """End the replay."""
         self._player = None
 
-    def _read(self) -> Played:
-        if self._played is None:
+    def _read(self) -> FrameFile:
+        if self._file is None:
             try:
-                self._played = read_played(self._config.file)
+                self._file = read_frames(self._config.file)
             except OSError as error:
                 raise HardwareError(f"{self._config.file}: this cannot be read ({error.strerror}), check it") from error
-        return self._played
+        return self._file

@@ -1,4 +1,4 @@
-"""The simulated shirt: a body in fabric, frame by frame at the pace of a clock."""
+"""The simulated shirt: the fabric around a simulated body, frame by frame at the pace of a clock."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,15 +13,15 @@ from app.hardware.shirt.standard import standard_layout
 from app.layout import ShirtLayout
 from app.messages import SensorFrame
 
-GLIDE = 1.0  # s from one body's posture to the next one's
+TRANSITION_TIME = 1.0  # s for the transition from one body's posture to the next body's
 
 
 class SimulatedShirt:
-    """Fabric around a body; without a body it hangs still."""
+    """Fabric around a simulated body; without a body its signals show no movement."""
 
     def __init__(self, config: SimulatorConfig, clock: Clock) -> None:
         self.sample_rate = config.sample_rate
-        self.view = BodyView()  # what the body sees; the loop keeps it up to date
+        self.view = BodyView()  # what the simulated body sees; the loop updates it
         self.lost = 0
         self._config = config
         self._clock = clock
@@ -31,8 +31,8 @@ class SimulatedShirt:
         self._pace: Pace | None = None
         self._seq = 0
         self._posture: NDArray[np.float64] = np.zeros(0)
-        self._left = self._posture  # the posture that another body left behind
-        self._glide = 0.0  # s until it is forgotten
+        self._left = self._posture  # the last posture of the body before
+        self._transition_left = 0.0  # s of the transition from that posture that are left
 
     @property
     def layout(self) -> ShirtLayout:
@@ -43,36 +43,36 @@ class SimulatedShirt:
 
     @property
     def joints(self) -> tuple[str, ...]:
-        """Names of the degrees of freedom that the fabric feels: what a body for it should move."""
-        return self._woven().joints
+        """Names of the degrees of freedom that the fabric senses, and that its body should move."""
+        return self._opened_fabric().joints
 
     @property
     def body(self) -> Body | None:
-        """What moves inside; another may slip in at any time."""
+        """The simulated body; it may be replaced at any time."""
         return self._body
 
     @body.setter
     def body(self, body: Body | None) -> None:
         if body is not self._body:
-            self._left = self._posture.copy() if self._glide <= 0.0 else self._gliding(0.0)
-            self._glide = GLIDE if len(self._left) else 0.0
+            self._left = self._posture.copy() if self._transition_left <= 0.0 else self._transition(0.0)
+            self._transition_left = TRANSITION_TIME if len(self._left) else 0.0
         self._body = body
-        known = [] if body is None else list(body.joints)
-        felt = self._woven().joints
-        self._from = np.array([known.index(name) for name in felt if name in known], dtype=np.intp)
-        self._to = np.array([i for i, name in enumerate(felt) if name in known], dtype=np.intp)
-        self._posture = np.zeros(len(felt))
+        moved = [] if body is None else list(body.joints)
+        sensed = self._opened_fabric().joints
+        self._from = np.array([moved.index(name) for name in sensed if name in moved], dtype=np.intp)
+        self._to = np.array([i for i, name in enumerate(sensed) if name in moved], dtype=np.intp)
+        self._posture = np.zeros(len(sensed))
 
     def open(self) -> None:
-        """Begin at frame 0, at once.
+        """Begin at frame 0.
 
         Raises
         ------
         HardwareError
-            When the layout of the paper's shirt is not there, or a dead channel is not in the layout.
+            When the layout of the paper's shirt is missing, or a dead channel is not in the layout.
         """
         self.body = self._body
-        self._woven().reset()
+        self._opened_fabric().reset()
         self._seq = 0
         self.lost = 0
         self._pace = Pace(self._clock, self.sample_rate)
@@ -90,7 +90,7 @@ class SimulatedShirt:
         dt = 1.0 / self.sample_rate
         if self._body is not None:
             self._posture[self._to] = self._body.step(dt, self.view)[self._from]
-        values = self._fabric.step(self._posture if self._glide <= 0.0 else self._gliding(dt), dt)
+        values = self._fabric.step(self._posture if self._transition_left <= 0.0 else self._transition(dt), dt)
         frame = SensorFrame(self._seq & 0xFFFFFFFF, self._seq / self.sample_rate, self._clock.now(), values)
         self._seq += 1
         return frame
@@ -107,17 +107,17 @@ class SimulatedShirt:
         return f"Simulated shirt, {len(self.layout.channels)} channels at {self.sample_rate:g} Hz, {inside}."
 
     def close(self) -> None:
-        """Stop giving frames."""
+        """End the frames."""
         self._pace = None
 
-    def _gliding(self, dt: float) -> NDArray[np.float64]:
-        """Return the posture on the way from the body before to this one: no limb jumps when somebody slips in."""
-        self._glide -= dt
-        share = minimum_jerk(1.0 - self._glide / GLIDE)
+    def _transition(self, dt: float) -> NDArray[np.float64]:
+        """Return a posture of the transition from the body before to this one, so that no limb jumps."""
+        self._transition_left -= dt
+        share = minimum_jerk(1.0 - self._transition_left / TRANSITION_TIME)
         posture: NDArray[np.float64] = share * self._posture + (1.0 - share) * self._left
         return posture
 
-    def _woven(self) -> Fabric:
+    def _opened_fabric(self) -> Fabric:
         if self._fabric is None:
             try:
                 self._fabric = Fabric(self.layout, self._config.seed, self._config.dead_channels)

@@ -1,4 +1,4 @@
-"""A shirt that sends its frames as datagrams."""
+"""A shirt that sends its frames as UDP datagrams."""
 
 import math
 import select
@@ -10,26 +10,26 @@ from app.clock import Clock
 from app.hardware.base import HardwareError
 from app.hardware.chair.key import Key, KeyRefused, read_key
 from app.hardware.configs import UdpConfig
-from app.hardware.shirt.newest import NewestFrame, newest_file
+from app.hardware.shirt.newest_frame import NewestFrame, newest_file
 from app.hardware.shirt.packet import LONGEST, Packet, decode, decode_signed, refusal
 from app.hardware.shirt.sender_choice import Address, SenderChoice
 from app.hardware.shirt.sequence import Sequence
 from app.messages import SensorFrame
 
-BUFFER = 2 * LONGEST  # bytes: a longer datagram shows by its size
-KERNEL_BUFFER = 1 << 20  # bytes: a second at 1 kHz, should the loop be held up
-SILENCE = 2.0  # s without a frame: longer than any shirt may be silent while something is armed (S4)
-ALIVE = 0.5  # s without a frame after which the words say so
-WRITE_AHEAD = 10.0  # s of frames for which the newest one is written to the disk at once
+BUFFER = 2 * LONGEST  # bytes: room to notice a datagram that is too long
+KERNEL_BUFFER = 1 << 20  # bytes: one second of frames at 1 kHz, for a hold-up of the loop
+SILENCE = 2.0  # s without a frame: longer than a shirt may be silent while armed (S4)
+ALIVE = 0.5  # s without a frame after which `words` reports silence
+WRITE_AHEAD = 10.0  # s of frames that one write of the newest frame's number allows
 _TIME = struct.Struct("@ll")  # struct timeval
 
 
 class UdpShirt:
-    """Listens on one address; the sender of the first good frame is the shirt, until a person takes another one.
+    """Listens on one address; the sender of the first good frame is the shirt, until a person chooses another.
 
-    Two senders at once would be mixed into one body, and a forged one would drive: frames of any other sender are
-    counted and left out, however long the shirt is silent. With a key only signed frames are good, and none is taken
-    twice, ever.
+    Frames of two senders would be mixed into one body, and a forger could drive. So frames of every other sender are
+    counted and ignored, however long the shirt is silent. With a key only signed frames are good, and none is accepted
+    twice.
     """
 
     def __init__(self, config: UdpConfig, clock: Clock) -> None:
@@ -37,7 +37,7 @@ class UdpShirt:
         self.sample_rate = config.sample_rate
         self.address: tuple[str, int] = (config.host, config.port)  # with the true port once open
         self.sender_choice = SenderChoice()
-        self.junk = 0  # datagrams that were no frame of this shirt
+        self.junk = 0  # datagrams that are no frame of this shirt
         self.repeated = 0  # signed frames that came again, or after a newer one
         self._key_file = None if config.key_file is None else Path(config.key_file)
         self._key: Key | None = None
@@ -48,10 +48,10 @@ class UdpShirt:
         self._boot = 0
         self._socket: socket.socket | None = None
         self._buffer = bytearray(BUFFER)
-        self._timeout = -1.0  # s, which the kernel was told
-        self._wait = -1.0  # s, which was asked for last
+        self._timeout = -1.0  # s, the timeout that is set in the kernel
+        self._wait = -1.0  # s, the timeout of the last call of `read`
         self._sender: Address = ("", 0)  # of the datagram in the buffer
-        self._heard = -math.inf  # monotonic s
+        self._frame_t = -math.inf  # monotonic s
         self._refusal = ""
 
     @property
@@ -60,26 +60,26 @@ class UdpShirt:
         return self._sequence.lost
 
     def open(self) -> None:
-        """Listen.
+        """Open the socket.
 
         Raises
         ------
         HardwareError
-            When the address is not this machine's, its port is taken, or the key is none.
+            When the address is not of this machine, its port is in use, or the key is invalid.
         """
         self.close()
         self._sequence = Sequence()
         self.sender_choice = SenderChoice()
         self.junk = self.repeated = self._boot = 0
         self._refusal = ""
-        self._heard = -math.inf
+        self._frame_t = -math.inf
         if self._key_file is not None:
             self._open_key(self._key_file)
         self._socket = self._bound()
         self.address = (self.address[0], self._socket.getsockname()[1])
 
     def read(self, timeout: float) -> SensorFrame | None:
-        """Return the next frame, waiting for it at most `timeout` (s); junk is counted and passed over."""
+        """Return the next frame, waiting for it at most `timeout` (s); junk is counted and ignored."""
         now = self._clock.now()
         deadline = now + timeout
         wait = timeout
@@ -91,7 +91,7 @@ class UdpShirt:
             packet = self._packet(size, now)
             if packet is not None:
                 seq, microseconds, values = packet
-                self._heard = now
+                self._frame_t = now
                 if self._sequence.takes(seq):
                     return SensorFrame(seq, microseconds * 1e-6, now, values)
             wait = deadline - now
@@ -99,7 +99,7 @@ class UdpShirt:
                 return None
 
     def _packet(self, size: int, now: float) -> Packet | None:
-        """Return the frame in the buffer when it is good and the shirt's; None, and counted, when it is not."""
+        """Return the frame in the buffer when it is good and the shirt's; otherwise count it and return None."""
         boot = 0
         if self._key is None:
             packet = decode(self._buffer, size, self._channels)
@@ -112,7 +112,7 @@ class UdpShirt:
         if self._newest is not None and not self._newest.is_new(boot, packet[0]):
             self.repeated += 1
             return None
-        if not self.sender_choice.takes(self._sender, boot, now - self._heard > SILENCE):
+        if not self.sender_choice.takes(self._sender, boot, now - self._frame_t > SILENCE):
             return None
         if self._newest is not None and not self._newest.take(boot, packet[0]):
             return None
@@ -122,14 +122,14 @@ class UdpShirt:
         return packet
 
     def use_sender(self, name: str) -> bool:
-        """Take another sender as the shirt; False when none of this name (HOST:PORT) sent good frames."""
+        """Accept another sender as the shirt; False when none of this name (HOST:PORT) sent good frames."""
         if not self.sender_choice.use(name):
             return False
         self._sequence.forget()
         return True
 
     def pending(self) -> bool:
-        """Return whether a datagram is there already."""
+        """Return whether a datagram has arrived already."""
         if self._socket is None:
             return False
         try:
@@ -145,7 +145,7 @@ class UdpShirt:
         if self._socket is None:
             return f"The shirt is not listened for{why}."
         host, port = self.address
-        if self._clock.now() - self._heard > ALIVE:
+        if self._clock.now() - self._frame_t > ALIVE:
             return f"No frames from {self.sender_choice.name or 'a shirt'} on {host}:{port}{why}{self._others()}."
         words = f"Shirt on {host}:{port} from {self.sender_choice.name}, {self._channels} channels"
         if self._sequence.lost:
@@ -155,7 +155,7 @@ class UdpShirt:
         return f"{words}{self._others()}."
 
     def _others(self) -> str:
-        """Return what is to be said of frames that are left out, empty when there are none."""
+        """Return the words about ignored frames, empty when there are none."""
         words, choice = "", self.sender_choice
         if choice.other_frames:
             words += f", {choice.other_frames} frames of another sender ({choice.other}) left out"
@@ -164,7 +164,7 @@ class UdpShirt:
         return words
 
     def close(self) -> None:
-        """Give the port back."""
+        """Close the socket; closing twice does no harm."""
         if self._socket is not None:
             self._socket.close()
             self._socket = None
@@ -182,9 +182,9 @@ class UdpShirt:
         if wait <= 0.0:
             flags = socket.MSG_DONTWAIT
         elif wait == self._wait:
-            self._tell_kernel(wait)
+            self._set_timeout(wait)
         elif wait != self._timeout:
-            # The kernel counts its own timeout in ticks of up to 10 ms: too coarse for one that differs each time.
+            # The kernel rounds its own timeout to ticks of up to 10 ms, too coarse for waits that differ each time.
             self._wait = wait
             flags = socket.MSG_DONTWAIT
             if not select.select([self._socket], [], [], wait)[0]:
@@ -195,8 +195,8 @@ class UdpShirt:
             return -1
         return size
 
-    def _tell_kernel(self, wait: float) -> None:
-        """Wait by the kernel's own timeout: one call for each frame, where a timeout of Python's would be two."""
+    def _set_timeout(self, wait: float) -> None:
+        """Set the kernel's timeout: it costs one system call a frame, a timeout of Python's costs two."""
         if self._socket is not None and wait != self._timeout:
             seconds, fraction = divmod(max(wait, 1e-6), 1.0)
             self._socket.setsockopt(

@@ -37,7 +37,7 @@ CHUNK = 5_000  # frames: so that the temporary arrays stay in the processor's ca
 
 
 @dataclass(slots=True)
-class Decoded:
+class DecodedRun:
     """A decoded recording; per gesture (n, n_gestures), otherwise (n,). Units as in `app.messages.Tick`."""
 
     score: Array
@@ -62,7 +62,7 @@ def decode_block(
     t_device: Array | None = None,
     state: NDArray[np.uint8] | None = None,
     chair: Chair | None = None,
-) -> Decoded:
+) -> DecodedRun:
     """Decode all frames of a recording.
 
     Parameters
@@ -102,7 +102,7 @@ def decode_block(
     permitted = np.ones(len(dt), dtype=np.bool_) if state is None else state == State.ARMED
     v, omega = _twists(parameters, u1, u2, dt, permitted)
     x, y, theta = _drive(chair, v, omega, dt, permitted) if chair else _unicycle(v, omega, dt)
-    return Decoded(score, rate, drive, activation, u1, u2, v, omega, x, y, theta)
+    return DecodedRun(score, rate, drive, activation, u1, u2, v, omega, x, y, theta)
 
 
 def _projected(

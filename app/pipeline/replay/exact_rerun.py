@@ -28,7 +28,7 @@ DIAL_DIGITS = 6  # the dial is recorded in single precision; a person sets it in
 
 
 @dataclass(frozen=True, slots=True)
-class Replayed:
+class Rerun:
     """What came out again; (n_rows,) each, per gesture (n_rows, n_gestures). Units as in `app.messages.Tick`."""
 
     score: NDArray[np.float64]
@@ -58,7 +58,7 @@ class RecordedGate(SafetyGate):
         return self.state
 
 
-def replay_run(run: Run, parameters: DriveParameters) -> Replayed:
+def replay_run(run: Run, parameters: DriveParameters) -> Rerun:
     """Drive a recorded drive again through `parameters`, on the virtual chair.
 
     With the parameters that it was driven with, every number is the recorded one, bit for bit, as long as no frame
@@ -87,7 +87,7 @@ def replay_run(run: Run, parameters: DriveParameters) -> Replayed:
     return _drive(chain, gate, columns)
 
 
-def _drive(chain: Chain, gate: RecordedGate, columns: dict[str, NDArray[Any]]) -> Replayed:
+def _drive(chain: Chain, gate: RecordedGate, columns: dict[str, NDArray[Any]]) -> Rerun:
     conditions = Conditions()
     count, gestures = len(columns["t"]), len(chain.parameters.gestures) if chain.parameters else 0
     numbers = {name: np.empty(count) for name in ("u1", "u2", "v", "omega", "x", "y", "theta")}
@@ -102,7 +102,7 @@ def _drive(chain: Chain, gate: RecordedGate, columns: dict[str, NDArray[Any]]) -
         tick = chain.step(_frame(columns, i, t), t, conditions)
         for name, column in (*numbers.items(), *lists.items()):
             column[i] = getattr(tick, name)
-    return Replayed(**lists, **numbers)
+    return Rerun(**lists, **numbers)
 
 
 def _frame(columns: dict[str, NDArray[Any]], row: int, t: float) -> SensorFrame | None:

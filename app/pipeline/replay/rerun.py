@@ -8,7 +8,7 @@ from pydantic import ValidationError
 from app.calibration.vocabulary import DriveParameters
 from app.geometry import Pose
 from app.hardware.chair.simulator import VirtualChair
-from app.pipeline.replay.batch import Decoded, decode_block
+from app.pipeline.replay.batch import DecodedRun, decode_block
 from app.recording.reader import Run
 from app.sentences import one_sentence
 from app.signals.signals import FASTEST, SLOWEST
@@ -17,7 +17,7 @@ from app.world.floorplan import FloorPlan
 DRIVE = "drive"  # the kind of run in which the gate decides
 
 
-def decode_run(run: Run, parameters: DriveParameters) -> Decoded:
+def decode_run(run: Run, parameters: DriveParameters) -> DecodedRun:
     """Decode the frames of a recorded run; with the parameters that it was driven with, what was driven comes out.
 
     Raises

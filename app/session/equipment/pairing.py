@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from app.hardware.chair.key import Key, new_key, write_key
-from app.hardware.shirt.newest import newest_file, write_newest
+from app.hardware.shirt.newest_frame import newest_file, write_newest
 from app.refusals import Conflict
 from app.speeds import Speeds
 from app.store.chairs import LARGEST_KEY_ID, add_chair, free_key_ids, remove_chair

@@ -18,7 +18,7 @@ from app.hardware.body.course import Course
 from app.hardware.body.driver import Driver
 from app.hardware.body.limb import Limb
 from app.hardware.body.person import Person
-from app.hardware.body.person_parameters import NOVICE, PRACTISED, Practised
+from app.hardware.body.person_parameters import NOVICE, PRACTISED, PracticeEffect
 from app.hardware.body.steering import Steering
 from app.hardware.body.stroke_estimate import StrokeEstimate
 from app.world.floorplan import FloorPlan, PrescribedPath
@@ -83,7 +83,7 @@ def test_one_freak_does_not_break_a_belief(gain: float, size: float, effect: flo
 
 
 def test_practice_is_exponential() -> None:
-    quantity = Practised(0.4, 0.1, 350.0)
+    quantity = PracticeEffect(0.4, 0.1, 350.0)
     assert quantity.after(0) == pytest.approx(0.4)
     assert quantity.after(350) == pytest.approx(0.1 + 0.3 / math.e)
     assert quantity.after(1e6) == pytest.approx(0.1)

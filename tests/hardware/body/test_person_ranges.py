@@ -5,7 +5,7 @@ import math
 
 import pytest
 
-from app.hardware.body.person_parameters import NOVICE, PARAMETERS, PersonParameters, Practised
+from app.hardware.body.person_parameters import NOVICE, PARAMETERS, PersonParameters, PracticeEffect
 from app.hardware.body.person_ranges import RANGES, numbers_of, out_of_range
 from folders import ROOT
 
@@ -33,7 +33,7 @@ def test_every_named_person_lies_within(name) -> None:
 
 
 def test_a_number_outside_is_named_with_its_range() -> None:
-    odd = dataclasses.replace(NOVICE, reaction_time=0.05, wrong_limb=Practised(0.9, 0.01, math.nan))
+    odd = dataclasses.replace(NOVICE, reaction_time=0.05, wrong_limb=PracticeEffect(0.9, 0.01, math.nan))
     said = out_of_range(odd)
     assert said[0] == "reaction_time is 0.05 s: choose 0.18 to 0.5"
     assert [sentence.split(" is ")[0] for sentence in said[1:]] == ["wrong_limb.first", "wrong_limb.strokes"]

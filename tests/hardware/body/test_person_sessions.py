@@ -121,7 +121,7 @@ def test_strokes_tire_and_a_pause_between_sessions_rests() -> None:
     tire(person.driver, 60.0)
     strokes, practice = person.driver.session_strokes, person.driver.practice
     assert strokes > 10
-    assert DETERIORATING.worn(DETERIORATING.fatigue_noise, strokes) > 1.0
+    assert DETERIORATING.fatigue(DETERIORATING.fatigue_noise, strokes) > 1.0
     person.begin_session(2)
     assert person.driver.session_strokes == 0
     assert person.driver.practice == practice  # what was learnt is not slept away
@@ -140,10 +140,10 @@ def test_who_is_worn_out_hesitates_longer_and_errs_more() -> None:
         tire(driver, 120.0)
         counts.append(driver.session_strokes - already)
     assert counts[1] < 0.95 * counts[0]
-    assert NOVICE.worn(0.2, 0) == 1.0
-    assert NOVICE.worn(0.2, 400) == pytest.approx(1.0 + 0.2 * (1 - np.exp(-1)))
-    assert NOVICE.worn(0.2, 1e9) == pytest.approx(1.2)
-    assert IMPROVING.worn(0.0, 1e9) == 1.0
+    assert NOVICE.fatigue(0.2, 0) == 1.0
+    assert NOVICE.fatigue(0.2, 400) == pytest.approx(1.0 + 0.2 * (1 - np.exp(-1)))
+    assert NOVICE.fatigue(0.2, 1e9) == pytest.approx(1.2)
+    assert IMPROVING.fatigue(0.0, 1e9) == 1.0
 
 
 def test_a_session_below_the_first_is_refused() -> None:

@@ -8,7 +8,7 @@ from hardware.shirt.shirts import RATE, small_layout, write_signals
 from app.clock import FakeClock
 from app.hardware.base import HardwareError
 from app.hardware.configs import ReplayConfig
-from app.hardware.shirt.played import Player, read_played
+from app.hardware.shirt.playback import FramePlayer, read_frames
 from app.hardware.shirt.replay import ReplayedShirt
 from app.messages import Tick
 from app.process.ring import TickRing
@@ -76,12 +76,12 @@ def test_a_long_hold_up_makes_the_file_wait(tmp_path):
 
 def test_the_layout_comes_from_beside_the_file_before_it_comes_from_the_names(tmp_path):
     file = write_signals(tmp_path / "signals.csv")
-    assert read_played(file).layout.name == "signals"
+    assert read_frames(file).layout.name == "signals"
     other = small_layout().model_dump(mode="json") | {"name": "of the folder"}
     (tmp_path / "layout.json").write_text(json.dumps(other))
-    assert read_played(file).layout.name == "of the folder"
+    assert read_frames(file).layout.name == "of the folder"
     (tmp_path / "signals.layout.json").write_text(json.dumps(other | {"name": "of the file"}))
-    assert read_played(file).layout.name == "of the file"
+    assert read_frames(file).layout.name == "of the file"
 
 
 @pytest.mark.parametrize(
@@ -114,8 +114,8 @@ def test_a_broken_layout_beside_the_file_is_one_sentence(tmp_path):
 
 
 def test_a_player_hands_out_what_was_read(tmp_path):
-    played = read_played(write_signals(tmp_path / "signals.csv", count=40))
-    player = Player(played, loop=False)
+    played = read_frames(write_signals(tmp_path / "signals.csv", count=40))
+    player = FramePlayer(played, loop=False)
     taken = []
     while np.isfinite(player.due):
         taken.append(player.take())
@@ -153,7 +153,7 @@ def test_a_recorded_run_is_a_shirt_with_its_own_layout_and_its_own_losses(tmp_pa
 
 def test_a_device_that_began_anew_while_it_was_recorded_is_played_on_our_own_time(tmp_path):
     folder = write_run(tmp_path / "run", [*range(5000, 5020), *range(20)], small_layout().model_dump(mode="json"))
-    played = read_played(folder)
+    played = read_frames(folder)
     np.testing.assert_allclose(np.diff(played.t), 1 / RATE, atol=1e-9)
     assert played.seq.tolist() == list(range(40))
 
@@ -161,7 +161,7 @@ def test_a_device_that_began_anew_while_it_was_recorded_is_played_on_our_own_tim
 def test_a_recording_whose_layout_is_broken_is_one_sentence(tmp_path):
     folder = write_run(tmp_path / "run", range(20), {"name": "x"})
     with pytest.raises(HardwareError, match="the shirt's layout in this recording") as refused:
-        read_played(folder)
+        read_frames(folder)
     assert "\n" not in str(refused.value)
 
 

@@ -17,7 +17,7 @@ from app.clock import FakeClock, MonotonicClock
 from app.hardware.base import HardwareError
 from app.hardware.chair.key import Key, new_key, read_key
 from app.hardware.configs import UdpConfig
-from app.hardware.shirt.newest import newest_file
+from app.hardware.shirt.newest_frame import newest_file
 from app.hardware.shirt.packet import decode, decode_signed, encode, refusal
 from app.hardware.shirt.sender import signed_frame
 from app.hardware.shirt.udp import SILENCE, UdpShirt

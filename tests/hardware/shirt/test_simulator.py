@@ -7,7 +7,7 @@ from app.hardware.base import HardwareError
 from app.hardware.body.visitor import Visitor
 from app.hardware.configs import SimulatorConfig
 from app.hardware.shirt.pace import LONGEST_LAG, Pace
-from app.hardware.shirt.simulator import GLIDE, SimulatedShirt
+from app.hardware.shirt.simulator import TRANSITION_TIME, SimulatedShirt
 from app.layout import ShirtLayout
 
 
@@ -79,7 +79,7 @@ def test_body_and_fabric_find_each_other_by_the_joints_names():
     def values(joints):
         shirt = open_shirt(FakeClock(), layout=small_layout())
         shirt.body = Statue(joints, 1.0)
-        return read(shirt, round(GLIDE * 100) + 50)[-1]
+        return read(shirt, round(TRANSITION_TIME * 100) + 50)[-1]
 
     rest = values(())
     bent = values(("right_elbow",))

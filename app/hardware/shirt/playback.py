@@ -1,4 +1,4 @@
-"""A file's frames, to be played as a shirt would send them: recorded runs, CSV and Parquet."""
+"""Playback of a file as frames of a shirt: recorded runs, CSV and Parquet."""
 
 import math
 import re
@@ -16,25 +16,25 @@ from app.hardware.body.minimum_jerk import minimum_jerk
 from app.layout import Channel, Joint, ShirtLayout
 from app.sentences import one_sentence
 
-BLEND = 0.5  # s in which the end of a looped recording passes into its beginning
-LONGEST_LOSS = 1 << 20  # frames: a larger step of the counter is a device that began anew
-FEWEST = 10  # frames
+BLEND = 0.5  # s over which the end of a looped recording is blended into its beginning
+LONGEST_LOSS = 1 << 20  # frames: a larger step of the counter means that the device was restarted
+FEWEST = 10  # frames of a recording that can be played
 CHANNEL_OF_JOINT = re.compile(r"(?P<joint>[A-Za-z0-9].*)_\d+")
 
 
 @dataclass(frozen=True, slots=True)
-class Played:
-    """Frames with their own times."""
+class FrameFile:
+    """The frames of a file, with their times."""
 
     name: str
     layout: ShirtLayout
     sample_rate: float  # Hz
     t: NDArray[np.float64]  # (n,) s, strictly rising from 0
-    seq: NDArray[np.int64]  # (n,) strictly rising from 0; a gap is what was lost when it was recorded
+    seq: NDArray[np.int64]  # (n,) strictly rising from 0; a gap is a loss during the recording
     values: NDArray[np.float32]  # (n, n_channels)
 
 
-def read_played(path: str | Path) -> Played:
+def read_frames(path: str | Path) -> FrameFile:
     """Read the folder of a recorded run, or a CSV or Parquet file of signals.
 
     A file's layout is `NAME.layout.json` or `layout.json` beside it; without one, channels named JOINT_NUMBER make one.
@@ -76,43 +76,43 @@ def layout_from_names(path: Path, names: Sequence[str]) -> ShirtLayout:
     )
 
 
-class Player:
-    """Hands out the frames one after another; looped, the end passes smoothly into the beginning."""
+class FramePlayer:
+    """Returns the frames one after another; a loop blends the end into the beginning."""
 
-    def __init__(self, played: Played, loop: bool) -> None:
+    def __init__(self, file: FrameFile, loop: bool) -> None:
         self.due = 0.0  # s since the start: when the next frame is due; infinite after the last one
-        self._played = played
-        self._count = len(played.t)
+        self._file = file
+        self._count = len(file.t)
         self._at = 0
         self._loops = loop
-        self._passed, self._passed_seq = 0.0, 0  # s and frames in the rounds before this one
-        self._head = played.values[:0]
+        self._passed, self._passed_seq = 0.0, 0  # s and frames of the earlier rounds of the loop
+        self._head = file.values[:0]
         if loop:
-            blend = max(1, min(round(BLEND * played.sample_rate), self._count // 4))
+            blend = max(1, min(round(BLEND * file.sample_rate), self._count // 4))
             self._count -= blend
             share = np.array([[minimum_jerk((i + 0.5) / blend)] for i in range(blend)], dtype=np.float32)
-            self._head = share * played.values[:blend] + (1 - share) * played.values[self._count :]
+            self._head = share * file.values[:blend] + (1 - share) * file.values[self._count :]
 
     def take(self) -> tuple[int, float, NDArray[np.float32]]:
         """Return seq, time (s since the start) and values (n_channels,) of the next frame; not after the last one."""
-        played, i = self._played, self._at
+        file, i = self._file, self._at
         in_head = self._passed_seq > 0 and i < len(self._head)
-        values = self._head[i] if in_head else played.values[i]
-        frame = (self._passed_seq + int(played.seq[i]), self.due, values)
+        values = self._head[i] if in_head else file.values[i]
+        frame = (self._passed_seq + int(file.seq[i]), self.due, values)
         self._at += 1
         if self._at < self._count:
-            self.due = self._passed + float(played.t[self._at])
+            self.due = self._passed + float(file.t[self._at])
         elif self._loops:
             self._at = 0
-            self._passed += float(played.t[self._count])
-            self._passed_seq += int(played.seq[self._count])
+            self._passed += float(file.t[self._count])
+            self._passed_seq += int(file.seq[self._count])
             self.due = self._passed
         else:
             self.due = math.inf
         return frame
 
 
-def _read_file(path: Path) -> Played:
+def _read_file(path: Path) -> FrameFile:
     from app.signals.signals import read_layout, read_signals  # noqa: PLC0415  (loads pyarrow, which other shirts do not need)
 
     beside = next((file for file in _layouts_beside(path) if file.exists()), None)
@@ -127,14 +127,14 @@ def _read_file(path: Path) -> Played:
             raise ValueError(one_sentence(error, f"{path}: its columns make no layout")) from error
     t = signals.t - signals.t[0]
     seq = _rising(np.rint(t * signals.sample_rate).astype(np.int64))
-    return Played(path.name, layout, signals.sample_rate, t, seq, signals.values.astype(np.float32))
+    return FrameFile(path.name, layout, signals.sample_rate, t, seq, signals.values.astype(np.float32))
 
 
 def _layouts_beside(path: Path) -> tuple[Path, Path]:
     return path.with_name(f"{path.stem}.layout.json"), path.with_name("layout.json")
 
 
-def _read_recording(folder: Path) -> Played:
+def _read_recording(folder: Path) -> FrameFile:
     from app.recording.reader import read_run  # noqa: PLC0415  (loads pyarrow, which other shirts do not need)
 
     run = read_run(folder)
@@ -143,7 +143,7 @@ def _read_recording(folder: Path) -> Played:
         raise ValueError(f"{folder}: this recording holds {len(frames['t'])} frames of a shirt, name a longer one")
     layout, sample_rate = _described(folder, run.meta)
     t = frames["t_device"]
-    if not (np.isfinite(t).all() and (np.diff(t) > 0).all()):  # the device began anew: our own clock did not
+    if not (np.isfinite(t).all() and (np.diff(t) > 0).all()):  # the device was restarted: use the times of arrival
         t = frames["t"]
     if not (np.diff(t) > 0).all():
         raise ValueError(f"{folder}: the times of this recording do not rise, name another one")
@@ -156,11 +156,11 @@ def _read_recording(folder: Path) -> Played:
             f"{folder}: this recording has {values.shape[1]} channels and its layout {len(layout.channels)}, "
             f"name another one"
         )
-    return Played(folder.name, layout, sample_rate, t - t[0], seq, values)
+    return FrameFile(folder.name, layout, sample_rate, t - t[0], seq, values)
 
 
 def _described(folder: Path, meta: dict[str, Any]) -> tuple[ShirtLayout, float]:
-    """Return the layout and the sample rate (Hz) that a recording says it has."""
+    """Return the layout and the sample rate (Hz) in the meta of a recording."""
     try:
         layout = ShirtLayout.model_validate(meta.get("layout"))
     except ValidationError as error:
@@ -172,6 +172,6 @@ def _described(folder: Path, meta: dict[str, Any]) -> tuple[ShirtLayout, float]:
 
 
 def _rising(seq: NDArray[np.int64]) -> NDArray[np.int64]:
-    """Return counters that rise strictly, where uneven times have rounded two frames to one number."""
+    """Return strictly rising counters: uneven times can round two frames to one number."""
     steps = np.maximum(np.diff(seq), 1)
     return np.concatenate(([0], np.cumsum(steps)))

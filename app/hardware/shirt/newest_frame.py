@@ -1,4 +1,4 @@
-"""The newest frame that was taken under a key, kept on the disk for ever: no frame is taken twice (safety S23)."""
+"""The number of the newest frame accepted under a key, kept on disk: no frame is accepted twice (safety S23)."""
 
 import re
 import threading
@@ -15,7 +15,7 @@ _LINE = re.compile(r"(\d{1,20}) (\d{1,10})")
 
 
 def newest_file(key_file: Path) -> Path:
-    """Return the file that belongs to a key."""
+    """Return the file that holds the newest frame's number for a key file."""
     return key_file.with_suffix(".newest")
 
 
@@ -25,7 +25,7 @@ def write_newest(file: Path, number: FrameNumber) -> None:
 
 
 def read_newest(file: Path) -> FrameNumber:
-    """Return the number of the newest frame; HardwareError without a readable file: any frame could be old then."""
+    """Return the number of the newest frame; HardwareError without a readable file, for then any frame could be old."""
     try:
         found = _LINE.fullmatch(file.read_text(encoding="ascii").strip()) if file.is_file() else None
     except (OSError, ValueError):
@@ -39,18 +39,18 @@ def read_newest(file: Path) -> FrameNumber:
 
 
 class NewestFrame:
-    """Takes each frame of a key once, also after this process has died; the disk is never waited for.
+    """Accepts each frame of a key once, also after a crash of this process, without waiting for the disk.
 
-    The file is written ahead, by a thread: it names a frame `ahead` frames later than the newest, and only frames up to
-    that one are taken. After a crash the shirt is refused for at most so many frames, or until it is started again.
+    A thread writes the file ahead: the file names a frame `ahead` frames later than the newest, and only frames up to
+    that one are accepted. After a crash at most `ahead` frames are refused, or all until the shirt is started again.
     """
 
     def __init__(self, file: Path, ahead: int) -> None:
-        """`ahead` is the number of frames that one writing allows."""
+        """`ahead` is the number of frames that one write allows."""
         self._file = file
         self._ahead = ahead
         self._newest: FrameNumber = (0, 0)
-        self._allowed: FrameNumber = (0, 0)  # what is on the disk
+        self._allowed: FrameNumber = (0, 0)  # the number on the disk
         self._wanted: FrameNumber | None = None
         self._wake = threading.Event()
         self._ended = False
@@ -58,17 +58,17 @@ class NewestFrame:
         self.trouble = ""  # why the file cannot be written, empty while it can
 
     def open(self) -> None:
-        """Read the file; HardwareError when it says nothing."""
+        """Read the file and start the thread; HardwareError when the file cannot be read."""
         self._newest = self._allowed = read_newest(self._file)
         self._thread = threading.Thread(target=self._write_ahead, name="newest frame", daemon=True)
         self._thread.start()
 
     def is_new(self, boot: int, seq: int) -> bool:
-        """Return whether this frame is newer than every one that may have been taken."""
+        """Return whether this frame is newer than every frame that may have been accepted."""
         return (boot, seq) > self._newest
 
     def take(self, boot: int, seq: int) -> bool:
-        """Take a new frame; False when the disk does not allow it yet."""
+        """Accept a new frame; False while the number on the disk does not allow it."""
         allowed_boot, allowed_seq = self._allowed
         if boot != allowed_boot or seq + self._ahead // 2 > allowed_seq:
             self._wanted = boot, min(seq + self._ahead, LARGEST_SEQ)
@@ -79,7 +79,7 @@ class NewestFrame:
         return True
 
     def close(self) -> None:
-        """End the thread, and write exactly what was taken; closing twice does no harm."""
+        """End the thread, and write the number of the newest frame; closing twice does no harm."""
         thread, self._thread = self._thread, None
         if thread is None:
             return

@@ -3,8 +3,8 @@ import threading
 import pytest
 
 from app.hardware.base import HardwareError
-from app.hardware.shirt import newest as newest_module
-from app.hardware.shirt.newest import LARGEST_SEQ, NewestFrame, read_newest, write_newest
+from app.hardware.shirt import newest_frame as newest_module
+from app.hardware.shirt.newest_frame import LARGEST_SEQ, NewestFrame, read_newest, write_newest
 
 AHEAD = 10
 

@@ -6,7 +6,7 @@ from app.calibration.gestures.numbers import FoundGesture
 HEAD = ("score", "S/N", "spread", "x-talk", "effort", "false/min", "hits")
 
 
-def gestures_report(found: Discovery) -> str:
+def gesture_table(found: Discovery) -> str:
     """Return one line per gesture, the best first, then the suggestion; `-` where nothing could be measured."""
     width = max(len(gesture.name) for gesture in found.gestures)
     lines = [f"{'gesture':{width}}  {'  '.join(f'{word:>9}' for word in HEAD)}"]
