@@ -1,4 +1,4 @@
-"""Why a chair is not armed, beyond what the gate itself watches."""
+"""Why a chair is not armed, apart from what the gate checks."""
 
 from app.faults import EXPLANATIONS, State
 from app.pipeline.brakes import missing_brake
@@ -6,7 +6,7 @@ from app.pipeline.loop import ControlLoop
 
 
 def refusal(loop: ControlLoop, digest: str) -> str:
-    """Return why the parameters of this hash cannot be armed now, in a sentence; empty when they can."""
+    """Return in a sentence why the chair cannot be armed with the parameters of this hash; empty when it can."""
     setup, gate = loop.setup, loop.setup.chain.gate
     if setup.chain.parameters is None:
         return "There is nothing to drive with: calibrate first."
@@ -22,7 +22,7 @@ def refusal(loop: ControlLoop, digest: str) -> str:
 
 
 def real_chair_refusal(loop: ControlLoop) -> str:
-    """Return what else a real chair needs before it is armed, in a sentence; empty for the virtual one."""
+    """Return in a sentence what a real chair still needs before it is armed; empty for the virtual chair."""
     setup = loop.setup
     chair, parameters = setup.chair, setup.parameters
     if not chair.is_real or parameters is None:

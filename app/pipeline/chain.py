@@ -1,4 +1,4 @@
-"""The whole way from a frame to a tick: decode, controls, shape, gate, chair. The same in the loop and in tests."""
+"""From a frame to a tick: decode, controls, shape, gate, chair. The loop, replay, the study and tests run this code."""
 
 import math
 
@@ -18,13 +18,13 @@ NONE_BAD = BadGestures()
 
 
 class Chain:
-    """One frame in, one tick out. Without parameters it drives nothing and hands the signals through."""
+    """Makes one tick of each frame. Without parameters the chair stands and the tick holds the signals only."""
 
     def __init__(self, sample_rate: float, parameters: DriveParameters | None, chair: Chair) -> None:
         self.parameters = parameters
         self.chair = chair
         self.clinic = HIGHEST_SPEEDS
-        self.dial = 1.0  # the speed dial: which share of the speeds is left
+        self.dial = 1.0  # the speed dial: share of the speeds to drive at
         self.gate = SafetyGate(self._limits(self.clinic, self.dial), sample_rate)
         self._decoder = Decoder(parameters, sample_rate) if parameters else None
         self._controls = Controls(parameters) if parameters else None
@@ -39,18 +39,18 @@ class Chain:
 
     @property
     def limits(self) -> Speeds:
-        """What is not exceeded now: the smallest of parameters, clinic and chair, turned down by the dial."""
+        """The limits in force: the smallest of parameters, clinic and chair, times the dial."""
         return self.gate.limits
 
     def set_clinic(self, clinic: Speeds) -> bool:
-        """Let the clinic's limits be these; False, and nothing changed, when they are higher and it may move."""
+        """Set the clinic's limits; return False, with nothing changed, when they are higher and the chair may move."""
         if not self._restrict(clinic, self.dial):
             return False
         self.clinic = clinic
         return True
 
     def set_dial(self, share: float) -> bool:
-        """Turn the speed dial to `share`; False, and nothing changed, when that is up and it may move."""
+        """Set the speed dial to `share`; return False, with nothing changed, when that is up and the chair may move."""
         if not self._restrict(self.clinic, share):
             return False
         self.dial = share
@@ -69,13 +69,13 @@ class Chain:
         return apply_dial(most_restrictive(own, clinic, self.chair.speeds), share)
 
     def reset(self) -> None:
-        """Forget the past, disarm: the next frame begins a new run. A latched fault stays."""
+        """Disarm and reset all state: the next frame begins a new run. A latched fault stays."""
         self.gate.disarm()
         self.gate.stand()
         if self._decoder and self._shaper:
             self._decoder.reset()
             self._shaper.reset()
-        self._at_rest = True  # every bound gesture, in the newest tick
+        self._at_rest = True  # whether every bound gesture was at rest in the newest tick
         self._loss.reset()
         self._lossy_since: float | None = None
         self._t: float | None = None
@@ -84,13 +84,13 @@ class Chain:
         self._tick.u1 = self._tick.u2 = 0.0
 
     def arm(self) -> bool:
-        """Begin the neutral check; False when there is nothing to drive with or a fault is latched."""
+        """Begin the neutral check; return False without parameters or with a latched fault."""
         return self.parameters is not None and self.gate.arm()
 
     def step(self, frame: SensorFrame | None, t: float, conditions: Conditions) -> Tick:
-        """Return what came of `frame` at `t` (monotonic s); None is a turn without a frame.
+        """Return the tick made of `frame` at `t` (monotonic s); None is a turn without a frame.
 
-        The tick is one object, written anew at each call.
+        The tick is one object that each call overwrites.
         """
         tick = self._tick
         pause = 0.0 if self._t is None else t - self._t
@@ -129,7 +129,7 @@ class Chain:
         if frame is not None:
             self._decode(decoder, frame)
         elif self._frame_t is None:
-            self._frame_t = t  # from here on the first frame is waited for
+            self._frame_t = t  # the age of the missing first frame counts from here
         frame_age = t - self._frame_t if self._frame_t is not None else math.inf
         self._follow_losses(t, controls)
         unseen = frame_age > self._stale or self._loss.too_lossy
@@ -140,7 +140,7 @@ class Chain:
         tick.u1, tick.u2 = controls.step(activation)
         if controls.is_stop(activation) and gate.state is not State.DISARMED:
             gate.stop(Fault.STOP_GESTURE)
-        self._at_rest = not unseen and controls.is_neutral(activation)  # what is not seen is not seen at rest
+        self._at_rest = not unseen and controls.is_neutral(activation)  # unseen is not at rest
         permitted = gate.decide(t, pause, self._at_rest, self._bad(decoder, controls), frame_age, conditions)
         if permitted is not State.ARMED:
             shaper.reset()
@@ -154,9 +154,9 @@ class Chain:
         return BadGestures(bad_count, not controls.brakes.suffice(self.gate.last, decoder.bad))
 
     def _follow_losses(self, t: float, controls: Controls) -> None:
-        """Stop when losses go on: gestures count as neutral meanwhile, so that nobody can brake with one.
+        """Stop when frames go on being lost: gestures count as neutral meanwhile, so nobody can brake with a gesture.
 
-        A chair that keeps its speed is stopped as soon as it would be without any frame.
+        A chair that keeps its speed is stopped as soon as a silent shirt would stop it.
         """
         if not self._loss.too_lossy:
             self._lossy_since = None
@@ -169,7 +169,7 @@ class Chain:
 
     def _decode(self, decoder: Decoder, frame: SensorFrame) -> None:
         time_step = frame.t_device - self._t_device
-        if not 0.0 < time_step < math.inf:  # the first frame, or a device that was restarted
+        if not 0.0 < time_step < math.inf:  # the first frame, or the device was restarted
             time_step = 1.0 / self._sample_rate
         self._t_device = frame.t_device
         self._frame_t = frame.t

@@ -21,26 +21,26 @@ class Nothing(Document):
 
 
 class Heartbeat(Document):
-    """The web process lives; how long ago the screen that armed the chair spoke (None: it is gone), and how it is."""
+    """A sign of life of the web process; the age of the arming screen's last report (None: it is gone), its state."""
 
     screen_age: Seconds | None
     screen: Literal["in view", "hidden", "slow"] = "in view"
 
 
 class Device(Document):
-    """A shirt, a body or a chair; the registry looks into the configuration."""
+    """The configuration of a shirt, a body or a chair, which the registry checks."""
 
     config: dict[str, Any]
 
 
 class Head(Document):
-    """A head tracker, None for none; the registry looks into the configuration."""
+    """The configuration of a head tracker, which the registry checks; None: no head tracker."""
 
     config: dict[str, Any] | None
 
 
 class Look(Document):
-    """Where a tablet looks, as it tells."""
+    """The orientation that a tablet reports."""
 
     yaw: Radians
     pitch: Radians
@@ -48,44 +48,44 @@ class Look(Document):
 
 
 class Sender(Document):
-    """Another sender that is the shirt from now on."""
+    """The sender whose frames count as the shirt's from now on."""
 
     sender: Annotated[str, Field(min_length=1, max_length=100)]  # HOST:PORT, as `status` names it
 
 
 class Move(Document):
-    """Where the visitor wants the joints of the simulated body."""
+    """Targets for the joints of the simulated body, from the visitor's keys."""
 
     joints: dict[Name, Fraction]
 
 
 class Parameters(Document):
-    """What to drive with."""
+    """The parameters to drive with."""
 
     parameters: DriveParameters | None
 
 
 class World(Document):
-    """Where to drive."""
+    """The floor plan and the path to drive."""
 
     floorplan: FloorPlan | None
     path: Name | None = None
 
 
 class Limits(Document):
-    """What the clinic's owner allows."""
+    """The limits of the clinic's owner."""
 
     clinic: Speeds
 
 
 class Dial(Document):
-    """Which share of forward, reverse and turn speed to drive at."""
+    """The share of forward, reverse and turn speed to drive at."""
 
     share: Share
 
 
 class Run(Document):
-    """What to record."""
+    """The run to record."""
 
     run_id: Name
     folder: Folder
@@ -95,18 +95,18 @@ class Run(Document):
 
 
 class Arm(Document):
-    """Permit motion with the parameters of this hash."""
+    """Arm with the parameters of this hash."""
 
     hash: Annotated[str, Field(pattern=r"^[0-9a-f]{64}$")]
 
 
 class Stop(Document):
-    """Who stopped the chair; `picture`: the web process, because a screen has no picture to drive by."""
+    """The origin of a stop; `picture`: the web process, because a screen has no current picture to drive by."""
 
     by: Literal["tablet", "key", "picture"] = "tablet"
 
 
 class Clear(Document):
-    """Let go of a latched fault; how many stops there had been when the person looked."""
+    """Clear a latched fault; `stops` is the count of stops that the person saw on the screen."""
 
     stops: Count

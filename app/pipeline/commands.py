@@ -1,4 +1,4 @@
-"""What the web process asks for, done or refused in one sentence (docs/protocols.md, section 1)."""
+"""The commands of the web process: each is executed, or refused in one sentence (docs/protocols.md, section 1)."""
 
 import math
 from collections.abc import Callable
@@ -25,21 +25,21 @@ from app.sentences import one_sentence
 Answer = dict[str, Any]
 
 NOT_MEANWHILE = frozenset({"shirt", "sender", "body", "head", "chair", "parameters", "world", "run", "arm", "clear"})
-"""What is refused while a device is being opened: it would change, arm or record what is not complete."""
+"""Commands refused while a device is being opened: they would change, arm or record an incomplete setup."""
 
 STOPPED_BY = {"tablet": Fault.STOP_TABLET, "key": Fault.STOP_KEY, "picture": Fault.PICTURE_LOST}
 SCREEN_FAULTS = {"in view": Fault.NONE, "hidden": Fault.SCREEN_HIDDEN, "slow": Fault.SCREEN_SLOW}
 
 
 class Command(NamedTuple):
-    """A command's fields, and what does it; an answer of None comes later."""
+    """The fields of a command and its function; an answer of None means that the answer comes later."""
 
     fields: type[Document]
     do: Callable[[Any, int], Answer | None]
 
 
 class Commands:
-    """Does the commands that have come since it was last polled, between two ticks of the loop."""
+    """Executes commands between two ticks of the loop."""
 
     def __init__(self, loop: ControlLoop, server: CommandServer, real_time: list[str], clock: Clock) -> None:
         self.quit = False
@@ -75,14 +75,14 @@ class Commands:
         }
 
     def poll(self) -> None:
-        """Do what has been asked for, and answer what has been finished."""
+        """Execute the commands that have come, and answer earlier commands that are finished."""
         for message in self._server.poll():
             self._do(message)
         self._openings.poll()
         self._runs.poll()
 
     def close(self) -> None:
-        """Close an open recording, wait until it is on disk, and say so."""
+        """End an open run, wait until its recording is on the disk, and close the control link."""
         self._runs.close()
         self._server.close()
 
@@ -100,7 +100,7 @@ class Commands:
             self._server.refuse(command_id, f"{one_sentence(error, word)}.")
         except (CommandRefused, HardwareError) as refusal:
             self._server.refuse(command_id, str(refusal))
-        except Exception as error:  # a defect of a command must not end the process that holds the chair
+        except Exception as error:  # a defect of a command must not end the process that controls the chair
             self._server.refuse(command_id, defect(word, error))
         else:
             if answer is not None:
@@ -249,12 +249,12 @@ class Commands:
             raise CommandRefused("Something is being recorded already: end it first.")
 
     def _require_no_drive(self) -> None:
-        """Refuse while armed or recording: a stop in a trial is cleared into what was armed, and into nothing else."""
+        """Refuse while armed or recording: clearing a stop must resume only the setup that was armed."""
         self._setup.require_still()
         self._require_no_run()
 
     def _open(self, change: Change, command_id: int, answer: Callable[[], Answer]) -> None:
-        """Open a device off the loop; the command is answered when it is there, or refused with why it is not."""
+        """Open a device in a thread; the command is answered when the device is open, or refused with the reason."""
 
         def finish(why: str) -> None:
             if why:
@@ -263,7 +263,7 @@ class Commands:
             try:
                 self._settle()
                 fields = answer()
-            except Exception as error:  # as of any other command
+            except Exception as error:  # a sentence, as for a defect of any other command
                 self._server.refuse(command_id, defect(change.what, error))
             else:
                 self._server.answer(command_id, **fields)
@@ -271,7 +271,7 @@ class Commands:
         self._openings.begin(change, finish)
 
     def _settle(self) -> None:
-        """Take what was just loaded into the long-lived memory; the loop begins a new deadline."""
+        """Move new objects to the long-lived memory of the garbage collector; begin a new deadline of the loop."""
         collect_garbage()
         self._loop.begin_anew()
 

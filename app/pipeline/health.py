@@ -1,19 +1,19 @@
-"""Which channels can be believed, and whether too many frames get lost."""
+"""Which channels are bad, and whether too many frames are lost."""
 
 import numpy as np
 from numpy.typing import NDArray
 
 from app.calibration.profile import CalibrationProfile
 
-FLAT_TIME = 0.2  # s: fabric always trembles a little; a signal that does not move at all is a broken line
-RANGE_FACTOR = 1.5  # of the calibrated half-range: beyond it a value is not this body's
-SMALLEST_HALF_RANGE = 1e-9  # signal units: keeps a channel that never moved from dividing by zero
+FLAT_TIME = 0.2  # s: a fabric sensor always shows noise; a signal that stays constant for so long is a broken line
+RANGE_FACTOR = 1.5  # of the calibrated half-range: a value beyond it is not from this body
+SMALLEST_HALF_RANGE = 1e-9  # signal units, for a channel that did not change in the calibration
 LOSS_WINDOW = 1.0  # s
 LOSS_LIMIT = 0.1  # share of frames
 
 
 class ChannelHealth:
-    """Watches channels for NaN, for values outside 1.5 x the calibrated range, and for standing still."""
+    """Checks channels for NaN, for values outside 1.5 x the calibrated range, and for constant values."""
 
     def __init__(self, profile: CalibrationProfile, watched: NDArray[np.bool_], sample_rate: float) -> None:
         low, high = np.array(profile.low), np.array(profile.high)
@@ -29,20 +29,20 @@ class ChannelHealth:
         self.reset()
 
     def reset(self) -> None:
-        """Forget how long each channel stood still."""
+        """Forget for how long each channel was constant."""
         self._previous = np.full(len(self._low), np.nan)
         self._still = np.zeros(len(self._low), dtype=np.int32)
         self._some_still = False
 
     def step(self, values: NDArray[np.float64]) -> NDArray[np.bool_] | None:
-        """Return which channels are bad in this frame (n_channels,), or None when all are well.
+        """Return which channels are bad in this frame (n_channels,), or None when none is.
 
-        `values` (n_channels,) in signal units; the caller leaves the array alone afterwards.
+        `values` (n_channels,) in signal units; the caller must not change the array afterwards.
         """
         longest = self._count_still(values)
         np.greater_equal(values, self._low, out=self._above)
         np.less_equal(values, self._high, out=self._below)
-        # Comparing bytes is the fastest "are all true"; a NaN compares false and so takes the careful way.
+        # Comparing bytes is the fastest test for "all true"; a NaN compares false and so takes the exact way below.
         if longest < self._flat_after and self._above.tobytes() == self._all == self._below.tobytes():
             return None
         wrong = ~(self._above & self._below) | (self._still >= self._flat_after)
@@ -50,7 +50,7 @@ class ChannelHealth:
         return bad if bad.any() else None
 
     def _count_still(self, values: NDArray[np.float64]) -> int:
-        """Count for how many frames each watched channel has shown one value; return the largest count."""
+        """Count for how many frames each watched channel has been constant; return the largest count."""
         np.equal(values, self._previous, out=self._same)
         np.logical_and(self._same, self._watched, out=self._same)
         self._previous = values
@@ -65,9 +65,9 @@ class ChannelHealth:
         return 0
 
     def block(self, values: NDArray[np.float64], before: NDArray[np.float64] | None) -> NDArray[np.bool_]:
-        """Return the same as `step`, for the frames (n, n_channels) of a recording at once.
+        """Return which channels are bad (n, n_channels) for many frames at once, as `step` would frame by frame.
 
-        `before` are the frames just before, enough of them to see a flat line: FLAT_TIME long; None at the beginning.
+        `before` are the `memory` frames just before them, to notice a constant channel; None at the beginning.
         """
         known = values if before is None else np.concatenate((before, values))
         rows = np.arange(len(known), dtype=np.int32)[:, np.newaxis]
@@ -79,12 +79,12 @@ class ChannelHealth:
 
     @property
     def memory(self) -> int:
-        """How many frames before decide whether a channel is flat."""
+        """How many earlier frames decide whether a channel is constant."""
         return self._flat_after + 1
 
 
 class LossWindow:
-    """The share of frames that were lost over the last second, in ten bins that are used in turn."""
+    """The share of frames lost over the last second, counted in a ring of ten bins."""
 
     BINS = 10
 
@@ -100,7 +100,7 @@ class LossWindow:
         """Whether more than a tenth of the last second's frames are missing."""
 
     def step(self, t: float, missing: int) -> None:
-        """Count one frame that came at `t` (s) after `missing` others that did not."""
+        """Count one frame that came at `t` (s), and `missing` frames lost before it."""
         current = int(t * self.BINS / LOSS_WINDOW)
         if current != self._bin:
             for stale in range(max(self._bin + 1, current - self.BINS + 1), current + 1):

@@ -1,4 +1,4 @@
-"""A run while it is recorded: its clock, its cues, its writer."""
+"""A run in progress: its clock, its cues, its writer."""
 
 import math
 from collections.abc import Sequence
@@ -12,12 +12,12 @@ RunKind = Literal["rest", "free", "prompt", "drive"]
 
 
 class OpenRun:
-    """One uninterrupted recording."""
+    """One uninterrupted recording in progress."""
 
     def __init__(
         self, run_id: str, number: int, kind: RunKind, cues: Sequence[Cue], start: float, writer: RunWriter
     ) -> None:
-        """Begin at `start` (monotonic s); `number` is what the run is called in ticks."""
+        """Begin at `start` (monotonic s); `number` names the run in ticks."""
         self.run_id = run_id
         self.number = number
         self.kind = kind
@@ -27,7 +27,7 @@ class OpenRun:
         self.was_armed = False
         self._edges = sorted({edge for cue in self.cues for edge in (cue.start, cue.end)})
         self._cue = NO_CUE
-        self._until = -math.inf  # up to when the current cue is known to stay the current one
+        self._until = -math.inf  # run time up to which the current cue stays in force
 
     def cue_at(self, run_t: float) -> int:
         """Return the index of the cue in force at `run_t` (s since the start), which must not go back."""

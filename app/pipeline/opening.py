@@ -1,4 +1,4 @@
-"""Devices are opened in a thread of their own: the control loop never waits for a cable, a file or a name."""
+"""Opens devices in a thread, so that the control loop never waits for a cable, a file or a name server."""
 
 import threading
 from collections.abc import Callable
@@ -9,12 +9,12 @@ from app.clock import Clock
 from app.hardware.base import HardwareError
 
 OPENING_LIMIT = 8.0  # s; the web process waits 10 s for an answer
-MOST_STUCK = 8  # threads that never came back: each holds memory for as long as the process lives
-LONGEST_REASON = 200  # letters of what a driver raised
+MOST_STUCK = 8  # threads that never ended: each holds memory until the process ends
+LONGEST_REASON = 200  # letters of a driver's error message
 
 
 class Openable(Protocol):
-    """What shirts, head trackers and real chairs have in common."""
+    """A device that can be opened: shirt, head tracker or real chair."""
 
     def open(self) -> None:
         """Open the device."""
@@ -25,19 +25,19 @@ Device = TypeVar("Device", bound=Openable)
 
 
 class Change(NamedTuple):
-    """A device to be opened, and what puts it to use."""
+    """The change to another device: how to open it, and how to put it to use."""
 
-    what: str  # as sentences name it: shirt, chair ...
-    open: Callable[[], Any]  # off the loop: it may wait, and raise anything
-    take: Callable[[Any], None]  # on the loop: it neither waits nor fails
+    what: str  # the device's name in sentences: shirt, chair ...
+    open: Callable[[], Any]  # runs in a thread: may wait, and may raise anything
+    take: Callable[[Any], None]  # runs on the loop: neither waits nor fails
 
 
 Finish = Callable[[str], None]
-"""Called on the loop when a change has ended: with an empty string, or with why the device is not there."""
+"""Called on the loop at the end of a change: with an empty string, or with the reason why it failed."""
 
 
 class Openings:
-    """Opens one device at a time in a thread, and gives it up after `OPENING_LIMIT`."""
+    """Opens one device at a time in a thread; abandons it after `OPENING_LIMIT`."""
 
     def __init__(self, clock: Clock) -> None:
         self._clock = clock
@@ -53,7 +53,7 @@ class Openings:
         return self._attempt is not None
 
     def begin(self, change: Change, finish: Finish) -> None:
-        """Open the device of `change`; `poll` puts it to use and calls `finish`. Not while busy."""
+        """Begin to open the device of `change`, when not busy; `poll` puts it to use and calls `finish`."""
         self._stuck = [attempt for attempt in self._stuck if attempt.is_alive()]
         if len(self._stuck) >= MOST_STUCK:
             finish(f"The {change.what} is not opened, for {MOST_STUCK} others still hang: start bodydrive again.")
@@ -64,7 +64,7 @@ class Openings:
         self._attempt.start()
 
     def poll(self) -> None:
-        """Go on with what is being opened; to be called on the loop."""
+        """Finish the opening when the device is there or the time is over; to be called on the loop."""
         attempt, change = self._attempt, self._change
         if attempt is None or change is None:
             return
@@ -81,7 +81,7 @@ class Openings:
 
 
 def _take(change: Change, device: Any) -> str:
-    """Put a device to use; return why that failed, which is a defect, or an empty string."""
+    """Put a device to use; return an empty string, or the sentence of a defect when that failed."""
     try:
         change.take(device)
     except Exception as error:
@@ -90,10 +90,10 @@ def _take(change: Change, device: Any) -> str:
 
 
 class _Attempt(threading.Thread):
-    """Opens one device; one that comes after it was given up is closed again."""
+    """Opens one device; a device that opens after it was abandoned is closed again."""
 
     def __init__(self, change: Change) -> None:
-        super().__init__(name=f"opens the {change.what}", daemon=True)  # one that hangs must not keep the process
+        super().__init__(name=f"opens the {change.what}", daemon=True)  # must not keep the process alive
         self.device: Any = None
         self.why = ""
         self.ended = threading.Event()
@@ -105,7 +105,7 @@ class _Attempt(threading.Thread):
         """Open the device."""
         try:
             device = self._change.open()
-        except Exception as error:  # whatever a driver does, the loop turns on
+        except Exception as error:  # whatever a driver raises, the loop turns on
             device, self.why = None, reason(error, self._change.what)
         with self._lock:
             if not self._given_up:
@@ -115,15 +115,15 @@ class _Attempt(threading.Thread):
         close_quietly(device)
 
     def give_up(self) -> None:
-        """Give the device up: it is closed when it opens after all."""
+        """Abandon the device: it is closed if it opens later."""
         with self._lock:
             self._given_up = not self.ended.is_set()
-        if not self._given_up:  # the device opened just before
+        if not self._given_up:  # the device opened just before this call
             close_quietly(self.device)
 
 
 def open_device(device: Device) -> Device:
-    """Open a device and return it; one that fails is closed, and what it raised goes on."""
+    """Open a device and return it; when that fails, close the device and raise the error again."""
     try:
         device.open()
     except Exception:
@@ -133,7 +133,7 @@ def open_device(device: Device) -> Device:
 
 
 def reason(error: Exception, what: str) -> str:
-    """Return why a device cannot be had, in one sentence, whatever its driver raised."""
+    """Return in one sentence why a device cannot be opened, whatever its driver raised."""
     if isinstance(error, HardwareError):
         return one_line(str(error))
     words = one_line(str(error))[:LONGEST_REASON]
@@ -142,18 +142,18 @@ def reason(error: Exception, what: str) -> str:
 
 
 def defect(what: str, error: Exception) -> str:
-    """Return the sentence for an exception that nobody foresaw."""
+    """Return the sentence for an unforeseen exception."""
     words = one_line(str(error))[:LONGEST_REASON]
     return f"The program has a fault, and '{what}' was not done ({type(error).__name__}: {words}): please report it."
 
 
 def one_line(text: str) -> str:
-    """Return a text with nothing in it but what can be printed on one line."""
+    """Return a text reduced to printable characters on one line."""
     return " ".join("".join(letter if letter.isprintable() else " " for letter in text).split())
 
 
 def close_quietly(device: Any) -> None:
-    """Close a device that is not wanted, if it can be closed; whatever it raises, it is let go."""
+    """Close a device, if it has `close`, and ignore whatever that raises."""
     close = getattr(device, "close", None)
     if close is not None:
         with suppress(Exception):

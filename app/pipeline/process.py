@@ -17,12 +17,12 @@ from app.process.command_channel import CommandServer
 from app.process.ring import TickRing
 from app.realtime import go_real_time
 
-POLL_EVERY = 0.004  # s between two looks at the link
-LAST_TURNS = 0.5  # s: the chair stands before that (the gate's STOP_TIME)
+POLL_EVERY = 0.004  # s between two polls of the control link
+LAST_TURNS = 0.5  # s: longest time for the last stop; the gate's STOP_TIME is shorter
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Run until the link ends; return the exit code."""
+    """Run until the control link ends; return the exit code."""
     given = _parser().parse_args(arguments)
     clock = MonotonicClock()
     link = None

@@ -1,4 +1,4 @@
-"""Runs: begun where there is room for them, ended when the chair stands, answered when they are on the disk."""
+"""Runs: begun when the disk has room, ended when the chair stands, answered when the recording is on the disk."""
 
 import shutil
 from pathlib import Path
@@ -14,7 +14,7 @@ from app.process.command_channel import NO_ANSWER, CommandServer
 from app.realtime import collect_garbage
 from app.recording.writer import RunWriter
 
-LEAST_FREE = 500_000_000  # bytes on the disk of the recordings: a drive of 20 minutes with the largest shirt
+LEAST_FREE = 500_000_000  # bytes free on the disk of the recordings: a drive of 20 minutes with the largest shirt
 
 
 class Runs:
@@ -25,12 +25,12 @@ class Runs:
         self._server = server
         self._clock = clock
         self._count = 0
-        self._ending: tuple[OpenRun, int] | None = None  # a run, and who wants to know when it has ended
-        self._closing: list[tuple[OpenRun, int]] = []  # runs that are being brought to the disk
+        self._ending: tuple[OpenRun, int] | None = None  # the run, and the command to answer when it has ended
+        self._closing: list[tuple[OpenRun, int]] = []  # runs going to the disk, and the commands to answer
 
     @property
     def ending(self) -> bool:
-        """Whether the run waits for the chair to stand."""
+        """Whether a run waits for the chair to stand before it ends."""
         return self._ending is not None
 
     def begin(self, fields: command_fields.Run) -> int:
@@ -53,7 +53,7 @@ class Runs:
         return self._count
 
     def end(self, command_id: int) -> None:
-        """Disarm, and end the run when the chair stands."""
+        """Disarm; `poll` ends the run when the chair stands, and answers the command."""
         run = self._loop.run
         if run is None or self._ending is not None:
             raise CommandRefused("Nothing is being recorded: begin a run first.")
@@ -62,21 +62,21 @@ class Runs:
         self._ending = run, command_id
 
     def poll(self) -> None:
-        """Go on with what is being ended."""
+        """End a run when the chair stands, and answer the commands of runs that are on the disk."""
         if self._ending is not None and self._loop.setup.stands:
             self._finish()
         if self._closing:
             self._answer_closed()
 
     def close(self) -> None:
-        """Close an open recording, wait until it is on disk, and say so."""
+        """End an open run, wait until its recording is on the disk, and answer its command."""
         self._finish()
         for run, _ in self._closing:
             run.writer.wait()
         self._answer_closed()
 
     def status(self) -> dict[str, Any] | None:
-        """Return what is known of the run, None outside of one."""
+        """Return the state of the run in progress, None outside a run."""
         run = self._loop.run
         if run is None:
             return None

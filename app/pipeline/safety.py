@@ -1,7 +1,7 @@
 """The gate: the last step that decides whether and how fast the chair moves. No clock, no socket, no file.
 
-It is the only way to the chair, the virtual one included (safety.md). Default deny: it starts disarmed, and every
-doubt ends in a ramp to standstill that nothing before it can lengthen.
+Every command to a chair passes it, the virtual chair included (safety.md). It denies by default: it starts disarmed,
+and every doubt ends in a ramp to standstill that no earlier step of the chain can lengthen.
 """
 
 import math
@@ -15,69 +15,69 @@ from app.pipeline.shaping import forward_ramp, turn_ramp
 from app.speeds import Speeds
 
 NEUTRAL_TIME = 0.5  # s at rest before motion (ISO 7176-14, control signal at switch-on)
-NEUTRAL_PATIENCE = 5.0  # s, then a latched fault
-SHIRT_STALE = 0.05  # s: gestures count as neutral
-SHIRT_SILENT = 0.2  # s: disarm (a 200 ms stall disarms in ArduPilot, too)
-LOSSY_LIMIT = 1.5  # s of too many lost frames: one burst is forgotten after 1 s; a chair that cruises stops sooner
-SLOW_SHIRT = 60.0  # Hz: below it the limits are counted in periods
+NEUTRAL_PATIENCE = 5.0  # s of the neutral check after which a fault is latched
+SHIRT_STALE = 0.05  # s without a frame after which gestures count as neutral
+SHIRT_SILENT = 0.2  # s without a frame after which the chair is disarmed (as after a 200 ms stall in ArduPilot)
+LOSSY_LIMIT = 1.5  # s of too many lost frames: one burst leaves the window after 1 s; a cruising chair stops sooner
+SLOW_SHIRT = 60.0  # Hz: below this rate the two limits above are counted in periods
 STALE_PERIODS, SILENT_PERIODS = 3, 12
 WEB_SILENT = 0.3  # s without a heartbeat of the web process
-SCREEN_SILENT = 0.3  # s without a word of the screen that armed the chair
+SCREEN_SILENT = 0.3  # s without a report of the screen that armed the chair
 CHAIR_SILENT = 0.3  # s without telemetry, which comes every 0.1 s
-LOOP_STALL = 0.3  # s between two ticks: as long as a missing heartbeat
-BAD_GESTURES = 2  # gestures without believable channels that end the drive
-STOP_DECELERATION = 3.0  # m/s2: the firm end of what powered chairs do
+LOOP_STALL = 0.3  # s between two ticks, as for a missing heartbeat
+BAD_GESTURES = 2  # number of gestures with bad channels that ends the drive
+STOP_DECELERATION = 3.0  # m/s2: the upper end of what powered chairs do
 STOP_TURN_DECELERATION = 6.0  # rad/s2
-STOP_TIME = 0.25  # s: from any permitted speed to standstill
-LARGEST_STEP = 0.1  # s: a longer pause between two ticks moves and changes no more than this
+STOP_TIME = 0.25  # s: longest stop from any permitted speed
+LARGEST_STEP = 0.1  # s: a longer pause between two ticks counts as this long for motion and ramps
 
 
 class ChairCondition(IntEnum):
-    """What a chair says of itself; the virtual chair is always ready."""
+    """Whether a chair can be driven, by its telemetry; the virtual chair is always ready."""
 
-    READY = 0  # it has accepted this arming, and moves when told
-    WAITING = 1  # disarmed, or still checking that it is told to stand
+    READY = 0  # it has accepted the current arming, and obeys commands to move
+    WAITING = 1  # disarmed, or still checking that it is commanded to stand
     INHIBITED = 2  # its stop switch is pressed, or it has a fault
 
 
 @dataclass(slots=True)
 class Conditions:
-    """What the gate must know of the world outside the chain."""
+    """The conditions outside the chain that the gate checks."""
 
     supervisor_age: float = 0.0  # s since the last heartbeat of the web process
-    screen_age: float = 0.0  # s since the screen that armed the chair last said how it is; inf: it is gone
-    screen: Fault = Fault.NONE  # why what it said does not count: it is hidden, or its page stands still
-    recording: bool = True  # the recording, where one is required, is being written
+    screen_age: float = 0.0  # s since the last report of the screen that armed the chair; inf: it is gone
+    screen: Fault = Fault.NONE  # why the screen's report does not count: it is hidden, or its page is frozen
+    recording: bool = True  # whether the recording, where one is required, is being written
     chair_age: float = 0.0  # s since the chair's newest telemetry
     chair: ChairCondition = ChairCondition.READY
 
 
 class BadGestures(NamedTuple):
-    """Which bound gestures have channels that cannot be believed."""
+    """Bound gestures that read bad channels."""
 
     bound: int = 0  # how many
-    brakes: bool = False  # the others cannot stop what moves (app/pipeline/brakes.py)
+    brakes: bool = False  # whether the other gestures cannot stop the motion (app/pipeline/brakes.py)
 
 
 def shirt_limits(sample_rate: float) -> tuple[float, float]:
-    """Return after how many seconds without a frame the gestures are neutral, and the chair is disarmed (S4)."""
+    """Return after how many seconds without a frame gestures count as neutral, and the chair is disarmed (S4)."""
     if sample_rate >= SLOW_SHIRT:
         return SHIRT_STALE, SHIRT_SILENT
     return STALE_PERIODS / sample_rate, SILENT_PERIODS / sample_rate
 
 
 def stop_rate(speed: float, deceleration: float) -> float:
-    """Return how fast to slow down from `speed`: at `deceleration`, or faster where STOP_TIME needs it."""
+    """Return the deceleration of a stop from `speed`: `deceleration`, or more where STOP_TIME needs it."""
     return max(deceleration, abs(speed) / STOP_TIME)
 
 
 def towards_zero(speed: float, change: float) -> float:
-    """Return `speed` brought `change` nearer to zero, never past it."""
+    """Return `speed` moved by `change` towards zero, at most to zero."""
     return max(0.0, speed - change) if speed > 0 else min(0.0, speed + change)
 
 
 class SafetyGate:
-    """Permits or withdraws motion, and bounds what passes."""
+    """Permits or withdraws motion, and limits the twist."""
 
     def __init__(self, speeds: Speeds, sample_rate: float) -> None:
         self._limits = speeds
@@ -91,20 +91,20 @@ class SafetyGate:
         self._neutral_since: float | None = None
 
     def stand(self) -> None:
-        """Take the chair for standing, as at the start of a run."""
+        """Assume that the chair stands, as at the start of a run."""
         self.last = STANDSTILL
         self.rates = STANDSTILL
         self._stop_rate = self._stop_turn_rate = 0.0
 
     @property
     def limits(self) -> Speeds:
-        """What is not exceeded now."""
+        """The limits in force."""
         return self._limits
 
     def restrict(self, speeds: Speeds, neutral: bool) -> bool:
-        """Set other limits: lower ones hold at once; a higher one only at standstill and with every gesture at rest.
+        """Set other limits: lower limits at once; a higher limit only at standstill and with every gesture at rest.
 
-        Return whether they were set; when not, nothing has changed.
+        Return whether the limits were set; when not, nothing has changed.
         """
         raises = any(getattr(speeds, name) > getattr(self._limits, name) for name in Speeds.model_fields)
         if raises and not (neutral and self.last == STANDSTILL):
@@ -128,16 +128,16 @@ class SafetyGate:
             self._withdraw(State.DISARMED)
 
     def stop(self, fault: Fault) -> None:
-        """Latch a stop. It may be given at any time and any number of times; each counts, the first reason stays."""
+        """Latch a stop, at any time and any number of times; each stop is counted, the first reason stays."""
         self.stops += 1
         if self.state is not State.FAULT:
             self.fault = fault
             self._withdraw(State.FAULT)
 
     def clear(self, stops: int) -> bool:
-        """Let go of a latched fault: disarmed, never moving.
+        """Clear a latched fault: the gate is disarmed, the chair stands.
 
-        `stops` is how many stops whoever clears has seen; when there was another since, nothing is cleared.
+        `stops` is the count of stops that the person who clears has seen; after a further stop nothing is cleared.
         """
         if self.state is not State.FAULT or stops != self.stops:
             return False
@@ -150,8 +150,8 @@ class SafetyGate:
     ) -> State:
         """Return whether motion is permitted at `t` (s), `pause` (s) after the tick before.
 
-        `neutral`: every bound gesture is inside its dead-zone. `bad`: which of them have channels that cannot be
-        believed. `frame_age`: s since the shirt's newest frame.
+        `neutral`: every bound gesture is inside its dead-zone. `bad`: the bound gestures that read bad channels.
+        `frame_age`: s since the shirt's newest frame.
         """
         if self.state is State.CHECKING or self.state is State.ARMED:
             fault = self._fault_now(pause, bad, frame_age, conditions)
@@ -179,14 +179,14 @@ class SafetyGate:
         return self.last
 
     def _withdraw(self, state: State) -> None:
-        if self.state is State.ARMED:  # a stop on the way to standstill must not make that way longer
+        if self.state is State.ARMED:  # a stop during a stop must not lengthen it
             self._stop_rate = stop_rate(self.last.v, STOP_DECELERATION)
             self._stop_turn_rate = stop_rate(self.last.omega, STOP_TURN_DECELERATION)
             self.rates = STANDSTILL
         self.state = state
 
     def _fault_now(self, pause: float, bad: BadGestures, frame_age: float, conditions: Conditions) -> Fault:
-        # Every comparison is written so that a NaN ends in the fault.
+        # Every comparison is written so that a NaN leads to the fault.
         if not pause <= LOOP_STALL:
             return Fault.LOOP_LATE
         if not conditions.supervisor_age <= WEB_SILENT:

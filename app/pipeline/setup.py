@@ -1,4 +1,4 @@
-"""What is connected and loaded: shirt, body, chair, limits, parameters, world; and the chain made of them."""
+"""What is connected and loaded: shirt, body, chair, limits, parameters, world; and the chain made of these."""
 
 from typing import Any, Protocol, cast
 
@@ -25,7 +25,7 @@ NO_SHIRT = "No shirt is connected: choose one on the Shirt page."
 
 
 class CommandRefused(Exception):  # noqa: N818
-    """Why a command is not done, in one sentence."""
+    """Why a command is refused, in one sentence."""
 
 
 class ShirtWithBody(Protocol):
@@ -36,7 +36,7 @@ class ShirtWithBody(Protocol):
 
 
 class Setup:
-    """Changes one part at a time; nothing changes while the chair may move."""
+    """The parts in use; one part changes at a time, and none while the chair may move."""
 
     def __init__(self, clock: Clock) -> None:
         self._clock = clock
@@ -44,14 +44,14 @@ class Setup:
         self.shirt: Shirt | None = None
         self.shirt_kind = ""
         self.mistrust = NO_SHIRT  # why the shirt in use arms no real chair, empty when it may
-        self._shirt_failed = ""  # why the shirt in use had to be let go
+        self._shirt_failed = ""  # why the shirt in use was released, empty when it was not
         self.body_kind: str | None = None  # of the body inside the simulated shirt
         self.simulated_shirt: ShirtWithBody | None = None  # the shirt in use, when it is the simulated one
         self.parameters: DriveParameters | None = None
         self.hash: str | None = None
         self.floorplan: FloorPlan | None = None
         self.path: PrescribedPath | None = None
-        self.leader: Track | None = None  # whom the path's task says to follow
+        self.leader: Track | None = None  # of a task to follow somebody
         self.chair: Chair = VirtualChair(None, ORIGIN)
         self._dynamics: Dynamics = "unicycle"  # of the newest virtual chair
         self._clinic = HIGHEST_SPEEDS
@@ -60,7 +60,7 @@ class Setup:
 
     @property
     def sample_rate(self) -> float:
-        """Frames per second (Hz) that the shirt promises; the loop's own pace without a shirt."""
+        """Frames per second (Hz) that the shirt states; the loop's own rate without a shirt."""
         return self.shirt.sample_rate if self.shirt else IDLE_RATE
 
     @property
@@ -70,7 +70,7 @@ class Setup:
 
     @property
     def network_shirt(self) -> NetworkShirt | None:
-        """The shirt in use when it is one over the network, else None."""
+        """The shirt in use when it is a shirt over the network, else None."""
         return self.shirt if isinstance(self.shirt, NetworkShirt) else None
 
     @property
@@ -80,7 +80,7 @@ class Setup:
 
     @property
     def source(self) -> Source:
-        """What is connected, as every record of a run names it; "unknown" without a shirt."""
+        """What is connected, as every run records it; "unknown" without a shirt."""
         driver = SHIRTS.get(self.shirt_kind)
         return Source(
             shirt=self.shirt_kind or UNKNOWN,
@@ -105,7 +105,7 @@ class Setup:
         before = self._release_shirt()
 
         def opened() -> Shirt:
-            close_quietly(before)  # first: the next one may want the same port
+            close_quietly(before)  # first: the next shirt may use the same port
             return open_device(make_shirt(config, self._clock))
 
         def take(shirt: Shirt) -> None:
@@ -113,19 +113,19 @@ class Setup:
             self.simulated_shirt = cast(ShirtWithBody, shirt) if config.kind == "simulator" else None
             if self.parameters is not None and self._misfit(self.parameters):
                 self.parameters = self.hash = None
-            self._link_chain()
+            self._make_chain()
 
         return Change("shirt", opened, take)
 
     def release_failed_shirt(self, error: Exception) -> None:
-        """Let go of a shirt whose driver failed; without frames the gate stops the chair as for a silent one."""
+        """Release a shirt whose driver failed; without frames the gate stops the chair, as with a silent shirt."""
         failed, self.shirt, self.simulated_shirt = self.shirt, None, None
         self.mistrust = NO_SHIRT
         self._shirt_failed = f"The shirt failed ({one_line(str(error)) or type(error).__name__}): choose it again."
         close_quietly(failed)
 
     def close(self) -> None:
-        """Give the devices back."""
+        """Release all devices."""
         self.head.close()
         self.chair.close()
         close_quietly(self.shirt)
@@ -146,19 +146,19 @@ class Setup:
         return Change("chair", lambda: None, lambda _: self._take_virtual_chair(dynamics))
 
     def use_clinic(self, speeds: Speeds) -> None:
-        """Hold the clinic's limits: lower ones at once, higher ones only while nothing moves."""
+        """Set the clinic's limits: lower ones at once, higher ones only while nothing moves."""
         if not self.chain.set_clinic(speeds):
             raise CommandRefused("Limits are raised only while the chair stands and nobody moves: end the drive first.")
         self._clinic = speeds
 
     def use_dial(self, share: float) -> None:
-        """Drive at this share of the speeds: a lower one at once, a higher one only while nothing moves."""
+        """Set the speed dial: a lower share at once, a higher share only while nothing moves."""
         if not self.chain.set_dial(share):
             raise CommandRefused("The dial is turned up only while the chair stands and the patient is at rest.")
         self._dial = share
 
     def use_parameters(self, parameters: DriveParameters | None) -> None:
-        """Drive with these from now on."""
+        """Use these parameters from now on; None: none."""
         self.require_still()
         misfit = self._misfit(parameters) if parameters is not None else ""
         if misfit:
@@ -169,10 +169,10 @@ class Setup:
             )
         self.parameters = parameters
         self.hash = parameters.hash if parameters else None
-        self._link_chain()
+        self._make_chain()
 
     def use_world(self, floorplan: FloorPlan | None, path: str | None) -> None:
-        """Put the virtual chair on the start of a path, or on an endless floor, which is all that a real one knows."""
+        """Put the virtual chair on the start of a path, or on an endless floor; a real chair knows no other floor."""
         self.require_still()
         if self.chair.is_real:
             if floorplan is not None:
@@ -193,7 +193,7 @@ class Setup:
         self._show_path()
 
     def to_start(self) -> None:
-        """Put the virtual chair on the start, and reckon a real one's way from where it stands."""
+        """Put the virtual chair on the start; integrate the way of a real chair from where it stands."""
         self.chair.place(self.path.start if self.path else ORIGIN)
 
     def _release_shirt(self) -> Shirt | None:
@@ -201,7 +201,7 @@ class Setup:
         before, self.shirt, self.simulated_shirt, self.body_kind = self.shirt, None, None, None
         self.shirt_kind = self._shirt_failed = ""
         self.mistrust = NO_SHIRT
-        self._link_chain()
+        self._make_chain()
         return before
 
     def _take_body(self, body: Body, kind: str) -> None:
@@ -213,16 +213,16 @@ class Setup:
         self.chair.close()
         self.chair = chair
         self.floorplan = self.path = self.leader = None
-        self._link_chain()
+        self._make_chain()
 
     def _take_virtual_chair(self, dynamics: Dynamics) -> None:
         self.chair.close()
         self._dynamics = dynamics
         self.chair = VirtualChair(self.floorplan, self.path.start if self.path else ORIGIN, dynamics)
-        self._link_chain()
+        self._make_chain()
 
     def _misfit(self, parameters: DriveParameters) -> str:
-        """Return in a sentence why parameters cannot decode the frames of the shirt, empty when they can."""
+        """Return in a sentence why parameters cannot decode the frames of the shirt; empty when they can."""
         if self.shirt is None:
             return ""
         if self.shirt.layout.channel_names != parameters.profile.layout.channel_names:
@@ -234,8 +234,8 @@ class Setup:
             )
         return ""
 
-    def _link_chain(self) -> None:
-        """Make a new chain; a latched fault, the count of stops and the limits are carried over."""
+    def _make_chain(self) -> None:
+        """Make a new chain; keep a latched fault, the count of stops and the limits."""
         gate = self.chain.gate
         fitting = self.parameters if self.shirt is not None else None
         self.chain = Chain(self.sample_rate, fitting, self.chair)
@@ -247,7 +247,7 @@ class Setup:
         self.chair.use_parameters(bytes.fromhex(self.hash)[:DIGEST_BYTES] if self.hash else bytes(DIGEST_BYTES))
 
     def _show_path(self) -> None:
-        """Let a body that drives by himself see what is asked."""
+        """Show the task to a body that drives by itself."""
         body = self.simulated_shirt.body if self.simulated_shirt else None
         if isinstance(body, DrivingBody) and self.floorplan is not None and self.path is not None:
             body.show_task(self.floorplan, self.path)

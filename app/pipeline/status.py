@@ -7,7 +7,7 @@ from app.pipeline.loop import ControlLoop
 
 
 def status(loop: ControlLoop) -> dict[str, Any]:
-    """Return the condition of shirt, chair and head tracker, in words and numbers."""
+    """Return the state of shirt, chair and head tracker, in words and numbers."""
     setup = loop.setup
     return {
         "shirt": {
