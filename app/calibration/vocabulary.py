@@ -89,6 +89,12 @@ class DriveParameters(Document):
         return self
 
     @property
+    def bound_gestures(self) -> list[int]:
+        """Indices of the gestures that are bound to a control."""
+        bound = {name for binding in self.bindings for name in binding.gestures}
+        return [index for index, gesture in enumerate(self.gestures) if gesture.name in bound]
+
+    @property
     def hash(self) -> str:
         """SHA-256 of the canonical JSON, hex: sets with equal hashes drive alike."""
         document = self.model_dump(mode="json")

@@ -82,7 +82,7 @@ def control_quality(
         raise ValueError("the recording holds no frames of this shirt while motion was permitted: drive a trial first")
     if activation.shape != (len(armed), len(parameters.gestures)):
         raise ValueError("the recording holds other gestures than its parameters: it cannot be judged, drive again")
-    bound = bound_gestures(parameters)
+    bound = parameters.bound_gestures
     counts = [onsets(activation[armed, gesture]) for gesture in bound]
     joint_of = [parameters.gestures[gesture].joint for gesture in bound]
     joints = [joint for joint in profile.joints if joint.name in joint_of]
@@ -122,12 +122,6 @@ def control_quality(
             for index in np.flatnonzero(bad_share).tolist()
         ),
     )
-
-
-def bound_gestures(parameters: DriveParameters) -> list[int]:
-    """Return the indices of the gestures that are bound to a control."""
-    bound = {name for binding in parameters.bindings for name in binding.gestures}
-    return [index for index, gesture in enumerate(parameters.gestures) if gesture.name in bound]
 
 
 def cross_talk(activation: Numbers, stops: Iterable[list[int]] = ()) -> float | None:

@@ -79,12 +79,7 @@ def _activations(
     decoded: DecodedRun, parameters: DriveParameters, permitted: NDArray[np.bool_], period: float
 ) -> tuple[int, int]:
     """Return the number of activations of bound gestures, and how many of them were shorter than `BRIEF`."""
-    bound = {name for binding in parameters.bindings for name in binding.gestures}
-    lengths = [
-        _lengths((decoded.activation[:, i] > 0.0) & permitted) * period
-        for i, gesture in enumerate(parameters.gestures)
-        if gesture.name in bound
-    ]
+    lengths = [_lengths((decoded.activation[:, i] > 0.0) & permitted) * period for i in parameters.bound_gestures]
     together = np.concatenate(lengths) if lengths else np.empty(0)
     return len(together), int((together < BRIEF).sum())
 

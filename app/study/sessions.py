@@ -135,8 +135,7 @@ def _row(
     measures: dict[str, float],
     faults: int,
 ) -> SessionTrial:
-    bound = {name for binding in parameters.bindings for name in binding.gestures}
-    gestures = [gesture for gesture in parameters.gestures if gesture.name in bound]
+    gestures = [parameters.gestures[index] for index in parameters.bound_gestures]
     return SessionTrial(
         seed=seed,
         mode=mode,

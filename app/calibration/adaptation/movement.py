@@ -72,11 +72,8 @@ def _map_trial(parameters: DriveParameters, movement: Movement) -> MappedTrial:
 
 def gesture_of(parameters: DriveParameters, joint: str) -> Gesture | None:
     """Return the first bound gesture that reads a joint's rate, None when there is none."""
-    bound = {name for binding in parameters.bindings for name in binding.gestures}
-    for gesture in parameters.gestures:
-        if gesture.joint == joint and gesture.feature == "rate" and gesture.name in bound:
-            return gesture
-    return None
+    gestures = (parameters.gestures[index] for index in parameters.bound_gestures)
+    return next((gesture for gesture in gestures if gesture.joint == joint and gesture.feature == "rate"), None)
 
 
 def rate_along(joint: JointMap, weights: Numbers, values: Numbers, sample_rate: float, cutoff: float) -> Numbers:
