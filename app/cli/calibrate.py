@@ -76,7 +76,7 @@ def calibrate(
         raise InputError(f"{signals}: {error}") from error
     profile, words = choose(fitted.profile, chosen, fitted.reasons)
     sources = (signals, layout) if prompts is None else (signals, layout, prompts)
-    warn(recorded.words)
+    warn(recorded.damage)
     for sentence in words:
         warn(sentence)
     write_output(out, (profile.model_dump_json(indent=1) + "\n").encode(), *sources)

@@ -68,7 +68,7 @@ def decode_file(signals: Path, parameters: DriveParameters) -> tuple[Signals, De
             decoded = decode_run(run, parameters)
         except ValueError as error:
             raise InputError(f"{signals}: {error}") from error
-        warn(recorded.words)
+        warn(recorded.damage)
         recorded.t = run.frames()["t"]
         return recorded, decoded
     values = recorded.values.astype(np.float32, copy=False)

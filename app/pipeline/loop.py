@@ -116,7 +116,7 @@ class ControlLoop:
         chair = setup.chair
         conditions.supervisor_age = t - self.last_heartbeat
         conditions.screen_age = t - self.last_screen_report
-        conditions.recording = not run.writer.words if run is not None else not chair.is_real
+        conditions.recording = not run.writer.damage if run is not None else not chair.is_real
         conditions.chair, conditions.chair_age = chair_condition(chair), chair.age(t)
         tick = setup.chain.step(frame, t, conditions)
         state = chair.state

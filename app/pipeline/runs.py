@@ -81,7 +81,7 @@ class Runs:
         if run is None:
             return None
         writer = run.writer
-        return {"run_id": run.run_id, "rows": writer.rows, "dropped": writer.dropped, "words": writer.words}
+        return {"run_id": run.run_id, "rows": writer.rows, "dropped": writer.dropped, "words": writer.damage}
 
     def _finish(self) -> None:
         run, self._loop.run = self._loop.run, None
@@ -94,7 +94,7 @@ class Runs:
         for run, command_id in [closing for closing in self._closing if closing[0].writer.done]:
             self._closing.remove((run, command_id))
             writer = run.writer
-            self._server.answer(command_id, rows=writer.rows, dropped=writer.dropped, words=writer.words)
+            self._server.answer(command_id, rows=writer.rows, dropped=writer.dropped, words=writer.damage)
 
     def _new_writer(self, fields: command_fields.Run) -> RunWriter:
         setup = self._loop.setup

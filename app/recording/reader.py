@@ -45,7 +45,7 @@ class Run:
     meta: dict[str, Any]  # the content of `run.json`; empty when it cannot be read
     columns: Columns
     dropped: int  # ticks that were overwritten in the ring before they were written; 0 when unknown
-    words: str  # one sentence on the damage; empty when the recording is whole and closed
+    damage: str  # one sentence on the damage; empty when the recording is whole and closed
 
     @property
     def rows(self) -> int:
@@ -61,7 +61,7 @@ class Run:
 def read_run(folder: str | Path) -> Run:
     """Return the run in `folder`; of a damaged one, the rows before the first damaged byte.
 
-    `Run.words` describes missing and changed bytes; they raise no error.
+    `Run.damage` describes missing and changed bytes; they raise no error.
 
     Raises
     ------

@@ -39,7 +39,7 @@ class RunWriter:
         Ticks written so far.
     dropped : int
         Ticks that were overwritten in the ring before they could be written.
-    words : str
+    damage : str
         One sentence on why the recording is damaged; empty while it is whole.
     """
 
@@ -50,7 +50,7 @@ class RunWriter:
             raise FileExistsError(f"{folder.name}: there is a recording of this name already, begin a new run")
         self.folder = folder
         self.rows = self.dropped = 0
-        self.words = ""
+        self.damage = ""
         self._meta = json.dumps(meta, separators=(",", ":"), sort_keys=True).encode()
         write_atomically(folder / META_FILE, self._meta)
         self._encoder = Encoder(self._meta, n_channels, n_gestures)
@@ -64,7 +64,7 @@ class RunWriter:
     @property
     def healthy(self) -> bool:
         """Whether all writes so far have succeeded."""
-        return not self.words
+        return not self.damage
 
     @property
     def done(self) -> bool:
@@ -114,7 +114,7 @@ class RunWriter:
                     break
             self._close_segment()
         except Exception as error:  # in a thread, no caller would see it
-            self._damage(error)
+            self._fail(error)
             return
         if real_time:
             take_priority(0)
@@ -161,16 +161,16 @@ class RunWriter:
             os.close(descriptor)
         self._descriptors = []
 
-    def _damage(self, error: Exception) -> None:
+    def _fail(self, error: Exception) -> None:
         """Note the failure and close the files; do not retry: after a failed write the file's content is unknown."""
         reason = getattr(error, "strerror", None) or str(error)
-        self.words = f"The recording could not be written ({reason}): free some disk space, then start a new run."
+        self.damage = f"The recording could not be written ({reason}): free some disk space, then start a new run."
         for descriptor in self._descriptors:
             with suppress(OSError):
                 os.close(descriptor)
         self._descriptors = []
         with suppress(OSError):
-            write_atomically(self.folder / DAMAGE_FILE, self.words.encode())
+            write_atomically(self.folder / DAMAGE_FILE, self.damage.encode())
 
     def _compact(self) -> None:
         segments = [self.folder / SEGMENT.format(number) for number in range(self._segment)]

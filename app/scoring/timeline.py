@@ -113,7 +113,7 @@ def timeline_of(folder: FilePath, path_points: list[Any], end: str | None) -> Ti
     """
     run = read_run(folder)
     if run.rows == 0:
-        raise ValueError(f"The recording of this trial holds nothing. {run.words}".strip())
+        raise ValueError(f"The recording of this trial holds nothing. {run.damage}".strip())
     rows = run.columns
     t = since_armed(rows)
     decimation = Decimation(run.rows, MOST_POINTS)
@@ -136,7 +136,7 @@ def timeline_of(folder: FilePath, path_points: list[Any], end: str | None) -> Ti
         joints=_joints(run, decimation),
         events=events_of(rows, t, end),
         floorplan=plan,
-        words=run.words,
+        words=run.damage,
     )
 
 

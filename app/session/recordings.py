@@ -38,8 +38,8 @@ def recorded_readings() -> Readings:
 def check_recording(folder: Path, duration: float) -> str | None:
     """Return in one sentence why a step's recording cannot be used, None when it can."""
     run = read_run(folder)
-    if run.words:
-        return run.words
+    if run.damage:
+        return run.damage
     if run.dropped:
         return f"{run.dropped} ticks were lost while recording: close other programs, then repeat this step."
     return check_frames(run.frames()["run_t"], duration, float(run.meta["sample_rate"]))

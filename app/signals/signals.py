@@ -32,7 +32,7 @@ class Signals:
     channel_names: list[str]
     sample_rate: float  # Hz
     t_device: NDArray[np.float64] | None = None  # (n,) s on the shirt's own clock, where a recording has it
-    words: str = ""  # one sentence on what is damaged in the recording
+    damage: str = ""  # one sentence on what is damaged in the recording
     dialect: Dialect | None = None  # of a CSV file
 
     def between(self, start: float | None, end: float | None) -> slice:
@@ -76,7 +76,7 @@ def signals_of_run(run: Run, path: Path, layout: ShirtLayout | None = None) -> S
     """Return the frames of a recorded run, `t` from its start; raise ValueError with one sentence."""
     recorded = run.meta.get("layout")
     if recorded is None:
-        raise ValueError(f"{path}: the recording does not say which shirt it is of. {run.words}".rstrip())
+        raise ValueError(f"{path}: the recording does not say which shirt it is of. {run.damage}".rstrip())
     try:
         names = ShirtLayout.model_validate_json(json.dumps(recorded)).channel_names
     except ValidationError as error:
@@ -88,13 +88,13 @@ def signals_of_run(run: Run, path: Path, layout: ShirtLayout | None = None) -> S
     values = frames["values"]
     if len(values) < SHORTEST:
         raise ValueError(
-            f"{path}: {len(values)} frames are too few for a signal, name a longer run. {run.words}".rstrip()
+            f"{path}: {len(values)} frames are too few for a signal, name a longer run. {run.damage}".rstrip()
         )
     chosen = values[:, [names.index(name) for name in wanted]]
     chosen[np.abs(chosen) > LARGEST] = np.nan
     signals = make_signals(frames["run_t"], chosen, wanted, path)
     signals.t_device = frames["t_device"] if np.isfinite(frames["t_device"]).all() else None
-    signals.words = run.words
+    signals.damage = run.damage
     stated = run.meta.get("sample_rate")
     if isinstance(stated, int | float) and SLOWEST <= stated <= FASTEST:
         signals.sample_rate = float(stated)

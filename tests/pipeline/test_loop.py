@@ -22,7 +22,7 @@ from app.process.ring import TickRing
 class Writer:
     """As much of a run's writer as the loop looks at."""
 
-    words = ""
+    damage = ""
 
 
 @pytest.fixture

@@ -22,7 +22,7 @@ NEUTRAL = 0.5  # s
 
 
 class Writer:
-    words = ""
+    damage = ""
 
 
 class AnsweringChair(StandInChair):
@@ -215,7 +215,7 @@ def test_a_recording_that_ends_or_breaks_stops_it(make_drive, chair, broken):
     drive = make_drive(frame_times(6.0), chair=chair)
     drive.arm()
     if broken:
-        drive.loop.run.writer.words = "The disk is full."
+        drive.loop.run.writer.damage = "The disk is full."
         drive.until(2.0)
     else:
         drive.loop.run = None

@@ -122,7 +122,7 @@ def test_from_refusals_to_a_drive_and_its_recording(chair, tmp_path):
 
     asyncio.run(story())
     run = read_run(tmp_path / "run")
-    assert run.words == ""
+    assert run.damage == ""
     assert run.columns["driven_v"].max() > 0.1
     assert run.meta["floorplan"] is None
 

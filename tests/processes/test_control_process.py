@@ -118,7 +118,7 @@ def test_a_control_process_that_is_killed_is_noticed_and_replaced_disarmed(tmp_p
             assert (await tick_with(control, lambda tick: tick["has_frame"]))["state"] == State.DISARMED
             run = read_run(folder)
             assert run.rows > 0.3 * RATE  # what was on disk by then is there
-            assert "cut" in run.words
+            assert "cut" in run.damage
         finally:
             await control.close()
 
@@ -182,7 +182,7 @@ def test_in_use_it_loads_no_web_database_or_fitting_library(tmp_path):
     assert [answer["id"] for answer in seen["answers"] if answer["ok"]] == [1, 2, 3, 4, 6, 5]
     forbidden = "fastapi starlette uvicorn viser sqlalchemy alembic sklearn scipy pandas shapely matplotlib typer"
     assert set(forbidden.split()) & set(seen["modules"]) == set()
-    assert read_run(tmp_path / "r").words == ""
+    assert read_run(tmp_path / "r").damage == ""
 
 
 @pytest.mark.parametrize("arguments", [["--link-fd", "0", "--ring", "x", "--report", "nowhere"], []])

@@ -45,7 +45,7 @@ def test_a_run_with_cues_is_recorded(tmp_path):
     channels, number, ended = asyncio.run(story())
     assert number == 1
     run = read_run(tmp_path / "run")
-    assert (run.words, run.rows, run.dropped) == ("", ended["rows"], ended["dropped"])
+    assert (run.damage, run.rows, run.dropped) == ("", ended["rows"], ended["dropped"])
     assert ended["dropped"] == 0
     assert run.meta["meta"] == {"step": "x"}
     assert run.meta["source"] == SOURCE
@@ -100,7 +100,7 @@ def test_a_drive_is_recorded_and_decoding_the_recording_gives_the_same_drive(tmp
 
     asyncio.run(story())
     run = read_run(tmp_path / "run")
-    assert (run.words, run.meta["dynamics"]) == ("", dynamics)
+    assert (run.damage, run.meta["dynamics"]) == ("", dynamics)
     assert run.meta["source"] == {"shirt": "udp", "body": None, "chair": "virtual", "simulated": False}
     exact = replay_run(run, parameters)
     for name in Rerun.__slots__:

@@ -86,7 +86,7 @@ def assert_rows_begin(run, longest):
 def test_what_is_recorded_is_read(ring, tmp_path):
     folder = record(ring, tmp_path / "run", 400)
     run = read_run(folder)
-    assert run.words == ""
+    assert run.damage == ""
     assert run.meta == META
     assert run.rows == 400
     assert run.dropped == 0
@@ -104,7 +104,7 @@ def test_a_recording_from_before_the_driven_columns_is_read(ring, tmp_path, monk
             before.setattr(module, "ADDED_SCALARS", {})
         folder = record(ring, tmp_path / "run", 40)
     run = read_run(folder)
-    assert run.words == ""
+    assert run.damage == ""
     assert_rows_begin(run, 40)
     assert np.isnan(run.columns["driven_v"]).all()
     assert run.columns["driven_omega"].shape == (40,)
@@ -138,7 +138,7 @@ def test_an_empty_run_is_a_run(ring, tmp_path):
     writer.start(ring, ring.number, 1)
     assert writer.close(ring.number) == (0, 0)
     run = read_run(tmp_path / "run")
-    assert (run.rows, run.words) == (0, "")
+    assert (run.rows, run.damage) == (0, "")
     assert run.columns["values"].shape == (0, CHANNELS)
 
 
@@ -176,7 +176,7 @@ def test_a_run_that_was_not_closed_is_read_and_described(cut_run):
     assert run.rows == 400
     assert_rows_begin(run, 400)
     assert run.meta == META
-    assert run.words == "The recording was cut: what had been written by then is here."
+    assert run.damage == "The recording was cut: what had been written by then is here."
 
 
 @pytest.mark.parametrize("name", ["segment-0000.arrows", "segment-0000.check", "run.json"])
@@ -188,7 +188,7 @@ def test_cut_at_any_byte_the_longest_whole_beginning_is_read(cut_run, name):
         file.write_bytes(content[:length])
         run = read_run(cut_run)
         assert_rows_begin(run, 400)
-        assert run.words
+        assert run.damage
         rows.append(run.rows)
     if name.endswith(".arrows"):
         assert rows == sorted(rows)
@@ -206,7 +206,7 @@ def test_a_closed_run_cut_at_any_byte_raises_nothing(ring, tmp_path, name):
     for length in sorted({*range(0, len(content), max(1, len(content) // 25)), len(content) - 1}):
         file.write_bytes(content[:length])
         run = read_run(folder)
-        assert run.words
+        assert run.damage
         assert_rows_begin(run, 400)
         if name != "run.parquet":
             assert run.rows == 400
@@ -221,7 +221,7 @@ def test_before_a_changed_byte_of_a_cut_run_all_rows_are_read(cut_run, name):
         content[place] ^= 0x10
         file.write_bytes(content)
         run = read_run(cut_run)
-        assert "changed" in run.words
+        assert "changed" in run.damage
         assert_rows_begin(run, 400)
         content[place] ^= 0x10
 
@@ -234,7 +234,7 @@ def test_a_changed_byte_of_a_closed_run_is_reported(ring, tmp_path, name):
     for place in range(0, len(content), max(1, len(content) // 40)):
         content[place] ^= 0x01
         file.write_bytes(content)
-        assert read_run(folder).words, place
+        assert read_run(folder).damage, place
         content[place] ^= 0x01
 
 
@@ -260,11 +260,11 @@ def test_a_failing_disk_is_reported_once_and_not_tried_again(ring, tmp_path, mon
     monkeypatch.undo()
     assert not writer.healthy
     rows = writer.rows
-    assert writer.words.startswith("The recording could not be written (No space left on device)")
+    assert writer.damage.startswith("The recording could not be written (No space left on device)")
     run = read_run(tmp_path / "run")
     assert_rows_begin(run, rows)
     assert run.rows >= rows - 40  # the piece whose writing failed, and nothing after it
-    assert run.words == writer.words
+    assert run.damage == writer.damage
 
 
 def test_no_room_for_the_compact_form_leaves_the_segments(cut_run):

@@ -49,4 +49,4 @@ def test_killed_while_it_writes_no_acknowledged_row_is_lost(tmp_path):
         run = read_run(folder)
         assert run.rows >= acknowledged[-1] > 0
         assert_rows_begin(run, math.inf)
-        assert run.words == "The recording was cut: what had been written by then is here."
+        assert run.damage == "The recording was cut: what had been written by then is here."
