@@ -26,16 +26,16 @@ Flags = NDArray[np.bool_]
 
 
 class BadChannel(Document):
-    """A channel that could not be believed: for which share of the time, and whether it gave a signal at all."""
+    """A channel that was bad for some of the time: its share of the time, and whether it gave a signal."""
 
     name: Name
     joint: Name
     share: Fraction  # of the time for which motion was permitted
-    silent: bool  # it stood still or gave no numbers; otherwise it lay outside its calibrated range
+    silent: bool  # mostly constant or not finite while it was bad; otherwise outside its calibrated range
 
 
 class ControlQuality(Document):
-    """One trial; what is told per joint is here that of the joint that fits worst, None where no joint moved enough."""
+    """The control quality of a trial; figures of joints are those of the worst joint, None where none moved enough."""
 
     map_angle_deg: Degrees | None
     evr: Fraction | None

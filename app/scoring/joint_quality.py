@@ -28,20 +28,20 @@ Degrees = Annotated[float, Field(ge=0, le=90)]
 
 
 class JointQuality(Document):
-    """One joint in one trial; None where it moved, or could be heard, too little to tell."""
+    """The quality of one joint in one trial; None for figures that need more movement or more usable signal."""
 
     name: Name
-    label: Title  # what people call it
+    label: Title  # the joint's name for people
     channels: tuple[Name, ...]  # that its map reads
     dead_zone: Amount | None = None  # FS/s, the smallest of its gestures that read the PCA map's rate
     guided: bool = False  # a guided map decodes it: these figures are those of its PCA map
     map_angle_deg: Degrees | None = None  # between the trial's own PC1 and the map
     evr: Fraction | None = None  # share of the trial's movement that its own PC1 explains
-    null_space_share: Fraction | None = None  # of the movement: what lies across the map and never reaches the control
+    null_space_share: Fraction | None = None  # share of the movement across the map, which never reaches the control
     span: Amount | None = None  # signal units, 1st to 99th percentile along the map
-    span_share: Amount | None = None  # the same over the profile's span
-    rest_rate: Amount | None = None  # FS/s, standard deviation of the rate where it was stillest
-    moved: Amount = 0.0  # s
+    span_share: Amount | None = None  # `span` over the profile's span
+    rest_rate: Amount | None = None  # FS/s, noise of the rate at rest
+    moved: Amount = 0.0  # s of movement
     activations: Count = 0
     direction: dict[str, float] | None = None  # the trial's own PC1 per channel: unit length, pointing as the map does
 

@@ -28,17 +28,17 @@ LOST = 1.0  # m beside the path; when further, the whole path is searched
 DIGITS = 4  # after the decimal point: a tenth of a millimetre
 
 Numbers = NDArray[np.float64]
-Column = list[float | None]  # None: not known at that moment
+Column = list[float | None]  # None: unknown at that time
 
 
 class GestureLine(Document):
-    """What one gesture was, and what it did."""
+    """One gesture over time, with its definition and the controls that it is bound to."""
 
     name: str
     joint: str
     direction: int
     feature: str
-    controls: list[str]  # what it was bound to
+    controls: list[str]  # to which the gesture is bound
     dead_zone: float  # FS/s, FS for a held posture
     full: float
     score: Column  # FS
@@ -47,23 +47,23 @@ class GestureLine(Document):
 
 
 class ChannelLine(Document):
-    """The signal of one channel."""
+    """The signal of one channel over time."""
 
     name: str
     values: Column  # signal units
 
 
 class JointLines(Document):
-    """Some of a joint's channels."""
+    """The signals of a joint's channels with the largest weights."""
 
     name: str
     label: str
     channels: list[ChannelLine]
-    of: int  # how many it has
+    of: int  # number of all channels of the joint
 
 
 class MoverLine(Document):
-    """Where something was that moves by itself."""
+    """The poses of one mover over time."""
 
     x: Column  # m
     y: Column  # m
@@ -77,21 +77,21 @@ class Timeline(Document):
     x: Column  # m
     y: Column  # m
     theta: Column  # rad
-    v: Column  # m/s, as told to the chair
+    v: Column  # m/s, as commanded
     omega: Column  # rad/s
     u1: Column
     u2: Column
-    along: Column  # m along the prescribed path; empty where it has no length
-    across: Column  # m beside it, left positive
-    scene_t: Column  # s, of what moves by itself
+    along: Column  # m along the prescribed path; empty for a path without length
+    across: Column  # m beside the path, left positive
+    scene_t: Column  # s, time of the scene's movers
     movers: list[MoverLine]
     state: list[int]  # app.faults.State
     contact: list[bool]
     gestures: list[GestureLine]
     joints: list[JointLines]
     events: list[Event]
-    floorplan: FloorPlan | None  # as it was when it was driven; None: the recording does not say
-    words: str  # what is wrong with the recording; empty when it is whole
+    floorplan: FloorPlan | None  # at the time of the trial; None when the recording holds none
+    words: str  # damage of the recording; empty when it is whole
 
 
 def timeline_of(folder: FilePath, path_points: list[Any], end: str | None) -> Timeline:

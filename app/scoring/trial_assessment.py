@@ -27,11 +27,11 @@ class TrialAssessment(NamedTuple):
 
 
 class ControlWarning(Document):
-    """One thing to look at."""
+    """A warning from a patient's trials, with advice."""
 
     kind: Kind
-    joint: str  # what people call it
-    words: str  # what was seen
+    joint: str  # label of the joint, or of several
+    words: str  # what was found
     advice: str  # what to do
 
 

@@ -23,7 +23,7 @@ WORDS = {
 
 
 class Event(Document):
-    """Something that happened at a moment."""
+    """An event of a trial."""
 
     t: float  # s since motion was first permitted
     kind: EventKind

@@ -17,15 +17,15 @@ BRIEF = 0.1  # s; an activation shorter than this is shorter than any deliberate
 
 
 class Effect(Document):
-    """How one set reads the movements of a trial, and another the same movements."""
+    """The movements of a trial as two parameter sets decode them."""
 
     seconds: float  # for which motion was permitted
     activations_before: int  # of all bound gestures
     activations_after: int
-    false_before: int  # those that were shorter than `BRIEF`
+    false_before: int  # activations shorter than `BRIEF`
     false_after: int
-    alike: float  # share of the time in which both ask for the same: faster, slower or neither, left, right or neither
-    felt_change: float  # rms of what u1 and u2 differ by, over rms of what they were
+    alike: float  # share of the time in which u1 and u2 have the same signs with both sets
+    felt_change: float  # rms of the change of u1 and u2, over rms of u1 and u2 before
 
 
 def predicted_effect(run: Run, before: DriveParameters, after: DriveParameters) -> Effect | None:
