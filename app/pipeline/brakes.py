@@ -1,4 +1,4 @@
-"""Whether the person can still stop what moves now (safety S5 and S22)."""
+"""Whether the person can still stop the motion of the chair (safety S5 and S22)."""
 
 import itertools
 from collections.abc import Iterator, Sequence
@@ -7,7 +7,7 @@ from typing import NamedTuple
 from app.calibration.vocabulary import DriveParameters, Feature, Gesture
 from app.geometry import STANDSTILL, Twist
 
-LEAST_BRAKE = 0.1  # gain: a gesture that slows less than a tenth as much as an ordinary one brakes nothing in time
+LEAST_BRAKE = 0.1  # gain: a gesture with a smaller gain slows the chair too late to count as a brake
 REACH: dict[Feature, float] = {
     "rate": 10.0,  # FS/s: the whole movement within about a fifth of a second, with a smooth beginning and end
     "displacement": 1.0,  # FS: the whole movement
@@ -15,36 +15,36 @@ REACH: dict[Feature, float] = {
 
 
 class _Push(NamedTuple):
-    """What a movement does to the speed of an axis: the lowest and the highest sum of gains that it can reach.
+    """The effect of a movement on the speed of an axis: the lowest and the highest sum of gains that it can reach.
 
-    A movement that several gestures read, each from another strength on, can do several things. Nobody makes the one
-    without the other.
+    Several gestures can read one movement, each from its own dead-zone on. Nobody can make one of them without the
+    others.
     """
 
     low: float = 0.0
     high: float = 0.0
 
     def along(self, sign: int) -> bool:
-        """Return whether it may change the speed towards `sign`, 1 or -1; never for 0."""
+        """Return whether the movement can change the speed towards `sign`, 1 or -1; False for 0."""
         return self.high > 0.0 if sign > 0 else sign < 0 and self.low < 0.0
 
     def brakes(self, sign: int) -> bool:
-        """Return whether it slows a speed of this sign, and never the opposite."""
+        """Return whether the movement slows a speed of this sign and never raises it."""
         strength = -self.low if sign > 0 else self.high
         return strength >= LEAST_BRAKE and not self.along(sign)
 
 
 _Signs = tuple[int, int]
-"""In which direction each axis moves that keeps its speed: 1, -1, or 0."""
+"""The direction of motion of each axis that keeps its speed: 1, -1, or 0."""
 
 
 class Brakes:
     """The gestures of a parameter set that can bring the chair to rest.
 
-    An axis in velocity mode needs none of them: it slows down by itself as soon as the person rests, or as soon as its
-    gestures cannot be believed. An axis in acceleration mode keeps its speed. It needs a gesture against the direction
-    in which it moves, one that does not drive the other axis further, or a stop gesture whose parts are all believable.
-    A time-out is no substitute for either.
+    An axis in velocity mode needs no brake: it slows down by itself as soon as the person rests, or as soon as the
+    channels of its gestures are bad. An axis in acceleration mode keeps its speed. To stop, it needs a gesture against
+    its direction of motion that does not drive the other axis further, or a stop gesture, with good channels. A
+    time-out replaces neither.
     """
 
     def __init__(self, parameters: DriveParameters) -> None:
@@ -54,12 +54,12 @@ class Brakes:
         self._stops = _possible_stops(parameters)
         self._all_bad = [True] * len(parameters.gestures)
         self.are_complete = self.suffice(STANDSTILL, [False] * len(parameters.gestures))
-        """Whether the person can stop every motion as long as all gestures are believable."""
+        """Whether the person can stop every motion as long as no gesture has bad channels."""
 
     def suffice(self, twist: Twist, bad: Sequence[bool]) -> bool:
-        """Return whether the person can bring `twist` to rest, given which gestures are not believable.
+        """Return whether the person can bring `twist` to rest, given which gestures have bad channels.
 
-        Of a chair that stands, it is whether the person can stop every motion that a believable gesture can begin.
+        For a chair that stands: whether the person can stop every motion that a gesture with good channels can begin.
         """
         if any(not any(bad[i] for i in stop) for stop in self._stops):
             return True
@@ -71,14 +71,14 @@ class Brakes:
         return _can_stop((self._sign(0, twist.v), self._sign(1, twist.omega)), brakes)
 
     def are_needed(self, twist: Twist) -> bool:
-        """Return whether `twist` goes on while no gesture is believable."""
+        """Return whether `twist` continues while every gesture has bad channels."""
         return not self.suffice(twist, self._all_bad)
 
     def _sign(self, axis: int, speed: float) -> int:
         return ((speed > 0.0) - (speed < 0.0)) if self._keeps[axis] else 0
 
     def _can_begin(self, believable: Sequence[tuple[_Push, _Push]]) -> Iterator[_Signs]:
-        """Yield each pair of directions that the axes can come to have."""
+        """Yield each pair of directions in which the axes can be set in motion."""
         directions = [
             [
                 sign
@@ -91,7 +91,7 @@ class Brakes:
 
 
 def missing_brake(parameters: DriveParameters) -> str:
-    """Return in a sentence that a set has motions which nobody could stop, and what to do; empty when it has none."""
+    """Return a sentence when the parameters allow motions that nobody could stop; empty when they do not."""
     if Brakes(parameters).are_complete:
         return ""
     return (
@@ -101,12 +101,12 @@ def missing_brake(parameters: DriveParameters) -> str:
 
 
 def _is_within_reach(gesture: Gesture) -> bool:
-    """Return whether a body can make half of a gesture, which a stop asks for."""
+    """Return whether a body can make half of a gesture, which a stop requires."""
     return (gesture.dead_zone + gesture.full) / 2.0 <= REACH[gesture.feature]
 
 
 def _can_stop(signs: _Signs, brakes: Sequence[tuple[_Push, _Push]]) -> bool:
-    """Return whether each axis that moves has a brake that does not drive the other one further."""
+    """Return whether each axis in motion has a brake that does not drive the other axis further."""
     return all(
         not signs[axis]
         or any(push[axis].brakes(signs[axis]) and not push[1 - axis].along(signs[1 - axis]) for push in brakes)
@@ -115,7 +115,7 @@ def _can_stop(signs: _Signs, brakes: Sequence[tuple[_Push, _Push]]) -> bool:
 
 
 def _pushes(parameters: DriveParameters, name: str) -> list[_Push]:
-    """Return what the movement of each gesture does to the axis `name`, "u1" or "u2".
+    """Return the effect of each gesture's movement on the axis `name`, "u1" or "u2".
 
     Only the sum of a gesture's gains counts: a gesture bound to both directions with equal gains changes nothing.
     """
@@ -130,14 +130,14 @@ def _pushes(parameters: DriveParameters, name: str) -> list[_Push]:
 
 
 def _possible_stops(parameters: DriveParameters) -> list[list[int]]:
-    """Return the gestures of each stop, without the stops that no body can make."""
+    """Return the indices of the gestures of each stop, without the stops that no body can make."""
     places = {gesture.name: i for i, gesture in enumerate(parameters.gestures)}
     stops = [[places[name] for name in one.gestures] for one in parameters.bindings if one.control == "stop"]
     return [stop for stop in stops if stop and _can_be_together(parameters, stop)]
 
 
 def _can_be_together(parameters: DriveParameters, indices: Sequence[int]) -> bool:
-    """Return whether each gesture is within reach, and none asks a joint for the opposite of another one."""
+    """Return whether each gesture is within reach, and no two ask a joint for opposite movements."""
     gestures = [parameters.gestures[i] for i in indices]
     if not all(map(_is_within_reach, gestures)):
         return False

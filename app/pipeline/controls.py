@@ -3,11 +3,11 @@
 from app.calibration.vocabulary import DriveParameters
 from app.pipeline.brakes import Brakes
 
-STOP_ACTIVATION = 0.5  # each gesture of the stop: well above what a neighbour's movement leaks
+STOP_ACTIVATION = 0.5  # of each gesture of the stop: well above the cross-talk of other movements
 
 
 class Controls:
-    """The bindings of a vocabulary, as sums over gestures."""
+    """The bindings of a vocabulary, as weighted sums over gestures."""
 
     def __init__(self, parameters: DriveParameters) -> None:
         place = {gesture.name: i for i, gesture in enumerate(parameters.gestures)}
@@ -25,7 +25,7 @@ class Controls:
             terms = self._u1 if binding.control.startswith("u1") else self._u2
             terms.extend((i, gain) for i in gestures)
         self.bound = sorted({i for i, _ in self._u1 + self._u2} | {i for stop in self._stops for i in stop})
-        """Indices of the gestures that do something."""
+        """Indices of the gestures that are bound to a control."""
 
     @property
     def terms(self) -> tuple[list[tuple[int, float]], list[tuple[int, float]]]:
@@ -44,7 +44,7 @@ class Controls:
         return 0.0, 0.0
 
     def is_stop(self, activation: list[float]) -> bool:
-        """Return whether all gestures of a stop are there together."""
+        """Return whether all gestures of a stop are active together."""
         for stop in self._stops:
             for i in stop:
                 if activation[i] < STOP_ACTIVATION:

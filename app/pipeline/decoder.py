@@ -11,8 +11,8 @@ from app.pipeline.filters import LowPass
 from app.pipeline.guided_rate import PARTS, GuidedRate, guided_projection, is_guided
 from app.pipeline.health import ChannelHealth
 
-BASELINE_TIME = 30.0  # s: time constant of a held posture's resting place
-LONGEST_GAP = 1.0  # s: a longer one tells nothing about speed
+BASELINE_TIME = 30.0  # s: time constant of the baseline of a displacement gesture
+LONGEST_GAP = 1.0  # s: a longer gap between two frames counts as this long
 
 
 def projection(parameters: DriveParameters) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -47,8 +47,8 @@ def periods_between(time_step: float, sample_rate: float) -> float:
 class Decoder:
     """Decodes frame by frame; `score`, `rate`, `drive` and `activation` hold one number per gesture.
 
-    A gesture one of whose channels is bad keeps its last score and has activation 0 (safety S5). What a limb did
-    meanwhile is no movement at the moment when the channel comes back.
+    A gesture that reads a bad channel keeps its last score and has activation 0 (safety S5). When the channel is good
+    again, the change of the score since then does not count as a movement.
     """
 
     def __init__(self, parameters: DriveParameters, sample_rate: float) -> None:
@@ -61,23 +61,23 @@ class Decoder:
         coefficients = low_pass(parameters.cutoff, sample_rate)
         count = len(parameters.gestures)
         self._filters = [LowPass(coefficients) for _ in range(count)]
-        self._held = [gesture.feature == "displacement" for gesture in parameters.gestures]
+        self._is_displacement = [gesture.feature == "displacement" for gesture in parameters.gestures]
         self._dead_zone = [gesture.dead_zone for gesture in parameters.gestures]
         self._per_range = [1.0 / (gesture.full - gesture.dead_zone) for gesture in parameters.gestures]
-        self._any_held = any(self._held)
+        self._any_displacement = any(self._is_displacement)
         guided = [i for i, gesture in enumerate(parameters.gestures) if is_guided(parameters, gesture)]
         self._guided = {
             i: (GuidedRate(coefficients, sample_rate), slice(count + PARTS * k, count + PARTS * (k + 1)))
             for k, i in enumerate(guided)
         }
-        self._is_plain = [not held and i not in self._guided for i, held in enumerate(self._held)]
+        self._is_plain = [not displaced and i not in self._guided for i, displaced in enumerate(self._is_displacement)]
         self._health = ChannelHealth(parameters.profile, watched, sample_rate)
         self._indices = range(count)
         self._none_bad = [False] * count
         self.reset()
 
     def reset(self) -> None:
-        """Forget the past; the next frame settles the filters."""
+        """Reset all state; the next frame settles the filters."""
         count = len(self._filters)
         for low_pass_filter in self._filters:
             low_pass_filter.reset()
@@ -86,7 +86,7 @@ class Decoder:
         self._health.reset()
         self._fresh = True
         self._smooth = [0.0] * count
-        self._unseen = [0.0] * count  # FS that the scores went while their channels were bad
+        self._unseen = [0.0] * count  # FS: change of the scores while their channels were bad
         self._baseline = [0.0] * count
         self.score = [0.0] * count
         self.rate = [0.0] * count
@@ -95,19 +95,19 @@ class Decoder:
         self.bad = self._none_bad
 
     def quieten(self) -> None:
-        """Set every activation to 0: what there is to say when no frame comes."""
+        """Set every activation to 0, as is right without frames."""
         for i in self._indices:
             self.activation[i] = self.drive[i] = 0.0
 
     def step(self, values: NDArray[np.float32], time_step: float) -> None:
-        """Take one frame (n_channels,), `time_step` (s) by the shirt's own clock after the one before."""
+        """Decode one frame (n_channels,), `time_step` (s) of the shirt's own clock after the frame before."""
         frame = values.astype(np.float64)
         was_bad = self.bad
         bad_channels = self._health.step(frame)
         if bad_channels is None:
             self.bad = self._none_bad
             products = self._weights.dot(frame).tolist()
-            if not math.isfinite(sum(products)):  # a channel that nobody reads is NaN or infinite
+            if not math.isfinite(sum(products)):  # a channel that no gesture reads is NaN or infinite
                 products = self._weights.dot(np.nan_to_num(frame, posinf=0.0, neginf=0.0)).tolist()
         else:
             self.bad = np.asarray((self._uses & bad_channels).any(axis=1)).tolist()
@@ -115,11 +115,11 @@ class Decoder:
             products = self._weights.dot(trusted).tolist()
         periods = periods_between(time_step, self._sample_rate)
         per_second = self._sample_rate / periods
-        was_quiet = self._any_held and not any(self.activation)
+        was_quiet = self._any_displacement and not any(self.activation)
         for i in self._indices:
-            if not self.bad[i]:  # otherwise the last score stays
+            if not self.bad[i]:  # a bad channel: the last score stays
                 score = products[i] - self._offsets[i]
-                if was_bad[i] and not self._held[i]:
+                if was_bad[i] and not self._is_displacement[i]:
                     self._unseen[i] += score - self.score[i]
                 self.score[i] = score
             if self._is_plain[i]:
@@ -128,7 +128,7 @@ class Decoder:
                     self._smooth[i] = smooth
                 strength = (smooth - self._smooth[i]) * per_second
                 self._smooth[i] = smooth
-            elif self._held[i]:
+            elif self._is_displacement[i]:
                 strength = self._displacement(i, per_second, was_quiet)
             else:
                 guided, place = self._guided[i]
@@ -143,7 +143,7 @@ class Decoder:
         self._fresh = False
 
     def _displacement(self, i: int, per_second: float, was_quiet: bool) -> float:
-        """Return how far a held posture is from its resting place, FS."""
+        """Return the displacement of the smoothed score from its baseline, FS."""
         smooth = self._filters[i].step(self.score[i] - self._unseen[i])
         if self._fresh:
             self._baseline[i] = smooth

@@ -1,4 +1,4 @@
-"""The low-pass of the loop: one number in, one number out, plain floats."""
+"""The low-pass filter of the loop, sample by sample in plain floats."""
 
 from app.butterworth import Coefficients
 
@@ -6,7 +6,7 @@ from app.butterworth import Coefficients
 class LowPass:
     """Second-order section in transposed direct form II, the form of scipy.signal.lfilter.
 
-    The first sample settles it: its output is that sample, as if it had lasted for ever.
+    The first sample settles the filter: the output is that sample, as after a constant input.
     """
 
     __slots__ = ("_a1", "_a2", "_b0", "_b1", "_b2", "_settled", "_z1", "_z2")
@@ -16,7 +16,7 @@ class LowPass:
         self.reset()
 
     def reset(self) -> None:
-        """Forget the past; the next sample settles the filter."""
+        """Reset the state; the next sample settles the filter."""
         self._settled = False
         self._z1 = self._z2 = 0.0
 

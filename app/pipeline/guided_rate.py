@@ -10,11 +10,11 @@ from app.calibration.profile import AVERAGING_TIMES
 from app.calibration.vocabulary import DriveParameters, Gesture
 from app.pipeline.filters import LowPass
 
-PARTS = 3  # projections of a guided map: what is differentiated, and the two levels
+PARTS = 3  # projections of a guided map: the one that is differentiated, and two levels
 
 
 def is_guided(parameters: DriveParameters, gesture: Gesture) -> bool:
-    """Return whether a gesture reads the guided map of its joint; a held posture never does."""
+    """Return whether a gesture reads the guided map of its joint; a displacement gesture never does."""
     joints = {joint.name: joint for joint in parameters.profile.joints}
     return gesture.feature == "rate" and joints[gesture.joint].map == "guided"
 
@@ -22,7 +22,7 @@ def is_guided(parameters: DriveParameters, gesture: Gesture) -> bool:
 def guided_projection(parameters: DriveParameters) -> NDArray[np.float64]:
     """Return weights (3 * n_guided, n_channels), three rows for each guided gesture in their order, in FS and FS/s.
 
-    Of a gesture against the prompted direction everything is turned round: it is the way back that counts.
+    The rows of a gesture against the prompted direction have the opposite sign.
     """
     joints = {joint.name: joint for joint in parameters.profile.joints}
     rows = []
@@ -38,7 +38,7 @@ def guided_projection(parameters: DriveParameters) -> NDArray[np.float64]:
 
 
 class GuidedRate:
-    """One gesture's rate; what the limb did while a channel was bad is no movement when it comes back."""
+    """The rate of one gesture; a change while a channel was bad does not count as a movement afterwards."""
 
     def __init__(self, coefficients: Coefficients, sample_rate: float) -> None:
         self._low_pass = LowPass(coefficients)
@@ -47,7 +47,7 @@ class GuidedRate:
         self.reset()
 
     def reset(self) -> None:
-        """Forget the past; the next frame settles everything."""
+        """Reset all state; the next frame settles the filters."""
         self._low_pass.reset()
         self._fresh = True
         self._last = [0.0] * PARTS
@@ -57,7 +57,7 @@ class GuidedRate:
     def step(self, products: list[float], bad: bool, was_bad: bool, periods: float, sample_rate: float) -> float:
         """Return the rate in FS/s after the three projections of a frame, `periods` sample periods after the last.
 
-        Where the frame is `bad` its projections do not count; `was_bad` says the same of the frame before.
+        The projections of a `bad` frame do not count; `was_bad`: the frame before was bad.
         """
         last, unseen, slow = self._last, self._unseen, self._slow
         moved = 0.0

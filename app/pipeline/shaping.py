@@ -1,4 +1,4 @@
-"""From u1 and u2 to the twist that is asked for: control mode, speeds, ramps. Never on the stop path."""
+"""From u1 and u2 to the requested twist: control mode, speeds, ramps. Stops do not pass through here."""
 
 import math
 from collections.abc import Sequence
@@ -22,9 +22,9 @@ def turn_ramp(speeds: Speeds) -> Ramp:
 
 
 class Cruise:
-    """The time-out of an axis that keeps its speed: for how long no control was asked of it (safety S10).
+    """The time-out of an axis that keeps its speed, counted while its control is 0 (safety S10).
 
-    `longest` is the time-out (s), None where speed is kept for ever.
+    `longest` is the time-out (s), None for no time-out.
     """
 
     def __init__(self, longest: float | None) -> None:
@@ -32,16 +32,16 @@ class Cruise:
         self.reset()
 
     def reset(self) -> None:
-        """Begin the time-out anew."""
+        """Restart the time-out."""
         self._unasked = 0.0
 
     def goes_on(self, control: float, dt: float) -> bool:
-        """Return whether the speed is still kept, `dt` (s) later, with `control` asked for."""
+        """Return whether the speed is still kept after `dt` (s) with this `control`."""
         self._unasked = 0.0 if control else self._unasked + dt
         return self._unasked <= self._longest
 
     def coast(self, steps: Sequence[float]) -> int:
-        """Let `steps` (s) pass in which nothing is asked and the speed stays; return how many until it runs out."""
+        """Let `steps` (s) pass with control 0 and constant speed; return how many pass before the time-out."""
         for count, dt in enumerate(steps):
             if self._unasked + dt > self._longest:
                 return count
@@ -50,7 +50,7 @@ class Cruise:
 
 
 class Shaper:
-    """Knows how the chair follows the controls: the mode and the limits of each axis.
+    """How the chair follows the controls: the mode and the limits of each axis.
 
     `cruise` and `turn_cruise` are the time-outs of axes in acceleration mode, None for an axis in velocity mode.
     """
@@ -61,21 +61,21 @@ class Shaper:
         self.restrict(parameters.speeds)
 
     def restrict(self, speeds: Speeds) -> None:
-        """Shape within these limits from now on."""
+        """Set other limits."""
         self._forward, self._turn = forward_ramp(speeds), turn_ramp(speeds)
 
     def reset(self) -> None:
-        """Begin the time-outs anew."""
+        """Restart the time-outs."""
         for cruise in (self.cruise, self.turn_cruise):
             if cruise:
                 cruise.reset()
 
     def step(self, u1: float, u2: float, last: Twist, rates: Twist, dt: float) -> Twist:
-        """Return the twist to ask for, `dt` (s) after `last` was commanded with the changes `rates` (per s)."""
+        """Return the twist to request, `dt` (s) after `last` was commanded with the changes `rates` (per s)."""
         return Twist(self.speed(u1, last.v, rates.v, dt), self.turn_rate(u2, last.omega, rates.omega, dt))
 
     def speed(self, u1: float, last: float, rate: float, dt: float) -> float:
-        """Return the forward speed (m/s) to ask for, `dt` (s) after `last`, which had changed by `rate` (m/s2)."""
+        """Return the forward speed (m/s) to request, `dt` (s) after `last`, which had changed by `rate` (m/s2)."""
         ramp = self._forward
         if self.cruise:
             if self.cruise.goes_on(u1, dt):
@@ -83,12 +83,12 @@ class Shaper:
             target = 0.0
         else:
             target = min(ramp.top, max(-ramp.bottom, u1 * ramp.top))
-            if last * target < 0.0:  # first to standstill, then the other way
+            if last * target < 0.0:  # first to standstill, then in the other direction
                 target = 0.0
         return ramp.towards(last, rate, target, dt)
 
     def turn_rate(self, u2: float, last: float, rate: float, dt: float) -> float:
-        """Return the turn rate (rad/s) to ask for, `dt` (s) after `last`, which had changed by `rate` (rad/s2)."""
+        """Return the turn rate (rad/s) to request, `dt` (s) after `last`, which had changed by `rate` (rad/s2)."""
         ramp = self._turn
         if self.turn_cruise:
             if self.turn_cruise.goes_on(u2, dt):

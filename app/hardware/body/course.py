@@ -1,4 +1,4 @@
-"""The path as a driver sees it: where to look, and how fast is fast enough."""
+"""The path as a driver sees it: the point to steer for, and the speed for each place."""
 
 import bisect
 import math
@@ -7,28 +7,28 @@ from collections.abc import Sequence
 from app.geometry import wrap_angle
 from app.world.path import Path
 
-STEP = 0.1  # m between the places where a speed is kept
-SIGHT = 0.45  # m either side of a place within which the path's bend is felt
-GENTLE_BEND = 0.3  # rad: below it nobody slows down
-SHARP_BEND = 1.2  # rad: from here on it is a corner
-OFF = 0.6  # m off the path: from here on the way is remembered
-LOST = 1.0  # m off the path: back the way one came, not on through walls
-BACK_AHEAD = 0.6  # m to the remembered place that is steered for: a nearer one is circled, not reached
-CRUMB = 0.3  # m between the places that are remembered
-WINDOW = 1.5  # m along the path in which the next place is looked for
+STEP = 0.1  # m between the places for which a speed is stored
+SIGHT = 0.45  # m on either side of a place over which the bend is measured
+GENTLE_BEND = 0.3  # rad: a smaller bend does not reduce the speed
+SHARP_BEND = 1.2  # rad: a larger bend counts as a corner
+OFF = 0.6  # m off the path beyond which the way is stored
+LOST = 1.0  # m off the path beyond which the driver returns by the stored way
+BACK_AHEAD = 0.6  # m to the stored place that is steered for: a nearer place would be circled
+CRUMB = 0.3  # m between stored places
+WINDOW = 1.5  # m along the path in which the nearest place is searched
 
 
 class Course:
-    """A path with a speed for each place, and the place where the driver is: at its start, in the beginning."""
+    """A path with a speed for each place, and the driver's place on it, first its start."""
 
     def __init__(
         self, points: Sequence[tuple[float, float]], cruise: float, corner: float, goal: float, braking: float
     ) -> None:
-        """Look at the path once: speeds in m/s, `braking` in m/s2."""
+        """Compute the speed of each place; speeds in m/s, `braking` in m/s2."""
         self.path = Path(points)
         self.s = 0.0  # m along the path, where the driver is
         self.cross_track = 0.0  # m, left positive
-        self._way_back: list[tuple[float, float]] = []  # places since the path was left
+        self._way_back: list[tuple[float, float]] = []  # places (m) since the path was left
         count = max(2, math.ceil(self.path.length / STEP) + 1)
         self._places = [i * self.path.length / (count - 1) for i in range(count)]
         self._speeds = [self._speed_of_bend(s, cruise, corner) for s in self._places]
@@ -45,7 +45,7 @@ class Course:
         return cruise + (corner - cruise) * share
 
     def follow(self, x: float, y: float) -> None:
-        """Find the nearest place on the path, not far from the last one; off the path, remember the way back."""
+        """Find the nearest place on the path, close to the last place; off the path, store the way."""
         s, self.cross_track = self.path.project_near(x, y, self.s, WINDOW)
         if not self.is_lost:
             self.s = s
@@ -53,18 +53,18 @@ class Course:
             self._way_back.clear()
             return
         for i, (crumb_x, crumb_y) in enumerate(self._way_back):
-            if math.hypot(x - crumb_x, y - crumb_y) < CRUMB:  # been here before: what came after was a detour
+            if math.hypot(x - crumb_x, y - crumb_y) < CRUMB:  # here before: drop the detour since
                 del self._way_back[i + 1 :]
                 return
         self._way_back.append((x, y))
 
     @property
     def is_lost(self) -> bool:
-        """Whether the path is so far off that it may be behind a wall."""
+        """Whether the path is so far away that it may lie behind a wall."""
         return abs(self.cross_track) > LOST
 
     def speed(self, ahead: float) -> float:
-        """Return the speed (m/s) that fits `ahead` (m) further on."""
+        """Return the speed (m/s) of the place `ahead` (m) along the path."""
         place = bisect.bisect_left(self._places, self.s + ahead)
         return self._speeds[min(place, len(self._speeds) - 1)]
 
@@ -74,7 +74,7 @@ class Course:
         return math.atan2(target_y - y, target_x - x)
 
     def _place_back(self, x: float, y: float) -> tuple[float, float] | None:
-        """Return the last remembered place that is far enough from (x, y) to steer for, when lost."""
+        """Return the last stored place that is far enough from (x, y) to steer for; None when not lost."""
         if self.is_lost:
             for place in reversed(self._way_back):
                 if math.hypot(place[0] - x, place[1] - y) > BACK_AHEAD:

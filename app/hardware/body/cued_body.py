@@ -1,4 +1,4 @@
-"""How a simulated body does as it is told: rests, moves freely, makes the prompted movement and comes back."""
+"""A simulated body that follows cues: rests, moves freely, makes the prompted movement and returns."""
 
 import random
 from collections.abc import Sequence
@@ -11,18 +11,18 @@ from app.hardware.body.joints import second_way
 from app.hardware.body.minimum_jerk import Reach
 
 REACTION = (0.25, 0.04)  # s, mean and standard deviation
-PROMPTED_TIME = 0.65  # of a cue's duration: people who follow a beat are done before the next one
-TIME_NOISE = 0.08  # standard deviation of a duration, of itself
+PROMPTED_TIME = 0.65  # of a cue's duration: people finish a movement before the next cue
+TIME_NOISE = 0.08  # standard deviation of a duration over the duration
 PROMPTED_SIZE = (0.9, 0.05)  # of the range
-COMPANION = 0.10  # of the range, at most: nobody moves one joint alone
+COMPANION = 0.10  # of the range, at most: movement of the other joints of the same arm
 SETTLE = 0.9  # s back to rest after free movement
 FREE_TIME = (0.7, 1.4)  # s for one free movement
-FREE_PAUSE = (0.0, 0.35)  # s between two
+FREE_PAUSE = (0.0, 0.35)  # s between two free movements
 FREE_HIGH, FREE_LOW = (0.65, 1.0), (0.0, 0.2)  # of the range
-FREE_ASIDE = (0.35, 0.65)  # of the range, either way, in a joint's second way to move
+FREE_ASIDE = (0.35, 0.65)  # of the range, in both directions, in a joint's second degree of freedom
 TREMOR = 0.0025  # of the range, standard deviation
-TREMOR_TIME = 0.12  # s, how long it takes to change
-SHORTEST = 0.2  # s: nobody moves faster
+TREMOR_TIME = 0.12  # s, time constant of the tremor
+SHORTEST = 0.2  # s, of any movement
 
 
 class CuedBody:
@@ -36,7 +36,7 @@ class CuedBody:
         self.reset()
 
     def reset(self) -> None:
-        """Come back to rest and begin the random movements anew."""
+        """Return to rest and restart the random numbers."""
         self._random = random.Random(self._seed)
         self._cue: Cue | None = None
         self._t = 0.0
@@ -44,16 +44,16 @@ class CuedBody:
         self._speed = [0.0] * len(self.joints)
         self._tremor = [0.0] * len(self.joints)
         self._reaches: list[Reach | None] = [None] * len(self.joints)
-        self._begins = [0.0] * len(self.joints)  # s, of the reach under way or planned
-        self._high = [False] * len(self.joints)  # where a free movement goes next
+        self._begins = [0.0] * len(self.joints)  # s: when the current or planned reach begins
+        self._high = [False] * len(self.joints)  # whether the next free movement goes back
 
     @property
     def is_at_rest(self) -> bool:
-        """Whether every joint is back at rest, tremor aside."""
+        """Whether every joint is at rest, apart from tremor."""
         return all(abs(place) < 0.01 for place in self._place)
 
     def follow(self, dt: float, cue: Cue | None) -> NDArray[np.float64]:
-        """Live on for `dt` (s) under `cue`, None being rest, and return the posture (n_joints,)."""
+        """Advance by `dt` (s) under `cue` (None: rest) and return the posture (n_joints,)."""
         if cue is not self._cue and cue != self._cue:
             self._take(cue)
         self._cue = cue
@@ -78,7 +78,7 @@ class CuedBody:
         return self._posture
 
     def _take(self, cue: Cue | None) -> None:
-        """Plan what a new cue asks for."""
+        """Plan the movements of a new cue."""
         kind = "rest" if cue is None else cue.kind
         duration = SETTLE if cue is None else cue.end - cue.start
         delay = max(0.1, self._random.gauss(*REACTION))
@@ -100,15 +100,15 @@ class CuedBody:
                     self._plan(i, 0.0, delay, back)
 
     def _plan(self, i: int, target: float, delay: float, duration: float) -> None:
-        """Begin a movement of one joint `delay` seconds from now; one under way is taken over with its speed."""
+        """Begin a movement of one joint `delay` seconds from now; it starts with the joint's present speed."""
         duration = max(SHORTEST, duration * self._random.gauss(1.0, TIME_NOISE))
         if self._speed[i] != 0.0:
-            delay, duration = 0.0, duration + delay  # a moving limb turns round, it does not wait
+            delay, duration = 0.0, duration + delay  # a moving limb turns at once
         self._reaches[i] = Reach(self._place[i], self._speed[i], target, duration)
         self._begins[i] = self._t + delay
 
     def _wander(self, i: int) -> None:
-        """Plan the next free movement of one joint: there and back again, never quite the same."""
+        """Plan the next free movement of one joint, in turn away from rest and back."""
         draw = self._random.uniform
         self._high[i] = not self._high[i]
         if self.joints[i] in self._seconds:

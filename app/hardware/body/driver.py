@@ -1,4 +1,4 @@
-"""How the simulated person drives: sees late, moves in strokes, errs, and learns."""
+"""The simulated person as a driver: sees with a delay, moves in strokes, makes errors, and learns."""
 
 import math
 import random
@@ -25,34 +25,34 @@ LIMB_OF: dict[Wish, str] = {
 }
 WISH_OF: dict[str, Wish] = {limb: wish for wish, limb in LIMB_OF.items()}
 OTHER_ELBOW = {"right_elbow": "left_elbow", "left_elbow": "right_elbow"}
-"""Both elbows together are the stop gesture: nobody does that by mistake twice, so it is never done here."""
+"""Both elbows together are the stop gesture, which the simulated driver never makes."""
 
 USUAL_EFFECT: dict[Wish, float] = {"faster": 0.3, "slower": 0.3, "left": 0.45, "right": 0.45}
-"""What a full stroke does under the standard parameters, m/s and rad: first beliefs are spread around it."""
-USUAL_LOSS = 0.08  # of the range, taken by the dead-zone
-WORST_BELIEF = 1.5  # standard deviations
-LOOK_PERIOD = 0.05  # s between two looks at whether something should be done
-SLOWEST, FASTEST = -0.29, 0.79  # m/s: at the limits of speed, a stroke shows less than it does
-SETTLING = 0.12  # s until a finished stroke has passed the low-pass filter
+"""Effect of a full stroke under the standard parameters, m/s and rad; first estimates are spread around it."""
+USUAL_LOSS = 0.08  # of the range, lost in the dead-zone
+LARGEST_FIRST_ERROR = 1.5  # of a first estimate, in standard deviations
+LOOK_PERIOD = 0.05  # s between two decisions
+SLOWEST, FASTEST = -0.29, 0.79  # m/s: beyond these speeds the limits cut the effect of a stroke
+SETTLING = 0.12  # s until the effect of a finished stroke has passed the low-pass filter
 
 
 class Stroke:
-    """A stroke under way, and what was seen before it."""
+    """A stroke whose outcome is not yet seen, and the speed or heading before it."""
 
     __slots__ = ("before", "end", "limb", "size", "spoilt")
 
     def __init__(self, limb: str, size: float, end: float, before: float) -> None:
         self.limb, self.size, self.end, self.before = limb, size, end, before
-        self.spoilt = False  # a wall or a limit of speed had its part in the outcome
+        self.spoilt = False  # whether a wall affected the outcome
 
 
 class Driver:
-    """From what is seen of the chair to strokes of four limbs."""
+    """Decides on strokes of four limbs from what is seen of the chair."""
 
     def __init__(self, parameters: PersonParameters, seed: int) -> None:
         self.parameters = parameters
         self.practice = parameters.practice  # strokes
-        self.session_strokes = 0  # since the last pause between sessions: they tire
+        self.session_strokes = 0  # in this session; they cause fatigue
         self.limbs = {limb: Limb() for limb in WISH_OF}
         self._random = random.Random(seed)
         spread = parameters.estimate_error.after(parameters.practice)
@@ -67,15 +67,15 @@ class Driver:
         self._free_at = 0.0
         self._look_at = 0.0
         self._began = False
-        self._rested = 0.0  # s of a task in which the chair was not permitted to move
-        self._driven = 0.0  # s in which it was: a stage's time, as the scene's, stands still with the chair
+        self._rested = 0.0  # s of the task in which the chair was not permitted to move
+        self._driven = 0.0  # s of the task in which the chair was permitted to move
 
     def _first_error(self) -> float:
-        """Return by how many standard deviations a first belief is off: whoever is further off asks again."""
-        return min(WORST_BELIEF, max(-WORST_BELIEF, self._random.gauss(0, 1)))
+        """Return the error of a first estimate in standard deviations, clipped to [-1.5, 1.5]."""
+        return min(LARGEST_FIRST_ERROR, max(-LARGEST_FIRST_ERROR, self._random.gauss(0, 1)))
 
     def show_task(self, plan: FloorPlan, path: PrescribedPath) -> None:
-        """Show what is asked, and where."""
+        """Take the floor plan and the path to drive."""
         progress = progress_of(plan, path)
         self._course = progress if progress.stages > 1 else None
         self._driven = 0.0
@@ -94,7 +94,7 @@ class Driver:
                 return Steering(part.points, self.parameters)
 
     def rest(self) -> None:
-        """Stop driving: limbs under way come back by themselves."""
+        """Stop driving; moving limbs return to rest."""
         self._began = False
         self._seen.clear()
         self._open.clear()
@@ -138,7 +138,7 @@ class Driver:
         self._begin_stroke(t, limb, size, pose, v)
 
     def _look_at_stage(self, seen_t: float, pose: Pose, v: float) -> None:
-        """Go on to the next stage of a course when the one before is seen to be done."""
+        """Begin the next stage of a course when the stage before is seen to be finished."""
         if self._course is None:
             return
         before = self._course.stage
@@ -172,17 +172,17 @@ class Driver:
             self.practice += 1
 
     def _pause(self) -> float:
-        """Return how long to think before the next stroke, s."""
+        """Return the hesitation before the next stroke, s."""
         p = self.parameters
         fatigue = p.fatigue(p.fatigue_hesitation, self.session_strokes)
         return p.hesitation.after(self.practice) * fatigue * self._random.uniform(0.5, 1.5)
 
     def _awaits_outcome(self, limb: str) -> bool:
-        """Return whether a stroke on the same control has not shown its outcome yet."""
+        """Return whether the outcome of a stroke for this limb's control is not yet seen."""
         return any((stroke.limb in OTHER_ELBOW) == (limb in OTHER_ELBOW) for stroke in self._open)
 
     def _learn_from_outcomes(self, seen_t: float, pose: Pose, v: float, in_contact: bool) -> None:
-        """Compare what is seen of finished strokes with what was expected of them, and correct the beliefs."""
+        """Compare the seen effects of finished strokes with the expected effects, and correct the estimates."""
         open_strokes = []
         for stroke in self._open:
             elbow = stroke.limb in OTHER_ELBOW

@@ -1,12 +1,12 @@
-"""One limb of the simulated person: up along a minimum-jerk curve, and slowly back to rest."""
+"""One limb of the simulated person: a stroke along a minimum-jerk curve, and a slower return to rest."""
 
 from app.hardware.body.minimum_jerk import minimum_jerk
 
-REUSABLE = 0.12  # of the range: nearer to rest than this, a limb can make its next stroke
+REUSABLE = 0.12  # of the range: below it a limb can make its next stroke
 
 
 class Limb:
-    """Where a limb is between rest (0) and the end of its range (1)."""
+    """The position of a limb between rest (0) and the end of its range (1)."""
 
     __slots__ = ("_back", "_low", "_rise", "_start", "_top", "aside")
 
@@ -14,17 +14,17 @@ class Limb:
         self._start = -1e9  # s
         self._rise = self._back = 1.0  # s
         self._low = self._top = 0.0
-        self.aside = 0.0  # share of the level that goes the limb's second way
+        self.aside = 0.0  # share of the level in the limb's second degree of freedom
 
     def stroke(self, t: float, size: float, rise: float, back: float) -> float:
-        """Begin a stroke of `size` at `t` (s), up in `rise` back in `back` seconds; return what there is room for."""
+        """Begin a stroke at `t` (s), there in `rise` and back in `back` s; return the size that the range allows."""
         self._low = self.level(t)
         self._top = min(1.0, self._low + size)
         self._start, self._rise, self._back = t, rise, back
         return self._top - self._low
 
     def level(self, t: float) -> float:
-        """Return where the limb is at `t` (s), 0 to 1."""
+        """Return the position of the limb at `t` (s), 0 to 1."""
         since = t - self._start
         if since < self._rise:
             return min(1.0, self._low + (self._top - self._low) * minimum_jerk(since / self._rise))
@@ -38,9 +38,9 @@ class Limb:
         return t - self._start < self._rise
 
     def is_resting(self, t: float) -> bool:
-        """Return whether the limb has come all the way back."""
+        """Return whether the limb has returned to rest."""
         return t - self._start >= self._rise + self._back
 
     def is_ready(self, t: float) -> bool:
-        """Return whether there is room for another stroke."""
+        """Return whether the limb is close enough to rest for another stroke."""
         return not self.is_rising(t) and self.level(t) < REUSABLE

@@ -1,4 +1,4 @@
-"""What a driver wants next who is to turn on the spot, or to drive backwards."""
+"""The driver's next intention when turning on the spot or driving backwards."""
 
 import math
 
@@ -10,19 +10,19 @@ from app.world.path import Path
 from app.world.progress import TurnProgress
 from app.world.tasks import Turn
 
-CREEP = 0.03  # m/s: slower looks like standing
-SURE = 0.6  # of the tolerance: who wants to be sure of a mark looks nearer at it than he must
-NEAR = 0.7  # of the spot's radius: who has rolled further than this goes back to it
-ALONG = 0.5  # of the way to the spot that must lie ahead or behind, for going there
+CREEP = 0.03  # m/s: a slower chair counts as standing
+SURE = 0.6  # share of the task's tolerance that the driver aims for
+NEAR = 0.7  # of the spot's radius: further away the driver returns to the spot
+ALONG = 0.5  # share of the distance to the spot that must lie ahead or behind to drive there
 RETURN_SPEED = 0.12  # m/s
 BACK_SPEED = 0.2  # m/s
-BACK_BRAKING = 0.08  # m/s2 that somebody reckons with who looks over his shoulder
-BACK_AHEAD = 0.8  # m along the way to the place that is steered for
-BACK_TOLERANCE = 0.1  # rad of heading error that is let be
+BACK_BRAKING = 0.08  # m/s2 of braking that the driver expects while driving backwards
+BACK_AHEAD = 0.8  # m along the line to the point that is steered for
+BACK_TOLERANCE = 0.1  # rad of heading error that is not corrected
 
 
 class TurnAim:
-    """Stand still, then turn the asked way until one looks at the mark; who rolls off the spot goes back to it."""
+    """Stand still, then turn in the asked direction up to the mark; return to the spot after rolling off it."""
 
     def __init__(self, part: PrescribedPath, task: Turn) -> None:
         self._progress = TurnProgress(part, task)
@@ -32,10 +32,10 @@ class TurnAim:
         self._near = NEAR * part.goal_radius
 
     def begin(self) -> None:
-        """Begin, or go on after a stop: how far one has turned is still known."""
+        """Begin, or continue after a stop: the angle turned so far is kept."""
 
     def want(self, t: float, pose: Pose, v: float, *_others: object) -> Intention | None:
-        """Return what is wanted at `t` (s) with the chair at `pose` and speed `v` (m/s), or None when all is well."""
+        """Return the intention at `t` (s) with the chair at `pose` and speed `v` (m/s), None for no change."""
         self._progress.update(pose, v, t)
         speed = self._speed(pose)
         excess = v - speed
@@ -49,7 +49,7 @@ class TurnAim:
         return Intention("left" if left > 0 else "right", abs(left))
 
     def _speed(self, pose: Pose) -> float:
-        """Return the speed (m/s) that fits: none near the spot, nor as long as it lies to the side."""
+        """Return the wanted speed (m/s): 0 near the spot, and while the spot lies to the side."""
         away_x, away_y = self._spot[0] - pose.x, self._spot[1] - pose.y
         away = math.hypot(away_x, away_y)
         ahead = away_x * math.cos(pose.theta) + away_y * math.sin(pose.theta)
@@ -59,7 +59,7 @@ class TurnAim:
 
 
 class BackAim:
-    """Roll back along a line, looking away from where one goes, and stop at its end."""
+    """Drive backwards along a line and stop at its end."""
 
     def __init__(self, part: PrescribedPath, parameters: PersonParameters) -> None:
         self._line: Path = part.line
@@ -68,10 +68,10 @@ class BackAim:
         self._s = 0.0
 
     def begin(self) -> None:
-        """Begin, or go on after a stop: the place on the line is still known."""
+        """Begin, or continue after a stop: the place on the line is kept."""
 
     def want(self, _t: float, pose: Pose, v: float, *_others: object) -> Intention | None:
-        """Return what is wanted with the chair at `pose` and speed `v` (m/s), or None when all is well."""
+        """Return the intention with the chair at `pose` and speed `v` (m/s), None for no change."""
         self._s, _ = self._line.project_near(pose.x, pose.y, self._s, BACK_AHEAD)
         left = self._line.length - self._s
         speed = 0.0 if left <= self._near / 2 else -min(BACK_SPEED, math.sqrt(2 * BACK_BRAKING * left))
@@ -80,7 +80,7 @@ class BackAim:
         if abs(excess) > tolerance:
             return Intention("slower" if excess > 0 else "faster", abs(excess))
         x, y = self._line.point_at(self._s + BACK_AHEAD)
-        if left < BACK_AHEAD:  # beyond the end it goes straight on
+        if left < BACK_AHEAD:  # beyond its end the line continues straight
             heading = self._line.heading_at(self._line.length)
             x, y = x + (BACK_AHEAD - left) * math.cos(heading), y + (BACK_AHEAD - left) * math.sin(heading)
         error = wrap_angle(math.atan2(pose.y - y, pose.x - x) - pose.theta)

@@ -1,4 +1,4 @@
-"""How people reach: the movement with the least jerk (Flash and Hogan, J Neurosci 5, 1985)."""
+"""The reaching movement with the least jerk (Flash and Hogan, J Neurosci 5, 1985)."""
 
 
 def minimum_jerk(phase: float) -> float:
@@ -11,10 +11,10 @@ def minimum_jerk(phase: float) -> float:
 
 
 class Reach:
-    """A movement from where a joint is, with the speed it has, to a standstill at `target`.
+    """A movement of a joint from its present position and speed to a standstill at `target`.
 
-    The quintic polynomial with the given position and velocity and no acceleration at the start, and none of either at
-    the end; from a standstill it is `minimum_jerk`.
+    The quintic polynomial with the given position and velocity and zero acceleration at the start, and zero velocity
+    and acceleration at the end; from a standstill it equals `minimum_jerk`.
     """
 
     __slots__ = ("_a", "_duration", "_start", "_v0", "target")

@@ -1,4 +1,4 @@
-"""A simulated person: follows cues, and drives by himself along the path he is shown."""
+"""A simulated person, who follows cues and drives along a path by himself."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,10 +13,9 @@ from app.world.floorplan import FloorPlan, PrescribedPath
 
 
 class Person:
-    """A body that does as the cues say, and while it may drive, drives with the paper's vocabulary.
+    """A simulated body that follows cues, and drives with the paper's vocabulary while it may drive.
 
-    The same seed makes the same person with the same errors. What is practised stays: a new run finds the person as the
-    last one left him; only `reset` brings back the first day.
+    The seed determines the person and the errors. Practice lasts from run to run; only `reset` removes it.
     """
 
     def __init__(self, skill: Skill | PersonParameters, seed: int) -> None:
@@ -28,7 +27,7 @@ class Person:
         self.reset()
 
     def reset(self) -> None:
-        """Come back to rest as on the first day: nothing practised, and everything random begins anew."""
+        """Return to rest and to the first session: remove all practice and restart the random numbers."""
         self._t = 0.0
         self._cued = CuedBody(self.joints, self._seed)
         self.driver = Driver(self.parameters, self._seed)
@@ -42,7 +41,7 @@ class Person:
             self.driver.show_task(*self._task)
 
     def begin_session(self, number: int) -> None:
-        """Come to a session (from 1) rested: range and tremor are this session's, what was practised is still known.
+        """Begin a session (counted from 1) without fatigue, with its range and tremor; practice is kept.
 
         Raises
         ------
@@ -57,12 +56,12 @@ class Person:
         self._tremor.size = self.parameters.tremor_in(number)
 
     def show_task(self, plan: FloorPlan, path: PrescribedPath) -> None:
-        """Show what is asked, and where."""
+        """Take the floor plan and the path to drive."""
         self._task = plan, path
         self.driver.show_task(plan, path)
 
     def step(self, dt: float, view: BodyView) -> NDArray[np.float64]:
-        """Live on for `dt` (s) and return the posture (n_joints,): 0 at rest, 1 fully towards the gesture."""
+        """Advance by `dt` (s) and return the posture (n_joints,): 0 at rest, 1 fully towards the gesture."""
         self._t += dt
         if view.driving:
             self.driver.drive(self._t, view.pose, view.v, view.in_contact, view.leader)

@@ -1,4 +1,4 @@
-"""The range that each number of the simulated person is known, or chosen, to lie in, and where that is from."""
+"""The plausible range of each parameter of the simulated person, with its source."""
 
 from dataclasses import fields
 from typing import NamedTuple
@@ -18,7 +18,7 @@ TREMORS = "Deuschl, Bain and Brin 1998"
 
 
 class Range(NamedTuple):
-    """What a parameter may be, in `unit`; `source` is a publication, or says that it is chosen and for what."""
+    """The range of a parameter in `unit`; `source` is a publication, or CHOSEN with the reason."""
 
     low: float
     high: float
@@ -66,11 +66,11 @@ RANGES: dict[str, Range] = {
     "tremor": Range(0.0, 0.04, "of the range", TREMORS + " (4 to 8 Hz); size chosen"),
     "tremor_per_session": Range(-0.005, 0.005, "of the range", CHOSEN),
 }
-"""By name; a quantity that practice changes has three numbers: `first`, `last` and `strokes`."""
+"""By parameter name; a quantity that practice changes has three entries: `first`, `last` and `strokes`."""
 
 
 def numbers_of(person: PersonParameters) -> dict[str, float]:
-    """Return every number of a person that has a range, by the names of `RANGES`."""
+    """Return every parameter of a person that has a range, by the names of `RANGES`."""
     numbers: dict[str, float] = {}
     for field in fields(person):
         value = getattr(person, field.name)
@@ -82,7 +82,7 @@ def numbers_of(person: PersonParameters) -> dict[str, float]:
 
 
 def out_of_range(person: PersonParameters) -> tuple[str, ...]:
-    """Return a sentence for every number of a person that lies outside its range, none when all are human."""
+    """Return a sentence for every parameter of a person that lies outside its range."""
     return tuple(
         f"{name} is {value:g} {RANGES[name].unit}: choose {RANGES[name].low:g} to {RANGES[name].high:g}"
         for name, value in numbers_of(person).items()

@@ -12,22 +12,22 @@ from app.hardware.body.joints import ARM_DEGREES_OF_FREEDOM, ARM_JOINTS, second_
 from app.hardware.body.minimum_jerk import minimum_jerk
 
 AXES = ("x", "y", "z")
-BLEND = 1.0  # s in which the end of the recording passes into its beginning
-SHORTEST = 4.0  # s of recording: less has no beginning and end to blend
-SLOWEST = 10.0  # rows a second: fewer say nothing of a movement
-MOST_FILLED = 10  # times as many rows as there are, when the gaps between them are filled up evenly
+BLEND = 1.0  # s over which the end of the recording is blended into its beginning
+SHORTEST = 4.0  # s of recording, so that beginning and end can be blended
+SLOWEST = 10.0  # rows a second; fewer do not describe a movement
+MOST_FILLED = 10  # largest ratio of rows after resampling to rows in the file
 STILL = 1e-3  # rad: a joint that moves less has not moved
-PERCENTILES = (1.0, 99.0)  # of the movement: what counts as rest and as all the way
+PERCENTILES = (1.0, 99.0)  # of the movement: rest and the full movement
 
 
 class RecordedBody:
-    """Plays `t, JOINT_x, JOINT_y, JOINT_z` (s; rotation vectors, rad) round and round.
+    """Plays `t, JOINT_x, JOINT_y, JOINT_z` (s; rotation vectors, rad) in a loop.
 
     Each joint's rotation vectors are projected on their own principal axes. The first axis is the joint's gesture
     (elbow flexion, a shoulder's protraction, wrist flexion in most recordings): 0 is the 1st percentile and 1 the 99th,
-    in the direction in which the recording spends less of its time, because people rest where they are most. The second
-    axis is the shoulder's second way to move, on the same scale, and 0 in the middle of what was recorded. Joints that
-    the file does not have stay at rest.
+    in the direction in which the recording spends less of its time, because that is where people rest. The second axis
+    is the shoulder's second degree of freedom, on the scale of the first, with 0 at its median. Joints that the file
+    does not hold stay at rest.
     """
 
     def __init__(self, file: str | Path, joints: Sequence[str] = ARM_DEGREES_OF_FREEDOM) -> None:
@@ -36,11 +36,11 @@ class RecordedBody:
         Raises
         ------
         HardwareError
-            When it cannot be read or holds no joint of this body: one sentence.
+            In one sentence, when the file cannot be read or holds no joint of this body.
         """
         self.joints = tuple(joints)
         self._dt, postures = _postures(Path(file), self.joints)
-        self._postures = _round(postures, round(BLEND / self._dt))
+        self._postures = _looped(postures, round(BLEND / self._dt))
         self._posture = np.zeros(len(self.joints))
         self.reset()
 
@@ -54,7 +54,7 @@ class RecordedBody:
         return len(self._postures) * self._dt
 
     def step(self, dt: float, _view: BodyView) -> NDArray[np.float64]:
-        """Play on for `dt` (s) and return the posture (n_joints,), between samples by straight lines."""
+        """Advance by `dt` (s) and return the posture (n_joints,), linearly interpolated between samples."""
         self._t = (self._t + dt) % self.duration
         place = self._t / self._dt
         before = math.floor(place)
@@ -68,7 +68,7 @@ class RecordedBody:
 def principal_postures(rotations: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Return the postures (n,) along the first and the second principal axis of rotation vectors (n, 3), rad.
 
-    A joint that did not move is at rest in both.
+    Both are 0 for a joint that did not move.
     """
     centred = rotations - rotations.mean(axis=0)
     _, spread, axes = np.linalg.svd(centred, full_matrices=False)
@@ -123,8 +123,8 @@ def _postures(file: Path, joints: tuple[str, ...]) -> tuple[float, NDArray[np.fl
     return dt, postures
 
 
-def _round(postures: NDArray[np.float64], blend: int) -> NDArray[np.float64]:
-    """Return the recording with its end passed into its beginning, `blend` rows shorter."""
+def _looped(postures: NDArray[np.float64], blend: int) -> NDArray[np.float64]:
+    """Return the recording with its end blended into its beginning, `blend` rows shorter."""
     share = np.array([[minimum_jerk((i + 0.5) / blend)] for i in range(blend)])
     joined = postures[:-blend].copy()
     joined[:blend] = share * postures[:blend] + (1 - share) * postures[-blend:]

@@ -1,4 +1,4 @@
-"""What a driver wants next: faster, slower, left or right, and how much of it."""
+"""The driver's next intention on a path: faster, slower, left or right, and by how much."""
 
 import math
 from collections.abc import Sequence
@@ -11,18 +11,18 @@ from app.hardware.body.person_parameters import PersonParameters
 
 Wish = Literal["faster", "slower", "left", "right"]
 
-TURN_SLOWLY = 0.5  # rad of heading error from which on speed is taken away
-TURN_ON_THE_SPOT = 1.2  # rad of heading error at which none is left
-TOO_FAST = 0.15  # m/s above what fits: braking comes before turning
-ROLLING_BACK = -0.05  # m/s: slower than this, going forward again comes before turning
-STUCK_TIME = 1.2  # s without getting anywhere, though the chair should move
-STUCK_DISTANCE = 0.06  # m that count as getting somewhere
-STUCK_SPEED = 0.1  # m/s from which on the chair should move
+TURN_SLOWLY = 0.5  # rad of heading error above which the speed is reduced
+TURN_ON_THE_SPOT = 1.2  # rad of heading error above which the speed is 0
+TOO_FAST = 0.15  # m/s above the wanted speed: braking comes before turning
+ROLLING_BACK = -0.05  # m/s: below it, driving forward again comes before turning
+STUCK_TIME = 1.2  # s without progress although the chair should move
+STUCK_DISTANCE = 0.06  # m that count as progress
+STUCK_SPEED = 0.1  # m/s above which the chair should move
 BACK_SPEED = -0.15  # m/s away from a wall
 BACK_DISTANCE = 0.3  # m to back away
 BACK_TIME = 6.0  # s, then forward is tried again
-FOLLOWING = 0.35  # 1/s: how much faster one goes for each metre that a leader is too far ahead
-GRACE = 2.0  # s after backing, in which nothing counts as being stuck
+FOLLOWING = 0.35  # 1/s: m/s faster for each metre that the leader is too far ahead
+GRACE = 2.0  # s after backing in which the chair does not count as stuck
 
 
 class Intention(NamedTuple):
@@ -33,28 +33,28 @@ class Intention(NamedTuple):
 
 
 class Steering:
-    """Follows a path by sight: slows before corners, turns towards the path, backs away from what it is stuck at."""
+    """Follows a path by sight: slows before corners, turns towards the path, backs away from obstacles."""
 
     def __init__(
         self, points: Sequence[tuple[float, float]], parameters: PersonParameters, distance: float | None = None
     ) -> None:
-        """Look at the path; `distance` (m) is to be kept behind a leader, when there is one."""
+        """Take the path; `distance` (m) is to be kept behind a leader, when there is one."""
         p = self._parameters = parameters
         self._distance = distance
         self.course = Course(points, p.cruise_speed, p.corner_speed, p.goal_speed, p.braking)
-        self._anchor: tuple[float, float, float] | None = None  # x, y, t: where and when it last got somewhere
-        self._backing: tuple[float, float, float] | None = None  # x, y, t: where and when backing away began
+        self._anchor: tuple[float, float, float] | None = None  # x, y, t: place and time of the last progress
+        self._backing: tuple[float, float, float] | None = None  # x, y, t: place and time at which backing away began
 
     def begin(self) -> None:
-        """Begin, or go on after a stop: the place on the path is still known, being stuck is forgotten."""
+        """Begin, or continue after a stop: keep the place on the path, reset the detection of being stuck."""
         self._anchor = self._backing = None
 
     def want(
         self, t: float, pose: Pose, v: float, in_contact: bool, practice: float, leader: LeaderView | None = None
     ) -> Intention | None:
-        """Return what is wanted at `t` (s) with the chair at `pose` and speed `v` (m/s), or None when all is well.
+        """Return the intention at `t` (s) with the chair at `pose` and speed `v` (m/s), None for no change.
 
-        `in_contact`: the chair touches something. `practice` is how many strokes the driver has behind him.
+        `in_contact`: the chair touches something. `practice`: strokes practised so far.
         """
         p, course = self._parameters, self.course
         course.follow(pose.x, pose.y)
@@ -81,7 +81,7 @@ class Steering:
         return None
 
     def _fitting(self, pose: Pose, v: float, leader: LeaderView | None) -> float:
-        """Return the speed (m/s) that fits the path, where it will be in a second; behind a leader, his distance."""
+        """Return the speed (m/s) that fits the path one second ahead, and behind a leader the distance to keep."""
         speed = self.course.speed(max(0.0, v))
         if leader is None or self._distance is None:
             return speed
@@ -90,9 +90,9 @@ class Steering:
         return min(max(speed, self._parameters.corner_speed), max(0.0, behind))
 
     def _is_backing(self, t: float, pose: Pose, v: float, in_contact: bool) -> bool:
-        """Return whether to back away: from being stuck until a little way off, or for as long as one tries."""
+        """Return whether to back away: when stuck, until `BACK_DISTANCE` is reached or `BACK_TIME` is over."""
         x, y, since = self._anchor or (pose.x, pose.y, t)
-        should_move = abs(v) > STUCK_SPEED or in_contact  # what a wall holds is seen to stand
+        should_move = abs(v) > STUCK_SPEED or in_contact  # a chair at a wall does not move
         if not should_move or math.hypot(pose.x - x, pose.y - y) > STUCK_DISTANCE:
             x, y, since = pose.x, pose.y, t
         self._anchor = (x, y, since)

@@ -1,13 +1,13 @@
-"""What a person believes a stroke to do, and how that belief is corrected by what it did."""
+"""A person's estimate of the effect of a stroke, and its correction by observed effects."""
 
-LOSS_SHARE = 0.005  # how readily an error is put down to the loss rather than to the gain
+LOSS_SHARE = 0.005  # learning rate of the loss relative to that of the gain
 
 
 class StrokeEstimate:
     """For one limb: effect = gain x (size - lost), with both numbers learnt from errors.
 
     The size is of the joint's range; the effect is in m/s for an elbow (speed gained or lost) and in rad for a shoulder
-    (angle turned). `lost` stands for what the dead-zone takes away.
+    (angle turned). `lost` is the part of a stroke inside the dead-zone.
     """
 
     __slots__ = ("gain", "lost")
@@ -17,17 +17,17 @@ class StrokeEstimate:
         self.lost = lost
 
     def effect_of(self, size: float) -> float:
-        """Return the effect that is expected of a stroke of `size`."""
+        """Return the expected effect of a stroke of `size`."""
         return self.gain * max(0.0, size - self.lost)
 
     def size_for(self, effect: float) -> float:
-        """Return the size that is believed to have `effect`."""
+        """Return the size of a stroke with the expected `effect`."""
         return self.lost + effect / self.gain
 
     def learn(self, size: float, effect: float, correction: float) -> None:
         """Correct a share of the error of the last stroke (normalised least mean squares).
 
-        Bounded, so that one freak (a wall, a stroke by the wrong limb) cannot turn the belief upside down.
+        Both numbers are bounded, so that one outlier (a wall, a stroke by the wrong limb) cannot ruin the estimate.
         """
         above = max(0.05, size - self.lost)
         error = effect - self.effect_of(size)

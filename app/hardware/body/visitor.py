@@ -1,4 +1,4 @@
-"""The visitor's body: keys, pads or a gamepad say where the joints should be, and they go there as limbs go."""
+"""The visitor's body: keys, pads or a gamepad set targets for the joints, which follow like limbs."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -9,15 +9,15 @@ from numpy.typing import NDArray
 from app.hardware.base import BodyView
 from app.hardware.body.joints import ARM_DEGREES_OF_FREEDOM, second_way
 
-THERE_RATE = 11.0  # 1/s: 90 % of the way in 0.35 s, all of it in about 0.5 s
-BACK_RATE = 6.0  # 1/s: nothing hurries the way back
+THERE_RATE = 11.0  # 1/s: 90 % of the movement in 0.35 s, all in about 0.5 s
+BACK_RATE = 6.0  # 1/s: the return to rest is slower
 FASTEST_THERE, FASTEST_BACK = 4.0, 2.0  # of the range per second
-ASIDE = 0.12  # of the range: how much a joint's second way to move comes along
+ASIDE = 0.12  # of the range: movement of a joint's second degree of freedom with the first
 LONGEST_STEP = 0.02  # s
 
 
 class Visitor:
-    """Joints that follow targets 0..1, critically damped and no faster than a limb."""
+    """A body whose joints follow targets 0..1, critically damped and no faster than a limb."""
 
     def __init__(self, joints: Sequence[str] = ARM_DEGREES_OF_FREEDOM) -> None:
         self.joints = tuple(joints)
@@ -29,19 +29,19 @@ class Visitor:
         self.reset()
 
     def reset(self) -> None:
-        """Come back to rest at once."""
+        """Set every joint and target to rest."""
         self._target = [0.0] * len(self.joints)
         self._place = [0.0] * len(self.joints)
         self._speed = [0.0] * len(self.joints)
         self._posture = np.zeros(len(self.joints))
 
     def move(self, joints: Mapping[str, float]) -> None:
-        """Say where joints should go, 0 (rest) to 1 (all the way); the others keep their targets.
+        """Set the targets of joints, 0 (rest) to 1 (full movement); the other joints keep their targets.
 
         Raises
         ------
         ValueError
-            When a joint is not one of this body's, or a place is not between 0 and 1; nothing changes then.
+            When a joint is not of this body, or a target is not between 0 and 1; nothing changes then.
         """
         for name, place in joints.items():
             if name not in self.joints:
@@ -52,7 +52,7 @@ class Visitor:
             self._target[self.joints.index(name)] = float(place)
 
     def step(self, dt: float, _view: BodyView) -> NDArray[np.float64]:
-        """Move on for `dt` (s) and return the posture (n_joints,)."""
+        """Advance by `dt` (s) and return the posture (n_joints,)."""
         count = max(1, math.ceil(dt / LONGEST_STEP))
         for i, target in enumerate(self._target):
             for _ in range(count):
@@ -63,7 +63,7 @@ class Visitor:
         return self._posture
 
     def _approach(self, i: int, target: float, dt: float) -> None:
-        """Move joint `i` on: the exact solution of a critically damped spring, its speed limited."""
+        """Advance joint `i` by the exact solution of a critically damped spring with limited speed."""
         off, speed = self._place[i] - target, self._speed[i]
         if off == 0.0 and speed == 0.0:
             return

@@ -1,8 +1,8 @@
-"""The chain over a whole recording at once: the same numbers as frame by frame, hundreds of times faster.
+"""The chain over a whole recording at once: the numbers of the loop, hundreds of times faster than frame by frame.
 
-What has no memory is done on arrays; ramps and the chair, where each step needs the one before, go through the very
-objects of the loop. What the gate decided is not decided again: it is read from the recording, and a file without such
-decisions counts as armed throughout.
+Steps without memory are computed on arrays; ramps and the chair, where each step needs the one before, use the objects
+of the loop. The gate's decisions are not made again but read from the recording; a file without decisions counts as
+armed throughout.
 """
 
 from collections.abc import Callable
@@ -33,7 +33,7 @@ from app.pipeline.shaping import Cruise, Shaper, forward_ramp, turn_ramp
 from app.signals.smoothing import smooth
 
 Array = NDArray[np.float64]
-CHUNK = 5_000  # frames: so that the temporary arrays stay in the processor's cache
+CHUNK = 5_000  # frames at once, so that the temporary arrays stay in the processor's cache
 
 
 @dataclass(slots=True)
@@ -68,7 +68,7 @@ def decode_block(
     Parameters
     ----------
     parameters
-        What is decoded with.
+        The parameters to decode with.
     sample_rate
         Of the shirt, Hz.
     t
@@ -80,7 +80,7 @@ def decode_block(
     state
         (n,) recorded `State` of the gate; armed throughout when not given.
     chair
-        Where the twists go; without one, a unicycle that starts at the origin of a floor without walls.
+        The chair to drive; without one, a unicycle that starts at the origin of a floor without walls.
     """
     device = t if t_device is None else t_device
     projected, silent = _projected(parameters, sample_rate, values)
@@ -108,7 +108,7 @@ def decode_block(
 def _projected(
     parameters: DriveParameters, sample_rate: float, values: NDArray[np.float32]
 ) -> tuple[Array, NDArray[np.bool_]]:
-    """Return the scores, then the projections of guided maps, held where a channel is bad, and where that is.
+    """Return the scores and the projections of guided maps, kept constant where a channel is bad, and where that is.
 
     Both (n, n_gestures + 3 * n_guided).
     """
@@ -145,7 +145,7 @@ def _guided(parameters: DriveParameters) -> list[int]:
 
 
 def _rates(parameters: DriveParameters, sample_rate: float, periods: Array, seen: Array) -> Array:
-    """Return the rates (n, n_gestures) in FS/s of all gestures, none of which is held."""
+    """Return the rates (n, n_gestures) in FS/s of all gestures, none of which reads a displacement."""
     count, guided = len(parameters.gestures), _guided(parameters)
     plain = [i for i in range(count) if i not in guided]
     rate = np.empty((len(seen), count))
@@ -159,7 +159,7 @@ def _rates(parameters: DriveParameters, sample_rate: float, periods: Array, seen
 
 
 def _unseen(score: Array, bad: NDArray[np.bool_]) -> Array:
-    """Return how far each score went while its channels were bad, summed up so far (n, n_gestures)."""
+    """Return the change of each score while its channels were bad, summed up to each frame (n, n_gestures)."""
     steps = np.zeros_like(score)
     if not bad.any():
         return steps
@@ -169,7 +169,7 @@ def _unseen(score: Array, bad: NDArray[np.bool_]) -> Array:
 
 
 def _periods(device: Array, sample_rate: float) -> Array:
-    """Return, per frame, its time step in whole periods, as `decoder.periods_between` counts them."""
+    """Return the time step of each frame in whole periods, as `decoder.periods_between` counts them."""
     step = np.diff(device, prepend=device[:1] - 1.0 / sample_rate)
     step[~((step > 0) & (step < np.inf))] = 1.0 / sample_rate
     return np.clip(np.round(step * sample_rate), 1.0, max(1.0, LONGEST_GAP * sample_rate))
@@ -193,7 +193,7 @@ def _step_by_step(
     values: NDArray[np.float32],
     silent: NDArray[np.bool_],
 ) -> tuple[Array, Array, Array]:
-    """Return rate, drive and activation by the loop's own decoder: a held posture's baseline has a memory."""
+    """Return rate, drive and activation from the loop's decoder: the baseline of a displacement has a memory."""
     decoder = Decoder(parameters, sample_rate)
     rows = np.empty((3, len(values), len(parameters.gestures)))
     for i, frame in enumerate(values):
@@ -229,14 +229,13 @@ class _Axis(NamedTuple):
     shape: Callable[[float, float, float, float], float]
     ramp: Ramp
     stop_deceleration: float
-    cruise: Cruise | None  # the time-out of a speed that is kept
+    cruise: Cruise | None  # the time-out in acceleration mode
 
 
 def _ramped(axis: _Axis, control: Array, dt: Array, permitted: NDArray[np.bool_]) -> Array:
     """Return one axis of the twists: each speed follows from the one before.
 
-    Where nothing is asked for and nothing changes any more, the speed stays until something is asked for again, and
-    the steps in between need not be made.
+    While the control is 0 and the speed is constant, the steps up to the next control are skipped.
     """
     speeds = np.empty(len(control))
     asks = (control != 0.0) | np.diff(permitted, prepend=permitted[:1])

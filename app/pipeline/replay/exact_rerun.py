@@ -1,8 +1,8 @@
-"""A recorded drive through the chain again, tick by tick: the commands come out as they were, to the last bit.
+"""A recorded drive through the chain again, tick by tick: the commands equal the recorded ones to the last bit.
 
-What the gate decided is not decided again, it is read from the recording: why it did is not all written there.
-Everything else goes through the very objects of the loop, in their order. `app.pipeline.replay.rerun` does the same
-hundreds of times faster, and is right to a millionth.
+The gate's decisions are not made again but read from the recording, which does not hold all of their reasons.
+Everything else uses the objects of the loop, in their order. `app.pipeline.replay.rerun` is hundreds of times faster
+and equal to a millionth.
 """
 
 from dataclasses import dataclass
@@ -24,12 +24,12 @@ from app.recording.reader import Run
 from app.sentences import one_sentence
 from app.speeds import HIGHEST_SPEEDS, Speeds
 
-DIAL_DIGITS = 6  # the dial is recorded in single precision; a person sets it in steps of hundredths
+DIAL_DIGITS = 6  # the dial is recorded in single precision; people set it in steps of 0.01
 
 
 @dataclass(frozen=True, slots=True)
 class Rerun:
-    """What came out again; (n_rows,) each, per gesture (n_rows, n_gestures). Units as in `app.messages.Tick`."""
+    """The outputs of a rerun; (n_rows,) each, per gesture (n_rows, n_gestures). Units as in `app.messages.Tick`."""
 
     score: NDArray[np.float64]
     rate: NDArray[np.float64]
@@ -44,14 +44,14 @@ class Rerun:
 
 
 class RecordedGate(SafetyGate):
-    """Bounds what passes as the gate does, and permits what the recording says was permitted."""
+    """Limits the twist as the gate does, and permits motion where the recording says that it was permitted."""
 
     recorded = State.DISARMED
 
     def decide(
         self, t: float, pause: float, neutral: bool, bad: BadGestures, frame_age: float, conditions: Conditions
     ) -> State:
-        """Return what was decided in this tick; nothing of what is known now has a say."""
+        """Return the recorded decision of this tick; the arguments do not matter."""
         del t, pause, neutral, bad, frame_age, conditions
         if self.state is not self.recorded:
             self._withdraw(self.recorded)
@@ -61,8 +61,8 @@ class RecordedGate(SafetyGate):
 def replay_run(run: Run, parameters: DriveParameters) -> Rerun:
     """Drive a recorded drive again through `parameters`, on the virtual chair.
 
-    With the parameters that it was driven with, every number is the recorded one, bit for bit, as long as no frame
-    waited more than 50 ms for its tick. Recordings without the speed dial (`dial`) count as driven at full.
+    With the parameters of the recorded drive every number equals the recorded number, bit for bit, as long as no
+    frame waited more than 50 ms for its tick. Recordings without the speed dial (`dial`) count as driven at 1.
 
     Raises
     ------
@@ -113,7 +113,7 @@ def _frame(columns: dict[str, NDArray[Any]], row: int, t: float) -> SensorFrame 
 
 
 def _clinic(meta: dict[str, Any]) -> Speeds:
-    """Return what the clinic allowed; older recordings do not say, and count as unlimited."""
+    """Return the clinic's limits of a recording; older recordings do not hold any, and count as unlimited."""
     try:
         return Speeds.model_validate(meta["clinic"]) if meta.get("clinic") else HIGHEST_SPEEDS
     except ValidationError as error:

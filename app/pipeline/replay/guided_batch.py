@@ -1,4 +1,4 @@
-"""The rate of a guided map over a whole recording at once: the same numbers as `guided_rate` frame by frame."""
+"""The rate of a guided map over a whole recording at once, equal to that of `pipeline.guided_rate` frame by frame."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,9 +15,9 @@ def guided_rate(parts: Array, periods: Array, cutoff: float, sample_rate: float)
     Parameters
     ----------
     parts : (n, 3) array
-        The map's projections: what is differentiated (FS), and the two levels (FS/s).
+        The map's projections: the one that is differentiated (FS), and two levels (FS/s).
     periods : (n,) array
-        How many sample periods each frame comes after the one before.
+        Number of sample periods between each frame and the frame before.
     cutoff, sample_rate : float
         Hz.
     """

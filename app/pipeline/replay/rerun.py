@@ -1,4 +1,4 @@
-"""A recorded run through the chain again: the same signals, the same decisions of the gate, the same floor plan."""
+"""A recorded run through the chain again, with its signals, its decisions of the gate and its floor plan."""
 
 from typing import Any
 
@@ -14,11 +14,11 @@ from app.sentences import one_sentence
 from app.signals.signals import FASTEST, SLOWEST
 from app.world.floorplan import FloorPlan
 
-DRIVE = "drive"  # the kind of run in which the gate decides
+DRIVE = "drive"  # the kind of run with decisions of the gate
 
 
 def decode_run(run: Run, parameters: DriveParameters) -> DecodedRun:
-    """Decode the frames of a recorded run; with the parameters that it was driven with, what was driven comes out.
+    """Decode the frames of a recorded run; with the parameters of the drive, its commands come out.
 
     Raises
     ------
@@ -48,7 +48,7 @@ def decode_run(run: Run, parameters: DriveParameters) -> DecodedRun:
 
 
 def sample_rate_of(meta: dict[str, Any], otherwise: float) -> float:
-    """Return the sample rate (Hz) that a run's meta states; ValueError when it is none."""
+    """Return the sample rate (Hz) that a run's meta states; ValueError for an invalid one."""
     stated = meta.get("sample_rate", otherwise)
     if isinstance(stated, bool) or not isinstance(stated, int | float) or not SLOWEST <= stated <= FASTEST:
         raise ValueError(
