@@ -521,7 +521,7 @@ export interface paths {
             };
             requestBody: {
                 content: {
-                    "application/json": components["schemas"]["OtherSender"];
+                    "application/json": components["schemas"]["SenderChoice"];
                 };
             };
             responses: {
@@ -597,7 +597,7 @@ export interface paths {
             };
             requestBody: {
                 content: {
-                    "application/json": components["schemas"]["ChosenHead"];
+                    "application/json": components["schemas"]["HeadTrackerChoice"];
                 };
             };
             responses: {
@@ -669,7 +669,7 @@ export interface paths {
             };
             requestBody: {
                 content: {
-                    "application/json": components["schemas"]["Unused"];
+                    "application/json": components["schemas"]["UnusedChannels"];
                 };
             };
             responses: {
@@ -1100,7 +1100,7 @@ export interface paths {
             };
             requestBody: {
                 content: {
-                    "application/json": components["schemas"]["Look"];
+                    "application/json": components["schemas"]["StepChoice"];
                 };
             };
             responses: {
@@ -1172,7 +1172,7 @@ export interface paths {
             };
             requestBody: {
                 content: {
-                    "application/json": components["schemas"]["ChosenMap"];
+                    "application/json": components["schemas"]["MapChoice"];
                 };
             };
             responses: {
@@ -1402,7 +1402,7 @@ export interface paths {
             };
             requestBody: {
                 content: {
-                    "application/json": components["schemas"]["LoadTitled"];
+                    "application/json": components["schemas"]["TitleChoice"];
                 };
             };
             responses: {
@@ -1457,7 +1457,7 @@ export interface paths {
             };
             requestBody: {
                 content: {
-                    "application/json": components["schemas"]["WantedMode"];
+                    "application/json": components["schemas"]["AdaptationModeChoice"];
                 };
             };
             responses: {
@@ -1530,7 +1530,7 @@ export interface paths {
             };
             requestBody: {
                 content: {
-                    "application/json": components["schemas"]["WhichProposal"];
+                    "application/json": components["schemas"]["ProposalChoice"];
                 };
             };
             responses: {
@@ -1568,7 +1568,7 @@ export interface paths {
             };
             requestBody: {
                 content: {
-                    "application/json": components["schemas"]["WhichProposal"];
+                    "application/json": components["schemas"]["ProposalChoice"];
                 };
             };
             responses: {
@@ -2068,7 +2068,7 @@ export interface paths {
             };
             requestBody: {
                 content: {
-                    "application/json": components["schemas"]["Shown"];
+                    "application/json": components["schemas"]["ReplayMoment"];
                 };
             };
             responses: {
@@ -2371,7 +2371,7 @@ export interface paths {
                         [name: string]: unknown;
                     };
                     content: {
-                        "application/json": components["schemas"]["PutBackView"];
+                        "application/json": components["schemas"]["RestoredView"];
                     };
                 };
             };
@@ -2660,7 +2660,7 @@ export interface paths {
             };
             requestBody: {
                 content: {
-                    "application/json": components["schemas"]["SeenStops"];
+                    "application/json": components["schemas"]["StopCount"];
                 };
             };
             responses: {
@@ -2813,7 +2813,7 @@ export interface paths {
                         [name: string]: unknown;
                     };
                     content: {
-                        "application/json": components["schemas"]["MyState"];
+                        "application/json": components["schemas"]["ScreenStateView"];
                     };
                 };
             };
@@ -2845,7 +2845,7 @@ export interface paths {
                         [name: string]: unknown;
                     };
                     content: {
-                        "application/json": components["schemas"]["MyState"];
+                        "application/json": components["schemas"]["ScreenStateView"];
                     };
                 };
             };
@@ -2876,7 +2876,7 @@ export interface paths {
             };
             requestBody: {
                 content: {
-                    "application/json": components["schemas"]["Wishes"];
+                    "application/json": components["schemas"]["ScreenSettings"];
                 };
             };
             responses: {
@@ -2951,7 +2951,7 @@ export interface paths {
                         [name: string]: unknown;
                     };
                     content: {
-                        "application/json": components["schemas"]["ShownPlan"] | null;
+                        "application/json": components["schemas"]["TrialPlan"] | null;
                     };
                 };
             };
@@ -3082,6 +3082,10 @@ export interface paths {
 export type webhooks = Record<string, never>;
 export interface components {
     schemas: {
+        AdaptationModeChoice: {
+            /** @enum {string} */
+            mode: "off" | "suggest" | "auto";
+        };
         AdaptationView: {
             /** @enum {string} */
             mode: "off" | "suggest" | "auto";
@@ -3093,21 +3097,6 @@ export interface components {
             why: string;
             refusal: string | null;
             looking: boolean;
-        };
-        ArmedChair: {
-            id: number;
-            name: string;
-        };
-        ArmedSet: {
-            title: string;
-            hash: string;
-            /** @enum {string} */
-            mode_u1: "velocity" | "acceleration";
-            /** @enum {string} */
-            mode_u2: "velocity" | "acceleration";
-            cutoff: number;
-            cruise_time: number;
-            turn_cruise_time: number;
         };
         Back: {
             /**
@@ -3216,6 +3205,10 @@ export interface components {
             roll_share?: number | null;
             head?: boolean | null;
         };
+        ChairSummary: {
+            id: number;
+            name: string;
+        };
         ChairsView: {
             chairs: components["schemas"]["app__api__routes__chairs__ChairView"][];
             chosen: number | null;
@@ -3249,14 +3242,6 @@ export interface components {
             id: number | null;
             /** @enum {string} */
             dynamics: "unicycle" | "wheelchair";
-        };
-        ChosenHead: {
-            config: (components["schemas"]["OpentrackConfig"] | components["schemas"]["FreepieConfig"] | components["schemas"]["FlockOfBirdsConfig"] | components["schemas"]["SimulatedHeadConfig"] | components["schemas"]["RecordedHeadConfig"] | components["schemas"]["TabletHeadConfig"]) | null;
-        };
-        ChosenMap: {
-            joint: string;
-            /** @enum {string} */
-            map: "pca" | "guided";
         };
         Code: {
             code: string;
@@ -3312,13 +3297,17 @@ export interface components {
             words: string;
             advice: string;
         };
+        ControlsSuggestion: {
+            bindings: components["schemas"]["Binding"][];
+            reason: string;
+        };
         ControlsView: {
             parameters: components["schemas"]["DriveParameters"];
             hash: string;
             can_undo: boolean;
             can_redo: boolean;
             saved: string[];
-            suggested: components["schemas"]["Suggested"];
+            suggested: components["schemas"]["ControlsSuggestion"];
             limits: {
                 [key: string]: [
                     number,
@@ -3448,11 +3437,6 @@ export interface components {
             distance: number | null;
             end: string | null;
             source: components["schemas"]["SourceView"];
-        };
-        DrivenLine: {
-            number: number;
-            x: number[];
-            y: number[];
         };
         Dune: {
             position: [
@@ -3724,6 +3708,9 @@ export interface components {
         HTTPValidationError: {
             detail?: components["schemas"]["ValidationError"][];
         };
+        HeadTrackerChoice: {
+            config: (components["schemas"]["OpentrackConfig"] | components["schemas"]["FreepieConfig"] | components["schemas"]["FlockOfBirdsConfig"] | components["schemas"]["SimulatedHeadConfig"] | components["schemas"]["RecordedHeadConfig"] | components["schemas"]["TabletHeadConfig"]) | null;
+        };
         HeadView: {
             config: {
                 [key: string]: unknown;
@@ -3793,7 +3780,7 @@ export interface components {
             reason: string;
             label: string;
         };
-        LastPractised: {
+        LatestPractice: {
             hash: string;
             title: string;
         };
@@ -3809,7 +3796,7 @@ export interface components {
             curves: {
                 [key: string]: unknown;
             };
-            trajectories: components["schemas"]["DrivenLine"][];
+            trajectories: components["schemas"]["TrialLine"][];
             path: [
                 number,
                 number
@@ -3841,22 +3828,21 @@ export interface components {
                 number
             ];
         };
-        LoadTitled: {
-            title: string;
-        };
         LogCheckView: {
             whole: boolean;
             rows: number;
             words: string;
-        };
-        Look: {
-            step: string;
         };
         MapCheck: {
             in_phase: number;
             hit_rate: number;
             false_per_minute: number;
             false_count: number;
+        };
+        MapChoice: {
+            joint: string;
+            /** @enum {string} */
+            map: "pca" | "guided";
         };
         MapView: {
             version: number;
@@ -3907,10 +3893,6 @@ export interface components {
             x: (number | null)[];
             y: (number | null)[];
             theta: (number | null)[];
-        };
-        MyState: {
-            /** @enum {string} */
-            state: "paired" | "over" | "unpaired" | "none";
         };
         NamedGesture: {
             joint: string;
@@ -3964,9 +3946,6 @@ export interface components {
             /** @default 4242 */
             port?: number;
         };
-        OtherSender: {
-            sender: string;
-        };
         OwnPlanView: {
             name: string;
             title: string;
@@ -3980,6 +3959,17 @@ export interface components {
             words: string;
             key_line: string;
             qr: string;
+        };
+        ParametersSummary: {
+            title: string;
+            hash: string;
+            /** @enum {string} */
+            mode_u1: "velocity" | "acceleration";
+            /** @enum {string} */
+            mode_u2: "velocity" | "acceleration";
+            cutoff: number;
+            cruise_time: number;
+            turn_cruise_time: number;
         };
         PathView: {
             name: string;
@@ -4051,6 +4041,9 @@ export interface components {
              */
             task: components["schemas"]["FollowPath"] | components["schemas"]["FollowLeader"] | components["schemas"]["Turn"] | components["schemas"]["Back"] | components["schemas"]["Course"];
         };
+        ProposalChoice: {
+            proposal: string;
+        };
         ProposalView: {
             id: string;
             trials: number[];
@@ -4062,11 +4055,6 @@ export interface components {
             effect: components["schemas"]["Effect"] | null;
             applied: number | null;
             words: string;
-        };
-        PutBackView: {
-            /** @enum {string} */
-            kind: "file" | "model" | "floorplan";
-            name: string;
         };
         QualityRow: {
             id: number;
@@ -4129,6 +4117,14 @@ export interface components {
             /** @default true */
             loop?: boolean;
         };
+        ReplayMoment: {
+            t: number;
+            /**
+             * @default chase
+             * @enum {string}
+             */
+            view?: "eye" | "chase" | "top" | "free";
+        };
         ReplayView: {
             id: string;
         };
@@ -4136,6 +4132,11 @@ export interface components {
             predicted: number;
             counted: number;
             seconds: number;
+        };
+        RestoredView: {
+            /** @enum {string} */
+            kind: "file" | "model" | "floorplan";
+            name: string;
         };
         Room: {
             label: string;
@@ -4153,6 +4154,20 @@ export interface components {
             title: string;
             about: string;
         };
+        ScreenSettings: {
+            /** @default false */
+            arrow: boolean;
+            /** @default false */
+            sounds: boolean;
+            /** @default false */
+            large: boolean;
+            /** @default false */
+            plan: boolean;
+        };
+        ScreenStateView: {
+            /** @enum {string} */
+            state: "paired" | "over" | "unpaired" | "none";
+        };
         ScreenView: {
             id: number;
             number: number;
@@ -4162,10 +4177,10 @@ export interface components {
         };
         ScreensView: {
             screens: components["schemas"]["ScreenView"][];
-            settings: components["schemas"]["Wishes"];
+            settings: components["schemas"]["ScreenSettings"];
         };
-        SeenStops: {
-            stops: number;
+        SenderChoice: {
+            sender: string;
         };
         SendersView: {
             shirt: string;
@@ -4186,19 +4201,6 @@ export interface components {
             name: string;
             channels: components["schemas"]["Channel"][];
             joints: components["schemas"]["Joint"][];
-        };
-        Shown: {
-            t: number;
-            /**
-             * @default chase
-             * @enum {string}
-             */
-            view?: "eye" | "chase" | "top" | "free";
-        };
-        ShownPlan: {
-            trial: number;
-            floorplan: components["schemas"]["FloorPlan"];
-            path: string;
         };
         SimulatedHeadConfig: {
             /**
@@ -4272,9 +4274,11 @@ export interface components {
             realtime: string[];
             control: string;
         };
-        Suggested: {
-            bindings: components["schemas"]["Binding"][];
-            reason: string;
+        StepChoice: {
+            step: string;
+        };
+        StopCount: {
+            stops: number;
         };
         SuggestedVocabulary: {
             gestures: components["schemas"]["Gesture"][];
@@ -4282,11 +4286,11 @@ export interface components {
             reason: string;
         };
         Summary: {
-            chair: components["schemas"]["ArmedChair"] | null;
-            parameters: components["schemas"]["ArmedSet"] | null;
+            chair: components["schemas"]["ChairSummary"] | null;
+            parameters: components["schemas"]["ParametersSummary"] | null;
             speeds: components["schemas"]["Speeds"] | null;
             practised: components["schemas"]["PracticeView"];
-            last_practised: components["schemas"]["LastPractised"] | null;
+            last_practised: components["schemas"]["LatestPractice"] | null;
             differences: (components["schemas"]["FieldDifference"] | components["schemas"]["BindingDifference"] | components["schemas"]["GestureDifference"])[];
             refusals: string[];
         };
@@ -4318,6 +4322,9 @@ export interface components {
             floorplan: components["schemas"]["FloorPlan"] | null;
             words: string;
         };
+        TitleChoice: {
+            title: string;
+        };
         TrajectoryView: {
             t: number[];
             x: number[];
@@ -4345,6 +4352,16 @@ export interface components {
             } | null;
             trajectory: components["schemas"]["TrajectoryView"] | null;
             quality: components["schemas"]["ControlQuality"] | null;
+        };
+        TrialLine: {
+            number: number;
+            x: number[];
+            y: number[];
+        };
+        TrialPlan: {
+            trial: number;
+            floorplan: components["schemas"]["FloorPlan"];
+            path: string;
         };
         TrialView: {
             id: number;
@@ -4391,7 +4408,7 @@ export interface components {
             sample_rate?: number;
             key_file?: string | null;
         };
-        Unused: {
+        UnusedChannels: {
             channels: string[];
         };
         ValidationError: {
@@ -4418,23 +4435,6 @@ export interface components {
              */
             kind: "visitor";
         };
-        WantedMode: {
-            /** @enum {string} */
-            mode: "off" | "suggest" | "auto";
-        };
-        WhichProposal: {
-            proposal: string;
-        };
-        Wishes: {
-            /** @default false */
-            arrow: boolean;
-            /** @default false */
-            sounds: boolean;
-            /** @default false */
-            large: boolean;
-            /** @default false */
-            plan: boolean;
-        };
         app__api__routes__chairs__ChairView: {
             id: number;
             name: string;
@@ -4454,9 +4454,8 @@ export interface components {
     headers: never;
     pathItems: never;
 }
+export type AdaptationModeChoice = components['schemas']['AdaptationModeChoice'];
 export type AdaptationView = components['schemas']['AdaptationView'];
-export type ArmedChair = components['schemas']['ArmedChair'];
-export type ArmedSet = components['schemas']['ArmedSet'];
 export type Back = components['schemas']['Back'];
 export type BadChannel = components['schemas']['BadChannel'];
 export type Binding = components['schemas']['Binding'];
@@ -4469,13 +4468,12 @@ export type Box = components['schemas']['Box'];
 export type CalibrationProfile = components['schemas']['CalibrationProfile'];
 export type CalibrationView = components['schemas']['CalibrationView'];
 export type CameraChoice = components['schemas']['CameraChoice'];
+export type ChairSummary = components['schemas']['ChairSummary'];
 export type ChairsView = components['schemas']['ChairsView'];
 export type Channel = components['schemas']['Channel'];
 export type ChannelLine = components['schemas']['ChannelLine'];
 export type CheckView = components['schemas']['CheckView'];
 export type Choice = components['schemas']['Choice'];
-export type ChosenHead = components['schemas']['ChosenHead'];
-export type ChosenMap = components['schemas']['ChosenMap'];
 export type Code = components['schemas']['Code'];
 export type Companion = components['schemas']['Companion'];
 export type Cone = components['schemas']['Cone'];
@@ -4483,6 +4481,7 @@ export type ControlQuality = components['schemas']['ControlQuality'];
 export type ControlSettings = components['schemas']['ControlSettings'];
 export type ControlView = components['schemas']['ControlView'];
 export type ControlWarning = components['schemas']['ControlWarning'];
+export type ControlsSuggestion = components['schemas']['ControlsSuggestion'];
 export type ControlsView = components['schemas']['ControlsView'];
 export type Course = components['schemas']['Course'];
 export type Credentials = components['schemas']['Credentials'];
@@ -4497,7 +4496,6 @@ export type Door = components['schemas']['Door'];
 export type DraftView = components['schemas']['DraftView'];
 export type DriveParameters = components['schemas']['DriveParameters'];
 export type DriveView = components['schemas']['DriveView'];
-export type DrivenLine = components['schemas']['DrivenLine'];
 export type Dune = components['schemas']['Dune'];
 export type Effect = components['schemas']['Effect'];
 export type EndTrial = components['schemas']['EndTrial'];
@@ -4521,6 +4519,7 @@ export type GestureLine = components['schemas']['GestureLine'];
 export type Ground = components['schemas']['Ground'];
 export type GuidedMap = components['schemas']['GuidedMap'];
 export type HttpValidationError = components['schemas']['HTTPValidationError'];
+export type HeadTrackerChoice = components['schemas']['HeadTrackerChoice'];
 export type HeadView = components['schemas']['HeadView'];
 export type HitCheck = components['schemas']['HitCheck'];
 export type Joint = components['schemas']['Joint'];
@@ -4528,20 +4527,18 @@ export type JointLines = components['schemas']['JointLines'];
 export type JointMap = components['schemas']['JointMap'];
 export type JointQuality = components['schemas']['JointQuality'];
 export type JointView = components['schemas']['JointView'];
-export type LastPractised = components['schemas']['LastPractised'];
+export type LatestPractice = components['schemas']['LatestPractice'];
 export type LearningView = components['schemas']['LearningView'];
 export type LevelView = components['schemas']['LevelView'];
 export type Lights = components['schemas']['Lights'];
-export type LoadTitled = components['schemas']['LoadTitled'];
 export type LogCheckView = components['schemas']['LogCheckView'];
-export type Look = components['schemas']['Look'];
 export type MapCheck = components['schemas']['MapCheck'];
+export type MapChoice = components['schemas']['MapChoice'];
 export type MapView = components['schemas']['MapView'];
 export type Me = components['schemas']['Me'];
 export type ModelView = components['schemas']['ModelView'];
 export type Mover = components['schemas']['Mover'];
 export type MoverLine = components['schemas']['MoverLine'];
-export type MyState = components['schemas']['MyState'];
 export type NamedGesture = components['schemas']['NamedGesture'];
 export type NewChair = components['schemas']['NewChair'];
 export type NewDrive = components['schemas']['NewDrive'];
@@ -4551,9 +4548,9 @@ export type NewSession = components['schemas']['NewSession'];
 export type NewTrial = components['schemas']['NewTrial'];
 export type OfferView = components['schemas']['OfferView'];
 export type OpentrackConfig = components['schemas']['OpentrackConfig'];
-export type OtherSender = components['schemas']['OtherSender'];
 export type OwnPlanView = components['schemas']['OwnPlanView'];
 export type PairedView = components['schemas']['PairedView'];
+export type ParametersSummary = components['schemas']['ParametersSummary'];
 export type PathView = components['schemas']['PathView'];
 export type PatientView = components['schemas']['PatientView'];
 export type PersonConfig = components['schemas']['PersonConfig'];
@@ -4562,51 +4559,54 @@ export type Practice = components['schemas']['Practice'];
 export type PracticeView = components['schemas']['PracticeView'];
 export type Prediction = components['schemas']['Prediction'];
 export type PrescribedPath = components['schemas']['PrescribedPath'];
+export type ProposalChoice = components['schemas']['ProposalChoice'];
 export type ProposalView = components['schemas']['ProposalView'];
-export type PutBackView = components['schemas']['PutBackView'];
 export type QualityRow = components['schemas']['QualityRow'];
 export type QualityView = components['schemas']['QualityView'];
 export type RecordedConfig = components['schemas']['RecordedConfig'];
 export type RecordedHeadConfig = components['schemas']['RecordedHeadConfig'];
 export type ReplacedView = components['schemas']['ReplacedView'];
 export type ReplayConfig = components['schemas']['ReplayConfig'];
+export type ReplayMoment = components['schemas']['ReplayMoment'];
 export type ReplayView = components['schemas']['ReplayView'];
 export type RestCheck = components['schemas']['RestCheck'];
+export type RestoredView = components['schemas']['RestoredView'];
 export type Room = components['schemas']['Room'];
 export type RunningStep = components['schemas']['RunningStep'];
 export type SceneView = components['schemas']['SceneView'];
+export type ScreenSettings = components['schemas']['ScreenSettings'];
+export type ScreenStateView = components['schemas']['ScreenStateView'];
 export type ScreenView = components['schemas']['ScreenView'];
 export type ScreensView = components['schemas']['ScreensView'];
-export type SeenStops = components['schemas']['SeenStops'];
+export type SenderChoice = components['schemas']['SenderChoice'];
 export type SendersView = components['schemas']['SendersView'];
 export type SessionView = components['schemas']['SessionView'];
 export type ShirtKind = components['schemas']['ShirtKind'];
 export type ShirtLayout = components['schemas']['ShirtLayout'];
-export type Shown = components['schemas']['Shown'];
-export type ShownPlan = components['schemas']['ShownPlan'];
 export type SimulatedHeadConfig = components['schemas']['SimulatedHeadConfig'];
 export type SimulatorConfig = components['schemas']['SimulatorConfig'];
 export type SourceView = components['schemas']['SourceView'];
 export type Speeds = components['schemas']['Speeds'];
 export type Stage = components['schemas']['Stage'];
 export type StatusView = components['schemas']['StatusView'];
-export type Suggested = components['schemas']['Suggested'];
+export type StepChoice = components['schemas']['StepChoice'];
+export type StopCount = components['schemas']['StopCount'];
 export type SuggestedVocabulary = components['schemas']['SuggestedVocabulary'];
 export type Summary = components['schemas']['Summary'];
 export type TabletHeadConfig = components['schemas']['TabletHeadConfig'];
 export type Timeline = components['schemas']['Timeline'];
+export type TitleChoice = components['schemas']['TitleChoice'];
 export type TrajectoryView = components['schemas']['TrajectoryView'];
 export type TrialDetail = components['schemas']['TrialDetail'];
+export type TrialLine = components['schemas']['TrialLine'];
+export type TrialPlan = components['schemas']['TrialPlan'];
 export type TrialView = components['schemas']['TrialView'];
 export type Turn = components['schemas']['Turn'];
 export type UdpConfig = components['schemas']['UdpConfig'];
-export type Unused = components['schemas']['Unused'];
+export type UnusedChannels = components['schemas']['UnusedChannels'];
 export type ValidationError = components['schemas']['ValidationError'];
 export type ViewState = components['schemas']['ViewState'];
 export type VisitorConfig = components['schemas']['VisitorConfig'];
-export type WantedMode = components['schemas']['WantedMode'];
-export type WhichProposal = components['schemas']['WhichProposal'];
-export type Wishes = components['schemas']['Wishes'];
 export type AppApiRoutesChairsChairView = components['schemas']['app__api__routes__chairs__ChairView'];
 export type AppApiRoutesEquipmentChairView = components['schemas']['app__api__routes__equipment__ChairView'];
 export type $defs = Record<string, never>;

@@ -1,4 +1,4 @@
-"""Puts the web process together: parts, routes, pages."""
+"""The web application: its routes, its pages, and the life of its parts."""
 
 import asyncio
 from collections.abc import AsyncIterator
@@ -34,7 +34,7 @@ from app.api.routes import (
     plans,
     replacements,
     review,
-    shown_plan,
+    trial_plan,
     trials,
 )
 from app.api.sign_in import auth
@@ -79,7 +79,7 @@ ROUTES = (
     patient_screen,
     patient_socket,
     document,
-    shown_plan,
+    trial_plan,
 )
 
 WebApp = FastAPI

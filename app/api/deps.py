@@ -1,4 +1,4 @@
-"""What the routes ask for: the parts of this process, and who is signed in with which right."""
+"""Dependencies of the routes: settings and database, and the person who is signed in with the needed right."""
 
 from dataclasses import dataclass
 from typing import Annotated
@@ -7,9 +7,9 @@ from fastapi import Depends, HTTPException, Path
 from starlette.requests import HTTPConnection
 
 from app.api.sign_in.hashing import Hashing
+from app.api.sign_in.identity import PairedScreen, SignedInPerson, find_signed_in, find_viewer
 from app.api.sign_in.set_up import SetUp
 from app.api.sign_in.sign_in_limits import SignInLimits
-from app.api.sign_in.signed_in import PairedScreen, SignedInPerson, find_signed_in, find_viewer
 from app.api.sockets import OpenSockets
 from app.scene.servers import Role
 from app.settings import Settings
@@ -24,7 +24,7 @@ NOBODY = "You are not signed in, or no longer: sign in again."
 
 @dataclass(slots=True)
 class People:
-    """The parts that decide who comes in."""
+    """Settings, database, and the parts that decide who may sign in."""
 
     settings: Settings
     database: Database
@@ -36,7 +36,7 @@ class People:
 
 
 async def people(connection: HTTPConnection) -> People:
-    """Return the parts that decide who comes in; async, for Stop needs them and must not wait for a thread."""
+    """Return these parts; async, because Stop needs them and must not wait for a thread."""
     found: People = connection.app.state.people
     return found
 
@@ -45,7 +45,7 @@ PeopleParts = Annotated[People, Depends(people)]
 
 
 def anyone_signed_in(connection: HTTPConnection, parts: PeopleParts) -> SignedInPerson:
-    """Return who is signed in; 401 when nobody is."""
+    """Return the person who is signed in; 401 when nobody is."""
     who = find_signed_in(parts.database, connection.cookies)
     if who is None:
         raise HTTPException(401, NOBODY)
@@ -53,7 +53,7 @@ def anyone_signed_in(connection: HTTPConnection, parts: PeopleParts) -> SignedIn
 
 
 def viewer(role: Role, connection: HTTPConnection, parts: PeopleParts) -> SignedInPerson | PairedScreen:
-    """Return who looks at the 3D view of a role: the patient's is for the patient's screens, too; 401 for others."""
+    """Return who requests the 3D view of a role; the patient's is for the patient's screens, too; 401 for others."""
     who = (find_viewer if role == "patient" else find_signed_in)(parts.database, connection.cookies)
     if who is None:
         raise HTTPException(401, NOBODY)
@@ -61,21 +61,21 @@ def viewer(role: Role, connection: HTTPConnection, parts: PeopleParts) -> Signed
 
 
 def clinician(who: Annotated[SignedInPerson, Depends(anyone_signed_in)]) -> SignedInPerson:
-    """Return who is signed in; 403 for those who may only look."""
+    """Return the person who is signed in; 403 for reviewers, who may only look."""
     if who.role not in DRIVERS:
         raise HTTPException(403, "You may look at sessions, not change them: ask an owner for the right.")
     return who
 
 
 def owner(who: Annotated[SignedInPerson, Depends(anyone_signed_in)]) -> SignedInPerson:
-    """Return who is signed in; 403 for those who did not set up the clinic."""
+    """Return the person who is signed in; 403 for those who are no owner of the clinic."""
     if who.role != "owner":
         raise HTTPException(403, "Only an owner of the clinic changes this: ask one.")
     return who
 
 
 async def everyone() -> None:
-    """Mark a route that asks nobody who they are; each route says whom it is for (tests/api/test_roles.py)."""
+    """Mark a route that needs no sign-in; every route must be marked with a role (tests/api/test_roles.py)."""
 
 
 ForEveryone = Depends(everyone)

@@ -8,7 +8,7 @@ from starlette.requests import HTTPConnection
 from app.api.live.screens import Screen
 from app.api.nearby import require_nearby
 from app.api.parts import WebParts
-from app.api.sign_in.signed_in import SignedInPerson
+from app.api.sign_in.identity import SignedInPerson
 
 ANOTHER = "Somebody else started this drive, and only they go on or end it here: you can stop it, and ask them."
 

@@ -10,7 +10,7 @@ from fastapi import Depends, HTTPException
 from starlette.requests import HTTPConnection
 
 from app.api.deps import DRIVERS, People, PeopleParts
-from app.api.sign_in.signed_in import find_signed_in
+from app.api.sign_in.identity import find_signed_in
 from app.session.page_session import PAGE_SESSION, PageSession, require_page_session
 
 HEADER = "Patient-Session"

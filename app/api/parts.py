@@ -70,7 +70,7 @@ class WebParts:
     own_floorplans: Path
 
     def driving_sign(self) -> ScreenSign:
-        """Return the last sign of the screen that started the trial or drive; may be called from any thread."""
+        """Return the last report of the screen that started the trial or drive; may be called from any thread."""
         drive, trial = self.drives.current, self.trials.current  # read once each: they may end meanwhile
         going_on = drive or trial
         if going_on is None:
@@ -79,9 +79,9 @@ class WebParts:
         return self.screens.sign(Screen(going_on.person_id, going_on.screen), monotonic(), limit)
 
     def take_sign(self, screen: Screen, sign: PageSign) -> bool:
-        """Store the sign of a screen, unless another socket speaks for that screen; return whether it was stored.
+        """Store the report of a screen, unless another socket reports for that screen; return whether it was stored.
 
-        When the screen that drives is not in view any more, this message stops the chair.
+        When the screen that drives goes out of view, stop the chair by a heartbeat at once.
         """
         before = self.driving_sign()
         is_taken = self.screens.take(screen, sign)
@@ -89,15 +89,15 @@ class WebParts:
             self.control.beat()
         return is_taken
 
-    def lost(self, screen: Screen, link: object) -> None:
-        """Take a screen out whose socket has ended; when it is the one that drives, the chair stops."""
+    def screen_lost(self, screen: Screen, socket: object) -> None:
+        """Remove a screen whose socket has ended; when it is the one that drives, the chair stops."""
         before = self.driving_sign()
-        self.screens.gone(screen, link)
+        self.screens.remove(screen, socket)
         if before.age is not None and self.driving_sign().age is None:
             self.control.beat()
 
     def places(self) -> dict[str, DrivingPlace]:
-        """Return all that can be driven in, by name: scenes, buildings, then the clinic's own that can be read."""
+        """Return all places to drive in by name: scenes, buildings, then the clinic's own plans that can be read."""
         own: dict[str, DrivingPlace] = {}
         for file in sorted(self.own_floorplans.glob("*.json")):
             with suppress(ValueError):
@@ -116,7 +116,7 @@ def load_plan(web: WebParts, name: str) -> FloorPlan | None:
 
 
 def plan_to_begin_with(web: WebParts) -> tuple[FloorPlan, str] | None:
-    """Return the first floor plan that can be read and its first path, for a view that has to show something."""
+    """Return the first readable floor plan and its first path, for the view before the first trial."""
     for name in bundled_floorplans():
         with suppress(ValueError):
             plan = load_plan(web, name)

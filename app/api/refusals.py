@@ -10,7 +10,7 @@ from fastapi.responses import JSONResponse
 from starlette.exceptions import HTTPException
 
 from app.api.deps import People
-from app.api.sign_in.signed_in import find_signed_in
+from app.api.sign_in.identity import find_signed_in
 from app.refusals import NO_ROOM, Conflict, DiskFull, NotFound, OtherClinicRow, Refusal, Unavailable
 from app.sentences import sentence_of
 from app.store.files.taken_names import NameTaken

@@ -23,7 +23,7 @@ MOST = 8  # screens of one session; one or two are usual
 ScreenState = Literal["paired", "over", "unpaired", "none"]
 
 
-class Wishes(Document):
+class ScreenSettings(Document):
     """What the clinician asks the patient's screens to show; kept for the session."""
 
     arrow: StrictBool = False  # to where the chair shall go
@@ -112,11 +112,11 @@ def unpair_screen(db: Session, clinic_id: int, screen_id: int, person: str) -> N
     write_log(db, person, "patient's screen unpaired", screen=screen.id, session=screen.session_id)
 
 
-def wishes_of(db: Session, session_id: int) -> Wishes:
+def screen_settings_of(db: Session, session_id: int) -> ScreenSettings:
     """Return the settings of a session's screens."""
-    return Wishes.model_validate(db.get_one(PatientSession, session_id).screen or {})
+    return ScreenSettings.model_validate(db.get_one(PatientSession, session_id).screen or {})
 
 
-def set_wishes(db: Session, session_id: int, wishes: Wishes) -> None:
+def set_screen_settings(db: Session, session_id: int, settings: ScreenSettings) -> None:
     """Store the settings of a session's screens."""
-    db.get_one(PatientSession, session_id).screen = wishes.model_dump(mode="json")
+    db.get_one(PatientSession, session_id).screen = settings.model_dump(mode="json")

@@ -1,4 +1,4 @@
-"""The live picture: one message per 50 ms, made once, shown to every open page."""
+"""Send the live picture: one message per 50 ms, made once and sent to every open page."""
 
 import asyncio
 import json
@@ -14,7 +14,7 @@ from starlette.websockets import WebSocketState
 from app.clock import monotonic
 
 EVERY = 0.05  # s
-SEND_LIMIT = 3.0  # s: a page that does not take a message for so long is cut off, never waited for
+SEND_LIMIT = 3.0  # s: a page that does not take a message within this time is disconnected
 
 logger = logging.getLogger("bodydrive")
 
@@ -27,11 +27,11 @@ class Viewer:
     """One open page."""
 
     websocket: WebSocket
-    events: dict[str, None] = field(default_factory=dict)  # what changed and was not yet told, in order
+    events: dict[str, None] = field(default_factory=dict)  # names of changes that were not sent yet, in order
 
 
 class LiveHub:
-    """Sends the newest picture to every viewer; a slow one misses pictures, and never an event."""
+    """Sends the newest picture to every viewer; a slow viewer misses pictures but no event."""
 
     def __init__(self, picture: Picture, quality: Quality) -> None:
         self._picture = picture
@@ -53,12 +53,12 @@ class LiveHub:
             await asyncio.gather(self._task, return_exceptions=True)
 
     def tell(self, event: str) -> None:
-        """Let every page know that something changed on the server."""
+        """Send every page the name of what changed on the server."""
         for viewer in self._viewers:
             viewer.events[event] = None
 
     async def serve(self, viewer: Viewer) -> None:
-        """Send pictures to one page until it goes or does not take them any more."""
+        """Send pictures to one page until it disconnects or does not take them within SEND_LIMIT."""
         self._viewers.add(viewer)
         sent = 0
         try:
@@ -79,7 +79,7 @@ class LiveHub:
             self._viewers.discard(viewer)
 
     def forget(self, viewer: Viewer) -> None:
-        """Take a page out at once: what it showed is no longer in view."""
+        """Remove a page at once."""
         self._viewers.discard(viewer)
 
     async def _make(self) -> None:
@@ -87,7 +87,7 @@ class LiveHub:
         while True:
             deadline = max(deadline + EVERY, monotonic())
             if self._viewers:
-                text = self._painted(with_quality=turn % round(1 / EVERY) == 0)
+                text = self._message(with_quality=turn % round(1 / EVERY) == 0)
                 turn += 1
                 if text is not None:
                     async with self._fresh:
@@ -96,13 +96,13 @@ class LiveHub:
                         self._fresh.notify_all()
             await asyncio.sleep(max(deadline - monotonic(), 0.0))
 
-    def _painted(self, with_quality: bool) -> str | None:
-        """Return the picture of this moment; None, and the reason in the log, when it cannot be made."""
+    def _message(self, with_quality: bool) -> str | None:
+        """Return the current picture as JSON; None, with the error logged, when it cannot be made."""
         try:
             picture = self._picture()
             if with_quality:
                 picture |= self._quality()
             return json.dumps(picture, separators=(",", ":"), allow_nan=False)
-        except Exception:  # one bad picture must not be the last one that anybody sees of a chair that drives
+        except Exception:  # go on: the pages need the next pictures of a chair that may drive
             logger.exception("The live picture could not be made")
             return None

@@ -1,4 +1,4 @@
-"""The live websocket: the newest tick down, the visitor's movement and Stop up."""
+"""The live websocket: sends the live picture, receives Stop and the movement of the simulated body and the tablet."""
 
 import asyncio
 import json
@@ -20,7 +20,7 @@ NOT_TEXT = 1003  # close code: our pages send text only
 
 
 class HeadDirection(Document):
-    """Where a tablet looks."""
+    """The direction of a tablet that is used as the head tracker."""
 
     yaw: Radians
     pitch: Radians
@@ -28,7 +28,7 @@ class HeadDirection(Document):
 
 
 class PageMessage(Document):
-    """What a page says: where the visitor moves, where a tablet looks, or Stop."""
+    """A message of a page: targets of the simulated body's joints, the direction of a tablet, or Stop."""
 
     move: Annotated[dict[Name, Fraction], Field(max_length=MAX_JOINTS)] | None = None
     look: HeadDirection | None = None
@@ -37,7 +37,7 @@ class PageMessage(Document):
 
 @router.websocket("/live")
 async def live(websocket: WebSocket) -> None:
-    """Show the newest tick 20 times a second, and take the visitor's movements."""
+    """Send the live picture 20 times a second, and carry out the messages of the page."""
     sockets = websocket.app.state.people.sockets
     who = await sockets.admit(websocket)
     if who is None:
@@ -51,9 +51,9 @@ async def live(websocket: WebSocket) -> None:
             while True:
                 await _take(await websocket.receive_text(), web)
         except (WebSocketDisconnect, RuntimeError):
-            pass  # gone, or closed by us: in both cases the page comes back by itself
+            pass  # disconnected, or closed by us: in both cases the page connects again by itself
         except KeyError:
-            await websocket.close(NOT_TEXT)  # left open, it would show nothing for ever
+            await websocket.close(NOT_TEXT)  # otherwise the page would wait for ever
         finally:
             web.live.forget(viewer)
             sending.cancel()
@@ -61,14 +61,14 @@ async def live(websocket: WebSocket) -> None:
 
 
 async def _take(text: str, web: WebParts) -> None:
-    """Do what a page asks; what cannot be read is left alone, except that a Stop is looked for first."""
+    """Carry out a message of a page. An invalid message is ignored, but a Stop in it counts."""
     if len(text) > MESSAGE_LIMIT:
         return
     try:
-        said = json.loads(text)
-        if isinstance(said, dict) and said.get("stop") is True:
+        content = json.loads(text)
+        if isinstance(content, dict) and content.get("stop") is True:
             await web.control.stop()
-        message = PageMessage.model_validate(said)
+        message = PageMessage.model_validate(content)
     except (ValidationError, ValueError, RecursionError):
         return
     if message.move is not None:

@@ -1,4 +1,4 @@
-"""What the live socket shows: the newest tick in words and numbers, and the condition of the channels."""
+"""The live picture: the newest tick in numbers and words, and the condition of the channels."""
 
 import math
 from typing import Any
@@ -21,14 +21,14 @@ from app.session.runs import Runs
 from app.session.trial import TrialFlow
 from app.session.words.chair_words import chair_report, closed_chair_report
 
-STALE = 1.0  # s without a tick: the control process is not to be counted on
-SILENT = 0.5  # s without a frame: the shirt is not alive
+STALE = 1.0  # s without a tick, after which the control process counts as lost
+SILENT = 0.5  # s without a frame, after which the shirt counts as not alive
 LOOK_BACK = 1.0  # s of frames for the condition of the channels
-NOISY = 3.0  # times the noise of the shirt's channels: a second of small movement is mostly noise in any of them
+NOISY = 3.0  # times the median noise of the channels, above which a channel may be called noisy
 
 
 class LivePicture:
-    """Reads the ring and says what it means; keeps the last place of the chair for when there is nothing to read."""
+    """Makes the live picture from the ticks; without a tick, shows the chair at its last pose."""
 
     def __init__(
         self,
@@ -53,7 +53,7 @@ class LivePicture:
         self._frame: np.void | None = None
 
     def picture(self) -> dict[str, Any]:
-        """Return the message of this moment."""
+        """Return the current picture."""
         tick = self._newest()
         if tick is None:
             return self._nothing()
@@ -90,7 +90,7 @@ class LivePicture:
             "run": self._run(tick),
             "trial": self._trial(),
             "drive": self._real_drive(),
-            **self._who_and_what(),
+            **self._session_and_practice(),
         }
 
     def quality(self) -> dict[str, Any]:
@@ -175,7 +175,7 @@ class LivePicture:
         return {"id": drive.id, "t": _number(drive.watch.t, 3), "waits": _waits(drive.watch.halt)}
 
     def _nothing(self) -> dict[str, Any]:
-        """Return the picture of a chair that stands because nothing is left that could move it."""
+        """Return the picture while there is no control process, and so nothing that moves the chair."""
         control = "lost" if self._control.state == "alive" else self._control.state
         return {
             "tick": 0,
@@ -207,10 +207,10 @@ class LivePicture:
             "run": None,
             "trial": self._trial(),
             "drive": self._real_drive(),
-            **self._who_and_what(),
+            **self._session_and_practice(),
         }
 
-    def _who_and_what(self) -> dict[str, Any]:
+    def _session_and_practice(self) -> dict[str, Any]:
         """Return the id of the open session, and the kind of the chosen shirt when nobody wears it."""
         return {
             "session": self._session.session_id,
@@ -219,7 +219,7 @@ class LivePicture:
 
 
 def _head(tick: np.void) -> dict[str, float | None] | None:
-    """Return where the head looks (rad) and how old that is (s), None without a head tracker."""
+    """Return the direction of the head (rad) and its age (s), None without a head tracker."""
     if not math.isfinite(float(tick["head_age"])):
         return None
     return {name: _number(tick[f"head_{name}"], 4) for name in ("yaw", "pitch", "roll", "age")}
@@ -234,16 +234,16 @@ def fault_view(fault: Fault) -> dict[str, str] | None:
 
 
 def lamps(layout: ShirtLayout, frames: NDArray[np.float64], sample_rate: float, unused: list[str]) -> list[str]:
-    """Return the lamp of every channel from the frames (n, n_channels) of the last second."""
+    """Return the condition of every channel, for its lamp, from the frames (n, n_channels) of the last second."""
     names = layout.channel_names
     if len(frames) < 4:
         conditions = ["silent"] * len(names)
     else:
         groups = list(layout.channels_of_joint.values())
         noise = noise_of(frames, len(names))
-        much = noise > NOISY * np.nanmedian(noise) if np.isfinite(noise).any() else noise > 0
+        is_noisy = noise > NOISY * np.nanmedian(noise) if np.isfinite(noise).any() else noise > 0
         conditions = [
-            "good" if quality.condition == "noisy" and not much[i] else quality.condition
+            "good" if quality.condition == "noisy" and not is_noisy[i] else quality.condition
             for i, quality in enumerate(channel_quality(frames, groups, sample_rate))
         ]
     return ["unused" if name in unused else condition for name, condition in zip(names, conditions, strict=True)]
@@ -253,16 +253,16 @@ def noise_of(frames: NDArray[np.float64], channels: int) -> NDArray[np.float64]:
     """Return the noise (signal units) of every channel, (n_channels,)."""
     if len(frames) < 4:
         return np.full(channels, np.nan)
-    # Of second differences: movement, which is smooth, falls out of them; white noise has sqrt(6) times its spread.
+    # Second differences remove smooth movement; of white noise they have sqrt(6) times its standard deviation.
     return np.asarray(np.std(np.diff(frames, n=2, axis=0), axis=0) / math.sqrt(6.0))
 
 
 def _waits(halt: Halt) -> float | None:
-    """Return for how much longer (s) what is halted waits for Continue, None when it is not halted."""
+    """Return how much longer (s) a halted trial or drive waits for Continue, None when it is not halted."""
     return None if halt.remaining is None else _number(halt.remaining, 1)
 
 
 def _number(value: Any, digits: int) -> float | None:
-    """Return a rounded number, None for what is not finite: JSON has no word for it."""
+    """Return a rounded number, None for one that is not finite, which JSON cannot hold."""
     number = float(value)
     return round(number, digits) if math.isfinite(number) else None

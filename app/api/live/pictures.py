@@ -1,4 +1,4 @@
-"""What each screen shows to drive by: the 3D view, the drawn plan, or nothing. Nobody drives blind (S24)."""
+"""The picture that each screen shows to drive by: 3D view, drawn plan or none. Nobody drives blind (S24)."""
 
 from typing import Literal
 
@@ -22,7 +22,7 @@ NO_PICTURE_FOR_PATIENT = (
 class Pictures:
     """Keeps the last picture report of each screen, by its socket, and halts a trial without a picture.
 
-    A screen without any report counts as one with a picture: a program may drive over the API.
+    A screen that never reported counts as one with a picture: a program may drive over the API.
     """
 
     def __init__(self, control: ControlLink, trials: TrialFlow) -> None:
@@ -31,28 +31,28 @@ class Pictures:
         self._screens: dict[object, tuple[Screen, Picture]] = {}
         self._patients: dict[object, tuple[int, Picture]] = {}
 
-    def of_screen(self, screen: Screen, picture: Picture, link: object) -> None:
-        """Store the report of the screen of a person who is signed in; one link at a time speaks for a screen."""
-        for other in [one for one, (said, _) in self._screens.items() if said == screen and one is not link]:
-            del self._screens[other]  # a dead link that was never closed: its last report holds no more
-        self._screens[link] = (screen, picture)
+    def of_screen(self, screen: Screen, picture: Picture, socket: object) -> None:
+        """Store the report of the screen of a person who is signed in; one socket at a time reports for a screen."""
+        for other in [one for one, (known, _) in self._screens.items() if known == screen and one is not socket]:
+            del self._screens[other]  # a dead socket that was never closed: its last report is outdated
+        self._screens[socket] = (screen, picture)
         self._halt_if_blind()
 
-    def of_patient(self, screen_id: int, picture: Picture, link: object) -> bool:
+    def of_patient(self, screen_id: int, picture: Picture, socket: object) -> bool:
         """Store the report of one of the patient's screens; return whether it differs from the last one."""
-        is_news = self._patients.get(link) != (screen_id, picture)
-        self._patients[link] = (screen_id, picture)
+        is_news = self._patients.get(socket) != (screen_id, picture)
+        self._patients[socket] = (screen_id, picture)
         self._halt_if_blind()
         return is_news
 
-    def forget(self, link: object) -> None:
-        """Forget the screen of a socket that has ended; a screen of the patient halts the trial by that."""
-        self._screens.pop(link, None)
-        if self._patients.pop(link, None) is not None and self._trials.current is not None:
+    def forget(self, socket: object) -> None:
+        """Forget the screen of a socket that has ended; a lost screen of the patient halts the trial."""
+        self._screens.pop(socket, None)
+        if self._patients.pop(socket, None) is not None and self._trials.current is not None:
             self._halt()
 
     def patients(self) -> dict[int, Picture]:
-        """Return what the patient's screens show, by their ids."""
+        """Return the picture of each of the patient's screens by its id."""
         return dict(self._patients.values())
 
     def refusal(self, screen: Screen) -> str:
@@ -62,7 +62,7 @@ class Pictures:
         return NO_PICTURE_FOR_PATIENT if "none" in self.patients().values() else ""
 
     def _halt_if_blind(self) -> None:
-        # With each message, not only with the first: a trial may begin, or go on, between two of them.
+        # Checked with every report, not only with a changed one: a trial may begin, or go on, between two reports.
         trial = self._trials.current
         if trial is not None and self.refusal(Screen(trial.person_id, trial.screen)):
             self._halt()

@@ -1,4 +1,4 @@
-"""The screen socket: a worker of the page says ten times a second if the page is in view, alive, and what it shows."""
+"""The screen socket: a worker of the page reports ten times a second whether the page is in view, and its picture."""
 
 import json
 from typing import Annotated
@@ -17,16 +17,16 @@ router = APIRouter()
 
 MESSAGE_LIMIT = 300  # characters
 NOT_TEXT = 1003  # close code
-TAKEN = 4409  # close code: another socket speaks for this screen
+TAKEN = 4409  # close code: another socket reports for this screen
 
 ScreenWord = Annotated[str, Field(min_length=8, max_length=64, pattern=r"^[A-Za-z0-9_-]+$")]
 
 
 class ScreenMessage(Document):
-    """What a screen says.
+    """A report of a screen.
 
-    `silence` is for how long (s) the page's own thread has said nothing to the worker; `picture` is what the page shows
-    to drive by, None: it does not say.
+    `silence` is the time (s) for which the page's main thread has sent nothing to the worker; `picture` is what the
+    page shows to drive by, None: not reported.
     """
 
     screen: ScreenWord
@@ -37,7 +37,7 @@ class ScreenMessage(Document):
 
 @router.websocket("/screen")
 async def screen_socket(websocket: WebSocket) -> None:
-    """Take the signs of one screen; the chair that it armed stops when they end."""
+    """Receive the reports of one screen; when they end, the chair that was armed from it stops."""
     sockets = websocket.app.state.people.sockets
     who = await sockets.admit(websocket)
     if who is None:
@@ -48,17 +48,17 @@ async def screen_socket(websocket: WebSocket) -> None:
     async with sockets.guarded(websocket, who):
         try:
             while True:
-                said = _read(await websocket.receive_text())
-                if said is None:
+                report = _read(await websocket.receive_text())
+                if report is None:
                     continue
-                if screen is not None and screen.word != said.screen:
-                    web.lost(screen, websocket)
-                screen = Screen(who.person_id, said.screen)
-                if not web.take_sign(screen, PageSign(monotonic(), said.visible, said.silence, websocket)):
+                if screen is not None and screen.word != report.screen:
+                    web.screen_lost(screen, websocket)
+                screen = Screen(who.person_id, report.screen)
+                if not web.take_sign(screen, PageSign(monotonic(), report.visible, report.silence, websocket)):
                     await websocket.close(TAKEN)
                     return
-                if said.picture is not None:
-                    web.pictures.of_screen(screen, said.picture, websocket)
+                if report.picture is not None:
+                    web.pictures.of_screen(screen, report.picture, websocket)
         except (WebSocketDisconnect, RuntimeError):
             pass  # gone, or closed by us
         except KeyError:
@@ -66,11 +66,11 @@ async def screen_socket(websocket: WebSocket) -> None:
         finally:
             web.pictures.forget(websocket)
             if screen is not None:
-                web.lost(screen, websocket)
+                web.screen_lost(screen, websocket)
 
 
 def _read(text: str) -> ScreenMessage | None:
-    """Return what was said; None for what cannot be read, which is as good as silence."""
+    """Return the report; None when it cannot be read, which counts as no report."""
     if len(text) > MESSAGE_LIMIT:
         return None
     try:

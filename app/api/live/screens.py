@@ -1,41 +1,41 @@
-"""Which screens are in view, by their own words."""
+"""The newest report of each screen: whether its page is in view."""
 
 from typing import NamedTuple
 
 from app.session.control_link import ScreenSign
 
-SILENCE_LIMIT = 1.0  # s for which a page may stand still before the chair stops: nobody can press Stop on it meanwhile
-VIRTUAL_SILENCE_LIMIT = 3.0  # s on the virtual chair, where nobody sits, and a slow screen draws a whole building
-LINK_LIMIT = 2.0  # s of silence, after which a socket that was never closed gives way; the chair stops after 0.3 s
+SILENCE_LIMIT = 1.0  # s for which a page may hang before the chair stops: its Stop button does not work meanwhile
+VIRTUAL_SILENCE_LIMIT = 3.0  # s on the virtual chair, where nobody sits: a slow screen may take long to draw a building
+LINK_LIMIT = 2.0  # s without a report, after which another socket takes over; the chair stops after 0.3 s
 
 
 class Screen(NamedTuple):
-    """A page of somebody who is signed in; the word is its own, random, and told to nobody else."""
+    """A page of a person who is signed in; `word` is its random id, which only the page knows."""
 
     person_id: int
     word: str
 
 
 class PageSign(NamedTuple):
-    """What a page says of itself through its worker."""
+    """A report of a page, sent by its worker."""
 
     t: float  # monotonic s
     visible: bool
-    silence: float  # s for which the page's own thread has said nothing
-    link: object  # the socket of the message
+    silence: float  # s for which the page's main thread has sent nothing to the worker
+    link: object  # the socket that sent the report
 
 
 class Screens:
-    """Keeps what each screen said last. Asked from several threads: each step is one assignment."""
+    """Keeps the newest report of each screen. Thread-safe, because each change is one assignment."""
 
     def __init__(self) -> None:
         self._signs: dict[Screen, PageSign] = {}
 
     def take(self, screen: Screen, sign: PageSign) -> bool:
-        """Store the sign of a screen; return False, and change nothing, while another socket speaks for it.
+        """Store the report of a screen; return False, and store nothing, while another socket reports for it.
 
-        Another socket takes over when the first has ended, or was silent for LINK_LIMIT. Otherwise a dead socket that
-        was never closed would keep out a page that is loaded again.
+        Another socket takes over when the first has ended, or has sent nothing for LINK_LIMIT. Without that limit, a
+        dead socket that was never closed would shut out a page that is loaded again.
         """
         before = self._signs.get(screen)
         if before is not None and before.link is not sign.link and sign.t - before.t < LINK_LIMIT:
@@ -43,25 +43,25 @@ class Screens:
         self._signs[screen] = sign
         return True
 
-    def gone(self, screen: Screen, link: object) -> None:
-        """Forget a screen whose socket has ended, unless another socket speaks for it."""
+    def remove(self, screen: Screen, link: object) -> None:
+        """Forget a screen whose socket has ended, unless another socket reports for it."""
         if screen in self._signs and self._signs[screen].link is link:
             del self._signs[screen]
 
     def sign(self, screen: Screen, t: float, silence_limit: float) -> ScreenSign:
-        """Return the age (s) at `t` of the last sign of a screen, and whether its page is in view, hidden or slow.
+        """Return the age (s) at `t` of the last report of a screen, and whether its page is in view, hidden or slow.
 
-        Its page may stand still for `silence_limit` s.
+        A page is slow when its main thread has hung for longer than `silence_limit` s.
         """
-        said = self._signs.get(screen)
-        if said is None:
+        last = self._signs.get(screen)
+        if last is None:
             return ScreenSign()
-        age = max(0.0, t - said.t)
-        if not said.visible:
+        age = max(0.0, t - last.t)
+        if not last.visible:
             return ScreenSign(age, "hidden")
-        return ScreenSign(age, "slow" if said.silence > silence_limit else "in view")
+        return ScreenSign(age, "slow" if last.silence > silence_limit else "in view")
 
     def age(self, screen: Screen, t: float) -> float | None:
-        """Return how long (s) before `t` a screen said that it is in view; None when it is hidden or gone."""
+        """Return the age (s) at `t` of the last report of a screen; None when its page is hidden or gone."""
         sign = self.sign(screen, t, SILENCE_LIMIT)
         return None if sign.view == "hidden" else sign.age

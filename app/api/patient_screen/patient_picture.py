@@ -9,7 +9,7 @@ from app.session.equipment.shirt import Equipment
 from app.session.runs import Runs
 from app.session.trial import TrialFlow
 from app.session.words.patient_words import patient_words
-from app.store.patient_screens import Wishes
+from app.store.patient_screens import ScreenSettings
 
 SAID = ("tick", "t", "state", "control", "v", "pose", "contacts", "stops", "practice")
 SAID_OF_TRIAL = ("id", "t", "done", "length", "stage", "stages", "instruction", "target", "movers")
@@ -23,7 +23,7 @@ class PatientPicture:
         self._equipment = equipment
         self._runs = runs
         self._trials = trials
-        self.wishes = Wishes()  # of the session that goes on
+        self.settings = ScreenSettings()  # of the session that goes on
 
     def picture(self) -> dict[str, Any]:
         """Return the message of this moment."""
@@ -44,7 +44,7 @@ class PatientPicture:
             "drives": drives,
             "cue": self._cue(shown["run"]),
             "over": None if over is None else {"id": over.id, "end": over.end},
-            "asks": self.wishes.model_dump(),
+            "asks": self.settings.model_dump(),
         }
 
     def _cue(self, shown: dict[str, Any] | None) -> dict[str, Any] | None:

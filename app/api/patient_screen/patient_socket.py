@@ -14,7 +14,7 @@ from app.api.live.pictures import Picture
 from app.api.parts import WebParts
 from app.clock import monotonic
 from app.quantities import Document
-from app.store.patient_screens import wishes_of
+from app.store.patient_screens import screen_settings_of
 
 router = APIRouter()
 
@@ -43,7 +43,7 @@ async def patient_live(websocket: WebSocket) -> None:
 
     def _read() -> None:
         with parts.database.transaction() as db:
-            web.patient.wishes = wishes_of(db, session_id)
+            web.patient.settings = screen_settings_of(db, session_id)
 
     await run_in_threadpool(_read)
     await websocket.accept()

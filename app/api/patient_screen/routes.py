@@ -12,19 +12,19 @@ from app.api.live.pictures import Picture
 from app.api.own_address import own_address
 from app.api.parts import Web, WebParts
 from app.api.qr import qr_picture
+from app.api.sign_in.identity import SCREEN_COOKIE, SignedInPerson
 from app.api.sign_in.sign_in_limits import address_of
-from app.api.sign_in.signed_in import SCREEN_COOKIE, SignedInPerson
 from app.quantities import Document
 from app.store.patient_screens import (
     PAIRED_FOR,
+    ScreenSettings,
     ScreenState,
-    Wishes,
     add_screen,
     find_screen,
+    screen_settings_of,
     screens_of,
-    set_wishes,
+    set_screen_settings,
     unpair_screen,
-    wishes_of,
 )
 from app.store.tables import PatientSession
 
@@ -50,7 +50,7 @@ class ScreensView(Document):
     """The screens of this session, and what they show."""
 
     screens: list[ScreenView]
-    settings: Wishes
+    settings: ScreenSettings
 
 
 class OfferView(Document):
@@ -69,7 +69,7 @@ class Code(Document):
     code: Annotated[str, Field(min_length=1, max_length=200)]
 
 
-class MyState(Document):
+class ScreenStateView(Document):
     """What a page that asks is: a paired screen, one whose session is over, one that was unpaired, or none of them."""
 
     state: ScreenState
@@ -91,7 +91,7 @@ async def _view(parts: People, web: WebParts, who: SignedInPerson) -> ScreensVie
                 )
                 for screen in screens_of(db, session.id)
             ]
-            return ScreensView(screens=shown, settings=wishes_of(db, session.id))
+            return ScreensView(screens=shown, settings=screen_settings_of(db, session.id))
 
     return await run_in_threadpool(_read)
 
@@ -120,7 +120,7 @@ async def offer(request: Request, who: Clinician, parts: PeopleParts, web: Web) 
 
 
 @router.post("/pair", dependencies=[ForEveryone])
-async def pair(body: Code, request: Request, response: Response, parts: PeopleParts, web: Web) -> MyState:
+async def pair(body: Code, request: Request, response: Response, parts: PeopleParts, web: Web) -> ScreenStateView:
     """Make the browser that asks a screen of the session for which the code was made."""
     attempt = await parts.limits.code(address_of(request))
     offered = web.pairing.redeem(body.code)
@@ -142,27 +142,27 @@ async def pair(body: Code, request: Request, response: Response, parts: PeoplePa
     )
     await parts.sockets.close_ended_screens()
     web.live.tell("screens")
-    return MyState(state="paired")
+    return ScreenStateView(state="paired")
 
 
 @router.get("/me", dependencies=[ForEveryone])
-def who_am_i(request: Request, parts: PeopleParts) -> MyState:
+def who_am_i(request: Request, parts: PeopleParts) -> ScreenStateView:
     """Tell a page how its pairing stands."""
     with parts.database.transaction() as db:
-        return MyState(state=find_screen(db, request.cookies.get(SCREEN_COOKIE, ""))[1])
+        return ScreenStateView(state=find_screen(db, request.cookies.get(SCREEN_COOKIE, ""))[1])
 
 
 @router.post("/settings")
-async def choose(body: Wishes, who: Clinician, parts: PeopleParts, web: Web) -> ScreensView:
+async def choose(body: ScreenSettings, who: Clinician, parts: PeopleParts, web: Web) -> ScreensView:
     """Say what the screens of this session show; it is kept until the session ends."""
     session = await web.session.needed_session(who.clinic_id)
 
     def _write() -> None:
         with parts.database.transaction() as db:
-            set_wishes(db, session.id, body)
+            set_screen_settings(db, session.id, body)
 
     await run_in_threadpool(_write)
-    web.patient.wishes = body
+    web.patient.settings = body
     web.live.tell("screens")
     return await _view(parts, web, who)
 

@@ -44,7 +44,7 @@ class ReplayView(Document):
     id: str
 
 
-class Shown(Document):
+class ReplayMoment(Document):
     """Which moment to show, and from where."""
 
     t: Moment
@@ -64,7 +64,7 @@ def open_replay(body: NewReplay, who: Anyone, parts: PeopleParts, web: Web) -> R
 
 
 @router.post("/replays/{word}/at", status_code=204)
-def show_moment(word: Word, body: Shown, who: Anyone, web: Web) -> None:
+def show_moment(word: Word, body: ReplayMoment, who: Anyone, web: Web) -> None:
     """Show another moment, or look from somewhere else."""
     refuse_while_driving(web)
     web.replays.find(word, who.person_id).show(body.t, body.view)

@@ -25,13 +25,13 @@ router = APIRouter(tags=["adaptation"])
 NOT_CALIBRATED = "Nothing is calibrated yet: go to Calibrate and accept a result first."
 
 
-class WantedMode(Document):
+class AdaptationModeChoice(Document):
     """Whether this patient's map is adapted, and by whom."""
 
     mode: Mode
 
 
-class WhichProposal(Document):
+class ProposalChoice(Document):
     """The proposal that a person has looked at."""
 
     proposal: Annotated[str, Field(pattern=r"^[0-9a-f]{32}$")]
@@ -157,7 +157,7 @@ async def look(who: Anyone, parts: PeopleParts, web: Web) -> AdaptationView:
 
 
 @router.put("/adaptation")
-async def choose_mode(body: WantedMode, who: Clinician, parts: PeopleParts, web: Web) -> AdaptationView:
+async def choose_mode(body: AdaptationModeChoice, who: Clinician, parts: PeopleParts, web: Web) -> AdaptationView:
     """Choose whether this patient's map is adapted: off, suggest, or auto (by itself, between trials)."""
     session = await web.session.needed_session(who.clinic_id)
     await web.adaptation.set_mode(session, body.mode, who.name)
@@ -172,14 +172,14 @@ async def propose(who: Clinician, parts: PeopleParts, web: Web) -> AdaptationVie
 
 
 @router.post("/adaptation/apply")
-async def apply(body: WhichProposal, who: Clinician, parts: PeopleParts, web: Web) -> AdaptationView:
+async def apply(body: ProposalChoice, who: Clinician, parts: PeopleParts, web: Web) -> AdaptationView:
     """Make a proposal the next version of the map; only between trials, and never with a real chair."""
     await web.adaptation.apply(who.clinic_id, body.proposal, who.name)
     return await _look(parts.database, web, who.clinic_id)
 
 
 @router.post("/adaptation/dismiss")
-async def dismiss(body: WhichProposal, who: Clinician, parts: PeopleParts, web: Web) -> AdaptationView:
+async def dismiss(body: ProposalChoice, who: Clinician, parts: PeopleParts, web: Web) -> AdaptationView:
     """Leave the map as it is for now."""
     await web.adaptation.dismiss(await web.session.needed_session(who.clinic_id), body.proposal)
     return await _look(parts.database, web, who.clinic_id)

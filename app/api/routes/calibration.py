@@ -8,7 +8,7 @@ from pydantic import Field
 
 from app.api.deps import Clinician, People, PeopleParts
 from app.api.parts import Web, WebParts
-from app.api.sign_in.signed_in import SignedInPerson
+from app.api.sign_in.identity import SignedInPerson
 from app.calibration.fit.profile_fit import joints_without_map
 from app.calibration.gestures.discovery import Discovery
 from app.calibration.profile import CalibrationProfile, GuidedMap, MapKind
@@ -29,13 +29,13 @@ router = APIRouter(prefix="/calibration", tags=["calibration"])
 StepName = Annotated[str, Path(min_length=1, max_length=80)]
 
 
-class Look(Document):
+class StepChoice(Document):
     """Which step to look at."""
 
     step: Annotated[Line, Field(min_length=1, max_length=80)]
 
 
-class ChosenMap(Document):
+class MapChoice(Document):
     """Which map is to decode a joint."""
 
     joint: Name
@@ -186,7 +186,7 @@ async def skip_step(step: StepName, who: Clinician, web: Web) -> CalibrationView
 
 
 @router.post("/go")
-async def go_to_step(body: Look, who: Clinician, web: Web) -> CalibrationView:
+async def go_to_step(body: StepChoice, who: Clinician, web: Web) -> CalibrationView:
     """Look at another step."""
     session = await web.session.needed_session(who.clinic_id)
     await web.calibration.go(session.id, body.step)
@@ -203,7 +203,7 @@ async def begin_anew(who: Clinician, web: Web) -> CalibrationView:
 
 
 @router.post("/map")
-async def choose(body: ChosenMap, who: Clinician, parts: PeopleParts, web: Web) -> CalibrationView:
+async def choose(body: MapChoice, who: Clinician, parts: PeopleParts, web: Web) -> CalibrationView:
     """Let a joint be decoded by the study's map or by its guided one; the result then waits to be accepted."""
     async with web.session.undisturbed("choose a map"):
         session = await web.session.needed_session(who.clinic_id)

@@ -9,7 +9,7 @@ from pydantic import Field
 from app.api.deps import Anyone, Clinician, Owner, People, PeopleParts, RowId
 from app.api.parts import Web, WebParts
 from app.api.qr import qr_picture
-from app.api.sign_in.signed_in import SignedInPerson
+from app.api.sign_in.identity import SignedInPerson
 from app.api.views import MomentText, View
 from app.hardware.chair.key import Key
 from app.hardware.places import Host

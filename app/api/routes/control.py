@@ -28,7 +28,7 @@ class ControlView(Document):
     fault: str | None
 
 
-class SeenStops(Document):
+class StopCount(Document):
     """How many stops there had been when a person chose to go on."""
 
     stops: Count
@@ -59,7 +59,7 @@ async def stop(web: Web) -> ControlView:
 
 
 @router.post("/clear")
-async def clear(body: SeenStops, request: Request, who: Clinician, web: Web) -> ControlView:
+async def clear(body: StopCount, request: Request, who: Clinician, web: Web) -> ControlView:
     """Clear the latched stop or fault that was seen; in a trial or a drive a new neutral check follows."""
     require_hand_on_chair(web, who, request)
     require_picture(web)

@@ -9,7 +9,7 @@ from pydantic import Field, ValidationError
 
 from app.api.deps import Clinician, People, PeopleParts
 from app.api.parts import Web, WebParts
-from app.api.sign_in.signed_in import SignedInPerson
+from app.api.sign_in.identity import SignedInPerson
 from app.calibration.gestures.suggestion import SuggestedVocabulary
 from app.calibration.vocabulary import Binding, ControlMode, CruiseTime, DriveParameters, Gesture, TurnCruiseTime
 from app.messages import MAX_GESTURES
@@ -64,13 +64,13 @@ class ControlSettings(Document):
     title: Title = "Standard"
 
 
-class LoadTitled(Document):
+class TitleChoice(Document):
     """Which saved set."""
 
     title: Title
 
 
-class Suggested(Document):
+class ControlsSuggestion(Document):
     """The vocabulary that the calibration speaks for, and why."""
 
     bindings: tuple[Binding, ...]
@@ -85,7 +85,7 @@ class ControlsView(Document):
     can_undo: bool
     can_redo: bool
     saved: list[str]
-    suggested: Suggested
+    suggested: ControlsSuggestion
     limits: dict[str, tuple[float, float]]
     held: dict[str, float]  # speeds of the set that the clinic or the chosen chair does not allow: what holds instead
     obstacle: str | None  # why these cannot drive
@@ -101,7 +101,7 @@ def _view(db: Transaction, web: WebParts, patient_id: int, suggestion: Suggested
         can_undo=before is not None,
         can_redo=after is not None,
         saved=saved_titles(db, patient_id),
-        suggested=Suggested(bindings=suggestion.bindings, reason=suggestion.reason),
+        suggested=ControlsSuggestion(bindings=suggestion.bindings, reason=suggestion.reason),
         limits=LIMITS,
         held=web.arming.lowered_speeds(parameters.speeds),
         obstacle=web.session.obstacle(parameters, simulated=profile.simulated),
@@ -194,7 +194,7 @@ async def suggest(who: Clinician, parts: PeopleParts, web: Web) -> ControlsView:
 
 
 @router.post("/load")
-async def load(body: LoadTitled, who: Clinician, parts: PeopleParts, web: Web) -> ControlsView:
+async def load(body: TitleChoice, who: Clinician, parts: PeopleParts, web: Web) -> ControlsView:
     """Make a saved set the current one."""
     return await _change(
         who, parts, web, "controls loaded", lambda db, session, _: load_titled(db, session.patient_id, body.title)

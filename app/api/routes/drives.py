@@ -32,14 +32,14 @@ CHANGED = "The controls were changed meanwhile: read again what applies, then ar
 NOT_IN_VIEW = "This screen has not said yet that it is in view: wait a moment, then arm again."
 
 
-class ArmedChair(View):
+class ChairSummary(View):
     """Which chair."""
 
     id: int
     name: str
 
 
-class ArmedSet(View):
+class ParametersSummary(View):
     """Which set, and how it drives."""
 
     title: str
@@ -58,7 +58,7 @@ class PracticeView(View):
     last: MomentText | None
 
 
-class LastPractised(View):
+class LatestPractice(View):
     """The set that was practised last."""
 
     hash: str
@@ -68,11 +68,11 @@ class LastPractised(View):
 class Summary(Document):
     """What arming would apply; what is not there yet is None."""
 
-    chair: ArmedChair | None
-    parameters: ArmedSet | None
+    chair: ChairSummary | None
+    parameters: ParametersSummary | None
     speeds: Speeds | None
     practised: PracticeView
-    last_practised: LastPractised | None
+    last_practised: LatestPractice | None
     differences: list[Difference]
     refusals: list[str]
 
@@ -102,11 +102,11 @@ async def summary(who: Anyone, web: Web) -> Summary:
     now = await web.arming.summary(who.clinic_id)
     chair, parameters, last = web.chairs.chosen, now.parameters, now.last_practised
     return Summary(
-        chair=None if chair is None else ArmedChair.of(chair),
-        parameters=None if parameters is None else ArmedSet.of(parameters),
+        chair=None if chair is None else ChairSummary.of(chair),
+        parameters=None if parameters is None else ParametersSummary.of(parameters),
         speeds=now.speeds,
         practised=PracticeView.of(now.practice),
-        last_practised=None if last is None else LastPractised.of(last),
+        last_practised=None if last is None else LatestPractice.of(last),
         differences=now.differences,
         refusals=now.refusals,
     )

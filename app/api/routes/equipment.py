@@ -22,13 +22,13 @@ from app.store.log import write_log
 router = APIRouter(prefix="/equipment", tags=["equipment"])
 
 
-class Unused(Document):
+class UnusedChannels(Document):
     """Channels to leave out."""
 
     channels: Annotated[list[Name], Field(max_length=MAX_CHANNELS)]
 
 
-class ChosenHead(Document):
+class HeadTrackerChoice(Document):
     """A head tracker, None for none."""
 
     config: HeadConfig | None
@@ -73,7 +73,7 @@ class SendersView(Document):
     others: int  # number of frames of other senders that were left out
 
 
-class OtherSender(Document):
+class SenderChoice(Document):
     """The sender that is the shirt from now on."""
 
     sender: Annotated[Line, Field(min_length=1, max_length=100)]
@@ -190,7 +190,7 @@ async def look_at_senders(_who: Anyone, web: Web) -> SendersView:
 
 
 @router.put("/sender")
-async def choose_sender(body: OtherSender, who: Clinician, parts: PeopleParts, web: Web) -> EquipmentView:
+async def choose_sender(body: SenderChoice, who: Clinician, parts: PeopleParts, web: Web) -> EquipmentView:
     """Take another sender as the shirt; refused while anything is armed, driven or recorded."""
     async with web.session.undisturbed("change the shirt's sender"):
         await web.equipment.use_sender(body.sender)
@@ -207,7 +207,7 @@ async def choose_body(body: BodyConfig, who: Clinician, parts: PeopleParts, web:
 
 
 @router.put("/head")
-async def choose_head(body: ChosenHead, who: Clinician, parts: PeopleParts, web: Web) -> EquipmentView:
+async def choose_head(body: HeadTrackerChoice, who: Clinician, parts: PeopleParts, web: Web) -> EquipmentView:
     """Look with another head tracker, or with none."""
     config = None if body.config is None else body.config.model_dump(mode="json")
     async with web.session.undisturbed("change the head tracker"):
@@ -223,7 +223,7 @@ async def look_ahead(_who: Clinician, parts: PeopleParts, web: Web) -> Equipment
 
 
 @router.put("/unused")
-async def mark_unused(body: Unused, who: Clinician, parts: PeopleParts, web: Web) -> EquipmentView:
+async def mark_unused(body: UnusedChannels, who: Clinician, parts: PeopleParts, web: Web) -> EquipmentView:
     """Mark channels as unused; the next calibration leaves them out."""
     async with web.session.undisturbed("change the channels"):
         await web.equipment.leave_unused(body.channels)

@@ -30,7 +30,7 @@ class ReplacedView(View):
     until: MomentText
 
 
-class PutBackView(Document):
+class RestoredView(Document):
     """The name under which a file is back."""
 
     kind: Kind
@@ -44,14 +44,14 @@ def list_replaced(_who: Clinician, parts: PeopleParts) -> list[ReplacedView]:
 
 
 @router.post("/{kind}/{identity}/restore")
-async def restore(kind: Kind, identity: Identity, who: Clinician, parts: PeopleParts) -> PutBackView:
+async def restore(kind: Kind, identity: Identity, who: Clinician, parts: PeopleParts) -> RestoredView:
     """Restore a replaced file, under a free name when its own is taken."""
 
-    def put_back() -> PutBackView:
+    def put_back() -> RestoredView:
         name = _restored_plan(parts, identity) if kind == "floorplan" else parts.replaced.restore(kind, identity)
         with parts.database.transaction() as db:
             write_log(db, who.name, "replaced file restored", kind=kind)
-        return PutBackView(kind=kind, name=name)
+        return RestoredView(kind=kind, name=name)
 
     return await asyncio.to_thread(put_back)
 

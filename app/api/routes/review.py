@@ -20,7 +20,7 @@ router = APIRouter(tags=["review"])
 MOST_TRAJECTORIES = 40  # the newest; more make one blot
 
 
-class DrivenLine(Document):
+class TrialLine(Document):
     """Where the chair went in one trial."""
 
     number: int
@@ -35,7 +35,7 @@ class LearningView(Document):
     others: dict[SourceGroup, int]  # how many kept trials there are of the other sources
     trials: list[dict[str, Any]]
     curves: dict[str, Any]
-    trajectories: list[DrivenLine]
+    trajectories: list[TrialLine]
     path: list[tuple[float, float]]
 
 
@@ -60,7 +60,7 @@ def learning(
     for trial, *_ in counted[-MOST_TRAJECTORIES:]:
         found = web.trajectories.of(web.runs.folder_of(trial.run_id))
         if found is not None:
-            lines.append(DrivenLine(number=trial.number, x=found.x, y=found.y))
+            lines.append(TrialLine(number=trial.number, x=found.x, y=found.y))
     return LearningView(
         source=source,
         others=dict(Counter(one.group for one in every if one.group != source)),

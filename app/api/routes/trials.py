@@ -13,7 +13,7 @@ from app.api.live.screen import ScreenWord
 from app.api.live.screens import Screen
 from app.api.parts import Web, WebParts, load_plan
 from app.api.routes.source_view import SourceView
-from app.api.sign_in.signed_in import SignedInPerson
+from app.api.sign_in.identity import SignedInPerson
 from app.api.views import MomentText, View
 from app.quantities import Document, Line, Name
 from app.refusals import Conflict, NotFound

@@ -9,9 +9,9 @@ from pydantic import Field
 
 from app import __version__
 from app.api.deps import ForEveryone, People, PeopleParts
+from app.api.sign_in.identity import COOKIE, find_signed_in
 from app.api.sign_in.passwords import BROWSER_COOKIE, hash_of, require_password, weakness
 from app.api.sign_in.sign_in_limits import address_of
-from app.api.sign_in.signed_in import COOKIE, find_signed_in
 from app.quantities import Document, Line
 from app.refusals import Conflict
 from app.store.browsers import KNOWN_FOR, remember_browser
@@ -36,7 +36,7 @@ Password = Annotated[str, Field(max_length=1000)]
 
 
 class DemoCode(Document):
-    """What stands behind the link of a demonstration."""
+    """The code in the link of a demonstration."""
 
     code: Code
 
@@ -81,7 +81,7 @@ def _me(parts: PeopleParts, name: str | None, role: str | None) -> Me:
 
 
 def _let_in(parts: People, request: Request, response: Response, name: str, how: str) -> Me:
-    """Open a new sign-in, ending the one that this browser had; from now on the browser is known for this person."""
+    """Open a sign-in, end the one that this browser had, and make the browser a known one of this person."""
     with parts.database.transaction(closing=True) as db:
         old = request.cookies.get(COOKIE)
         if old:
@@ -169,7 +169,7 @@ async def sign_in_by_password(body: Credentials, request: Request, response: Res
 
 @router.post("/sign-out")
 async def sign_out_here(request: Request, response: Response, parts: PeopleParts) -> Me:
-    """End this sign-in; every socket that it had opened is closed."""
+    """End this sign-in, and close every socket that it opened."""
 
     def _end() -> tuple[int | None, Me]:
         with parts.database.transaction(closing=True) as db:
@@ -178,7 +178,7 @@ async def sign_out_here(request: Request, response: Response, parts: PeopleParts
 
     ended, me = await run_in_threadpool(_end)
     if ended is not None:
-        await parts.sockets.close_session(ended)
+        await parts.sockets.close_sign_in(ended)
     response.delete_cookie(COOKIE, httponly=True, samesite="lax", path="/")
     return me
 

@@ -1,7 +1,7 @@
-"""Asks a process of low priority for password hashes, one at a time; at most eight requests are under way.
+"""Ask a process of low priority for password hashes, one at a time; at most eight requests are under way.
 
-A hash takes 64 MiB and 0.1 s of a core. In the web process, even in a thread of it, a flood of sign-ins would make
-Stop late; a process of its own gives way to everything else on this machine.
+A hash takes 64 MiB and 0.1 s of a core. In the web process, even in a thread of it, a flood of sign-ins would delay
+Stop; a process of its own with low priority does not.
 """
 
 import asyncio
@@ -13,14 +13,14 @@ from typing import Any, NamedTuple
 
 from app.refusals import Unavailable
 
-MOST_AT_ONCE = 8  # sign-ins under way, the one that is being hashed included: about a second of waiting
-ANSWER_LIMIT = 15.0  # s for one hash, on a machine that has hardly any time left for it
+MOST_AT_ONCE = 8  # sign-ins under way, including the one that is being hashed: about 1 s of waiting
+ANSWER_LIMIT = 15.0  # s for one hash on a busy machine
 END_LIMIT = 1.0  # s
 ENDED = "Passwords cannot be checked at this moment: try again."
 
 
 class Cost(NamedTuple):
-    """What a hash costs: argon2id's parameters."""
+    """The cost of a hash: argon2id's parameters."""
 
     time: int  # passes over the memory
     memory: int  # KiB
@@ -31,11 +31,11 @@ COST = Cost(time=3, memory=65_536, lanes=4)  # RFC 9106, section 4, the second r
 
 
 class Busy(Exception):  # noqa: N818
-    """As many passwords are being checked as may be at once: ask again in a moment."""
+    """No slot is free: MOST_AT_ONCE passwords are being checked."""
 
 
 class Hashing:
-    """Asks the hashing process, which is started by the first password and again when it has ended."""
+    """Asks the hashing process; starts it for the first password, and again when it has ended."""
 
     def __init__(self) -> None:
         self._free_slots = MOST_AT_ONCE
@@ -44,7 +44,7 @@ class Hashing:
 
     @asynccontextmanager
     async def slot(self) -> AsyncIterator[None]:
-        """Take one of the `MOST_AT_ONCE` slots without waiting, for the hashes that are made inside.
+        """Take one of the `MOST_AT_ONCE` slots, without waiting, for the time of the `async with` block.
 
         Raises
         ------
@@ -64,7 +64,7 @@ class Hashing:
         return str((await self._ask({"do": "hash", "password": password}))["hash"])
 
     async def matches(self, stored: str | None, password: str) -> bool:
-        """Return whether `password` belongs to the hash `stored`; None takes as long as a hash and gives False."""
+        """Return whether `password` belongs to the hash `stored`; False for None, after the time of a hash."""
         return bool((await self._ask({"do": "verify", "stored": stored, "password": password}))["matches"])
 
     async def close(self) -> None:
@@ -102,9 +102,8 @@ async def _answer(process: asyncio.subprocess.Process, message: dict[str, Any]) 
         raise OSError("the hashing process was started without pipes")
     process.stdin.write(json.dumps(message).encode() + b"\n")
     await process.stdin.drain()
-    found: dict[str, Any] = json.loads(
-        await process.stdout.readline()
-    )  # an ended process gives an empty line: ValueError
+    line = await process.stdout.readline()
+    found: dict[str, Any] = json.loads(line)  # ValueError for the empty line of an ended process
     return found
 
 

@@ -2,7 +2,7 @@
 
 For each line on stdin, a JSON object, one line on stdout: `{"do": "hash", "password"}` is answered by `{"hash"}`;
 `{"do": "verify", "stored": hash or null, "password"}` by `{"matches": bool}`; null takes as long as a hash and gives
-false. Ends with stdin.
+false. The process ends with stdin.
 """
 
 import argparse
@@ -28,14 +28,14 @@ def main() -> None:
         for line in sys.stdin:
             sys.stdout.write(f"{json.dumps(answer(hasher, json.loads(line)))}\n")
             sys.stdout.flush()
-    except BrokenPipeError:  # the web process is gone, and nobody waits for the answer
+    except BrokenPipeError:  # the web process has ended
         os._exit(0)  # an ordinary end would try to write the answer once more
 
 
-def answer(hasher: PasswordHasher, asked: dict[str, Any]) -> dict[str, Any]:
+def answer(hasher: PasswordHasher, request: dict[str, Any]) -> dict[str, Any]:
     """Return the answer to one line."""
-    stored, password = asked.get("stored"), asked["password"]
-    if asked["do"] == "hash":
+    stored, password = request.get("stored"), request["password"]
+    if request["do"] == "hash":
         return {"hash": hasher.hash(password)}
     if stored is None:
         hasher.hash(password)  # takes as long as for a known person

@@ -46,9 +46,9 @@ async def hash_of(parts: People, password: str) -> str:
 
 
 async def require_password(parts: People, request: Request, name: str, password: str) -> None:
-    """Refuse a wrong password (401), a try too many (429), and more tries at once than can be checked (503).
+    """Refuse a wrong password (401), too many tries (429), and more tries at once than can be checked (503).
 
-    The try is counted before anything is looked up or hashed, so that tries side by side all count.
+    The try is counted before anything is looked up or hashed, so that concurrent tries all count.
     """
     attempt = parts.limits.password(name, address_of(request))
     if not any(cookie.startswith(BROWSER_COOKIE) for cookie in request.cookies):
@@ -71,7 +71,7 @@ async def require_password(parts: People, request: Request, name: str, password:
 
 class _StoredCredentials(NamedTuple):
     stored: str | None  # the hash of the password
-    browser: int | None  # the known browser that asks
+    browser: int | None  # id of the known browser that sends the request
 
 
 def _look_up(parts: People, request: Request, name: str) -> _StoredCredentials:

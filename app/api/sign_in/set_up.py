@@ -9,7 +9,7 @@ VALID_FOR = 1800.0  # s
 
 
 class SetUp:
-    """Holds the code of this start of the program; it opens once, within 30 minutes."""
+    """Holds the set-up code of this start of the program, which is valid once, for 30 minutes."""
 
     def __init__(self, code: str | None) -> None:
         self._code = code
@@ -17,13 +17,13 @@ class SetUp:
         self._lock = threading.Lock()
 
     def opens(self, code: str) -> bool:
-        """Tell whether `code` is the code and still valid."""
+        """Return whether `code` is the set-up code and still valid."""
         with self._lock:
             if self._code is None or monotonic() > self._until:
                 return False
             return secrets.compare_digest(self._code.encode(), code.encode())
 
     def used(self) -> None:
-        """Make the code worthless."""
+        """Make the code invalid."""
         with self._lock:
             self._code = None

@@ -1,4 +1,4 @@
-"""How many passwords and codes may be tried in a minute: for a name, from an address, in a known browser."""
+"""Limits of tries at passwords and codes per minute: for a name, from an address, in a known browser."""
 
 import asyncio
 import math
@@ -15,7 +15,7 @@ PASSWORDS_PER_NAME = 5
 PASSWORDS_PER_ADDRESS = 10
 PASSWORDS_PER_BROWSER = 5
 CODES_PER_ADDRESS = 10
-REFUSALS_EVERY = 0.01  # s between two refusals: a flood waits for its refusals, and Stop does not wait behind them
+REFUSALS_EVERY = 0.01  # s between two refusals: a flood of tries must wait for them, so that Stop is not delayed
 
 NAME = "Too many wrong passwords for this name: wait {wait}, or sign in where you have signed in before."
 HERE = "Too many wrong passwords came from here: wait {wait}, then try again."
@@ -24,21 +24,21 @@ CODES = "Too many wrong codes came from here: wait {wait}, then try again."
 
 @dataclass(slots=True)
 class Attempt:
-    """A try that has been counted, or that has to wait."""
+    """A try that was counted, or that has to wait."""
 
     counted: list[tuple[Tries, str]] = field(default_factory=list)
-    wait: float = 0.0  # s; 0: it may go on
+    wait: float = 0.0  # s; 0: none
     words: str = ""
 
     def take_back(self) -> None:
-        """Take the try out of the count: it succeeded, or nobody looked at it."""
+        """Remove the try from the counts: it succeeded, or was not checked."""
         while self.counted:
             tries, key = self.counted.pop()
             tries.take_back(key)
 
 
 class SignInLimits:
-    """Counts tries at passwords and codes, takes the right ones back, and refuses too many."""
+    """Counts tries at passwords and codes, and refuses too many; right ones are removed from the counts."""
 
     def __init__(self) -> None:
         self._names = Tries(PASSWORDS_PER_NAME)
@@ -48,18 +48,18 @@ class SignInLimits:
         self._refused_at = 0.0
 
     def password(self, name: str, address: str) -> Attempt:
-        """Count a password that is tried for a name."""
+        """Count a try at the password of a name."""
         return _count((self._names, name, NAME), (self._addresses, address, HERE))
 
     def password_in(self, browser: int) -> Attempt:
-        """Count a password that is tried for its person in a known browser: neither name nor address counts there.
+        """Count a try at a password in a known browser, where the counts of name and address do not apply.
 
-        Whoever tries many passwords elsewhere locks nobody out of the browser that they use every day.
+        So tries from elsewhere do not lock a person out of the browser that they use every day.
         """
         return _count((self._browsers, str(browser), HERE))
 
     async def code(self, address: str) -> Attempt:
-        """Count a code of a link, and refuse it when there were too many wrong ones."""
+        """Count a try at the code of a link; refuse it after too many wrong ones."""
         attempt = _count((self._codes, address, CODES))
         await self.require(attempt)
         return attempt
@@ -70,7 +70,7 @@ class SignInLimits:
             await self.refuse(429, attempt.words.format(wait=seconds_in_words(attempt.wait)), attempt.wait)
 
     async def refuse(self, status: int, words: str, wait: float) -> NoReturn:
-        """Refuse with 429 or 503, saying how long to wait (s): at once, but only so many in a second."""
+        """Refuse with 429 or 503 and the time to wait (s); at most one refusal per REFUSALS_EVERY."""
         now = monotonic()
         self._refused_at = max(self._refused_at + REFUSALS_EVERY, now)
         await asyncio.sleep(self._refused_at - now)
@@ -78,7 +78,7 @@ class SignInLimits:
 
 
 def address_of(connection: HTTPConnection) -> str:
-    """Return from which machine a request comes."""
+    """Return the address of the machine that sends a request."""
     return connection.client.host if connection.client else ""
 
 

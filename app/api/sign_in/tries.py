@@ -1,4 +1,4 @@
-"""How often a password or a code may be tried: every try is counted before anybody looks at it."""
+"""Count tries at passwords and codes; every try is counted before it is checked."""
 
 import math
 import threading
@@ -6,18 +6,18 @@ from collections import deque
 
 from app.clock import monotonic
 
-WITHIN = 60.0  # s: only tries within this time count
-MOST_KEYS = 4096  # more than can be tried within that time: a hash alone takes 0.1 s
+WITHIN = 60.0  # s: older tries no longer count
+MOST_KEYS = 4096  # more than can be tried within WITHIN: one hash takes 0.1 s
 
 
 class Tries:
     """The tries of the last minute for each name, address or browser.
 
-    Counting and comparing are one step under a lock, so that tries side by side all count; from any thread.
+    Counting and comparing are one step under a lock, so that concurrent tries all count. Thread-safe.
     """
 
     def __init__(self, most: int) -> None:
-        """`most` tries of one key are let through within a minute."""
+        """Allow `most` tries of one key within a minute."""
         self._most = most
         self._lock = threading.Lock()
         self._times: dict[str, deque[float]] = {}
@@ -37,7 +37,7 @@ class Tries:
             return 0.0
 
     def take_back(self, key: str) -> None:
-        """Leave out the newest try of a key: it succeeded, or nobody looked at it."""
+        """Remove the newest try of a key: it succeeded, or was not checked."""
         with self._lock:
             times = self._times.get(key)
             if times:
@@ -47,6 +47,6 @@ class Tries:
 
 
 def seconds_in_words(wait: float) -> str:
-    """Return a time to wait (s) as a person reads it, rounded up."""
+    """Return a waiting time (s) in words, rounded up to whole seconds."""
     seconds = max(1, math.ceil(wait))
     return "1 second" if seconds == 1 else f"{seconds} seconds"

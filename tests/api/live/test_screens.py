@@ -54,7 +54,7 @@ def test_one_link_at_a_time_speaks_for_a_screen(steps):
             if is_taken:
                 speaker, spoke = link, t
         else:
-            screens.gone(MINE, link)
+            screens.remove(MINE, link)
             speaker = None if speaker == link else speaker
         assert screens.age(MINE, t) == (None if speaker is None else t - spoke)
 

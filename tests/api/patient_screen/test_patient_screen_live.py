@@ -7,7 +7,7 @@ from fake_clinic import BASE, WORD, Clinic
 from pairing import closing
 
 from app.api.patient_screen import patient_socket
-from app.store.patient_screens import Wishes
+from app.store.patient_screens import ScreenSettings
 
 ORIGIN = {"Origin": BASE}
 LIVE = f"{BASE.replace('http', 'ws')}/api/v1/patient/live"
@@ -86,7 +86,7 @@ def test_what_the_clinician_asks_for_is_shown_and_kept_for_the_session(paired: C
         assert paired.good("POST", "/patient-screen/settings", json=wishes)["settings"] == wishes
         while socket.receive_json()["asks"] != wishes:
             pass
-    paired.web.patient.wishes = Wishes()  # as after a restart
+    paired.web.patient.settings = ScreenSettings()  # as after a restart
     with paired.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
         assert socket.receive_json()["asks"] == wishes
     assert paired("POST", "/patient-screen/settings", json={"arrow": "yes"}).status_code == 422

@@ -1,6 +1,6 @@
 /**
  * What the live socket of the patient's screen delivers (app/api/patient_screen/patient_picture.py).
- * @import { Wishes } from "types/api"
+ * @import { ScreenSettings } from "types/api"
  * @import { Moment, TrialMoment } from "../live/live.js"
  * @typedef {"id" | "t" | "done" | "length" | "stage" | "stages" | "instruction" | "target" | "movers"} TrialField
  */
@@ -23,7 +23,7 @@
  * @property {boolean} drives
  * @property {PatientCue | null} cue
  * @property {{id: number, end: string} | null} over the trial that has ended last
- * @property {Wishes} asks what the clinician wants this screen to show
+ * @property {ScreenSettings} asks what the clinician wants this screen to show
  */
 
 /** @typedef {Moment & PatientFields} PatientMessage */

@@ -1,6 +1,6 @@
 /**
  * The patient's screens of this session: pair one by a code, what they show, unpair one.
- * @import { OfferView, ScreensView, ScreenView, Wishes } from "types/api"
+ * @import { OfferView, ScreensView, ScreenView, ScreenSettings } from "types/api"
  */
 import { t } from "../texts.js";
 import { h, put, write } from "./dom.js";
@@ -61,7 +61,7 @@ export function patientScreenCard(app, signal) {
     put(wishes);
     put(below, h("p", { class: "quiet" }, t("screens.nobody")));
   };
-  /** @param {Wishes} settings */
+  /** @param {ScreenSettings} settings */
   const choose = async (settings) => (await call(app.api.post("/patient-screen/settings", settings))) || read();
   /** @param {ScreenView} screen */
   const unpair = async ({ id, number }) => {

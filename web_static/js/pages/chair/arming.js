@@ -1,7 +1,7 @@
 /**
  * Before a real chair is armed: the chair as it is, what would apply, the body at rest; and what is still missing.
  * @import { App } from "../../main.js"
- * @import { ArmedSet, Speeds } from "types/api"
+ * @import { ParametersSummary, Speeds } from "types/api"
  * @import { LiveMessage } from "../../live/live.js"
  */
 import { t } from "../../texts.js";
@@ -18,7 +18,7 @@ const LOOK_EVERY = 3000; // ms between two looks at what is missing when nothing
 /**
  * @typedef {Awaited<ReturnType<typeof readArming>>} Reading what decides how a chair would drive
  * @typedef {NonNullable<Reading["summary"]>} Summary
- * @typedef {Summary & {parameters: ArmedSet, speeds: Speeds}} FullSummary of a chair and a calibrated set
+ * @typedef {Summary & {parameters: ParametersSummary, speeds: Speeds}} FullSummary of a chair and a calibrated set
  * @typedef {Reading & {chair: NonNullable<Reading["chair"]>, summary: FullSummary}} FullReading
  */
 

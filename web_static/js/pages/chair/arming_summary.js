@@ -1,6 +1,6 @@
 /**
  * What arming would apply: the set, its modes, the speeds that hold and why, and whether it was practised like this.
- * @import { ArmedSet } from "types/api"
+ * @import { ParametersSummary } from "types/api"
  * @import { Child } from "types/dom"
  * @import { FullReading, FullSummary } from "./arming.js"
  * @typedef {FullReading & {dial: number}} Application what arming would apply, and the dial's share
@@ -69,7 +69,7 @@ function figures(read) {
   );
 }
 
-/** @param {ArmedSet} set */
+/** @param {ParametersSummary} set */
 function how({ mode_u1, mode_u2, cruise_time, turn_cruise_time }) {
   return rows(
     [t("apply.forward-back"), t(`how.u1.${mode_u1}`), t(`how.u1.${mode_u1}.hint`)],

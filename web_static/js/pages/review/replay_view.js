@@ -1,10 +1,10 @@
 /**
  * The large picture of a replay: in 3D, in a frame of its own server that shows nothing live, or as the drawn plan.
  * @import { App } from "../../main.js"
- * @import { Shown } from "types/api"
+ * @import { ReplayMoment } from "types/api"
  * @import { Child } from "types/dom"
  * @import { PlayHead } from "./play_head.js"
- * @typedef {Shown["view"] | "plan"} View
+ * @typedef {ReplayMoment["view"] | "plan"} View
  */
 import { ApiError, failureWords } from "../../api.js";
 import { t } from "../../texts.js";
@@ -13,7 +13,7 @@ import { segments } from "../../widgets/fields.js";
 import { newestWins } from "../../live/newest_wins.js";
 import { canDrawIn3d } from "../../view/webgl.js";
 
-/** @type {NonNullable<Shown["view"]>[]} */
+/** @type {NonNullable<ReplayMoment["view"]>[]} */
 const VIEWS_IN_3D = ["chase", "eye", "top"];
 const SEND_EVERY = 50; // ms
 const AGAIN_EVERY = 2000; // ms: also a picture that has just come, or that was refused while somebody drove
@@ -60,7 +60,7 @@ function replayIn3d(app, trial, head, signal) {
   const frame = h("iframe", { title: t("replay.picture"), tabindex: "-1" });
   const element = h("div", { class: "in-3d" }, frame, words);
   let word = "";
-  /** @type {Shown["view"] | null} */
+  /** @type {ReplayMoment["view"] | null} */
   let view = null;
   let isOpening = false;
   const isLeft = () => signal.aborted;
@@ -95,7 +95,7 @@ function replayIn3d(app, trial, head, signal) {
   };
   const again = h("button", { type: "button", class: "btn small", onclick: open }, t("replay.picture.again"));
   const isDrawn = () => frame.contentWindow?.bodydriveView?.draws() ?? true;
-  const send = newestWins(async (/** @type {Shown} */ moment) => {
+  const send = newestWins(async (/** @type {ReplayMoment} */ moment) => {
     if (!word || isLeft()) return;
     try {
       await app.api.post(`/replays/${word}/at`, moment);
@@ -118,7 +118,7 @@ function replayIn3d(app, trial, head, signal) {
     clearInterval(timer);
     if (word) close(word);
   });
-  /** @param {Shown["view"]} from where to look from */
+  /** @param {ReplayMoment["view"]} from where to look from */
   const look = (from) => {
     view = from;
     if (!word && !isOpening) open();

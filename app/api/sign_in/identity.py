@@ -1,4 +1,4 @@
-"""Who is signed in, and which screens of the patient are paired: the cookies, and what they stand for."""
+"""The identity behind a request's cookies: a person who is signed in, or a paired screen of the patient."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -8,14 +8,14 @@ from app.store.patient_screens import find_screen
 from app.store.people import signed_in
 
 COOKIE = "bodydrive_session"
-SCREEN_COOKIE = "bodydrive_screen"  # of a screen that the patient looks at: it opens nothing else than that picture
+SCREEN_COOKIE = "bodydrive_screen"  # of a paired screen of the patient: it gives access to the patient's picture only
 
 
 @dataclass(frozen=True, slots=True)
 class SignedInPerson:
     """A person with an open sign-in."""
 
-    session_id: int
+    sign_in_id: int
     person_id: int
     clinic_id: int
     name: str
@@ -23,7 +23,7 @@ class SignedInPerson:
 
 
 def find_signed_in(database: Database, cookies: Mapping[str, str]) -> SignedInPerson | None:
-    """Return who the cookie belongs to, None when nobody or when the sign-in has ended."""
+    """Return the person whose sign-in the cookie opens, None when there is none or it has ended."""
     token = cookies.get(COOKIE)
     if not token:
         return None
@@ -31,20 +31,20 @@ def find_signed_in(database: Database, cookies: Mapping[str, str]) -> SignedInPe
         found = signed_in(db, token)
         if found is None:
             return None
-        session, person = found
-        return SignedInPerson(session.id, person.id, person.clinic_id, person.name, person.role)
+        opened, person = found
+        return SignedInPerson(opened.id, person.id, person.clinic_id, person.name, person.role)
 
 
 @dataclass(frozen=True, slots=True)
 class PairedScreen:
-    """A screen of the patient, as long as its session goes on."""
+    """A paired screen of the patient, as long as its session is open."""
 
     screen_id: int
     session_id: int
 
 
 def find_paired_screen(database: Database, cookies: Mapping[str, str]) -> PairedScreen | None:
-    """Return which of the patient's screens the cookie belongs to, None when its session is over or it was unpaired."""
+    """Return the patient's screen of the cookie, None when its session has ended or it was unpaired."""
     token = cookies.get(SCREEN_COOKIE)
     if not token:
         return None
@@ -54,5 +54,5 @@ def find_paired_screen(database: Database, cookies: Mapping[str, str]) -> Paired
 
 
 def find_viewer(database: Database, cookies: Mapping[str, str]) -> SignedInPerson | PairedScreen | None:
-    """Return who may look at the patient's picture: whoever is signed in, and the patient's screens."""
+    """Return who may see the patient's picture: a person who is signed in, or a paired screen of the patient."""
     return find_signed_in(database, cookies) or find_paired_screen(database, cookies)

@@ -10,7 +10,7 @@ from app.world.floorplan import FloorPlan
 router = APIRouter(tags=["view"])
 
 
-class ShownPlan(Document):
+class TrialPlan(Document):
     """Where the trial is driven."""
 
     trial: int
@@ -19,7 +19,7 @@ class ShownPlan(Document):
 
 
 @router.get("/view/{role}/plan", dependencies=[Depends(viewer)])
-def shown_plan(web: Web) -> ShownPlan | None:
+def shown_plan(web: Web) -> TrialPlan | None:
     """Return the floor plan and the path of the trial that is driven; null while there is none."""
     trial = web.trials.current
-    return None if trial is None else ShownPlan(trial=trial.id, floorplan=trial.plan, path=trial.path.name)
+    return None if trial is None else TrialPlan(trial=trial.id, floorplan=trial.plan, path=trial.path.name)
