@@ -14,7 +14,7 @@ from app.geometry import Pose, wrap_angle
 from app.quantities import Document, Length, Line, Name, Radians, Seconds, Title
 from app.sentences import one_sentence
 from app.settings import data_folder
-from app.world.imports.clearance import Clearance
+from app.world.clearance import Clearance
 from app.world.kinematics import CHAIR_RADIUS
 from app.world.obstacles import Box, Cylinder, Obstacle, Point
 from app.world.path import Path

@@ -6,9 +6,9 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 from storey import storey
 
+from app.world.clearance import between_segments
 from app.world.collision import Collision
 from app.world.floorplan import bundled_floorplans, load_floorplan
-from app.world.imports.clearance import between_segments
 
 RADIUS = 0.32
 HALF = 0.05
