@@ -9,9 +9,8 @@ from numpy.typing import NDArray
 
 from app.calibration.fit.pieces import Frames, fill_forward
 from app.calibration.fit.repetitions import Prompt
+from app.calibration.script import WAY_BACK
 from app.cues import Cue, CueKind
-
-WAY_BACK = 1.5  # assumed duration of the way back, over that of the prompt, where no cue gives it
 
 
 class Phase(NamedTuple):

@@ -12,6 +12,7 @@ FREE = 10.0  # s, as in the paper
 REPETITIONS = 3
 MOVE = 1.0  # s
 RETURN = 1.5  # s: slower than the movement, so that the fit can tell the two apart
+WAY_BACK = RETURN / MOVE  # duration of the way back over that of the movement, also assumed where no cue gives it
 PAUSE = 1.0  # s at rest between repetitions
 
 # Instructions by body part; `{side}` is "left" or "right".

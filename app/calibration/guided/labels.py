@@ -9,9 +9,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from app.calibration.script import WAY_BACK
+
 EARLIEST, LATEST = -0.2, 1.2  # s after the cue: limits of a joint's lag
 OWN_LAG = 0.35  # s: largest difference of one repetition's lag from the joint's
-WAY_BACK = 1.5  # duration of the way back over that of the movement, as in the calibration's script
 LONGEST_HOLD = 3.0  # s for which a posture may be held before the way back
 AT_ONCE = 0.5  # share of the largest fall of place: when the first fall reaches it, the way back began at once
 
