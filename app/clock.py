@@ -35,21 +35,6 @@ class MonotonicClock:
             time.sleep(remaining)
 
 
-class FakeClock:
-    """A clock for tests: its time advances only by `sleep_until`."""
-
-    def __init__(self, start: float = 0.0) -> None:
-        self.time = start
-
-    def now(self) -> float:
-        """Return the clock's time (s)."""
-        return self.time
-
-    def sleep_until(self, deadline: float) -> None:
-        """Advance the time to `deadline` at once."""
-        self.time = max(self.time, deadline)
-
-
 def monotonic() -> float:
     """Return monotonic seconds, including those while the machine slept."""
     return time.monotonic() if CLOCK is None else time.clock_gettime(CLOCK)

@@ -62,11 +62,6 @@ class RunWriter:
         self._thread: threading.Thread | None = None
 
     @property
-    def healthy(self) -> bool:
-        """Whether all writes so far have succeeded."""
-        return not self.damage
-
-    @property
     def done(self) -> bool:
         """Whether the recording is closed and on disk."""
         return self._thread is not None and not self._thread.is_alive()

@@ -3,12 +3,12 @@ import socket
 
 import numpy as np
 import pytest
+from fake_clock import FakeClock
 from typer.testing import CliRunner
 
 from app.cli.errors import InputError
 from app.cli.main import build
 from app.cli.replay import parse_address, play
-from app.clock import FakeClock
 from app.hardware.shirt.packet import decode
 from app.hardware.shirt.playback import read_frames
 

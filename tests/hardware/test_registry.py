@@ -2,10 +2,10 @@ import re
 from typing import get_args
 
 import pytest
+from fake_clock import FakeClock
 from hardware.shirt.shirts import small_layout
 from pydantic import ValidationError
 
-from app.clock import FakeClock
 from app.hardware.base import HardwareError
 from app.hardware.body.person import Person
 from app.hardware.body.visitor import Visitor

@@ -5,9 +5,9 @@ import select
 import socket
 import uuid
 
+from fake_clock import FakeClock
 from scripted_shirt import ScriptedShirt
 
-from app.clock import FakeClock
 from app.pipeline.commands import Commands
 from app.pipeline.loop import ControlLoop
 from app.pipeline.setup import Setup

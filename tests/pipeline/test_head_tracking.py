@@ -1,8 +1,8 @@
 import math
 
 import pytest
+from fake_clock import FakeClock
 
-from app.clock import FakeClock
 from app.hardware.base import HardwareError
 from app.hardware.configs import TabletHeadConfig
 from app.messages import Tick

@@ -5,11 +5,11 @@ import uuid
 
 import numpy as np
 import pytest
+from fake_clock import FakeClock
 from hypothesis import given
 from hypothesis import strategies as st
 from scripted_shirt import RATE, ScriptedShirt
 
-from app.clock import FakeClock
 from app.cues import Cue, cue_index
 from app.hardware.base import BodyView
 from app.messages import NO_CUE

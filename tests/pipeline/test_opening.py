@@ -1,8 +1,8 @@
 import threading
 
 import pytest
+from fake_clock import FakeClock
 
-from app.clock import FakeClock
 from app.hardware.base import HardwareError
 from app.pipeline.opening import MOST_STUCK, OPENING_LIMIT, Change, Openings, open_device
 

@@ -50,7 +50,7 @@ def record(ring, folder, count, batches=4):
         write_ticks(ring, count // batches, first=batch * (count // batches))
         wait_for(lambda goal=(batch + 1) * (count // batches): writer.rows >= goal)
     assert writer.close(ring.number) == (count, 0)
-    assert writer.healthy
+    assert writer.damage == ""
     return folder
 
 
@@ -258,7 +258,7 @@ def test_a_failing_disk_is_reported_once_and_not_tried_again(ring, tmp_path, mon
         threading.Event().wait(0.01)
     writer.close(ring.number)
     monkeypatch.undo()
-    assert not writer.healthy
+    assert writer.damage != ""
     rows = writer.rows
     assert writer.damage.startswith("The recording could not be written (No space left on device)")
     run = read_run(tmp_path / "run")

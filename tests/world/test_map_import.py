@@ -4,11 +4,12 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from app.world.clearance import Clearance
 from app.world.collision import Collision
 from app.world.floorplan import FloorPlan
-from app.world.imports.clearance import Clearance
+from app.world.imports.draft import plan_of
 from app.world.imports.occupancy import read_occupancy_map
-from app.world.imports.ros_map import import_ros_map
+from app.world.imports.ros_map import draft_of_map
 from folders import SHARED
 
 MAPS = SHARED / "data" / "maps"
@@ -37,6 +38,10 @@ def write(folder, pixels, document=DOCUMENT):
     file = folder / "map.yaml"
     file.write_text(document)
     return file
+
+
+def import_ros_map(file, title=None):
+    return plan_of(draft_of_map(read_occupancy_map(file), file, title), str(file))
 
 
 def drive_along(plan, path):

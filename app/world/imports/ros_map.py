@@ -4,35 +4,30 @@ from pathlib import Path
 
 import numpy as np
 
-from app.world.floorplan import MAX_WALLS, FloorPlan
+from app.world.floorplan import MAX_WALLS
 from app.world.imports.boundary import outlines
-from app.world.imports.draft import Draft, path_document, plain_name, plan_of
-from app.world.imports.occupancy import OccupancyMap, read_occupancy_map
+from app.world.imports.draft import Draft, path_document, plain_name
+from app.world.imports.occupancy import OccupancyMap
 from app.world.imports.route import propose_route
 
 WALL_THICKNESS = 0.02  # m; small, because the outline is the surface of the walls
 DECIMALS = 4  # of a metre in the plan
 
 
-def import_ros_map(yaml_file: Path, title: str | None = None, name: str | None = None) -> FloorPlan:
-    """Return a floor plan made from a ROS map_server map.
+def draft_of_map(
+    occupancy: OccupancyMap, file: Path, title: str | None = None, name: str | None = None, what: str = "map"
+) -> Draft:
+    """Return a floor plan made of an occupancy map.
 
     Only the free space connected with the proposed path is kept; unknown cells count as walls. The walls lie in
-    occupied or unknown cells, at most one cell behind the surface, never in free cells.
+    occupied or unknown cells, at most one cell behind the surface, never in free cells. `what` names the map's origin
+    in sentences.
 
     Raises
     ------
     ValueError
         One sentence that names the file and what to do.
     """
-    draft = draft_of_map(read_occupancy_map(yaml_file), yaml_file, title, name)
-    return plan_of(draft, str(yaml_file))
-
-
-def draft_of_map(
-    occupancy: OccupancyMap, file: Path, title: str | None = None, name: str | None = None, what: str = "map"
-) -> Draft:
-    """Return the draft made from an occupancy map; raise ValueError with one sentence that names `file`."""
     route = propose_route(occupancy.free, occupancy.resolution)
     if route is None:
         hint = "resolution" if what == "map" else "scale"

@@ -4,9 +4,9 @@ import math
 from itertools import pairwise
 
 import pytest
+from fake_clock import FakeClock
 from hardware.chair.commanded import KEY, Commanded
 
-from app.clock import FakeClock
 from app.geometry import STANDSTILL
 from app.hardware.chair.inputs import Inputs
 from app.hardware.chair.packet import DRIVE, FRAME_BYTES, decode_telemetry

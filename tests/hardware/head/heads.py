@@ -5,9 +5,10 @@ import socket
 import struct
 import time
 
+from fake_clock import FakeClock
 from hardware.head.flock_unit import FlockUnit
 
-from app.clock import FakeClock, MonotonicClock
+from app.clock import MonotonicClock
 from app.hardware.configs import (
     FlockOfBirdsConfig,
     FreepieConfig,

@@ -6,12 +6,13 @@ import struct
 from itertools import pairwise
 
 import pytest
+from fake_clock import FakeClock
 from hardware.head.flock_unit import FlockUnit
 from hardware.head.heads import FreepieSends, OpentrackSends, wait_for
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from app.clock import FakeClock, MonotonicClock
+from app.clock import MonotonicClock
 from app.hardware.base import HardwareError
 from app.hardware.configs import FlockOfBirdsConfig, OpentrackConfig, RecordedHeadConfig, SimulatedHeadConfig
 from app.hardware.head import flock_record, freepie, opentrack

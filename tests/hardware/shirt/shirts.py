@@ -3,8 +3,9 @@
 import socket
 
 import numpy as np
+from fake_clock import FakeClock
 
-from app.clock import FakeClock, MonotonicClock
+from app.clock import MonotonicClock
 from app.hardware.configs import ReplayConfig, SimulatorConfig, UdpConfig
 from app.hardware.shirt.packet import encode
 from app.hardware.shirt.replay import ReplayedShirt

@@ -3,9 +3,9 @@ import uuid
 
 import numpy as np
 import pytest
+from fake_clock import FakeClock
 from hardware.shirt.shirts import RATE, small_layout, write_signals
 
-from app.clock import FakeClock
 from app.hardware.base import HardwareError
 from app.hardware.configs import ReplayConfig
 from app.hardware.shirt.playback import FramePlayer, read_frames

@@ -9,11 +9,12 @@ import zlib
 
 import numpy as np
 import pytest
+from fake_clock import FakeClock
 from hardware.shirt.shirts import RATE, small_layout
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from app.clock import FakeClock, MonotonicClock
+from app.clock import MonotonicClock
 from app.hardware.base import HardwareError
 from app.hardware.chair.key import Key, new_key, read_key
 from app.hardware.configs import UdpConfig

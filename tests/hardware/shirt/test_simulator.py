@@ -1,8 +1,8 @@
 import numpy as np
 import pytest
+from fake_clock import FakeClock
 from hardware.shirt.shirts import small_layout
 
-from app.clock import FakeClock
 from app.hardware.base import HardwareError
 from app.hardware.body.visitor import Visitor
 from app.hardware.configs import SimulatorConfig

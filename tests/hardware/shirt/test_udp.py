@@ -2,9 +2,10 @@ import socket
 
 import numpy as np
 import pytest
+from fake_clock import FakeClock
 from hardware.shirt.shirts import RATE, Udp, small_layout
 
-from app.clock import FakeClock, MonotonicClock
+from app.clock import MonotonicClock
 from app.hardware.base import HardwareError
 from app.hardware.configs import UdpConfig
 from app.hardware.shirt.packet import encode
