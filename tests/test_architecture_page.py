@@ -23,11 +23,23 @@ def test_every_file_and_folder_that_the_page_names_exists():
     assert [name for name in NAMED if name.endswith("/") != (ROOT / name).is_dir()] == []
 
 
-def test_every_file_and_folder_that_another_page_names_exists():
+def test_every_file_and_every_name_in_the_code_that_another_page_names_exists():
     pages = sorted((ROOT / "docs").rglob("*.md"))
-    named = {(page.name, name) for page in pages for name in NAME.findall(page.read_text(encoding="utf-8"))}
+    texts = [(page.name, page.read_text(encoding="utf-8")) for page in pages]
     assert len(pages) > 1
-    assert [(page, name) for page, name in sorted(named) if not (ROOT / name).exists()] == []
+    assert [(page, name) for page, text in texts for name in NAME.findall(text) if not (ROOT / name).exists()] == []
+    dotted = [(page, name) for page, text in texts for name in re.findall(r"`((?:app|bench)(?:\.\w+)+)`", text)]
+    assert dotted
+    assert [(page, name) for page, name in dotted if not is_in_code(name)] == []
+
+
+def is_in_code(dotted: str) -> bool:
+    """Return whether a dotted name is a module, or a name in one."""
+    *module, last = dotted.split(".")
+    if (ROOT / dotted.replace(".", "/")).with_suffix(".py").is_file():
+        return True
+    file = ROOT.joinpath(*module).with_suffix(".py")
+    return file.is_file() and re.search(rf"\b{last}\b", file.read_text(encoding="utf-8")) is not None
 
 
 def test_every_folder_has_its_paragraph():
