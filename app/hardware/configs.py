@@ -1,4 +1,4 @@
-"""Which shirt, what moves inside the simulated one, which chair: the configurations of docs/protocols.md, section 2."""
+"""The configurations of shirts, simulated bodies, chairs and head trackers (docs/protocols.md, section 2)."""
 
 from typing import Annotated, Literal
 
@@ -18,13 +18,13 @@ class SimulatorConfig(Document):
 
     kind: Literal["simulator"]
     sample_rate: ShirtRate = 100.0
-    seed: Count = 1  # of the fabric: another seed is another shirt
+    seed: Count = 1  # of the fabric: each seed is a different shirt
     layout: ShirtLayout | None = None  # None: the paper's 52 channels
-    dead_channels: tuple[Name, ...] = ()  # names of channels whose line is broken
+    dead_channels: tuple[Name, ...] = ()  # names of channels with a broken line
 
 
 class ReplayConfig(Document):
-    """A file as a shirt."""
+    """A shirt that replays a file."""
 
     kind: Literal["replay"]
     file: FilePlace
@@ -35,15 +35,15 @@ class UdpConfig(Document):
     """A shirt that sends datagrams (docs/protocols.md, section 6)."""
 
     kind: Literal["udp"]
-    host: Host = "127.0.0.1"  # the address of this machine on which the shirt is listened for
-    port: Port = 5252  # 0: any free one
+    host: Host = "127.0.0.1"  # the address of this machine that the shirt sends to
+    port: Port = 5252  # 0: any free port
     layout: ShirtLayout = Field(default_factory=standard_layout)
     sample_rate: ShirtRate = 100.0
-    key_file: FilePlace | None = None  # None: frames of anybody are taken, so that no real chair is armed
+    key_file: FilePlace | None = None  # None: unsigned frames are accepted, and no real chair is armed
 
 
 class PersonConfig(Document):
-    """A simulated person who drives by himself."""
+    """A simulated person, who drives by himself."""
 
     kind: Literal["person"]
     skill: Literal["novice", "practised"] = "practised"
@@ -51,20 +51,20 @@ class PersonConfig(Document):
 
 
 class VisitorConfig(Document):
-    """A body whose joints are moved by whoever sits at the keys, the pads or the gamepad."""
+    """A simulated body whose joints are moved by keys, pads or a gamepad."""
 
     kind: Literal["visitor"]
 
 
 class RecordedConfig(Document):
-    """A body that repeats a recorded movement."""
+    """A simulated body that repeats a recorded movement."""
 
     kind: Literal["recorded"]
     file: FilePlace
 
 
 class VirtualChairConfig(Document):
-    """The chair that is a program."""
+    """The simulated chair."""
 
     kind: Literal["virtual"]
     dynamics: Literal["unicycle", "wheelchair"] = "unicycle"
@@ -78,15 +78,15 @@ class RealChairConfig(Document):
     host: Host
     port: Annotated[Port, Field(gt=0)] = 5354
     key_file: FilePlace
-    speeds: Speeds  # what this chair may do
+    speeds: Speeds  # the chair's own limits
 
 
 class OpentrackConfig(Document):
     """opentrack's "UDP over network": 48 bytes a pose."""
 
     kind: Literal["opentrack"]
-    host: Host = "127.0.0.1"  # the address of this machine on which the tracker is listened for
-    port: Port = 4242  # 0: any free one
+    host: Host = "127.0.0.1"  # the address of this machine that the tracker sends to
+    port: Port = 4242  # 0: any free port
 
 
 class FreepieConfig(Document):
@@ -103,11 +103,11 @@ class FlockOfBirdsConfig(Document):
     kind: Literal["flock_of_birds"]
     device: SerialLine  # such as /dev/ttyUSB0
     baud: Annotated[int, Field(strict=True, ge=2400, le=115_200)] = 115_200
-    address: Annotated[int, Field(strict=True, ge=1, le=14)] | None = None  # in a group of units; None: a single one
+    address: Annotated[int, Field(strict=True, ge=1, le=14)] | None = None  # in a group of units; None: a single unit
 
 
 class SimulatedHeadConfig(Document):
-    """A head that looks around by itself."""
+    """A simulated head that looks around."""
 
     kind: Literal["simulator"]
     seed: Count = 1
@@ -122,7 +122,7 @@ class RecordedHeadConfig(Document):
 
 
 class TabletHeadConfig(Document):
-    """The orientation of a tablet or phone, as its page tells it."""
+    """The orientation of a tablet or phone, reported by its page."""
 
     kind: Literal["tablet"]
 

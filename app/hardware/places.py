@@ -1,4 +1,4 @@
-"""Types of the texts in which a person says where a device is: host, file, serial line; checked before it is opened."""
+"""Checked texts that say where a device is: host, file, serial line."""
 
 import ipaddress
 import re
@@ -10,11 +10,11 @@ from app.quantities import Line
 
 LONGEST_QUOTE = 40
 _LABEL = re.compile(r"[A-Za-z0-9_]([A-Za-z0-9_-]{0,61}[A-Za-z0-9_])?")
-_NUMBER = re.compile(r"[0-9]+|0[xX][0-9A-Fa-f]*")  # a last label like this is a part of an IPv4 address, RFC 3696
+_NUMBER = re.compile(r"[0-9]+|0[xX][0-9A-Fa-f]*")  # a numeric last label belongs to an IPv4 address (RFC 3696)
 
 
 def checked_host(text: str) -> str:
-    """Return a host name, an IPv4 or an IPv6 address; ValueError for what can be none of them."""
+    """Return a valid host name, IPv4 or IPv6 address; ValueError for any other text."""
     if not _is_host(text):
         raise ValueError(
             f"{_quoted(text)} is no address: write a name such as chair.local, or an address such as 192.168.1.20"
@@ -23,7 +23,7 @@ def checked_host(text: str) -> str:
 
 
 def checked_line(text: str) -> str:
-    """Return the name of a serial line; ValueError for any other file or device."""
+    """Return the valid name of a serial line; ValueError for any other file or device."""
     if not re.fullmatch(r"/dev/(tty|cu\.|pts/|rfcomm|serial/)[A-Za-z0-9._:+/-]*|COM[0-9]{1,3}", text) or ".." in text:
         raise ValueError(f"{_quoted(text)} is no serial line: write a name such as /dev/ttyUSB0 or COM3")
     return text
@@ -42,7 +42,7 @@ def _is_host(text: str) -> bool:
 
 
 def _quoted(text: str) -> str:
-    """Return a text as it can be printed everywhere, cut to a few letters."""
+    """Return a text in printable ASCII, cut to LONGEST_QUOTE letters."""
     quoted = ascii(text[: LONGEST_QUOTE + 1])
     return quoted if len(quoted) <= LONGEST_QUOTE else quoted[:LONGEST_QUOTE] + "..."
 

@@ -1,4 +1,4 @@
-"""The drivers in one table: word -> (module, class), imported only when asked for."""
+"""The drivers of all devices in tables, from kind to (module, class); a driver is imported when it is used."""
 
 from collections.abc import Mapping
 from enum import Enum
@@ -17,11 +17,11 @@ if TYPE_CHECKING:
 
 
 class ShirtDriver(NamedTuple):
-    """Where the class of a shirt is, and what this kind of shirt declares of itself."""
+    """The class of a kind of shirt, and whether the shirt is simulated."""
 
     module: str
     name: str
-    simulated: bool  # nobody wears it: what it drives is practice, and every record says so
+    simulated: bool  # nobody wears it: its drives are practice, and every record says so
 
 
 Table = Mapping[str, tuple[str, str] | ShirtDriver]
@@ -46,7 +46,7 @@ TRUST: Mapping[str, Trust] = {
     "replay": Trust.NEVER,
     "udp": Trust.WITH_KEY,
 }
-"""What each source of `SHIRTS` declares; a source that declares nothing arms no real chair."""
+"""The trust in each kind of `SHIRTS`; a kind that is missing here arms no real chair."""
 
 NOBODY_WEARS_IT = (
     "A simulated or played shirt arms no real chair, for nobody wears it: choose the shirt on the Shirt page."
@@ -76,12 +76,12 @@ HEADS: Table = {
 
 
 def driver_class(what: str, word: str, table: Table) -> Any:
-    """Return the class behind a word of `table`; `what` ("shirt", "chair" ...) names it in sentences.
+    """Return the class of the kind `word` in `table`; `what` ("shirt", "chair" ...) names the device in sentences.
 
     Raises
     ------
     HardwareError
-        For an unknown word, a missing module or library, and a missing class: a different sentence each.
+        For an unknown kind, a missing module or library, and a missing class, each with its own sentence.
     """
     if word not in table:
         raise HardwareError(f"there is no {what} of the kind '{word}': use one of {', '.join(table)}")
@@ -105,7 +105,7 @@ def driver_class(what: str, word: str, table: Table) -> Any:
 
 
 def mistrust(config: ShirtConfig) -> str:
-    """Return in a sentence why this source arms no real chair; empty for one that may."""
+    """Return in a sentence why this shirt arms no real chair; empty when it may."""
     trust = TRUST.get(config.kind, Trust.NEVER)
     if trust is Trust.WIRED:
         return ""
@@ -140,7 +140,7 @@ def make_head(config: HeadConfig, clock: Clock) -> HeadTracker:
 
 
 def make_shirt(config: ShirtConfig, clock: Clock) -> Shirt:
-    """Return the shirt that `config` describes, not yet open; raise HardwareError when its driver cannot be had."""
+    """Return the shirt that `config` describes, not yet open; raise HardwareError without its driver."""
     return cast(Shirt, driver_class("shirt", config.kind, SHIRTS)(config, clock))
 
 
@@ -150,7 +150,7 @@ def make_body(config: BodyConfig) -> Body:
     Raises
     ------
     HardwareError
-        When its driver cannot be had, or its file cannot be read.
+        Without its driver, or when its file cannot be read.
     """
     made = driver_class("body", config.kind, BODIES)
     return cast(Body, made(**config.model_dump(exclude={"kind"})))

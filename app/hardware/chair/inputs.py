@@ -4,18 +4,18 @@ import math
 import os
 from pathlib import Path
 
-MOST_BYTES = 32  # of such a file; what stands behind them is not looked at
+MOST_BYTES = 32  # read of such a file
 
 
 class Inputs:
-    """What the chair knows of itself; a file that is not named is an input that the chair does not have."""
+    """The inputs of a chair; None in place of a file: the chair does not have this input."""
 
     def __init__(self, stop: Path | None, battery: Path | None) -> None:
         self._stop, self._battery = stop, battery
 
     @property
     def stop_pressed(self) -> bool:
-        """Whether the switch is pressed: everything but a 0 at the beginning is, as a torn wire must be."""
+        """Whether the switch is pressed: any content that does not begin with 0 is, so that a torn wire is too."""
         if self._stop is None:
             return False
         try:
@@ -36,7 +36,7 @@ class Inputs:
 
 
 def _content(file: Path) -> bytes:
-    """Return how a file begins; a pipe into which nobody writes is empty, and is not waited for."""
+    """Return the first bytes of a file; a pipe without a writer counts as empty and does not block."""
     handle = os.open(file, os.O_RDONLY | os.O_NONBLOCK)
     try:
         return os.read(handle, MOST_BYTES)

@@ -1,4 +1,4 @@
-"""The secret that a chair or a shirt shares with this machine. Standard library only: it runs on small boards, too."""
+"""The secret key that a chair or a shirt shares with this machine. Standard library only, for small boards."""
 
 import os
 import re
@@ -13,7 +13,7 @@ _LINE = re.compile(r"(\d{1,5}) ([0-9a-fA-F]{64})")
 
 
 class KeyRefused(Exception):  # noqa: N818
-    """Why a key file is not used, in one sentence that never contains the key."""
+    """Why a key file is refused, in one sentence that never contains the key."""
 
 
 class Key(NamedTuple):
@@ -24,11 +24,11 @@ class Key(NamedTuple):
 
     @property
     def line(self) -> str:
-        """The one line of a key file, which is also what the QR code of a pairing says."""
+        """The one line of a key file, which is also the content of the QR code of a pairing."""
         return f"{self.id} {self.secret.hex()}"
 
     def __repr__(self) -> str:
-        """Name the key without telling it: this may end in a log."""
+        """Name the key without its secret, because this text may be logged."""
         return f"Key({self.id}, ...)"
 
 
@@ -38,9 +38,9 @@ def new_key(key_id: int) -> Key:
 
 
 def read_key(file: Path) -> Key:
-    """Return the key in `file`; raise KeyRefused when others can read it or it is no key."""
+    """Return the key in `file`; raise KeyRefused when others can read the file or it holds no key."""
     try:
-        with open(os.open(file, os.O_RDONLY | os.O_NONBLOCK), encoding="ascii") as opened:  # a pipe is not waited for
+        with open(os.open(file, os.O_RDONLY | os.O_NONBLOCK), encoding="ascii") as opened:  # does not wait for a pipe
             mode = os.fstat(opened.fileno()).st_mode
             text = opened.read(200) if stat.S_ISREG(mode) else ""
     except (OSError, ValueError) as error:
@@ -58,7 +58,7 @@ def read_key(file: Path) -> Key:
 
 
 def write_key(file: Path, key: Key) -> None:
-    """Write a new key file that only its owner can read; raise FileExistsError rather than write over one."""
+    """Write a new key file that only its owner can read; raise FileExistsError when there is one."""
     handle = os.open(file, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
     try:
         os.fchmod(handle, 0o600)

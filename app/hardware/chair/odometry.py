@@ -1,17 +1,17 @@
-"""Where a chair has got to, reckoned from how fast it says that it drives."""
+"""Dead reckoning: the pose of a chair from the speeds that it reports."""
 
 import math
 
 from app.geometry import Pose, Twist, wrap_angle
 
-STRAIGHT = 1e-6  # rad: a turn so small that chord and arc are the same to a float's rounding
+STRAIGHT = 1e-6  # rad: for a smaller turn, chord and arc are equal to within rounding
 
 
 def arc(pose: Pose, twist: Twist, dt: float) -> Pose:
     """Return the pose after `dt` (s) of constant `twist`: exact for the unicycle, also for large steps.
 
-    The chord of an arc of v dt metres that turns by a = omega dt has the length v dt sin(a/2) / (a/2) and points half
-    of the turn beside the old heading. Source: Thrun, Burgard, Fox, Probabilistic Robotics (2005), section 5.3.3.
+    The chord of an arc of v dt metres with the turn a = omega dt has the length v dt sin(a/2) / (a/2); its direction
+    is the old heading plus half of the turn. Source: Thrun, Burgard, Fox, Probabilistic Robotics (2005), section 5.3.3.
     """
     turn = twist.omega * dt
     half = turn / 2

@@ -1,4 +1,4 @@
-"""What a receiver drives. Standard library only; what needs more is imported when it is asked for."""
+"""The outputs that a receiver drives. Standard library only; an output with other libraries is imported on demand."""
 
 import json
 import math
@@ -15,25 +15,25 @@ STDOUT = 1
 
 
 class OutputRefused(Exception):  # noqa: N818
-    """Why an output cannot be had, in one sentence."""
+    """Why an output cannot be opened, in one sentence."""
 
 
 class Output(Protocol):
-    """One way to a chair's motors."""
+    """An output to a chair's motors."""
 
-    is_real: bool  # whether something moves that a person may sit in
+    is_real: bool  # whether the output moves a chair that a person may sit in
 
     def drive(self, t: float, state: str, twist: Twist, reason: str) -> None:
-        """Drive like this from `t` (s) on; called at every step, never waits. OSError: it takes no commands."""
+        """Drive `twist` from `t` (s) on. Called at every step; never waits. OSError: the output accepts no commands."""
         ...
 
     def close(self) -> None:
-        """Let the chair stand, and give back what is held."""
+        """Let the chair stand, and release the output."""
         ...
 
 
 class Sink:
-    """Lines to a reader who may be slow: what would have to wait is not written."""
+    """Lines to a reader that may be slow: a line that would have to wait is not written."""
 
     def __init__(self, handle: int) -> None:
         self._handle = handle
@@ -41,10 +41,10 @@ class Sink:
         self._writable.register(handle, select.POLLOUT)
 
     def put(self, line: str) -> bool:
-        """Write a line; return False when there is no room for it now, raise OSError when nobody reads any more.
+        """Write a line; return False when there is no room, raise OSError when the reader has gone.
 
-        A pipe that is ready has room for a page, more than any line here; its flags, which it shares with other
-        programs, stay as they are.
+        A pipe that is ready has room for a page, more than any line here; so the pipe, which is shared with other
+        programs, need not be set to non-blocking.
         """
         if not self._writable.poll(0):
             return False
@@ -57,7 +57,7 @@ class Lines:
 
     is_real = False
     EVERY = 0.1  # s
-    MARGIN = 0.02  # s, two steps: a line that would be due before the next one, or while a step is late, is said now
+    MARGIN = 0.02  # s, two steps: a line that would be due before the next step, or during a late one, is written now
 
     def __init__(self, handle: int = STDOUT) -> None:
         self._sink = Sink(handle)
@@ -65,7 +65,7 @@ class Lines:
         self._due = -math.inf
 
     def drive(self, t: float, state: str, twist: Twist, reason: str) -> None:
-        """Say what is driven, when it is something else or was not said for long."""
+        """Write a line when something has changed or the last line is too old."""
         now = (state, twist, reason)
         if now == self._last and t < self._due:
             return
@@ -74,14 +74,14 @@ class Lines:
             self._last, self._due = now, t + self.EVERY - self.MARGIN
 
     def close(self) -> None:
-        """Hold nothing."""
+        """Do nothing: no resource is held."""
 
 
 class SimulatedDrive:
-    """A differential drive that is a program: two wheels, where they have led, and a line about it every second."""
+    """A simulated differential drive: two wheels, the pose, and a line about both every second."""
 
     is_real = False
-    WHEEL_DISTANCE = 0.55  # m, between the driven wheels of a powered chair
+    WHEEL_DISTANCE = 0.55  # m between the driven wheels of a powered chair
     EVERY = 1.0  # s
 
     def __init__(self, handle: int = STDOUT) -> None:
@@ -93,7 +93,7 @@ class SimulatedDrive:
         self._due = -math.inf
 
     def drive(self, t: float, state: str, twist: Twist, reason: str) -> None:
-        """Turn the wheels; what they did until now has moved the chair."""
+        """Integrate the pose up to `t`, then set the speeds of the wheels."""
         dt = 0.0 if self._t is None else t - self._t
         turned = Twist((self.left + self.right) / 2, (self.right - self.left) / self.WHEEL_DISTANCE)
         self.pose = arc(self.pose, turned, dt)
@@ -103,7 +103,7 @@ class SimulatedDrive:
             self._state, self._due = state, t + self.EVERY
 
     def close(self) -> None:
-        """Hold nothing."""
+        """Do nothing: no resource is held."""
 
     def _words(self, state: str, reason: str) -> str:
         x, y, theta = self.pose
@@ -125,7 +125,7 @@ def open_output(word: str) -> Output:
     Raises
     ------
     OutputRefused
-        When the library that it needs is missing, or does not find what it needs.
+        When its library is missing or cannot start.
     """
     module, name = OUTPUTS[word]
     try:

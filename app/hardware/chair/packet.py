@@ -1,7 +1,8 @@
-"""The chair's datagrams, byte by byte (docs/protocols.md, section 9). Standard library only.
+"""The datagrams of the chair link (docs/protocols.md, section 9). Standard library only.
 
-Everything is little-endian. A command and a telemetry carry 52 bytes and a tag of 16: HMAC-SHA-256, cut. The tag of
-a command also covers the receiver's nonce, new at every boot and every disarming: what was recorded is worthless.
+Everything is little-endian. A command and a telemetry have 52 bytes and a tag: the first 16 bytes of HMAC-SHA-256. The
+tag of a command also covers the receiver's nonce, which is new at every boot and every disarming, so that a recorded
+command is refused.
 """
 
 import hmac
@@ -22,7 +23,7 @@ _HELLO = Struct("<4sBBHI")
 
 
 class Command(NamedTuple):
-    """What a sender asks of a chair."""
+    """A command to a chair."""
 
     flags: int
     key_id: int
@@ -31,21 +32,21 @@ class Command(NamedTuple):
     t_ns: int  # the sender's monotonic clock, ns
     v: float  # m/s
     omega: float  # rad/s
-    v_cap: float  # m/s: what the sender promises not to go beyond
+    v_cap: float  # m/s: the sender's own limit
     omega_cap: float  # rad/s
     digest: bytes  # the first 8 bytes of the parameter set's SHA-256
 
 
 class Telemetry(NamedTuple):
-    """What a chair says of itself."""
+    """A chair's report of itself."""
 
     state: int  # 0 disarmed, 1 checking neutral, 2 armed, 3 fault
     key_id: int
     epoch: int
-    sequence: int  # the last one that was accepted
+    sequence: int  # of the last accepted command
     t_ns: int  # the chair's monotonic clock, ns
     nonce: bytes  # 8 bytes
-    v: float  # m/s, as driven
+    v: float  # m/s, as the chair drives
     omega: float  # rad/s
     battery: float  # 0..1, NaN when unknown
     stop_input: int  # 1: pressed
@@ -62,7 +63,7 @@ def encode_command(command: Command, key: Key, nonce: bytes) -> bytes:
 def decode_command(datagram: bytes, key: Key, nonce: bytes) -> Command | None:
     """Return a command whose length, magic, version, key number and tag are right, otherwise None.
 
-    Whether it is new, and whether its numbers can be driven, is for the receiver to judge.
+    The receiver checks whether the command is new and its numbers can be driven.
     """
     if len(datagram) != FRAME_BYTES or datagram[:4] != COMMAND_MAGIC:
         return None
@@ -85,7 +86,7 @@ def encode_telemetry(telemetry: Telemetry, key: Key) -> bytes:
 
 
 def decode_telemetry(datagram: bytes, key: Key) -> Telemetry | None:
-    """Return a telemetry that this chair has sent, otherwise None."""
+    """Return a telemetry with a valid tag of this chair's key, otherwise None."""
     if len(datagram) != FRAME_BYTES or datagram[:4] != TELEMETRY_MAGIC:
         return None
     body = datagram[:BODY_BYTES]
@@ -98,12 +99,12 @@ def decode_telemetry(datagram: bytes, key: Key) -> Telemetry | None:
 
 
 def encode_hello(key_id: int) -> bytes:
-    """Return the 12 bytes that ask a chair for its telemetry, and grant nothing."""
+    """Return the 12 bytes that ask a chair for its telemetry; they arm nothing."""
     return _HELLO.pack(HELLO_MAGIC, VERSION, 0, key_id, 0)
 
 
 def is_hello(datagram: bytes, key_id: int) -> bool:
-    """Tell whether a datagram asks this chair for its telemetry."""
+    """Return whether a datagram asks this chair for its telemetry."""
     return datagram == encode_hello(key_id)
 
 

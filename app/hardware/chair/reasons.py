@@ -1,20 +1,20 @@
-"""Why a chair stands, as its receiver tells: numbers on the wire, words for people. Standard library only."""
+"""Why a chair stands, by its telemetry: numbers for the protocol, words for people. Standard library only."""
 
 from enum import IntEnum
 
 
 class Reason(IntEnum):
-    """The fault code of the telemetry; the numbers are part of the protocol, so they never change."""
+    """The fault code of the telemetry; the numbers are part of the protocol and never change."""
 
     NONE = 0
     SILENT = 1  # no valid newer command for too long
     TOLD_TO_STOP = 2  # a command with the stop flag
-    WITHDRAWN = 3  # the sender took back its permission to drive
+    WITHDRAWN = 3  # the sender withdrew its permission to drive
     STOP_INPUT = 4
     NOT_NEUTRAL = 5  # no zero commands after a new epoch
     LATE = 6  # the receiver itself was held up
-    OUTPUT = 7  # what the receiver drives does not take commands
-    ENDING = 8  # somebody ended the receiver
+    OUTPUT = 7  # the receiver's output accepts no commands
+    ENDING = 8  # the receiver was ended
 
 
 WORDS = {

@@ -1,6 +1,6 @@
-"""The chair's side of the link: `python -m app.hardware.chair.receive --key-file F --output sim|ros2|stdout`.
+"""The chair's side of the chair link: `python -m app.hardware.chair.receive --key-file F --output sim|ros2|stdout`.
 
-A process of its own, standard library only, so that it runs on a chair's small board (also as `python -S`).
+A separate process, standard library only, so that it runs on a chair's small board (also as `python -S`).
 """
 
 import argparse
@@ -23,13 +23,13 @@ from app.hardware.chair.telemetry_sender import TelemetrySender
 from app.realtime import go_real_time
 
 PORT = 5354
-RECEIVE_BUFFER = 1 << 20  # bytes: what a flood brings while the loop sleeps must not displace a command
+RECEIVE_BUFFER = 1 << 20  # bytes: room for a command behind the datagrams of a flood that come while the loop sleeps
 DESCRIPTION = """The chair's side of the link: checks every command, watches the time, ramps, and drives an output.
 What drives the motors must itself stop when nothing comes from here any more."""
 
 
 class CannotStart(Exception):  # noqa: N818
-    """Why nothing was started, in one sentence."""
+    """Why the receiver does not start, in one sentence."""
 
 
 class _Parser(argparse.ArgumentParser):
@@ -55,7 +55,7 @@ def main(arguments: Sequence[str] | None = None, program: str = "python -m app.h
     inputs = Inputs(given.stop_input, given.battery_input)
     loop = ReceiverLoop(receiver, TelemetrySender(receiver, key.id, end, paired), end, output, inputs, clock)
     for which in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
-        if which is not signal.SIGHUP or signal.getsignal(which) is not signal.SIG_IGN:  # nohup asks to live on
+        if which is not signal.SIGHUP or signal.getsignal(which) is not signal.SIG_IGN:  # ignored under nohup
             signal.signal(which, lambda *_: setattr(loop, "ending", True))
     host, port = end.getsockname()[:2]
     place = f"[{host}]:{port}" if ":" in host else f"{host}:{port}"
@@ -69,20 +69,20 @@ def main(arguments: Sequence[str] | None = None, program: str = "python -m app.h
     try:
         loop.run()
     finally:
-        with suppress(OSError):  # it may be broken already
+        with suppress(OSError):  # the output may be broken
             output.close()
         end.close()
     return 0
 
 
 def _complain(sentence: str) -> None:
-    with suppress(OSError):  # nobody reads; the chair is driven all the same
+    with suppress(OSError):  # nobody reads stderr; the chair is driven all the same
         sys.stderr.write(f"{sentence}\n")
         sys.stderr.flush()
 
 
 def _bound(host: str, port: int) -> socket.socket:
-    """Return a socket that listens there and does not block."""
+    """Return a non-blocking socket that listens on `host` and `port`."""
     try:
         family, kind, protocol, _, address = socket.getaddrinfo(host, port, type=socket.SOCK_DGRAM)[0]
         end = socket.socket(family, kind, protocol)
@@ -100,7 +100,7 @@ def _bound(host: str, port: int) -> socket.socket:
 
 
 def _address(place: tuple[str, int], family: int) -> Any:
-    """Return what the socket calls this place: names are looked up here, once, and never while driving."""
+    """Return the socket address of a host and port; names are looked up here, never while driving."""
     host, port = place
     try:
         return socket.getaddrinfo(host, port, family=family, type=socket.SOCK_DGRAM)[0][4]

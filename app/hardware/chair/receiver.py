@@ -1,7 +1,7 @@
-"""What decides on the chair: takes datagrams, watches the time, and says how fast the chair may be driven.
+"""The decisions of a chair's receiver: from datagrams and time to the speed at which the chair is driven.
 
-No clock, no socket, no file; standard library only. What it does is in docs/protocols.md, section 9. Whatever is wrong
-with a datagram, it leaves everything as it was.
+No clock, no socket, no file; standard library only. docs/protocols.md, section 9, describes its behaviour. A datagram
+with any error changes nothing.
 """
 
 import math
@@ -25,30 +25,33 @@ from app.hardware.chair.packet import (
 from app.hardware.chair.reasons import Reason
 
 NEUTRAL_TIME = 0.5  # s of zero commands before motion, as in the gate (S2)
-NEUTRAL_PATIENCE = 5.0  # s, then disarmed again
-QUIET = 0.1  # s without a newer command: slow to standstill (S3)
-SILENT = 0.3  # s: disarmed
-ROUNDING = 1e-6  # s: so much later a limit has passed, however its floats were rounded
-LATE = 0.1  # s that a command may come later than the quickest: an older one is not newer
-FORGIVEN = 0.1  # s per s: how fast the measure of the quickest gives way, for clocks that drift
-STALL = 0.1  # s between two steps, after which what was commanded is too old
-ACCELERATION, TURN_ACCELERATION = 3.0, 20.0  # m/s2, rad/s2: the chair's own ramps, above those of any parameter set
+NEUTRAL_PATIENCE = 5.0  # s of the neutral check after which the chair is disarmed
+QUIET = 0.1  # s without a newer command after which the chair slows to standstill (S3)
+SILENT = 0.3  # s without a newer command after which the chair is disarmed
+ROUNDING = 1e-6  # s added to a limit, so that it has passed whatever the rounding
+LATE = 0.1  # s of delay beyond that of the quickest command; a later command does not count as newer
+FORGIVEN = 0.1  # s per s by which the smallest delay is raised, because clocks drift
+STALL = 0.1  # s between two steps after which the last command is too old
+ACCELERATION, TURN_ACCELERATION = (
+    3.0,
+    20.0,
+)  # m/s2, rad/s2: the chair's own ramps, steeper than those of any parameter set
 STOP_DECELERATION, STOP_TURN_DECELERATION, STOP_TIME = 3.0, 6.0, 0.25  # as in the gate: m/s2, rad/s2, s
-V_MAX, OMEGA_MAX = 1.5, 2.5  # m/s, rad/s: no receiver allows more
+V_MAX, OMEGA_MAX = 1.5, 2.5  # m/s, rad/s: upper limits of every receiver
 
 
 class ReceiverState(IntEnum):
     """The state of the telemetry."""
 
     DISARMED = 0
-    CHECKING = 1  # an epoch was taken, and commands to stand are counted
+    CHECKING = 1  # an epoch was accepted; the time of commands to stand is counted
     ARMED = 2
-    FAULT = 3  # for as long as something lasts that forbids motion
+    FAULT = 3  # while a condition forbids motion
 
 
 @dataclass(slots=True)
 class _Axis:
-    """One speed on its way to what it is told."""
+    """The ramp of one speed to its target."""
 
     cap: float
     acceleration: float
@@ -58,26 +61,26 @@ class _Axis:
     stop_rate: float = 0.0
 
     def stop(self) -> None:
-        """Go to standstill; a stop during a stop does not make the way longer."""
+        """Slow to standstill; a stop during a stop does not lengthen it."""
         self.target = 0.0
         self.stop_rate = max(self.stop_rate, self.deceleration, abs(self.driven) / STOP_TIME)
 
     def step(self, dt: float) -> None:
-        """Drive on for `dt` (s)."""
+        """Advance by `dt` (s)."""
         change = (self.stop_rate or self.acceleration) * dt
         self.driven = min(self.driven + change, max(self.driven - change, self.target))
 
 
 class Receiver:
-    """One chair with its key and its caps.
+    """One chair with its key and its speed limits.
 
     Attributes
     ----------
     state : ReceiverState
     reason : Reason
-        Why the chair stands; NONE once it is armed.
+        Why the chair stands; NONE while it is armed.
     nonce : bytes
-        What the tag of a command must cover now; new after every epoch.
+        The nonce that the tag of a command must cover; new after every epoch.
     """
 
     def __init__(
@@ -97,29 +100,29 @@ class Receiver:
         self.state = ReceiverState.DISARMED
         self.reason = Reason.NONE
         self.nonce = new_nonce(NONCE_BYTES)
-        self._epoch: int | None = None  # the last one that was taken
+        self._epoch: int | None = None  # the last accepted epoch
         self._sequence = 0
         self._digest = b""
-        self._was_permitted = False  # the drive flag was set in this epoch
+        self._was_permitted = False  # whether the drive flag was set in this epoch
         self._heard = self._checking_since = self._neutral_since = -math.inf
         self._sender_t = 0.0
-        self._quickest = math.inf  # s, smallest difference between our clock and the sender's in this epoch
+        self._quickest = math.inf  # s, smallest difference between this clock and the sender's in this epoch
         self._stepped: float | None = None
 
     @property
     def driven(self) -> Twist:
-        """How fast the chair is driven now."""
+        """The speeds at which the chair is driven now."""
         return Twist(self._v.driven, self._omega.driven)
 
     def next_look(self, t: float) -> float:
-        """Return when, after `t` (s), silence has lasted long enough to act on; inf while none would be."""
+        """Return when, after `t` (s), a limit of silence is reached; inf when none applies."""
         if self.state not in (ReceiverState.CHECKING, ReceiverState.ARMED):
             return math.inf
         looks = (self._heard + limit + ROUNDING for limit in (QUIET, SILENT))
         return next((look for look in looks if look > t), math.inf)
 
     def take(self, datagram: bytes, t: float) -> bool:
-        """Act on a command that came at `t` (s); return False, with nothing changed, when it is not to be acted on."""
+        """Act on a command that came at `t` (s); return False, with nothing changed, when it is not accepted."""
         command = decode_command(datagram, self._key, self.nonce)
         if command is None or not _is_drivable(command) or (self._refuses_virtual and command.flags & VIRTUAL):
             return False
@@ -137,7 +140,7 @@ class Receiver:
         return True
 
     def step(self, t: float, *, stop_pressed: bool = False, output_broken: bool = False) -> Twist:
-        """Live on until `t` (s); return how fast to drive."""
+        """Advance to `t` (s); return the speeds to drive."""
         pause = 0.0 if self._stepped is None else t - self._stepped
         self._stepped = t
         self._watch(t, pause, stop_pressed, output_broken)
@@ -147,7 +150,7 @@ class Receiver:
         return self.driven if self._v.driven or self._omega.driven else STANDSTILL
 
     def stop(self, reason: Reason) -> None:
-        """Disarm: the way to standstill, a new nonce, and an epoch that is over."""
+        """Disarm: slow to standstill, end the epoch, make a new nonce."""
         self._v.stop()
         self._omega.stop()
         self.reason = reason
@@ -156,7 +159,7 @@ class Receiver:
             self.nonce = self._new_nonce(NONCE_BYTES)
 
     def telemetry(self, t: float, battery: float = math.nan, *, stop_pressed: bool = False) -> bytes:
-        """Return the datagram that says how the chair is at `t` (s)."""
+        """Return the datagram of the telemetry at `t` (s)."""
         return encode_telemetry(
             Telemetry(
                 state=self.state,
@@ -188,12 +191,12 @@ class Receiver:
     def _is_newer(self, command: Command, t: float) -> bool:
         if command.epoch != self._epoch or command.sequence <= self._sequence:
             return False
-        if command.flags & STOP:  # never too late, whatever it was armed with
+        if command.flags & STOP:  # a stop is never too late, and needs no digest
             return True
         if command.digest != self._digest:
             return False
         sender_t = command.t_ns * 1e-9
-        if sender_t == self._sender_t:  # a clock that stands tells nothing
+        if sender_t == self._sender_t:  # a clock that stands does not show lateness
             return True
         allowed = self._quickest + FORGIVEN * (t - self._heard) + LATE
         return t - sender_t <= allowed

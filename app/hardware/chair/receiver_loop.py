@@ -1,4 +1,4 @@
-"""The receiver's loop: looks at the watch every 10 ms, whatever comes in. Standard library only."""
+"""The receiver's loop: checks the time limits every 10 ms, whatever comes in. Standard library only."""
 
 import math
 import select
@@ -12,12 +12,12 @@ from app.hardware.chair.reasons import WORDS, Reason
 from app.hardware.chair.receiver import Receiver
 from app.hardware.chair.telemetry_sender import TelemetrySender
 
-STEP = 0.01  # s between two looks at the watch: the finest of safety.md's limits is 100 ms
-LEAST = 0.001  # s to listen, after a hold-up, too
-DRAINING = 0.005  # s in a step for what is no command: the rest of the machine lives on in a flood
-ENDING_LIMIT = 0.5  # s for the way to standstill when somebody ends this
-PROBE_STEPS = 50  # steps whose lateness is measured at the start
-PROBE_LIMIT = 0.01  # s: as much later would make 110 ms of the 100
+STEP = 0.01  # s between two checks of the limits; the shortest limit of safety.md is 100 ms
+LEAST = 0.001  # s to listen, also after a hold-up
+DRAINING = 0.005  # s of a step for other datagrams than commands: leaves time to other programs in a flood
+ENDING_LIMIT = 0.5  # s for the ramp to standstill at the end
+PROBE_STEPS = 50  # number of steps whose lateness is measured at the start
+PROBE_LIMIT = 0.01  # s of lateness, with which the limit of 100 ms becomes 110 ms
 
 
 class ReceiverLoop:
@@ -26,7 +26,7 @@ class ReceiverLoop:
     Attributes
     ----------
     ending : bool
-        Set by whoever ends it, also from within a signal.
+        Set to end the loop, also by a signal handler.
     """
 
     def __init__(
@@ -38,7 +38,7 @@ class ReceiverLoop:
         inputs: Inputs,
         clock: Clock,
     ) -> None:
-        """`end` is a bound socket that does not block."""
+        """`end` is a bound, non-blocking socket."""
         self._receiver = receiver
         self._telemetry = telemetry
         self._socket = end
@@ -50,11 +50,11 @@ class ReceiverLoop:
         self.ending = False
 
     def run(self) -> None:
-        """Turn until `ending`, then bring the chair to standstill and say so."""
+        """Turn until `ending`, then bring the chair to standstill and send a last telemetry."""
         due = self._clock.now()
         while not self.ending:
             due = max(due + STEP, self._clock.now() + LEAST)
-            # Silence is acted on when it is due, not a step later; also when it fell due during a step.
+            # Act on silence when its limit is reached, not a step later, also when that was during a step.
             while (look := self._receiver.next_look(self._stepped)) < due:
                 self._listen(look)
                 self._step()
@@ -69,15 +69,15 @@ class ReceiverLoop:
         self._step(last=True)
 
     def _listen(self, due: float) -> None:
-        """Take what comes until `due` (s); commands take effect at once."""
+        """Take datagrams until `due` (s); commands take effect at once."""
         enough = math.inf
         while (t := self._clock.now()) < due:
             if t >= enough:
                 self._clock.sleep_until(due)
                 return
             try:
-                datagram, address = self._socket.recvfrom(FRAME_BYTES + 1)  # the one more shows what is too long
-            except OSError:  # nothing is there; or an answer of ours found nobody, which is no news about the chair
+                datagram, address = self._socket.recvfrom(FRAME_BYTES + 1)  # one byte more shows what is too long
+            except OSError:  # no datagram; or an earlier telemetry found no listener, which does not matter
                 select.select([self._socket], [], [], due - t)
                 continue
             if self._receiver.take(datagram, t):
@@ -98,12 +98,12 @@ class ReceiverLoop:
         except OSError:
             self._output_broken = True
             if not self._output.is_real:
-                self.ending = True  # nobody reads any more
+                self.ending = True  # the reader has gone
         self._telemetry.send(t, self._inputs, pressed, now=last)
 
 
 def slowness(clock: Clock) -> list[str]:
-    """Measure for half a second whether this machine keeps the steps; return what is to be said."""
+    """Measure for half a second whether this machine keeps the steps; return a warning when it does not."""
     due, worst = clock.now(), 0.0
     for _ in range(PROBE_STEPS):
         due += STEP

@@ -1,4 +1,4 @@
-"""Tells another program where the virtual chair is: one datagram a tick. A report, never a command."""
+"""Reports the pose of the virtual chair to another program, one datagram a tick; a report, never a command."""
 
 import socket
 from contextlib import suppress
@@ -32,10 +32,10 @@ def encode_report(tick: Tick) -> bytes:
 
 
 class ChairReport:
-    """Sends reports to one address; one that cannot be sent is left out."""
+    """Sends reports to one address; a report that cannot be sent is dropped."""
 
     def __init__(self, host: str, port: int) -> None:
-        """Open the way to `host`, or raise HardwareError."""
+        """Open a socket for `host`, or raise HardwareError."""
         try:
             family, kind, protocol, _, address = socket.getaddrinfo(host, port, type=socket.SOCK_DGRAM)[0]
             self._socket = socket.socket(family, kind, protocol)
@@ -48,9 +48,9 @@ class ChairReport:
 
     def send(self, tick: Tick) -> None:
         """Send a tick; never waits."""
-        with suppress(OSError):  # nobody there, or no room: the next one is newer
+        with suppress(OSError):  # nobody listens, or no room: the next report is newer
             self._socket.sendto(encode_report(tick), self._address)
 
     def close(self) -> None:
-        """Give the socket back."""
+        """Close the socket."""
         self._socket.close()

@@ -1,8 +1,8 @@
-"""A chair that listens to ROS 2: `geometry_msgs/Twist` on /cmd_vel. The only home of cyclonedds; ROS is not needed.
+"""Output to a ROS 2 chair: `geometry_msgs/Twist` on /cmd_vel. The only importer of cyclonedds; needs no ROS.
 
 ROS 2 calls this topic `rt/cmd_vel` and the type `geometry_msgs::msg::dds_::Twist_` on the wire; a sample is 52 bytes,
-`00 01 00 00` (plain CDR, little-endian) and six float64: linear x, y, z, angular x, y, z. Which network it uses is
-said by CycloneDDS's own variable, CYCLONEDDS_URI.
+`00 01 00 00` (plain CDR, little-endian) and six float64: linear x, y, z, angular x, y, z. The network is
+set by CycloneDDS's own variable, CYCLONEDDS_URI.
 """
 
 import errno
@@ -21,16 +21,16 @@ from app.geometry import STANDSTILL, Twist
 from app.hardware.chair.outputs import OutputRefused
 
 TOPIC = "rt/cmd_vel"
-EVERY = 0.04  # s: looked at every 10 ms, so that 50 ms never pass without a sample
-LAST_WORD = 200_000_000  # ns that closing waits, at most, until the zeros were received
-LARGEST_DOMAIN = 232  # above it DDS has no ports
+EVERY = 0.04  # s between samples: with steps of 10 ms, 50 ms never pass without one
+CLOSING_LIMIT = 200_000_000  # ns that closing waits at most for the receipt of the zeros
+LARGEST_DOMAIN = 232  # DDS has no ports above it
 
 Vector3: Any = make_idl_struct(
     "Vector3", "geometry_msgs::msg::dds_::Vector3_", {"x": float64, "y": float64, "z": float64}
 )
 RosTwist: Any = make_idl_struct("RosTwist", "geometry_msgs::msg::dds_::Twist_", {"linear": Vector3, "angular": Vector3})
 
-# Who listens in ROS 2 asks for reliable samples by default; only the newest one counts, and nothing is waited for.
+# ROS 2 subscribers ask for reliable samples by default; only the newest sample counts, and writing never waits.
 QOS = Qos(
     Policy.Reliability.Reliable(max_blocking_time=0),
     Policy.History.KeepLast(1),
@@ -45,7 +45,7 @@ class Ros2Twist:
     is_real = True
 
     def __init__(self) -> None:
-        """Join the ROS 2 domain of ROS_DOMAIN_ID; raise OutputRefused when that cannot be had."""
+        """Join the ROS 2 domain of ROS_DOMAIN_ID; raise OutputRefused when DDS cannot start."""
         domain = os.environ.get("ROS_DOMAIN_ID", "").strip() or "0"
         if not (domain.isdecimal() and int(domain) <= LARGEST_DOMAIN):
             raise OutputRefused(f"ROS_DOMAIN_ID is '{domain}': give it a number from 0 to {LARGEST_DOMAIN}")
@@ -60,7 +60,7 @@ class Ros2Twist:
         self._due = 0.0
 
     def drive(self, t: float, state: str, twist: Twist, reason: str) -> None:  # noqa: ARG002
-        """Publish `twist` when it is another one, or was not said for long; raise OSError when DDS does not take it."""
+        """Publish `twist` when it has changed or is due again; raise OSError when DDS does not accept it."""
         if twist == self._last and t < self._due:
             return
         try:
@@ -71,13 +71,13 @@ class Ros2Twist:
         self._last, self._due = twist, t + EVERY
 
     def close(self) -> None:
-        """Publish zeros, and leave."""
-        # AttributeError: how cyclonedds 11.0.1 says that the time for the acknowledgement is over.
+        """Publish zeros, and leave the domain."""
+        # cyclonedds 11.0.1 raises AttributeError when the wait for the acknowledgement times out.
         with suppress(DDSException, AttributeError):
             self._writer.write(sample(STANDSTILL))
-            self._writer.wait_for_acks(LAST_WORD)
+            self._writer.wait_for_acks(CLOSING_LIMIT)
 
 
 def sample(twist: Twist) -> Any:
-    """Return what ROS 2 calls this twist."""
+    """Return the ROS 2 message of a twist."""
     return RosTwist(linear=Vector3(x=twist.v, y=0.0, z=0.0), angular=Vector3(x=0.0, y=0.0, z=twist.omega))

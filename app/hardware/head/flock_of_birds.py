@@ -11,34 +11,34 @@ from app.hardware.head.flock_record import RECORD, Records, decode
 from app.messages import HeadPose
 
 AUTO_CONFIGURE, GROUP_MODE = b"P\x32", b"P\x23\x01"
-TO_UNIT = 0xF0  # and an address: the next command is for that unit
+TO_UNIT = 0xF0  # plus an address: the next command goes to that unit
 ANGLES, STREAM, STOP_STREAM = b"Y", b"@", b"?"
-PAUSE = 0.35  # s; 0.3 before and after auto-configuring
-ALIVE = 0.5  # s without a record after which the words say so
+PAUSE = 0.35  # s; the manual asks for 0.3 before and after auto-configuring
+ALIVE = 0.5  # s without a record after which `words` reports silence
 WRITE_LIMIT = 0.5  # s
 
 
 class FlockOfBirds:
-    """One unit, by itself or in a group."""
+    """One unit, alone or in a group."""
 
     def __init__(self, config: FlockOfBirdsConfig, clock: Clock) -> None:
         self._config = config
         self._clock = clock
         self._port: serial.Serial | None = None
         self._pose: HeadPose | None = None
-        self._gone = ""
+        self._loss = ""
         self._new_records()
 
     def open(self) -> None:
-        """Configure the unit and let it stream; in a group this takes a second.
+        """Configure the unit and start its stream; in a group this takes a second.
 
         Raises
         ------
         HardwareError
-            When the line cannot be opened or does not take the commands.
+            When the line cannot be opened or does not accept the commands.
         """
         self.close()
-        self._gone = ""
+        self._loss = ""
         self._new_records()
         device, address = self._config.device, self._config.address
         try:
@@ -46,7 +46,7 @@ class FlockOfBirds:
             self._port.write(STOP_STREAM)
             if address is not None:
                 self._configure_group(self._port, address)
-            self._port.read(self._port.in_waiting)  # from before
+            self._port.read(self._port.in_waiting)  # drop earlier bytes
             to_unit = b"" if address is None else bytes([TO_UNIT + address])
             self._port.write(to_unit + ANGLES)
             self._port.write(STREAM)
@@ -57,14 +57,14 @@ class FlockOfBirds:
             ) from error
 
     def newest(self) -> HeadPose | None:
-        """Take in what has come and return the newest pose, None before the first."""
+        """Take in the bytes that have come and return the newest pose, None before the first."""
         if self._port is None:
             return self._pose
         try:
             content = self._port.read(self._port.in_waiting)
         except OSError as error:
-            self._gone = str(error) or "it went away"
-            self._let_go()
+            self._loss = str(error) or "it went away"
+            self._close_port()
             return self._pose
         now = self._clock.now()
         for record in self._records.feed(content):
@@ -75,8 +75,8 @@ class FlockOfBirds:
     def words(self) -> str:
         """Return the tracker's state in words."""
         device = self._config.device
-        if self._gone:
-            return f"The Flock of Birds on {device} was lost ({self._gone}): check its cable, then choose it again."
+        if self._loss:
+            return f"The Flock of Birds on {device} was lost ({self._loss}): check its cable, then choose it again."
         if self._port is None:
             return f"The Flock of Birds on {device} is not open."
         if self._pose is None or self._clock.now() - self._pose.t > ALIVE:
@@ -84,11 +84,11 @@ class FlockOfBirds:
         return f"Flock of Birds on {device}."
 
     def close(self) -> None:
-        """Stop the stream and give the line back."""
+        """Stop the stream and close the line; closing twice does no harm."""
         if self._port is not None:
             with suppress(OSError):
                 self._port.write(STOP_STREAM)
-        self._let_go()
+        self._close_port()
         self._pose = None
 
     def _configure_group(self, port: serial.Serial, address: int) -> None:
@@ -103,7 +103,7 @@ class FlockOfBirds:
     def _new_records(self) -> None:
         self._records = Records(RECORD if self._config.address is None else RECORD + 1)
 
-    def _let_go(self) -> None:
+    def _close_port(self) -> None:
         if self._port is not None:
             with suppress(OSError):
                 self._port.close()

@@ -17,14 +17,14 @@ ANGLE = math.pi / 32768  # rad of one step
 
 
 class Records:
-    """Cuts a stream of bytes into records, from any place on: a record begins where bit 7 is set."""
+    """Splits a stream of bytes into records, from any byte on: a record begins at a byte with bit 7 set."""
 
     def __init__(self, size: int) -> None:
         self._size = size
         self._record = bytearray()
 
     def feed(self, content: bytes) -> list[bytes]:
-        """Return the whole records that end in `content`."""
+        """Return the complete records that end in `content`."""
         whole = []
         for byte in content:
             if byte & PHASE:

@@ -1,8 +1,8 @@
 """opentrack's output "UDP over network": six numbers a datagram.
 
 Source of the signs: opentrack's own trackers and outputs. Its SteamVR tracker takes OpenVR's axes (right, up, back) as
--x, y, z, and its outputs for SimConnect and FlightGear turn them back. Whoever turns an axis round
-in opentrack's options turns it round here.
+-x, y, z, and its outputs for SimConnect and FlightGear reverse that. An axis that is inverted in opentrack's options is
+inverted here too.
 """
 
 import math
@@ -14,12 +14,12 @@ from app.hardware.head.udp_head import UdpHead
 from app.messages import HeadPose
 
 RECORD = struct.Struct("<6d")  # x, y, z in cm (left, up, back); yaw (right positive), pitch (up), roll (left), degrees
-FURTHEST = 360.0  # degrees; nothing beyond is a head
+FURTHEST = 360.0  # degrees: a larger angle is not that of a head
 CM = 0.01  # m
 
 
 def decode(datagram: bytes, t: float) -> HeadPose | None:
-    """Return the pose in 48 bytes that came at `t` (s); None when a number is not finite or no angle."""
+    """Return the pose in 48 bytes that came at `t` (s); None when a number is not finite or an angle is impossible."""
     x, y, z, yaw, pitch, roll = RECORD.unpack(datagram)
     if not all(map(math.isfinite, (x, y, z))) or not all(abs(angle) <= FURTHEST for angle in (yaw, pitch, roll)):
         return None

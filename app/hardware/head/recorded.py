@@ -13,12 +13,12 @@ from app.messages import HeadPose
 from app.signals.columns import read_columns, require_column
 
 COLUMNS = ("yaw_deg", "pitch_deg", "roll_deg")  # left, up and right positive
-BLEND = 1.0  # s in which the end passes into the beginning
+BLEND = 1.0  # s from the end of a looped recording to its beginning
 SHORTEST = 2.0  # s of recording
 
 
 class RecordedHead:
-    """Plays `t, yaw_deg, pitch_deg, roll_deg` (s, degrees), once or round and round."""
+    """Plays `t, yaw_deg, pitch_deg, roll_deg` (s, degrees), once or in a loop."""
 
     def __init__(self, config: RecordedHeadConfig, clock: Clock) -> None:
         self._config = config
@@ -28,14 +28,14 @@ class RecordedHead:
         self._angles: NDArray[np.float64] = np.empty((0, 3))
 
     def open(self) -> None:
-        """Read the file; HardwareError when it cannot be read or holds no head."""
+        """Read the file; HardwareError when it cannot be read or holds no head movement."""
         self._t, self._angles = _read(Path(self._config.file))
         if self._config.loop:
-            self._t, self._angles = _round(self._t, self._angles)
+            self._t, self._angles = _looped(self._t, self._angles)
         self._began = self._clock.now()
 
     def newest(self) -> HeadPose | None:
-        """Return where it looks now; at the end of a recording that is not repeated, the last pose with its time."""
+        """Return the pose at this moment; after the end without a loop, the last pose with its time."""
         if self._began is None:
             return None
         now = self._clock.now()
@@ -47,12 +47,12 @@ class RecordedHead:
         return HeadPose(now, *(float(np.interp(played, self._t, self._angles[:, axis])) for axis in range(3)))
 
     def words(self) -> str:
-        """Return its state in words."""
+        """Return the tracker's state in words."""
         name = Path(self._config.file).name
         return f"The recorded head {name} is not played." if self._began is None else f"Recorded head {name} is played."
 
     def close(self) -> None:
-        """Stop playing."""
+        """End the playback."""
         self._began = None
 
 
@@ -70,7 +70,7 @@ def _read(file: Path) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     return t - t[0], angles
 
 
-def _round(t: NDArray[np.float64], angles: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Return the recording with a way from its end to its beginning."""
+def _looped(t: NDArray[np.float64], angles: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return the recording with its first pose appended, the shortest way round from its last."""
     turns = np.round((angles[-1] - angles[0]) / math.tau) * math.tau
     return np.append(t, t[-1] + BLEND), np.vstack([angles, angles[0] + turns])

@@ -1,4 +1,4 @@
-"""A head that looks around by itself, slowly and smoothly."""
+"""A simulated head that looks around slowly and smoothly."""
 
 import math
 import random
@@ -7,11 +7,15 @@ from app.clock import Clock
 from app.hardware.configs import SimulatedHeadConfig
 from app.messages import HeadPose
 
-WAVES = {"yaw": (0.5, 0.3), "pitch": (0.12, 0.25), "roll": (0.06, 0.2)}  # rad at most, Hz about
+WAVES = {
+    "yaw": (0.5, 0.3),
+    "pitch": (0.12, 0.25),
+    "roll": (0.06, 0.2),
+}  # largest angle (rad), typical frequency (Hz)
 
 
 class SimulatedHead:
-    """Looks left and right, a little up and down: sums of two slow waves. The same seed looks the same way."""
+    """Looks left and right, a little up and down: sums of two slow waves. The seed determines the movement."""
 
     def __init__(self, config: SimulatedHeadConfig, clock: Clock) -> None:
         rng = random.Random(config.seed)
@@ -23,25 +27,25 @@ class SimulatedHead:
         }
 
     def open(self) -> None:
-        """Begin to look around."""
+        """Begin the movement."""
         self._began = self._clock.now()
 
     def newest(self) -> HeadPose | None:
-        """Return where it looks now, None while it is not open."""
+        """Return the pose at this moment, None while the tracker is not open."""
         if self._began is None:
             return None
         now = self._clock.now()
         return HeadPose(now, *(self._angle(name, now - self._began) for name in WAVES))
 
     def words(self) -> str:
-        """Return its state in words."""
+        """Return the tracker's state in words."""
         return "The simulated head rests." if self._began is None else "The simulated head looks around."
 
     def close(self) -> None:
-        """Stop looking around."""
+        """End the movement."""
         self._began = None
 
     def _angle(self, name: str, t: float) -> float:
-        # From straight ahead on: nobody begins with a jerk.
+        # The movement grows from straight ahead, so that it begins without a jump.
         grown = 1.0 - math.exp(-t)
         return grown * sum(size * math.sin(math.tau * rate * t + phase) for size, rate, phase in self._waves[name])

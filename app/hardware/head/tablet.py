@@ -1,4 +1,4 @@
-"""The orientation of a tablet or phone, as its page tells it."""
+"""The orientation of a tablet or phone, reported by its page."""
 
 import math
 
@@ -6,11 +6,11 @@ from app.clock import Clock
 from app.hardware.configs import TabletHeadConfig
 from app.messages import HeadPose
 
-ALIVE = 0.5  # s without a word from the page after which the words say so
+ALIVE = 0.5  # s without a report of the page after which `words` says so
 
 
 class TabletHead:
-    """Keeps what it was told last."""
+    """Keeps the newest orientation reported."""
 
     def __init__(self, _config: TabletHeadConfig, clock: Clock) -> None:
         self._clock = clock
@@ -18,20 +18,20 @@ class TabletHead:
         self._pose: HeadPose | None = None
 
     def open(self) -> None:
-        """Begin to listen."""
+        """Accept reports from now on."""
         self._is_open, self._pose = True, None
 
     def look(self, yaw: float, pitch: float, roll: float) -> None:
-        """Say where it looks (rad); what is not finite is left out."""
+        """Take a reported orientation (rad); ignore one that is not finite."""
         if self._is_open and all(map(math.isfinite, (yaw, pitch, roll))):
             self._pose = HeadPose(self._clock.now(), yaw, pitch, roll)
 
     def newest(self) -> HeadPose | None:
-        """Return what was told last, None before anything was."""
+        """Return the newest pose, None before the first."""
         return self._pose
 
     def words(self) -> str:
-        """Return its state in words."""
+        """Return the tracker's state in words."""
         if not self._is_open:
             return "The tablet's orientation is not used."
         if self._pose is None or self._clock.now() - self._pose.t > ALIVE:
@@ -39,5 +39,5 @@ class TabletHead:
         return "The tablet tells where it looks."
 
     def close(self) -> None:
-        """Stop listening."""
+        """Accept no more reports."""
         self._is_open, self._pose = False, None

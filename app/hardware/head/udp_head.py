@@ -1,4 +1,4 @@
-"""A head tracker that sends its poses as datagrams: all that is there is read at once, and the last good one kept."""
+"""A head tracker that sends its poses as datagrams: each look reads all of them and keeps the last good pose."""
 
 import math
 import socket
@@ -8,22 +8,22 @@ from app.clock import Clock
 from app.hardware.base import HardwareError
 from app.messages import HeadPose
 
-SILENCE = 2.0  # s without a pose after which another sender may be the tracker
-ALIVE = 0.5  # s without a pose after which the words say so
-MOST = 64  # datagrams in one look: the loop lives on in a flood
+SILENCE = 2.0  # s without a pose after which another sender is accepted
+ALIVE = 0.5  # s without a pose after which `words` reports silence
+MOST = 64  # datagrams read in one look, so that a flood does not hold up the loop
 KERNEL_BUFFER = 1 << 16  # bytes
 
 Decode = Callable[[bytes, float], HeadPose | None]
-"""A datagram and when it came (monotonic s): its pose, None when it is none."""
+"""From a datagram and its time of arrival (monotonic s) to a pose, None for any other datagram."""
 
 
 class UdpHead:
-    """Listens on one address; from the first good pose on, only to its sender, until that has been silent for 2 s."""
+    """Listens on one address; accepts only the sender of the first good pose, until that has been silent for 2 s."""
 
     def __init__(self, name: str, host: str, port: int, size: int, decode: Decode, clock: Clock) -> None:
-        """`size` is that of its datagrams, in bytes; `name` is what people call such a tracker."""
+        """`size` is the length of a datagram in bytes; `name` names the tracker in sentences."""
         self.address: tuple[str, int] = (host, port)  # with the true port once open
-        self.junk = 0  # datagrams that were no pose
+        self.junk = 0  # datagrams that are no pose
         self._name = name
         self._size = size
         self._decode = decode
@@ -33,7 +33,7 @@ class UdpHead:
         self._pose: HeadPose | None = None
 
     def open(self) -> None:
-        """Listen; HardwareError when the address is not this machine's, or its port is taken."""
+        """Open the socket; HardwareError when the address is not of this machine or its port is in use."""
         self.close()
         host, port = self.address
         listening: socket.socket | None = None
@@ -55,13 +55,13 @@ class UdpHead:
         self.junk = 0
 
     def newest(self) -> HeadPose | None:
-        """Take in what has come and return the newest pose, None before the first."""
+        """Take in the datagrams that have come and return the newest pose, None before the first."""
         if self._socket is None:
             return self._pose
         now = self._clock.now()
         for _ in range(MOST):
             try:
-                datagram, sender = self._socket.recvfrom(self._size + 1)  # the one more shows what is too long
+                datagram, sender = self._socket.recvfrom(self._size + 1)  # one byte more shows what is too long
             except OSError:
                 break
             if self._pose is not None and now - self._pose.t > SILENCE:
@@ -84,7 +84,7 @@ class UdpHead:
         return f"Head tracker {self._name} on {host}:{port}{refused}."
 
     def close(self) -> None:
-        """Give the port back."""
+        """Close the socket; closing twice does no harm."""
         if self._socket is not None:
             self._socket.close()
         self._socket = self._sender = self._pose = None

@@ -1,8 +1,8 @@
-"""What piezoresistive fabric makes of posture: pure, without a clock, fast enough for the loop and the study.
+"""A model of piezoresistive fabric, from postures to channel voltages; without a clock, for the loop and the study.
 
 The shapes and sizes were measured on a real piezoresistive knit (signal-chain, simulated shirt): a slightly curved
-response, creep with two time constants, a hysteresis loop, drift, noise, steps of the converter, and after putting the
-shirt on again, other gains and offsets.
+response, creep with two time constants, a hysteresis loop, drift, noise, steps of the converter, and other gains and
+offsets each time the shirt is put on.
 """
 
 import math
@@ -17,44 +17,44 @@ from app.layout import ShirtLayout
 
 FULL_SCALE = 3.3  # V, of the converter
 STEPS = 4096  # of the converter: 12 bits
-SPAN = 0.45  # V that a channel of strength 1 moves when its joint moves all the way
-REST_LEVEL = (1.2, 1.8)  # V at rest: the middle of the converter, so that stretch and slack both have room
-STRENGTH = (0.5, 1.0)  # of SPAN, how strongly a channel feels its joint
-SLACKENING = 0.3  # share of channels that get slack where the others stretch
+SPAN = 0.45  # V by which a channel of strength 1 changes over the full movement of its joint
+REST_LEVEL = (1.2, 1.8)  # V at rest: the middle of the converter's range, with room in both directions
+STRENGTH = (0.5, 1.0)  # of SPAN: how strongly a channel responds to its joint
+SLACKENING = 0.3  # share of channels that slacken where the others stretch
 NOISE_BLOCK = 256  # frames of noise drawn at once
-TURN_DEG = (8.0, 17.0)  # by which a joint's main direction turns when the shirt is put on again
+TURN_DEG = (8.0, 17.0)  # angle by which a joint's main direction turns when the shirt is put on again
 
 
 @dataclass(frozen=True, slots=True)
 class FabricProperties:
-    """What the fabric is like; shares are of a channel's own response to a full movement."""
+    """Properties of the fabric; shares are of a channel's own response to a full movement."""
 
     quadratic: float = 0.15
-    creep_fast: float = 0.10  # with 1.5 s
-    creep_slow: float = 0.30  # with 50 s
+    creep_fast: float = 0.10  # with time constant `fast`
+    creep_slow: float = 0.30  # with time constant `slow`
     fast: float = 1.5  # s
     slow: float = 50.0  # s
     loop: float = 0.10  # height of the hysteresis loop
-    loop_length: float = 0.15  # of the full movement, in which the loop turns over
-    peak: float = 0.0  # per (full movement / s) ** peak_power; 0: switched off
+    loop_length: float = 0.15  # share of the full movement over which the hysteresis reverses
+    peak: float = 0.0  # response to speed, per (full movement / s) ** peak_power; 0: none
     peak_power: float = 0.8
     drift_per_minute: float = 0.03  # median over channels
     drift_spread: float = 1.08  # of the logarithm: one channel in ten drifts four times as fast
-    drift_period: float = 120.0  # s, in which a channel's drift comes and goes: longer, and it leaves the range of S5
+    drift_period: float = 120.0  # s, period of a channel's drift; a longer one would leave the range of S5
     noise: float = 0.006
-    second_way: float = 0.44  # how strongly a joint's channels feel its second way to move, against the first
-    neighbour: float = 0.10  # the other joints of the same side
-    stranger: float = 0.02  # the joints of the other side
+    second_way: float = 0.44  # response of a joint's channels to its second degree of freedom, relative to the first
+    neighbour: float = 0.10  # response to the other joints of the same side
+    stranger: float = 0.02  # response to the joints of the other side
 
 
 PEAKY = FabricProperties(peak=0.06)
-"""A fabric that answers to the speed of a movement too, at both its edges."""
+"""A fabric that also responds to the speed of a movement."""
 
 STANDARD = FabricProperties()
 
 
 class Fabric:
-    """The channels of one shirt on one body, `values (n_channels,)` in V for a posture `(n_joints,)`."""
+    """The channels of one shirt: from a posture (n_joints,) to values (n_channels,) in V."""
 
     def __init__(
         self,
@@ -63,7 +63,7 @@ class Fabric:
         dead_channels: Collection[str] = (),
         properties: FabricProperties = STANDARD,
     ) -> None:
-        """Weave it: the same seed gives the same shirt with the same noise.
+        """Draw the shirt's properties; the seed determines the shirt and its noise.
 
         Raises
         ------
@@ -84,12 +84,15 @@ class Fabric:
         self.gains = _gains(layout, self.joints, properties, rng)
         self._strength = np.abs(self.gains).max(axis=1) * SPAN  # V
         self._offsets = rng.uniform(*REST_LEVEL, channels)
-        self._first = self.gains, self._offsets  # as it was woven: every time it is put on, it sits near this
+        self._first = (
+            self.gains,
+            self._offsets,
+        )  # each time the shirt is put on, its values lie near these
         self._shares = _shares(channels, properties, rng)
         self._dead = np.array(
             [i for i, name in enumerate(layout.channel_names) if name in dead_channels], dtype=np.intp
         )
-        # A broken line rests at the converter's end, a stuck one wherever it was.
+        # A broken line reads the end of the converter's range, a stuck line any constant value.
         self._dead_values = np.where(rng.random(len(self._dead)) < 0.5, 0.0, rng.uniform(0.5, 2.8, len(self._dead)))
         median_rate = 2 * math.pi / properties.drift_period / math.sqrt(2.0)  # of a sine of amplitude 1, roughly
         amplitude = properties.drift_per_minute / 60.0 / median_rate
@@ -101,32 +104,31 @@ class Fabric:
         self._keep_fast = self._keep_slow = 1.0
         self._noise = np.empty((0, channels))
         self._noise_at = 0
-        self._weave()
+        self._compute_matrix()
         self.reset()
 
     def reset(self) -> None:
-        """Let the fabric rest until it has forgotten all movement."""
+        """Reset the fabric to a long rest: no creep, no hysteresis."""
         self._parts[:] = 0.0
         self._t = 0.0
 
     def don_again(self) -> None:
         """Take the shirt off and put it on again: other gains and offsets, and every joint's direction turned.
 
-        Always against how it was woven: the fabric does not remember how it sat the last time, so that ten times are
-        ten ways to sit and no walk away from the body.
+        The changes are relative to the first values and do not add up over several times.
         """
         rng = self._random
-        woven, offsets = self._first
-        gains = woven * rng.uniform(0.8, 1.2, len(woven))[:, np.newaxis]
+        first_gains, offsets = self._first
+        gains = first_gains * rng.uniform(0.8, 1.2, len(first_gains))[:, np.newaxis]
         for joint, channels in self.layout.channels_of_joint.items():
             if len(channels) > 1:
                 column = self.joints.index(joint)
                 angle = math.radians(rng.uniform(*TURN_DEG))
-                gains[channels, column] = _turned(woven[channels, column], gains[channels, column], angle, rng)
+                gains[channels, column] = _turned(first_gains[channels, column], gains[channels, column], angle, rng)
         self.gains = gains
         standard_deviation = 0.3 * self._strength  # V, of a channel while its joint moves freely
         self._offsets = offsets + standard_deviation * rng.uniform(-2.0, 2.0, len(gains))
-        self._weave()
+        self._compute_matrix()
         self.reset()
 
     def step(self, posture: NDArray[np.float64], dt: float) -> NDArray[np.float32]:
@@ -140,14 +142,14 @@ class Fabric:
         np.multiply(posture, posture, out=square)
         fast += self._keep_fast * (posture - fast)
         slow += self._keep_slow * (posture - slow)
-        # Duhem's loop: after each turn of the movement it changes over within `loop_length`, however fast that is.
+        # Duhem's hysteresis: after a reversal it changes sign within `loop_length`, at any speed.
         side = np.sign(moved)
         loop -= side
         loop *= np.exp(way * (-1.0 / self._properties.loop_length))
         loop += side
         if self._properties.peak:
             np.power(way / dt, self._properties.peak_power, out=speed)
-        values = self._woven @ self._parts.ravel()
+        values = self._matrix @ self._parts.ravel()
         self._t += dt
         values += self._drift * np.sin(self._drift_speed * self._t + self._drift_phase)
         values += self._next_noise()
@@ -165,9 +167,9 @@ class Fabric:
         self._keep_fast = 1.0 - math.exp(-dt / self._properties.fast)
         self._keep_slow = 1.0 - math.exp(-dt / self._properties.slow)
 
-    def _weave(self) -> None:
-        """Make the one matrix (n_channels, 6 n_joints) that takes all parts of the movement to volts."""
-        self._woven = np.concatenate([self.gains * share[:, np.newaxis] for share in self._shares], axis=1) * SPAN
+    def _compute_matrix(self) -> None:
+        """Compute the matrix (n_channels, 6 n_joints) from all parts of the movement to volts."""
+        self._matrix = np.concatenate([self.gains * share[:, np.newaxis] for share in self._shares], axis=1) * SPAN
 
     def _next_noise(self) -> NDArray[np.float64]:
         if self._noise_at == len(self._noise):
@@ -182,7 +184,7 @@ class Fabric:
 def _gains(
     layout: ShirtLayout, ways: tuple[str, ...], properties: FabricProperties, rng: np.random.Generator
 ) -> NDArray[np.float64]:
-    """Return how strongly each channel feels each degree of freedom (n_channels, n_joints)."""
+    """Return the response of each channel to each degree of freedom (n_channels, n_joints)."""
     gains = np.empty((len(layout.channels), len(ways)))
     for i, channel in enumerate(layout.channels):
         side = channel.joint.partition("_")[0]
@@ -203,7 +205,7 @@ def _gains(
 
 
 def _set_apart(first: NDArray[np.float64], aside: NDArray[np.float64], ratio: float) -> NDArray[np.float64]:
-    """Return `aside` made mostly independent of `first`, and `ratio` as long."""
+    """Return `aside` less 70 % of its component along `first`, scaled to `ratio` times the length of `first`."""
     ahead = first / np.linalg.norm(first)
     apart = aside - 0.7 * (aside @ ahead) * ahead
     scaled: NDArray[np.float64] = apart * (ratio * np.linalg.norm(first) / np.linalg.norm(apart))
@@ -211,7 +213,7 @@ def _set_apart(first: NDArray[np.float64], aside: NDArray[np.float64], ratio: fl
 
 
 def _shares(channels: int, properties: FabricProperties, rng: np.random.Generator) -> list[NDArray[np.float64]]:
-    """Return for each part of the movement how much of it a channel shows (n_channels,)."""
+    """Return for each part of the movement the share that each channel shows (n_channels,)."""
     p = properties
 
     def _around(share: float) -> NDArray[np.float64]:

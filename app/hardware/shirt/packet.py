@@ -20,7 +20,7 @@ HEADER = Struct("<4sBBHIQ")
 """Magic, version, flags, channel count, seq (u32), device time (u64, microseconds)."""
 SIGNER = Struct("<HQ")
 """Key id (u16) and boot counter (u64) of a signed frame."""
-TAG_BYTES = 16  # the first of HMAC-SHA-256 over everything before the tag
+TAG_BYTES = 16  # the first bytes of HMAC-SHA-256 over all bytes before the tag
 CHECKSUM = Struct("<I")
 LONGEST = HEADER.size + SIGNER.size + 4 * MAX_CHANNELS + TAG_BYTES + CHECKSUM.size  # bytes
 
@@ -50,7 +50,7 @@ def encode(seq: int, t_device: float, values: NDArray[np.float32], int16: bool =
     Raises
     ------
     ValueError
-        When there are no channels or more than a shirt can have, or the time is not a time.
+        When there are no channels or more than a shirt can have, or the time is out of range.
     """
     if values.ndim != 1 or not 1 <= len(values) <= MAX_CHANNELS:
         raise ValueError(f"a frame has 1 to {MAX_CHANNELS} channels in one row, this one has the shape {values.shape}")
@@ -66,7 +66,7 @@ def encode(seq: int, t_device: float, values: NDArray[np.float32], int16: bool =
 def decode(buffer: bytes | bytearray | memoryview, size: int, channels: int) -> Packet | None:
     """Return the frame in the first `size` bytes of `buffer`, None when it is not one of `channels` channels.
 
-    Any single flipped byte is refused. The values are a copy: the buffer may be used again.
+    A frame with a changed byte is refused. The values are a copy, so the buffer can be reused.
     """
     if size < _VALUES_AT:
         return None
@@ -87,7 +87,7 @@ def decode(buffer: bytes | bytearray | memoryview, size: int, channels: int) -> 
 def decode_signed(
     buffer: bytes | bytearray | memoryview, size: int, channels: int, key: Key
 ) -> tuple[int, Packet] | None:
-    """Return boot counter and frame of the first `size` bytes, None when they are no frame signed with `key`."""
+    """Return boot counter and frame of the first `size` bytes, None when these are no frame signed with `key`."""
     if size < _SIGNED_VALUES_AT:
         return None
     magic, version, flags, count, seq, microseconds = _PARTS(buffer)

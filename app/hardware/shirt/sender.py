@@ -1,6 +1,6 @@
-"""A shirt that signs its frames, for the author of a shirt's firmware to copy: `bodydrive shirt send --key-file F`.
+"""A shirt that signs its frames, as a model for a shirt's firmware: `bodydrive shirt send --key-file F`.
 
-Standard library only, and as plain as can be (also as `python -S -m app.hardware.shirt.sender`). The bytes are those of
+Standard library only (it also runs as `python -S -m app.hardware.shirt.sender`). The bytes are those of
 docs/protocols.md, section 6.
 """
 
@@ -44,11 +44,11 @@ def signed_frame(key: Key, boot: int, seq: int, microseconds: int, samples: Sequ
     Parameters
     ----------
     key : Key
-        What pairing made: its number and its 32 bytes.
+        The key made by pairing: its number and its 32 bytes.
     boot : int
-        u64, higher at each start of the device than at any start before, and kept where no power cut reaches it.
+        u64, higher at each start of the device than at any start before, kept in storage that survives a power cut.
     seq : int
-        u32, one more at each frame; before it would be 0 again, `boot` is raised.
+        u32, one more at each frame; before it wraps to 0, `boot` is raised.
     microseconds : int
         u64, the device's own time.
     samples : sequence of float
@@ -61,7 +61,7 @@ def signed_frame(key: Key, boot: int, seq: int, microseconds: int, samples: Sequ
 
 
 def next_boot(file: Path) -> int:
-    """Raise the boot counter in `file`, and return it only when it is on the disk; CannotSend when it is none."""
+    """Raise the boot counter in `file`, and return it when it is on the disk; CannotSend for an invalid file."""
     try:
         text = file.read_text(encoding="ascii").strip() if file.exists() else "0"
         if not text.isdecimal() or int(text) >= 2**64 - 1:
@@ -75,7 +75,7 @@ def next_boot(file: Path) -> int:
 
 
 def waves(channels: int, rate: float) -> Iterator[tuple[float, list[float]]]:
-    """Yield times (s) and samples without end: a slow wave in each channel."""
+    """Yield times (s) and samples endlessly: a slow wave in each channel."""
     count = 0
     while True:
         t = count / rate
@@ -106,7 +106,7 @@ def rows_of(file: Path) -> list[tuple[float, list[float]]]:
 
 
 def again(rows: list[tuple[float, list[float]]]) -> Iterator[tuple[float, list[float]]]:
-    """Yield the rows round and round."""
+    """Yield the rows in an endless loop."""
     length = rows[-1][0] + rows[1][0]
     begin = 0.0
     while True:

@@ -11,12 +11,12 @@ STANDARD_SHIRT = "bodydrive-52.json"
 
 
 def standard_layout() -> ShirtLayout:
-    """Return the layout that comes with the application.
+    """Return the layout that is installed with the application.
 
     Raises
     ------
     HardwareError
-        When its file is missing or broken: the installation is not whole then.
+        When its file is missing or broken, so that the installation is incomplete.
     """
     file = data_folder() / "shirts" / STANDARD_SHIRT
     try:
