@@ -71,8 +71,8 @@ class Tick:
     stop_input: int = 0  # 1: the chair's own stop switch is pressed
     chair_age: float = 0.0  # s, age of the chair's newest telemetry
     battery: float = math.nan  # 0..1, NaN: unknown
-    driven_v: float = 0.0  # m/s, measured by the chair
-    driven_omega: float = 0.0  # rad/s, measured by the chair
+    driven_v: float = 0.0  # m/s, reported by the chair
+    driven_omega: float = 0.0  # rad/s, reported by the chair
     scene_t: float = 0.0  # s of permitted motion since the chair was put on the start: the time of moving things
     head_yaw: float = math.nan  # rad, left positive; NaN without a head tracker or before its first pose
     head_pitch: float = math.nan  # rad, up positive

@@ -1,4 +1,4 @@
-"""Small bodies of work for tests: a layout, a profile, parameters and signals that fit together."""
+"""Makes small layouts, profiles, parameters and signals for tests, which fit together."""
 
 import numpy as np
 
@@ -10,7 +10,7 @@ PAPER_JOINTS = ("right_elbow", "left_elbow", "right_shoulder", "left_shoulder")
 
 
 def make_layout(n_channels=52, joints=PAPER_JOINTS):
-    """Return a layout whose channels are dealt out to the joints in turn."""
+    """Return a layout whose channels are assigned to the joints in turn."""
     return ShirtLayout(
         name="test shirt",
         channels=tuple(Channel(name=f"c{i}", joint=joints[i % len(joints)]) for i in range(n_channels)),

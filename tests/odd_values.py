@@ -1,4 +1,4 @@
-"""What a person could type into a field of text, by mistake or on purpose: 200 values, the same in every run."""
+"""200 texts that a person could enter into a field, by mistake or on purpose; equal in every run."""
 
 import random
 

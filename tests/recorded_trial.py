@@ -1,4 +1,4 @@
-"""A trial as the control process would leave it on the disk: the real chain, a simulated body's strokes."""
+"""Records a trial as the control process does: with the real chain, by the strokes of a simulated body."""
 
 import uuid
 
@@ -49,8 +49,8 @@ def record_trial(
 ):
     """Record a trial into `folder` and return its meta.
 
-    dials: (s, share) from when the speed dial stands there; missing: frames that got lost; without_frame: ticks in
-    which none came; stop_at: s at which Stop is pressed and, a second later, taken back.
+    dials: (s, share) of each change of the speed dial; missing: lost frames; without_frame: ticks in which no frame
+    came; stop_at: s at which Stop is pressed; it is cleared a second later.
     """
     rate = parameters.profile.sample_rate
     plan = plan or plan_of()
@@ -83,7 +83,7 @@ def record_trial(
     chain.arm()
     for i, frame in enumerate(values):
         run_t = i / rate
-        t = STARTED + run_t + 1e-4 * np.sin(i)  # no loop turns to the microsecond
+        t = STARTED + run_t + 1e-4 * np.sin(i)  # ticks of a real loop jitter by microseconds
         if i in missing:
             continue
         if dials and run_t >= dials[0][0]:

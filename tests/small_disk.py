@@ -1,4 +1,4 @@
-"""A disk of a few megabytes that can really be filled, where this machine lets us mount one."""
+"""Mounts a disk of a few megabytes that tests can fill, where this machine permits it."""
 
 import os
 import shutil
@@ -27,7 +27,7 @@ def small_disk(folder: Path, size: int) -> Iterator[Path | None]:
 
 
 def fill(disk: Path) -> Path:
-    """Take every byte that is free, and return the file that does."""
+    """Fill the disk with one file, and return that file."""
     filler = disk / "filler"
     descriptor = os.open(filler, os.O_WRONLY | os.O_CREAT, 0o600)
     try:

@@ -1,4 +1,4 @@
-"""The clock that decides over pauses."""
+"""The monotonic clock counts the time in which the machine sleeps."""
 
 import time
 

@@ -1,4 +1,4 @@
-"""What a clinic keeps can be read by its owner only, also what an older program left open."""
+"""Only their owner can read a clinic's files, including those that an older program left open."""
 
 import os
 import stat

@@ -1,4 +1,4 @@
-"""The process that reads foreign files: its limits hold, and every end of it is one sentence."""
+"""The process that reads uploaded files: its limits hold, and each failure is one sentence."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""What is asked of the machine: granted or not, it is said, and the threads of the process stay ordinary."""
+"""Requests to the machine: their result is reported, and the other threads keep ordinary scheduling."""
 
 import json
 import subprocess

@@ -71,7 +71,10 @@ class FoundGesture(Document):
 
 
 def ratios(gesture: FoundGesture) -> dict[NumberName, float]:
-    """Return the ratio of each number to the limit of the grade `good`, at most 10; 1 for an unknown number."""
+    """Return the ratio of each number to its limit for the grade `good`, at most 10; 1 for an unknown number.
+
+    For the signal to noise, which has a lower limit, the limit over the number.
+    """
 
     def _over(value: float | None, limit: float) -> float:
         return 1.0 if value is None else min(value / limit, WORST_RATIO)
