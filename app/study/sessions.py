@@ -2,8 +2,8 @@
 
 from collections.abc import Callable
 from copy import deepcopy
-from dataclasses import dataclass, replace
-from typing import Any, Literal
+from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 
@@ -17,7 +17,7 @@ from app.hardware.body.person_parameters import DETERIORATING, IMPROVING, PRACTI
 from app.study.experiment import SAMPLE_RATE, SEEDS_APART, shirt_layout
 from app.study.participant import Participant
 from app.study.simulated_calibration import calibrate, record_step
-from app.study.simulated_trial import FrameLog, drive_trial
+from app.study.simulated_trial import FrameLog, StudyTrial, drive_trial
 from app.world.floorplan import FloorPlan, PrescribedPath
 
 Mode = Literal["off", "suggest", "auto"]
@@ -99,16 +99,12 @@ def run_sessions(
         movements: list[Movement] = []
         for number in range(1, trials + 1):
             frames: FrameLog = []
-            driven = drive_trial(number, participant, parameters, floorplan, path, frames)
+            trial = drive_trial(number, participant, parameters, floorplan, path, frames)
             movements.append(_movement(frames))
             proposal = None if mode == "off" else propose(parameters, movements, calibrated=calibrated, fresh=1)
-            row = _row(mode, first.seed, session, number, parameters, driven.measures, driven.faults)
-            if proposal is not None:
-                row = replace(row, **_step_measures(parameters, proposal))
-            row = replace(row, from_calibration_deg=_largest_angle(parameters, standard_parameters(calibrated)))
-            rows.append(row)
+            rows.append(_row(mode, first, session, trial, parameters, proposal))
             if progress is not None:
-                progress(row)
+                progress(rows[-1])
             if mode == "auto" and proposal is not None and proposal.parameters is not None:
                 parameters = proposal.parameters
     return rows
@@ -128,43 +124,33 @@ def _movement(frames: FrameLog) -> Movement:
 
 def _row(
     mode: Mode,
-    seed: int,
+    first: CalibratedParticipant,
     session: int,
-    number: int,
+    trial: StudyTrial,
     parameters: DriveParameters,
-    measures: dict[str, float],
-    faults: int,
+    proposal: Proposal | None,
 ) -> SessionTrial:
+    """Return the row of a trial that was driven with `parameters`, and of the step proposed after it."""
+    measures, after = trial.measures, (proposal and proposal.parameters) or parameters
     gestures = [parameters.gestures[index] for index in parameters.bound_gestures]
     return SessionTrial(
-        seed=seed,
+        seed=first.seed,
         mode=mode,
         session=session,
-        trial=number,
+        trial=trial.number,
         e_diff=measures["e_diff"],
         dist=measures["dist"],
         time=measures["time"],
         reached=bool(measures["reached"]),
-        faults=faults,
-        felt_change=0.0,
-        angle_deg=0.0,
-        flips=0,
-        refused=0,
+        faults=trial.faults,
+        felt_change=proposal.felt_change if proposal else 0.0,
+        angle_deg=_largest_angle(parameters, after) if proposal else 0.0,
+        flips=sum(cosine < 0.0 for cosine in _cosines(parameters, after)),
+        refused=sum(joint.status == "refused" for joint in proposal.joints) if proposal else 0,
         dead_zone=float(np.mean([gesture.dead_zone for gesture in gestures])),
         full=float(np.mean([gesture.full for gesture in gestures])),
-        from_calibration_deg=0.0,
+        from_calibration_deg=_largest_angle(parameters, standard_parameters(first.profile)),
     )
-
-
-def _step_measures(before: DriveParameters, proposal: Proposal) -> dict[str, Any]:
-    """Return the measures of a proposed step; angles and flips are computed from the parameters themselves."""
-    after = proposal.parameters or before
-    return {
-        "felt_change": proposal.felt_change,
-        "angle_deg": _largest_angle(before, after),
-        "flips": sum(cosine < 0.0 for cosine in _cosines(before, after)),
-        "refused": sum(joint.status == "refused" for joint in proposal.joints),
-    }
 
 
 def _largest_angle(before: DriveParameters, after: DriveParameters) -> float:
