@@ -1,4 +1,4 @@
-"""The OpenAPI document of all routes, for owners only: it would show an attacker where to look."""
+"""The OpenAPI document of all routes; for owners only, because it would help an attacker."""
 
 from typing import Any
 

@@ -1,4 +1,4 @@
-"""One controller at a time: who armed goes on and ends; everybody else may look, and stop."""
+"""One controller at a time: only the person who armed continues and ends; everybody else may look, and stop."""
 
 from dataclasses import dataclass
 
@@ -15,14 +15,14 @@ ANOTHER = "Somebody else started this drive, and only they go on or end it here:
 
 @dataclass(frozen=True, slots=True)
 class Controller:
-    """Who may go on with what is being driven."""
+    """The person who started the running trial or drive."""
 
     person_id: int
     real: bool
 
 
 def controller_of(web: WebParts) -> Controller | None:
-    """Return whose trial or drive it is that goes on, None when nothing is driven."""
+    """Return who started the running trial or drive, None when there is none."""
     drive, trial = web.drives.current, web.trials.current
     if drive is not None:
         return Controller(drive.person_id, real=True)
@@ -30,7 +30,7 @@ def controller_of(web: WebParts) -> Controller | None:
 
 
 def require_controller(web: WebParts, who: SignedInPerson) -> Controller | None:
-    """Refuse those who did not start what is being driven; anybody may do what is left when nothing is."""
+    """Raise 409 unless this person started the running trial or drive; return None when there is none."""
     controller = controller_of(web)
     if controller is not None and controller.person_id != who.person_id:
         raise HTTPException(409, ANOTHER)
@@ -38,14 +38,14 @@ def require_controller(web: WebParts, who: SignedInPerson) -> Controller | None:
 
 
 def require_hand_on_chair(web: WebParts, who: SignedInPerson, connection: HTTPConnection) -> None:
-    """Refuse, for what sets the chair in motion, those who did not start the drive or are not in the building."""
+    """Refuse to set the chair in motion, unless this person started the drive and, for a real chair, is nearby."""
     controller = require_controller(web, who)
     if controller is not None and controller.real:
         require_nearby(connection)
 
 
 def require_picture(web: WebParts) -> None:
-    """Refuse to go on with a trial whose screens have no picture to drive by."""
+    """Raise 409 when a screen of the running trial has no picture to drive by."""
     trial = web.trials.current
     refusal = "" if trial is None else web.pictures.refusal(Screen(trial.person_id, trial.screen))
     if refusal:

@@ -1,4 +1,4 @@
-"""Hands foreign files to the isolated reader, one at a time, and turns its refusals into answers of the API."""
+"""Read foreign files by the isolated reader, one at a time, and turn its errors into answers."""
 
 import asyncio
 from collections.abc import Callable, Sequence
@@ -11,7 +11,7 @@ from app.isolated_reader import ReadingTimeoutError, read_isolated
 Given = ParamSpec("Given")
 Answer = TypeVar("Answer")
 
-# A request that waits holds no thread: threads are few, and other requests need them.
+# An asyncio semaphore: a waiting request must not occupy one of the few threads.
 _turn = asyncio.Semaphore(1)
 
 
@@ -22,7 +22,7 @@ async def in_turn(work: Callable[Given, Answer], *given: Given.args, **named: Gi
 
 
 def refusal(error: ValueError, places: Sequence[str] = ()) -> HTTPException:
-    """Return the answer for an error of a reader: 422, or 503 when it took too long; without the folders `places`."""
+    """Return the answer for an error of a reader: 422, or 503 when it took too long; `places` are removed."""
     sentence = str(error).removesuffix(".")
     for place in places:
         sentence = sentence.replace(place, "")

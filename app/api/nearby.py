@@ -1,11 +1,11 @@
-"""Whether somebody asks from within the building: only there can a person see the chair that they set in motion."""
+"""Check that a request comes from within the building, where a person can see the chair that they set in motion."""
 
 import ipaddress
 
 from fastapi import HTTPException
 from starlette.requests import HTTPConnection
 
-# Private, link-local and loopback networks (RFC 1918, 3927, 4193, 4291); others that are "not global" lie elsewhere.
+# Private, link-local and loopback networks (RFC 1918, 3927, 4193, 4291); other "not global" ones may be elsewhere.
 NEAR = [
     ipaddress.ip_network(network)
     for network in (
@@ -19,7 +19,7 @@ NEAR = [
         "fe80::/10",
     )
 ]
-PASSED_ON = ("forwarded", "via", "x-real-ip")  # headers of a request that somebody else passes on
+PASSED_ON = ("forwarded", "via", "x-real-ip")  # headers of a request that a proxy forwards
 
 FAR = (
     "The chair is set in motion only from a screen in the building, connected without anything in between: "
@@ -28,7 +28,7 @@ FAR = (
 
 
 def is_nearby(connection: HTTPConnection) -> bool:
-    """Tell whether a request comes straight from a machine of the building's own network."""
+    """Return whether a request comes directly from a machine in the building's own network."""
     names = [name.lower() for name in connection.headers]
     if any(name in PASSED_ON or name.startswith("x-forwarded") for name in names) or connection.client is None:
         return False
@@ -42,6 +42,6 @@ def is_nearby(connection: HTTPConnection) -> bool:
 
 
 def require_nearby(connection: HTTPConnection) -> None:
-    """Refuse those who are elsewhere."""
+    """Raise 403 unless the request comes from within the building."""
     if not is_nearby(connection):
         raise HTTPException(403, FAR)

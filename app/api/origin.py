@@ -1,4 +1,4 @@
-"""Whether a request comes from our own page: checked for everything that changes something, and every websocket."""
+"""Check that a request comes from our own page: for every change, and every websocket."""
 
 from urllib.parse import urlsplit
 
@@ -11,7 +11,7 @@ STOP = "/api/v1/control/stop"
 
 
 def host_is_ours(settings: Settings, headers: Headers) -> bool:
-    """Tell whether the request was addressed to us and not to a foreign name that points here."""
+    """Return whether the request's host is one of ours, and not a foreign name that resolves to this machine."""
     try:
         host = urlsplit(f"//{headers.get('host', '')}").hostname
     except ValueError:
@@ -20,7 +20,7 @@ def host_is_ours(settings: Settings, headers: Headers) -> bool:
 
 
 def origin_is_ours(headers: Headers) -> bool:
-    """Tell whether the page that sends this request was loaded from the very address it sends it to."""
+    """Return whether the page that sends this request was loaded from the address that it sends it to."""
     origin = headers.get("origin")
     if not origin:
         return False
@@ -32,9 +32,9 @@ def origin_is_ours(headers: Headers) -> bool:
 
 
 def may_pass(method: str, path: str, headers: Headers) -> bool:
-    """Tell whether a request may go on to its route as far as its origin is concerned.
+    """Return whether the origin of a request permits it.
 
-    A stop may also come from a program that names no origin: it can only make things safer.
+    A stop may also come from a program that sends no origin: it can only make things safer.
     """
     if method in READING or origin_is_ours(headers):
         return True

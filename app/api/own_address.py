@@ -1,4 +1,4 @@
-"""Under which address another screen in the building finds this program."""
+"""The address by which another screen in the building reaches this program."""
 
 import ipaddress
 import socket
@@ -10,12 +10,12 @@ from starlette.requests import HTTPConnection
 
 from app.settings import Settings
 
-# Addresses that are for documentation only (RFC 5737, 3849): asking for the way to them sends nothing.
+# Addresses for documentation only (RFC 5737, 3849): connecting a UDP socket to them sends nothing.
 FAR_AWAY = {socket.AF_INET: ("192.0.2.1", 9), socket.AF_INET6: ("2001:db8::1", 9)}
 
 
 class OwnAddress(NamedTuple):
-    """Where the pages are, and whether another machine can open them."""
+    """The address of the pages, and whether only this machine can open them."""
 
     base: str  # ends in a slash
     only_here: bool
@@ -24,13 +24,13 @@ class OwnAddress(NamedTuple):
 def own_address(settings: Settings, connection: HTTPConnection) -> OwnAddress:
     """Return the address for another screen.
 
-    The one that this very request came by is known to work when it is no loopback; otherwise what the program was
-    told to listen on counts, and when that is everything, the machine's own address on the network.
+    This is the address of the request itself, unless that is a loopback address; otherwise the address that the
+    program listens on, or this machine's address on the network when it listens on all.
     """
     scheme = "https" if connection.url.scheme in {"https", "wss"} else "http"
-    asked = urlsplit(f"//{connection.headers.get('host', '')}")
-    if asked.hostname and not is_loopback(asked.hostname) and not is_loopback(settings.host):
-        return OwnAddress(f"{scheme}://{asked.netloc}/", only_here=False)
+    requested = urlsplit(f"//{connection.headers.get('host', '')}")
+    if requested.hostname and not is_loopback(requested.hostname) and not is_loopback(settings.host):
+        return OwnAddress(f"{scheme}://{requested.netloc}/", only_here=False)
     host = settings.host
     with suppress(ValueError):
         if ipaddress.ip_address(host).is_unspecified:
@@ -40,7 +40,7 @@ def own_address(settings: Settings, connection: HTTPConnection) -> OwnAddress:
 
 
 def is_loopback(host: str) -> bool:
-    """Tell whether a host is this machine for whoever names it."""
+    """Return whether a host is a loopback address or name, which means this machine."""
     try:
         return ipaddress.ip_address(host.strip("[]")).is_loopback
     except ValueError:
@@ -48,10 +48,10 @@ def is_loopback(host: str) -> bool:
 
 
 def address_on_network(family: socket.AddressFamily) -> str | None:
-    """Return this machine's address on the network by which it reaches others, None when it is on none."""
+    """Return the address of this machine on the network, None when it is on none."""
     try:
-        with socket.socket(family, socket.SOCK_DGRAM) as asking:
-            asking.connect(FAR_AWAY[family])
-            return str(asking.getsockname()[0])
+        with socket.socket(family, socket.SOCK_DGRAM) as probe:
+            probe.connect(FAR_AWAY[family])
+            return str(probe.getsockname()[0])
     except OSError:
         return None

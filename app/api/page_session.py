@@ -1,6 +1,6 @@
-"""Refuses a change whose page shows another session than the open one (header `Patient-Session`).
+"""Refuse a change whose page shows another session than the open one (header `Patient-Session`).
 
-This holds for every route of the API that is not in `WITHOUT_SESSION`, so a new route has to name the session, too.
+The check is made for every route of the API that is not in `WITHOUT_SESSION`, also for new ones.
 """
 
 import asyncio
@@ -57,12 +57,12 @@ WITHOUT_SESSION = {
     "DELETE /chairs/{chair_id}": _CLINIC,
     "PUT /limits": _CLINIC,
 }
-"""The changing routes that name no session, each with its reason."""
+"""Routes that change something without naming a session, each with the reason."""
 
 
 async def require_session(connection: HTTPConnection, parts: PeopleParts) -> None:
-    """Refuse a change that names no session (422), or another one than is open now (409)."""
-    method = connection.scope.get("method", "GET")  # a websocket has none, and opening one changes nothing
+    """Refuse a change that names no session (422) or another session than the open one (409)."""
+    method = connection.scope.get("method", "GET")  # a websocket has no method, and opening one changes nothing
     if method in READS or f"{method} {_path(connection)}" in WITHOUT_SESSION:
         return
     who = await asyncio.to_thread(find_signed_in, parts.database, connection.cookies)
@@ -71,8 +71,8 @@ async def require_session(connection: HTTPConnection, parts: PeopleParts) -> Non
 
 
 async def require_named(connection: HTTPConnection, parts: People) -> None:
-    """Read which session the page of a request shows, and refuse when another one is open."""
-    PAGE_SESSION.set(_shown(connection.headers.get(HEADER, "")))
+    """Read the session that the page of a request shows; Conflict when another one is open."""
+    PAGE_SESSION.set(_page_session(connection.headers.get(HEADER, "")))
 
     def _check() -> None:
         with parts.database.transaction() as db:
@@ -81,12 +81,12 @@ async def require_named(connection: HTTPConnection, parts: People) -> None:
     await asyncio.to_thread(_check)
 
 
-def _shown(named: str) -> PageSession:
-    if named == NOBODY:
+def _page_session(header: str) -> PageSession:
+    if header == NOBODY:
         return PageSession(None)
-    if ID.fullmatch(named) is None:
+    if ID.fullmatch(header) is None:
         raise HTTPException(422, UNNAMED)
-    return PageSession(int(named))
+    return PageSession(int(header))
 
 
 def _path(connection: HTTPConnection) -> str:

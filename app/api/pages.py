@@ -1,4 +1,4 @@
-"""The pages and their headers: our own files only, checked with each request, never kept where patients are shown."""
+"""The files of the pages, the security headers of all answers, and the check of origin and size of all requests."""
 
 from pathlib import Path
 
@@ -12,7 +12,7 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from app.api.origin import host_is_ours, may_pass
 from app.settings import Settings, static_folder
 
-# Our pages run only the scripts that lie beside them. The 3D view brings its own policy (view bridge).
+# Our pages run only scripts of this program. The 3D view has its own policy (view_bridge.py).
 PAGE_POLICY = "; ".join(
     (
         "default-src 'none'",
@@ -43,10 +43,10 @@ NOT_OUR_PAGE = "This request does not come from our own page: open the page and 
 
 TOO_LARGE = "This is too large: send at most {limit} MB here."
 BODY_LIMIT = 2_000_000  # bytes
-# Bytes, by how a path begins: the largest file and what a form puts round it.
+# Bytes by the beginning of the path: the largest file, plus the parts of its form.
 LIMITS = {
     "/api/v1/equipment/files": 65_000_000,
-    "/api/v1/floorplans/import": 41_000_000,  # a map and its picture
+    "/api/v1/floorplans/import": 41_000_000,  # a ROS map and its image
     "/api/v1/floorplans": 8_100_000,
     "/api/v1/models": 21_000_000,
 }
@@ -55,10 +55,10 @@ router = APIRouter()
 
 
 class Pages(StaticFiles):
-    """The files of the pages; a browser asks each time whether they have changed."""
+    """The files of the pages; the browser asks each time whether they have changed (no-cache)."""
 
     async def get_response(self, path: str, scope: Scope) -> Response:
-        """Return the file, to be asked for again next time."""
+        """Return the file with the header that makes the browser ask again next time."""
         response = await super().get_response(path, scope)
         response.headers["Cache-Control"] = "no-cache"
         return response
@@ -66,8 +66,8 @@ class Pages(StaticFiles):
 
 @router.get("/vendor/plotly.min.js", include_in_schema=False)
 def plotly_script() -> FileResponse:
-    """Return plotly's own script from its installed wheel: nothing is fetched from elsewhere."""
-    import plotly  # noqa: PLC0415  (its import takes longer than all of ours, and few pages need it)
+    """Return the script of the installed plotly package; no page loads it from another host."""
+    import plotly  # noqa: PLC0415  (its import takes long, and few pages need it)
 
     file = Path(plotly.__file__).parent / "package_data" / "plotly.min.js"
     if not file.is_file():
@@ -76,14 +76,14 @@ def plotly_script() -> FileResponse:
 
 
 class Guard:
-    """Stands in front of every route: whose request this is, and the headers of what is answered."""
+    """Middleware of every route: checks host, origin and size of a request, and adds the headers of its answer."""
 
     def __init__(self, app: ASGIApp, settings: Settings) -> None:
         self._app = app
         self._settings = settings
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Answer one request; websockets are checked by their own routes, before they are accepted."""
+        """Check and answer a request; websockets are checked by their own routes before they are accepted."""
         if scope["type"] != "http":
             await self._app(scope, receive, send)
             return
@@ -106,7 +106,7 @@ class Guard:
             answer = JSONResponse({"detail": NOT_OURS}, 421)
         elif not may_pass(scope["method"], path, headers):
             answer = JSONResponse({"detail": NOT_OUR_PAGE}, 403)
-        elif _announced(headers) > _limit(path):
+        elif _content_length(headers) > _limit(path):
             answer = JSONResponse({"detail": _too_large(_limit(path))}, 413)
         else:
             await self._app(scope, _limited(receive, _limit(path)), with_headers)
@@ -114,7 +114,7 @@ class Guard:
         await answer(scope, receive, with_headers)
 
 
-def _announced(headers: Headers) -> int:
+def _content_length(headers: Headers) -> int:
     length = headers.get("content-length", "0")
     return int(length) if length.isdecimal() else 0
 
@@ -128,14 +128,14 @@ def _too_large(limit: int) -> str:
 
 
 def _limited(receive: Receive, limit: int) -> Receive:
-    """Return `receive`, breaking off a request that turns out to be larger than `limit` bytes."""
-    taken = 0
+    """Return `receive` with a limit: raise 413 when the body is larger than `limit` bytes."""
+    received = 0
 
     async def counted() -> Message:
-        nonlocal taken
+        nonlocal received
         message = await receive()
-        taken += len(message.get("body", b""))
-        if taken > limit:
+        received += len(message.get("body", b""))
+        if received > limit:
             raise HTTPException(413, _too_large(limit))
         return message
 
@@ -143,7 +143,7 @@ def _limited(receive: Receive, limit: int) -> Receive:
 
 
 def install_pages(app: FastAPI, settings: Settings) -> None:
-    """Serve the pages, and put the guard in front of everything."""
+    """Serve the pages, and add the guard to all routes."""
     app.include_router(router)
     app.mount("/", Pages(directory=static_folder(), html=True), name="pages")
     app.add_middleware(Guard, settings=settings)

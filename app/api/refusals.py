@@ -1,4 +1,4 @@
-"""Every refusal as `{"detail": sentence}`, and never a traceback."""
+"""Turn every exception into an answer `{"detail": sentence}` without a traceback."""
 
 import errno
 import logging
@@ -43,7 +43,7 @@ async def _broken(request: Request, error: Exception) -> JSONResponse:
 
 
 def _note(request: Request, error: OtherClinicRow) -> None:
-    """Note in the log who asked for what belongs to another clinic; the answer does not depend on it."""
+    """Log who requested a row of another clinic; the answer does not depend on it."""
     parts: People = request.app.state.people
     try:
         who = find_signed_in(parts.database, request.cookies)
@@ -54,7 +54,7 @@ def _note(request: Request, error: OtherClinicRow) -> None:
 
 
 def install_refusals(app: FastAPI) -> None:
-    """Let every exception of the application become one sentence."""
+    """Install the handlers that turn exceptions into sentences."""
 
     @app.exception_handler(NameTaken)
     async def _taken(_request: Request, error: NameTaken) -> JSONResponse:
@@ -69,7 +69,7 @@ def install_refusals(app: FastAPI) -> None:
 
     @app.exception_handler(HTTPException)
     async def _http(_request: Request, error: HTTPException) -> JSONResponse:
-        if error.status_code == 400:  # only the framework says so, of a body that it cannot take apart
+        if error.status_code == 400:  # raised by the framework only, for a body that it cannot parse
             return _answer(422, "What was sent cannot be read: correct it.")
         plain = error.detail in {"Not Found", "Method Not Allowed"}
         sentence = WORDS.get(error.status_code, error.detail) if plain else error.detail

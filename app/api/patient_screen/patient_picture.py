@@ -1,4 +1,4 @@
-"""What the patient's screen is told, 20 times a second: what to do, where the chair is, and nothing of who is here."""
+"""The picture for the patient's screen, 20 times a second: what to do and where the chair is, but no personal data."""
 
 from typing import Any
 
@@ -11,53 +11,53 @@ from app.session.trial import TrialFlow
 from app.session.words.patient_words import patient_words
 from app.store.patient_screens import ScreenSettings
 
-SAID = ("tick", "t", "state", "control", "v", "pose", "contacts", "stops", "practice")
-SAID_OF_TRIAL = ("id", "t", "done", "length", "stage", "stages", "instruction", "target", "movers")
+FIELDS = ("tick", "t", "state", "control", "v", "pose", "contacts", "stops", "practice")
+TRIAL_FIELDS = ("id", "t", "done", "length", "stage", "stages", "instruction", "target", "movers")
 
 
 class PatientPicture:
-    """Makes the patient's picture out of the clinician's, so that both show the same moment in the same way."""
+    """Makes the patient's picture from the clinician's, so that both show the same moment."""
 
-    def __init__(self, shown: LivePicture, equipment: Equipment, runs: Runs, trials: TrialFlow) -> None:
-        self._shown = shown
+    def __init__(self, live: LivePicture, equipment: Equipment, runs: Runs, trials: TrialFlow) -> None:
+        self._live = live
         self._equipment = equipment
         self._runs = runs
         self._trials = trials
-        self.settings = ScreenSettings()  # of the session that goes on
+        self.settings = ScreenSettings()  # of the open session
 
     def picture(self) -> dict[str, Any]:
-        """Return the message of this moment."""
-        shown = self._shown.picture()
-        fault, trial = shown["fault"], shown["trial"]
-        over, drives = self._trials.last_end, trial is not None or shown["drive"] is not None
+        """Return the current picture."""
+        live = self._live.picture()
+        fault, trial = live["fault"], live["trial"]
+        over, drives = self._trials.last_end, trial is not None or live["drive"] is not None
         words = patient_words(
-            State[shown["state"].upper()],
+            State[live["state"].upper()],
             Fault.NONE if fault is None else Fault[fault["name"].upper()],
             drives=drives,
-            shirt_alive=shown["shirt"]["alive"],
+            shirt_alive=live["shirt"]["alive"],
         )
         return {
-            **{name: shown[name] for name in SAID},
+            **{name: live[name] for name in FIELDS},
             "fault": fault and {"name": fault["name"], "words": words.happened},
             "waits": {"for": words.actor, "words": words.wait},
-            "trial": trial and {name: trial[name] for name in SAID_OF_TRIAL},
+            "trial": trial and {name: trial[name] for name in TRIAL_FIELDS},
             "drives": drives,
-            "cue": self._cue(shown["run"]),
+            "cue": self._cue(live["run"]),
             "over": None if over is None else {"id": over.id, "end": over.end},
             "asks": self.settings.model_dump(),
         }
 
-    def _cue(self, shown: dict[str, Any] | None) -> dict[str, Any] | None:
+    def _cue(self, run_picture: dict[str, Any] | None) -> dict[str, Any] | None:
         run = self._runs.open
-        if run is None or shown is None or shown["cue"] is None or shown["t"] is None:
+        if run is None or run_picture is None or run_picture["cue"] is None or run_picture["t"] is None:
             return None
-        cue = run.cues[shown["cue"]]
-        after = run.cues[shown["cue"] + 1 :][:1]
+        cue = run.cues[run_picture["cue"]]
+        after = run.cues[run_picture["cue"] + 1 :][:1]
         return {
-            "index": shown["cue"],
+            "index": run_picture["cue"],
             "kind": cue.kind,
             "movement": self._movement(cue.joint),
-            "t": round(shown["t"] - cue.start, 3),
+            "t": round(run_picture["t"] - cue.start, 3),
             "length": round(cue.end - cue.start, 3),
             "next": after[0].kind if after else None,
         }

@@ -20,7 +20,7 @@ router = APIRouter()
 
 FLOOD = 40  # messages within ...
 WITHIN = 10.0  # s; our page sends one each second, and one when its picture changes
-SILENCE = 3.0  # s without a report: the screen has lost its network or stands still, and shows nothing of the present
+SILENCE = 3.0  # s without a report, after which the screen counts as lost: it shows no current picture
 MESSAGE_LIMIT = 300  # characters
 TOO_MANY_MESSAGES = 1008  # close code: our own page never sends so many
 
@@ -33,7 +33,7 @@ class PictureReport(Document):
 
 @router.websocket("/patient/live")
 async def patient_live(websocket: WebSocket) -> None:
-    """Show the newest moment 20 times a second."""
+    """Send the picture 20 times a second, and receive the screen's reports."""
     parts: People = websocket.app.state.people
     web: WebParts = websocket.app.state.web
     who = await parts.sockets.admit_screen(websocket)
@@ -87,11 +87,11 @@ async def _take(websocket: WebSocket, screen_id: int, web: WebParts) -> None:
         if count > FLOOD:
             await websocket.close(TOO_MANY_MESSAGES)
             return
-        said = _read(message)
-        if said is None:
+        report = _read(message)
+        if report is None:
             continue
         limit = SILENCE
-        if web.pictures.of_patient(screen_id, said.picture, websocket):
+        if web.pictures.of_patient(screen_id, report.picture, websocket):
             web.live.tell("screens")
 
 

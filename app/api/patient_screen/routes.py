@@ -37,13 +37,13 @@ ONLY_HERE = (
 
 
 class ScreenView(Document):
-    """A screen that is paired."""
+    """A paired screen."""
 
     id: int
     number: int
     paired: str
     connected: bool
-    picture: Picture | None  # what it shows to drive by; None: it has not said
+    picture: Picture | None  # what it shows to drive by; None: not reported
 
 
 class ScreensView(Document):
@@ -54,7 +54,7 @@ class ScreensView(Document):
 
 
 class OfferView(Document):
-    """A link that pairs one screen."""
+    """A link that pairs a screen."""
 
     code: str
     url: str
@@ -70,7 +70,7 @@ class Code(Document):
 
 
 class ScreenStateView(Document):
-    """What a page that asks is: a paired screen, one whose session is over, one that was unpaired, or none of them."""
+    """The state of the browser that asks: paired, over (the session has ended), unpaired, or none of these."""
 
     state: ScreenState
 
@@ -104,11 +104,11 @@ async def look(who: Clinician, parts: PeopleParts, web: Web) -> ScreensView:
 
 @router.post("/pairing", status_code=201)
 async def offer(request: Request, who: Clinician, parts: PeopleParts, web: Web) -> OfferView:
-    """Make a link that pairs one screen within ten minutes; the one before is worthless from now on."""
+    """Make a link that pairs one screen within ten minutes; the link before becomes invalid."""
     session: PatientSession = await web.session.needed_session(who.clinic_id)
     made = web.pairing.offer(session.id, who.name)
     address = await asyncio.to_thread(own_address, parts.settings, request)
-    # What stands behind # is not sent to a server, and so stands in nobody's log.
+    # The part behind # is not sent to a server, so it appears in no log.
     url = f"{address.base}patient.html#pair={made.code}"
     return OfferView(
         code=made.code,
@@ -121,7 +121,7 @@ async def offer(request: Request, who: Clinician, parts: PeopleParts, web: Web) 
 
 @router.post("/pair", dependencies=[ForEveryone])
 async def pair(body: Code, request: Request, response: Response, parts: PeopleParts, web: Web) -> ScreenStateView:
-    """Make the browser that asks a screen of the session for which the code was made."""
+    """Pair the browser that asks with the session for which the code was made."""
     attempt = await parts.limits.code(address_of(request))
     offered = web.pairing.redeem(body.code)
     attempt.take_back()
@@ -154,7 +154,7 @@ def who_am_i(request: Request, parts: PeopleParts) -> ScreenStateView:
 
 @router.post("/settings")
 async def choose(body: ScreenSettings, who: Clinician, parts: PeopleParts, web: Web) -> ScreensView:
-    """Say what the screens of this session show; it is kept until the session ends."""
+    """Choose what the screens of this session show; stored until the session ends."""
     session = await web.session.needed_session(who.clinic_id)
 
     def _write() -> None:

@@ -1,4 +1,4 @@
-"""A trial again in 3D: opened, moved to a moment, looked at in a frame, closed. Never while somebody drives."""
+"""The replay of a trial in 3D: opened, moved to a moment, shown in a frame, closed. Refused while somebody drives."""
 
 from typing import Annotated
 
@@ -39,13 +39,13 @@ class NewReplay(Document):
 
 
 class ReplayView(Document):
-    """A replay that is open."""
+    """An open replay."""
 
     id: str
 
 
 class ReplayMoment(Document):
-    """Which moment to show, and from where."""
+    """The moment to show, and the view."""
 
     t: Moment
     view: View = "chase"
@@ -60,7 +60,7 @@ def open_replay(body: NewReplay, who: Anyone, parts: PeopleParts, web: Web) -> R
         write_log(db, who.name, "trial viewed", trial=trial.id)
     if trial.status != "done":
         raise Conflict("This trial is still running: look at it when it has ended.")
-    return ReplayView(id=web.replays.add(who.person_id, lambda: _made(parts, web, trial)))
+    return ReplayView(id=web.replays.add(who.person_id, lambda: _replay_of(parts, web, trial)))
 
 
 @router.post("/replays/{word}/at", status_code=204)
@@ -72,11 +72,11 @@ def show_moment(word: Word, body: ReplayMoment, who: Anyone, web: Web) -> None:
 
 @router.delete("/replays/{word}", status_code=204)
 def close_replay(word: Word, who: Anyone, web: Web) -> None:
-    """Close a replay; one that is closed already stays so."""
+    """Close a replay; do nothing when it is closed already."""
     web.replays.close(word, who.person_id)
 
 
-def _made(parts: People, web: WebParts, trial: Trial) -> Replay:
+def _replay_of(parts: People, web: WebParts, trial: Trial) -> Replay:
     try:
         run = read_run(web.runs.folder_of(trial.run_id))
         plan = plan_of(run)
@@ -100,7 +100,7 @@ def replay_page(word: Word, who: Anyone, web: Web, request: Request) -> Response
 @page_router.websocket("/view/replay/{word}")
 @page_router.websocket("/view/replay/{word}/")
 async def replay_socket(websocket: WebSocket, word: str) -> None:
-    """Join the page of a replay with its server, for the person who opened it."""
+    """Connect the page of a replay with its server, for the person who opened it."""
     sockets: OpenSockets = websocket.app.state.people.sockets
     who = await sockets.admit(websocket)
     if who is None:

@@ -1,4 +1,4 @@
-"""Replays of trials in 3D: a few servers of their own, each for the person who opened it."""
+"""The open replays of trials in 3D, each with a server of its own for the person who opened it."""
 
 import secrets
 import threading
@@ -8,26 +8,26 @@ from dataclasses import dataclass
 from app.refusals import NotFound
 from app.scene.replay import Replay
 
-MOST = 2  # at once on this machine: each draws a whole building; the one not looked at for longest gives way
+MOST = 2  # open at once: each draws a whole building. A further one closes the least recently used
 
 
 @dataclass(frozen=True, slots=True)
 class OpenReplay:
-    """A replay and whose it is."""
+    """A replay and the person who opened it."""
 
     person_id: int
     replay: Replay
 
 
 class Replays:
-    """Opens, finds and closes them; from any thread."""
+    """Opens, finds and closes replays. Thread-safe."""
 
     def __init__(self) -> None:
-        self._open: dict[str, OpenReplay] = {}  # the one that was looked at last, last
+        self._open: dict[str, OpenReplay] = {}  # the most recently used last
         self._lock = threading.Lock()
 
     def add(self, person_id: int, make: Callable[[], Replay]) -> str:
-        """Open a replay and return its word."""
+        """Open a replay and return its random id."""
         while self._close_one_of(MOST):
             pass
         word = secrets.token_urlsafe(16)
@@ -37,7 +37,7 @@ class Replays:
         return word
 
     def find(self, word: str, person_id: int) -> Replay:
-        """Return a replay of this person; NotFound when there is none (any more)."""
+        """Return a replay of this person; NotFound when there is none, or it was closed."""
         with self._lock:
             found = self._open.get(word)
             if found is None or found.person_id != person_id:
@@ -46,7 +46,7 @@ class Replays:
         return found.replay
 
     def close(self, word: str, person_id: int) -> None:
-        """Close a replay of this person; one that is closed already stays so."""
+        """Close a replay of this person; do nothing when it is closed already."""
         with self._lock:
             found = self._open.get(word)
             if found is None or found.person_id != person_id:
@@ -55,7 +55,7 @@ class Replays:
         found.replay.stop()
 
     def close_all(self) -> None:
-        """Close all: the application ends."""
+        """Close all replays, because the application ends."""
         while self._close_one_of(1):
             pass
 

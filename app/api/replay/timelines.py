@@ -1,4 +1,4 @@
-"""One trial on one time line, made once from its recording and kept as the bytes that are sent."""
+"""The time lines of trials, made once from their recordings and cached as compressed bytes."""
 
 import gzip
 from pathlib import Path
@@ -6,7 +6,7 @@ from typing import Any
 
 from app.scoring.timeline import timeline_of
 
-KEPT = 16  # time lines in memory: about a quarter of a megabyte each
+KEPT = 16  # time lines in memory, about 0.25 MB each
 
 
 class Timelines:
@@ -16,7 +16,7 @@ class Timelines:
         self._packed: dict[Path, bytes] = {}
 
     def has(self, folder: Path) -> bool:
-        """Return whether a time line is made already: making one takes the machine's time."""
+        """Return whether a time line is cached; making one loads the machine."""
         return folder in self._packed
 
     def of(self, folder: Path, path_points: list[Any], end: str | None) -> bytes:

@@ -1,4 +1,4 @@
-"""Looking at one trial again: its time line."""
+"""The time line of a trial, for its replay."""
 
 import gzip
 
@@ -17,7 +17,7 @@ BUSY = "Somebody drives: this trial can be looked at again when the chair stands
 
 
 def refuse_while_driving(web: WebParts) -> None:
-    """Refuse while a chair may move: reading a long recording must not make the heartbeat late."""
+    """Refuse while a chair may move: reading a long recording could delay the heartbeat."""
     if web.trials.running or web.drives.running:
         raise Conflict(BUSY)
 

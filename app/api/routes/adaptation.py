@@ -1,4 +1,4 @@
-"""Adapting the map: what would change and why, applied at a standstill, and one tap back."""
+"""The adaptation of the map: show a proposal, apply it at a standstill, go back."""
 
 import asyncio
 from typing import Annotated, Any
@@ -32,24 +32,24 @@ class AdaptationModeChoice(Document):
 
 
 class ProposalChoice(Document):
-    """The proposal that a person has looked at."""
+    """The proposal that a person has seen."""
 
     proposal: Annotated[str, Field(pattern=r"^[0-9a-f]{32}$")]
 
 
 class JointView(JointChange):
-    """What would change of a joint, which has a name for people."""
+    """The proposed change of a joint, with its label."""
 
     label: str
 
 
 class ProposalView(Document):
-    """What would change, or did: `applied` is the version that it became."""
+    """A proposal; `applied` is the version of the map that it became."""
 
     id: str
     trials: list[int]
     felt_change: float
-    warns: bool  # the patient will feel it
+    warns: bool  # the change is so large that the patient will feel it
     reason: str
     changes: bool  # whether there is anything to apply
     joints: list[JointView]
@@ -59,7 +59,7 @@ class ProposalView(Document):
 
 
 class AdaptationView(Document):
-    """How it stands with the map of the patient who is here."""
+    """The state of the adaptation of the map of the patient who is here."""
 
     mode: Mode
     version: int | None  # of the map in use
@@ -67,7 +67,7 @@ class AdaptationView(Document):
     practised: int  # kept trials on the virtual chair with exactly this set: a real one arms no other
     back_to: int | None  # the version that going back restores
     proposal: ProposalView | None
-    why: str  # there is none, or nothing of it can be applied
+    why: str  # why there is no proposal, or nothing to apply
     refusal: str | None  # why nothing may be applied at this moment
     looking: bool  # a proposal is being made
 
@@ -152,7 +152,7 @@ async def _look(database: Database, web: WebParts, clinic_id: int) -> Adaptation
 
 @router.get("/adaptation")
 async def look(who: Anyone, parts: PeopleParts, web: Web) -> AdaptationView:
-    """Return what would change of the map, and why."""
+    """Return the proposal to adapt the map, or why there is none."""
     return await _look(parts.database, web, who.clinic_id)
 
 
@@ -166,7 +166,7 @@ async def choose_mode(body: AdaptationModeChoice, who: Clinician, parts: PeopleP
 
 @router.post("/adaptation/propose")
 async def propose(who: Clinician, parts: PeopleParts, web: Web) -> AdaptationView:
-    """Look now what the last trials would change, whatever the mode is."""
+    """Make a proposal from the last trials now, whatever the mode is."""
     await web.adaptation.propose(await web.session.needed_session(who.clinic_id))
     return await _look(parts.database, web, who.clinic_id)
 
@@ -180,14 +180,14 @@ async def apply(body: ProposalChoice, who: Clinician, parts: PeopleParts, web: W
 
 @router.post("/adaptation/dismiss")
 async def dismiss(body: ProposalChoice, who: Clinician, parts: PeopleParts, web: Web) -> AdaptationView:
-    """Leave the map as it is for now."""
+    """Dismiss a proposal."""
     await web.adaptation.dismiss(await web.session.needed_session(who.clinic_id), body.proposal)
     return await _look(parts.database, web, who.clinic_id)
 
 
 @router.post("/adaptation/back")
 async def back(who: Clinician, parts: PeopleParts, web: Web) -> AdaptationView:
-    """Go back to the map before; that is a new version, too."""
+    """Restore the map before, as a new version."""
     await web.adaptation.back(who.clinic_id, who.name)
     return await _look(parts.database, web, who.clinic_id)
 

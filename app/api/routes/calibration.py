@@ -1,4 +1,4 @@
-"""The calibration wizard: its steps, its result."""
+"""The calibration of the open session: its steps and its result."""
 
 import asyncio
 from typing import Annotated, Any
@@ -30,13 +30,13 @@ StepName = Annotated[str, Path(min_length=1, max_length=80)]
 
 
 class StepChoice(Document):
-    """Which step to look at."""
+    """The step to show."""
 
     step: Annotated[Line, Field(min_length=1, max_length=80)]
 
 
 class MapChoice(Document):
-    """Which map is to decode a joint."""
+    """The map that decodes a joint."""
 
     joint: Name
     map: MapKind
@@ -50,7 +50,7 @@ class RunningStep(Document):
 
 
 class CalibrationView(Document):
-    """The whole wizard."""
+    """The state of the calibration."""
 
     current: str
     steps: list[dict[str, Any]]
@@ -89,7 +89,7 @@ def _steps(progress: Progress) -> list[dict[str, Any]]:
 
 
 def _guided(guided: GuidedMap | None) -> dict[str, Any] | None:
-    """Return how the map of the study and the guided map did on the held-out repetitions."""
+    """Return the checks of the study's map and the guided map on the held-out repetitions."""
     if guided is None:
         return None
     checks = {"pca_check": guided.pca_check, "guided_check": guided.guided_check}
@@ -103,10 +103,10 @@ def _guided(guided: GuidedMap | None) -> dict[str, Any] | None:
 def _result(progress: Progress, profile: CalibrationProfile) -> dict[str, Any]:
     labels = {joint.name: joint.label for joint in profile.layout.joints}
     steps = {step.joint: step.id for step in progress.steps if step.joint is not None}
-    shown = {"name", "evr", "span", "sign", "signal_to_noise", "repeatability", "angle_deg", "grade", "reason"}
+    fields = {"name", "evr", "span", "sign", "signal_to_noise", "repeatability", "angle_deg", "grade", "reason"}
     joints = [
         {
-            **joint.model_dump(mode="json", include=shown),
+            **joint.model_dump(mode="json", include=fields),
             "dead_zone": joint.handles[0],
             "full": joint.handles[1],
             "map": joint.map,
@@ -118,7 +118,7 @@ def _result(progress: Progress, profile: CalibrationProfile) -> dict[str, Any]:
     ]
     missing = [
         {
-            **dict.fromkeys(shown | {"dead_zone", "full", "map", "guided"}),
+            **dict.fromkeys(fields | {"dead_zone", "full", "map", "guided"}),
             "name": name,
             "label": labels[name],
             "step": steps.get(name),
@@ -148,13 +148,13 @@ async def _view(web: WebParts, session: PatientSession) -> CalibrationView:
 
 @router.get("")
 async def look(who: Clinician, web: Web) -> CalibrationView:
-    """Return the wizard as it stands."""
+    """Return the state of the calibration."""
     return await _view(web, await web.session.needed_session(who.clinic_id))
 
 
 @router.get("/gestures")
 async def gestures(who: Clinician, parts: PeopleParts, web: Web) -> Discovery:
-    """Return all gestures that were found in the calibration under way, or else in the newest accepted one."""
+    """Return all gestures of the calibration under way, or else of the newest accepted one."""
     session = await web.session.needed_session(who.clinic_id)
     return await asyncio.to_thread(session_gestures, parts.database, web.runs.folder_of, session.id)
 
@@ -178,7 +178,7 @@ async def cancel_step(step: StepName, who: Clinician, web: Web) -> CalibrationVi
 
 @router.post("/steps/{step}/skip")
 async def skip_step(step: StepName, who: Clinician, web: Web) -> CalibrationView:
-    """Go on without a prompted movement that this body cannot make."""
+    """Skip a prompted movement that this patient cannot make."""
     async with web.session.undisturbed("skip a step"):
         session = await web.session.needed_session(who.clinic_id)
         await web.calibration.skip(session.id, step)
@@ -187,7 +187,7 @@ async def skip_step(step: StepName, who: Clinician, web: Web) -> CalibrationView
 
 @router.post("/go")
 async def go_to_step(body: StepChoice, who: Clinician, web: Web) -> CalibrationView:
-    """Look at another step."""
+    """Show another step."""
     session = await web.session.needed_session(who.clinic_id)
     await web.calibration.go(session.id, body.step)
     return await _view(web, session)
@@ -195,7 +195,7 @@ async def go_to_step(body: StepChoice, who: Clinician, web: Web) -> CalibrationV
 
 @router.post("/restart")
 async def begin_anew(who: Clinician, web: Web) -> CalibrationView:
-    """Forget the steps and begin anew."""
+    """Begin the calibration anew; earlier recordings no longer count."""
     async with web.session.undisturbed("begin anew"):
         session = await web.session.needed_session(who.clinic_id)
         await web.calibration.restart(session.id)
@@ -204,7 +204,7 @@ async def begin_anew(who: Clinician, web: Web) -> CalibrationView:
 
 @router.post("/map")
 async def choose(body: MapChoice, who: Clinician, parts: PeopleParts, web: Web) -> CalibrationView:
-    """Let a joint be decoded by the study's map or by its guided one; the result then waits to be accepted."""
+    """Choose the study's map or the guided map of a joint; the result must then be accepted again."""
     async with web.session.undisturbed("choose a map"):
         session = await web.session.needed_session(who.clinic_id)
         if web.calibration.running:

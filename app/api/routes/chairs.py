@@ -35,14 +35,14 @@ class NewChair(Document):
 
 
 class Choice(Document):
-    """Which chair to drive; None is the virtual one, and the dynamics are its own."""
+    """The chair to drive, None for the virtual one, and the dynamics of the virtual one."""
 
     id: RowId | None
     dynamics: Dynamics
 
 
 class ChairView(View):
-    """A chair that is paired."""
+    """A paired chair."""
 
     id: int
     name: str
@@ -54,7 +54,7 @@ class ChairView(View):
 
 
 class ChairsView(Document):
-    """The chairs that are paired, and which one is driven."""
+    """The paired chairs, and the one in use."""
 
     chairs: list[ChairView]
     chosen: int | None
@@ -63,7 +63,7 @@ class ChairsView(Document):
 
 
 class PairedView(ChairsView):
-    """The same, with the new chair's key: said this once and never again."""
+    """The paired chairs with the key of the new one, which is shown only this once."""
 
     key_line: str
     qr: str
@@ -96,7 +96,7 @@ async def look(who: Anyone, parts: PeopleParts, web: Web) -> ChairsView:
 
 @router.post("", status_code=201)
 async def pair(body: NewChair, who: Owner, parts: PeopleParts, web: Web) -> PairedView:
-    """Pair a chair: its key is made, kept in a file here, and shown this once."""
+    """Pair a chair: make its key, store it in a file on this machine, and show it this once."""
 
     def _pair() -> Key:
         with parts.database.transaction() as db:
@@ -114,7 +114,7 @@ async def pair(body: NewChair, who: Owner, parts: PeopleParts, web: Web) -> Pair
 
 @router.delete("/{chair_id}")
 async def unpair(chair_id: RowId, who: Owner, parts: PeopleParts, web: Web) -> ChairsView:
-    """Unpair a chair; its key is deleted here, and what was chosen with it falls back to the virtual chair."""
+    """Unpair a chair and delete its key; if it is in use, the virtual chair is used instead."""
 
     def _unpair() -> None:
         with parts.database.transaction(closing=True) as db:
@@ -131,15 +131,15 @@ async def unpair(chair_id: RowId, who: Owner, parts: PeopleParts, web: Web) -> C
 
 @router.put("/chosen")
 async def choose(body: Choice, who: Clinician, parts: PeopleParts, web: Web) -> ChairsView:
-    """Drive another chair from now on."""
+    """Use another chair."""
     async with web.session.undisturbed("choose another chair"):
-        chair = None if body.id is None else await asyncio.to_thread(_found, parts, who, body.id)
+        chair = None if body.id is None else await asyncio.to_thread(_find, parts, who, body.id)
         await web.chairs.choose(chair, body.dynamics)
     await asyncio.to_thread(_note, parts, who, body)
     return await _view(parts, web, who)
 
 
-def _found(parts: People, who: SignedInPerson, chair_id: int) -> Chair:
+def _find(parts: People, who: SignedInPerson, chair_id: int) -> Chair:
     with parts.database.transaction() as db:
         return find_chair(db, own_clinic(db, who), chair_id)
 

@@ -1,4 +1,4 @@
-"""Stop, for anyone; Continue and the speed dial, for who drives."""
+"""Stop, for anyone; Continue and the speed dial, for the person who drives."""
 
 import asyncio
 from typing import Annotated
@@ -16,26 +16,26 @@ from app.quantities import Count, Document
 from app.session.control_link import ControlLink
 from app.store.log import write_log
 
-NEXT_TICK_LOOKS = 30  # of 10 ms each: what was cleared shows in one of the next ticks
+NEXT_TICK_LOOKS = 30  # of 10 ms each, to wait for a tick after the clearing
 
 router = APIRouter(prefix="/control", tags=["stop"])
 
 
 class ControlView(Document):
-    """Whether motion is permitted, and why not."""
+    """The state of the gate, and the fault that forbids motion."""
 
     state: str
     fault: str | None
 
 
 class StopCount(Document):
-    """How many stops there had been when a person chose to go on."""
+    """The number of stops that the person had seen when they tapped Continue."""
 
     stops: Count
 
 
 class Dial(Document):
-    """The speed dial: which share of the speeds is left."""
+    """The speed dial: the share of the set speeds."""
 
     share: Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0.1, le=1.0)]
 
@@ -52,15 +52,15 @@ def _view(control: ControlLink) -> ControlView:
 
 @router.post("/stop", dependencies=[ForEveryone])
 async def stop(web: Web) -> ControlView:
-    """Stop the chair: latched, beats every motion, for anyone, signed in or not."""
+    """Stop the chair: latched, overrides every motion; for anyone, signed in or not."""
     if await web.control.stop():
         return ControlView(state="fault", fault=Fault.STOP_TABLET.name.lower())
-    return ControlView(state="fault", fault=Fault.CONTROL_LOST.name.lower())  # it is gone, or is being ended
+    return ControlView(state="fault", fault=Fault.CONTROL_LOST.name.lower())  # it has ended, or is being replaced
 
 
 @router.post("/clear")
 async def clear(body: StopCount, request: Request, who: Clinician, web: Web) -> ControlView:
-    """Clear the latched stop or fault that was seen; in a trial or a drive a new neutral check follows."""
+    """Clear the latched stop or fault that the person has seen; in a trial or drive a new neutral check follows."""
     require_hand_on_chair(web, who, request)
     require_picture(web)
     before = web.control.newest()

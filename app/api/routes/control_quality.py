@@ -1,4 +1,4 @@
-"""How well a patient's trials were controlled, and what the clinician had better look at."""
+"""The control quality of a patient's trials, and warnings for the clinician."""
 
 from typing import Annotated, Any
 
@@ -23,7 +23,7 @@ PER_JOINT = ("map_angle_deg", "evr", "null_space_share", "span_share", "rest_rat
 
 
 class QualityRow(Document):
-    """One trial that counts; per joint the same numbers by name."""
+    """One kept trial; `joints` holds the numbers of each joint by name."""
 
     id: int
     number: int
@@ -34,7 +34,7 @@ class QualityRow(Document):
 
 
 class QualityView(Document):
-    """All trials that count, in the order driven, what to look at, and how far trends can be told yet."""
+    """All kept trials, in the order driven, the warnings, and a note on too few trials."""
 
     source: SourceGroup  # of all trials here
     trials: list[QualityRow]

@@ -1,4 +1,4 @@
-"""Vocabulary and gains: the parameter set that drives, with undo, redo and names."""
+"""The controls: the current parameter set, with undo, redo and named sets."""
 
 import asyncio
 from collections.abc import Callable
@@ -32,7 +32,7 @@ from app.store.tables import Parameters, PatientSession, Profile
 
 router = APIRouter(prefix="/controls", tags=["controls"])
 
-# What the numbers of the page may be; the types in app/calibration/vocabulary.py are what holds.
+# Limits of the numbers on the page; enforced by the types in app/calibration/vocabulary.py.
 LIMITS: dict[str, tuple[float, float]] = {
     "threshold": (0.0, 100.0),
     "gain": (0.0, 5.0),
@@ -65,20 +65,20 @@ class ControlSettings(Document):
 
 
 class TitleChoice(Document):
-    """Which saved set."""
+    """The name of a saved set."""
 
     title: Title
 
 
 class ControlsSuggestion(Document):
-    """The vocabulary that the calibration speaks for, and why."""
+    """The vocabulary that the calibration suggests, and the reason."""
 
     bindings: tuple[Binding, ...]
     reason: str
 
 
 class ControlsView(Document):
-    """What drives now, and what could."""
+    """The current parameter set, and the choices."""
 
     parameters: DriveParameters
     hash: str
@@ -87,8 +87,8 @@ class ControlsView(Document):
     saved: list[str]
     suggested: ControlsSuggestion
     limits: dict[str, tuple[float, float]]
-    held: dict[str, float]  # speeds of the set that the clinic or the chosen chair does not allow: what holds instead
-    obstacle: str | None  # why these cannot drive
+    held: dict[str, float]  # the limits of the clinic or the chosen chair that are lower than the set's speeds
+    obstacle: str | None  # why this set cannot drive
 
 
 def _view(db: Transaction, web: WebParts, patient_id: int, suggestion: SuggestedVocabulary) -> ControlsView:
@@ -109,13 +109,13 @@ def _view(db: Transaction, web: WebParts, patient_id: int, suggestion: Suggested
 
 
 def _suggestion(parts: People, web: WebParts, patient_id: int) -> SuggestedVocabulary:
-    """Return what the newest map's calibration speaks for; outside of a transaction, for recordings are read."""
+    """Return the vocabulary that the newest map suggests; call outside of a transaction: it reads recordings."""
     return patient_gestures(parts.database, web.runs.folder_of, patient_id).suggestion
 
 
 @router.get("")
 async def look(who: Clinician, parts: PeopleParts, web: Web) -> ControlsView:
-    """Return the set that drives now."""
+    """Return the current parameter set."""
     session = await web.session.needed_session(who.clinic_id)
 
     def _read() -> ControlsView:
@@ -130,7 +130,7 @@ Change = Callable[[Transaction, PatientSession, SuggestedVocabulary], Parameters
 
 
 async def _change(who: SignedInPerson, parts: People, web: WebParts, what: str, change: Change) -> ControlsView:
-    """Change the current set and load it: what is kept is what drives, from the next arming on."""
+    """Change the current set, and load it into the control process."""
 
     def _write(session: PatientSession) -> ControlsView:
         suggestion = _suggestion(parts, web, session.patient_id)
@@ -167,7 +167,7 @@ def _whole(settings: dict[str, Any], profile: Profile) -> DriveParameters:
 
 @router.post("/undo")
 async def undo(who: Clinician, parts: PeopleParts, web: Web) -> ControlsView:
-    """Go back to the set before."""
+    """Undo: make the set before current."""
     return await _change(
         who, parts, web, "controls undone", lambda db, session, _: step_parameters(db, session.patient_id, back=True)
     )
@@ -175,7 +175,7 @@ async def undo(who: Clinician, parts: PeopleParts, web: Web) -> ControlsView:
 
 @router.post("/redo")
 async def redo(who: Clinician, parts: PeopleParts, web: Web) -> ControlsView:
-    """Go forward again to the set that was undone."""
+    """Redo: make the set that was undone current."""
     return await _change(
         who, parts, web, "controls redone", lambda db, session, _: step_parameters(db, session.patient_id, back=False)
     )

@@ -1,4 +1,4 @@
-"""Drives of the real chair: what would apply, arming, the end, the list."""
+"""Drives of the real chair: the summary before arming, arming, the end, the list."""
 
 import asyncio
 from typing import Annotated
@@ -27,20 +27,20 @@ from app.store.patients import find_patient
 
 router = APIRouter(prefix="/drives", tags=["drives"])
 
-HEARD_WITHIN = 1.0  # s: from then on the gate watches it, and sooner
+HEARD_WITHIN = 1.0  # s since the screen's last report; once armed, the gate watches it more strictly
 CHANGED = "The controls were changed meanwhile: read again what applies, then arm."
 NOT_IN_VIEW = "This screen has not said yet that it is in view: wait a moment, then arm again."
 
 
 class ChairSummary(View):
-    """Which chair."""
+    """A chair."""
 
     id: int
     name: str
 
 
 class ParametersSummary(View):
-    """Which set, and how it drives."""
+    """A parameter set and its drive settings."""
 
     title: str
     hash: str
@@ -52,7 +52,7 @@ class ParametersSummary(View):
 
 
 class PracticeView(View):
-    """How often exactly this set was driven on the virtual chair, and when last."""
+    """How often this very set was practised on the virtual chair, and when last."""
 
     trials: int
     last: MomentText | None
@@ -66,7 +66,7 @@ class LatestPractice(View):
 
 
 class Summary(Document):
-    """What arming would apply; what is not there yet is None."""
+    """What arming would apply; None for what is missing."""
 
     chair: ChairSummary | None
     parameters: ParametersSummary | None
@@ -78,7 +78,7 @@ class Summary(Document):
 
 
 class NewDrive(Document):
-    """The set that the person has read about, and the screen that they hold."""
+    """The hash of the set whose summary the person has read, and their screen."""
 
     hash: Annotated[str, Field(pattern=r"^[0-9a-f]{64}$")]
     screen: ScreenWord
@@ -98,7 +98,7 @@ class DriveView(View):
 
 @router.get("/summary")
 async def summary(who: Anyone, web: Web) -> Summary:
-    """Return what arming the chosen chair would apply, and what still speaks against it."""
+    """Return what arming the chosen chair would apply, and the reasons against it."""
     now = await web.arming.summary(who.clinic_id)
     chair, parameters, last = web.chairs.chosen, now.parameters, now.last_practised
     return Summary(
@@ -114,7 +114,7 @@ async def summary(who: Anyone, web: Web) -> Summary:
 
 @router.post("", status_code=201)
 async def arm(body: NewDrive, request: Request, who: Clinician, parts: PeopleParts, web: Web) -> DriveView:
-    """Arm the real chair with the set that was read about: recorded, and held by this screen."""
+    """Arm the real chair with the set of the summary; the drive is recorded, and this screen must stay in view."""
     require_nearby(request)
     async with web.session.undisturbed("arm the chair"):
         now = await web.arming.summary(who.clinic_id)
@@ -122,7 +122,7 @@ async def arm(body: NewDrive, request: Request, who: Clinician, parts: PeoplePar
             raise Conflict(now.refusals[0])
         chair = web.chairs.chosen
         if chair is None or now.session is None or now.parameters is None or now.parameters_id is None:
-            raise HTTPException(409, CHANGED)  # each of these is among the refusals
+            raise HTTPException(409, CHANGED)  # unreachable: each of these is among the refusals
         if now.parameters.hash != body.hash:
             raise Conflict(CHANGED)
         age = web.screens.age(Screen(who.person_id, body.screen), monotonic())
@@ -138,7 +138,7 @@ async def arm(body: NewDrive, request: Request, who: Clinician, parts: PeoplePar
 
 @router.post("/current/end")
 async def end_drive(who: Clinician, parts: PeopleParts, web: Web) -> DriveView:
-    """End the drive; answered when its recording is closed."""
+    """End the drive; answer when its recording is closed."""
     require_controller(web, who)
     drive_id = await web.drives.end()
     return await asyncio.to_thread(_one, parts, who.clinic_id, drive_id)

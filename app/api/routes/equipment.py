@@ -23,19 +23,19 @@ router = APIRouter(prefix="/equipment", tags=["equipment"])
 
 
 class UnusedChannels(Document):
-    """Channels to leave out."""
+    """The names of the unused channels."""
 
     channels: Annotated[list[Name], Field(max_length=MAX_CHANNELS)]
 
 
 class HeadTrackerChoice(Document):
-    """A head tracker, None for none."""
+    """A head tracker to use, None for none."""
 
     config: HeadConfig | None
 
 
 class StatusView(Document):
-    """How the shirt and the control process are, in words."""
+    """The state of the shirt and the control process."""
 
     words: str
     alive: bool
@@ -46,20 +46,20 @@ class StatusView(Document):
 
 
 class ChairView(Document):
-    """Which chair is driven."""
+    """The state of the chair in use, in words."""
 
     words: str
 
 
 class HeadView(Document):
-    """Which head tracker looks."""
+    """The head tracker in use."""
 
     config: dict[str, Any] | None
     words: str
 
 
 class DiskView(Document):
-    """How much room is left for recordings."""
+    """The free room for recordings."""
 
     free: int  # bytes
     words: str  # what to do about it, empty while there is enough
@@ -74,7 +74,7 @@ class SendersView(Document):
 
 
 class SenderChoice(Document):
-    """The sender that is the shirt from now on."""
+    """The sender to take as the shirt."""
 
     sender: Annotated[Line, Field(min_length=1, max_length=100)]
 
@@ -93,7 +93,7 @@ class Practice(Document):
 
 
 class EquipmentView(Document):
-    """Everything that is connected."""
+    """The equipment in use, and what can be chosen."""
 
     shirt: dict[str, Any] | None  # None: nobody has chosen one yet
     simulated: bool | None  # whether nobody wears the chosen shirt: then it is for practice only
@@ -110,39 +110,44 @@ class EquipmentView(Document):
 
 
 async def _status(control: ControlLink, web: WebParts) -> tuple[StatusView, HeadView]:
-    worn, head = web.equipment, web.head.config
+    equipment, head = web.equipment, web.head.config
     try:
         status = await control.call("status")
     except Refusal as refusal:
         return StatusView(
-            words=str(refusal), alive=False, sample_rate=worn.sample_rate, lost=0, realtime=[], control=control.state
+            words=str(refusal),
+            alive=False,
+            sample_rate=equipment.sample_rate,
+            lost=0,
+            realtime=[],
+            control=control.state,
         ), HeadView(config=head, words=str(refusal))
     shirt = status.get("shirt") or {}
-    shown = StatusView(
-        words=worn.words or str(shirt.get("words", "")),
+    view = StatusView(
+        words=equipment.words or str(shirt.get("words", "")),
         alive=bool(shirt.get("alive", False)),
-        sample_rate=float(shirt.get("sample_rate") or worn.sample_rate),
+        sample_rate=float(shirt.get("sample_rate") or equipment.sample_rate),
         lost=int(shirt.get("lost") or 0),
         realtime=[str(sentence) for sentence in status.get("realtime", [])],
         control=control.state,
     )
-    return shown, HeadView(config=head, words=web.head.words or str((status.get("head") or {}).get("words", "")))
+    return view, HeadView(config=head, words=web.head.words or str((status.get("head") or {}).get("words", "")))
 
 
 async def _view(parts: PeopleParts, web: WebParts) -> EquipmentView:
-    worn = web.equipment
+    equipment = web.equipment
     status, head = await _status(web.control, web)
     room = await asyncio.to_thread(disk_room, parts.settings.state)
     return EquipmentView(
-        shirt=worn.shirt,
-        simulated=worn.simulated,
+        shirt=equipment.shirt,
+        simulated=equipment.simulated,
         shirts=[ShirtKind(kind=kind, simulated=simulated) for kind, simulated in shirt_kinds().items()],
-        body=worn.body,
-        layout=worn.layout,
-        unused=worn.unused,
+        body=equipment.body,
+        layout=equipment.layout,
+        unused=equipment.unused,
         status=status,
         files=await asyncio.to_thread(list_files, parts.settings.files),
-        shirt_keys=await asyncio.to_thread(lambda: worn.key_names),
+        shirt_keys=await asyncio.to_thread(lambda: equipment.key_names),
         chair=ChairView(words=await web.chairs.state()),
         head=head,
         disk=DiskView(free=room.free, words=room.words),
@@ -151,7 +156,7 @@ async def _view(parts: PeopleParts, web: WebParts) -> EquipmentView:
 
 @router.get("")
 async def look(_who: Anyone, parts: PeopleParts, web: Web) -> EquipmentView:
-    """Return everything that is connected."""
+    """Return the equipment in use, and what can be chosen."""
     return await _view(parts, web)
 
 
@@ -161,7 +166,7 @@ def practice(web: Web) -> Practice:
     return Practice(kind=web.equipment.practice)
 
 
-async def _noted(parts: PeopleParts, web: WebParts, person: str, what: str, **details: Any) -> EquipmentView:
+async def _logged_view(parts: PeopleParts, web: WebParts, person: str, what: str, **details: Any) -> EquipmentView:
     def _write() -> None:
         with parts.database.transaction() as db:
             write_log(db, person, what, **details)
@@ -179,7 +184,7 @@ async def choose_shirt(body: ShirtConfig, who: Clinician, parts: PeopleParts, we
             await web.equipment.use_shirt(config)
         finally:
             await web.session.try_load_parameters()
-    return await _noted(parts, web, who.name, "shirt chosen", kind=config["kind"])
+    return await _logged_view(parts, web, who.name, "shirt chosen", kind=config["kind"])
 
 
 @router.get("/sender")
@@ -194,25 +199,25 @@ async def choose_sender(body: SenderChoice, who: Clinician, parts: PeopleParts, 
     """Take another sender as the shirt; refused while anything is armed, driven or recorded."""
     async with web.session.undisturbed("change the shirt's sender"):
         await web.equipment.use_sender(body.sender)
-    return await _noted(parts, web, who.name, "shirt's sender chosen", sender=body.sender)
+    return await _logged_view(parts, web, who.name, "shirt's sender chosen", sender=body.sender)
 
 
 @router.put("/body")
 async def choose_body(body: BodyConfig, who: Clinician, parts: PeopleParts, web: Web) -> EquipmentView:
-    """Let somebody else move inside the simulated shirt."""
+    """Choose another simulated body for the simulated shirt."""
     config = body.model_dump(mode="json")
     async with web.session.undisturbed("change the body"):
         await web.equipment.use_body(config)
-    return await _noted(parts, web, who.name, "body chosen", kind=config["kind"])
+    return await _logged_view(parts, web, who.name, "body chosen", kind=config["kind"])
 
 
 @router.put("/head")
 async def choose_head(body: HeadTrackerChoice, who: Clinician, parts: PeopleParts, web: Web) -> EquipmentView:
-    """Look with another head tracker, or with none."""
+    """Use another head tracker, or none."""
     config = None if body.config is None else body.config.model_dump(mode="json")
     async with web.session.undisturbed("change the head tracker"):
         await web.head.use(config)
-    return await _noted(parts, web, who.name, "head tracker chosen", kind=config["kind"] if config else None)
+    return await _logged_view(parts, web, who.name, "head tracker chosen", kind=config["kind"] if config else None)
 
 
 @router.post("/head/ahead")
@@ -227,7 +232,7 @@ async def mark_unused(body: UnusedChannels, who: Clinician, parts: PeopleParts, 
     """Mark channels as unused; the next calibration leaves them out."""
     async with web.session.undisturbed("change the channels"):
         await web.equipment.leave_unused(body.channels)
-    return await _noted(parts, web, who.name, "channels marked", unused=web.equipment.unused)
+    return await _logged_view(parts, web, who.name, "channels marked", unused=web.equipment.unused)
 
 
 @router.post("/files", status_code=201)
@@ -237,4 +242,6 @@ async def bring_file(
     """Store a file of recorded signals or of a recorded body; `same_name`: what to do when its name is taken."""
     kept = await asyncio.to_thread(keep_upload, parts.replaced, file.filename or "", file.file, same_name)
     web.live.tell("equipment")
-    return await _noted(parts, web, who.name, "file added", kind=kept.kind, size=kept.size, **log_details(same_name))
+    return await _logged_view(
+        parts, web, who.name, "file added", kind=kept.kind, size=kept.size, **log_details(same_name)
+    )

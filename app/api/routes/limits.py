@@ -1,4 +1,4 @@
-"""What the clinic's owner allows."""
+"""The clinic's speed limits, set by an owner."""
 
 from fastapi import APIRouter
 

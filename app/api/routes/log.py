@@ -1,4 +1,4 @@
-"""The check of the log, for owners: whether anybody changed it."""
+"""The check of the log against changes, for owners."""
 
 from fastapi import APIRouter
 
@@ -10,7 +10,7 @@ router = APIRouter(prefix="/log", tags=["log"])
 
 
 class LogCheckView(View):
-    """What a check of the log found."""
+    """The result of a check of the log."""
 
     whole: bool
     rows: int

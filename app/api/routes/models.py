@@ -1,4 +1,4 @@
-"""3D objects that people bring, to be drawn instead of boxes."""
+"""Uploaded 3D objects, drawn in place of boxes."""
 
 import shutil
 import tempfile
@@ -24,7 +24,7 @@ router = APIRouter(prefix="/models", tags=["floor plans"])
 
 
 class ModelView(Document):
-    """An object by the name that a box gives, and how large it is."""
+    """An object by its name, with its size."""
 
     name: str
     bytes: int
@@ -33,24 +33,24 @@ class ModelView(Document):
 
 
 @lru_cache(maxsize=MOST_MODELS)
-def _looked_at(file: Path, _changed_at: int) -> ModelView:
+def _model_view(file: Path, _changed_at: int) -> ModelView:
     model = stored_model(file)
     length, width, height = (round(side, 3) for side in model.size)
     return ModelView(name=file.stem, bytes=file.stat().st_size, size=(length, width, height), faces=model.faces)
 
 
-def _listed(folder: Path) -> list[ModelView]:
+def _list(folder: Path) -> list[ModelView]:
     found = []
     for file in sorted(folder.glob(f"*{SUFFIX}")):
         try:
-            found.append(_looked_at(file, file.stat().st_mtime_ns))
+            found.append(_model_view(file, file.stat().st_mtime_ns))
         except (ValueError, OSError):
-            continue  # it is not drawn either
+            continue  # unreadable: not drawn either
     return found
 
 
 def _keep(folder: Path, shelf: ReplacedFiles, file: UploadFile, same_name: SameName) -> str:
-    """Store an object, whole or not at all, and return its name."""
+    """Store an object atomically, and return its name."""
     safe = harmless_name(file.filename or "")
     if Path(safe).suffix != SUFFIX:
         raise HTTPException(415, f"'{safe}' is no GLB file: export the object as glTF binary (.glb).")
@@ -72,8 +72,8 @@ def _keep(folder: Path, shelf: ReplacedFiles, file: UploadFile, same_name: SameN
 
 @router.get("")
 def list_models(_who: Clinician, parts: PeopleParts) -> list[ModelView]:
-    """List the objects that can be given to a box."""
-    return _listed(parts.settings.models)
+    """List the objects that a box can show."""
+    return _list(parts.settings.models)
 
 
 @router.post("", status_code=201)
@@ -85,7 +85,7 @@ async def bring_model(
     def keep() -> list[ModelView]:
         name = _keep(parts.settings.models, parts.replaced, file, same_name)
         _log(parts, who.name, name, same_name)
-        return _listed(parts.settings.models)
+        return _list(parts.settings.models)
 
     return await in_turn(keep)
 

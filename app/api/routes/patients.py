@@ -1,4 +1,4 @@
-"""Patients, and who is here now."""
+"""Patients, and the open session."""
 
 from typing import Annotated
 
@@ -38,7 +38,7 @@ class NewPatient(Document):
 
 
 class PatientView(Document):
-    """A patient as the list shows them."""
+    """An entry of the list of patients."""
 
     id: int
     code: str
@@ -51,7 +51,7 @@ class PatientView(Document):
 
 
 class NewSession(Document):
-    """Who has come."""
+    """The patient of a new session."""
 
     patient_id: Count
 
@@ -66,7 +66,7 @@ class SessionView(View):
 
 
 class CurrentSession(Document):
-    """Who is here now, and how far they have come."""
+    """The patient who is here now, the open session, and its progress."""
 
     patient: PatientView | None
     session: SessionView | None
@@ -106,7 +106,7 @@ def new_patient(body: NewPatient, who: Clinician, parts: PeopleParts) -> Patient
 
 @router.delete("/patients/{patient_id}")
 def remove_patient(patient_id: RowId, who: Clinician, parts: PeopleParts) -> PatientView:
-    """Take a patient from the list; it can be undone."""
+    """Delete a patient from the list; it can be undone."""
     with parts.database.transaction() as db:
         patient = delete_patient(db, who.clinic_id, patient_id)
         write_log(db, who.name, "patient deleted", patient=patient_id)
@@ -138,13 +138,13 @@ def _session(parts: PeopleParts, clinic_id: int) -> CurrentSession:
 
 @router.get("/session")
 def who_is_here(who: Anyone, parts: PeopleParts) -> CurrentSession:
-    """Tell who is here now."""
+    """Return the patient who is here now, and the open session."""
     return _session(parts, who.clinic_id)
 
 
 @router.post("/session")
 async def begin_session(body: NewSession, who: Clinician, parts: PeopleParts, web: Web) -> CurrentSession:
-    """Open a session of a patient; the one that was open is ended, and its patient's parameters are unloaded."""
+    """Open a session of a patient, and end the one that was open."""
 
     def _open() -> CurrentSession:
         with parts.database.transaction() as db:

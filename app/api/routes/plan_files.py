@@ -1,4 +1,4 @@
-"""Floor plans of files that people bring: read in a process of its own, with its own limits."""
+"""Make floor plans from uploaded files, in an isolated process."""
 
 import asyncio
 import json
@@ -25,24 +25,24 @@ async def draft_of_uploads(files: list[UploadFile], options: str) -> dict[str, A
     Raises
     ------
     HTTPException
-        With one sentence: 413, 415 or 422 for what was sent, 503 when it takes too long.
+        With one sentence: 413, 415 or 422 for the files, 503 when reading takes too long.
     """
     try:
-        chosen = json.loads(options)
+        import_options = json.loads(options)
     except (ValueError, RecursionError) as error:
         raise HTTPException(422, "The import, options: this is not JSON: correct it.") from error
     folder = Path(await asyncio.to_thread(tempfile.mkdtemp, prefix="bodydrive-import-"))
     try:
         kept = [await asyncio.to_thread(_keep, folder, number, file) for number, file in enumerate(files)]
         plan, image = _plan_and_image(kept)
-        question = {"file": str(plan), "image": None if image is None else str(image), "options": chosen}
+        question = {"file": str(plan), "image": None if image is None else str(image), "options": import_options}
         return await in_turn(read_or_refuse, READER, question, [f"{file.parent}/" for file in kept])
     finally:
         await asyncio.to_thread(shutil.rmtree, folder, ignore_errors=True)
 
 
 def _keep(folder: Path, number: int, file: UploadFile) -> Path:
-    """Write a file that was sent into a folder of its own: two may have the same name."""
+    """Write an uploaded file into a folder of its own, because two may have the same name."""
     name = harmless_name(file.filename or "")
     suffix = Path(name).suffix
     if suffix not in (*SUFFIXES, *PICTURES):
@@ -59,7 +59,7 @@ def _keep(folder: Path, number: int, file: UploadFile) -> Path:
 
 
 def _plan_and_image(files: list[Path]) -> tuple[Path, Path | None]:
-    """Return what makes the plan, and the picture that belongs to it."""
+    """Return the file of the plan, and the image of a ROS map."""
     maps = [file for file in files if file.suffix in MAPS]
     others = [file for file in files if file.suffix not in MAPS]
     if len(maps) == 1 and len(others) == 1 and others[0].suffix in PICTURES:

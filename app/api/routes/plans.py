@@ -24,7 +24,7 @@ router = APIRouter(tags=["floor plans"])
 
 
 class OwnPlanView(View):
-    """A floor plan of the clinic's own; `version` is what a change is held against."""
+    """A floor plan of the clinic's own; a change is refused unless it names this `version`."""
 
     name: str
     title: str
@@ -32,7 +32,7 @@ class OwnPlanView(View):
 
 
 class CheckView(Document):
-    """Whether a floor plan can be driven in; if not, why, and where in the document and on the floor."""
+    """Whether a floor plan is valid; if not, why, and where in the document and on the floor."""
 
     good: bool
     sentence: str
@@ -41,7 +41,7 @@ class CheckView(Document):
 
 
 class DraftView(Document):
-    """What a file proposes, not saved: the document, what to know about it, a drawing's layers, and which are walls."""
+    """A floor plan made from a file, not saved: the document, notes on it, a drawing's layers, and its wall layers."""
 
     document: dict[str, Any]
     words: list[str]
@@ -50,7 +50,7 @@ class DraftView(Document):
 
 
 def _too_many(content: bytes) -> str:
-    """Return why a document is too large to be parsed, which would block all other requests; or an empty string."""
+    """Return why a document is too large to be parsed, which would block other requests; empty when it is not."""
     if content.count(b"[") + content.count(b"{") > MOST_PARTS:
         return f"{WHERE}: it has more than {MOST_PARTS:,} points and objects: make it simpler."
     return ""
@@ -96,8 +96,8 @@ def list_own(_who: Clinician, web: Web) -> list[OwnPlanView]:
 
 @router.post("/floorplans/check")
 async def check(request: Request, _who: Clinician) -> CheckView:
-    """Say whether a document is a floor plan that can be driven in; nothing is saved."""
-    # In a thread: a large plan takes long to look at, and the loop must go on telling the chair that we live.
+    """Check whether a document is a valid floor plan; save nothing."""
+    # In a thread: a large plan takes long to check, and the event loop must stay free for other requests.
     return await asyncio.to_thread(_checked, await request.body())
 
 

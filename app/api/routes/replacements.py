@@ -1,4 +1,4 @@
-"""Files that uploads have replaced: listed for 30 days, and restored under a free name."""
+"""Replaced files: listed for 30 days, and restored under a free name."""
 
 import asyncio
 from typing import Annotated
@@ -20,7 +20,7 @@ Identity = Annotated[str, Path(max_length=160, pattern=r"^[0-9TZ.]+--[A-Za-z0-9_
 
 
 class ReplacedView(View):
-    """One file that was replaced: `until` is when it is removed for good."""
+    """A replaced file; at `until` it is deleted."""
 
     kind: Kind
     id: str
@@ -31,7 +31,7 @@ class ReplacedView(View):
 
 
 class RestoredView(Document):
-    """The name under which a file is back."""
+    """The name of a restored file."""
 
     kind: Kind
     name: str
@@ -57,7 +57,7 @@ async def restore(kind: Kind, identity: Identity, who: Clinician, parts: PeopleP
 
 
 def _restored_plan(parts: People, identity: str) -> str:
-    """Save a replaced floor plan again: its document says its name."""
+    """Save a replaced floor plan again, under the name in its document."""
     found, content = parts.replaced.content("floorplan", identity)
     try:
         plan = FloorPlan.model_validate_json(content)

@@ -1,4 +1,4 @@
-"""What a patient has learnt over trials."""
+"""The learning curves of a patient."""
 
 from collections import Counter
 from typing import Annotated, Any
@@ -17,11 +17,11 @@ from app.store.patients import find_patient
 
 router = APIRouter(tags=["review"])
 
-MOST_TRAJECTORIES = 40  # the newest; more make one blot
+MOST_TRAJECTORIES = 40  # the newest; more could not be told apart
 
 
 class TrialLine(Document):
-    """Where the chair went in one trial."""
+    """The trajectory of one trial."""
 
     number: int
     x: list[float]
@@ -29,7 +29,7 @@ class TrialLine(Document):
 
 
 class LearningView(Document):
-    """Kept trials of one source on one path over all sessions, what can be said of them, and their trajectories."""
+    """Kept trials of one source on one path over all sessions, with learning curves and trajectories."""
 
     source: SourceGroup  # of all that is shown; trials of another one are in no curve with these
     others: dict[SourceGroup, int]  # how many kept trials there are of the other sources

@@ -1,4 +1,4 @@
-"""The source of a trial or drive, as every answer shows it, and which trials a review looks at."""
+"""The source of a trial or drive in answers, and the group of trials that a review shows."""
 
 from typing import Annotated, Any
 
@@ -10,7 +10,7 @@ from app.source import Source, SourceGroup, source_words
 
 
 class SourceView(Source):
-    """Where the signals came from, with the words for it."""
+    """The source of the signals, with its words."""
 
     words: str
 
@@ -23,7 +23,7 @@ class SourceView(Source):
 
 
 def requested_group(parts: PeopleParts, source: Annotated[SourceGroup | None, Query()] = None) -> SourceGroup:
-    """Return the group of trials that is asked for: worn ones when none is named, in a demonstration simulated ones."""
+    """Return the requested group of trials; by default worn ones, in a demonstration simulated ones."""
     if source is not None:
         return source
     return "simulated" if parts.settings.demo else "worn"

@@ -1,4 +1,4 @@
-"""The floor plan of the trial that is driven, for the page that draws it from above."""
+"""The floor plan of the running trial, for the plan that a page draws."""
 
 from fastapi import APIRouter, Depends
 
@@ -11,7 +11,7 @@ router = APIRouter(tags=["view"])
 
 
 class TrialPlan(Document):
-    """Where the trial is driven."""
+    """The floor plan and path of the running trial."""
 
     trial: int
     floorplan: FloorPlan
@@ -20,6 +20,6 @@ class TrialPlan(Document):
 
 @router.get("/view/{role}/plan", dependencies=[Depends(viewer)])
 def shown_plan(web: Web) -> TrialPlan | None:
-    """Return the floor plan and the path of the trial that is driven; null while there is none."""
+    """Return the floor plan and the path of the running trial; null while there is none."""
     trial = web.trials.current
     return None if trial is None else TrialPlan(trial=trial.id, floorplan=trial.plan, path=trial.path.name)

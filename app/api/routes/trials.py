@@ -29,7 +29,7 @@ router = APIRouter(tags=["trials"])
 
 
 class PathView(Document):
-    """A path to choose, and what is asked along it."""
+    """A path to choose, and its task."""
 
     name: str
     title: str
@@ -46,7 +46,7 @@ class SceneView(View):
 
 
 class LevelView(View):
-    """How difficult."""
+    """A level of difficulty."""
 
     name: str
     title: str
@@ -65,7 +65,7 @@ class FloorPlanView(Document):
 
 
 class NewTrial(Document):
-    """Where to drive, the screen that must stay in view meanwhile, and what it shows; None: it does not say."""
+    """Where to drive, the screen that must stay in view meanwhile, and its picture; None: not reported."""
 
     floorplan: Name
     path: Name
@@ -86,7 +86,7 @@ class Discard(Document):
 
 
 class TrialView(View):
-    """A trial and what was measured."""
+    """A trial and its measures."""
 
     id: int
     number: int
@@ -104,7 +104,7 @@ class TrialView(View):
 
 
 class TrajectoryView(View):
-    """Where the chair went, decimated."""
+    """The trajectory of the chair, decimated."""
 
     t: list[float]
     x: list[float]
@@ -112,7 +112,7 @@ class TrajectoryView(View):
 
 
 class TrialDetail(Document):
-    """A trial with its trajectory (none when the recording is gone) and its path's points as they were then."""
+    """A trial with its trajectory (null when the recording is gone) and the path's points at the time of the trial."""
 
     id: int
     number: int
@@ -129,16 +129,16 @@ class TrialDetail(Document):
     source: SourceView
     measures: dict[str, Any] | None
     trajectory: TrajectoryView | None
-    quality: ControlQuality | None  # None where the recording does not tell
+    quality: ControlQuality | None  # None when the recording cannot be read
 
 
 @router.get("/floorplans")
 def list_floorplans(_who: Anyone, web: Web) -> list[FloorPlanView]:
-    """List what can be driven in: scenes by level, then buildings; one that cannot be read is left out."""
-    return [_offered(offer) for offer in web.places().values()]
+    """List the floor plans to drive in: scenes by level, then buildings; unreadable ones are left out."""
+    return [_floorplan_view(offer) for offer in web.places().values()]
 
 
-def _offered(offer: DrivingPlace) -> FloorPlanView:
+def _floorplan_view(offer: DrivingPlace) -> FloorPlanView:
     plan, scene, level = offer
     x_min, y_min, x_max, y_max = plan.bounds
     return FloorPlanView(
@@ -236,7 +236,7 @@ def one_trial(trial_id: RowId, who: Anyone, parts: PeopleParts, web: Web) -> Tri
 
 @router.post("/trials/{trial_id}/discard")
 def discard_trial(trial_id: RowId, body: Discard, who: Clinician, parts: PeopleParts) -> TrialView:
-    """Leave a trial out of everything that counts; it can be kept again."""
+    """Discard a trial: it counts in no curve or figure; it can be kept again."""
     return _keep(parts, who, trial_id, body.reason)
 
 

@@ -1,4 +1,4 @@
-"""Files that people bring: a size, a type, a harmless name, and content that can be read."""
+"""Uploads of recorded signals and bodies: check size, type, name and content."""
 
 import csv
 import os
@@ -22,8 +22,8 @@ HEADER = 65_536  # bytes of a CSV in which its first row must end
 KINDS = (".csv", ".parquet")
 MOST_NUMBERS = 40_000_000  # as many as a CSV file of the largest size can hold; Parquet packs equal values
 MOST_COLUMNS = 1000
-LONGEST_SCHEMA = 1_000_000  # bytes of a Parquet file's description
-PARQUET_END = 8  # bytes: u32 little-endian length of the description, then a magic word (Parquet format, File Format)
+LONGEST_SCHEMA = 1_000_000  # bytes of a Parquet file's schema
+PARQUET_END = 8  # bytes: u32 little-endian length of the schema, then a magic word (Parquet format, File Format)
 
 FileKind = Literal["signals", "body", "head", "recording"]
 HEAD_COLUMNS = {"yaw_deg", "pitch_deg", "roll_deg"}
@@ -57,30 +57,30 @@ def list_files(folder: Path) -> list[FileView]:
 
 
 def keep_upload(shelf: ReplacedFiles, name: str, content: BinaryIO, same_name: SameName) -> FileView:
-    """Store a brought file under a harmless name, whole or not at all.
+    """Store an uploaded file under a harmless name, atomically.
 
     Raises
     ------
     HTTPException
         With one sentence: 413 when it is too large, 415 when it is of another type, 422 when it cannot be read.
     NameTaken
-        When something has this name, and nobody chose.
+        When the name is taken, and nobody chose.
     """
     safe = harmless_name(name)
     if Path(safe).suffix not in KINDS:
         raise HTTPException(415, f"'{safe}' is not a CSV or Parquet file: save it as one of these, then add it again.")
-    with _one_at_a_time:  # each is in memory as a whole
+    with _one_at_a_time:  # each file is held in memory as a whole
         return _kept(shelf, safe, content, same_name)
 
 
 def _kept(shelf: ReplacedFiles, safe: str, content: BinaryIO, same_name: SameName) -> FileView:
-    whole = content.read(LARGEST + 1)
-    if len(whole) > LARGEST:
+    data = content.read(LARGEST + 1)
+    if len(data) > LARGEST:
         raise HTTPException(413, f"'{safe}' is larger than {LARGEST // 1_000_000} MB: cut it, or save it as Parquet.")
-    if not whole:
+    if not data:
         raise HTTPException(422, f"'{safe}' is empty: choose another file.")
-    # Looked at before it is written: a file of this name that is here already must outlive a bad one.
-    columns = _columns(Path(safe).suffix, BytesIO(whole))
+    # Check before writing: an unreadable file must not replace a good one of the same name.
+    columns = _columns(Path(safe).suffix, BytesIO(data))
     if columns is None or "t" not in columns or len(columns) < 2:
         raise HTTPException(
             422,
@@ -88,16 +88,16 @@ def _kept(shelf: ReplacedFiles, safe: str, content: BinaryIO, same_name: SameNam
             f"the first row must name t and each channel.",
         )
     try:
-        kept = shelf.put("file", safe, whole, same_name)
+        kept = shelf.put("file", safe, data, same_name)
     except OSError as error:
         raise HTTPException(
             409, f"'{safe}' cannot be kept ({error.strerror or error}): free some disk space, then add it again."
         ) from error
-    return FileView(name=kept, kind=_kind(columns), size=len(whole))
+    return FileView(name=kept, kind=_kind(columns), size=len(data))
 
 
 def harmless_name(name: str) -> str:
-    """Return a file name without folders, hidden dots or signs that a shell or a page could misread."""
+    """Return a file name without folders, leading dots or characters that a shell or a page could misread."""
     last = re.split(r"[/\\]", name)[-1]
     stem, dot, suffix = last.rpartition(".")
     clean = re.sub(r"[^A-Za-z0-9_-]+", "-", stem or suffix).strip("-")[:60] or "file"
@@ -106,16 +106,16 @@ def harmless_name(name: str) -> str:
 
 
 def _columns(suffix: str, opened: BinaryIO) -> list[str] | None:
-    """Return the names of the columns, reading no more than needed; None for what cannot be read or is too large."""
+    """Return the names of the columns, reading no more than needed; None when unreadable or too large."""
     if suffix == ".parquet":
         opened.seek(0, os.SEEK_END)
         opened.seek(max(opened.tell() - PARQUET_END, 0))
         if int.from_bytes(opened.read(4), "little") > LONGEST_SCHEMA:
             return None
         try:
-            described = pyarrow.parquet.read_metadata(opened)
-            many = described.num_columns > MOST_COLUMNS or described.num_rows * described.num_columns > MOST_NUMBERS
-            return None if many else list(described.schema.to_arrow_schema().names)
+            metadata = pyarrow.parquet.read_metadata(opened)
+            many = metadata.num_columns > MOST_COLUMNS or metadata.num_rows * metadata.num_columns > MOST_NUMBERS
+            return None if many else list(metadata.schema.to_arrow_schema().names)
         except (ValueError, OSError, pyarrow.ArrowException):
             return None
     head = opened.read(HEADER)
@@ -128,7 +128,7 @@ def _columns(suffix: str, opened: BinaryIO) -> list[str] | None:
 
 
 def _kind(columns: list[str]) -> FileKind:
-    """Tell signals from a body's movement, whose columns are JOINT_x, JOINT_y, JOINT_z, and from a head's."""
+    """Return the kind of a file by its columns; those of a body are JOINT_x, JOINT_y, JOINT_z."""
     others = [column for column in columns if column != "t"]
     if set(others) >= HEAD_COLUMNS:
         return "head"

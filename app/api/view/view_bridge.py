@@ -1,7 +1,7 @@
-"""The 3D view behind our sign-in: viser's page served by us, its websocket bridged to the server of the role.
+"""The 3D view behind our sign-in: serve viser's page, and bridge its websocket to the 3D server of the role.
 
-The 3D servers listen on this machine only, know no sign-in, and answer nobody but this bridge, which shows them the
-secret of this start.
+The 3D servers listen on this machine only and know no sign-in. They answer this bridge only, which sends them the
+secret of this start of the program.
 """
 
 import asyncio
@@ -25,12 +25,14 @@ from app.scene.servers import Role
 from app.scene.viewer_page import client_page
 
 Admission = Callable[[WebSocket, Role], AbstractAsyncContextManager[bool]]
-"""Entered before a websocket is accepted: gives whether it may look, and holds as long as it looks."""
+"""Context of a websocket, entered before it is accepted; gives whether it is admitted."""
 
 PortOf = Callable[[Role], int | None]
 """Returns the port of a role's 3D server, None while no session is open."""
 
-SEND_WITHIN = 3.0  # s; a browser that takes nothing for this long is cut off, and comes back with the present picture
+SEND_WITHIN = (
+    3.0  # s; a browser that takes nothing for this long is disconnected, and connects again for the current picture
+)
 OPEN_WITHIN = 3.0  # s
 NO_VIEW = 4409  # close code: there is no 3D view at the moment
 TOO_SLOW = 4408  # close code: the browser did not take what was sent
@@ -44,11 +46,11 @@ def view_router(port_of: PortOf, may_view: Admission, signed_in: Callable[..., A
     Parameters
     ----------
     port_of
-        Where a role's 3D server listens now.
+        Returns the port of a role's 3D server.
     may_view
-        Decides about a websocket, by session and Origin.
+        Admits or refuses a websocket by sign-in and Origin.
     signed_in
-        Dependency that refuses a request for the page from somebody who is not signed in.
+        Dependency that refuses the page to somebody who is not signed in.
     """
     router = APIRouter()
     page = ViewPage(client_page())
@@ -73,7 +75,7 @@ def view_router(port_of: PortOf, may_view: Admission, signed_in: Callable[..., A
 
 
 class ViewPage:
-    """viser's page as it is served: compressed, and sent again only when it is another one."""
+    """viser's page: compressed, with an ETag, so that a browser loads it again only when it has changed."""
 
     def __init__(self, page: bytes) -> None:
         self._page = page
@@ -81,7 +83,7 @@ class ViewPage:
         self._tag = f'"{hashlib.sha256(page).hexdigest()[:32]}"'
 
     def answer(self, request: Request) -> Response:
-        """Return the page with its policy, or that it has not changed."""
+        """Return the page with its headers, or 304 when the browser has it."""
         headers = page_headers(request.headers.get("host", ""), request.url.scheme) | {"ETag": self._tag}
         if request.headers.get("if-none-match") == self._tag:
             return Response(status_code=304, headers=headers)
@@ -91,9 +93,9 @@ class ViewPage:
 
 
 def page_headers(host: str, scheme: str) -> dict[str, str]:
-    """Return the headers of viser's page: what its scripts may do, and that they reach nobody but this host.
+    """Return the headers of viser's page, with the policy that lets its scripts reach this host only.
 
-    viser's page opens any websocket that its address names; `connect-src` is what keeps a foreign one closed.
+    viser's page opens any websocket that its address names; `connect-src` restricts it to this host.
     """
     sockets = "wss" if scheme == "https" else "ws"
     ours = f" {sockets}://{host}" if re.fullmatch(r"[A-Za-z0-9.\-]+(:\d+)?|\[[0-9A-Fa-f:.]+\](:\d+)?", host) else ""
@@ -119,7 +121,7 @@ def page_headers(host: str, scheme: str) -> dict[str, str]:
 
 
 async def bridge(websocket: WebSocket, role: Role, port: int) -> None:
-    """Join an admitted browser and the 3D server on `port`; the browser may send what one of this role may."""
+    """Connect an admitted browser with the 3D server on `port`; pass only the messages that the role permits."""
     try:
         server = await connect(
             f"ws://127.0.0.1:{port}",
@@ -127,7 +129,7 @@ async def bridge(websocket: WebSocket, role: Role, port: int) -> None:
             additional_headers=BRIDGE_HEADERS,
             compression=None,
             max_size=None,
-            # What a slow browser has not taken yet must wait at the 3D server, where newer replaces older.
+            # For a slow browser, messages must wait at the 3D server, where a newer one replaces an older one.
             max_queue=1,
             ping_interval=None,
             open_timeout=OPEN_WITHIN,
@@ -150,7 +152,7 @@ async def bridge(websocket: WebSocket, role: Role, port: int) -> None:
                 task.cancel()
             ends = await asyncio.gather(*tasks, return_exceptions=True)
         code = next((end for end in ends if isinstance(end, int)), 1011)
-        # The browser may have gone, or take nothing: closing is a courtesy.
+        # The browser may have disconnected, or take nothing: ignore failures.
         with suppress(RuntimeError, WebSocketDisconnect, TimeoutError):
             async with asyncio.timeout(1.0):
                 await websocket.close(code)
@@ -160,7 +162,7 @@ async def bridge(websocket: WebSocket, role: Role, port: int) -> None:
 
 
 async def _to_browser(server: ClientConnection, websocket: WebSocket) -> int:
-    """Send on what the 3D server says; return the code to close with."""
+    """Forward the messages of the 3D server; return the close code."""
     try:
         async for message in server:
             async with asyncio.timeout(SEND_WITHIN):
@@ -173,8 +175,8 @@ async def _to_browser(server: ClientConnection, websocket: WebSocket) -> int:
 
 
 async def _to_server(websocket: WebSocket, server: ClientConnection, role: Role) -> int:
-    """Send on what the browser may say; return the code to close with."""
-    told = False
+    """Forward the permitted messages of the browser; return the close code."""
+    has_warned = False
     while True:
         message = await websocket.receive()
         if message["type"] == "websocket.disconnect":
@@ -186,6 +188,6 @@ async def _to_server(websocket: WebSocket, server: ClientConnection, role: Role)
                     await server.send(content)
             except (ConnectionClosed, TimeoutError):
                 return NO_VIEW
-        elif not told:
-            told = True
+        elif not has_warned:
+            has_warned = True
             logger.warning("a message from the %s view's page was left out: it may only tell its camera", role)

@@ -1,4 +1,4 @@
-"""What a clinician may do with the 3D views: look from somewhere else, open and close the plots."""
+"""The clinician's controls of the 3D views: camera, view settings, plots."""
 
 from collections.abc import Callable
 from typing import Annotated, Any
@@ -21,7 +21,7 @@ Distance = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=1, le=100
 
 
 class CameraChoice(Document):
-    """Where to look from, and how the patient's eye looks; what is not named stays as it is."""
+    """The view and its settings; fields that are left out stay unchanged."""
 
     view: View | None = None
     fov_deg: FieldOfView | None = None
@@ -31,7 +31,7 @@ class CameraChoice(Document):
 
 
 class FreeCamera(Document):
-    """Where the free camera is: the direction and distance from which it looks at a point on the floor."""
+    """The free camera: the direction and distance from which it looks at a point on the floor."""
 
     azimuth: Radians
     elevation: Elevation
@@ -41,13 +41,13 @@ class FreeCamera(Document):
 
 
 class PlotsChoice(Document):
-    """Whether the plots are shown."""
+    """Whether the plots are drawn."""
 
     open: StrictBool
 
 
 class ViewState(Document):
-    """What a view shows."""
+    """The state of a view."""
 
     view: View
     plots: bool
@@ -64,9 +64,9 @@ def view_controls(scene_now: SceneNow, clinician: Callable[..., Any]) -> APIRout
     Parameters
     ----------
     scene_now
-        The scene of the session.
+        Returns the scene of the open session.
     clinician
-        Dependency that refuses those who may not drive.
+        Dependency that refuses people who may not drive.
     """
     router = APIRouter(prefix="/view", tags=["view"], dependencies=[Depends(clinician)])
 
@@ -79,23 +79,23 @@ def view_controls(scene_now: SceneNow, clinician: Callable[..., Any]) -> APIRout
     SceneOfSession = Annotated[Scene, Depends(scene)]  # noqa: N806
 
     @router.post("/{role}/camera")
-    def look(role: Role, choice: CameraChoice, shown: SceneOfSession) -> ViewState:
+    def look(role: Role, choice: CameraChoice, drawn: SceneOfSession) -> ViewState:
         """Look from the patient's eye, from behind the chair, from above, or from anywhere."""
         changes = choice.model_dump(exclude={"view"}, exclude_none=True)
-        shown.set_view(role, choice.view or shown.view(role), shown.settings(role)._replace(**changes))
-        return _state(shown, role)
+        drawn.set_view(role, choice.view or drawn.view(role), drawn.settings(role)._replace(**changes))
+        return _state(drawn, role)
 
     @router.post("/{role}/free")
-    def turn(role: Role, place: FreeCamera, shown: SceneOfSession) -> ViewState:
+    def turn(role: Role, place: FreeCamera, drawn: SceneOfSession) -> ViewState:
         """Put the free camera somewhere else; it is seen while the view is `free`."""
-        shown.set_orbit(role, Orbit(**place.model_dump()))
-        return _state(shown, role)
+        drawn.set_orbit(role, Orbit(**place.model_dump()))
+        return _state(drawn, role)
 
     @router.post("/clinician/plots")
-    def show_plots(choice: PlotsChoice, shown: SceneOfSession) -> ViewState:
+    def show_plots(choice: PlotsChoice, drawn: SceneOfSession) -> ViewState:
         """Show or hide the plots inside the clinician's view."""
-        shown.open_plots(choice.open)
-        return _state(shown, "clinician")
+        drawn.open_plots(choice.open)
+        return _state(drawn, "clinician")
 
     return router
 

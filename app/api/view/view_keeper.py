@@ -1,4 +1,4 @@
-"""The 3D view of the session: opened with it, closed with it, and shown the plan that is driven."""
+"""The 3D view of the open session: opened and closed with it, showing the floor plan of the trial."""
 
 import asyncio
 from collections.abc import AsyncIterator, Callable
@@ -23,11 +23,11 @@ class SessionScene(Protocol):
 
     @property
     def scene(self) -> Scene:
-        """Return what is drawn."""
+        """Return the scene."""
         ...
 
     def port(self, role: Role) -> int:
-        """Return where a role's server listens."""
+        """Return the port of a role's server."""
         ...
 
     def stop(self) -> None:
@@ -36,7 +36,7 @@ class SessionScene(Protocol):
 
 
 class ServedScene:
-    """The real one."""
+    """A scene that viser serves, with its servers and its thread."""
 
     def __init__(self, read_newest: ReadNewest, models: Path | None = None) -> None:
         self._servers = RoleServers()
@@ -48,11 +48,11 @@ class ServedScene:
 
     @property
     def scene(self) -> Scene:
-        """Return what is drawn."""
+        """Return the scene."""
         return self._thread.scene
 
     def port(self, role: Role) -> int:
-        """Return where a role's server listens."""
+        """Return the port of a role's server."""
         return self._servers.port(role)
 
     def stop(self) -> None:
@@ -65,40 +65,40 @@ OpenScene = Callable[[ReadNewest], SessionScene]
 
 
 class ViewKeeper:
-    """Holds the scene of the session that is going on; without `open_scene` there is never one."""
+    """Keeps the scene of the open session; without `open_scene` there is never one."""
 
     def __init__(self, open_scene: OpenScene | None, read_newest: ReadNewest) -> None:
         self._open_scene = open_scene
         self._read_newest = read_newest
-        self._session: SessionScene | None = None
+        self._scene: SessionScene | None = None
         self._shown: tuple[FloorPlan, str] | None = None
         self._one_at_a_time = asyncio.Lock()
 
     @property
     def scene(self) -> Scene | None:
         """Return the scene, None while no session is open."""
-        return None if self._session is None else self._session.scene
+        return None if self._scene is None else self._scene.scene
 
     def port(self, role: Role) -> int | None:
         """Return the port of a role's server, None while no session is open."""
-        return None if self._session is None else self._session.port(role)
+        return None if self._scene is None else self._scene.port(role)
 
     async def open(self, plan: FloorPlan | None, path: str | None) -> None:
-        """Open a new scene for a new session, the old one closed, showing a plan to begin with."""
+        """Close the old scene and open one for a new session, showing this plan at first."""
         async with self._one_at_a_time:
             await self._close()
             if self._open_scene is not None:
-                self._session = await asyncio.to_thread(self._open_scene, self._read_newest)
+                self._scene = await asyncio.to_thread(self._open_scene, self._read_newest)
                 if plan is not None and path is not None:
                     await self._show(plan, path)
 
     async def close(self) -> None:
-        """Close the scene: the session is over."""
+        """Close the scene, because the session has ended."""
         async with self._one_at_a_time:
             await self._close()
 
     async def show(self, plan: FloorPlan, path: str) -> None:
-        """Show the plan of a trial that begins, without what was driven before."""
+        """Show the plan of a trial that begins, without the trajectory of the one before."""
         async with self._one_at_a_time:
             await self._show(plan, path)
 
@@ -113,15 +113,15 @@ class ViewKeeper:
             self._shown = (plan, path)
 
     async def _close(self) -> None:
-        session, self._session, self._shown = self._session, None, None
-        if session is not None:
-            with suppress(RuntimeError):  # its servers may have ended by themselves
-                await asyncio.to_thread(session.stop)
+        served, self._scene, self._shown = self._scene, None, None
+        if served is not None:
+            with suppress(RuntimeError):  # its servers may have ended already
+                await asyncio.to_thread(served.stop)
 
 
 @asynccontextmanager
 async def may_view(websocket: WebSocket, role: Role) -> AsyncIterator[bool]:
-    """Let a websocket of the 3D view in by origin and sign-in (the patient's: or pairing), and close it with that."""
+    """Admit a websocket of the 3D view by origin and sign-in (the patient's view: or pairing) until that ends."""
     sockets: OpenSockets = websocket.app.state.people.sockets
     who = await (sockets.admit_viewer if role == "patient" else sockets.admit)(websocket)
     if who is None:
