@@ -7,7 +7,7 @@ from test_imports import LEAVES, MAY_IMPORT, PURE_CHAIN
 from folders import ROOT
 
 PAGE = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
-TOP = ("app", "bench", "data", "docs", "tests", "web_static")
+TOP = ("app", "bench", "data", "docs", "tests", "types", "web_static")
 NAME = re.compile(rf"`((?:{'|'.join(TOP)})/[\w./]*)`")
 NAMED = NAME.findall(PAGE)
 QUESTIONS = re.findall(r"^\| (.+\?) \| `(.+)` \|$", PAGE, flags=re.MULTILINE)
