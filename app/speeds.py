@@ -27,16 +27,7 @@ class Speeds(Document):
     turn_jerk: TurnJerk = 60.0  # rad/s3
 
 
-HIGHEST_SPEEDS = Speeds(
-    forward=1.5,
-    reverse=1.5,
-    turn=2.5,
-    acceleration=3.0,
-    deceleration=3.0,
-    turn_acceleration=20.0,
-    jerk=20.0,
-    turn_jerk=400.0,
-)
+HIGHEST_SPEEDS = Speeds(**{name: limit["maximum"] for name, limit in Speeds.model_json_schema()["properties"].items()})
 """The highest limits that a clinic or a chair can have."""
 
 
