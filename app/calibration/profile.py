@@ -91,7 +91,7 @@ class JointMap(Document):
         return self
 
     @model_serializer(mode="wrap")
-    def _as_before(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
+    def _without_defaults(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
         """Leave out default values, so that profiles from before the guided maps keep their hash."""
         document: dict[str, Any] = handler(self)
         if document.get("map") == "pca":
