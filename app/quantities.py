@@ -10,14 +10,17 @@ from pydantic import AfterValidator, BaseModel, ConfigDict, Field
 
 from app.visible_text import visible_line, visible_lines
 
+LOWEST_CUTOFF, HIGHEST_CUTOFF = 1, 8  # Hz
+LARGEST_THRESHOLD = 100  # FS/s or FS
+
 Metres = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=-1000, le=1000)]
 Length = Annotated[float, Field(strict=True, allow_inf_nan=False, gt=0, le=1000)]  # m
 Radians = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=-6.2832, le=6.2832)]
 Seconds = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0, le=86_400)]
 Hertz = Annotated[float, Field(strict=True, allow_inf_nan=False, gt=0, le=5000)]
-Cutoff = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=1, le=8)]  # Hz
+Cutoff = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=LOWEST_CUTOFF, le=HIGHEST_CUTOFF)]  # Hz
 Gain = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0, le=5)]
-Threshold = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0, le=100)]  # FS/s or FS
+Threshold = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0, le=LARGEST_THRESHOLD)]  # FS/s or FS
 Fraction = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0, le=1)]
 Finite = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=-1e12, le=1e12)]
 Count = Annotated[int, Field(strict=True, ge=0, le=2**31)]

@@ -1,4 +1,4 @@
-"""`python -m bench`: what was measured beside what is to be reached. It judges nothing and exits 0."""
+"""`python -m bench`: prints each figure beside its target; exits with 0 whether targets are met or not."""
 
 import argparse
 import json
@@ -14,7 +14,7 @@ from bench.row import Row
 
 
 class Part(NamedTuple):
-    """Something that can be measured; its module is imported only when it is asked for."""
+    """A part of the benchmark; its module is imported only when the part is chosen."""
 
     module: str
     function: str
@@ -71,7 +71,7 @@ def line(row: Row) -> str:
 
 
 def machine() -> str:
-    """Return what the figures were measured on."""
+    """Return processor, cores, system and Python version of this machine."""
     name = platform.processor() or platform.machine()
     for entry in _lines_of(Path("/proc/cpuinfo")):
         if entry.startswith("model name"):

@@ -1,4 +1,4 @@
-"""What the pure middle costs: a step of the chain, decoding a recording, fitting a calibration."""
+"""Measures a step of the chain, and decoding a recording."""
 
 import socket
 import statistics
@@ -20,11 +20,11 @@ from bench.subject import bench_floorplan, bench_parameters, bench_signals
 RUNS = 5
 FRAMES = 20_000
 SAMPLE_RATE: Hertz = 1000.0
-DATAGRAM = bytes(236)  # as long as a frame of 52 float32 with header and CRC
+DATAGRAM = bytes(236)  # length of a frame of 52 float32 with header and CRC
 
 
 def measure_chain_step() -> list[Row]:
-    """Return the cost of `chain.step`, 100 walls and the gate included, against one loopback datagram."""
+    """Return the time of `chain.step`, with 100 walls and the gate, relative to one loopback datagram."""
     parameters = bench_parameters(SAMPLE_RATE)
     values = bench_signals(parameters, FRAMES / SAMPLE_RATE)
     frames = [SensorFrame(i, i / SAMPLE_RATE, i / SAMPLE_RATE, frame) for i, frame in enumerate(values)]

@@ -1,4 +1,4 @@
-"""The processes that a benchmark is made of: how they are started and asked."""
+"""Starts the processes of a benchmark and talks to them in lines."""
 
 import socket
 import subprocess
@@ -16,7 +16,7 @@ def module(name: str) -> list[str]:
 
 
 def started(name: str, *arguments: str, descriptors: Sequence[int] = ()) -> subprocess.Popen[str]:
-    """Start a module that talks in lines; it is handed the open `descriptors`."""
+    """Start a module that reads and writes lines; it inherits the open `descriptors`."""
     return subprocess.Popen(
         [*module(name), *arguments],
         stdin=subprocess.PIPE,
@@ -29,7 +29,7 @@ def started(name: str, *arguments: str, descriptors: Sequence[int] = ()) -> subp
 
 
 def next_line(process: subprocess.Popen[str]) -> str:
-    """Return what a part says next; raise RuntimeError when it has ended instead."""
+    """Return the next line of a process; raise RuntimeError when the process has ended."""
     line = process.stdout.readline().strip() if process.stdout else ""
     if not line:
         raise RuntimeError("a part of the benchmark did not start, or ended early: its message stands above")
@@ -37,7 +37,7 @@ def next_line(process: subprocess.Popen[str]) -> str:
 
 
 def ask(process: subprocess.Popen[str], word: str) -> str:
-    """Say a word to a part and return what it answers."""
+    """Write a word to a process and return its answer."""
     if process.stdin is not None:
         process.stdin.write(f"{word}\n")
         process.stdin.flush()
@@ -45,7 +45,7 @@ def ask(process: subprocess.Popen[str], word: str) -> str:
 
 
 def free_ports(count: int) -> list[int]:
-    """Return ports that are free just now."""
+    """Return ports that are free at this moment."""
     sockets = [socket.socket(socket.AF_INET, socket.SOCK_DGRAM) for _ in range(count)]
     try:
         for probe in sockets:

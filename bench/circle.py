@@ -1,4 +1,4 @@
-"""A chair that drives a circle for ever: from where it is, one can tell when it was there."""
+"""A chair that drives a circle endlessly, so that each position has one time per round."""
 
 import math
 from typing import Final
@@ -7,7 +7,7 @@ import numpy as np
 
 from app.messages import TICK
 
-TICK_RATE: Final = 200.0  # Hz: every turn of the scene finds a new one
+TICK_RATE: Final = 200.0  # Hz: faster than the scene's updates
 RADIUS: Final = 2.0  # m
 TURN_RATE: Final = 0.4  # rad/s
 ROUND: Final = math.tau / TURN_RATE  # s
@@ -26,5 +26,5 @@ def driving(now: float) -> np.void:
 
 
 def age_at(x: float, y: float, now: float) -> float:
-    """Return how long before `now` (monotonic s) the chair was at x, y (m): from 0 to less than a round, s."""
+    """Return how long (s) before `now` (monotonic s) the chair was at x, y (m): from 0 to less than a round."""
     return (now - math.atan2(y, x) / TURN_RATE) % ROUND

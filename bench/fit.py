@@ -1,4 +1,4 @@
-"""What fitting a calibration costs."""
+"""Measures the fit of a calibration."""
 
 import statistics
 
@@ -10,7 +10,7 @@ from bench.subject import bench_parameters, bench_signals
 
 
 def measure_fit() -> list[Row]:
-    """Return how long ten seconds of free movement at 1 kHz take to fit."""
+    """Return the time for the fit of ten seconds of free movement at 1 kHz."""
     parameters = bench_parameters(SAMPLE_RATE)
     values = bench_signals(parameters, 10.0)
     durations = []

@@ -11,14 +11,14 @@ from bench.row import Row
 from bench.stop import request, served
 
 SIGN_INS = 40  # at once
-ROUNDS, STOPS = 10, 40  # in turn without them and with them; stops in each
+ROUNDS, STOPS = 10, 40  # rounds without and with sign-ins, in turn; stops in each round
 REACH = 2.0  # the largest ratio of the two p99
 SETTLING = 0.5  # s after the flood began or ended
-PAUSE = (0.005, 0.03)  # s between two stops, at random, so that they meet every phase of what goes on
+PAUSE = (0.005, 0.03)  # s between two stops, random, so that stops meet every phase of the sign-ins
 
 
 def measure_flood(rounds: int = ROUNDS, stops: int = STOPS, sign_ins: int = SIGN_INS) -> list[Row]:
-    """Return the p99 of `POST /control/stop` until its answer with sign-ins under way, over the p99 without."""
+    """Return the p99 of the time of `POST /control/stop` with sign-ins under way, divided by the p99 without."""
     with served() as (_, _, port), started("bench.processes.sign_ins", str(port), str(sign_ins)) as flood:
         try:
             times = _in_turn(MonotonicClock(), rounds, stops, port, lambda word: ask(flood, word))

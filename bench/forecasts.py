@@ -1,4 +1,4 @@
-"""How well the forecasts of found gestures hold: many simulated wearers, calibrated as usual, then watched for longer.
+"""Checks the forecasts of gestures on many simulated people, who are calibrated as usual and then recorded for longer.
 
 `python -m bench.forecasts --wearers 20` prints the table of docs/learning.md, "Finding gestures".
 """
@@ -30,7 +30,7 @@ from app.study.simulated_calibration import fit_recorded, record_step
 SAMPLE_RATE = 100.0  # Hz
 REST = 60.0  # s, held out
 REPETITIONS = 10  # of each suggested gesture, held out
-LOWERED = 3.0  # of the noise: a dead-zone that somebody has lowered, so that there is something to count
+LOWERED = 3.0  # times the noise: a lowered dead-zone, so that there are false activations to count
 
 
 class Kind(NamedTuple):
@@ -61,35 +61,35 @@ class Uneven(Person):
         self._asked: Cue | None = None
 
     def step(self, dt: float, view: BodyView) -> NDArray[np.float64]:
-        """Live on, each prompted movement of another size."""
+        """Advance by `dt`, with a random size for each prompted movement."""
         if view.cue is not self._asked:
             self._asked = view.cue
             if view.cue is not None and view.cue.kind == "move":
                 self._size = float(np.exp(self._spread * self._sizes.normal()))
             elif view.cue is None or view.cue.kind != "return":
-                self._size = 1.0  # a tremor at rest is always the same
+                self._size = 1.0  # the tremor at rest is not scaled
         return super().step(dt, view) * self._size
 
 
 @dataclass(slots=True)
 class Tally:
-    """Sums over wearers and gestures: what was predicted, and what was counted."""
+    """Sums over people and gestures: predicted and counted numbers."""
 
     gestures: int = 0
     minutes: float = 0.0
     predicted_false: float = 0.0  # in all
     counted_false: int = 0
-    predicted_lowered: float = 0.0  # the same with the dead-zone lowered
+    predicted_lowered: float = 0.0  # with the lowered dead-zone
     counted_lowered: int = 0
-    bounds_held: int = 0  # of the gestures: the true rate was below the bound of the count (95 %)
+    bounds_held: int = 0  # number of gestures whose counted rate was below the 95 % bound of the forecast
     predicted_hits: float = 0.0
     counted_hits: int = 0
     movements: int = 0
-    errors: list[float] = field(default_factory=list)  # predicted hit rate less the counted, per gesture
+    errors: list[float] = field(default_factory=list)  # predicted minus counted hit rate, per gesture
 
 
-def watch(kind: Kind, seed: int, tally: Tally, rest: float = REST, repetitions: int = REPETITIONS) -> None:
-    """Calibrate one participant, take the forecasts of the suggested gestures, and count what they really do."""
+def compare(kind: Kind, seed: int, tally: Tally, rest: float = REST, repetitions: int = REPETITIONS) -> None:
+    """Calibrate one participant and compare the forecasts of suggested gestures with counts on later runs."""
     participant = Participant(Uneven(kind, seed), standard_layout(), SAMPLE_RATE, seed)
     recorded = [(step, *record_step(participant, step)) for step in calibration_script(participant.layout)]
     profile = fit_recorded(participant.layout, SAMPLE_RATE, recorded)
@@ -141,7 +141,7 @@ def _count_lowered(
 
 
 def _more(participant: Participant, cues: Sequence[Cue]) -> CuedRun:
-    """Record some more, with these cues."""
+    """Record a further run with these cues."""
     step = Step("more", "rest", None, "More", "More.", cues[-1].end, tuple(cues))
     values, cue = record_step(participant, step)
     return run_of_cues(values, cue, cues)
@@ -183,7 +183,7 @@ def main(wearers: Annotated[int, typer.Option(min=1, help="Of each kind.")] = 20
     for kind in KINDS:
         tally = Tally()
         for seed in range(1, wearers + 1):
-            watch(kind, seed, tally)
+            compare(kind, seed, tally)
         typer.echo(row(kind, tally))
 
 

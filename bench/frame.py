@@ -1,4 +1,4 @@
-"""What a frame to the real chair costs: encoding it at one end, verifying it at the other."""
+"""Measures encoding and verifying a command to the real chair."""
 
 import statistics
 
@@ -13,7 +13,7 @@ REACH = 8.0  # us
 
 
 def measure_frame() -> list[Row]:
-    """Return the cost of encoding and verifying one command: median over the runs of the mean over the frames."""
+    """Return the time for encoding and verifying one command: median over the runs of the mean over the frames."""
     figure = 1e6 * statistics.median(_frame_time() for _ in range(RUNS))
     details = f"both ends together, HMAC-SHA-256 twice; median of {RUNS} x {FRAMES}"
     return [Row("frame to the chair, encode and verify", figure, "us", REACH, "lower", details)]

@@ -1,4 +1,4 @@
-"""What the gate costs: deciding and limiting, armed, with everything in order."""
+"""Measures the gate: deciding and limiting while armed, without a fault."""
 
 import statistics
 
@@ -13,11 +13,11 @@ RUNS = 5
 STEPS = 50_000
 RATE = 1000.0  # Hz
 REACH = 10.0  # us: a hundredth of a period at 1 kHz
-TURN_AFTER = 400  # steps, so that the ramps are always at work
+TURN_AFTER = 400  # steps between two changes of direction, so that the ramps are always in use
 
 
 def measure_gate() -> list[Row]:
-    """Return the cost of one step of the gate: median over the runs of the mean over the steps."""
+    """Return the time of one step of the gate: median over the runs of the mean over the steps."""
     figure = 1e6 * statistics.median(_step_time() for _ in range(RUNS))
     details = f"decide and limit, armed, speeds changing all the time; median of {RUNS} x {STEPS}"
     return [Row("gate, one step", figure, "us", REACH, "lower", details)]

@@ -1,4 +1,4 @@
-"""What an update of a trajectory of 20,000 points costs against one of 200: a viewer's bytes, and processor."""
+"""Measures an update of a trajectory of 20,000 points against one of 200: bytes to a viewer, and processor time."""
 
 import resource
 import statistics
@@ -16,21 +16,21 @@ from bench.children import ask, started
 from bench.row import Row
 
 SHORT, LONG = 200, 20_000  # points
-UPDATES = 200  # at the end of each
-EVERY = 0.01  # s between two; so that each is sent
+UPDATES = 200  # measured at the end of each trajectory
+EVERY = 0.01  # s between two updates, so that each is sent
 ROUNDS = 5
 REACH = {"bytes": 1.05, "processor": 1.2}
 
 
 class Cost(NamedTuple):
-    """What one update costs."""
+    """The cost of one update."""
 
     bytes: float
     processor: float  # us of the process with the 3D server
 
 
 def measure_trajectory(rounds: int = ROUNDS, long: int = LONG) -> list[Row]:
-    """Return how many times more an update of the long trajectory costs: the median over several rounds.
+    """Return the cost of an update of the long trajectory over that of the short one, median of several rounds.
 
     Raises
     ------
@@ -40,8 +40,8 @@ def measure_trajectory(rounds: int = ROUNDS, long: int = LONG) -> list[Row]:
     with RoleServers() as servers, started("bench.processes.reading", str(servers.port("patient"))) as viewer:
         try:
             ask(viewer, SECRET)
-            drawn = _Drawn(servers["patient"], viewer)
-            found = [drawn.round(long) for _ in range(rounds)]
+            view = _TrajectoryView(servers["patient"], viewer)
+            found = [view.round(long) for _ in range(rounds)]
             viewer.communicate(timeout=10)
         finally:
             viewer.kill()
@@ -54,7 +54,7 @@ def measure_trajectory(rounds: int = ROUNDS, long: int = LONG) -> list[Row]:
     return rows
 
 
-class _Drawn:
+class _TrajectoryView:
     def __init__(self, server: viser.ViserServer, viewer: "subprocess.Popen[str]") -> None:
         self._server, self._viewer = server, viewer
         self._trajectory = Trajectory(server)
@@ -68,11 +68,11 @@ class _Drawn:
         self._points = 0
         short = self._updates(UPDATES)
         while self._points < long - UPDATES:
-            self._add(0.0)  # too soon after the last one to be drawn
+            self._add(0.0)  # too soon after the last point to be sent
         return short, self._updates(UPDATES)
 
     def _updates(self, count: int) -> Cost:
-        self._add(SEND_EVERY)  # whatever was not drawn yet is drawn before
+        self._add(SEND_EVERY)  # sends the points that wait
         self._server.flush()
         start = self._clock.now() + 0.5
         self._clock.sleep_until(start)

@@ -1,4 +1,4 @@
-"""UDP in to UDP out through the control process, beside a busy web process, against a bare echo in the same run."""
+"""Measures UDP in to UDP out through the control process, beside a busy web process, relative to a bare echo."""
 
 import json
 import statistics
@@ -15,11 +15,11 @@ from bench.row import Row
 RUNS = 3
 SECONDS = 12.0
 WHAT = "UDP in to UDP out at 1 kHz, 52 channels, beside two browsers' worth of work, against a bare echo"
-PERCENTILES = {"median": (50.0, 2.5), "p99": (99.0, 3.0), "p99.9": (99.9, 3.0)}  # name: percentile, reach
+PERCENTILES = {"median": (50.0, 2.5), "p99": (99.0, 3.0), "p99.9": (99.9, 3.0)}  # name: percentile, target
 
 
 def measure_loop(runs: int = RUNS, seconds: float = SECONDS) -> list[Row]:
-    """Return how many times longer than the echo the loop takes: median, p99 and p99.9, medians over the runs."""
+    """Return the time of the loop over that of the echo: median, p99 and p99.9, each the median over the runs."""
     found = [_measured(seconds) for _ in range(runs)]
     armed = min(run["armed"] / run["frames"] for run in found)
     rows = []
@@ -36,7 +36,7 @@ def measure_loop(runs: int = RUNS, seconds: float = SECONDS) -> list[Row]:
 
 
 def _measured(seconds: float) -> dict[str, Any]:
-    """Return the answers' times of one run, s."""
+    """Return the times (s) of the answers in one run."""
     shirt_port, report_port = free_ports(2)
     with (
         tempfile.TemporaryDirectory() as folder,

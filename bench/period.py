@@ -1,4 +1,4 @@
-"""How evenly commands come to a chair while a busy web process runs beside and junk floods both ports."""
+"""Measures the period of the commands at a chair, beside a busy web process and with junk on both ports."""
 
 import json
 import socket
@@ -18,21 +18,21 @@ from bench.row import Row
 SECONDS = 15.0
 RUNS = 3
 JUNK_RATE = 50_000.0  # datagrams/s to each of the two ports
-SETTLING = 1.0  # s of junk before it counts
+SETTLING = 1.0  # s of junk before the measurement
 WHAT = "command period at the chair, 50 Hz, under load and junk"
 
 
-class Measured(NamedTuple):
-    """What came of one run."""
+class PeriodRun(NamedTuple):
+    """The figures of one run."""
 
     gaps: list[float]  # s between commands, in order
-    driving: float  # share of them that drove
-    rates: list[float]  # junk that was really sent, datagrams/s: to the chair's port, to the sender's
+    driving: float  # share of commands that drive
+    rates: list[float]  # junk sent, datagrams/s: to the chair's port, to the sender's port
 
 
 def measure_period(seconds: float = SECONDS, rate: float = JUNK_RATE, runs: int = RUNS) -> list[Row]:
     """Return the p99 of the time between two commands, and the longest."""
-    found = [_measured(seconds, rate) for _ in range(runs)]
+    found = [_run(seconds, rate) for _ in range(runs)]
     p99 = statistics.median(1e3 * float(np.percentile(run.gaps, 99)) for run in found)
     longest = 1e3 * max(max(run.gaps) for run in found)
     chairs, senders = (min(run.rates[port] for run in found) for port in (0, 1))
@@ -47,7 +47,7 @@ def measure_period(seconds: float = SECONDS, rate: float = JUNK_RATE, runs: int 
     ]
 
 
-def _measured(seconds: float, rate: float) -> Measured:
+def _run(seconds: float, rate: float) -> PeriodRun:
     shirt_port, report_port = free_ports(2)
     key = new_key(KEY_ID)
     with (
@@ -78,19 +78,19 @@ def _measured(seconds: float, rate: float) -> Measured:
             try:
                 next_line(load)
                 sender_port = next_line(chair)
-                # To the sender it comes from the chair's own address: from any other one the kernel takes it away.
+                # Junk to the sender comes from the chair's address; the kernel would drop it from any other.
                 targets = [f"{chair_port}:W:{elsewhere.fileno()}", f"{sender_port}:T:{descriptor}"]
                 sources = [elsewhere.fileno(), descriptor]
                 with started("bench.processes.junk", str(rate), str(seconds), *targets, descriptors=sources) as junk:
                     flood = json.loads(next_line(junk))
-                heard = json.loads(ask(chair, "tell"))
+                noted = json.loads(ask(chair, "tell"))
             finally:
                 for part in (feed, load, chair):
                     part.communicate()
     begin, end = flood["begin"] + SETTLING, flood["end"]
-    times = [t for t in heard["times"] if begin < t < end]
-    driving = sum(begin < t < end for t in heard["driving"])
+    times = [t for t in noted["times"] if begin < t < end]
+    driving = sum(begin < t < end for t in noted["driving"])
     lasted = flood["end"] - flood["begin"]
-    # A silence at either end counts, too.
+    # Silence at the beginning and at the end counts as a gap too.
     gaps = np.diff([begin, *times, end]).tolist()
-    return Measured(gaps, driving / max(1, len(times)), [sent / lasted for sent in flood["sent"]])
+    return PeriodRun(gaps, driving / max(1, len(times)), [sent / lasted for sent in flood["sent"]])

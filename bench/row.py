@@ -1,4 +1,4 @@
-"""One measured figure beside what is to be reached."""
+"""One measured figure beside its target."""
 
 from dataclasses import dataclass
 from typing import Literal
@@ -11,13 +11,13 @@ class Row:
     what: str
     figure: float
     unit: str
-    reach: float | None  # None: nothing was asked for
+    reach: float | None  # the target; None: no target
     better: Literal["lower", "higher"]
     details: str
 
     @property
     def is_reached(self) -> bool:
-        """Whether the figure is where it should be."""
+        """Whether the figure meets its target."""
         if self.reach is None:
             return True
         return self.figure <= self.reach if self.better == "lower" else self.figure >= self.reach

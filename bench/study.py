@@ -1,4 +1,4 @@
-"""How long the paper's experiment takes without a screen, figures and files included."""
+"""Measures the study of the paper's experiment, figures and files included."""
 
 import subprocess
 import sys
@@ -12,7 +12,7 @@ TRIALS = 22
 
 
 def measure_study() -> list[Row]:
-    """Return how long `bodydrive study --trials 22` takes, started as a person would start it."""
+    """Return the time of `bodydrive study --trials 22`, started as a command."""
     with tempfile.TemporaryDirectory() as folder:
         words = ["study", "--trials", str(TRIALS), "--seed", "1", "--floorplan", "clinic"]
         command = [sys.executable, "-c", "from app.cli.main import main; main()", *words, "--json"]

@@ -1,4 +1,4 @@
-"""What is measured on: parameters for 52 channels and four joints, a room of 100 walls, movement, a chair."""
+"""The subject of the benchmarks: parameters for 52 channels and four joints, a room of 100 walls, signals, a chair."""
 
 from pathlib import Path
 from typing import Any

@@ -1,4 +1,4 @@
-"""A viewer of the 3D view that is no browser: it takes everything, and tells which poses of the chair came when."""
+"""A client of the 3D view without a browser: it receives everything and extracts the poses of the chair."""
 
 from collections.abc import AsyncIterator, Iterator
 from typing import Any, Final
@@ -28,16 +28,16 @@ async def open_view(port: int, role: Role) -> ClientConnection:
 
 
 async def packets(connection: Connection) -> AsyncIterator[bytes]:
-    """Yield what comes, until the other side closes."""
+    """Yield the packets that come, until the server closes the connection."""
     async for packet in connection:
         yield packet if isinstance(packet, bytes) else packet.encode()
 
 
 def chair_positions(packet: bytes) -> Iterator[tuple[float, float]]:
-    """Yield the places (x, y in m) of the chair in what viser sends at once.
+    """Yield the positions (x, y in m) of the chair in one packet of viser.
 
     A packet is two lengths (little-endian uint64: of the messages, and of them packed by zstd), the packed messages
-    (msgpack), and then the arrays of meshes, which are not looked at.
+    (msgpack), and then the arrays of meshes, which are ignored.
     """
     unpacked, packed = (int.from_bytes(packet[at : at + 8], "little") for at in (0, 8))
     content = zstandard.ZstdDecompressor().decompress(packet[HEADER : HEADER + packed], max_output_size=unpacked)

@@ -1,4 +1,4 @@
-"""What viewers of the 3D view get, and what they cost the web process, at sixty poses a second through the bridge."""
+"""Measures what viewers of the 3D view receive and what they cost the web process, at 60 poses/s through the bridge."""
 
 import asyncio
 import subprocess
@@ -18,14 +18,14 @@ VIEWERS = (1, 4, 8)
 RUNS = 3
 SECONDS = 5.0
 REACH = {4: 60.0}  # viewers: % of one core
-SETTLED = 1.0  # s after which the building has been sent
+SETTLED = 1.0  # s until the building has been sent
 
-Packets = list[tuple[float, bytes]]  # when each came (monotonic s), and what it was
+Packets = list[tuple[float, bytes]]  # time of arrival (monotonic s) and content of each
 
 
 @dataclass(slots=True)
-class Measured:
-    """What was measured with a number of viewers."""
+class ViewerFigures:
+    """The figures for a number of viewers."""
 
     alone: float = 0.0  # % of one core without a viewer
     core: list[float] = field(default_factory=list)  # % of one core, each run
@@ -67,8 +67,8 @@ def _rows(viewers: int, runs: int, seconds: float) -> list[Row]:
     ]
 
 
-async def _watch(web: "subprocess.Popen[str]", port: int, viewers: int, runs: int, seconds: float) -> Measured:
-    found = Measured()
+async def _watch(web: "subprocess.Popen[str]", port: int, viewers: int, runs: int, seconds: float) -> ViewerFigures:
+    found = ViewerFigures()
     await asyncio.sleep(SETTLED)
     found.alone = await _core(web, seconds)
     connections = [await open_view(port, ROLES[number % len(ROLES)]) for number in range(viewers)]
@@ -78,7 +78,7 @@ async def _watch(web: "subprocess.Popen[str]", port: int, viewers: int, runs: in
         async for packet in packets(connections[number]):
             seen[number].append((monotonic(), packet))
 
-    looking = [asyncio.create_task(look(number)) for number in range(viewers)]
+    receiving = [asyncio.create_task(look(number)) for number in range(viewers)]
     await asyncio.sleep(SETTLED)
     for _ in range(runs):
         for one in seen:
@@ -93,7 +93,7 @@ async def _watch(web: "subprocess.Popen[str]", port: int, viewers: int, runs: in
             found.ages += ages
     for connection in connections:
         await connection.close()
-    await asyncio.gather(*looking)
+    await asyncio.gather(*receiving)
     return found
 
 

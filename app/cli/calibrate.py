@@ -96,7 +96,7 @@ def calibrate(
 def window(
     signals: Path, recorded: Signals, start_word: str, start: float | None, end_word: str, end: float | None
 ) -> slice:
-    """Return the rows between two options (s), either of which may be missing, or refuse what lies outside."""
+    """Return the rows between two options (s, each may be missing); InputError for an empty range."""
     for word, given in ((start_word, start), (end_word, end)):
         if given is not None and not math.isfinite(given):
             raise InputError(f"--{word} {given}: give a number of seconds")
@@ -112,7 +112,7 @@ def window(
 
 
 def summary(profile: CalibrationProfile, reasons: dict[str, str], out: Path) -> dict[str, object]:
-    """Return the object of `--json`; a joint without a map has no numbers, but a grade and its reason."""
+    """Return the object of `--json`; a joint without a map has a grade and a reason, but no numbers."""
     without = {
         name: {**dict.fromkeys(PRINTED), "grade": "repeat", "reason": reason}
         for name, reason in joints_without_map(profile).items()
@@ -127,7 +127,7 @@ def summary(profile: CalibrationProfile, reasons: dict[str, str], out: Path) -> 
 
 
 def report(profile: CalibrationProfile, reasons: dict[str, str], out: Path) -> str:
-    """Return a table for people: one line per joint, then the reasons, then where the profile is."""
+    """Return a table for people: one line per joint, then the reasons, then the file of the profile."""
     without = joints_without_map(profile)
     width = max(len(name) for name in ("joint", *profile.layout.joint_names))
     lines = [f"{'joint':{width}}  {'EVR':>6}  {'span':>10}  sign  {'grade':6}  {'dead-zone':>9}  {'full':>6}  map"]

@@ -1,4 +1,4 @@
-"""`bodydrive chair`: pair with a real chair, and the program that runs on it."""
+"""`bodydrive chair`: pair with a real chair, and run the receiver on the chair."""
 
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -9,6 +9,7 @@ from app.cli.errors import InputError
 from app.cli.qr import terminal_code
 from app.file_modes import keep_new_files_private
 from app.hardware.chair import receive as receiver
+from app.hardware.chair.packet import PORT
 from app.refusals import Refusal
 from app.settings import Settings, state_folder
 
@@ -27,7 +28,7 @@ Limit = Annotated[float | None, typer.Option(help="What this chair may do at mos
 
 @chair_app.command(
     "receive",
-    add_help_option=False,  # its own --help is the right one
+    add_help_option=False,  # the receiver has its own --help
     context_settings={"allow_extra_args": True, "ignore_unknown_options": True},
 )
 def receive(context: typer.Context) -> None:
@@ -40,7 +41,7 @@ def pair(
     *,
     name: Annotated[str, typer.Option(help="What people call the chair.")],
     host: Annotated[str, typer.Option(help="The chair's address, as this machine reaches it.")],
-    port: Annotated[int, typer.Option(min=1, max=65_535, help="Where its receiver listens.")] = receiver.PORT,
+    port: Annotated[int, typer.Option(min=1, max=65_535, help="Where its receiver listens.")] = PORT,
     state: Annotated[Path | None, typer.Option(help="The folder of the clinic's database and recordings.")] = None,
     forward: Limit = None,
     reverse: Limit = None,
@@ -67,9 +68,9 @@ def pair(
         "turn_jerk": turn_jerk,
     }
     speeds = {word: number for word, number in limits.items() if number is not None}
-    chair = _described({"name": name, "host": host, "port": port, "speeds": speeds}, settings.keys)
+    chair = _chair_config({"name": name, "host": host, "port": port, "speeds": speeds}, settings.keys)
     try:
-        key = _paired(chair, settings)
+        key = _store_pairing(chair, settings)
     except Refusal as refusal:
         raise InputError(str(refusal)) from refusal
     typer.echo(terminal_code(key.line))
@@ -77,9 +78,9 @@ def pair(
         typer.echo(sentence)
 
 
-def _described(fields: dict[str, object], keys: Path) -> "RealChairConfig":
-    """Return the chair as the control process will open it."""
-    from pydantic import ValidationError  # noqa: PLC0415  (not before it is needed: a chair's board loads none of it)
+def _chair_config(fields: dict[str, object], keys: Path) -> "RealChairConfig":
+    """Return the configuration with which the control process will open the chair."""
+    from pydantic import ValidationError  # noqa: PLC0415  (imported late: a chair's board loads none of it)
 
     from app.hardware.configs import RealChairConfig  # noqa: PLC0415
     from app.sentences import one_sentence  # noqa: PLC0415
@@ -90,8 +91,8 @@ def _described(fields: dict[str, object], keys: Path) -> "RealChairConfig":
         raise InputError(one_sentence(error, "the chair")) from error
 
 
-def _paired(chair: "RealChairConfig", settings: Settings) -> "Key":
-    """Note the chair and write its key; neither stays when one of them fails. The clinic may be served meanwhile."""
+def _store_pairing(chair: "RealChairConfig", settings: Settings) -> "Key":
+    """Store the chair and write its key, both or none; the clinic may be served meanwhile."""
     from app.session.equipment.pairing import key_file, pair_chair  # noqa: PLC0415
     from app.store.database import Database  # noqa: PLC0415
     from app.store.log import write_log  # noqa: PLC0415

@@ -16,14 +16,13 @@ from app.cli.errors import InputError
 from app.cli.output import dialect_summary, print_dialect, warn, write_output
 from app.pipeline.replay.batch import DecodedRun, decode_block
 from app.pipeline.replay.rerun import decode_run
+from app.quantities import HIGHEST_CUTOFF, LARGEST_THRESHOLD, LOWEST_CUTOFF
 from app.recording.reader import read_run
 from app.sentences import one_sentence
 from app.signals.signals import Signals, read_signals
 from app.source import UNKNOWN_SOURCE, Source, source_of_header, source_words
 
 SUFFIXES = (".parquet", ".csv")
-LARGEST_THRESHOLD = 100.0  # FS/s, as `app.quantities.Threshold`
-LOWEST_CUTOFF, HIGHEST_CUTOFF = 1.0, 8.0  # Hz, as `app.quantities.Cutoff`
 
 
 def decode(
@@ -60,7 +59,7 @@ def decode(
 
 
 def decode_file(signals: Path, parameters: DriveParameters) -> tuple[Signals, DecodedRun]:
-    """Return the signals and what was decoded; a recording of ours is driven again, at the times of its frames."""
+    """Return the signals and the decoded run; a recording is decoded at the times of its ticks."""
     recorded = read_signals(signals, parameters.profile.layout)
     if signals.is_dir():
         run = read_run(signals)
@@ -76,12 +75,12 @@ def decode_file(signals: Path, parameters: DriveParameters) -> tuple[Signals, De
 
 
 def source_of(signals: Path) -> Source:
-    """Return where the signals came from: a recording of ours tells, any other file does not."""
+    """Return the source of the signals, which is known for a recording only."""
     return source_of_header(read_run(signals).meta) if signals.is_dir() else UNKNOWN_SOURCE
 
 
 def read_parameters(file: Path) -> DriveParameters:
-    """Return the parameter set in `file`: saved as such, or the paper's vocabulary on a calibration profile."""
+    """Return the parameter set in `file`; for a calibration profile, with the paper's vocabulary."""
     try:
         document = json.loads(file.read_bytes())
     except OSError as error:
@@ -101,7 +100,7 @@ def read_parameters(file: Path) -> DriveParameters:
 def overridden(parameters: DriveParameters, dead_zone: float | None, cutoff: float | None) -> DriveParameters:
     """Return `parameters` with another dead-zone for all gestures and another cutoff, where they are given.
 
-    A gesture's `full` keeps its distance, up to the largest there is, where the new dead-zone would reach it.
+    Where the new dead-zone would reach a gesture's `full`, `full` is moved by as much, up to LARGEST_THRESHOLD.
     """
     for word, unit, given, least, most in (
         ("--dead-zone", "FS/s", dead_zone, 0.0, LARGEST_THRESHOLD - 1.0),
@@ -124,7 +123,7 @@ def overridden(parameters: DriveParameters, dead_zone: float | None, cutoff: flo
 
 
 def columns(parameters: DriveParameters, t: NDArray[np.float64], decoded: DecodedRun) -> dict[str, NDArray[np.float64]]:
-    """Return what is written: time, four columns per gesture, controls, twist and pose."""
+    """Return the columns of the output: time, four columns per gesture, controls, twist and pose."""
     named = {"t": t}
     for i, gesture in enumerate(parameters.gestures):
         named[f"{gesture.name}_score"] = decoded.score[:, i]

@@ -1,4 +1,4 @@
-"""The demonstration clinic: one patient, who is here, already calibrated in the simulated shirt, and ready to drive."""
+"""The demonstration clinic: one patient in an open session, calibrated in the simulated shirt and ready to drive."""
 
 from app.calibration.vocabulary import standard_parameters
 from app.hardware.body.person import Person
@@ -17,7 +17,7 @@ SAMPLE_RATE = 100.0  # Hz
 
 
 def furnish(database: Database) -> None:
-    """Make the clinic; its patient went through the application's own calibration, faster than real time."""
+    """Make the clinic; its patient is calibrated by the application's own calibration, faster than real time."""
     profile = calibrate(Participant(Person(PRACTISED, SEED), standard_layout(), SAMPLE_RATE, SEED))
     with database.transaction() as db:
         clinic = add_clinic(db, "Demonstration")

@@ -7,7 +7,7 @@ HEAD = ("score", "S/N", "spread", "x-talk", "effort", "false/min", "hits")
 
 
 def gesture_table(found: Discovery) -> str:
-    """Return one line per gesture, the best first, then the suggestion; `-` where nothing could be measured."""
+    """Return one line per gesture, the best first, then the suggestion; `-` where there is no measurement."""
     width = max(len(gesture.name) for gesture in found.gestures)
     lines = [f"{'gesture':{width}}  {'  '.join(f'{word:>9}' for word in HEAD)}"]
     lines += [

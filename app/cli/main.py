@@ -1,4 +1,4 @@
-"""The command line: one word per task."""
+"""The command line: one command per task."""
 
 import sys
 from importlib import import_module
@@ -9,7 +9,7 @@ import typer
 from app import __version__
 from app.cli.errors import InputError
 
-# word -> module and function, imported only when the word is used, so that `--help` and small commands start at once
+# Command: module and function, imported only when the command is used, so that `--help` starts quickly.
 COMMANDS = {
     "demo": ("app.cli.serve", "demo"),
     "serve": ("app.cli.serve", "serve"),
@@ -25,7 +25,7 @@ COMMANDS = {
 }
 
 
-# The base of every complaint about words and options; typer carries it, but under no public name.
+# Base class of typer's errors about commands and options, which has no public name in typer.
 Complaint: type[Exception] = next(kind for kind in typer.BadParameter.__mro__ if kind.__name__ == "ClickException")
 
 
@@ -67,7 +67,7 @@ def main() -> None:
         refuse(str(error))
     except Complaint as error:
         sentence = getattr(error, "format_message", error.__str__)()
-        if not sentence:  # nothing was asked for, and the help has been printed
+        if not sentence:  # no command was given, and the help has been printed
             sys.exit(0)
         refuse(f"{sentence.rstrip('.')}: see {' '.join(['bodydrive', *words[: len(words) == 1]])} --help")
     except OSError as error:
@@ -80,6 +80,6 @@ def main() -> None:
 
 def refuse(sentence: str) -> None:
     """End with `sentence` on stderr and exit code 2."""
-    line = "".join(letter if letter.isprintable() else " " for letter in sentence)  # also file names have odd letters
+    line = "".join(letter if letter.isprintable() else " " for letter in sentence)  # file names may not be printable
     sys.stderr.write(f"bodydrive: {line}\n")
     sys.exit(2)

@@ -1,4 +1,4 @@
-"""Which map decodes after `bodydrive calibrate`, and how both did on repetitions that they had not seen."""
+"""The choice of the map in `bodydrive calibrate`, and the check of both maps on held-out repetitions."""
 
 from typing import Literal
 
@@ -11,7 +11,7 @@ MapChoice = Literal["pca", "guided", "best"]
 def choose(
     profile: CalibrationProfile, chosen: MapChoice, reasons: dict[str, str]
 ) -> tuple[CalibrationProfile, list[str]]:
-    """Return the profile with the map of each joint that was asked for, and in words where it cannot be had."""
+    """Return the profile with the chosen map of each joint, and a sentence for each joint without it."""
     if chosen == "guided" and not any(joint.guided for joint in profile.joints):
         name, reason = next(iter(reasons.items()))
         raise InputError(f"--map guided, {name}: {reason}")
@@ -31,7 +31,7 @@ def choose(
 
 
 def checks(joint: JointMap, reasons: dict[str, str]) -> dict[str, object]:
-    """Return which map decodes and how both did on the held-out repetitions, or why there is no guided one."""
+    """Return the map in use and the checks of both maps, or the reason why there is no guided map."""
     if joint.guided is None:
         return {"map": joint.map, "offered": False, "reason": reasons[joint.name]}
     guided = joint.guided
@@ -48,7 +48,7 @@ def checks(joint: JointMap, reasons: dict[str, str]) -> dict[str, object]:
 
 
 def comparison(profile: CalibrationProfile, reasons: dict[str, str], width: int) -> list[str]:
-    """Return the table of both maps on the held-out repetitions, then why some joints have no guided one."""
+    """Return the table of both maps on the held-out repetitions, then the reasons for missing guided maps."""
     both = [(joint.name, joint.guided) for joint in profile.joints if joint.guided]
     lines = []
     if both:

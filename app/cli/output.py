@@ -1,4 +1,4 @@
-"""Where a command's result goes: whole or not at all, and never over what it was made from."""
+"""The output file of a command: written completely or not at all, and never over an input file."""
 
 import os
 from pathlib import Path
@@ -11,7 +11,7 @@ from app.signals.signals import Signals
 
 
 def write_output(out: Path, content: bytes, *sources: Path) -> None:
-    """Write `content` to `out`, or raise InputError and leave everything as it was; `sources` are what was read."""
+    """Write `content` to `out`, or raise InputError with nothing changed; `sources` are the input files."""
     try:
         for source in sources:
             if out.exists() and source.exists() and out.samefile(source):
@@ -22,13 +22,13 @@ def write_output(out: Path, content: bytes, *sources: Path) -> None:
 
 
 def warn(words: str) -> None:
-    """Say on stderr what does not keep a command from its work, but should be known; nothing when there is nothing."""
+    """Write a warning to stderr, unless it is empty."""
     if words:
         typer.echo(f"bodydrive: {words}", err=True)
 
 
 def check_new_folder(folder: Path) -> None:
-    """Raise InputError when a folder could not be made, before anybody has worked for what would go there."""
+    """Raise InputError when a folder could not be made; to be called before a long computation."""
     try:
         standing = next(place for place in (folder, *folder.absolute().parents) if place.exists())
     except OSError as error:
@@ -40,11 +40,11 @@ def check_new_folder(folder: Path) -> None:
 
 
 def dialect_summary(recorded: Signals) -> dict[str, dict[str, str]]:
-    """Return what `--json` says of the signs that a CSV file uses; nothing for other files."""
+    """Return the dialect of a CSV file for `--json`; empty for other files."""
     return {} if recorded.dialect is None else {"dialect": recorded.dialect._asdict()}
 
 
 def print_dialect(recorded: Signals, file: Path) -> None:
-    """Say on stdout with which signs a CSV file was read, where they are not the usual ones."""
+    """Write to stdout the dialect of a CSV file that does not use the usual signs."""
     if recorded.dialect is not None and recorded.dialect.words:
         typer.echo(f"{file}: {recorded.dialect.words}")

@@ -14,9 +14,9 @@ from app.clock import Clock, MonotonicClock
 from app.hardware.base import HardwareError
 from app.hardware.shirt.packet import encode
 from app.hardware.shirt.playback import FrameFile, FramePlayer, read_frames
+from app.hardware.shirt.sender import STANDARD_ADDRESS
 
-STANDARD_ADDRESS = "127.0.0.1:5252"
-SLOWEST, FASTEST = 0.01, 100.0  # times the recorded speed
+SLOWEST, FASTEST = 0.01, 100.0  # times the recorded rate
 
 
 def replay(
@@ -53,7 +53,7 @@ def replay(
 
 
 def parse_address(text: str) -> tuple[socket.AddressFamily, tuple[str, int]]:
-    """Return the family and the place of HOST:PORT, or raise InputError."""
+    """Return the family and the socket address of HOST:PORT, or raise InputError."""
     host, colon, port = text.rpartition(":")
     if not colon or not host or not port.isascii() or not port.isdecimal() or not 0 < int(port) <= 65_535:
         raise InputError(f"--to {text}: write a host and a port, such as {STANDARD_ADDRESS}")
@@ -67,9 +67,9 @@ def parse_address(text: str) -> tuple[socket.AddressFamily, tuple[str, int]]:
 def play(
     file: FrameFile, send: Callable[[bytes], str], clock: Clock, loop: bool, speed: float
 ) -> tuple[int, bool, str]:
-    """Send the frames at their own times over `speed`, each with the device time it was recorded with.
+    """Send the frames at their recorded times divided by `speed`, each with its recorded device time.
 
-    Returns how many were sent, whether Ctrl-C ended it, and what `send` said was wrong.
+    Return how many frames were sent, whether Ctrl-C ended the replay, and the error that `send` returned.
     """
     player = FramePlayer(file, loop)
     start = clock.now()
@@ -87,7 +87,7 @@ def play(
 
 
 def _send(sender: socket.socket, packet: bytes, address: tuple[str, int]) -> str:
-    """Send one datagram; return what is wrong, empty when nothing is."""
+    """Send one datagram; return the error in words, empty when there is none."""
     try:
         sender.sendto(packet, address)
     except OSError as error:

@@ -13,7 +13,7 @@ from app.scoring.path_measures import Measures, path_measures
 from app.signals.columns import read_columns, require_column
 from app.world.path import Path as Line
 
-EXTRAS = ("in_contact", "contacts", "u1", "u2")  # columns that give further measures when the trajectory has them
+EXTRAS = ("in_contact", "contacts", "u1", "u2")  # optional columns of the trajectory that give further measures
 LARGEST_RADIUS = 1000.0  # m
 FARTHEST = 1e8  # m: map coordinates are smaller
 LONGEST = 86_400.0  # s between the first row and the last

@@ -1,4 +1,4 @@
-"""`bodydrive demo` and `bodydrive serve`: the web process, from the first port to the last file."""
+"""`bodydrive demo` and `bodydrive serve`: the web process, from its start to its end."""
 
 import asyncio
 import logging
@@ -67,7 +67,7 @@ def serve(port: Port = 8080, host: Host = "127.0.0.1", state: State = None) -> N
 
 
 def _leave() -> None:
-    """End at once: everything is closed and on disk, and unloading the libraries takes longer than all of that."""
+    """End the process at once: everything is closed and on the disk, and unloading the libraries would take long."""
     sys.stdout.flush()
     sys.stderr.flush()
     os._exit(0)

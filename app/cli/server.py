@@ -1,4 +1,4 @@
-"""The web server in this process: its socket, its end by a signal, and the folder that only one may use."""
+"""The web server: its socket, its end by a signal, and the lock of the clinic's folder."""
 
 import asyncio
 import errno
@@ -20,15 +20,15 @@ from app.realtime import collect_garbage
 from app.settings import IN_USE, Settings
 
 PING_EVERY = 2.0  # s
-# A browser that does not answer for so long has gone: a tablet that sleeps, a cable that is out. Busy ones take a
-# while, and the live socket and the 3D view cut off by themselves, within 3 s, who does not take what is sent.
+# A browser that does not answer for so long has gone: a tablet asleep, a cable pulled. Busy browsers need some time;
+# the live socket and the 3D view themselves disconnect, within 3 s, a browser that does not read.
 PING_LIMIT = 20.0  # s
 LAST_ANSWERS = 1  # s for requests under way when the program ends
 GOODBYE = 0.5  # s for telling the open pages
 
 
 class WebServer(uvicorn.Server):
-    """uvicorn on a socket that is bound already; ends in order on Ctrl-C and SIGTERM, without a word of its own."""
+    """uvicorn on a socket that is bound already; ends in order on Ctrl-C and SIGTERM, without output of its own."""
 
     def __init__(self, app: WebApp, listening: socket.socket, words: str) -> None:
         super().__init__(
@@ -37,7 +37,7 @@ class WebServer(uvicorn.Server):
                 log_config=None,
                 access_log=False,
                 server_header=False,
-                proxy_headers=False,  # who asks is who is connected, never who a header names
+                proxy_headers=False,  # the client is the connected address, never one in a header
                 lifespan="on",
                 ws_per_message_deflate=False,
                 ws_ping_interval=PING_EVERY,
@@ -50,7 +50,7 @@ class WebServer(uvicorn.Server):
         self._words = words
 
     async def run_until_signal(self) -> bool:
-        """Serve until a signal; return whether it had come up."""
+        """Serve until a signal; return whether the server had started."""
         loop = asyncio.get_running_loop()
         leaving: list[asyncio.Task[None]] = []
 
@@ -62,32 +62,32 @@ class WebServer(uvicorn.Server):
 
         for number in (signal.SIGINT, signal.SIGTERM):
             loop.add_signal_handler(number, leave)
-        with suppress(SystemExit):  # uvicorn's way to say that the application did not start
+        with suppress(SystemExit):  # raised by uvicorn when the application did not start
             await self.serve([self._listening])
         return self.started
 
     async def startup(self, sockets: list[socket.socket] | None = None) -> None:
-        """Start, and only then print the link."""
+        """Start, then print the address."""
         await super().startup(sockets)
         if self.started:
-            # What was loaded stays: looking through all of it for garbage takes 0.2 s, in which no Stop would be heard.
+            # Collecting all loaded objects would take 0.2 s, in which no Stop would be handled, so they are frozen.
             collect_garbage()
             typer.echo(self._words)
 
     def capture_signals(self) -> AbstractContextManager[None]:  # type: ignore[override]
-        """Leave the signals to us."""
+        """Do nothing: this program handles the signals itself."""
         return nullcontext()
 
     async def _leave(self) -> None:
         try:
             with suppress(TimeoutError):
                 await asyncio.wait_for(say_goodbye(self._app), GOODBYE)
-        finally:  # whatever came of the courtesy, the program ends
+        finally:  # whether or not the pages could be told, the program ends
             self.should_exit = True
 
 
 def bind(host: str, port: int) -> socket.socket:
-    """Take the port before anything else is made; a busy one is a sentence."""
+    """Bind the port before anything else is made; refuse a port in use with a sentence."""
     no_address = f"'{host}' is no address of this machine: leave --host out, or give one of its own."
     try:
         if not host.strip():  # would mean every address of this machine
@@ -105,7 +105,7 @@ def bind(host: str, port: int) -> socket.socket:
         raise InputError(no_address) from error
     except UnicodeError as error:
         raise InputError(no_address) from error
-    # Without this, a page whose machine vanished holds its connection for a quarter of an hour.
+    # Without this, the connection of a machine that has vanished stays open for a quarter of an hour.
     if hasattr(socket, "TCP_USER_TIMEOUT"):
         listening.setsockopt(socket.IPPROTO_TCP, socket.TCP_USER_TIMEOUT, int(1000 * PING_LIMIT))
     return listening
@@ -136,7 +136,7 @@ def keep_private(settings: Settings) -> list[str]:
 
 @contextmanager
 def held(folder: Path) -> Iterator[None]:
-    """Hold a clinic's folder, so that no second program writes to its database."""
+    """Lock a clinic's folder, so that no second program writes to its database."""
     try:
         folder.mkdir(mode=OWNER_FOLDER, parents=True, exist_ok=True)
         file = (folder / IN_USE).open("w")

@@ -1,4 +1,4 @@
-"""`bodydrive shirt`: pair with a shirt over the network, and the program that sends as such a shirt does."""
+"""`bodydrive shirt`: pair with a shirt over the network, and send frames as a paired shirt."""
 
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -24,7 +24,7 @@ shirt_app = typer.Typer(
 
 @shirt_app.command(
     "send",
-    add_help_option=False,  # its own --help is the right one
+    add_help_option=False,  # the program has its own --help
     context_settings={"allow_extra_args": True, "ignore_unknown_options": True},
 )
 def send(context: typer.Context) -> None:
@@ -48,7 +48,7 @@ def pair(
 
 
 def _paired(settings: Settings) -> "Key":
-    """Write the key and log it; neither stays when one of them fails. The clinic may be served meanwhile."""
+    """Write the key and the log entry, both or none; the clinic may be served meanwhile."""
     from app.session.equipment.pairing import pair_shirt, unpair_shirt  # noqa: PLC0415
     from app.store.database import Database  # noqa: PLC0415
     from app.store.log import write_log  # noqa: PLC0415

@@ -1,4 +1,4 @@
-"""`bodydrive study`: the paper's experiment without a screen, faster than real time."""
+"""`bodydrive study`: the paper's experiment with simulated people, faster than real time."""
 
 import dataclasses
 import json
@@ -137,7 +137,7 @@ def find_floorplan(name: str) -> FloorPlan:
 
 
 class _Progress:
-    """Says on stderr how far it is."""
+    """Reports the progress on stderr."""
 
     def __init__(self, trials: int) -> None:
         self._trials = trials

@@ -1,4 +1,4 @@
-"""`bodydrive study --adapt`: sessions of trials, with the map fixed and with it following the person."""
+"""`bodydrive study --adapt`: sessions of trials, with a fixed map and with a map that adapts to the person."""
 
 import csv
 import json
@@ -49,7 +49,7 @@ def study_sessions(
             first = calibrated_participant(person, seed)
             for mode in modes:
                 rows += run_sessions(mode, first, sessions, trials, floorplan, path, progress)
-            _write_rows(out, rows)  # after each person: an hour's work is not lost to the last one
+            _write_rows(out, rows)  # after each person, so that a failure loses one person's results only
         asked = {
             "source": source_words(STUDY_SOURCE),
             "adapt": adapt,

@@ -4,6 +4,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
+from app.hardware.chair.packet import PORT
 from app.hardware.places import FilePlace, Host, SerialLine
 from app.hardware.shirt.standard import standard_layout
 from app.layout import ShirtLayout
@@ -76,7 +77,7 @@ class RealChairConfig(Document):
     kind: Literal["udp"]
     name: Title
     host: Host
-    port: Annotated[Port, Field(gt=0)] = 5354
+    port: Annotated[Port, Field(gt=0)] = PORT
     key_file: FilePlace
     speeds: Speeds  # the chair's own limits
 

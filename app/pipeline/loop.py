@@ -5,7 +5,7 @@ import math
 from app.clock import Clock
 from app.faults import State
 from app.geometry import Pose
-from app.hardware.base import BodyView, Chair, LeaderView, Shirt
+from app.hardware.base import ALIVE, BodyView, Chair, LeaderView, Shirt
 from app.hardware.chair.report import ChairReport
 from app.messages import NO_CUE, SensorFrame, Tick
 from app.pipeline.open_run import OpenRun
@@ -16,7 +16,6 @@ from app.process.ring import TickRing
 LONGEST_WAIT = 0.02  # s without a frame after which a tick is made without one
 WAIT_PERIODS = 2.0  # of a fast shirt's frames without a frame after which a tick is made: its jitter adds no ticks
 BURST = 0.01  # s for which a due command is delayed while more frames wait: only the newest frame counts
-ALIVE = 0.5  # s without a frame after which a shirt is not alive
 
 
 class ControlLoop:

@@ -1,4 +1,4 @@
-"""A bare blocking echo over UDP: the least that Python can take from datagram to datagram on this machine."""
+"""A blocking UDP echo: the shortest time from datagram to datagram in Python on this machine."""
 
 import socket
 import sys
@@ -7,7 +7,7 @@ from app.realtime import go_real_time
 
 
 def main() -> None:
-    """Say the port, then send back whatever comes, with the scheduling that the control loop has."""
+    """Print the port, then send back each datagram, with the scheduling of the control loop."""
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as echo:
         echo.bind(("127.0.0.1", 0))
         sys.stdout.write(f"{echo.getsockname()[1]}\n")

@@ -1,5 +1,6 @@
-"""A shirt at 1 kHz: rests, so that the chair can be armed, then moves for ever. Arguments: port, and for one that
-signs its frames its key file. Ends with stdin.
+"""A shirt at 1 kHz: rests, so that the chair can be armed, then moves endlessly.
+
+Arguments: port, and for signed frames the key file. Ends with stdin.
 """
 
 import itertools
@@ -19,7 +20,7 @@ from bench.subject import CHANNELS, bench_parameters, bench_signals
 
 SAMPLE_RATE = 1000.0  # Hz
 REST = 10.0  # s
-MOVEMENT = 30.0  # s, then it begins anew
+MOVEMENT = 30.0  # s, repeated
 
 
 def main(port: int, key_file: Path | None) -> None:

@@ -1,8 +1,8 @@
-"""Floods ports with datagrams that look like frames and are none: right length, magic and key number, wrong tag.
+"""Floods ports with datagrams of the right length, magic and key number but a wrong tag.
 
-Arguments: datagrams per second to each port, seconds, then for each port `PORT:COLOUR:FD`; COLOUR is W for what looks
-like a command and T for what looks like telemetry, FD an open socket to send from, so that junk can come from the
-chair's own address. Prints how many datagrams went to each port, and from when to when (monotonic s).
+Arguments: datagrams per second to each port, seconds, then for each port `PORT:COLOUR:FD`; COLOUR is W for datagrams
+like commands and T for datagrams like telemetry, FD an open socket to send from, so that junk can come from the chair's
+own address. Prints the number of datagrams to each port, and the times of begin and end (monotonic s).
 """
 
 import json
@@ -15,8 +15,8 @@ from app.clock import MonotonicClock
 from app.hardware.chair.packet import COMMAND_MAGIC, FRAME_BYTES, TELEMETRY_MAGIC, VERSION
 
 KEY_ID = 1
-BURST = 50  # datagrams that one system call sends, where the kernel can
-UDP_SEGMENT = 103  # Linux, linux/udp.h: one long datagram leaves as many of this size
+BURST = 50  # datagrams in one system call, where the kernel can split them
+UDP_SEGMENT = 103  # socket option of linux/udp.h: the kernel splits a long datagram into datagrams of this size
 _HEAD = Struct("<4sBBH")
 MAGICS = {"W": COMMAND_MAGIC, "T": TELEMETRY_MAGIC}
 
@@ -33,7 +33,7 @@ class Flood:
         self.sent = 0
 
     def burst(self) -> None:
-        """Send the next datagrams; those for which there is no room are not counted."""
+        """Send the next datagrams; dropped ones are not counted."""
         try:
             if self._splits:
                 control = [(socket.IPPROTO_UDP, UDP_SEGMENT, FRAME_BYTES.to_bytes(2, sys.byteorder))]
@@ -48,7 +48,7 @@ class Flood:
 
 
 def _splits(source: socket.socket) -> bool:
-    """Tell whether the kernel splits a long datagram."""
+    """Return whether the kernel can split a long datagram."""
     try:
         source.getsockopt(socket.IPPROTO_UDP, UDP_SEGMENT)
     except OSError:
@@ -57,7 +57,7 @@ def _splits(source: socket.socket) -> bool:
 
 
 def main(rate: float, seconds: float, targets: list[str]) -> None:
-    """Send for `seconds`, then tell."""
+    """Send for `seconds`, then print the counts."""
     floods = []
     for target in targets:
         port, colour, descriptor = target.split(":")
@@ -68,8 +68,8 @@ def main(rate: float, seconds: float, targets: list[str]) -> None:
         clock.sleep_until(begin + burst * BURST / rate)
         for flood in floods:
             flood.burst()
-    told = {"sent": [flood.sent for flood in floods], "begin": begin, "end": clock.now()}
-    sys.stdout.write(f"{json.dumps(told)}\n")
+    report = {"sent": [flood.sent for flood in floods], "begin": begin, "end": clock.now()}
+    sys.stdout.write(f"{json.dumps(report)}\n")
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 """A web process with two browsers' worth of work: heartbeat, both 3D views at 60 Hz, both live pages at 20 Hz.
 
-Both ends of the viewers' connections are in this process, which is more than a web process has to do.
+Both ends of the viewers' connections are in this process, so that it works harder than a web process.
 Arguments: the shirt's port, the report's port, a folder for the recording, and for a real chair its port, its key file
 and that of the shirt.
 """
@@ -32,18 +32,18 @@ POSE = struct.Struct("<7f")
 
 
 class Viewer:
-    """Somebody who reads all and keeps nothing."""
+    """A viewer who reads everything and keeps nothing."""
 
     def __init__(
         self, writer: asyncio.StreamWriter, reader: asyncio.StreamReader, way_back: asyncio.StreamWriter
     ) -> None:
         self.writer = writer
-        self._way_back = way_back  # never used, but its end would be the connection's end
+        self._way_back = way_back  # unused, kept open because closing it would end the connection
         self._watching = asyncio.create_task(self._watch(reader))
 
     @classmethod
     async def open(cls) -> "Viewer":
-        """Connect one."""
+        """Return a connected viewer."""
         near, far = socket.socketpair()
         reader, way_back = await asyncio.open_connection(sock=far)
         _, writer = await asyncio.open_connection(sock=near)
@@ -57,9 +57,9 @@ class Viewer:
 async def main(
     shirt_port: int, report_port: int, folder: Path, chair: dict[str, Any] | None, shirt_key: str | None
 ) -> None:
-    """Start the control process, say so, and keep it armed and watched until stdin ends."""
+    """Start the control process, print a line, and keep the chair armed and the viewers served until stdin ends."""
     control = await ControlProcess.start("--report", f"127.0.0.1:{report_port}")
-    # On a real chair acceleration mode is refused without a stop switch.
+    # Acceleration mode on a real chair is refused without a stop switch.
     parameters = bench_parameters(SAMPLE_RATE, "acceleration" if chair is None else "velocity")
     shirt = {
         "kind": "udp",
@@ -114,7 +114,7 @@ def _show_scene(control: ControlProcess, viewers: list[Viewer]) -> None:
 
 
 def _show_page(control: ControlProcess, viewers: list[Viewer]) -> None:
-    """Make the live picture once, and send it to every page."""
+    """Make the live picture once and send it to every page."""
     tick = control.newest()
     if tick is None:
         return
@@ -128,7 +128,7 @@ def _show_page(control: ControlProcess, viewers: list[Viewer]) -> None:
 
 
 async def _keep_armed(control: ControlProcess, digest: str, folder: Path) -> None:
-    """Begin a drive with the first frame, recorded as every drive is, and arm the chair whenever it is not."""
+    """Begin a recorded drive with the first frame, and arm the chair whenever it is not armed."""
     recording = False
     while True:
         await asyncio.sleep(0.3)

@@ -1,4 +1,4 @@
-"""Sends a shirt's frames at 1 kHz to the control process and to the echo in turn, and takes the time of each answer."""
+"""Sends a shirt's frames at 1 kHz to the control process and the echo in turn, and measures each answer's time."""
 
 import json
 import socket
@@ -17,8 +17,8 @@ from bench.subject import bench_parameters, bench_signals
 
 SAMPLE_RATE = 1000.0
 REST = 3.0  # s at the beginning in which the chair is armed, not measured
-ANSWER_LIMIT = 0.1  # s: a frame without answer counts as so late
-RUNNING_IN = 500  # frames after that which are not measured either
+ANSWER_LIMIT = 0.1  # s: the time that a frame without an answer counts
+RUNNING_IN = 500  # frames after the rest that are not measured either
 
 
 def main(shirt_port: int, echo_port: int, report_port: int, seconds: float, result: Path) -> None:

@@ -1,4 +1,4 @@
-"""A viewer of one 3D server in a process of its own: for each line on stdin it prints how many bytes have come so far.
+"""A viewer of one 3D server in its own process: for each line on stdin it prints the number of bytes received.
 
 Argument: the server's port. The first line on stdin is the secret of the bridge; prints a line when it is connected.
 Ends with stdin.

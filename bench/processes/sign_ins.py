@@ -1,4 +1,4 @@
-"""People who sign in again and again: a flood from one machine, with many names, from many addresses.
+"""A flood of sign-ins from one machine, with many names, from many addresses.
 
 Arguments: the port of the web process, how many at once. Then, for each line on stdin, `on` lets them begin and `off`
 lets them end; answers with a JSON object of how often each status came so far. Ends with stdin.
@@ -9,7 +9,7 @@ import json
 import sys
 from collections import Counter
 
-PEOPLE = 200  # names that are tried by each connection, in turn
+PEOPLE = 200  # names tried by each connection, in turn
 
 
 async def main(port: int, connections: int) -> None:
@@ -26,9 +26,9 @@ async def main(port: int, connections: int) -> None:
 
 
 async def _sign_in(port: int, number: int, is_on: asyncio.Event, answers: Counter[int]) -> None:
-    """Ask for one password after the other over one connection, as soon as the one before is answered."""
+    """Send one sign-in after the other over one connection, each after the answer to the one before."""
     await is_on.wait()
-    # An address of its own for each, so that the limit of an address does not end the flood: this machine has many.
+    # Each connection has its own loopback address, so that the limit for an address does not end the flood.
     source = (f"127.0.0.{number % 250 + 2}", 0) if sys.platform == "linux" else None
     reader, writer = await asyncio.open_connection("127.0.0.1", port, local_addr=source)
     try:
@@ -54,7 +54,7 @@ def _request(port: int, name: str, *, is_known: bool) -> bytes:
         "Content-Type: application/json",
         f"Content-Length: {len(body)}",
     ]
-    if is_known:  # says so, and is looked up
+    if is_known:  # with a sign-in cookie, which is looked up
         lines.append(f"Cookie: bodydrive_session={'s' * 43}; bodydrive_browser_1={'b' * 43}")
     return "\r\n".join([*lines, "", ""]).encode() + body
 

@@ -41,9 +41,9 @@ async def main(chair: dict[str, Any], shirt_port: int, shirt_key: str, folder: P
             if serving.done():
                 raise RuntimeError("the web process of the benchmark did not start: its message stands above")
             await asyncio.sleep(LOOK_EVERY)
-        collect_garbage()  # as the web server does
+        collect_garbage()  # as the web server does after its start
         control = web_parts_of(app).control
-        control.screen_sign = lambda: ScreenSign(0.0)  # a screen that is in view all the time
+        control.screen_sign = lambda: ScreenSign(0.0)  # a screen that is always in view
         digest = await _set_up(control, chair, shirt_port, shirt_key, folder)
         _say(str(port))
         while word := (await asyncio.to_thread(sys.stdin.readline)).strip():
@@ -59,7 +59,7 @@ async def main(chair: dict[str, Any], shirt_port: int, shirt_key: str, folder: P
 
 
 async def _set_up(control: ControlLink, chair: dict[str, Any], shirt_port: int, shirt_key: str, folder: Path) -> str:
-    parameters = bench_parameters(SAMPLE_RATE, "velocity")  # the other one asks for a stop switch
+    parameters = bench_parameters(SAMPLE_RATE, "velocity")  # acceleration mode would need a stop switch
     layout = parameters.profile.layout.model_dump(mode="json")
     shirt = {"kind": "udp", "port": shirt_port, "sample_rate": SAMPLE_RATE, "layout": layout, "key_file": shirt_key}
     await control.call("shirt", config=shirt)
@@ -71,7 +71,7 @@ async def _set_up(control: ControlLink, chair: dict[str, Any], shirt_port: int, 
 
 
 async def _arm(control: ControlLink, digest: str) -> None:
-    """Arm, again when this machine was too busy for it, and return when the chair may move."""
+    """Arm, again after a refusal, and return when the chair may move."""
     began, why = monotonic(), "there are no ticks"
     while monotonic() < began + ARMING_LIMIT:
         await asyncio.sleep(LOOK_EVERY)

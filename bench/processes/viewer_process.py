@@ -1,4 +1,4 @@
-"""A viewer of the 3D view in a process of its own, so that it can be stopped; it comes back when it was cut off.
+"""A viewer of the 3D view in its own process, so that it can be stopped; it reconnects after a disconnection.
 
 Arguments: the web process's port, the role. For each line on stdin it prints how many poses have come so far, how often
 it has connected, and how old the newest pose was when it came (s). Ends with stdin.
@@ -16,19 +16,19 @@ from app.scene.servers import Role
 from bench.circle import age_at
 from bench.view_client import chair_positions, open_view, packets
 
-AGAIN = 0.5  # s before it connects again
+AGAIN = 0.5  # s before the next connection
 
 
 class Viewer:
-    """Counts what it sees."""
+    """Counts the poses that it receives."""
 
     def __init__(self) -> None:
         self.poses = 0
         self.connected = 0
         self.age = math.nan  # s
 
-    async def look(self, port: int, role: Role) -> None:
-        """Look for ever."""
+    async def receive(self, port: int, role: Role) -> None:
+        """Receive poses endlessly, and reconnect."""
         while True:
             try:
                 async with await open_view(port, role) as connection:
@@ -43,13 +43,13 @@ class Viewer:
 
 
 async def main(port: int, role: Role) -> None:
-    """Look until stdin ends."""
+    """Receive poses until stdin ends."""
     viewer = Viewer()
-    looking = asyncio.create_task(viewer.look(port, role))
+    receiving = asyncio.create_task(viewer.receive(port, role))
     while await asyncio.to_thread(sys.stdin.readline):
         sys.stdout.write(f"{viewer.poses} {viewer.connected} {viewer.age}\n")
         sys.stdout.flush()
-    looking.cancel()
+    receiving.cancel()
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
-"""The web side of the viewers' benchmark: the real scene behind the real bridge, and a chair that drives for ever.
+"""The web process of the viewers' benchmark: the scene behind the bridge, and a chair that drives endlessly.
 
-Prints the port it listens on; then, for each line on stdin, the seconds of processor that it has used. Ends with stdin.
+Prints its port; then, for each line on stdin, the processor time (s) used so far. Ends with stdin.
 """
 
 import asyncio
@@ -20,11 +20,11 @@ from app.scene.servers import Role, RoleServers
 from bench.circle import driving
 from bench.subject import bench_floorplan
 
-PING_EVERY, PING_LIMIT = 2.0, 20.0  # s, as the program's own web server has them
+PING_EVERY, PING_LIMIT = 2.0, 20.0  # s, as of the application's web server
 
 
 def viewed_app(servers: RoleServers) -> FastAPI:
-    """Return an application with nothing but the 3D view, open to everybody on this machine."""
+    """Return an application with only the 3D view, open to everybody on this machine."""
 
     @asynccontextmanager
     async def anybody(_websocket: WebSocket, _role: Role) -> AsyncIterator[bool]:

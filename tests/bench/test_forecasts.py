@@ -1,11 +1,11 @@
 """The check of the forecasts: it counts what simulated wearers do, and prints it."""
 
-from bench.forecasts import KINDS, Kind, Tally, row, watch
+from bench.forecasts import KINDS, Kind, Tally, compare, row
 
 
-def test_one_wearer_is_watched_and_counted():
+def test_one_wearer_is_compared_and_counted():
     tally = Tally()
-    watch(Kind("able", 0.0, 0.0), 1, tally, rest=5.0, repetitions=2)
+    compare(Kind("able", 0.0, 0.0), 1, tally, rest=5.0, repetitions=2)
     assert (tally.gestures, tally.movements) == (4, 8)
     assert 4 * 4.5 / 60 < tally.minutes < 4 * 5 / 60
     assert tally.counted_false == 0
@@ -17,6 +17,6 @@ def test_one_wearer_is_watched_and_counted():
 
 def test_wearers_differ_in_what_they_are_asked_to():
     even, uneven = Tally(), Tally()
-    watch(Kind("even", 0.0, 0.0), 2, even, rest=1.0, repetitions=6)
-    watch(Kind("uneven", 0.0, 1.0), 2, uneven, rest=1.0, repetitions=6)
+    compare(Kind("even", 0.0, 0.0), 2, even, rest=1.0, repetitions=6)
+    compare(Kind("uneven", 0.0, 1.0), 2, uneven, rest=1.0, repetitions=6)
     assert uneven.counted_hits < even.counted_hits

@@ -17,12 +17,12 @@ from app.clock import MonotonicClock
 from app.hardware.chair.inputs import Inputs
 from app.hardware.chair.key import KeyRefused, read_key
 from app.hardware.chair.outputs import OUTPUTS, OutputRefused, open_output
+from app.hardware.chair.packet import PORT
 from app.hardware.chair.receiver import OMEGA_MAX, V_MAX, Receiver
 from app.hardware.chair.receiver_loop import ReceiverLoop, slowness
 from app.hardware.chair.telemetry_sender import TelemetrySender
 from app.realtime import go_real_time
 
-PORT = 5354
 RECEIVE_BUFFER = 1 << 20  # bytes: room for a command behind the datagrams of a flood that come while the loop sleeps
 DESCRIPTION = """The chair's side of the link: checks every command, watches the time, ramps, and drives an output.
 What drives the motors must itself stop when nothing comes from here any more."""

@@ -5,7 +5,7 @@ from contextlib import suppress
 import serial
 
 from app.clock import Clock
-from app.hardware.base import HardwareError
+from app.hardware.base import ALIVE, HardwareError
 from app.hardware.configs import FlockOfBirdsConfig
 from app.hardware.head.flock_record import RECORD, Records, decode
 from app.messages import HeadPose
@@ -14,7 +14,6 @@ AUTO_CONFIGURE, GROUP_MODE = b"P\x32", b"P\x23\x01"
 TO_UNIT = 0xF0  # plus an address: the next command goes to that unit
 ANGLES, STREAM, STOP_STREAM = b"Y", b"@", b"?"
 PAUSE = 0.35  # s; the manual asks for 0.3 before and after auto-configuring
-ALIVE = 0.5  # s without a record after which `words` reports silence
 WRITE_LIMIT = 0.5  # s
 
 

@@ -3,10 +3,9 @@
 import math
 
 from app.clock import Clock
+from app.hardware.base import ALIVE
 from app.hardware.configs import TabletHeadConfig
 from app.messages import HeadPose
-
-ALIVE = 0.5  # s without a report of the page after which `words` says so
 
 
 class TabletHead:

@@ -5,11 +5,10 @@ import socket
 from collections.abc import Callable
 
 from app.clock import Clock
-from app.hardware.base import HardwareError
+from app.hardware.base import ALIVE, HardwareError
 from app.messages import HeadPose
 
 SILENCE = 2.0  # s without a pose after which another sender is accepted
-ALIVE = 0.5  # s without a pose after which `words` reports silence
 MOST = 64  # datagrams read in one look, so that a flood does not hold up the loop
 KERNEL_BUFFER = 1 << 16  # bytes
 

@@ -7,7 +7,7 @@ import struct
 from pathlib import Path
 
 from app.clock import Clock
-from app.hardware.base import HardwareError
+from app.hardware.base import ALIVE, HardwareError
 from app.hardware.chair.key import Key, KeyRefused, read_key
 from app.hardware.configs import UdpConfig
 from app.hardware.shirt.newest_frame import NewestFrame, newest_file
@@ -19,7 +19,6 @@ from app.messages import SensorFrame
 BUFFER = 2 * LONGEST  # bytes: room to notice a datagram that is too long
 KERNEL_BUFFER = 1 << 20  # bytes: one second of frames at 1 kHz, for a hold-up of the loop
 SILENCE = 2.0  # s without a frame: longer than a shirt may be silent while armed (S4)
-ALIVE = 0.5  # s without a frame after which `words` reports silence
 WRITE_AHEAD = 10.0  # s of frames that one write of the newest frame's number allows
 _TIME = struct.Struct("@ll")  # struct timeval
 
