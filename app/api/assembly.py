@@ -112,7 +112,7 @@ def make_parts(
 
 async def start_parts(database: Database, web: WebParts) -> None:
     """Start the control process and what watches it; open a 3D view when a session is open."""
-    await asyncio.to_thread(_tidy_up, database)
+    await asyncio.to_thread(_close_interrupted, database)
     await web.control.start()
     await web.limits.open()
     await web.chairs.open()
@@ -123,18 +123,18 @@ async def start_parts(database: Database, web: WebParts) -> None:
     web.patient_live.start()
     web.faults.start()
     web.disk.start()
-    if await asyncio.to_thread(_somebody_is_here, database):
+    if await asyncio.to_thread(_is_session_open, database):
         await open_view(web)
 
 
-def _somebody_is_here(database: Database) -> bool:
+def _is_session_open(database: Database) -> bool:
     with database.transaction() as db:
         clinic = the_clinic(db)
         return clinic is not None and open_session(db, clinic.id) is not None
 
 
-def _tidy_up(database: Database) -> None:
-    """Say of what a dead web process left running that it was interrupted."""
+def _close_interrupted(database: Database) -> None:
+    """Mark the steps, trials and drives that an ended web process left running as interrupted."""
     with database.transaction(closing=True) as db:
         fail_interrupted_steps(db)
         close_interrupted_trials(db)

@@ -1,4 +1,4 @@
-"""An event loop in a thread of its own, for what must not wait for anybody's request."""
+"""An event loop in a thread of its own, for tasks that must not be delayed by requests."""
 
 import asyncio
 import threading
@@ -9,7 +9,7 @@ Answer = TypeVar("Answer")
 
 
 class LoopThread:
-    """Runs coroutines beside the loop that asks for them."""
+    """Runs coroutines in the event loop of a thread of its own."""
 
     def __init__(self, name: str) -> None:
         self._loop = asyncio.new_event_loop()
@@ -17,19 +17,19 @@ class LoopThread:
         self._thread.start()
 
     async def run(self, coroutine: Coroutine[Any, Any, Answer]) -> Answer:
-        """Run a coroutine over there and return its answer over here."""
+        """Run a coroutine in the thread's loop, and return its result to the caller's loop."""
         return await asyncio.wrap_future(asyncio.run_coroutine_threadsafe(coroutine, self._loop))
 
     def begin(self, coroutine: Coroutine[Any, Any, None]) -> None:
-        """Run a coroutine over there until `close`."""
+        """Run a coroutine in the thread's loop until `close`."""
         asyncio.run_coroutine_threadsafe(coroutine, self._loop)
 
     def soon(self, function: Callable[[], None]) -> None:
-        """Call a function over there, soon."""
+        """Call a function in the thread's loop as soon as possible."""
         self._loop.call_soon_threadsafe(function)
 
     async def close(self) -> None:
-        """Cancel what still runs over there, and end the thread."""
+        """Cancel all tasks of the thread's loop, and end the thread."""
         await self.run(_cancel_others())
         self._loop.call_soon_threadsafe(self._loop.stop)
         await asyncio.to_thread(self._thread.join)

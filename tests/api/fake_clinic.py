@@ -70,7 +70,7 @@ def profile_for(layout: ShirtLayout) -> CalibrationProfile:
 
 
 class FakeProcess:
-    """Answers as the control process would, keeping what it was asked; its clock for runs is `run_t`."""
+    """Answers as the control process would, and keeps its commands; `run_t` is its clock for runs."""
 
     def __init__(self) -> None:
         self.calls: list[tuple[str, dict[str, Any]]] = []
@@ -177,7 +177,7 @@ class FakeProcess:
         self.die()
 
     def die(self) -> None:
-        """Die as a process does: at any moment, from nobody's thread."""
+        """Die as a process does: at any moment, outside of every thread."""
         self.loop.call_soon_threadsafe(self.dead.set)
 
     async def died(self) -> None:
@@ -210,7 +210,7 @@ class Clinic:
         return answer.json()
 
     def until(self, path: str, good: Callable[[Any], bool]) -> Any:
-        """Ask again and again until the answer is good; a test that waits for ever fails by its time limit."""
+        """Repeat a request until its answer is good; a test that never gets one fails by its time limit."""
         while True:
             answer = self.good("GET", path)
             if good(answer):
@@ -233,7 +233,7 @@ class Clinic:
 
     @property
     def session(self) -> str:
-        """What a page that shows who is here now names as its session."""
+        """The header of a page that shows the open session."""
         return str(self.web.session.session_id or "none")
 
     def log(self) -> list[LogEntry]:

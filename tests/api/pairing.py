@@ -9,7 +9,7 @@ COOKIES = ("bodydrive_session", "bodydrive_screen")
 
 
 def only(clinic: Clinic, cookie: str | None) -> None:
-    """Let the browser forget all cookies but one."""
+    """Delete all cookies of the browser but one."""
     for name in COOKIES:
         if name != cookie and name in clinic.client.cookies:
             clinic.client.cookies.delete(name)

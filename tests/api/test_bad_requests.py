@@ -1,4 +1,4 @@
-"""What nobody of good will sends: it is refused in one sentence, and nothing that was there is lost."""
+"""Malformed and hostile requests are refused in one sentence, and nothing is lost."""
 
 import asyncio
 import io

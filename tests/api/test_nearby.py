@@ -1,4 +1,4 @@
-"""Who counts as being in the building."""
+"""Which requests count as coming from within the building."""
 
 import socket
 

@@ -10,7 +10,7 @@ from app.cli.server import WebServer
 
 
 class Socket:
-    """A browser's websocket that ends in a way of its own."""
+    """A browser's websocket that ends in a given way."""
 
     cookies: dict = {}  # noqa: RUF012
 

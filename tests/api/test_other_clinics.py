@@ -1,4 +1,4 @@
-"""Another clinic's ids: 404 like ids that do not exist, and a row in the log. Every id of every route is tried."""
+"""Ids of another clinic: 404, as for ids that do not exist, and a row in the log; for every id of every route."""
 
 import re
 from collections.abc import Iterator

@@ -1,4 +1,4 @@
-"""The address that is told to another screen."""
+"""The address of this program for another screen."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""No mix-up of patients: a change names the session that its page shows, and that session has to be the open one."""
+"""No mix-up of patients: a change must name the session that its page shows, and it must be the open one."""
 
 from typing import Any
 
@@ -96,7 +96,7 @@ def test_the_refusal_says_who_is_open_who_opened_it_when_and_whose_page_this_is(
 
 
 def test_a_change_that_waited_while_the_session_changed_does_nothing(in_session: Any) -> None:
-    """The check is made again where the change is made: a request may have waited for the one that opened B."""
+    """The check is repeated when the change is made: the request may have waited while session B was opened."""
     before = int(second_patient(in_session))
 
     async def late(what: str) -> None:

@@ -1,4 +1,4 @@
-"""Who may do what: every route says whom it is for, and is asked by everybody."""
+"""The matrix of roles and routes: every route is requested by every role."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -59,7 +59,7 @@ FOR_REVIEWERS = {
 
 
 def asked(dependant: Dependant) -> Iterator[Any]:
-    """Yield what a route depends on, at any depth."""
+    """Yield the dependencies of a route, at any depth."""
     for below in dependant.dependencies:
         yield below.call
         yield from asked(below)
@@ -71,7 +71,7 @@ def contexts(app: FastAPI, kind: type) -> list[RouteContext]:
 
 
 def table(app: FastAPI) -> dict[str, int | None]:
-    """Return the highest right that each route asks for, None when it asks for none."""
+    """Return the highest right that each route requires, None when it requires none."""
     rights = {}
     for context in contexts(app, APIRoute):
         right = max((RIGHTS[call] for call in asked(context.dependant) if call in RIGHTS), default=None)
@@ -92,7 +92,7 @@ def test_every_route_says_whom_it_is_for_and_it_is_the_table(clinic: Clinic) -> 
 
 @pytest.mark.parametrize("role", ROLES)
 def test_the_matrix_of_roles_and_routes(clinic: Clinic, role: str) -> None:
-    """Nothing is sent along, so that what may be done is refused for its content, and nothing else is."""
+    """Requests have no content, so that a permitted one is refused for its content only."""
     database = clinic.client.app.state.people.database  # type: ignore[attr-defined]
     with database.transaction() as db:
         if role != "anonymous":

@@ -1,4 +1,4 @@
-"""Every text that a person can send is visible from end to end; the fields are found in the routes, not listed."""
+"""Every text that a person can send must be visible; the fields are found in the routes, not listed."""
 
 import json
 import random
@@ -28,7 +28,7 @@ LOOKED_UP = {"file", "device"}  # what a machine's file or device is called; it 
 
 
 def texts(annotation: Any, metadata: tuple[Any, ...], where: str) -> Iterator[tuple[str, Any]]:
-    """Yield every text in an annotation with what is asked of it, and its place."""
+    """Yield every text in an annotation with its constraints and its place."""
     origin = get_origin(annotation)
     if origin is Annotated:
         inner, *more = get_args(annotation)
@@ -86,7 +86,7 @@ def test_the_sentence_says_which_character_where(signed_in: Any, path: str, docu
 
 
 def odd_values() -> list[str]:
-    """Return 200 texts that a form, a phone or somebody of ill will sends."""
+    """Return 200 texts as sent by a form, a phone or an attacker."""
     dice = random.Random(11)
     signs = "\ud800\udfff\ufffd\uffff=+-@'\"<>&\\/%;|`$ \t\n\U0001f642\u05d0\u0645\u6f22a"
     kinds = [*UNSEEN, *signs, "e\u0301"]

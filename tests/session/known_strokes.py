@@ -1,4 +1,4 @@
-"""A shirt of two joints with four channels each, and strokes whose direction is known."""
+"""A shirt of two joints with four channels each, and strokes in a known direction."""
 
 import math
 
@@ -58,14 +58,14 @@ def parameters(bound: tuple[str, ...] = JOINTS, *, stop: bool = False) -> DriveP
 
 
 def strokes(share: float = 1.0, seconds: float = SECONDS) -> np.ndarray:
-    """Strokes of 1 s to `share` of full scale and back, each followed by 1 s of rest: (n,) in FS."""
+    """Return strokes of 1 s to `share` of full scale and back, each followed by 1 s of rest: (n,) in FS."""
     t = np.arange(round(seconds * RATE)) / RATE
     phase = np.minimum(t % 2.0, 1.0)
     return share * (0.5 - 0.5 * np.cos(2 * math.pi * phase))
 
 
 def frames(right: np.ndarray, left: np.ndarray | None = None) -> np.ndarray:
-    """What the shirt gives (n, 8) for movements (n, 4) of the right elbow, and of the left one."""
+    """Return the shirt's signals (n, 8) for movements (n, 4) of the right elbow, and of the left one."""
     other = np.zeros_like(right) if left is None else left
     noise = NOISE * np.random.default_rng(1).standard_normal((len(right), 2 * COUNT))
     return np.concatenate((right, other), axis=1) + noise

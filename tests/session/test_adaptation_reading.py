@@ -1,4 +1,4 @@
-"""What the last trials would change, read from real recordings on disk."""
+"""Proposals to adapt the map, made from recordings on disk."""
 
 import math
 from collections.abc import Callable

@@ -1,4 +1,4 @@
-"""The web process's end of a control process that answers late, wrongly or not at all."""
+"""The control link with a control process that answers late, wrongly or not at all."""
 
 import asyncio
 from typing import Any
@@ -16,18 +16,18 @@ from app.session.control_link import ControlLink
 
 
 class Process:
-    """One that answers what `answers` says, and hangs where it says `None`."""
+    """A control process that gives these `answers`, and hangs for the answer None."""
 
     def __init__(self, answers: dict[str, Any]) -> None:
         self.answers = answers
-        self.asked: list[tuple[str, dict[str, Any]]] = []
+        self.commands: list[tuple[str, dict[str, Any]]] = []
         self.loop = asyncio.get_running_loop()
         self.dead = asyncio.Event()
         self.killed = False
         self.ticking = True
 
     async def call(self, do: str, **fields: Any) -> dict[str, Any]:
-        self.asked.append((do, fields))
+        self.commands.append((do, fields))
         answer = self.answers.get(do, {})
         if isinstance(answer, Exception):
             raise answer
@@ -36,7 +36,7 @@ class Process:
         return dict(answer)
 
     def tell(self, do: str, **fields: Any) -> None:
-        self.asked.append((do, fields))
+        self.commands.append((do, fields))
 
     def newest(self) -> np.void | None:
         tick = np.zeros(1, TICK)
@@ -58,7 +58,7 @@ class Process:
 
 
 def played(story: Any, answers: dict[str, Any]) -> list[Process]:
-    """Play a story with a control process that answers like this; return it and those after it."""
+    """Run a story with a control process that gives these answers; return it and those that replaced it."""
     opened: list[Process] = []
 
     async def whole() -> None:
@@ -89,7 +89,7 @@ def test_a_stop_that_is_not_answered_is_answered_all_the_same(monkeypatch: pytes
         assert not await control.stop()
 
     [process] = played(story, {"stop": None})
-    assert ("stop", {"by": "tablet"}) in process.asked
+    assert ("stop", {"by": "tablet"}) in process.commands
 
 
 def test_a_command_without_an_answer_ends_the_process_that_owes_it() -> None:
@@ -117,7 +117,7 @@ def test_a_loop_that_stands_still_is_killed_and_given_more_time_while_it_opens(
 
     async def opening(control: ControlLink, opened: list[Process]) -> None:
         loading = asyncio.create_task(control.load("shirt", config={}))
-        await until(lambda: ("shirt", {"config": {}}) in opened[0].asked)
+        await until(lambda: ("shirt", {"config": {}}) in opened[0].commands)
         opened[0].ticking = False
         await asyncio.sleep(0.2)
         assert not opened[0].killed
@@ -140,7 +140,7 @@ def test_the_next_one_is_given_what_was_accepted_last_and_nothing_else() -> None
         control.forget("parameters")
         opened[0].kill()
         await until(lambda: len(opened) == 2 and control.state == "alive")
-        given = [asked for asked in opened[1].asked if asked[0] != "heartbeat"]
+        given = [asked for asked in opened[1].commands if asked[0] != "heartbeat"]
         assert given == [("limits", {"clinic": {"forward": 0.5}}), ("dial", {"share": 0.5})]
 
     played(story, {"chair": LinkRefused("the key file cannot be read")})

@@ -1,4 +1,4 @@
-"""What the flows leave behind when something fails on the way."""
+"""The state of the flows after a failure."""
 
 import asyncio
 from types import SimpleNamespace
@@ -18,51 +18,51 @@ from app.store.people import add_clinic
 from app.store.tables import Run
 
 
-class Asked:
-    """A control process that does what it is told, and remembers it."""
+class FakeControl:
+    """A control process that accepts and keeps every command."""
 
     def __init__(self) -> None:
-        self.asked: list[str] = []
+        self.commands: list[str] = []
 
     async def call(self, do: str, **_fields: Any) -> dict[str, Any]:
-        self.asked.append(do)
+        self.commands.append(do)
         return {"run": 1, "source": UNKNOWN_SOURCE.model_dump(), "rows": 0, "dropped": 0}
 
 
-class Gone:
-    """A database that is gone."""
+class LostDatabase:
+    """A database that cannot be opened."""
 
     def transaction(self, **_how: bool) -> Any:
         raise OSError("the database is gone")
 
 
 def runs_with(control: Any, tmp_path: Any) -> Runs:
-    return Runs(Gone(), control, tmp_path)  # type: ignore[arg-type]
+    return Runs(LostDatabase(), control, tmp_path)  # type: ignore[arg-type]
 
 
 def test_a_run_that_cannot_be_noted_is_not_left_running(tmp_path: Any) -> None:
-    control = Asked()
+    control = FakeControl()
     with pytest.raises(OSError, match="gone"):
         asyncio.run(runs_with(control, tmp_path).begin(1, "rest", (), {}))
-    assert control.asked == ["run", "end_run"]
+    assert control.commands == ["run", "end_run"]
 
 
 @pytest.mark.parametrize("refusal", [Unavailable("It did not answer."), Conflict("Nothing is being recorded.")])
 def test_a_run_whose_end_nobody_answers_is_open_no_more(database: Database, tmp_path: Any, refusal: Exception) -> None:
-    """The control process that owes the answer is ended by then (test_control_link.py) and records no more."""
+    """A control process that does not answer is ended (test_control_link.py), and so records no more."""
     with database.transaction() as db:
         clinic = add_clinic(db, "Clinic")
         patient = add_patient(db, clinic.id, "P-1", "Heron", "")
         session = start_session(db, clinic.id, patient.id)
 
-    class Owing(Asked):
+    class SilentControl(FakeControl):
         async def call(self, do: str, **fields: Any) -> dict[str, Any]:
             if do == "end_run":
                 raise refusal
             return await super().call(do, **fields)
 
     async def story() -> None:
-        runs = Runs(database, Owing(), tmp_path)  # type: ignore[arg-type]
+        runs = Runs(database, SilentControl(), tmp_path)  # type: ignore[arg-type]
         first = await runs.begin(session.id, "rest", (), {})
         assert await runs.end() == first
         assert runs.open is None
@@ -76,7 +76,7 @@ def test_a_run_whose_end_nobody_answers_is_open_no_more(database: Database, tmp_
 
 def test_a_drive_is_over_though_the_database_is_gone(tmp_path: Any) -> None:
     told: list[str] = []
-    flow = RealDriveFlow(Gone(), Asked(), runs_with(Asked(), tmp_path), told.append, None)  # type: ignore[arg-type]
+    flow = RealDriveFlow(LostDatabase(), FakeControl(), runs_with(FakeControl(), tmp_path), told.append, None)  # type: ignore[arg-type]
     flow.current = SimpleNamespace(id=1, run=None)  # type: ignore[assignment]
 
     async def story() -> None:
@@ -89,8 +89,8 @@ def test_a_drive_is_over_though_the_database_is_gone(tmp_path: Any) -> None:
 
 
 def test_a_trial_is_over_though_the_database_is_gone(tmp_path: Any) -> None:
-    control, told = Asked(), []
-    flow = TrialFlow(Gone(), control, runs_with(control, tmp_path), told.append, None)  # type: ignore[arg-type]
+    control, told = FakeControl(), []
+    flow = TrialFlow(LostDatabase(), control, runs_with(control, tmp_path), told.append, None)  # type: ignore[arg-type]
     flow.current = SimpleNamespace(id=1, run=None, path=None)  # type: ignore[assignment]
 
     async def story() -> None:

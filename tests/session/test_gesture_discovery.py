@@ -1,4 +1,4 @@
-"""Gestures found from recordings on disk: of the calibration under way, and behind the newest map."""
+"""Gestures found in recordings on disk: of the calibration under way, and of the newest map."""
 
 import shutil
 
@@ -18,8 +18,8 @@ from app.store.runs import add_run
 from app.store.tables import PatientSession
 
 
-class Recorded:
-    """A patient whose steps are all recorded, and whose result waits."""
+class RecordedCalibration:
+    """A patient whose steps are all recorded, and whose result is not accepted yet."""
 
     def __init__(self, database, folder):
         self.database, self.folder = database, folder
@@ -54,7 +54,7 @@ class Recorded:
 
 @pytest.fixture
 def recorded(database, tmp_path):
-    return Recorded(database, tmp_path)
+    return RecordedCalibration(database, tmp_path)
 
 
 def test_the_calibration_under_way_is_judged_by_its_recordings_before_and_after_it_is_accepted(recorded):

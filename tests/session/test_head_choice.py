@@ -1,4 +1,4 @@
-"""The head tracker as it is kept between two days."""
+"""The stored choice of the head tracker."""
 
 import asyncio
 from typing import Any
@@ -13,8 +13,8 @@ from app.store.people import add_clinic
 SIMULATED = {"kind": "simulator", "seed": 1}
 
 
-class Heads:
-    """A control process that opens head trackers, or has a reason not to."""
+class FakeControl:
+    """A control process that opens head trackers, or refuses them with `reason`."""
 
     def __init__(self) -> None:
         self.opened: list[Any] = []
@@ -29,42 +29,42 @@ class Heads:
         self.opened.clear()
 
 
-def choice(database: Database, heads: Heads) -> HeadChoice:
-    return HeadChoice(database, heads, lambda config: config, lambda _what: None)  # type: ignore[arg-type]
+def choice(database: Database, control: FakeControl) -> HeadChoice:
+    return HeadChoice(database, control, lambda config: config, lambda _what: None)  # type: ignore[arg-type]
 
 
 @pytest.fixture
-def kept(database: Database) -> Database:
+def stored(database: Database) -> Database:
     with database.transaction() as db:
         add_clinic(db, "Clinic")
-    asyncio.run(choice(database, Heads()).use(SIMULATED))
+    asyncio.run(choice(database, FakeControl()).use(SIMULATED))
     return database
 
 
-def test_what_was_chosen_is_opened_on_the_next_day(kept: Database) -> None:
-    heads = Heads()
-    asyncio.run(choice(kept, heads).open())
-    assert heads.opened == [SIMULATED]
+def test_what_was_chosen_is_opened_on_the_next_day(stored: Database) -> None:
+    control = FakeControl()
+    asyncio.run(choice(stored, control).open())
+    assert control.opened == [SIMULATED]
 
 
-def test_one_that_is_not_there_in_the_morning_stays_chosen_and_says_why(kept: Database) -> None:
-    heads = Heads()
-    heads.reason = "Check its cable."
-    chosen = choice(kept, heads)
+def test_one_that_is_not_there_in_the_morning_stays_chosen_and_says_why(stored: Database) -> None:
+    control = FakeControl()
+    control.reason = "Check its cable."
+    chosen = choice(stored, control)
     asyncio.run(chosen.open())
     assert (chosen.config, chosen.words) == (SIMULATED, "Check its cable.")
-    heads.reason = ""
+    control.reason = ""
     asyncio.run(chosen.use(SIMULATED))
     assert chosen.words == ""
 
 
-def test_one_that_is_refused_leaves_none(kept: Database) -> None:
-    heads = Heads()
-    heads.reason = "Check its cable."
-    chosen = choice(kept, heads)
+def test_one_that_is_refused_leaves_none(stored: Database) -> None:
+    control = FakeControl()
+    control.reason = "Check its cable."
+    chosen = choice(stored, control)
     with pytest.raises(Conflict, match="cable"):
         asyncio.run(chosen.use({"kind": "tablet"}))
     assert chosen.config is None
-    heads.reason = ""
-    asyncio.run(choice(kept, heads).open())
-    assert heads.opened == []
+    control.reason = ""
+    asyncio.run(choice(stored, control).open())
+    assert control.opened == []

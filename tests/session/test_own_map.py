@@ -1,4 +1,4 @@
-"""A trial of the database, driven again with its own version of the map, whatever has become of the map since."""
+"""A stored trial is decoded again with its own version of the map, also after the map was changed."""
 
 import numpy as np
 from recorded_trial import record_trial

@@ -1,4 +1,4 @@
-"""What the patient reads in each state: what happened, and who is waited for."""
+"""The words for the patient in each state: what happened, and who acts next."""
 
 import re
 from itertools import product

@@ -1,4 +1,4 @@
-"""Judging, fitting and measuring from real recordings on disk."""
+"""Checking, fitting and measuring from recordings on disk."""
 
 import itertools
 import math
@@ -45,7 +45,7 @@ def record(folder, ticks, cues=()):
 
 
 def step_ticks(step, seed=0):
-    """Joint angles that do as the cues say, through two channels each, with noise."""
+    """Return ticks of joints that follow the cues, through two channels each, with noise."""
     random = np.random.default_rng(seed)
     for number in range(round(step.duration * RATE) + 1):
         t = number / RATE

@@ -1,4 +1,4 @@
-"""Where recordings came from: what older databases and recordings tell of it, and what is said in words."""
+"""The sources of recordings: in older databases and recordings, and in words."""
 
 import json
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""When a trial is over, and what is seen of it meanwhile."""
+"""The progress of a trial, and its end."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""On a full disk a session can be ended and people can sign out; on a really full one where it may be mounted."""
+"""On a full disk a session can be ended and people can sign out; on a mounted full disk where that is possible."""
 
 import os
 import subprocess
@@ -30,7 +30,7 @@ def disk(tmp_path: Path) -> Iterator[Path]:
 
 
 def fill_all(database: Database, disk: Path) -> None:
-    """Take all room, that within SQLite's files too."""
+    """Fill the disk, and the free pages within SQLite's files."""
     fill(disk)
     with pytest.raises(DiskFull, match="disk is full"):
         add_without_end(database)
@@ -135,7 +135,7 @@ database.close()
 
 
 def test_a_limit_on_the_size_of_files_is_a_full_disk_too(tmp_path: Path) -> None:
-    """For machines on which no disk may be mounted: no file of the process grows any more."""
+    """For machines on which no disk can be mounted: a limit on the size of files."""
     file = tmp_path / "clinic.sqlite"
     command = [sys.executable, "-c", QUOTA, str(file)]
     environment = {**os.environ, "PYTHONPATH": str(ROOT)}

@@ -1,4 +1,4 @@
-"""The schema goes up and down, and is what the tables say."""
+"""The migrations up and down, and that they make the tables of the code."""
 
 from pathlib import Path
 

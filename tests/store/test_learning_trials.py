@@ -1,4 +1,4 @@
-"""Which trials count for a learning curve, and what each was driven with."""
+"""The trials of a learning curve, and the map that each was driven with."""
 
 from typing import Any
 

@@ -1,4 +1,4 @@
-"""A log that somebody edited in the database is noticed, its newest rows too; a crash never raises the alarm."""
+"""Changes of the log in the database are detected, also of its newest rows; a crash raises no alarm."""
 
 import os
 import random
@@ -45,7 +45,7 @@ def written(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def rewrite(file: Path, change: Callable[[Rows], Rows]) -> None:
-    """Replace the rows of the log behind the program's back."""
+    """Replace the rows of the log without the program."""
     with closing(sqlite3.connect(file)) as connection:
         connection.execute("DROP TRIGGER IF EXISTS log_no_update")
         connection.execute("DROP TRIGGER IF EXISTS log_no_delete")
@@ -56,14 +56,14 @@ def rewrite(file: Path, change: Callable[[Rows], Rows]) -> None:
 
 
 def row_after(previous: str, number: int, what: str) -> tuple[Any, ...]:
-    """Return a row that chains on from the hash `previous`."""
+    """Return a row that follows on the hash `previous`."""
     at = datetime(2026, 1, 2, 3, 4, 5, 6, tzinfo=UTC)
     own = entry_hash(previous, at, "Eve", what, {})
     return (number, at.strftime("%Y-%m-%d %H:%M:%S.%f"), "Eve", what, "{}", previous, own)
 
 
 def chained(rows: Rows) -> Rows:
-    """Return rows with all their hashes made anew, as somebody would who knows how."""
+    """Return rows with all hashes computed anew, as a skilled attacker would."""
     made: Rows = []
     previous = FIRST
     for number, _, _, what, *_ in rows:
@@ -113,7 +113,7 @@ def put_in(draw: st.DrawFn) -> Callable[[Rows], Rows]:
 
 @st.composite
 def made_anew(draw: st.DrawFn) -> Callable[[Rows], Rows]:
-    """Cut the log somewhere, go on otherwise, and make every hash right."""
+    """Cut the log somewhere, append other rows, and compute every hash anew."""
     left, more = draw(st.integers(0, ROWS)), draw(st.integers(0, 2 * ROWS))
     return lambda rows: chained(rows[:left] + [(ROWS + 1 + i, "", "", "other") for i in range(more)])
 
@@ -171,7 +171,7 @@ while True:
 
 
 def crash(file: Path, when: str, after: int = 0) -> None:
-    """Let a process write rows, and kill it: between row and head, or once it wrote `after` times."""
+    """Let a process write rows, and kill it between row and head, or after `after` writes."""
     process = subprocess.Popen(
         [sys.executable, "-c", CRASHING, str(file), when],
         stdout=subprocess.PIPE,

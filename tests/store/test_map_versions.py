@@ -1,4 +1,4 @@
-"""Versions of a map: adapted, and back again; what was driven keeps what it was driven with."""
+"""Versions of a map: adapted and restored; a trial keeps the version that it was driven with."""
 
 from typing import Any
 
@@ -16,7 +16,7 @@ from app.store.runs import add_run, add_trial
 from app.store.tables import Parameters, Patient, PatientSession, Profile, Trial
 
 
-class Here:
+class PatientMaps:
     """A patient with an accepted calibration."""
 
     def __init__(self, db: Session, profile: CalibrationProfile) -> None:
@@ -72,91 +72,93 @@ class Here:
 
 
 @pytest.fixture
-def here(db: Session, profile: CalibrationProfile) -> Here:
-    return Here(db, profile)
+def maps(db: Session, profile: CalibrationProfile) -> PatientMaps:
+    return PatientMaps(db, profile)
 
 
-def test_an_adapted_map_is_a_version_of_its_own(here: Here) -> None:
-    before = here.now
-    here.set(title="Indoors", cutoff=2.0)
-    row = here.adapt(0.02)
+def test_an_adapted_map_is_a_version_of_its_own(maps: PatientMaps) -> None:
+    before = maps.now
+    maps.set(title="Indoors", cutoff=2.0)
+    row = maps.adapt(0.02)
     assert (row.version, row.origin, row.parent, row.difference) == (2, "adaptation", 1, {"by": 0.02})
-    now = here.now
+    now = maps.now
     assert (now.title, now.cutoff, now.bindings) == ("Indoors", 2.0, before.bindings)
     assert now.profile.joints[0].mean == (0.02,)
     assert now.gestures[0].dead_zone == pytest.approx(0.22)
     assert now.hash != before.hash
-    kept = here.db.query(Profile).filter_by(version=1).one()
+    kept = maps.db.query(Profile).filter_by(version=1).one()
     assert CalibrationProfile.model_validate(kept.document) == before.profile
 
 
-def test_going_back_restores_what_was_driven_to_the_last_digit(here: Here) -> None:
-    before = here.now.hash
-    here.adapt(0.02)
-    row = here.back()
+def test_going_back_restores_what_was_driven_to_the_last_digit(maps: PatientMaps) -> None:
+    before = maps.now.hash
+    maps.adapt(0.02)
+    row = maps.back()
     assert (row.version, row.origin, row.parent, row.difference) == (3, "back", 2, {"back_to": 1})
-    assert here.now.hash == before
+    assert maps.now.hash == before
 
 
-def test_each_tap_goes_one_version_further_back_and_ends_at_the_calibration(here: Here) -> None:
-    hashes = [here.now.hash]
+def test_each_tap_goes_one_version_further_back_and_ends_at_the_calibration(maps: PatientMaps) -> None:
+    hashes = [maps.now.hash]
     for _ in range(2):
-        here.adapt(0.02)
-        hashes.append(here.now.hash)
-    assert version_before(here.db, here.patient.id) == 2
-    here.back()
-    assert here.now.hash == hashes[1]
-    assert version_before(here.db, here.patient.id) == 1
-    here.back()
-    assert here.now.hash == hashes[0]
-    assert here.version == 5
-    assert version_before(here.db, here.patient.id) is None
+        maps.adapt(0.02)
+        hashes.append(maps.now.hash)
+    assert version_before(maps.db, maps.patient.id) == 2
+    maps.back()
+    assert maps.now.hash == hashes[1]
+    assert version_before(maps.db, maps.patient.id) == 1
+    maps.back()
+    assert maps.now.hash == hashes[0]
+    assert maps.version == 5
+    assert version_before(maps.db, maps.patient.id) is None
     with pytest.raises(Conflict, match="straight from a calibration"):
-        here.back()
+        maps.back()
 
 
-def test_a_map_that_went_back_adapts_again_and_back_again(here: Here) -> None:
-    before = here.now.hash
-    here.adapt(0.02)
-    here.back()
-    here.adapt(0.05)
-    assert version_before(here.db, here.patient.id) == 3
-    here.back()
-    assert here.now.hash == before
+def test_a_map_that_went_back_adapts_again_and_back_again(maps: PatientMaps) -> None:
+    before = maps.now.hash
+    maps.adapt(0.02)
+    maps.back()
+    maps.adapt(0.05)
+    assert version_before(maps.db, maps.patient.id) == 3
+    maps.back()
+    assert maps.now.hash == before
 
 
-def test_what_a_person_set_since_stays_when_going_back(here: Here) -> None:
-    here.adapt(0.02)
-    right, left = here.now.gestures
+def test_what_a_person_set_since_stays_when_going_back(maps: PatientMaps) -> None:
+    maps.adapt(0.02)
+    right, left = maps.now.gestures
     by_hand = right.model_copy(update={"full": 2.5})
-    here.set(gestures=(by_hand, left), mode_u2="acceleration")
-    here.back()
-    now = here.now
+    maps.set(gestures=(by_hand, left), mode_u2="acceleration")
+    maps.back()
+    now = maps.now
     assert now.gestures[0] == by_hand
     assert now.gestures[1].dead_zone == 0.2
     assert now.mode_u2 == "acceleration"
 
 
-def test_trials_keep_the_version_that_they_were_driven_with(here: Here) -> None:
-    first = here.drive("a")
-    here.adapt(0.02)
-    second, third = here.drive("b"), here.drive("c")
-    here.back()
-    listed = versions_of(here.db, here.patient.id)
+def test_trials_keep_the_version_that_they_were_driven_with(maps: PatientMaps) -> None:
+    first = maps.drive("a")
+    maps.adapt(0.02)
+    second, third = maps.drive("b"), maps.drive("c")
+    maps.back()
+    listed = versions_of(maps.db, maps.patient.id)
     assert [(one.version, one.origin, one.parent, one.trials) for one in listed] == [
         (3, "back", 2, []),
         (2, "adaptation", 1, [second.id, third.id]),
         (1, "calibration", None, [first.id]),
     ]
-    rows = [here.db.get_one(Parameters, trial.parameters_id) for trial in (first, second)]
+    rows = [maps.db.get_one(Parameters, trial.parameters_id) for trial in (first, second)]
     assert [row.profile_id for row in rows] == [1, 2]
 
 
-def test_a_new_calibration_is_no_child_of_what_was_adapted_before(here: Here, profile: CalibrationProfile) -> None:
-    here.adapt(0.02)
-    here.calibrate(profile)
-    here.adapt(0.02)
-    here.back()
-    assert family(here.db, here.patient.id, here.version) == {3, 4, 5}
-    assert family(here.db, here.patient.id, 2) == {1, 2}
-    assert version_before(here.db, here.patient.id) is None
+def test_a_new_calibration_is_no_child_of_what_was_adapted_before(
+    maps: PatientMaps, profile: CalibrationProfile
+) -> None:
+    maps.adapt(0.02)
+    maps.calibrate(profile)
+    maps.adapt(0.02)
+    maps.back()
+    assert family(maps.db, maps.patient.id, maps.version) == {3, 4, 5}
+    assert family(maps.db, maps.patient.id, 2) == {1, 2}
+    assert version_before(maps.db, maps.patient.id) is None

@@ -1,4 +1,4 @@
-"""Patients, sessions, controls, trials: what is kept, what can be undone."""
+"""Patients, sessions, controls and trials: stored, and undone."""
 
 from typing import Any
 

@@ -1,4 +1,4 @@
-"""Databases of older and newer programs: copied before they are migrated, or left alone; never half changed."""
+"""Databases of older and newer programs: copied and migrated completely, or left unchanged."""
 
 import shutil
 import sqlite3

@@ -1,4 +1,4 @@
-"""What a clinician does to adapt a map, and a proposal that is always made."""
+"""The steps of a clinician who adapts a map, and a proposal that is always made."""
 
 import time
 from typing import Any
@@ -24,7 +24,7 @@ EFFECT = Effect(
 
 
 def change(parameters: DriveParameters, felt: float = 0.03) -> AdaptationResult:
-    """Return a proposal that raises every dead-zone a little, and moves what the first joint calls its middle."""
+    """Return a proposal that raises every dead-zone a little, and moves the mean of the first joint."""
     gestures = tuple(each.model_copy(update={"dead_zone": each.dead_zone + UP}) for each in parameters.gestures)
     first, *others = parameters.profile.joints
     moved = first.model_copy(update={"mean": tuple(value + UP for value in first.mean)})
@@ -76,7 +76,7 @@ def choose(clinic: Any, mode: str) -> Any:
 
 
 def settled(clinic: Any) -> Any:
-    """Wait until what a trial has begun is done, and return how it stands."""
+    """Wait until no proposal is being made, and return the state of the adaptation."""
     while clinic.web.adaptation._tasks:
         time.sleep(0.005)
     return clinic.good("GET", "/adaptation")

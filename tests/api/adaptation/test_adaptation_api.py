@@ -1,4 +1,4 @@
-"""Adapting the map as a clinic meets it: off, suggested, by itself, one tap back."""
+"""The adaptation of the map over the API: off, suggested, by itself, one tap back."""
 
 from typing import Any
 

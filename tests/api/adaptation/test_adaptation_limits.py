@@ -1,4 +1,4 @@
-"""Where a map is not adapted: a large change, another patient, a real chair, a chair that moves, a reviewer."""
+"""When a map is not adapted: a large change, another patient, a real chair, a moving chair, a reviewer."""
 
 import threading
 from collections.abc import Callable
@@ -110,7 +110,7 @@ def test_an_adapted_set_is_practised_before_a_real_chair_arms_it(ready: Any) -> 
 
 @pytest.mark.parametrize("meanwhile", ["trial", "chair", "off"])
 def test_by_itself_it_applies_only_between_trials(ready: Any, meanwhile: str) -> None:
-    """The look at a trial takes a while; what began meanwhile is not disturbed, and what was chosen holds."""
+    """Making a proposal takes a while: it does not disturb what begins meanwhile, and the mode chosen meanwhile holds."""
     go_on, looks, left_off = threading.Event(), threading.Event(), []
 
     def adapt(

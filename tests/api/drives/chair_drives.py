@@ -1,4 +1,4 @@
-"""What a clinician does for a drive of the real chair."""
+"""The steps of a clinician for a drive of the real chair."""
 
 from typing import Any
 

@@ -28,7 +28,7 @@ def calibrated(calibrated: Clinic) -> Any:
 
 @pytest.fixture
 def ready(calibrated: Any) -> Any:
-    """A chair that is chosen, and a set that was practised."""
+    """A chosen chair, and a practised parameter set."""
     practise(calibrated)
     choose_chair(calibrated)
     return calibrated

@@ -1,4 +1,4 @@
-"""What is read before a real chair is armed, what refuses it, and who may arm it."""
+"""Arming a real chair: the summary before it, the refusals, and who may arm."""
 
 from typing import Any
 

@@ -1,4 +1,4 @@
-"""Drives of the real chair: from arming to the end, who may hold it, what its picture shows."""
+"""Drives of the real chair: from arming to the end, the controller, the live picture."""
 
 import time
 from typing import Any

@@ -1,4 +1,4 @@
-"""The live socket: what it shows, who may open it, when it ends."""
+"""The live socket: its messages, who may open it, when it is closed."""
 
 from typing import Any
 

@@ -1,4 +1,4 @@
-"""The live picture goes on."""
+"""The live picture is sent on after an error."""
 
 import asyncio
 from typing import Any
@@ -9,7 +9,7 @@ from app.api.live.hub import LiveHub, Viewer
 
 
 class Page:
-    """An open page that keeps what it is sent, and goes after the second picture."""
+    """An open page that keeps its messages, and disconnects after the second picture."""
 
     def __init__(self) -> None:
         self.application_state = WebSocketState.CONNECTED

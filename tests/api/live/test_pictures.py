@@ -1,4 +1,4 @@
-"""Nobody drives blind: a trial begins, and goes on, only where every screen that is driven by has a picture (S24)."""
+"""Nobody drives blind: a trial begins and continues only while every screen for driving has a picture (S24)."""
 
 import time
 from typing import Any
@@ -24,7 +24,7 @@ def ready(calibrated: Any) -> Any:
 
 
 def until_state(clinic: Any, state: str) -> Any:
-    """Return the fault once the chair's state is this one."""
+    """Wait until the state is this one, and return the fault."""
     while (tick := clinic.process.since(0)[-1], clinic.process.state.name.lower())[1] != state:
         time.sleep(0.002)
     return int(tick["fault"]) and clinic.process.fault.name
@@ -35,7 +35,7 @@ def says(socket: Any, picture: str) -> None:
 
 
 def until_said(clinic: Any, refused: bool) -> None:
-    """Wait until the server has taken what the screens say."""
+    """Wait until the server has received the reports of the screens."""
     while any(picture == "none" for _, picture in clinic.web.pictures._screens.values()) is not refused:
         time.sleep(0.002)
 

@@ -1,4 +1,4 @@
-"""The screen socket: who may open it, and what the control process hears of the screen that drives."""
+"""The screen socket: who may open it, and the heartbeat's report of the screen that drives."""
 
 import time
 from typing import Any
@@ -20,7 +20,7 @@ def saying(visible: bool = True, silence: float = 0.0, word: str = WORD) -> dict
 
 
 def next_beats(clinic: Any, since: int = -1) -> list[Any]:
-    """Return what the heartbeats say of the screen: those after the first `since` messages, or from now on; some."""
+    """Return the screen reports of the heartbeats after the first `since` messages, or from now on; at least one."""
     since = len(clinic.process.told) if since < 0 else since
     while True:
         told = list(clinic.process.told)[since:]
@@ -31,7 +31,7 @@ def next_beats(clinic: Any, since: int = -1) -> list[Any]:
 
 
 def until_told(clinic: Any, wanted: str | None) -> None:
-    """Wait until a heartbeat says this of the screen; None: that it is gone."""
+    """Wait for a heartbeat with this view of the screen; None: without a screen."""
     while (None if (beat := next_beats(clinic)[-1])[0] is None else beat[1]) != wanted:
         pass
 

@@ -1,4 +1,4 @@
-"""What a screen says of itself, and over which link."""
+"""The reports of screens, and the socket that may send them."""
 
 import math
 
@@ -44,7 +44,7 @@ def test_screens_of_other_people_and_other_words_are_others():
 
 @given(st.lists(st.tuples(st.floats(0, 3), st.sampled_from(["first", "second", "third"]), st.booleans()), max_size=40))
 def test_one_link_at_a_time_speaks_for_a_screen(steps):
-    """Each step: some time, a link, and whether it says something or ends."""
+    """Each step: a time, a socket, and whether it sends a report or ends."""
     screens, t, speaker, spoke = Screens(), 0.0, None, 0.0
     for pause, link, says in steps:
         t += pause

@@ -69,7 +69,7 @@ def test_guesses_are_slowed_down_and_a_right_code_has_to_wait_with_them(in_sessi
 
 
 def test_its_cookie_opens_no_other_route(screen: Clinic) -> None:
-    """Every route of the application is asked; what is for everyone is for the patient's screen, too."""
+    """Request every route: the patient's screen may use those for everyone, and no other."""
     wrong = []
     for name in table(screen.client.app):  # type: ignore[arg-type]
         if name in FOR_EVERYONE:

@@ -1,4 +1,4 @@
-"""The live socket of the patient's screen: what it shows, and that it listens to nothing."""
+"""The live socket of the patient's screen: its messages, and that it carries out no command."""
 
 from typing import Any
 

@@ -1,4 +1,4 @@
-"""One trial again, as a page asks for it: its time line, and its picture in 3D."""
+"""The replay of a trial: its time line, and its picture in 3D."""
 
 from typing import Any
 
@@ -13,7 +13,7 @@ from building import make_parameters
 
 @pytest.fixture
 def driven(calibrated: Any) -> Any:
-    """A clinic with one trial that is over, and its recording."""
+    """A clinic with one finished trial and its recording."""
     plan = calibrated.good("GET", "/floorplans/apartment")
     where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}
     with calibrated.screen():

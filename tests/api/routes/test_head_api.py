@@ -1,4 +1,4 @@
-"""The head tracker as a page chooses it."""
+"""The choice of the head tracker over the API."""
 
 from typing import Any
 

@@ -1,4 +1,4 @@
-"""The owner sees whether anybody changed the log; a full disk is told to every page."""
+"""The check of the log for the owner; the message of a full disk for every page."""
 
 import logging
 import sqlite3

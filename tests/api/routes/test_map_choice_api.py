@@ -27,7 +27,7 @@ def guided(pca: MapCheck, own: MapCheck) -> GuidedMap:
 
 @pytest.fixture
 def fitted(signed_in: Any, monkeypatch: pytest.MonkeyPatch) -> Any:
-    """A clinic whose calibration gave guided maps: better for the first joint, not for the second, else none."""
+    """A clinic whose calibration has guided maps: a better one for the first joint, a worse one for the second."""
     plain = running_app.profile_for
 
     def with_guided(layout: Any) -> Any:

@@ -1,4 +1,4 @@
-"""Controls that an earlier version of the program saved: they are read, or refused in a sentence."""
+"""Controls saved by an earlier version of the program: read, or refused in a sentence."""
 
 from typing import Any
 

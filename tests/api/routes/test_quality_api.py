@@ -1,4 +1,4 @@
-"""The quality of control as the pages read it."""
+"""The control quality over the API."""
 
 from typing import Any
 

@@ -1,4 +1,4 @@
-"""What is brought under a name that something has already never replaces it silently, and can be put back."""
+"""An upload under a taken name never replaces a file silently, and a replaced file can be restored."""
 
 import io
 import json

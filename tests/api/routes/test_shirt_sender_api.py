@@ -1,4 +1,4 @@
-"""Who sends the shirt's frames: looked at by everybody, chosen by a clinician, refused while something goes on."""
+"""The sender of the shirt's frames: shown to everybody, chosen by a clinician, not while a run is going on."""
 
 from fake_clinic import Clinic
 

@@ -1,4 +1,4 @@
-"""What was simulated says so for ever: in each answer, and never in one curve or verdict with what was worn."""
+"""Simulated trials are marked in each answer, and never in one curve or warning with worn ones."""
 
 from collections.abc import Iterator
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""Trials as a page starts, sees and ends them; Stop from anywhere."""
+"""Trials over the API: start, live picture, end; Stop from anywhere."""
 
 import time
 from concurrent.futures import ThreadPoolExecutor, wait
@@ -109,7 +109,7 @@ def test_stop_is_for_anyone_and_twice_and_clear_is_not(ready: Any) -> None:
 
 
 def test_stop_waits_for_no_thread(ready: Any) -> None:
-    """Every thread may hang in a slow file or a database that somebody holds; whoever stops must not wait for one."""
+    """Stop must not wait for a thread: all may hang in a slow file or a locked database."""
     ready.good("POST", "/trials", json=ready.where)
     hanging = [object() for _ in range(200)]
 

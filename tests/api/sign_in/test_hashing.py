@@ -1,4 +1,4 @@
-"""The process that hashes passwords: real, started, asked, killed."""
+"""The process that hashes passwords: started, used, killed."""
 
 import asyncio
 import os

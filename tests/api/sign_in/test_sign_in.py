@@ -1,4 +1,4 @@
-"""Who comes in, and who does not."""
+"""Who can sign in, and who cannot."""
 
 from collections.abc import Iterator
 from pathlib import Path

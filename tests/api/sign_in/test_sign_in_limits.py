@@ -1,4 +1,4 @@
-"""How often a password or a code may be tried, and who is not locked out by somebody else's tries."""
+"""Limits of tries at passwords and codes; known browsers are not locked out by tries from elsewhere."""
 
 import asyncio
 from collections import Counter
@@ -20,7 +20,7 @@ SIGN_IN = "/auth/sign-in"
 
 @pytest.fixture
 def real(tmp_path: Path) -> Iterator[Clinic]:
-    """A clinic with an owner; its browser has forgotten everything."""
+    """A clinic with an owner, and a browser without cookies."""
     for clinic in running(Settings(state=tmp_path, setup_code="set-up-code")):
         clinic.good("POST", "/auth/setup", json={"code": "set-up-code", "name": "Ada", "password": RIGHT})
         clinic.client.cookies.clear()
@@ -28,7 +28,7 @@ def real(tmp_path: Path) -> Iterator[Clinic]:
 
 
 def attempt(real: Clinic, name: str, password: str) -> Any:
-    """Try a password in a browser that nobody has signed in with."""
+    """Try a password in an unknown browser."""
     body = {"name": name, "password": password}
     return real.client.post(f"/api/v1{SIGN_IN}", json=body, headers={"Origin": BASE, "Cookie": ""})
 

@@ -1,4 +1,4 @@
-"""Tries at passwords and codes: all of them count, for a minute."""
+"""The count of tries at passwords and codes, for a minute."""
 
 from concurrent.futures import ThreadPoolExecutor
 from threading import Barrier
