@@ -110,7 +110,7 @@ def test_an_adapted_set_is_practised_before_a_real_chair_arms_it(ready: Any) -> 
 
 @pytest.mark.parametrize("meanwhile", ["trial", "chair", "off"])
 def test_by_itself_it_applies_only_between_trials(ready: Any, meanwhile: str) -> None:
-    """Making a proposal takes a while: it does not disturb what begins meanwhile, and the mode chosen meanwhile holds."""
+    """Making a proposal takes a while: a trial begun meanwhile is not disturbed, and the mode chosen then holds."""
     go_on, looks, left_off = threading.Event(), threading.Event(), []
 
     def adapt(
