@@ -22,7 +22,7 @@ class Device:
         raise RuntimeError("not even that")
 
 
-class Story:
+class OpeningDevices:
     def __init__(self):
         self.clock = FakeClock()
         self.openings = Openings(self.clock)
@@ -37,11 +37,11 @@ class Story:
 
 
 @pytest.fixture
-def story():
-    return Story()
+def devices():
+    return OpeningDevices()
 
 
-def test_what_opened_is_put_to_use_on_the_loop(story):
+def test_what_opened_is_put_to_use_on_the_loop(devices):
     opened_by = []
     device = Device()
 
@@ -49,21 +49,21 @@ def test_what_opened_is_put_to_use_on_the_loop(story):
         opened_by.append(threading.current_thread())
         return open_device(device)
 
-    story.begin(open_)
-    assert story.openings.busy
-    story.finish()
-    assert (story.taken, story.ended, story.openings.busy) == ([device], [""], False)
+    devices.begin(open_)
+    assert devices.openings.busy
+    devices.finish()
+    assert (devices.taken, devices.ended, devices.openings.busy) == ([device], [""], False)
     assert opened_by != [threading.current_thread()]
 
 
-def test_a_device_that_cannot_be_put_to_use_is_a_sentence(story):
+def test_a_device_that_cannot_be_put_to_use_is_a_sentence(devices):
     def fails(_device):
         raise ValueError("nobody foresaw this")
 
-    story.openings.begin(Change("shirt", Device, fails), story.ended.append)
-    story.finish()
-    assert "report it" in story.ended[0]
-    assert not story.openings.busy
+    devices.openings.begin(Change("shirt", Device, fails), devices.ended.append)
+    devices.finish()
+    assert "report it" in devices.ended[0]
+    assert not devices.openings.busy
 
 
 @pytest.mark.parametrize(
@@ -77,41 +77,41 @@ def test_a_device_that_cannot_be_put_to_use_is_a_sentence(story):
         (SystemError("odd"), "SystemError: odd"),
     ],
 )
-def test_whatever_a_driver_raises_is_one_sentence(story, trouble, sentence):
+def test_whatever_a_driver_raises_is_one_sentence(devices, trouble, sentence):
     device = Device(trouble)
-    story.begin(lambda: open_device(device))
-    story.finish()
-    assert story.taken == []
-    assert sentence in story.ended[0]
-    assert story.ended[0].isprintable()
-    assert len(story.ended[0]) < 300
+    devices.begin(lambda: open_device(device))
+    devices.finish()
+    assert devices.taken == []
+    assert sentence in devices.ended[0]
+    assert devices.ended[0].isprintable()
+    assert len(devices.ended[0]) < 300
     assert device.closed.is_set()
 
 
-def test_what_hangs_is_given_up_and_closed_when_it_comes_after_all(story):
+def test_what_hangs_is_given_up_and_closed_when_it_comes_after_all(devices):
     release, device = threading.Event(), Device()
 
     def hang():
         release.wait(WAIT)
         return device
 
-    story.begin(hang)
-    story.clock.time += OPENING_LIMIT + 0.1
-    story.openings.poll()
-    assert "did not open within 8 seconds" in story.ended[0]
-    assert not story.openings.busy
+    devices.begin(hang)
+    devices.clock.time += OPENING_LIMIT + 0.1
+    devices.openings.poll()
+    assert "did not open within 8 seconds" in devices.ended[0]
+    assert not devices.openings.busy
     release.set()
     assert device.closed.wait(WAIT)
-    assert story.taken == []
+    assert devices.taken == []
 
 
-def test_no_more_threads_hang_than_memory_bears(story):
+def test_no_more_threads_hang_than_memory_bears(devices):
     release = threading.Event()
     for _ in range(MOST_STUCK):
-        story.begin(lambda: release.wait(WAIT))
-        story.clock.time += OPENING_LIMIT + 0.1
-        story.openings.poll()
-    story.begin(Device)
-    assert not story.openings.busy
-    assert "still hang: start bodydrive again" in story.ended[-1]
+        devices.begin(lambda: release.wait(WAIT))
+        devices.clock.time += OPENING_LIMIT + 0.1
+        devices.openings.poll()
+    devices.begin(Device)
+    assert not devices.openings.busy
+    assert "still hang: start bodydrive again" in devices.ended[-1]
     release.set()

@@ -1,7 +1,7 @@
 """The scene's time in the loop: it goes on while the chair is armed, and what it moves is before the body's eyes."""
 
 import pytest
-from office import Office
+from commanded_loop import CommandedLoop
 
 from app.faults import State
 from app.hardware.base import BodyView, LeaderView
@@ -26,51 +26,51 @@ WORLD = {
 
 
 @pytest.fixture
-def office():
-    made = Office()
+def control():
+    made = CommandedLoop()
     yield made
     made.close()
 
 
-def newest(office) -> tuple[State, float]:
-    tick = office.ring.newest()
+def newest(control) -> tuple[State, float]:
+    tick = control.ring.newest()
     return State(int(tick["state"])), float(tick["scene_t"])
 
 
-def test_it_counts_armed_time_and_begins_anew_with_each_drive(office, tmp_path):
-    office.done("world", floorplan=WORLD, path="alone")
-    office.live(0.5)
-    assert newest(office) == (State.DISARMED, 0.0)
-    office.done("run", run_id="one", folder=str(tmp_path / "one"), kind="drive")
-    office.done("arm", hash=office.parameters.hash)
-    office.live(3.0)
-    ticks = office.ring.since(0)[0]
+def test_it_counts_armed_time_and_begins_anew_with_each_drive(control, tmp_path):
+    control.done("world", floorplan=WORLD, path="alone")
+    control.live(0.5)
+    assert newest(control) == (State.DISARMED, 0.0)
+    control.done("run", run_id="one", folder=str(tmp_path / "one"), kind="drive")
+    control.done("arm", hash=control.parameters.hash)
+    control.live(3.0)
+    ticks = control.ring.since(0)[0]
     armed = ticks[ticks["state"] == int(State.ARMED)]
     assert ticks["scene_t"][ticks["state"] != int(State.ARMED)].max() == 0.0, "not while it is checked"
     assert armed["scene_t"][-1] == pytest.approx(armed["t"][-1] - armed["t"][0] + 0.01, abs=1e-6)
-    office.done("stop", by="tablet")
-    office.live(0.5)
-    state, held = newest(office)
+    control.done("stop", by="tablet")
+    control.live(0.5)
+    state, held = newest(control)
     assert state is State.FAULT
     assert held == pytest.approx(float(armed["scene_t"][-1]), abs=0.011)
-    office.live(0.5)
-    assert newest(office)[1] == held
-    office.tell("end_run")
-    office.done("run", run_id="two", folder=str(tmp_path / "two"), kind="drive")
-    office.live(0.05)
-    assert newest(office)[1] == 0.0
+    control.live(0.5)
+    assert newest(control)[1] == held
+    control.tell("end_run")
+    control.done("run", run_id="two", folder=str(tmp_path / "two"), kind="drive")
+    control.live(0.05)
+    assert newest(control)[1] == 0.0
 
 
-def test_whom_to_follow_is_before_the_body_s_eyes(office):
+def test_whom_to_follow_is_before_the_body_s_eyes(control):
     view = BodyView()
-    office.setup.simulated_shirt = type("SimulatedShirt", (), {"view": view, "body": None})()
-    office.done("world", floorplan=WORLD, path="behind")
-    office.live(0.1)
-    track = Track(office.setup.floorplan.mover_named("anna"))
+    control.setup.simulated_shirt = type("SimulatedShirt", (), {"view": view, "body": None})()
+    control.done("world", floorplan=WORLD, path="behind")
+    control.live(0.1)
+    track = Track(control.setup.floorplan.mover_named("anna"))
     assert view.leader == LeaderView(*track.at(0.0))
-    office.setup.chair.state.scene_t = 3.0
-    office.live(0.05)
+    control.setup.chair.state.scene_t = 3.0
+    control.live(0.05)
     assert view.leader == LeaderView(*track.at(3.0))
-    office.done("world", floorplan=WORLD, path="alone")
-    office.live(0.05)
+    control.done("world", floorplan=WORLD, path="alone")
+    control.live(0.05)
     assert view.leader is None

@@ -1,11 +1,11 @@
 """The link and its chair for each test."""
 
 import pytest
-from link_story import Story
+from link_and_chair import LinkAndChair
 
 
 @pytest.fixture
-def story(tmp_path):
-    made = Story(tmp_path)
+def pair(tmp_path):
+    made = LinkAndChair(tmp_path)
     yield made
     made.close()

@@ -3,7 +3,7 @@
 import math
 
 import pytest
-from hardware.chair.commanded import PERIOD, Commanded
+from hardware.chair.commanded_receiver import PERIOD, CommandedReceiver
 
 from app.hardware.chair.packet import DRIVE, STOP, VIRTUAL
 from app.hardware.chair.reasons import WORDS, Reason
@@ -16,12 +16,12 @@ STANDS = (0.0, 0.0)
 
 @pytest.fixture
 def chair():
-    return Commanded()
+    return CommandedReceiver()
 
 
 def test_ten_thousand_boots_send_nothing_but_zeros():
     for boot in range(10_000):
-        chair = Commanded()
+        chair = CommandedReceiver()
         chair.send(1.0, 1.0, DRIVE)
         chair.send(0.0, 0.0, boot % 8)
         chair.send(1.0, 1.0, DRIVE)
@@ -197,11 +197,11 @@ def test_another_parameter_set_within_an_epoch_is_not_driven_but_stops(chair):
 
 
 def test_what_moves_somebody_refuses_the_virtual_chairs_commands():
-    chair = Commanded(refuses_virtual=True)
+    chair = CommandedReceiver(refuses_virtual=True)
     assert not chair.send(flags=VIRTUAL)
     chair.drive()
     assert not chair.send(0.9, 0.0, DRIVE | VIRTUAL)
-    assert Commanded().send(flags=VIRTUAL)
+    assert CommandedReceiver().send(flags=VIRTUAL)
 
 
 def test_a_command_that_waited_in_a_queue_is_not_newer(chair):
@@ -255,7 +255,7 @@ def test_a_sender_that_was_started_anew_has_another_clock(chair, started_anew):
 
 
 def test_every_nonce_is_another():
-    nonces = {Receiver(Commanded().receiver._key).nonce for _ in range(100)}
+    nonces = {Receiver(CommandedReceiver().receiver._key).nonce for _ in range(100)}
     assert len(nonces) == 100
     assert all(len(nonce) == 8 for nonce in nonces)
 

@@ -5,7 +5,7 @@ import random
 from itertools import pairwise
 
 import pytest
-from hardware.chair.commanded import PERIOD, STEP, Commanded
+from hardware.chair.commanded_receiver import PERIOD, STEP, CommandedReceiver
 
 from app.hardware.chair.packet import DRIVE
 from app.hardware.chair.reasons import Reason
@@ -20,7 +20,7 @@ SLACK = 1e-9  # s, rounding of times
 def cut():
     """Return for each cut: how long after the last command the chair slowed, stood, was disarmed; and its speeds."""
     rng = random.Random(3)
-    chair, found = Commanded(), []
+    chair, found = CommandedReceiver(), []
     for _ in range(CUTS):
         v, omega = rng.choice((-1, 1)) * rng.uniform(0.05, 1.5), rng.uniform(-2.5, 2.5)
         chair.drive(v, omega, seconds=0.54)
@@ -65,7 +65,7 @@ def test_from_then_on_it_only_slows_and_stands_in_time(cut):
 
 @pytest.mark.parametrize("drift", [-0.01, 0.01])
 def test_an_hour_of_clocks_that_differ_by_a_hundredth(drift):
-    chair = Commanded()
+    chair = CommandedReceiver()
     chair.arm()
     period = 0.09  # s: the rarest commands that do not count as silence
     for _ in range(int(3600 / period)):
@@ -77,7 +77,7 @@ def test_an_hour_of_clocks_that_differ_by_a_hundredth(drift):
 
 
 def test_what_is_not_taken_for_late_leaves_no_trace():
-    chair = Commanded().drive()
+    chair = CommandedReceiver().drive()
     late = chair.frame(0.9, 0.0, DRIVE, t_ns=int((chair.t + chair.sender_ahead - 0.15) * 1e9))
     before = repr(vars(chair.receiver))
     assert not chair.receiver.take(late, chair.t)
@@ -87,7 +87,7 @@ def test_what_is_not_taken_for_late_leaves_no_trace():
 
 def test_commands_that_wander_by_less_than_a_tenth_of_a_second_are_driven():
     rng = random.Random(5)
-    chair = Commanded()
+    chair = CommandedReceiver()
     chair.arm()
     for _ in range(500):
         on_the_way = rng.uniform(0.0, 0.08)
@@ -96,7 +96,7 @@ def test_commands_that_wander_by_less_than_a_tenth_of_a_second_are_driven():
 
 
 def test_two_seconds_of_commands_that_a_network_kept_back_move_nothing():
-    chair = Commanded().drive(0.5)
+    chair = CommandedReceiver().drive(0.5)
     kept = []
     for _ in range(100):
         kept.append(chair.frame(0.5, 0.0, DRIVE))
@@ -107,7 +107,7 @@ def test_two_seconds_of_commands_that_a_network_kept_back_move_nothing():
 
 @pytest.mark.parametrize("pause", [0.12, 0.2, 0.28])
 def test_commands_that_were_kept_back_for_less_do_not_drive_either_until_they_are_fresh(pause):
-    chair = Commanded().drive(0.5)
+    chair = CommandedReceiver().drive(0.5)
     kept = []
     for _ in range(round(pause / PERIOD)):
         kept.append((chair.t, chair.frame(0.5, 0.0, DRIVE)))
@@ -121,7 +121,7 @@ def test_commands_that_were_kept_back_for_less_do_not_drive_either_until_they_ar
 
 @pytest.mark.parametrize("begin", random.Random(5).sample(range(1, 1_000_000), 40))
 def test_a_loop_that_looks_when_it_is_due_acts_at_once(begin):
-    chair = Commanded()
+    chair = CommandedReceiver()
     chair.t = begin / 7
     assert chair.receiver.next_look(chair.t) == math.inf, "nobody drives"
     chair.step(0.0)

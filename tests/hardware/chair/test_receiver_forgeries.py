@@ -4,7 +4,7 @@ import random
 import struct
 
 import pytest
-from hardware.chair.commanded import KEY, Commanded
+from hardware.chair.commanded_receiver import KEY, CommandedReceiver
 
 from app.hardware.chair.key import Key
 from app.hardware.chair.packet import DRIVE, FRAME_BYTES, NONCE_BYTES, STOP, Command, encode_command, encode_hello
@@ -40,7 +40,7 @@ def switched_off(chair):
 @pytest.fixture(scope="module")
 def earlier():
     """Return the frames of a drive, from its arming to its end, with the same key and an earlier boot."""
-    chair = Commanded()
+    chair = CommandedReceiver()
     chair.nonces = 1000
     chair.receiver.nonce = chair._nonce(NONCE_BYTES)
     frames = listened_to(chair)
@@ -128,7 +128,7 @@ NEEDS_AN_EPOCH = {"replayed", "reordered", "of an epoch before"}  # nothing of t
 NEEDS_TO_RUN = {"another set"}  # a set is chosen by the first command
 FORGED = [
     (way, reach)
-    for way in forgeries(Commanded(), [], [], random.Random(0))
+    for way in forgeries(CommandedReceiver(), [], [], random.Random(0))
     for reach in (booted, checking, driving, stopped, switched_off)
     if not (way in NEEDS_AN_EPOCH and reach is booted)
     and not (way in NEEDS_TO_RUN and reach not in (checking, driving))
@@ -139,7 +139,7 @@ REPEATS = -(-CASES // len(FORGED))
 @pytest.mark.parametrize(("way", "reach"), FORGED, ids=lambda part: getattr(part, "__name__", part))
 def test_a_forgery_changes_nothing(way, reach, earlier):
     rng = random.Random(f"{way} {reach.__name__}")
-    chair = Commanded()
+    chair = CommandedReceiver()
     seen = listened_to(chair)
     reach(chair)
     chair.t += 0.005
@@ -156,7 +156,7 @@ def test_a_forgery_changes_nothing(way, reach, earlier):
 
 
 def test_every_bit_of_a_command_counts():
-    chair = Commanded().drive()
+    chair = CommandedReceiver().drive()
     frame = chair.frame(0.5, 0.0, DRIVE)
     before = everything(chair.receiver)
     for bit in range(8 * FRAME_BYTES):
@@ -168,7 +168,7 @@ def test_every_bit_of_a_command_counts():
 
 
 def test_a_whole_drive_of_an_earlier_boot_moves_nothing(earlier):
-    chair = Commanded()
+    chair = CommandedReceiver()
     for frame in earlier:
         assert not chair.receiver.take(frame, chair.t)
         chair.wait(0.02)

@@ -5,7 +5,7 @@ from itertools import pairwise
 
 import pytest
 from fake_clock import FakeClock
-from hardware.chair.commanded import KEY, Commanded
+from hardware.chair.commanded_receiver import KEY, CommandedReceiver
 
 from app.geometry import STANDSTILL
 from app.hardware.chair.inputs import Inputs
@@ -19,7 +19,7 @@ EACH = 20e-6  # s that a datagram takes: fifty thousand a second
 SENDER = ("somebody", 1)
 
 
-class Flooded:
+class FloodedSocket:
     """A socket in which there is always another datagram: junk, and now and then what `chair` sends."""
 
     def __init__(self, chair, clock):
@@ -43,7 +43,7 @@ class Flooded:
         self.sent.append((decode_telemetry(datagram, KEY), address))
 
 
-class Noted:
+class OutputLog:
     """An output that notes; it breaks when told to."""
 
     def __init__(self, is_real=False):
@@ -59,9 +59,9 @@ class Noted:
 @pytest.fixture
 def turning(request):
     """Return a loop, its socket, its output and its receiver; it is ended by `until`."""
-    chair = Commanded()
+    chair = CommandedReceiver()
     clock = FakeClock(chair.t)
-    flooded, output = Flooded(chair, clock), Noted(getattr(request, "param", False))
+    flooded, output = FloodedSocket(chair, clock), OutputLog(getattr(request, "param", False))
     telemetry = TelemetrySender(chair.receiver, KEY.id, flooded, None)
     loop = ReceiverLoop(chair.receiver, telemetry, flooded, output, Inputs(None, None), clock)
     return loop, flooded, output, chair.receiver

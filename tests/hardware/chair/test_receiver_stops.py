@@ -1,7 +1,7 @@
 """How the receiver on the chair slows, ramps and clamps: silence, stops, caps."""
 
 import pytest
-from hardware.chair.commanded import PERIOD, STEP, Commanded
+from hardware.chair.commanded_receiver import PERIOD, STEP, CommandedReceiver
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -18,7 +18,7 @@ STANDS = (0.0, 0.0)
 
 @pytest.fixture
 def chair():
-    return Commanded()
+    return CommandedReceiver()
 
 
 def test_silence_slows_the_chair_after_100_ms_and_disarms_it_after_300(chair):
@@ -70,7 +70,7 @@ def test_the_stop_is_that_of_the_gate():
 @pytest.mark.parametrize("v", [sign * n / 20 for sign in (-1, 1) for n in range(1, 31)])
 def test_the_stopping_distance(v):
     """S18, from the last command that was sent."""
-    chair = Commanded().drive(v, 0.0, 1.0)
+    chair = CommandedReceiver().drive(v, 0.0, 1.0)
     heard = chair.t - PERIOD
     chair.wait(0.5)
     distance = sum(abs(speed) * STEP for t, speed, _ in chair.speeds if t >= heard)
@@ -100,7 +100,7 @@ def test_any_stop_takes_at_most_a_quarter_of_a_second(chair, speeds):
     ],
 )
 def test_the_smaller_cap_holds(own, promised, wanted, driven):
-    chair = Commanded(v_max=own[0], omega_max=own[1])
+    chair = CommandedReceiver(v_max=own[0], omega_max=own[1])
     chair.arm()
     chair.command(1.0, *wanted, DRIVE, v_cap=promised[0], omega_cap=promised[1])
     assert chair.receiver.driven == pytest.approx(driven)
@@ -110,7 +110,7 @@ def test_the_smaller_cap_holds(own, promised, wanted, driven):
 @settings(max_examples=60, deadline=None)
 @given(st.lists(st.tuples(st.floats(width=32), st.floats(width=32), st.integers(0, 5)), min_size=1, max_size=40))
 def test_no_commands_whatever_get_past_caps_and_ramps(commands):
-    chair = Commanded(v_max=0.8, omega_max=1.2)
+    chair = CommandedReceiver(v_max=0.8, omega_max=1.2)
     chair.arm()
     for v, omega, pause in commands:
         chair.send(v, omega, DRIVE)

@@ -4,7 +4,7 @@ import math
 import os
 
 import pytest
-from hardware.chair.commanded import KEY, STEP, Commanded
+from hardware.chair.commanded_receiver import KEY, STEP, CommandedReceiver
 
 from app.hardware.chair.inputs import Inputs
 from app.hardware.chair.packet import DRIVE, STOP, decode_telemetry, encode_hello
@@ -17,7 +17,7 @@ class Chair:
     """A receiver with a telemetry sender, and who got which telemetry."""
 
     def __init__(self, paired=None, inputs=None):
-        self.commanded = Commanded()
+        self.commanded = CommandedReceiver()
         self.sender = TelemetrySender(self.commanded.receiver, KEY.id, self, paired)
         self.inputs = inputs or Inputs(None, None)
         self.sent = []

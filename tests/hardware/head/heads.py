@@ -40,7 +40,7 @@ class Datagrams:
         self.device.close()
 
 
-class OpentrackSends(Datagrams):
+class OpentrackCase(Datagrams):
     """opentrack."""
 
     def driver(self):
@@ -51,7 +51,7 @@ class OpentrackSends(Datagrams):
         self.send(struct.pack("<6d", 0.0, 0.0, 0.0, *degrees))
 
 
-class FreepieSends(Datagrams):
+class FreepieCase(Datagrams):
     """FreePIE, orientation only."""
 
     def driver(self):
@@ -61,7 +61,7 @@ class FreepieSends(Datagrams):
         self.send(struct.pack("<BB12f", 0, 2, -yaw, pitch, -roll, *[0.0] * 9))
 
 
-class FlockSends:
+class FlockCase:
     """A Flock of Birds on a pseudo terminal."""
 
     def __init__(self, _tmp_path):
@@ -76,7 +76,7 @@ class FlockSends:
         self.unit.end()
 
 
-class Simulated:
+class SimulatedCase:
     """A head that looks around by itself."""
 
     exact = False
@@ -92,7 +92,7 @@ class Simulated:
         """Nothing else is held."""
 
 
-class Recorded(Simulated):
+class Recorded(SimulatedCase):
     """A file."""
 
     def __init__(self, tmp_path):
@@ -103,7 +103,7 @@ class Recorded(Simulated):
         self.head = RecordedHead(RecordedHeadConfig(kind="recorded", file=str(file)), self.clock)
 
 
-class Tablet(Simulated):
+class Tablet(SimulatedCase):
     """A tablet's page."""
 
     exact = True
@@ -116,7 +116,7 @@ class Tablet(Simulated):
         self.head.look(yaw, pitch, roll)
 
 
-HEADS = (OpentrackSends, FreepieSends, FlockSends, Simulated, Recorded, Tablet)
+HEADS = (OpentrackCase, FreepieCase, FlockCase, SimulatedCase, Recorded, Tablet)
 
 
 def wait_for(head, good, seconds=20.0):

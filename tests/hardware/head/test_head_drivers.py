@@ -8,7 +8,7 @@ from itertools import pairwise
 import pytest
 from fake_clock import FakeClock
 from hardware.head.flock_unit import FlockUnit
-from hardware.head.heads import FreepieSends, OpentrackSends, wait_for
+from hardware.head.heads import FreepieCase, OpentrackCase, wait_for
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -76,7 +76,7 @@ def test_records_are_found_again_after_a_cut_and_after_noise(records, noise, cut
     assert all(len(record) == 12 for record in found)
 
 
-@pytest.mark.parametrize("made", [OpentrackSends, FreepieSends])
+@pytest.mark.parametrize("made", [OpentrackCase, FreepieCase])
 def test_junk_is_counted_and_a_second_sender_is_not_heard(made, tmp_path):
     source = made(tmp_path)
     source.head.open()
@@ -100,7 +100,7 @@ def test_junk_is_counted_and_a_second_sender_is_not_heard(made, tmp_path):
 
 
 def test_a_flood_does_not_hold_the_loop(tmp_path):
-    source = OpentrackSends(tmp_path)
+    source = OpentrackCase(tmp_path)
     source.head.open()
     for _ in range(300):
         source.send(b"junk")
@@ -111,7 +111,7 @@ def test_a_flood_does_not_hold_the_loop(tmp_path):
 
 
 def test_a_taken_port_is_a_sentence(tmp_path):
-    source = OpentrackSends(tmp_path)
+    source = OpentrackCase(tmp_path)
     source.head.open()
     second = make_head(OpentrackConfig(kind="opentrack", port=source.head.address[1]), MonotonicClock())
     with pytest.raises(HardwareError, match="use an address of this machine and a port that is free"):

@@ -33,7 +33,7 @@ def write_signals(file, count=200, channels=3, rate=RATE):
     return file
 
 
-class Simulated:
+class SimulatedCase:
     """The simulated shirt on a fake clock."""
 
     def __init__(self, _tmp_path):
@@ -47,7 +47,7 @@ class Simulated:
         """Nothing else is held."""
 
 
-class Replayed(Simulated):
+class ReplayedCase(SimulatedCase):
     """A file on a fake clock."""
 
     def __init__(self, tmp_path):
@@ -56,7 +56,7 @@ class Replayed(Simulated):
         self.shirt = ReplayedShirt(ReplayConfig(kind="replay", file=str(file), loop=False), self.clock)
 
 
-class Udp:
+class UdpCase:
     """The shirt over UDP, and a device that sends to it."""
 
     def __init__(self, _tmp_path):
@@ -82,4 +82,4 @@ class Udp:
         self.device.close()
 
 
-SHIRTS = (Simulated, Replayed, Udp)
+SHIRTS = (SimulatedCase, ReplayedCase, UdpCase)

@@ -30,7 +30,7 @@ VALUES = [0.25, -1.5, 3.0]
 SAMPLES = st.lists(st.floats(width=32, allow_nan=False), min_size=1, max_size=64)
 
 
-class Paired:
+class PairedShirt:
     """A shirt over the network with a key, and devices that send to it."""
 
     def __init__(self, folder, clock):
@@ -75,7 +75,7 @@ class Paired:
 
 @pytest.fixture
 def paired(tmp_path):
-    made = Paired(tmp_path / "keys", MonotonicClock())
+    made = PairedShirt(tmp_path / "keys", MonotonicClock())
     yield made
     made.close()
 
@@ -164,7 +164,7 @@ def test_a_frame_is_taken_once_also_by_a_process_that_comes_later(paired):
 
 
 def test_another_address_with_the_key_waits_until_nothing_can_be_armed(tmp_path):
-    paired = Paired(tmp_path / "keys", FakeClock(10.0))
+    paired = PairedShirt(tmp_path / "keys", FakeClock(10.0))
     paired.begin(1)
     assert not paired.takes(1, 5, device=1)  # the shirt's own frame, sent on by somebody else
     assert paired.takes(1, 5)  # which does not spoil the shirt's

@@ -11,7 +11,7 @@ from app.hardware.shirt.simulator import TRANSITION_TIME, SimulatedShirt
 from app.layout import ShirtLayout
 
 
-class Statue:
+class StillBody:
     """A body in one posture."""
 
     def __init__(self, joints, place):
@@ -78,7 +78,7 @@ def test_a_short_hold_up_loses_nothing():
 def test_body_and_fabric_find_each_other_by_the_joints_names():
     def values(joints):
         shirt = open_shirt(FakeClock(), layout=small_layout())
-        shirt.body = Statue(joints, 1.0)
+        shirt.body = StillBody(joints, 1.0)
         return read(shirt, round(TRANSITION_TIME * 100) + 50)[-1]
 
     rest = values(())
@@ -90,7 +90,7 @@ def test_body_and_fabric_find_each_other_by_the_joints_names():
 
 def test_when_another_body_slips_in_no_limb_jumps():
     shirt = open_shirt(FakeClock(), layout=small_layout())
-    shirt.body = Statue(("right_elbow",), 1.0)
+    shirt.body = StillBody(("right_elbow",), 1.0)
     first = read(shirt, 150)
     shirt.body = Visitor()
     second = read(shirt, 150)

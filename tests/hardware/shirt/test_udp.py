@@ -3,7 +3,7 @@ import socket
 import numpy as np
 import pytest
 from fake_clock import FakeClock
-from hardware.shirt.shirts import RATE, Udp, small_layout
+from hardware.shirt.shirts import RATE, UdpCase, small_layout
 
 from app.clock import MonotonicClock
 from app.hardware.base import HardwareError
@@ -16,7 +16,7 @@ WAIT = 2.0  # s
 
 @pytest.fixture
 def source(tmp_path):
-    made = Udp(tmp_path)
+    made = UdpCase(tmp_path)
     made.shirt.open()
     yield made
     made.shirt.close()
@@ -73,7 +73,7 @@ def test_a_second_sender_is_not_mixed_in(source, stranger):
 def test_after_any_silence_only_a_person_makes_another_sender_the_shirt(tmp_path, stranger):
     """Safety S23: forged frames after two seconds of silence were armed and drove."""
     clock = FakeClock(10.0)
-    source = Udp(tmp_path)
+    source = UdpCase(tmp_path)
     shirt = source.shirt = UdpShirt(UdpConfig(kind="udp", port=0, layout=small_layout(), sample_rate=RATE), clock)
     shirt.open()
     source.send(0)

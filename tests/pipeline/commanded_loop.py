@@ -16,7 +16,7 @@ from app.process.ring import TickRing
 from building import make_parameters, make_signals
 
 
-class Office:
+class CommandedLoop:
     """Commands and their answers, the shirt's frames, and the heartbeat."""
 
     def __init__(self):

@@ -9,7 +9,7 @@ KEY = Key(7, bytes(range(32)))
 DIGEST = b"practise"
 
 
-class Commanded:
+class CommandedReceiver:
     """Steps a receiver every 10 ms, and sends when it is told to."""
 
     def __init__(self, **options):

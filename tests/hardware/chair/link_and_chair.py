@@ -15,7 +15,7 @@ LIMITS = Speeds(forward=0.5, reverse=0.2, turn=1.0)
 AHEAD = Twist(0.25, -0.5)
 
 
-class Story:
+class LinkAndChair:
     """A link and its chair, and the time of both."""
 
     def __init__(self, folder):
