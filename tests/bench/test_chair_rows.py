@@ -1,4 +1,4 @@
-"""The rows of the real chair, in short: real processes, judged by what they count, not by how fast they were."""
+"""The rows of the real chair with short runs of real processes; the tests check counts, not speed."""
 
 import json
 import socket

@@ -1,4 +1,4 @@
-"""The chair of the benchmark: a real receiver on a socket, and what it notes is what was sent."""
+"""The chair of the benchmark: a real receiver on a socket, which notes the accepted commands."""
 
 import socket
 

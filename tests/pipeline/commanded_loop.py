@@ -17,7 +17,7 @@ from building import make_parameters, make_signals
 
 
 class CommandedLoop:
-    """Commands and their answers, the shirt's frames, and the heartbeat."""
+    """A control loop with its commands, their answers, a scripted shirt and the heartbeat."""
 
     def __init__(self):
         self.parameters = make_parameters()
@@ -28,7 +28,7 @@ class CommandedLoop:
         self.setup = Setup(self.clock)
         layout = self.parameters.profile.layout
         self.setup.shirt = ScriptedShirt(self.clock, [i / 100 for i in range(2000)], signals, layout=layout)
-        self.setup.mistrust = ""  # as of a shirt with a key
+        self.setup.mistrust = ""  # as for a shirt with a key
         self.setup.use_parameters(self.parameters)
         self.loop = ControlLoop(self.setup, self.ring, None, self.clock)
         self._ours, theirs = socket.socketpair()
@@ -42,7 +42,7 @@ class CommandedLoop:
         return self.answer()
 
     def answer(self):
-        """Poll until there is an answer: a device is opened in a thread."""
+        """Poll until the answer comes, because devices are opened in a thread."""
         for _ in range(1000):
             self.commands.poll()
             if select.select([self._ours], [], [], 0.01)[0]:
@@ -50,7 +50,7 @@ class CommandedLoop:
         raise AssertionError("there is no answer")
 
     def tell(self, do, **fields):
-        """Send what wants no answer."""
+        """Send a command without waiting for an answer."""
         self._ours.sendall(json.dumps({"id": NO_ANSWER, "do": do, **fields}).encode() + b"\n")
         self.commands.poll()
 

@@ -1,4 +1,4 @@
-"""A shirt that gives its frames at the times (s) that it is told, and takes the time that waiting takes."""
+"""A shirt with scripted frame times (s) on a fake clock, which advances while the shirt waits."""
 
 import numpy as np
 

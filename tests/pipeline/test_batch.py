@@ -1,4 +1,4 @@
-"""Streaming equals batch."""
+"""Decoding frame by frame equals decoding at once."""
 
 import numpy as np
 import pytest
@@ -85,7 +85,7 @@ def test_a_set_from_before_there_was_a_time_out_of_turning_turns_as_it_did():
     before = recorded_parameters(document)
     values = make_signals(now, 530)  # ends after the stroke of the first shoulder
     resting = make_signals(now, 1000, strokes=False)
-    resting += values[-1] - resting[0]  # the body rests where the strokes have brought it
+    resting += values[-1] - resting[0]  # the body rests in the posture after the strokes
     t = np.arange(1530) / 100
     kept, ended = (decode_block(one, 100.0, t, np.concatenate((values, resting))) for one in (before, now))
     assert abs(kept.omega[-1]) > 0.1

@@ -123,7 +123,7 @@ def pair(*features):
 def test_a_stop_that_asks_one_joint_for_both_directions_is_none():
     assert not Brakes(pair("rate", "rate")).are_complete
     assert not Brakes(pair("displacement", "displacement")).are_complete
-    assert Brakes(pair("rate", "displacement")).are_complete  # bent, and on the way back
+    assert Brakes(pair("rate", "displacement")).are_complete  # the movement, and the return
 
 
 def test_what_goes_on_without_any_gesture_needs_brakes():
@@ -160,7 +160,7 @@ def gestures_of(*thresholds, direction=1, joint="right_elbow"):
 
 @pytest.mark.parametrize("gains", [(1.0, 1.0), (1.0, 2.0), (2.0, 0.5)])
 def test_a_movement_that_both_speeds_up_and_slows_is_no_brake(gains):
-    """Whoever moves weakly drives on, and only beyond some strength slows down: no person can rely on that."""
+    """A weak movement accelerates and only a strong one slows down, so it does not count as a brake."""
     bindings = tuple(
         Binding(control=control, gestures=(name,), gain=gain)
         for control, name, gain in zip(("u1+", "u1-"), "ab", gains, strict=True)
@@ -218,7 +218,7 @@ def test_a_gesture_that_no_body_reaches_can_still_begin_a_motion():
 
 
 def test_a_brake_that_drives_the_other_axis_further_is_none():
-    """By turns the two brakes would only hand the speed to one another."""
+    """Each of the two brakes would drive the other axis further."""
     bindings = (
         Binding(control="u1+", gestures=("right_elbow", "right_shoulder")),
         Binding(control="u1-", gestures=("left_elbow",)),

@@ -1,4 +1,4 @@
-"""The chain as a whole: what a person does, and what the chair does of it."""
+"""The whole chain, from the movements of a person to the motion of the chair."""
 
 import numpy as np
 import pytest
@@ -15,7 +15,7 @@ RATE = 100.0
 
 
 class Ride:
-    """A chain with its time, for tests."""
+    """A chain and its time."""
 
     def __init__(self, parameters):
         self.chain = Chain(RATE, parameters, VirtualChair(None, Pose(0.0, 0.0, 0.0)))
@@ -159,7 +159,7 @@ def test_a_body_that_is_not_seen_is_not_seen_at_rest():
     parameters = make_parameters()
     ride = Ride(parameters)
     for i, frame in enumerate(make_signals(parameters, 200, strokes=False)):
-        ride.feed(frame if i % 2 else None)  # half of the frames get lost
+        ride.feed(frame if i % 2 else None)  # half of the frames are lost
     assert ride.chain.arm()
     states = [ride.feed(frame if i % 2 else None).state for i, frame in enumerate(bend(parameters, 90, 1.2))]
     assert State.ARMED not in states

@@ -1,4 +1,4 @@
-"""What is asked of the control process, done or refused, with a clock of its own and no process."""
+"""Commands of the control process, executed or refused, on a fake clock without a process."""
 
 import math
 import shutil
@@ -45,7 +45,7 @@ def test_lower_limits_hold_at_once_and_higher_ones_only_at_rest(control):
     control.done("limits", clinic=limits(forward=0.5))
     assert control.setup.chain.limits.forward == 0.5
     gate = control.setup.chain.gate
-    gate.last = Twist(0.4, 0.0)  # as if it drove
+    gate.last = Twist(0.4, 0.0)  # as while driving
     control.done("limits", clinic=limits(forward=0.3))
     assert control.setup.chain.limits.forward == 0.3
     assert "raised only while" in control.refused("limits", clinic=limits(forward=0.4))
@@ -119,7 +119,7 @@ def test_only_the_stop_that_was_seen_is_cleared(control):
     control.live(0.05)
     control.done("clear", stops=int(control.ring.newest()["stops"]))
     assert control.setup.chain.gate.state is State.DISARMED
-    control.done("clear", stops=0)  # nothing to clear is no fault
+    control.done("clear", stops=0)  # clearing without a fault is accepted
     assert "stops" in control.refused("clear")
 
 

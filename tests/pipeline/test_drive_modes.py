@@ -1,4 +1,4 @@
-"""One suite for every mode and every chair: what must hold of the whole chain, whichever drives."""
+"""One suite for every control mode and both kinds of chair: what must hold for the whole chain."""
 
 import math
 
@@ -21,13 +21,13 @@ KINDS = ("railed", "flat", "nan", "infinite", "out of range")
 
 
 class RealChair(VirtualChair):
-    """Stands in for a real chair: the same way, and the word that somebody may sit in it."""
+    """A virtual chair that claims to be real."""
 
     is_real = True
 
 
 class Ride:
-    """A chain with its time."""
+    """A chain and its time."""
 
     def __init__(self, mode, chair, **changes):
         self.parameters = make_parameters().model_copy(update={"mode_u1": mode, **changes})
@@ -112,7 +112,7 @@ def test_each_condition_stops_at_its_first_tick_and_latches(ride, conditions, fa
     frames = ride.bend("right_elbow")
     tick = ride.feed(frames[0], **conditions)
     assert (tick.state, tick.fault, tick.stops) == (State.FAULT, fault, 1)
-    speeds = [abs(ride.feed(frame).v) for frame in frames]  # all is well again, and it stays stopped
+    speeds = [abs(ride.feed(frame).v) for frame in frames]  # without the fault it stays stopped
     assert speeds == sorted(speeds, reverse=True)
     assert speeds[round(STOP_TIME * RATE) + 1] == 0.0
 
@@ -188,7 +188,7 @@ def test_each_channel_that_breaks_silences_its_gesture_and_moves_nothing(mode, k
 def test_channels_of_two_gestures_end_the_drive(ride, kind):
     ride.moving()
     profile = ride.parameters.profile
-    first, second = (profile.joints[i].channels[0] for i in (2, 3))  # the shoulders: brakes are another matter
+    first, second = (profile.joints[i].channels[0] for i in (2, 3))  # the shoulders, which are no brakes
     for frame in make_signals(ride.parameters, 40, seed=3, strokes=False):
         tick = ride.feed(broken(broken(frame, first, kind, profile), second, kind, profile))
     assert (tick.state, tick.fault) == (State.FAULT, Fault.CHANNELS_BAD)

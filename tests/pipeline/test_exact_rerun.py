@@ -1,4 +1,4 @@
-"""A recorded drive, driven again: every number as it was, to the last bit."""
+"""A rerun of a recorded drive equals the recording to the last bit."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""A guided map decodes alike frame by frame and at once, and as its definition says."""
+"""A guided map: decoding frame by frame and at once agree, and follow the definition."""
 
 import numpy as np
 import pytest

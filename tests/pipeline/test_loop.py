@@ -1,4 +1,4 @@
-"""The loop with a clock of its own: a tick for every frame, one without, late ones counted, cues to the sample."""
+"""The loop on a fake clock: a tick for each frame, ticks without frames, late ticks, cues to the sample."""
 
 import math
 import uuid
@@ -20,7 +20,7 @@ from app.process.ring import TickRing
 
 
 class Writer:
-    """As much of a run's writer as the loop looks at."""
+    """The part of a run's writer that the loop uses."""
 
     damage = ""
 
@@ -72,7 +72,7 @@ def test_a_tick_later_than_a_period_is_counted(ring):
     clock = FakeClock()
     loop = loop_with(ring, [0.01, 0.02, 0.03], clock)
     ticks_of(loop, 3)
-    clock.time += LONGEST_WAIT + 1 / RATE  # as if the machine had held the process
+    clock.time += LONGEST_WAIT + 1 / RATE  # as if the process had been suspended
     loop.turn()
     loop.turn()
     assert ring.since(0)[0]["late"].tolist() == [0, 0, 0, 1, 1]

@@ -1,4 +1,4 @@
-"""The loop with a real chair and a clock of its own: the same ticks as with the virtual one, and commands in time."""
+"""The loop with a real chair on a fake clock: ticks equal to those with the virtual chair, commands in time."""
 
 import itertools
 import uuid
@@ -26,7 +26,7 @@ class Writer:
 
 
 class AnsweringChair(StandInChair):
-    """Takes an epoch, asks for its half second, and tells so ten times a second and at each change."""
+    """Accepts an epoch, arms after half a second, and sends telemetry at 10 Hz and at each change."""
 
     def __init__(self, folder):
         super().__init__(folder)
@@ -50,7 +50,7 @@ class AnsweringChair(StandInChair):
 
 
 class Drive:
-    """A loop that hears its heartbeat, on frames at given times."""
+    """A loop with a heartbeat and frames at given times."""
 
     def __init__(self, ring, times, values=None, chair=None, rate=RATE):
         self.parameters = make_parameters(sample_rate=rate)
@@ -141,7 +141,7 @@ def test_the_same_frames_give_the_same_command_log_on_both_chairs(make_drive, ch
     assert np.abs(virtual["v"][begun:]).max() > 0.1
     for name in ("score", "activation", "u1", "u2", "v", "omega", "state"):
         assert virtual[name][begun:].tobytes() == real[name][begun:].tobytes(), name
-    # ... and what is told to the chair is what the ticks say.
+    # ... and the commands to the chair equal the twists in the ticks.
     commanded = {np.float32(v) for v in real["v"]}
     assert {np.float32(command.v) for _, command in chair.log} <= commanded
     assert max(command.v for _, command in chair.log) > 0.1
@@ -165,12 +165,12 @@ def test_of_frames_that_waited_only_the_newest_is_told(make_drive, chair):
     signals[:250] = make_signals(parameters, 250, strokes=False)
     drive = make_drive(frame_times(8.0), signals, chair)
     drive.arm()
-    while abs(drive.gate.last.v) < 0.1:  # until a stroke is on the way
+    while abs(drive.gate.last.v) < 0.1:  # until a stroke has begun
         drive.until(drive.clock.now() + 0.01)
-    drive.clock.time += 0.06  # as if the machine had held the process
+    drive.clock.time += 0.06  # as if the process had been suspended
     before, held = len(chair.log), drive.ring.number
     while drive.setup.shirt.pending():
-        drive.clock.time += 0.0005  # what decoding takes
+        drive.clock.time += 0.0005  # the time for decoding
         drive.loop.last_heartbeat = drive.loop.last_screen_report = drive.clock.now()
         drive.loop.turn()
         chair.turn(drive.clock.now())

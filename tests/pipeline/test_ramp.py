@@ -1,4 +1,4 @@
-"""Speed, acceleration and jerk of one axis: for any wish, any step widths, from any state that can come about."""
+"""Speed, acceleration and jerk of one axis: for any requests, any steps, from any reachable state."""
 
 import math
 from itertools import pairwise
@@ -109,7 +109,7 @@ def test_a_target_is_reached_exactly_and_not_passed(start, target, dt):
     assert all((after - before) * (target - start) >= -1e-12 for before, after in pairwise(way))
     if target == 0.0:
         assert speed == 0.0
-    # As quick as its limits permit, give or take the softness at both ends.
+    # As fast as the limits permit, apart from the jerk-limited ends.
     quickest = abs(target - start) / (0.8 if abs(target) > abs(start) else 1.2) if start * target >= 0 else 0.0
     arrived = next(i for i, speed in enumerate(way) if speed == pytest.approx(target, abs=1e-4)) * dt
     assert quickest - dt <= arrived <= quickest + 0.3 + 8 * dt or start * target < 0

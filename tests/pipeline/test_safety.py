@@ -1,4 +1,4 @@
-"""The gate: default deny, every limit swept around its border, armed and not, each fault."""
+"""The gate: denial by default, values around every limit, armed and not, each fault."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""The scene's time in the loop: it goes on while the chair is armed, and what it moves is before the body's eyes."""
+"""The scene's time in the loop: it runs while the chair is armed, and the body sees what it moves."""
 
 import pytest
 from commanded_loop import CommandedLoop

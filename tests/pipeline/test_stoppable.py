@@ -1,4 +1,4 @@
-"""Nothing moves that nobody can stop (safety S22): every mode, direction, kind of vocabulary and set of broken joints.
+"""Every motion can be stopped (safety S22): every mode, direction, kind of vocabulary and set of broken joints.
 
 A person makes one movement until the chair moves along one axis. Then sensors break. Either the gate stops the chair
 within 200 ms, or the person brings it to rest with the gestures that are left, long before any time-out could.
@@ -39,9 +39,9 @@ MODES = get_args(ControlMode)
 DIRECTIONS = [control for control in get_args(Control) if control != "stop"]
 STOPPED_WITHIN = 0.2  # s
 BRAKING = 3.0  # s: from any speed that is reached here to rest
-NEVER = {"cruise_time": 30.0, "turn_cruise_time": 10.0}  # s: so that no time-out can be what stops the chair
-TREMBLE = 1e-6  # signal units: fabric never sends the same value for long
-STROKE = 1.5  # FS/s, and FS for a held posture: beyond `full`
+NEVER = {"cruise_time": 30.0, "turn_cruise_time": 10.0}  # s: long enough that no time-out stops the chair
+TREMBLE = 1e-6  # signal units of noise, so that no channel is constant
+STROKE = 1.5  # FS/s, and FS for a displacement gesture: beyond `full`
 
 
 def both_ways(joint):
@@ -88,7 +88,7 @@ def parameters_of(bound, feature, modes):
 
 
 class Person:
-    """Wears a chain: makes gestures, some of which the shirt no longer sees."""
+    """A chain and a person, some of whose joints the shirt no longer senses."""
 
     def __init__(self, parameters):
         self.parameters = parameters

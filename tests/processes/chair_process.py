@@ -1,4 +1,4 @@
-"""A real receiver for tests: started, listened to, its stop switch pressed, and killed."""
+"""A real receiver process for tests, with its lines, its stop switch and its kill."""
 
 import json
 import signal
@@ -49,7 +49,7 @@ class ReceiverProcess:
             self.lines.append(json.loads(line))
 
     def press(self, pressed):
-        """Press the chair's stop switch, or let go of it."""
+        """Press or release the chair's stop switch."""
         new = self.folder / "switch.new"
         new.write_text("1" if pressed else "0")
         new.replace(self._switch)
@@ -67,11 +67,11 @@ class ReceiverProcess:
         return self.lines[-1]
 
     def since(self, t):
-        """Return the lines said after `t` (monotonic s)."""
+        """Return the lines printed after `t` (monotonic s)."""
         return [line for line in self.lines if line["t"] > t]
 
     def standing_since(self, t):
-        """Return from when on (monotonic s), after `t`, it has said without interruption that it stands."""
+        """Return the time (monotonic s), after `t`, since when all lines report standstill."""
         since = None
         for line in self.since(t):
             if line["v"] or line["omega"]:

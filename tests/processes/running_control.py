@@ -1,4 +1,4 @@
-"""A real control process for tests: started, fed with a heartbeat, and waited for."""
+"""A real control process for tests, with a heartbeat."""
 
 import asyncio
 from contextlib import asynccontextmanager, suppress
@@ -22,7 +22,7 @@ ROOM = {
 
 @asynccontextmanager
 async def running():
-    """Yield a control process that hears a heartbeat."""
+    """Yield a control process that gets heartbeats."""
     control = await ControlProcess.start()
     heart = asyncio.create_task(beat(control))
     try:
@@ -59,14 +59,14 @@ async def refusal(control, do, **fields):
 
 
 async def clear(control):
-    """Let go of a fault, as somebody would who saw the newest tick."""
+    """Clear a fault with the count of stops in the newest tick."""
     tick = control.newest()
-    with suppress(LinkRefused):  # another stop since: it shows in what comes next
+    with suppress(LinkRefused):  # after another stop the next tick shows it
         await control.call("clear", stops=0 if tick is None else int(tick["stops"]))
 
 
 async def armed(control, digest):
-    """Arm, again when this busy machine held something up, and wait for permission."""
+    """Arm, again after a fault on a busy machine, and wait until the gate is armed."""
     for _ in range(5):
         await clear(control)
         await control.call("arm", hash=digest)

@@ -1,4 +1,4 @@
-"""A real demonstration for tests: started as a person would, and somebody who is signed in to it."""
+"""A real demonstration for tests: its process, and a client that is signed in."""
 
 import json
 import os
@@ -36,7 +36,7 @@ def printed_link(process: "subprocess.Popen[str]") -> str:
 
 @contextmanager
 def running_demo(**environment: str) -> Iterator[str]:
-    """Yield the link of a demonstration that runs meanwhile, and that has to end well."""
+    """Yield the address of a running demonstration, and check that it ends in order."""
     with bodydrive("demo", "--port", "0", **environment) as process:
         try:
             yield printed_link(process)
@@ -53,7 +53,7 @@ def free_port() -> int:
 
 
 class SessionClient(httpx.Client):
-    """A browser whose page shows who is here now: it names that session with every change."""
+    """A client that names the open session with every change, as a page does."""
 
     def __init__(self, base: str) -> None:
         super().__init__(base_url=f"{base}/api/v1", headers={"Origin": base}, timeout=60)
@@ -67,7 +67,7 @@ class SessionClient(httpx.Client):
 
 
 class Demo:
-    """A running demonstration and somebody who is signed in to it."""
+    """A running demonstration and a client that is signed in."""
 
     def __init__(self, process: "subprocess.Popen[str]") -> None:
         self.process = process

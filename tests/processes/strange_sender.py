@@ -23,14 +23,14 @@ KEY_ID, SECRET = 513, bytes(range(100, 132))
 
 
 class StrangeSender:
-    """Commands a receiver at 50 Hz from a thread of its own, so that a busy test does not hold it up."""
+    """Commands a receiver at 50 Hz from a thread, so that a busy test does not delay the commands."""
 
     def __init__(self, port):
         self.socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         self.socket.connect(("127.0.0.1", port))
         self.socket.settimeout(0.005)
         self.sent = []  # (monotonic s, datagram)
-        self.telemetry = []  # what came with a true tag, unpacked, newest last
+        self.telemetry = []  # telemetries with a valid tag, unpacked, newest last
         self.flags, self.v, self.omega = 0, 0.0, 0.0
         self.sending = False
         self._epoch, self._sequence = 0, 0
@@ -46,7 +46,7 @@ class StrangeSender:
         self.socket.send(struct.pack("<4sBBHI", b"BMIH", 1, 0, KEY_ID, 0))
 
     def wait_for(self, condition):
-        """Wait for a telemetry of which this is true, and return it."""
+        """Wait for a telemetry that fulfils the condition, and return it."""
         until = time.monotonic() + PATIENCE
         while time.monotonic() < until:
             if self.telemetry and condition(self.telemetry[-1]):
@@ -55,7 +55,7 @@ class StrangeSender:
         raise AssertionError(f"the chair did not say so: {self.telemetry[-3:]}")
 
     def arm(self):
-        """Begin a new epoch and wait until the chair is armed; anew when the machine was too busy for it."""
+        """Begin a new epoch and wait until the chair is armed; repeat that on a busy machine."""
         for _ in range(10):
             while not self.telemetry:
                 self.hello()
@@ -85,7 +85,7 @@ class StrangeSender:
     def _run(self):
         due = 0.0
         while not self._ending:
-            with suppress(OSError):  # nothing came, or nobody listens
+            with suppress(OSError):  # no datagram, or no listener
                 self._hear(self.socket.recv(100))
             if self.sending and time.monotonic() >= due:
                 due = time.monotonic() + 0.018
@@ -102,7 +102,7 @@ class StrangeSender:
 
 
 class Receiver:
-    """The receiver as a process, its lines and its complaints."""
+    """The receiver as a process, with its stdout and stderr."""
 
     def __init__(self, folder, *options, output="stdout", interpreter=("-S",), environment=None):
         self.key_file = Path(folder) / "513.key"
@@ -139,7 +139,7 @@ class Receiver:
             self.words += line
 
     def stop_reading(self):
-        """Leave its lines in a pipe that is soon full."""
+        """Stop reading its lines, so that the pipe fills."""
         self._deaf.set()
         fcntl.fcntl(self.process.stdout, fcntl.F_SETPIPE_SZ, 4096)
 
@@ -147,7 +147,7 @@ class Receiver:
         self._deaf.clear()
 
     def wait_for(self, condition):
-        """Return the next line, after the one that was returned last, of which this is true."""
+        """Return the next line that fulfils the condition, after the last line returned."""
         until = time.monotonic() + PATIENCE
         while time.monotonic() < until:
             while self._looked_at < len(self.lines):
@@ -158,7 +158,7 @@ class Receiver:
         raise AssertionError(f"the chair did not do so: {self.lines[-3:]}")
 
     def end(self, number):
-        """Send a signal, and return the exit code; all lines are there then."""
+        """Send a signal, wait for the end, and return the exit code."""
         self.process.send_signal(number)
         return self.wait()
 

@@ -113,11 +113,11 @@ def test_a_control_process_that_is_killed_is_noticed_and_replaced_disarmed(tmp_p
                 await asyncio.sleep(0.02)
             assert states == ["lost", "alive"]
             status = await control.call("status")
-            assert status["shirt"]["kind"] == "simulator"  # what was loaded is loaded again
+            assert status["shirt"]["kind"] == "simulator"  # the setup is loaded again
             assert status["recording"] is None
             assert (await tick_with(control, lambda tick: tick["has_frame"]))["state"] == State.DISARMED
             run = read_run(folder)
-            assert run.rows > 0.3 * RATE  # what was on disk by then is there
+            assert run.rows > 0.3 * RATE  # the part on the disk is kept
             assert "cut" in run.damage
         finally:
             await control.close()
@@ -149,7 +149,7 @@ answers = []
 
 def ask():
     lines, commands = ours.makefile(), json.loads(sys.argv[1])
-    for opening in commands[:2]:  # while a device is opened, what needs it is refused
+    for opening in commands[:2]:  # while a device is opened, these commands are refused
         ours.sendall(json.dumps(opening).encode() + b"\\n")
         answers.append(json.loads(next(lines)))
     for command in commands[2:]:

@@ -1,4 +1,4 @@
-"""The real demonstration: started as a person would, its control process killed, ended by a signal."""
+"""The real demonstration process: its control process is killed, and the demonstration ends by a signal."""
 
 import re
 import signal

@@ -1,4 +1,4 @@
-"""Each fault drill a few times, on real processes and sockets; `make drills` does them in full."""
+"""Each fault drill with few runs, on real processes and sockets; `make drills` runs them in full."""
 
 import asyncio
 import random

@@ -1,4 +1,4 @@
-"""A control process that stands still, though it lives: stopped all the same, killed, and replaced."""
+"""A control process that hangs: the chair stops, and the process is killed and replaced."""
 
 import asyncio
 import os
@@ -16,7 +16,7 @@ from app.session import control_link as control_module
 from app.session.control_link import HANG_LIMIT, STOP_LIMIT, ControlLink
 
 PATIENCE = 60.0  # s
-LOAD = 1.0  # s by which a busy machine may wake us late
+LOAD = 1.0  # s of lateness of a busy machine
 
 
 async def until(condition):
@@ -56,7 +56,7 @@ def test_stop_is_answered_and_a_new_one_takes_its_place():
             assert not await control.stop()
             assert monotonic() - before < STOP_LIMIT + LOAD
             await until(lambda: len(opened) == 2 and control.state == "alive")
-            assert monotonic() - before > HANG_LIMIT - 0.5  # a pause that the gate can bear is no reason to kill
+            assert monotonic() - before > HANG_LIMIT - 0.5  # a short pause is no reason to kill
             assert states[0] == "lost"
             assert not psutil.pid_exists(opened[0].pid)
             await until(lambda: control.newest() is not None and control.newest()["has_frame"])

@@ -91,7 +91,7 @@ def clinic(folder):
 
 
 def put_files(folder: Path):
-    """Put files of every unpleasant kind where those lie that people bring."""
+    """Make files of every odd kind in the folder of the clinic's files."""
     folder.mkdir(parents=True)
     (folder / "folder").mkdir()
     (folder / "words.csv").write_text("t,right_elbow_1\n0,a\n")
@@ -110,7 +110,7 @@ def ask(client, method, path, document):
 
 
 def badness(answer):
-    """Return what is wrong with how a value was taken or refused, empty when nothing is."""
+    """Return what is wrong with the answer to a value, empty when it is right."""
     if answer.status_code >= 500:
         return f"{answer.status_code} {answer.text[:200]}"
     sentence = answer.json()["detail"] if answer.status_code >= 400 else "It was taken."
@@ -134,7 +134,7 @@ def test_200_odd_values_in_every_field_of_the_equipment_are_taken_or_refused_in_
             wrong = [(value[:60], why) for value in odd_values() if (why := badness(ask(client, *request(value))))]
             assert (name, wrong) == (name, [])
             assert len(processes) == 1, name
-        # ... and what is right is taken.
+        # ... and a valid value is accepted.
         assert ask(client, *shirt(host="localhost")).status_code == 200
         assert ask(client, *head(kind="opentrack", host="127.0.0.1", port=0)).status_code == 200
         assert ask(client, "PUT", "/equipment/shirt", {"kind": "replay", "file": "good.csv"}).status_code == 200

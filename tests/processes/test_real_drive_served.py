@@ -1,4 +1,4 @@
-"""A real chair through the whole application: paired, practised for, armed, stopped by a hidden screen, ended."""
+"""A drive of a real chair through the whole application: pairing, practice, arming, stop by a hidden screen, end."""
 
 import json
 import threading
@@ -20,7 +20,7 @@ ARMINGS = 5  # on a machine so busy that a heartbeat may be late
 
 
 class InView:
-    """A page's worker: says ten times a second whether the page is in view."""
+    """A page's worker, which reports ten times a second whether the page is in view."""
 
     def __init__(self, demo: Demo) -> None:
         self.visible = True
@@ -65,7 +65,7 @@ def good(demo: Demo, method: str, path: str, body: Any = None) -> Any:
 
 
 def armed(demo: Demo, live: Any) -> Any:
-    """Wait for permission; go on after a fault, as a person would."""
+    """Wait until the gate is armed; continue after a fault, as a person would."""
     for _ in range(ARMINGS):
         message = until(live, lambda m: m["state"] in {"armed", "fault"})
         if message["state"] == "armed":
@@ -75,7 +75,7 @@ def armed(demo: Demo, live: Any) -> Any:
 
 
 def wear(demo: Demo, live: Any, shirt: PairedShirt, database: Path) -> None:
-    """Put on a worn shirt in place of the simulated one; each refusal of the simulated one is looked at first."""
+    """Choose a paired shirt in place of the simulated shirt, after checking each refusal of the simulated shirt."""
     refusals = good(demo, "GET", "/drives/summary")["refusals"]
     assert any("nobody wears it" in sentence for sentence in refusals)
     good(demo, "PUT", "/equipment/shirt", shirt.config)

@@ -1,4 +1,4 @@
-"""The chair's receiver as a process, commanded by somebody else's sender over a real socket.
+"""The chair's receiver as a process, commanded by an independent sender over a real socket.
 
 How long something took is judged by the time stamps of the receiver's own lines and by when the sender sent, both of
 one monotonic clock; what a busy machine adds is seen as a step that came late, and allowed for.
@@ -37,7 +37,7 @@ def started(tmp_path):
 
 
 def armed_and_driving(receiver, sender, v=0.6):
-    """Drive; when the machine was so busy that the chair was disarmed on the way, arm it again."""
+    """Drive; arm again when a busy machine has disarmed the chair."""
     for _ in range(10):
         sender.arm()
         sender.drive(v)
@@ -53,7 +53,7 @@ def after(lines, t):
 
 
 def longest_pause(lines):
-    """Return how late (s) this machine has let the receiver step, at worst: its lines come at least every 100 ms."""
+    """Return the largest lateness (s) of the receiver's steps: its lines come at least every 100 ms."""
     return max([0.0, *(b["t"] - a["t"] - TELL - STEP for a, b in pairwise(lines))])
 
 
@@ -65,7 +65,7 @@ def test_silence_slows_after_100_ms_and_disarms_after_300(started):
     disarmed = receiver.wait_for(lambda line: line["state"] == "disarmed")
     last = sender.sent[-1][0] + offset
     lines = after(receiver.lines, last)
-    late = longest_pause(lines) + 0.02  # how long the last datagram may have been on its way in a busy machine
+    late = longest_pause(lines) + 0.02  # the delay of the last datagram on a busy machine
     stood = next(index for index, line in enumerate(lines) if line["v"] == 0.0)
     slowed = next(b for a, b in reversed([*pairwise(lines[: stood + 1])]) if b["v"] < a["v"] and not a["v"] < 0.59)
     assert 0.09 <= slowed["t"] - last <= 0.11 + STEP + late
@@ -182,7 +182,7 @@ def test_a_reader_who_leaves_ends_it_in_order(started):
     armed_and_driving(receiver, sender)
     handle = receiver.process.stdout.fileno()
     silent = os.open(os.devnull, os.O_RDONLY)
-    os.dup2(silent, handle)  # nobody reads the pipe any more
+    os.dup2(silent, handle)  # the pipe has no reader any more
     os.close(silent)
     assert receiver.process.wait(PATIENCE) == 0
     told = sender.wait_for(lambda told: told[8] == 0.0)

@@ -1,4 +1,4 @@
-"""The chair's receiver on a port that somebody floods: it drives on, watches on, and answers no more than it should."""
+"""The chair's receiver on a flooded port: it drives on, keeps its limits, and answers no more than it should."""
 
 import random
 import socket
@@ -12,7 +12,7 @@ from processes.strange_sender import KEY_ID, Receiver, StrangeSender
 
 RATE = 50_000  # datagrams a second
 SECONDS = 1.0
-ATTEMPTS = 8  # a machine that eight people use may hold up the sender itself
+ATTEMPTS = 8  # a busy machine may delay the sender itself
 HELLO = struct.pack("<4sBBHI", b"BMIH", 1, 0, KEY_ID, 0)
 JUNK = {
     "of another length": b"\x00" * 40,
@@ -60,7 +60,7 @@ def flood(chair):
 
 
 def drives_through(receiver, sender):
-    """Drive for a while; return whether every line of it said so."""
+    """Drive for a while; return whether every line reports the drive."""
     sender.arm()
     receiver.lines.clear()
     sender.drive(0.5)

@@ -37,7 +37,7 @@ def test_ros_hears_every_ramp_and_zeros_at_the_end(tmp_path, monkeypatch):
     sender = StrangeSender(receiver.port)
     try:
         wait_for(lambda told: told == (0.0, 0.0))
-        for _ in range(10):  # a busy machine may stop it on the way
+        for _ in range(10):  # a busy machine may stop the chair
             sender.arm()
             sender.drive(0.5, 0.2)
             sender.wait_for(lambda told: told[8] == 0.5 or told[2] == 0)

@@ -1,4 +1,4 @@
-"""What a real control process records, and that decoding it gives the same again."""
+"""The recording of a real control process, and that decoding it gives its numbers again."""
 
 import asyncio
 
@@ -87,7 +87,7 @@ def test_a_drive_is_recorded_and_decoding_the_recording_gives_the_same_drive(tmp
                 assert (stopped["state"], stopped["fault"]) == (State.FAULT, Fault.STOP_KEY)
                 sentence = await refusal(control, "arm", hash=digest)
                 assert "keyboard" in sentence
-                # Continue must find what was armed and is written in the recording, not something else.
+                # Continue must resume the parameters that were armed and recorded.
                 assert "recorded" in await refusal(control, "parameters", parameters=None)
                 assert "recorded" in await refusal(control, "world", floorplan=None, path=None)
                 assert "another stop" in await refusal(control, "clear", stops=int(stopped["stops"]) - 1)

@@ -1,4 +1,4 @@
-"""Some seconds of the soak, on real processes; `make soak` does ten minutes, and measures the pace."""
+"""Some seconds of the soak on real processes; `make soak` runs ten minutes and measures the pace."""
 
 from soak.soak import MOST_GROWTH, OTHERS, STOPPED, soak
 

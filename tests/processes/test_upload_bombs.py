@@ -1,4 +1,4 @@
-"""Files that ask for far more than they hold, sent to a served web process: refused, not kept, and nobody waits."""
+"""Files that would need far more memory or time than their size: refused, not kept, and other requests do not wait."""
 
 import os
 from collections.abc import Iterator
@@ -53,7 +53,7 @@ def test_a_bomb_is_refused_and_nobody_waits(demo: Demo, before: int, watcher: Wa
     assert effect.detail.endswith(".")
     assert str(demo.state) not in effect.detail
     assert effect.growth < MOST_GROWTH
-    assert median(effect.answers) <= LONGEST_ANSWER  # `make drills` holds each of them to it, on a quiet machine
+    assert median(effect.answers) <= LONGEST_ANSWER  # `make drills` checks each one, on a quiet machine
     assert max(effect.answers) <= HELD_UP
     assert [file for file in kept(demo.state) if file.is_file()] == []
 

@@ -1,4 +1,4 @@
-"""The web process is killed, or held: the virtual chair stands, whatever the body in the shirt goes on doing."""
+"""The web process is killed or suspended: the virtual chair stops while the simulated body moves on."""
 
 import signal
 import socket
@@ -25,7 +25,7 @@ PATIENCE = 30.0  # s
 
 
 class Report(NamedTuple):
-    """What the virtual chair said."""
+    """A report of the virtual chair."""
 
     t: float
     state: State
@@ -52,7 +52,7 @@ class Reports:
         raise AssertionError(f"the chair did not get there within {PATIENCE:g} s")
 
     def during(self, seconds):
-        """Return all reports of the next seconds, and those that waited."""
+        """Return the waiting reports, and those of the next seconds."""
         found = []
         until = monotonic() + seconds
         while (left := until - monotonic()) > 0:
@@ -73,7 +73,7 @@ class Reports:
 
 
 class Drive(NamedTuple):
-    """A chair that drives by itself: the stroke is over, the hands rest, the chair cruises."""
+    """A chair that cruises after a stroke."""
 
     web: subprocess.Popen
     control: psutil.Process
@@ -118,7 +118,7 @@ def test_the_web_process_is_killed_and_the_chair_stands_within_350_ms(drive):
     assert reports[-1].state is State.FAULT
     speeds = [report.v for report in reports if report.state is State.FAULT]
     assert speeds == sorted(speeds, reverse=True)
-    drive.control.wait(PATIENCE)  # and the control process has gone by itself
+    drive.control.wait(PATIENCE)  # the control process ends by itself
 
 
 def test_the_web_process_is_held_and_the_chair_stands_after_the_heartbeat_s_limit(drive):
@@ -132,7 +132,7 @@ def test_the_web_process_is_held_and_the_chair_stands_after_the_heartbeat_s_limi
     assert moved_on
     assert moved_on[-1].t <= held + HEARTBEAT_LIMIT + A_TICK_OR_TWO
     assert all(report.v == 0.0 for report in reports if report.t > held + HEARTBEAT_LIMIT + STOP_TIME + A_TICK_OR_TWO)
-    # The ring's reader is held, too, and the loop does not wait for it.
+    # The ring's reader is suspended too, and the loop does not wait for it.
     gaps = [after.t - before.t for before, after in pairwise(reports)]
     assert max(gaps) < HEARTBEAT_LIMIT
     assert len(reports) > 60

@@ -22,7 +22,7 @@ def free_port():
 
 
 def paired_key_file(folder):
-    """Pair a shirt, and return where its key lies."""
+    """Pair a shirt and return its key file."""
     return shirt_key_file(folder, pair_shirt(folder).id)
 
 
@@ -33,7 +33,7 @@ def shirt_config(parameters, port, key_file=None):
 
 
 class UdpShirtSender:
-    """Sends frames at 100 Hz until it is closed, signed when it has a key; after a stroke the arm stays where it is."""
+    """Sends frames at 100 Hz until it is closed, signed when it has a key; after a stroke the arm stays bent."""
 
     def __init__(self, parameters, port, key_file=None):
         self._key = key_file and read_key(key_file)
@@ -46,7 +46,7 @@ class UdpShirtSender:
         self._thread.start()
 
     def stroke(self):
-        """Bend the right elbow: forward, at something like half speed."""
+        """Bend the right elbow: forward, at about half speed."""
         self._stroke_at = self._frames
 
     def close(self):
@@ -63,7 +63,7 @@ class UdpShirtSender:
             done = min(1.0, (self._frames - self._stroke_at) / RATE / STROKE_TIME)
         posture = 0.6 * done * done * (3 - 2 * done)
         values[list(elbow.channels)] += (posture * elbow.span * np.array(elbow.weights)).astype(np.float32)
-        # a channel that never changes counts as broken
+        # a constant channel would count as broken
         return values + np.float32(1e-3) * np.random.default_rng(self._frames).standard_normal(len(values), np.float32)
 
     def _frame(self):

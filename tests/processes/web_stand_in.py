@@ -33,7 +33,7 @@ async def main():
         control.tell("heartbeat", screen_age=0.0)
         tick = control.newest()
         state = State.DISARMED if tick is None else State(int(tick["state"]))
-        if not said and state is State.FAULT:  # this machine was too busy for a moment
+        if not said and state is State.FAULT:  # a busy machine caused a fault
             await control.call("clear", stops=int(tick["stops"]))
         elif not said and state is State.DISARMED and tick is not None and tick["has_frame"]:
             await control.call("arm", hash=answer["hash"])

@@ -1,4 +1,4 @@
-"""A receiver and its sender on a clock of their own, for tests."""
+"""A receiver and its sender on a simulated time, for tests."""
 
 from app.hardware.chair.key import Key
 from app.hardware.chair.packet import DRIVE, Command, decode_telemetry, encode_command
@@ -10,7 +10,7 @@ DIGEST = b"practise"
 
 
 class CommandedReceiver:
-    """Steps a receiver every 10 ms, and sends when it is told to."""
+    """A receiver that is stepped every 10 ms, and a sender for it."""
 
     def __init__(self, **options):
         self.nonces = 0

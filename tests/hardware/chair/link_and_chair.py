@@ -1,4 +1,4 @@
-"""A link to a chair, tick by tick with times of our own, against a chair's end that notes what comes."""
+"""A chair link, tick by tick on a simulated time, and a chair that notes what comes."""
 
 import itertools
 
@@ -16,7 +16,7 @@ AHEAD = Twist(0.25, -0.5)
 
 
 class LinkAndChair:
-    """A link and its chair, and the time of both."""
+    """A chair link, its chair, and the time of both."""
 
     def __init__(self, folder):
         self.chair = StandInChair(folder)
@@ -25,7 +25,7 @@ class LinkAndChair:
         self.t = 100.0
 
     def turn(self, state, twist=STANDSTILL, dt=0.005):
-        """One turn of a loop; return the commands that it brought."""
+        """Make one turn of a loop; return the commands that came."""
         self.t += dt
         self.link.listen(self.t)
         self.link.drive(twist, dt)

@@ -1,4 +1,4 @@
-"""Which telemetry is believed: no recording of an earlier one rolls anything back."""
+"""Which telemetry is accepted: a recording of an earlier telemetry rolls nothing back."""
 
 import pytest
 from hypothesis import given

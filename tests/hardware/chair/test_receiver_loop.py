@@ -20,7 +20,7 @@ SENDER = ("somebody", 1)
 
 
 class FloodedSocket:
-    """A socket in which there is always another datagram: junk, and now and then what `chair` sends."""
+    """A socket with endless datagrams: junk, and at 50 Hz a command for `chair`."""
 
     def __init__(self, chair, clock):
         self.chair, self.clock = chair, clock
@@ -44,7 +44,7 @@ class FloodedSocket:
 
 
 class OutputLog:
-    """An output that notes; it breaks when told to."""
+    """An output that keeps a log; `broken` makes it fail."""
 
     def __init__(self, is_real=False):
         self.is_real, self.broken = is_real, False
@@ -58,7 +58,7 @@ class OutputLog:
 
 @pytest.fixture
 def turning(request):
-    """Return a loop, its socket, its output and its receiver; it is ended by `until`."""
+    """Return a loop, its socket, its output and its receiver."""
     chair = CommandedReceiver()
     clock = FakeClock(chair.t)
     flooded, output = FloodedSocket(chair, clock), OutputLog(getattr(request, "param", False))
