@@ -12,7 +12,7 @@ IN_USE = "in-use"  # name of the file that is locked while a program uses the st
 CODE_BYTES = 16  # 128 bits: a code of this length cannot be guessed
 
 
-def _packed(name: str) -> Path:
+def _bundled_folder(name: str) -> Path:
     """Return a folder that lies inside the package in a wheel and beside it in a checkout."""
     inside = PACKAGE / name
     return inside if inside.is_dir() else PACKAGE.parent / name
@@ -20,12 +20,12 @@ def _packed(name: str) -> Path:
 
 def static_folder() -> Path:
     """Return the folder of the web pages."""
-    return _packed("web_static")
+    return _bundled_folder("web_static")
 
 
 def data_folder() -> Path:
     """Return the folder of the bundled shirts and floor plans."""
-    return _packed("data")
+    return _bundled_folder("data")
 
 
 def state_folder() -> Path:

@@ -18,15 +18,15 @@ def visible_line(text: str) -> str:
     ValueError
         Half a sentence: which character is invisible, at which position, and what to do.
     """
-    return _visible(text, ())
+    return _check_visible(text, ())
 
 
 def visible_lines(text: str) -> str:
     """Return a text with line breaks and tabs unchanged; raise ValueError as `visible_line` does."""
-    return _visible(text, LINE_BREAKS)
+    return _check_visible(text, LINE_BREAKS)
 
 
-def _visible(text: str, allowed: Collection[str]) -> str:
+def _check_visible(text: str, allowed: Collection[str]) -> str:
     for place, character in enumerate(text, start=1):
         if unicodedata.category(character) in INVISIBLE and character not in allowed:
             name = unicodedata.name(character, "a control character")

@@ -55,7 +55,7 @@ class CommandServer:
         *lines, self._rest = b"".join([self._rest, *chunks]).split(b"\n")
         if len(self._rest) > LONGEST_LINE:
             self.close()
-        return [command for line in lines if (command := self._parsed(line)) is not None]
+        return [command for line in lines if (command := self._parse(line)) is not None]
 
     def answer(self, command_id: int, **fields: Any) -> None:
         """Answer a command with its results."""
@@ -70,7 +70,7 @@ class CommandServer:
         self.closed = True
         self._socket.close()
 
-    def _parsed(self, line: bytes) -> Message | None:
+    def _parse(self, line: bytes) -> Message | None:
         try:
             command = json.loads(line)
         except (ValueError, RecursionError):

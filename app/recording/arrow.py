@@ -52,7 +52,7 @@ def compact(segments: Sequence[Path], target: Path) -> int:
     part = target.with_suffix(".part")
     try:
         writer = None
-        for rows in _grouped(segments):
+        for rows in _row_groups(segments):
             if writer is None:
                 writer = pa_parquet.ParquetWriter(part, rows.schema, compression="zstd", write_page_checksum=True)
             writer.write_table(rows)
@@ -73,7 +73,7 @@ def compact(segments: Sequence[Path], target: Path) -> int:
     return checksum
 
 
-def _grouped(segments: Sequence[Path]) -> Iterator[pa.Table]:
+def _row_groups(segments: Sequence[Path]) -> Iterator[pa.Table]:
     """Yield the rows of all segments in groups; at least one group, which may be empty, so that the schema is known."""
     waiting: list[pa.RecordBatch] = []
     count, yielded = 0, False

@@ -67,7 +67,7 @@ def read_signals(path: str | Path, layout: ShirtLayout | None = None) -> Signals
         raise ValueError(_missing(path, missing, layout))
     if len(t) < SHORTEST:
         raise ValueError(f"{path}: {len(t)} samples are too few for a signal, record at least a few seconds")
-    signals = make_signals(t, _stacked(table, names), names, path)
+    signals = make_signals(t, _stack_columns(table, names), names, path)
     signals.dialect = dialect
     return signals
 
@@ -118,7 +118,7 @@ def make_signals(
     if t[-1] <= t[0]:
         raise ValueError(f"{path}: t is {t[0]:g} in every row, give the time of each sample in seconds")
     if not steps.all():
-        t = _without_ties(t, steps)
+        t = _spread_equal_times(t, steps)
     rate = sample_rate_of(t)
     if not SLOWEST <= rate <= FASTEST:
         raise ValueError(
@@ -159,7 +159,7 @@ def _missing(path: Path, missing: list[str], layout: ShirtLayout | None) -> str:
     )
 
 
-def _stacked(table: Table, names: list[str]) -> NDArray[np.float64] | NDArray[np.float32]:
+def _stack_columns(table: Table, names: list[str]) -> NDArray[np.float64] | NDArray[np.float32]:
     """Return the named columns as (n, n_channels), with NaN for infinities and for values beyond LARGEST."""
     single = all(table[name].dtype == np.float32 for name in names)
     shape = (len(table["t"]), len(names))
@@ -174,7 +174,7 @@ def _stacked(table: Table, names: list[str]) -> NDArray[np.float64] | NDArray[np
     return values
 
 
-def _without_ties(t: NDArray[np.float64], steps: NDArray[np.float64]) -> NDArray[np.float64]:
+def _spread_equal_times(t: NDArray[np.float64], steps: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return strictly rising times for a `t` (n,) written with so few digits that neighbours have equal times.
 
     The times are an even grid if that agrees with every written time within its resolution. Otherwise the samples with

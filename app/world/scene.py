@@ -59,7 +59,7 @@ def load_scene(file: Path) -> Scene:
         )
     except ValidationError as error:
         raise ValueError(one_sentence(error, str(file))) from error
-    base = {} if head.floorplan is None else _base(file, head.floorplan)
+    base = {} if head.floorplan is None else _inherited_fields(file, head.floorplan)
     names = [level.name for level in head.levels or ()]
     if len(set(names)) < len(names):
         raise ValueError(f"{file}, levels: a level stands there twice, leave one out")
@@ -78,7 +78,7 @@ def load_scene(file: Path) -> Scene:
             own = {"name": head.name, "title": head.title}
         try:
             plans[level.name if level else None] = FloorPlan.model_validate_json(
-                json.dumps({"walls": [], **base, **graded, **_joined(base, graded), **own})
+                json.dumps({"walls": [], **base, **graded, **_merge_lists(base, graded), **own})
             )
         except ValidationError as error:
             raise ValueError(one_sentence(error, where)) from error
@@ -154,14 +154,14 @@ def _read(file: Path) -> dict[str, Any]:
     return document
 
 
-def _base(file: Path, name: str) -> dict[str, Any]:
+def _inherited_fields(file: Path, name: str) -> dict[str, Any]:
     bundled = bundled_floorplans()
     if name not in bundled:
         raise ValueError(f"{file}, floorplan: there is no floor plan '{name}', use one of {', '.join(bundled)}")
     return load_floorplan(bundled[name]).model_dump(mode="json", include=set(INHERITED))
 
 
-def _joined(base: dict[str, Any], graded: dict[str, Any]) -> dict[str, Any]:
+def _merge_lists(base: dict[str, Any], graded: dict[str, Any]) -> dict[str, Any]:
     """Return the lists that both the floor plan and the scene have, each with the scene's items after the plan's."""
     both = [name for name in base if isinstance(base[name], list) and isinstance(graded.get(name), list)]
     return {name: [*base[name], *graded[name]] for name in both}

@@ -87,7 +87,7 @@ def stretches_of_prompts(
 
     A stretch ends at `until` (s) at the latest, but not before its last prompt.
     """
-    merged = _merged(prompts)
+    merged = _merge_overlapping(prompts)
     stretches = []
     for joint in dict.fromkeys(prompt.joint for prompt in merged):
         groups: list[list[Prompt]] = []
@@ -105,7 +105,7 @@ def repetitions_of_prompts(
 ) -> list[Repetition]:
     """Return the repetitions of a table of prompts from one long recording; overlapping prompts count as one."""
     found = []
-    for prompt in _merged(prompts):
+    for prompt in _merge_overlapping(prompts):
         first, last = np.searchsorted(t, (prompt.start, prompt.end))
         if last - first > 1:
             found.append(_cut(values, prompt.joint, int(first), int(last), sample_rate))
@@ -134,7 +134,7 @@ def _stretch(
     return Stretch(prompts[0].joint, np.asarray(values[first:last], np.float64), moving)
 
 
-def _merged(prompts: Sequence[Prompt]) -> list[Prompt]:
+def _merge_overlapping(prompts: Sequence[Prompt]) -> list[Prompt]:
     """Return the prompts in order of time, overlapping prompts of one joint merged into one."""
     merged: list[Prompt] = []
     newest: dict[str, int] = {}

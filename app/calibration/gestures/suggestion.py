@@ -74,7 +74,7 @@ def suggest_vocabulary(
     prompted = {joint.name for joint in profile.joints if joint.prompted}
     candidates = [one for one in found if one.joint in prompted] or list(found)
     costs = _Costs(profile, candidates, shares)
-    chosen = _chosen(profile, candidates, costs)
+    chosen = _choose_gestures(profile, candidates, costs)
     controls: tuple[Control, ...] = ("u1+", "u1-", "u2+", "u2-")
     bindings = [
         Binding(control=control, gestures=(gesture.name,)) for control, gesture in zip(controls, chosen, strict=False)
@@ -82,11 +82,13 @@ def suggest_vocabulary(
     if len(chosen) > 1:
         bindings.append(Binding(control="stop", gestures=(chosen[0].name, chosen[1].name)))
     return SuggestedVocabulary(
-        gestures=_gestures(found, chosen), bindings=tuple(bindings), reason=_reason(chosen, costs.cross_talk(chosen))
+        gestures=_gestures(found, chosen), bindings=tuple(bindings), reason=_reason_of(chosen, costs.cross_talk(chosen))
     )
 
 
-def _chosen(profile: CalibrationProfile, candidates: Sequence[FoundGesture], costs: _Costs) -> list[FoundGesture]:
+def _choose_gestures(
+    profile: CalibrationProfile, candidates: Sequence[FoundGesture], costs: _Costs
+) -> list[FoundGesture]:
     """Return at most four gestures in the order u1+, u1-, u2+, u2-, no two of one joint."""
     order = [joint.name for joint in profile.joints]
     better = {
@@ -99,9 +101,9 @@ def _chosen(profile: CalibrationProfile, candidates: Sequence[FoundGesture], cos
     any_four = [[(four[0], four[1]), (four[2], four[3])] for four in combinations(better.values(), 4)]
     mirrored = [pair for pair in combinations(candidates, 2) if _is_mirrored(*pair)]
     pairs_of_pairs = [[one, other] for one, other in combinations(mirrored, 2) if not _joints(one) & _joints(other)]
-    one, other = _best(any_four, costs)
+    one, other = _cheapest(any_four, costs)
     if pairs_of_pairs:
-        mirror = _best(pairs_of_pairs, costs)
+        mirror = _cheapest(pairs_of_pairs, costs)
         if costs.of([*mirror[0], *mirror[1]]) <= costs.of([*one, *other]) + MIRROR_WORTH:
             one, other = mirror
     if FORWARD_PART in other[0].joint and FORWARD_PART not in one[0].joint:
@@ -109,7 +111,7 @@ def _chosen(profile: CalibrationProfile, candidates: Sequence[FoundGesture], cos
     return [*_right_first(one), *_right_first(other)]
 
 
-def _best(pairs_of_pairs: Sequence[list[Pair]], costs: _Costs) -> list[Pair]:
+def _cheapest(pairs_of_pairs: Sequence[list[Pair]], costs: _Costs) -> list[Pair]:
     """Return the two pairs of lowest cost; of nearly equal ones the first, as layouts name their main joints first."""
     all_costs = [costs.of([*one, *other]) for one, other in pairs_of_pairs]
     enough = min(all_costs) + EQUAL_COST
@@ -142,7 +144,7 @@ def _gestures(found: Sequence[FoundGesture], chosen: Sequence[FoundGesture]) -> 
     )
 
 
-def _reason(chosen: Sequence[FoundGesture], cross_talk: float | None) -> str:
+def _reason_of(chosen: Sequence[FoundGesture], cross_talk: float | None) -> str:
     names = ", ".join(one.joint if one.direction == 1 else f"{one.joint} going back" for one in chosen)
     weakest = min(one.signal_to_noise for one in chosen)
     words = f"Suggested: {names}. The weakest of them stands {weakest:.0f} times above its noise"

@@ -23,7 +23,7 @@ def outlines(region: NDArray[np.bool_]) -> list[list[Corner]]:
     The region is on the left of every outline. Cells that meet only at a corner are separated, because nothing can pass
     there.
     """
-    return [_simplified(loop) for loop in _loops(region)]
+    return [_simplify(loop) for loop in _loops(region)]
 
 
 def _loops(region: NDArray[np.bool_]) -> list[list[Corner]]:
@@ -72,7 +72,7 @@ def _direction(a: Corner, b: Corner) -> Corner:
     return int(np.sign(b[0] - a[0])), int(np.sign(b[1] - a[1]))
 
 
-def _simplified(loop: list[Corner]) -> list[Corner]:
+def _simplify(loop: list[Corner]) -> list[Corner]:
     """Return `loop` without the corners that can be left out within TOLERANCE, without cutting into the region."""
     circumference = sum(abs(a[0] - b[0]) + abs(a[1] - b[1]) for a, b in zip(loop, loop[1:] + loop[:1], strict=True))
     if circumference <= SMALL:
@@ -85,7 +85,7 @@ def _simplified(loop: list[Corner]) -> list[Corner]:
         reach += 1
         misses = 0
         for there in range(here + 2, last + 1):
-            if _may_skip(corners, here, there):
+            if _can_skip(corners, here, there):
                 reach, misses = there, 0
             else:
                 misses += 1
@@ -96,7 +96,7 @@ def _simplified(loop: list[Corner]) -> list[Corner]:
     return simplified if len(simplified) >= 3 else loop
 
 
-def _may_skip(corners: NDArray[np.float64], here: int, there: int) -> bool:
+def _can_skip(corners: NDArray[np.float64], here: int, there: int) -> bool:
     """Return whether the corners between two others are within TOLERANCE of their chord, on its left or on it."""
     chord = corners[there] - corners[here]
     length = float(np.hypot(*chord))

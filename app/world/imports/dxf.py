@@ -46,7 +46,7 @@ def import_dxf(
     """
     drawing = read_dxf(file, unit)
     offered = tuple(sorted(layer for layer in drawing.layers if layer.lower() != PATH_LAYER))
-    chosen = _chosen(file, offered, layers)
+    chosen = _choose_layers(file, offered, layers)
     pieces = [piece for layer in chosen for line in drawing.layers[layer] for piece in pairwise(line)]
     if not pieces:
         raise ValueError(f"{file}: there are no lines in this drawing (on the chosen layers), choose others")
@@ -62,7 +62,7 @@ def import_dxf(
             f"{file}: this drawing has {edges:,} wall pieces and at most {MAX_WALLS:,} are taken, choose fewer layers"
         )
     drawn = _drawn_paths(drawing, (x, y))
-    paths = drawn or _proposed(walls, (float(size[0]), float(size[1])))
+    paths = drawn or _propose_path(walls, (float(size[0]), float(size[1])))
     document: dict[str, Any] = {
         "name": name or plain_name(file.stem),
         "title": title or file.stem[:80],
@@ -70,10 +70,10 @@ def import_dxf(
         "wall_thickness": WALL_THICKNESS,
         "paths": paths,
     }
-    return Draft(document, tuple(_words(drawing, edges, drawn, paths)), offered, chosen)
+    return Draft(document, tuple(_sentences(drawing, edges, drawn, paths)), offered, chosen)
 
 
-def _chosen(file: Path, offered: tuple[str, ...], layers: tuple[str, ...] | None) -> tuple[str, ...]:
+def _choose_layers(file: Path, offered: tuple[str, ...], layers: tuple[str, ...] | None) -> tuple[str, ...]:
     if layers is None:
         return tuple(layer for layer in offered if not WORDS_ON.search(layer))
     for layer in layers:
@@ -98,7 +98,7 @@ def _drawn_paths(drawing: Drawing, origin: Point) -> list[dict[str, Any]]:
     lines = [line for layer, found in drawing.layers.items() if layer.lower() == PATH_LAYER for line in found]
     polylines = [line for line in lines if len(line) > 2]
     loose = [(line[0], line[1]) for line in lines if len(line) == 2]
-    polylines += [_as_drawn(chain, loose) for chain in chain_pieces(loose)]
+    polylines += [_in_drawn_direction(chain, loose) for chain in chain_pieces(loose)]
     paths: list[dict[str, Any]] = []
     for line in polylines[:MOST_PATHS]:
         points = [[round(x - origin[0], DECIMALS), round(y - origin[1], DECIMALS)] for x, y in line]
@@ -108,7 +108,7 @@ def _drawn_paths(drawing: Drawing, origin: Point) -> list[dict[str, Any]]:
     return paths
 
 
-def _as_drawn(chain: list[Point], pieces: list[tuple[Point, Point]]) -> list[Point]:
+def _in_drawn_direction(chain: list[Point], pieces: list[tuple[Point, Point]]) -> list[Point]:
     """Return the chain in the direction in which most of its pieces are drawn."""
     drawn = {tuple((round(x, MILLIMETRES), round(y, MILLIMETRES)) for x, y in piece) for piece in pieces}
     ahead = sum((a, b) in drawn for a, b in pairwise(chain))
@@ -116,7 +116,7 @@ def _as_drawn(chain: list[Point], pieces: list[tuple[Point, Point]]) -> list[Poi
     return chain if ahead >= back else chain[::-1]
 
 
-def _proposed(walls: list[list[Point]], size: tuple[float, float]) -> list[dict[str, Any]]:
+def _propose_path(walls: list[list[Point]], size: tuple[float, float]) -> list[dict[str, Any]]:
     """Return a list of one path through the largest part of the building; an empty list when a chair fits nowhere."""
     resolution = max(FINEST, float(np.sqrt(size[0] * size[1] / MOST_CELLS)), max(size) / MOST_CELLS)
     free = free_cells(walls, WALL_THICKNESS, size, resolution)
@@ -127,7 +127,7 @@ def _proposed(walls: list[list[Point]], size: tuple[float, float]) -> list[dict[
     return [path_document(points)] if Line(points).length > 0 else []
 
 
-def _words(drawing: Drawing, edges: int, drawn: list[dict[str, Any]], paths: list[dict[str, Any]]) -> list[str]:
+def _sentences(drawing: Drawing, edges: int, drawn: list[dict[str, Any]], paths: list[dict[str, Any]]) -> list[str]:
     words = [f"{edges} wall pieces."]
     if drawn:
         words.append(f"{len(drawn)} from the layer PATH." if len(drawn) > 1 else "The path is that of the layer PATH.")

@@ -54,29 +54,29 @@ def import_image(
         raise ValueError(
             f"{file}: with this scale the picture is {columns * scale:.2f} x {rows * scale:.2f} m large, correct it"
         )
-    times = _coarser(file, rows, columns, scale)
-    free = enclosed_cells(np.flipud(_coarse(grey >= threshold * 255.0, times)))
+    side = _pixels_per_cell(file, rows, columns, scale)
+    free = enclosed_cells(np.flipud(_to_cells(grey >= threshold * 255.0, side)))
     if not free.any():
         raise ValueError(f"{file}: nothing in this picture is as light as the threshold, lower it")
-    occupancy = OccupancyMap(np.ascontiguousarray(free), scale * times, (0.0, 0.0, 0.0))
+    occupancy = OccupancyMap(np.ascontiguousarray(free), scale * side, (0.0, 0.0, 0.0))
     return draft_of_map(occupancy, file, title, name, what="picture")
 
 
-def _coarser(file: Path, rows: int, columns: int, scale: float) -> int:
+def _pixels_per_cell(file: Path, rows: int, columns: int, scale: float) -> int:
     """Return the number of pixels along one side of a cell."""
-    times = max(1, int(FINEST / scale), int(np.ceil(np.sqrt(rows * columns / MOST_CELLS))))
-    if scale * times > COARSEST:
+    side = max(1, int(FINEST / scale), int(np.ceil(np.sqrt(rows * columns / MOST_CELLS))))
+    if scale * side > COARSEST:
         raise ValueError(
-            f"{file}: one cell would be {scale * times:.2f} m, and doorways would be lost, show a smaller part"
+            f"{file}: one cell would be {scale * side:.2f} m, and doorways would be lost, show a smaller part"
         )
-    return times
+    return side
 
 
-def _coarse(free: NDArray[np.bool_], times: int) -> NDArray[np.bool_]:
-    """Return cells of `times` x `times` pixels, free when all their pixels are; pixels beyond the edge are free."""
+def _to_cells(free: NDArray[np.bool_], side: int) -> NDArray[np.bool_]:
+    """Return cells of `side` x `side` pixels, free when all their pixels are; pixels beyond the edge are free."""
     rows, columns = free.shape
-    padded = np.pad(free, ((0, -rows % times), (0, -columns % times)), constant_values=True)
-    blocks = padded.reshape(padded.shape[0] // times, times, padded.shape[1] // times, times)
+    padded = np.pad(free, ((0, -rows % side), (0, -columns % side)), constant_values=True)
+    blocks = padded.reshape(padded.shape[0] // side, side, padded.shape[1] // side, side)
     return np.asarray(blocks.all(axis=(1, 3)))
 
 

@@ -40,7 +40,7 @@ def propose_route(free: NDArray[np.bool_], resolution: float) -> Route | None:
     one = grid.furthest(int(grid.number[ends_at][0]), ends_at)
     other = grid.furthest(one, ends_at)
     steps = grid.way(one, other)
-    points = _straightened(steps, clearance, least, resolution)
+    points = _straighten(steps, clearance, least, resolution)
     length = float(np.hypot(*np.diff(points, axis=0).T).sum()) * resolution
     if length < SHORTEST:
         return None
@@ -108,7 +108,7 @@ def _beside(shape: tuple[int, ...], up: int, across: int) -> tuple[tuple[slice, 
     return here, there
 
 
-def _straightened(
+def _straighten(
     steps: NDArray[np.int64], clearance: NDArray[np.float64], least: float, resolution: float
 ) -> NDArray[np.float64]:
     """Return few points of the way, such that `_is_straight` holds for each piece between two of them."""

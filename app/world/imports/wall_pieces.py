@@ -17,12 +17,12 @@ def join_pieces(pieces: Iterable[Piece]) -> list[list[Point]]:
 
     Points are rounded to a millimetre; repeated pieces and pieces of length zero are left out.
     """
-    return chain_pieces(_merged(pieces))
+    return chain_pieces(_merge_collinear(pieces))
 
 
 def chain_pieces(pieces: Iterable[Piece]) -> list[list[Point]]:
     """Return lines that contain each piece exactly once; a line begins at an open end where it has one."""
-    edges = list(dict.fromkeys(tuple(sorted(piece)) for piece in _rounded(pieces)))
+    edges = list(dict.fromkeys(tuple(sorted(piece)) for piece in _round(pieces)))
     at: dict[Point, list[int]] = defaultdict(list)
     for number, piece in enumerate(edges):
         for end in piece:
@@ -54,17 +54,17 @@ def _walk(start: Point, edges: list[tuple[Point, ...]], at: dict[Point, list[int
         here = there
 
 
-def _rounded(pieces: Iterable[Piece]) -> Iterable[Piece]:
+def _round(pieces: Iterable[Piece]) -> Iterable[Piece]:
     for (ax, ay), (bx, by) in pieces:
         a, b = (round(ax, DECIMALS), round(ay, DECIMALS)), (round(bx, DECIMALS), round(by, DECIMALS))
         if a != b:
             yield a, b
 
 
-def _merged(pieces: Iterable[Piece]) -> list[Piece]:
+def _merge_collinear(pieces: Iterable[Piece]) -> list[Piece]:
     """Return the pieces, collinear ones that touch or overlap merged into one."""
     on_line: dict[tuple[int, int], list[tuple[float, float, Piece]]] = defaultdict(list)
-    for a, b in _rounded(pieces):
+    for a, b in _round(pieces):
         if b < a:
             a, b = b, a  # noqa: PLW2901  (towards larger x, because opposite directions are one line)
         turn = round(math.atan2(b[1] - a[1], b[0] - a[0]) / SAME_ANGLE)
