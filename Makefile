@@ -17,7 +17,7 @@ $(VENV)/.installed-test: $(VENV)/.installed
 	@$(INSTALL) --editable '.[test]'
 	@touch $@
 
-$(VENV)/.installed-types: package.json package-lock.json $(VENV)/.installed-test
+node_modules/.installed: package.json package-lock.json $(VENV)/.installed-test
 	@$(BIN)/npm ci --ignore-scripts --silent
 	@touch $@
 
@@ -34,14 +34,14 @@ test: $(VENV)/.installed-test check
 browser: $(VENV)/.installed-test
 	$(BIN)/python -m pytest -m long
 
-check: $(VENV)/.installed-test $(VENV)/.installed-types
+check: $(VENV)/.installed-test node_modules/.installed
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
 	$(TSC)
 	$(TSC) --project tsconfig.worker.json
 
-api-types: $(VENV)/.installed-types
+api-types: node_modules/.installed
 	PYTHONPATH=.:tests $(BIN)/python tests/api_types.py
 
 safety: $(VENV)/.installed-test
