@@ -58,12 +58,12 @@ class Uneven(Person):
         self._spread = kind.unevenness
         self._sizes = np.random.default_rng(seed)
         self._size = 1.0
-        self._asked: Cue | None = None
+        self._cue: Cue | None = None
 
     def step(self, dt: float, view: BodyView) -> NDArray[np.float64]:
         """Advance by `dt`, with a random size for each prompted movement."""
-        if view.cue is not self._asked:
-            self._asked = view.cue
+        if view.cue is not self._cue:
+            self._cue = view.cue
             if view.cue is not None and view.cue.kind == "move":
                 self._size = float(np.exp(self._spread * self._sizes.normal()))
             elif view.cue is None or view.cue.kind != "return":

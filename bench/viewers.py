@@ -86,7 +86,7 @@ async def _watch(web: "subprocess.Popen[str]", port: int, viewers: int, runs: in
         began = stopwatch()
         found.core.append(await _core(web, seconds))
         lasted = stopwatch() - began
-        # DecodedRun only now: it would make the packets wait that come meanwhile.
+        # Decoded only now: decoding earlier would delay the packets that arrive.
         for came_to_one in [list(one) for one in seen]:
             ages = [1000 * age_at(*at, came) for came, packet in came_to_one for at in chair_positions(packet)]
             found.rates.append(len(ages) / lasted)

@@ -116,9 +116,9 @@ def _app(settings: Settings) -> WebApp:
 
 
 def _run(settings: Settings, server: WebServer) -> None:
-    """Serve until somebody ends it; say in one sentence what kept it from starting."""
+    """Serve until a signal; refuse in one sentence when the server cannot start."""
     logging.basicConfig(level=logging.WARNING, format="bodydrive: %(message)s", stream=sys.stderr)
-    # What these say about browsers that come and go helps nobody; our own errors go through the logger "bodydrive".
+    # These log connections of browsers only; errors of this program go to the logger "bodydrive".
     for name in ("uvicorn", "uvicorn.error", "websockets", "asyncio"):
         logging.getLogger(name).setLevel(logging.CRITICAL)
     settings.runs.mkdir(parents=True, exist_ok=True)

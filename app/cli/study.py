@@ -99,21 +99,21 @@ def study(
         if seeds == 1:
             result = run_study(trials, seed, plan, chosen.name, None if as_json else _Progress(trials), driver)
             write_study(result, out, lambda folder: draw_study(result, folder, figure_format), overwrite)
-            told, said = summary(result), [result.learning[name]["text"] for name in MEASURES]
+            document, lines = summary(result), [result.learning[name]["text"] for name in MEASURES]
         else:
             results = run_seeds(
                 range(seed, seed + seeds), trials, plan, chosen.name, driver, None if as_json else _tell_of_seed
             )
             write_seeds(results, out, lambda folder: draw_seeds(results, folder, figure_format), overwrite)
-            told, said = seeds_summary(results), sentences(results)
+            document, lines = seeds_summary(results), sentences(results)
     except ValueError as error:
         raise InputError(str(error)) from error
     except OSError as error:
         raise InputError(f"--out {out} cannot be written ({error.strerror}): choose another place") from error
     if as_json:
-        typer.echo(json.dumps({"out": str(out), **told}, allow_nan=False))
+        typer.echo(json.dumps({"out": str(out), **document}, allow_nan=False))
         return
-    for sentence in said:
+    for sentence in lines:
         typer.echo(sentence)
     typer.echo(f"{trials * seeds} trials in {stopwatch() - started:.1f} s, written to {out}")
 

@@ -43,7 +43,7 @@ class BodyView:
     v: float = 0.0  # m/s
     omega: float = 0.0  # rad/s
     in_contact: bool = False  # whether the chair touches something
-    leader: LeaderView | None = None  # of a task that says to follow somebody
+    leader: LeaderView | None = None  # of a task to follow a leader
 
 
 class Body(Protocol):

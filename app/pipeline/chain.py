@@ -154,7 +154,7 @@ class Chain:
         return BadGestures(bad_count, not controls.brakes.suffice(self.gate.last, decoder.bad))
 
     def _follow_losses(self, t: float, controls: Controls) -> None:
-        """Stop when frames go on being lost: gestures count as neutral meanwhile, so nobody can brake with a gesture.
+        """Stop when frames go on being lost: gestures count as neutral then, so a gesture cannot brake.
 
         A chair that keeps its speed is stopped as soon as a silent shirt would stop it.
         """

@@ -51,7 +51,7 @@ class Setup:
         self.hash: str | None = None
         self.floorplan: FloorPlan | None = None
         self.path: PrescribedPath | None = None
-        self.leader: Track | None = None  # of a task to follow somebody
+        self.leader: Track | None = None  # of a task to follow a leader
         self.chair: Chair = VirtualChair(None, ORIGIN)
         self._dynamics: Dynamics = "unicycle"  # of the newest virtual chair
         self._clinic = HIGHEST_SPEEDS

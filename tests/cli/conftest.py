@@ -1,4 +1,4 @@
-"""The command line run within this process, and the files of a small shirt to give to it."""
+"""Runs the command line in this process; the files of a small shirt."""
 
 import sys
 

@@ -1,4 +1,4 @@
-"""Bad input is one sentence on stderr and exit code 2; unusual input is met; nothing is half-written."""
+"""Bad input gives one sentence on stderr and exit code 2; unusual input is read; no output is half-written."""
 
 import json
 import os
@@ -28,7 +28,7 @@ def refused(answer, words):
 
 
 def parsed(answer):
-    """Return the one object on stdout, in which no NaN and no infinity may stand."""
+    """Return the JSON object on stdout, which must not hold NaN or infinity."""
     code, out, err = answer
     assert (code, err) == (0, "")
     assert out.count("\n") == 1
@@ -95,7 +95,7 @@ def test_two_columns_of_one_name_in_parquet(bodydrive, shirt, tmp_path):
 
 
 def test_numbers_that_no_sensor_gives_are_missing_ones(bodydrive, shirt, tmp_path, write_table):
-    """Beyond float32, beyond what a profile may hold, and infinite: many leave the channel out, and it is told."""
+    """Values beyond float32, beyond a profile's range, and infinite: many of them exclude the channel."""
     for column, number in ((1, 1e300), (2, 1e30), (4, np.inf)):
         shirt[500:530, column] = number
     shirt[700, 5] = np.inf

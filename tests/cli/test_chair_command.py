@@ -1,4 +1,4 @@
-"""`bodydrive chair`: a pairing that is whole or not at all, and the receiver under its other name."""
+"""`bodydrive chair`: a pairing that is complete or not made, and the receiver as a subcommand."""
 
 import re
 import shlex

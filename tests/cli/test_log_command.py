@@ -1,4 +1,4 @@
-"""`bodydrive log verify`, and databases that this program does not open: a sentence and an exit code."""
+"""`bodydrive log verify`, and databases that this program does not open, each with a sentence and an exit code."""
 
 import json
 import sqlite3

@@ -1,4 +1,4 @@
-"""`bodydrive calibrate --map`: which map decodes, and in words where it cannot be had."""
+"""`bodydrive calibrate --map`: which map decodes, and the sentence where a map is missing."""
 
 import json
 

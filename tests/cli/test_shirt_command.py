@@ -1,4 +1,4 @@
-"""`bodydrive shirt`: a key for a shirt, and a sender that sends as a shirt with that key does."""
+"""`bodydrive shirt`: a key for a shirt, and the sender of signed frames."""
 
 import os
 import shlex
@@ -118,7 +118,7 @@ def test_a_file_is_sent_at_its_own_times_and_again(bodydrive, key_file, listenin
 
 
 def test_it_needs_nothing_but_python(key_file, listening):
-    """As on a shirt's own computer: `-S` leaves out every library that was installed."""
+    """As on a shirt's own computer: `-S` excludes every installed library."""
     end, to = listening
     command = [sys.executable, "-S", "-m", "app.hardware.shirt.sender", "--key-file", str(key_file), "--to", to]
     said = subprocess.run([*command, "--frames", "1"], cwd=ROOT, capture_output=True, text=True, check=True)

@@ -1,4 +1,4 @@
-"""S3: the network is cut at a random moment. A sender of its own for each chair, so that several are cut at once."""
+"""S3: the network is cut at a random moment. Each chair has its own sender, so that several are cut at once."""
 
 import asyncio
 import random
@@ -15,9 +15,9 @@ from app.hardware.chair.packet import DRIVE, Command, decode_telemetry, encode_c
 
 PERIOD = 0.02  # s between two commands
 SIDE_BY_SIDE = 4
-LOOK_ON = 0.62  # s after a cut
+LOOK_ON = 0.62  # s of observation after a cut
 PATIENCE = 2.0  # s for an arming, and for a speed to be reached
-LINE_EVERY = 0.15  # s: at least as often the receiver says how it is
+LINE_EVERY = 0.15  # s: longest time between two lines of the receiver
 SPEED, ALMOST = 0.8, 0.799  # m/s: a command carries them as float32
 
 
@@ -52,7 +52,7 @@ class Sender(asyncio.DatagramProtocol):
         return t
 
     async def drive(self, v, until):
-        """Send one speed until a condition holds, and return when the last command went out; None: it never held."""
+        """Send one speed until a condition holds; return when the last command was sent, None when it never held."""
         due = last = monotonic()
         patience = due + PATIENCE
         while not until():
@@ -94,8 +94,8 @@ async def _cut(result, watcher, runs, seed):
 
 
 async def _driven(receiver, sender, dice):
-    """Arm and drive at full speed for a moment; return when the last command went out."""
-    while True:  # a busy machine may cost a watchdog's patience on the way
+    """Arm and drive at full speed for a moment; return when the last command was sent."""
+    while True:  # a busy machine may disarm the chair
         while sender.nonce is None or sender.state != 0:
             sender.ask()
             await asyncio.sleep(0.05)
@@ -114,7 +114,7 @@ async def _one(result, watcher, receiver, sender, dice):
     await asyncio.sleep(LOOK_ON)
     late = max(watcher.late(cut, cut + LOOK_ON), waited(receiver.pid) - before)
     lines = receiver.since(cut - LINE_EVERY)
-    # A first step may follow another at once and then take hardly any speed: any decrease is a beginning.
+    # A first step can be very short and reduce the speed very little, so any decrease counts as the beginning.
     said = [(before, after) for before, after in pairwise(lines) if after["t"] > cut]
     begun = next((after["t"] - cut for before, after in said if after["v"] < before["v"]), None)
     disarmed = next((after["t"] - cut for _, after in said if after["state"] == "disarmed"), None)

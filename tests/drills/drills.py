@@ -1,4 +1,4 @@
-"""The table of the drills: what is done to a chair that drives, and how often."""
+"""The table of the drills: the faults injected while a chair drives, and the number of runs."""
 
 import asyncio
 import random
@@ -44,11 +44,11 @@ DRILLS = {
 
 
 def run_drill(name, runs, seed):
-    """Run one drill in this process; return its result, a violation where the drill itself came to an end."""
+    """Run one drill in this process; return its result, with a violation when the drill itself fails."""
     drill, *_ = DRILLS[name]
     try:
         return asyncio.run(drill(runs, random.Random(seed)))
-    except Exception as error:  # the other drills go on, and their rows are kept
+    except Exception as error:  # the other drills continue, and their rows are kept
         ended = Result(f"{name}: the drill ended early", None)
         ended.violations.append(f"{type(error).__name__}: {error}")
         return ended

@@ -1,4 +1,4 @@
-"""One injury of a chair that cruises, and what all drills look for: jerks, and drives that ended."""
+"""One injected fault while a chair cruises, and the checks of all drills: jerks, and drives that ended."""
 
 import asyncio
 from itertools import pairwise
@@ -11,12 +11,12 @@ from app.faults import Fault, State
 A_TICK = 0.02  # s: the longest wait of the control loop, or a step of the receiver and its line
 HEARTBEAT = 0.05  # s between two heartbeats of the drill
 COMMAND = 0.02  # s between two commands
-LATE_MACHINE = 0.05  # s: a machine this late sends commands late; the chair then slows, and rightly speeds up again
-STARVED_SHIRT = 0.1  # s: a machine this late keeps the shirt from sending, and the gate rightly stops after 0.2 s
+LATE_MACHINE = 0.05  # s: with this lateness of the machine the chair may slow and speed up again
+STARVED_SHIRT = 0.1  # s: with this lateness the shirt may not send, and the gate stops after 0.2 s
 
 
 async def injure_at_random(made, result, dice, injury, recover, after=AFTER):
-    """Bring the chair to cruise, injure something at a random moment, look on, and mend it."""
+    """Bring the chair to cruise, inject the fault at a random moment, observe, and recover."""
     await made.cruise()
     await asyncio.sleep(dice.uniform(0.0, 0.1))
     injured = monotonic()
@@ -33,21 +33,21 @@ async def injure_at_random(made, result, dice, injury, recover, after=AFTER):
 
 
 async def nothing():
-    """Injure or mend nothing."""
+    """Inject or recover nothing."""
 
 
 def look_for_jerks(made, since, result):
-    """Add a violation when the speed of the chair changed faster than the firmest stop since the time `since` (s)."""
+    """Add a violation when the speed of the chair changed faster than in the fastest stop since `since` (s)."""
     lines = made.receiver.since(since)
     for before, after in pairwise(lines):
         change = abs(after["v"] - before["v"])
-        if change > 6.0 * (after["t"] - before["t"] + 0.012):  # the firmest stop: 1.5 m/s in 0.25 s, a step's slack
+        if change > 6.0 * (after["t"] - before["t"] + 0.012):  # the fastest stop: 1.5 m/s in 0.25 s, plus one step
             result.violations.append(f"run {result.runs + 1}: a jerk of {change:.2f} m/s")
             return
 
 
 def look_whether_it_drives(made, result, late):
-    """Add a violation when the chair does not drive any more, unless the machine was `late` (s) for too long."""
+    """Add a violation when the chair no longer drives, unless the machine was too `late` (s)."""
     if late > STARVED_SHIRT:
         return
     if made.control.newest()["state"] != State.ARMED or made.receiver.newest["state"] != "armed":

@@ -45,7 +45,7 @@ async def weather(runs, dice):
 
 
 def _look_for_freedom(made, since, result):
-    """Find a moment in which the chair went faster than any command that had reached it just before."""
+    """Find a moment at which the chair was faster than every recent command that had reached it."""
     commands = [
         (t, abs(struct.unpack_from("<f", datagram, 28)[0])) for t, datagram in made.relay.commands_since(since - 0.5)
     ]

@@ -1,4 +1,4 @@
-"""The drill of odd names of equipment, which somebody types while the chair drives."""
+"""The drill of odd names of equipment, typed while the chair drives."""
 
 import asyncio
 from contextlib import suppress
@@ -49,7 +49,7 @@ async def odd_names(runs, dice):
 
 
 async def _ask_oddly(made, value):
-    """Ask for equipment with this text in every field that takes one; return how many commands that were."""
+    """Choose equipment with this text in every text field; return the number of commands."""
     layout = made.shirt_config["layout"]
     commands = [
         ("shirt", {"kind": "udp", "host": value, "port": 0, "layout": layout}),

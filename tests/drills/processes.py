@@ -1,4 +1,4 @@
-"""Drills of the processes: one of them is killed, held or silent while the chair drives."""
+"""Drills of the processes: one of them is killed, suspended or silent while the chair drives."""
 
 import asyncio
 import os

@@ -1,4 +1,4 @@
-"""A network between a sender and a chair that is as bad as it is told to be: seeded, so that it can be had again."""
+"""A simulated bad network between a sender and a chair, with a seed so that it can be repeated."""
 
 import heapq
 import itertools
@@ -13,19 +13,19 @@ from app.hardware.chair.packet import COMMAND_MAGIC
 
 
 class Weather(NamedTuple):
-    """How bad it is; shares of datagrams, and seconds."""
+    """The faults of the network: shares of datagrams, and seconds."""
 
     drop: float = 0.0
     duplicate: float = 0.0
     corrupt: float = 0.0
-    delay: float = 0.0  # s, up to which each is held back, so that they come in another order
-    burst: float = 0.0  # share of datagrams at which a gap begins ...
-    burst_time: float = 0.0  # s, up to which it lasts
+    delay: float = 0.0  # s, largest delay of a datagram, so that the order changes
+    burst: float = 0.0  # share of datagrams at which a gap begins
+    burst_time: float = 0.0  # s, longest gap
 
     def fate(
         self, datagram: bytes, t: float, dice: random.Random, gap_until: float
     ) -> tuple[list[tuple[float, bytes]], float]:
-        """Return when which copies of a datagram come out, and until when nothing passes."""
+        """Return the times at which copies of a datagram come out, and the end of a gap."""
         if t < gap_until or dice.random() < self.drop:
             return [], gap_until
         if dice.random() < self.burst:
@@ -44,7 +44,7 @@ FAIR = Weather()
 
 
 class Relay:
-    """Stands between; the sender takes it for the chair. `passed` holds (time, datagram) of what reached the chair."""
+    """The network; the sender uses it as the chair. `passed` holds (time, datagram) of what reached the chair."""
 
     def __init__(self, chair_port: int, seed: int = 0) -> None:
         self._dice = random.Random(seed)
@@ -70,7 +70,7 @@ class Relay:
         return [(at, datagram) for at, datagram in self.passed if at > t and datagram[:4] == COMMAND_MAGIC]
 
     def inject(self, datagram: bytes) -> None:
-        """Send something of one's own to the chair, from the sender's place."""
+        """Send a datagram to the chair from the sender's address."""
         self._far.sendto(datagram, ("127.0.0.1", self.chair_port))
 
     def close(self) -> None:
@@ -114,4 +114,4 @@ class Relay:
             elif self._sender is not None:
                 self._near.sendto(datagram, self._sender)
         except OSError:
-            pass  # a chair that is being started again
+            pass  # the chair is being restarted

@@ -1,4 +1,4 @@
-"""What drills found, as a table."""
+"""The results of drills, as a table."""
 
 import threading
 from dataclasses import dataclass, field
@@ -16,13 +16,13 @@ class Result:
     disarm_limit: float | None = None  # s until the chair is disarmed
     begun: list[float] = field(default_factory=list)
     disarmed: list[float] = field(default_factory=list)
-    late: list[float] = field(default_factory=list)  # s that this machine let others wait meanwhile
+    late: list[float] = field(default_factory=list)  # s of lateness of this machine during the run
     violations: list[str] = field(default_factory=list)
     runs: int = 0
     remark: str = ""
 
     def add(self, begun: float | None, disarmed: float | None = None, late: float = 0.0) -> None:
-        """Take in one run; a time beyond its limit is a violation, unless this machine stood still for the rest."""
+        """Add one run; a time beyond its limit is a violation, unless this machine was late by the difference."""
         self.runs += 1
         self.late.append(late)
         for name, time, times, limit in (
@@ -59,7 +59,7 @@ def _worst(times: list[float]) -> str:
 
 
 def waited(pid: int) -> float:
-    """Return for how long (s) a process was ready to run and not let, since it was started; 0 where nobody counts."""
+    """Return how long (s) a process has waited for a processor since its start; 0 where that is not counted."""
     try:
         return int(Path(f"/proc/{pid}/schedstat").read_text().split()[1]) * 1e-9
     except (OSError, IndexError, ValueError):
@@ -67,10 +67,10 @@ def waited(pid: int) -> float:
 
 
 class Watcher:
-    """Knows for how long this machine did not let an ordinary thread run."""
+    """Measures for how long this machine does not run an ordinary thread."""
 
     EVERY = 0.005  # s
-    USUAL = 0.015  # s: as late is everything at times
+    USUAL = 0.015  # s of lateness that is usual
 
     def __init__(self) -> None:
         self._gaps: list[tuple[float, float]] = []
@@ -87,7 +87,7 @@ class Watcher:
             last = now
 
     def late(self, begin: float, end: float) -> float:
-        """Return the longest such time that fell between two moments."""
+        """Return the largest lateness (s) between two times."""
         return max((gap for at, gap in self._gaps if at >= begin and at - gap <= end), default=0.0)
 
     def close(self) -> None:

@@ -23,9 +23,9 @@ from app.process.command_channel import LinkLost, LinkRefused
 from app.process.supervisor import ControlProcess
 from building import make_parameters
 
-PARAMETERS = make_parameters()  # acceleration mode: after one stroke the chair cruises with the hands at rest
-CRUISE = 0.15  # m/s at least
-AFTER = 0.75  # s that a drill looks on after its injury
+PARAMETERS = make_parameters()  # acceleration mode: after one stroke the chair cruises while the hands rest
+CRUISE = 0.15  # m/s, least speed of cruising
+AFTER = 0.75  # s of observation after the fault
 TRIES = 6
 
 
@@ -39,7 +39,7 @@ class DrillShirt(UdpShirtSender):
         super().__init__(parameters, port, key_file)
 
     def rest(self):
-        """Have made no stroke."""
+        """Return to rest."""
         self._stroke_at = None
 
     def _values(self):
@@ -62,7 +62,7 @@ class DrillShirt(UdpShirtSender):
 
 
 class Rig:
-    """Everything between an arm and a wheel, but the arm and the wheel."""
+    """The shirt, the control process, the network and the receiver of a drill."""
 
     def __init__(self, folder, seed):
         self._folder = Path(folder)
@@ -100,7 +100,7 @@ class Rig:
         await self.control.call("run", **run, cues=[], meta={})
 
     async def show_switch(self):
-        """Let the chair's switch be seen, once, so that acceleration mode may be armed."""
+        """Press and release the chair's switch once, so that acceleration mode may be armed."""
         self.receiver.press(True)
         await tick_with(self.control, lambda tick: tick["stop_input"] == 1)
         self.receiver.press(False)
@@ -118,7 +118,7 @@ class Rig:
                 continue
             self.shirt.stroke()
             tick = await tick_with(self.control, lambda tick: tick["state"] != State.ARMED or tick["driven_v"] > CRUISE)
-            await asyncio.sleep(0.45)  # the stroke ends, and the arm is back
+            await asyncio.sleep(0.45)  # the stroke ends, and the arm returns
             if self.control.newest()["state"] == State.ARMED and self.receiver.newest["v"] > CRUISE:
                 return
         raise AssertionError("the chair could not be brought to cruise")
@@ -194,7 +194,7 @@ class Rig:
         self.control = None
 
     def chair_stopped(self, injured):
-        """Return after how long (s) the chair began to stop, and was disarmed; None: it has not."""
+        """Return after how long (s) the chair began to stop, and was disarmed; None when it was not."""
         lines = self.receiver.since(injured)
         before = [line for line in self.receiver.lines[-400:] if line["t"] <= injured]
         cruise = before[-1]["v"] if before else 0.0
@@ -203,7 +203,7 @@ class Rig:
         return tuple(None if t is None else t - injured for t in (begun, disarmed))
 
     def went_on(self, injured, after):
-        """Tell whether the chair was driven faster again later than `after` (s), or did not come to stand."""
+        """Return whether the chair became faster later than `after` (s), or did not stop."""
         speeds = [abs(line["v"]) for line in self.receiver.since(injured + after)]
         return speeds != sorted(speeds, reverse=True) or bool(speeds and speeds[-1])
 
@@ -216,7 +216,7 @@ class Rig:
 
 
 def environment():
-    """Return an environment in which a process finds the tests."""
+    """Return an environment in which a process can import the tests."""
     tests = str(Path(__file__).resolve().parents[1])
     return {**os.environ, "PYTHONPATH": os.pathsep.join([tests, os.environ.get("PYTHONPATH", "")])}
 
@@ -227,7 +227,7 @@ def _decided(tick):
 
 @asynccontextmanager
 async def rig(seed=0, *, controlled=True):
-    """Yield a rig whose chair can be made to cruise; without its own control process when somebody else has one."""
+    """Yield a rig whose chair can be made to cruise; `controlled`: with a control process of its own."""
     with tempfile.TemporaryDirectory(prefix="bodydrive-drill-") as folder:
         made = Rig(folder, seed)
         try:

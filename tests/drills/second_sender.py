@@ -35,7 +35,7 @@ async def second_sender(runs, dice):
                 sent += await _forge(made, dice, forger, began + FORGERY_TIME)
                 look_whether_it_drives(made, result, made.watcher.late(began, monotonic()))
                 made.shirt.stalled = True
-                silent = monotonic() + 0.1  # the last frames of the shirt may be on their way until then
+                silent = monotonic() + 0.1  # until then the last frames of the shirt may arrive
                 sent += await _forge(made, dice, forger, silent + SILENCE)
                 ticks = made.control.since(number)
                 frames = ticks[ticks["has_frame"] == 1]

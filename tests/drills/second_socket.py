@@ -1,4 +1,4 @@
-"""A second socket speaks with the word of the screen that drives, and that screen falls silent."""
+"""A second socket uses the screen token of the driving page, and that page falls silent."""
 
 import asyncio
 import json
@@ -14,16 +14,16 @@ from websockets.exceptions import ConnectionClosed
 from app.clock import monotonic
 
 WORD = "the-screen-of-this-drill"
-SAY_EVERY = 0.05  # s, as our page does
-SHOWN_EVERY = 0.05  # s between two messages of the live socket, which tell when the chair stopped
+SAY_EVERY = 0.05  # s, as the page does
+SHOWN_EVERY = 0.05  # s between two messages of the live socket, which show when the chair stopped
 A_TICK = 0.02  # s
-LOOK_ON = 3.0  # s: the server gives up a silent socket after 2 s, and the chair must not go on by that
+LOOK_ON = 3.0  # s: the server drops a silent socket after 2 s, and the chair must not resume then
 MOVES = 0.15  # m/s
-ARMINGS = 6  # on a machine so busy that a word may be late
+ARMINGS = 6  # attempts, because a busy machine may be late
 
 
 class Speaker:
-    """The worker of a page: it says that its page is in view, and asks for a socket again when one was refused."""
+    """The worker of a page: reports that the page is in view, and reconnects after a refusal."""
 
     def __init__(self, demo):
         self.refusals = 0
@@ -35,7 +35,7 @@ class Speaker:
         self._thread.start()
 
     def fall_silent(self):
-        """Say nothing any more, with the socket open."""
+        """Send nothing more, with the socket open."""
         self._speaks.clear()
 
     def close(self):
@@ -76,7 +76,7 @@ def _second_socket(runs, dice):
 
 
 def _run(demo, where, result, dice, watcher):
-    """Do it once; return how often the second socket was refused."""
+    """Run the drill once; return how often the second socket was refused."""
     with ExitStack() as stack:
         live = stack.enter_context(demo.socket("live"))
         first = Speaker(demo)
@@ -96,7 +96,7 @@ def _run(demo, where, result, dice, watcher):
         if not stopped or stopped != shown[-len(stopped) :] or stopped[0]["fault"]["name"] != "screen_lost":
             result.violations.append(f"run {result.runs + 1}: the chair went on, or stopped for another reason")
         result.add(stopped[0]["t"] - silent if stopped else None, late=late)
-        _until_driving(demo, live)  # Continue: the second socket speaks for the screen now
+        _until_driving(demo, live)  # Continue: the second socket now reports for the screen
         assert demo.client.post("/trials/current/end", json={}).is_success
         return second.refusals
 

@@ -21,7 +21,7 @@ from app.store.log_chain import verify_log
 DISK = 640 << 20  # bytes: with less than 500 MB free nothing is recorded
 TOLD = 2.0  # s
 WHOLE_AGAIN = 5.0  # s for the ballast, once there is room
-MOST_PATIENTS = 2000  # that may fit into what SQLite's files had still free
+MOST_PATIENTS = 2000  # that may fit into the free pages of SQLite's files
 CHILDREN_GO = 20.0  # s
 
 
@@ -117,7 +117,7 @@ def _read(state, expect):
 
 
 def _limit(demo):
-    """Let no file of the clinic's processes grow any more, and return when."""
+    """Forbid the clinic's processes to grow files, and return the time."""
     for process in (psutil.Process(demo.process.pid), demo.control_process()):
         process.rlimit(psutil.RLIMIT_FSIZE, (1, resource.RLIM_INFINITY))
     return monotonic()

@@ -17,7 +17,7 @@ async def shirt_stalls(runs, dice):
 
         async def go_on():
             made.shirt.stalled = False
-            await asyncio.sleep(1.2)  # so long the frames that were lost count
+            await asyncio.sleep(1.2)  # until the lost frames no longer count
 
         for _ in range(runs):
             await injure_at_random(made, result, dice, stall, go_on)

@@ -1,4 +1,4 @@
-"""Drills of what stops the chair at once: the screen that armed it, Stop on the tablet, the chair's own switch."""
+"""Drills of immediate stops: the screen that armed the chair, Stop on the tablet, the chair's own switch."""
 
 from drills.injury import A_TICK, COMMAND, HEARTBEAT, injure_at_random, nothing
 from drills.results import Result

@@ -1,4 +1,4 @@
-"""The drill of files that ask for far more memory or time than their size lets expect."""
+"""The drill of files that need far more memory or time than their size suggests."""
 
 import asyncio
 import tempfile

@@ -26,7 +26,7 @@ SHORTEST = 0.2  # s, of any movement
 
 
 class CuedBody:
-    """A body that follows cues, joint by joint; the same seed makes the same movements."""
+    """A body that follows cues, joint by joint; the seed determines the movements."""
 
     def __init__(self, joints: Sequence[str], seed: int) -> None:
         self.joints = tuple(joints)
@@ -86,11 +86,11 @@ class CuedBody:
             for i in range(len(self.joints)):
                 self._wander(i)
         elif kind == "move" and cue is not None and cue.joint in self.joints:
-            asked = self.joints.index(cue.joint)
-            self._plan(asked, self._random.gauss(*PROMPTED_SIZE), delay, PROMPTED_TIME * duration)
+            prompted = self.joints.index(cue.joint)
+            self._plan(prompted, self._random.gauss(*PROMPTED_SIZE), delay, PROMPTED_TIME * duration)
             side = cue.joint.partition("_")[0]
             for i, joint in enumerate(self.joints):
-                if i != asked and joint.partition("_")[0] == side:
+                if i != prompted and joint.partition("_")[0] == side:
                     share = self._random.uniform(-0.3, 1.0) * COMPANION
                     self._plan(i, share, delay, PROMPTED_TIME * duration)
         else:

@@ -104,7 +104,7 @@ class Receiver:
         self._sequence = 0
         self._digest = b""
         self._was_permitted = False  # whether the drive flag was set in this epoch
-        self._heard = self._checking_since = self._neutral_since = -math.inf
+        self._command_t = self._checking_since = self._neutral_since = -math.inf
         self._sender_t = 0.0
         self._quickest = math.inf  # s, smallest difference between this clock and the sender's in this epoch
         self._stepped: float | None = None
@@ -118,7 +118,7 @@ class Receiver:
         """Return when, after `t` (s), a limit of silence is reached; inf when none applies."""
         if self.state not in (ReceiverState.CHECKING, ReceiverState.ARMED):
             return math.inf
-        looks = (self._heard + limit + ROUNDING for limit in (QUIET, SILENT))
+        looks = (self._command_t + limit + ROUNDING for limit in (QUIET, SILENT))
         return next((look for look in looks if look > t), math.inf)
 
     def take(self, datagram: bytes, t: float) -> bool:
@@ -133,9 +133,9 @@ class Receiver:
         elif self.state is ReceiverState.FAULT or not self._is_newer(command, t):
             return False
         self._judge_lateness(command, t)
-        if t - self._heard >= QUIET:
+        if t - self._command_t >= QUIET:
             self._neutral_since = t
-        self._sequence, self._heard = command.sequence, t
+        self._sequence, self._command_t = command.sequence, t
         self._obey(command, t)
         return True
 
@@ -198,13 +198,13 @@ class Receiver:
         sender_t = command.t_ns * 1e-9
         if sender_t == self._sender_t:  # a clock that stands does not show lateness
             return True
-        allowed = self._quickest + FORGIVEN * (t - self._heard) + LATE
+        allowed = self._quickest + FORGIVEN * (t - self._command_t) + LATE
         return t - sender_t <= allowed
 
     def _judge_lateness(self, command: Command, t: float) -> None:
         sender_t = command.t_ns * 1e-9
         if sender_t != self._sender_t or math.isinf(self._quickest):
-            leaked = self._quickest + FORGIVEN * max(0.0, t - self._heard)
+            leaked = self._quickest + FORGIVEN * max(0.0, t - self._command_t)
             self._quickest = min(leaked, t - sender_t)
         self._sender_t = sender_t
 
@@ -239,7 +239,7 @@ class Receiver:
             self.state = ReceiverState.DISARMED
         if self.state not in (ReceiverState.CHECKING, ReceiverState.ARMED):
             return
-        silence = t - self._heard
+        silence = t - self._command_t
         if not pause <= STALL:
             self.stop(Reason.LATE)
         elif not silence < SILENT:

@@ -168,7 +168,7 @@ def test_the_visitor_can_be_moved_and_a_body_of_its_own_will_cannot():
 
 
 def write_rotations(file, seconds=12.0, joints=("right_elbow",), rate=50.0):
-    """A joint that bends 1 rad about an axis of its own now and then, and a little about another."""
+    """A joint that at times bends 1 rad about one axis, and a little about another."""
     t = np.arange(round(seconds * rate)) / rate
     bend = np.clip(np.sin(2 * np.pi * 0.25 * t), 0, None) ** 2
     header, columns = ["t"], [t + 40]

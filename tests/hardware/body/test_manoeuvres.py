@@ -1,4 +1,4 @@
-"""Turning, backing, following and several of these: what the simulated person does, on an open floor."""
+"""The simulated person turns, drives backwards, follows, and does several of these, on an open floor."""
 
 import dataclasses
 import json
@@ -36,7 +36,7 @@ LEADER = {
 
 
 def asked(**path):
-    """Return a floor on which one thing is asked, and what."""
+    """Return a floor with one task, and the task's path."""
     movers = [LEADER] if path["task"]["kind"] == "follow" else []
     path = {"name": "task", **LINE, **path}
     document = {"name": "p", "title": "P", "walls": [], "paths": [path], "movers": movers}
@@ -45,7 +45,7 @@ def asked(**path):
 
 
 class Floor:
-    """An open floor on which a full stroke is worth 0.3 m/s or 0.45 rad, with a judge who sees everything at once."""
+    """An open floor on which a full stroke changes 0.3 m/s or 0.45 rad, with the progress of the task."""
 
     def __init__(self, driver, plan, path) -> None:
         self.driver, self.progress = driver, progress_of(plan, path)
@@ -108,7 +108,7 @@ def test_a_leader_is_followed_at_the_asked_distance(seed) -> None:
 
 
 def test_a_stop_while_a_turn_is_held_hurries_nobody() -> None:
-    """The moment for which a mark is looked at stands still with the chair, for the judge and for the driver."""
+    """The time of looking at a mark stops while the chair may not move, for the progress and for the driver."""
     stages = [{**STAGES[0], "task": {**TURN["task"], "hold": 5.0}}, STAGES[1]]
     floor = Floor(Driver(PRACTISED, 1), *asked(**COURSE | {"task": {"kind": "course", "stages": stages}}))
     for _ in range(1000):

@@ -1,4 +1,4 @@
-"""The simulated person: strokes, beliefs, steering, and learning that is his own."""
+"""The simulated person: strokes, estimates, steering and learning."""
 
 import dataclasses
 import itertools
@@ -106,7 +106,7 @@ def test_the_bearing_leads_to_the_path_and_round_the_corner() -> None:
 
 
 def test_who_is_lost_goes_back_the_way_he_came() -> None:
-    """Through a door on the left and round behind a wall: not straight at the path, but back to the door."""
+    """Lost behind a wall, the driver returns through the door and does not steer straight at the path."""
     seen = course(((0.0, 0.0), (20.0, 0.0)))
     way = [(0.1 * i, 0.0) for i in range(30)]
     way += [(2.9, 0.1 * i) for i in range(30)]
@@ -145,7 +145,7 @@ def test_who_is_stuck_backs_away_and_then_drives_on() -> None:
 
 
 def drive(driver: Driver, seconds: float, t: float = 0.0) -> list[dict[str, float]]:
-    """Let a driver move his limbs before a chair that never moves."""
+    """Let a driver make strokes for a chair that never moves."""
     levels = []
     for i in range(round(seconds * 100)):
         now = t + i / 100
@@ -192,7 +192,7 @@ def test_who_does_not_learn_gains_no_practice() -> None:
 
 
 def practise(driver: Driver, seconds: float) -> tuple[float, float]:
-    """Let a driver drive on an open floor on which a full stroke is worth 0.3 m/s or 0.45 rad; return where he is."""
+    """Let a driver drive on an open floor, where a full stroke changes 0.3 m/s or 0.45 rad; return the final place."""
     worth = {"right_elbow": 0.3, "left_elbow": -0.3, "right_shoulder": 0.45, "left_shoulder": -0.45}
     x = y = theta = v = 0.0
     before = dict.fromkeys(worth, 0.0)

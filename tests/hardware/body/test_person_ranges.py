@@ -1,4 +1,4 @@
-"""Every number of the simulated person has a range with a source, and every named person lies within."""
+"""Every parameter of the simulated person has a range with a source, and every named person lies within."""
 
 import dataclasses
 import math

@@ -1,4 +1,4 @@
-"""The person from session to session: tires and rests, loses or wins range, and shakes more."""
+"""The simulated person over several sessions: fatigue, range and tremor."""
 
 import dataclasses
 
@@ -35,13 +35,13 @@ CUE = Cue(start=0.0, end=1.0, kind="move", joint="right_elbow", repetition=1)
 
 
 def largest_flexion(person: Person) -> float:
-    """Return how far the right elbow goes when it is asked to."""
+    """Return how far the right elbow moves at a prompt."""
     elbow = person.joints.index("right_elbow")
     return max(person.step(0.01, BodyView(cue=CUE))[elbow] for _ in range(150))
 
 
 def shake(person: Person, seconds: float = 20.0) -> np.ndarray:
-    """Return the posture of somebody at rest (n, n_joints) at 100 Hz."""
+    """Return the postures of a person at rest (n, n_joints) at 100 Hz."""
     return np.array([person.step(0.01, BodyView()).copy() for _ in range(round(seconds * 100))])
 
 
@@ -109,7 +109,7 @@ def test_without_a_tremor_nothing_is_added() -> None:
 
 
 def tire(driver: Driver, seconds: float) -> None:
-    """Let a driver try to start before a chair that never moves."""
+    """Let a driver try to start a chair that never moves."""
     for i in range(round(seconds * 100)):
         driver.drive(i / 100, Pose(0.0, 0.0, 1.0), 0.0, False)
     driver.rest()
@@ -130,7 +130,7 @@ def test_strokes_tire_and_a_pause_between_sessions_rests() -> None:
 
 
 def test_who_is_worn_out_hesitates_longer_and_errs_more() -> None:
-    """Everything else being equal, a worn driver makes fewer strokes in a minute, and they miss their size by more."""
+    """A driver with fatigue makes fewer strokes a minute, with larger errors of size."""
     slow = dataclasses.replace(NOVICE, fatigue_hesitation=0.5, learns=False)
     counts = []
     for already in (0, 10_000):

@@ -1,4 +1,4 @@
-"""A chair's end of the link for tests: it notes the commands whose tag is right, and says what it is told to say."""
+"""A chair's end of the chair link for tests: notes commands with a valid tag, and sends scripted telemetry."""
 
 import socket
 
@@ -20,7 +20,7 @@ SPEEDS = {
 
 
 class StandInChair:
-    """Listens on a port of its own."""
+    """A chair that listens on its own port."""
 
     def __init__(self, folder):
         self.key = new_key(7)
@@ -62,13 +62,13 @@ class StandInChair:
                 found.append(command)
 
     def telemetry(self, state=DISARMED, epoch=0, sequence=0, **changes):
-        """Return the bytes of a telemetry, a tenth of a second after the one before."""
+        """Return the bytes of a telemetry, 0.1 s of the chair's time after the one before."""
         self.t_ns += 100_000_000
         said = Telemetry(state, self.key.id, epoch, sequence, self.t_ns, self.nonce, 0.0, 0.0, 0.5, 0, 0)
         return encode_telemetry(said._replace(**changes), self.key)
 
     def say(self, state=DISARMED, epoch=0, sequence=0, **changes):
-        """Send a telemetry to whoever was heard last, and return its bytes."""
+        """Send a telemetry to the last sender, and return its bytes."""
         datagram = self.telemetry(state, epoch, sequence, **changes)
         self.send(datagram)
         return datagram

@@ -39,7 +39,7 @@ class CommandedReceiver:
         return decode_telemetry(self.receiver.telemetry(self.t), KEY)
 
     def frame(self, v=0.0, omega=0.0, flags=0, key=KEY, nonce=None, **changes):
-        """Return the next command's bytes; `changes` are fields of it that are not what they should be."""
+        """Return the next command's bytes; `changes` replace fields of it."""
         self.sequence += 1
         t_ns = int((self.t + self.sender_ahead) * 1e9)
         command = Command(flags, key.id, self.epoch, self.sequence, t_ns, v, omega, 1.5, 2.5, DIGEST)

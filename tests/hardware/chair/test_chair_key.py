@@ -1,4 +1,4 @@
-"""The key of a chair: one line, its owner's only, never written over and never told."""
+"""The key of a chair: one line, readable by its owner only, never overwritten and never shown."""
 
 import os
 import stat
@@ -15,7 +15,7 @@ LINE = f"513 {SECRET.hex()}"
 
 @pytest.fixture
 def key_file(tmp_path):
-    """Return a function that writes a file which nobody else can read."""
+    """Return a function that writes a file which only its owner can read."""
 
     def write(content, mode=0o600):
         file = tmp_path / "chair.key"

@@ -1,4 +1,4 @@
-"""What the sender of a real chair sends: hellos, the neutral check, twists, stops; and what it cannot open."""
+"""The chair link sends hellos, the neutral check, twists and stops; and errors when it is opened."""
 
 import itertools
 import math

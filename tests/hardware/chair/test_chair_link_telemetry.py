@@ -1,4 +1,4 @@
-"""What the sender of a real chair makes of telemetry: age, silence, readiness, place, forgeries."""
+"""The chair link and its telemetry: age, silence, readiness, place, forgeries."""
 
 import math
 import socket

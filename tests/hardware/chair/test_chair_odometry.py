@@ -1,4 +1,4 @@
-"""Reckoning where a chair has got to: many small steps and one large one lead to the same place."""
+"""Dead reckoning of a chair: many small steps and one large step give equal poses."""
 
 import math
 

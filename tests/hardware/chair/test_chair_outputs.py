@@ -1,4 +1,4 @@
-"""What a receiver drives without a chair: lines for another program, and a drive that is a program."""
+"""The outputs of a receiver without a chair: lines for another program, and a simulated drive."""
 
 import json
 import math

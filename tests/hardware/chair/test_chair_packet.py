@@ -38,7 +38,7 @@ def written_anew(body, secret, nonce=b""):
 
 
 def same(one, other):
-    """Compare field by field; a NaN is the same as a NaN."""
+    """Compare field by field; two NaN count as equal."""
     return [repr(field) for field in one] == [repr(field) for field in other]
 
 

@@ -1,4 +1,4 @@
-"""What the receiver on the chair does with true commands, with silence, and with its own hold-ups."""
+"""The receiver on the chair: valid commands, silence, and hold-ups of its own."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""S3 at a thousand random moments, and lateness over an hour: what a link does that is cut, or whose clocks drift."""
+"""S3 at a thousand random moments, and an hour of drifting clocks: a chair link that is cut or late."""
 
 import math
 import random
@@ -18,7 +18,7 @@ SLACK = 1e-9  # s, rounding of times
 
 @pytest.fixture(scope="module")
 def cut():
-    """Return for each cut: how long after the last command the chair slowed, stood, was disarmed; and its speeds."""
+    """Return for each cut the times from the last command to slowing, standstill and disarming, and the speeds."""
     rng = random.Random(3)
     chair, found = CommandedReceiver(), []
     for _ in range(CUTS):

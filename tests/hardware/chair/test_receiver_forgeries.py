@@ -49,7 +49,7 @@ def earlier():
 
 
 def listened_to(chair):
-    """Return a list that every frame which this chair's sender makes from now on is put into."""
+    """Return a list of all frames that this chair's sender makes from now on."""
     frames = []
     make = chair.frame
 
@@ -62,15 +62,15 @@ def listened_to(chair):
 
 
 def everything(receiver):
-    """Return all that a receiver knows, so that nothing hides."""
+    """Return the whole state of a receiver."""
     return repr(vars(receiver))
 
 
 def forgeries(chair, seen, earlier, rng):
-    """Return a function per way to forge, which makes a datagram: out of a command that was `seen`, or of a new one."""
+    """Return one function for each kind of forgery, which makes a datagram from a `seen` command or a new one."""
 
     def fresh(**changes):
-        """Return a command as the true sender would send it next."""
+        """Return the next command of the true sender."""
         true = {} if is_running(chair) else {"epoch": chair.epoch + 1}
         if chair.state is ReceiverState.ARMED:
             true = {"v": 0.5, "omega": 0.2, "flags": DRIVE}

@@ -1,4 +1,4 @@
-"""The receiver's loop on a clock of its own: a flood does not hold up the watch, and who ends it is told."""
+"""The receiver's loop on a fake clock: a flood does not delay its limits, and the end sends a last telemetry."""
 
 import math
 from itertools import pairwise
@@ -68,7 +68,7 @@ def turning(request):
 
 
 def ending_after(loop, output, seconds, then=lambda: None):
-    """End the loop after so long, and do something `then`."""
+    """End the loop after `seconds`, and call `then`."""
     note, began = output.drive, loop._clock.now()
 
     def drive(t, *words):

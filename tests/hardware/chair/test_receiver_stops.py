@@ -1,4 +1,4 @@
-"""How the receiver on the chair slows, ramps and clamps: silence, stops, caps."""
+"""The ramps and limits of the receiver on the chair: silence, stops, caps."""
 
 import pytest
 from hardware.chair.commanded_receiver import PERIOD, STEP, CommandedReceiver
@@ -69,7 +69,7 @@ def test_the_stop_is_that_of_the_gate():
 
 @pytest.mark.parametrize("v", [sign * n / 20 for sign in (-1, 1) for n in range(1, 31)])
 def test_the_stopping_distance(v):
-    """S18, from the last command that was sent."""
+    """S18, counted from the last command sent."""
     chair = CommandedReceiver().drive(v, 0.0, 1.0)
     heard = chair.t - PERIOD
     chair.wait(0.5)

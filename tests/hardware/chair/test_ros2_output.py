@@ -1,4 +1,4 @@
-"""The ROS 2 output, listened to through DDS as a chair's own driver would, without ROS."""
+"""The ROS 2 output, received through DDS as a chair's own driver would, without ROS."""
 
 import itertools
 import struct
@@ -28,7 +28,7 @@ def output(monkeypatch):
 
 @pytest.fixture
 def heard(output):
-    """Return a function that returns what was published since the last call, as a default ROS 2 subscriber hears it."""
+    """Return a function that returns the samples since its last call, as a default ROS 2 subscriber gets them."""
     participant = domain.DomainParticipant(DOMAIN)
     wants = core.Qos(core.Policy.Reliability.Reliable(max_blocking_time=0), core.Policy.History.KeepLast(1000))
     reader = sub.DataReader(participant, topic.Topic(participant, "rt/cmd_vel", ros2.RosTwist), qos=wants)

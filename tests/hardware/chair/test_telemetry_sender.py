@@ -14,7 +14,7 @@ DRIVER, PAIRED, ASKING, STRANGER = (("somebody", number) for number in range(4))
 
 
 class Chair:
-    """A receiver with a telemetry sender, and who got which telemetry."""
+    """A receiver with a telemetry sender, and a log of each telemetry with its address."""
 
     def __init__(self, paired=None, inputs=None):
         self.commanded = CommandedReceiver()

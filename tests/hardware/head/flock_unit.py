@@ -1,4 +1,4 @@
-"""A Flock of Birds unit on a pseudo terminal: takes the commands byte for byte, and sends records when told to."""
+"""A Flock of Birds unit on a pseudo terminal: checks the commands byte for byte, and sends records on request."""
 
 import os
 import pty
@@ -10,7 +10,7 @@ from app.hardware.head.flock_record import encode
 
 
 class FlockUnit:
-    """One unit; `send` sends a record as often as it is called, once it streams in position and angles."""
+    """One unit; each `send` sends a record, once position and angles are streamed."""
 
     def __init__(self, address=None):
         self.address = address
@@ -51,7 +51,7 @@ class FlockUnit:
             self.streams = False
 
     def wait_for(self, true):
-        """Wait until something is so."""
+        """Wait until a condition holds."""
         with self._told:
             assert self._told.wait_for(true, 20), bytes(self.commands)
 
@@ -61,11 +61,11 @@ class FlockUnit:
         self.send_bytes(encode(words, (address or self.address) if self.group else None))
 
     def send_bytes(self, content):
-        """Send anything."""
+        """Send arbitrary bytes."""
         os.write(self._master, content)
 
     def unplug(self):
-        """Go away with the line."""
+        """Disconnect the line."""
         self._ended.set()
         self._thread.join()
         for end in (self._slave, self._master):
@@ -74,6 +74,6 @@ class FlockUnit:
         self._slave = self._master = None
 
     def end(self):
-        """Give everything back."""
+        """Release everything."""
         if self._master is not None:
             self.unplug()

@@ -1,4 +1,4 @@
-"""Head trackers for tests, each with a way to let a pose come."""
+"""Head trackers for tests, each with a way to send a pose."""
 
 import math
 import socket
@@ -77,7 +77,7 @@ class FlockCase:
 
 
 class SimulatedCase:
-    """A head that looks around by itself."""
+    """The simulated head."""
 
     exact = False
 
@@ -89,11 +89,11 @@ class SimulatedCase:
         self.clock.time += 0.1
 
     def end(self):
-        """Nothing else is held."""
+        """Do nothing: no other resource is held."""
 
 
 class Recorded(SimulatedCase):
-    """A file."""
+    """A recorded head."""
 
     def __init__(self, tmp_path):
         self.clock = FakeClock(50.0)
@@ -120,7 +120,7 @@ HEADS = (OpentrackCase, FreepieCase, FlockCase, SimulatedCase, Recorded, Tablet)
 
 
 def wait_for(head, good, seconds=20.0):
-    """Ask until a pose is as wanted: what was sent needs a moment."""
+    """Poll until a pose is as wanted, because datagrams need a moment."""
     deadline = time.monotonic() + seconds
     while True:
         pose = head.newest()

@@ -1,4 +1,4 @@
-"""What the loop relies on, for every head tracker there is."""
+"""What the loop relies on, for every head tracker."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""The bytes of each head tracker, and what is not one of its poses."""
+"""The bytes of each head tracker, and datagrams that are no poses."""
 
 import math
 import socket

@@ -1,4 +1,4 @@
-"""Shirts for tests, each with a way to let its next frames come."""
+"""Shirts for tests, each with a way to send the next frames."""
 
 import socket
 
@@ -25,7 +25,7 @@ def small_layout():
 
 
 def write_signals(file, count=200, channels=3, rate=RATE):
-    """Write a CSV whose first channel carries the sample's number, so that loss cannot hide."""
+    """Write a CSV whose first channel holds the number of the sample, so that every loss shows."""
     names = [f"right_elbow_{i}" for i in range(1, channels + 1)]
     rows = [",".join(["t", *names])]
     rows += [",".join([f"{i / rate:.6f}", *(str(i + 1000 * c) for c in range(channels))]) for i in range(count)]
@@ -44,11 +44,11 @@ class SimulatedCase:
         self.clock.time += (count - 1) / RATE + 1e-6
 
     def end(self):
-        """Nothing else is held."""
+        """Do nothing: no other resource is held."""
 
 
 class ReplayedCase(SimulatedCase):
-    """A file on a fake clock."""
+    """A replayed file on a fake clock."""
 
     def __init__(self, tmp_path):
         self.clock = FakeClock(50.0)

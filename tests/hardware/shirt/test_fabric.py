@@ -12,7 +12,7 @@ PURE = {"noise": 0.0, "drift_per_minute": 0.0}
 
 
 def quiet(**changes):
-    """Return properties without noise and drift, and without whatever else is set to 0."""
+    """Return properties without noise and drift, and with the given changes."""
     return FabricProperties(**{**PURE, **changes})
 
 
@@ -33,7 +33,7 @@ def feel(fabric, posture_of_time, seconds, joint="right_elbow"):
 
 
 def strongest(fabric, joint="right_elbow"):
-    """Return the channel that feels a joint most, and the volts of its straight response to a full movement."""
+    """Return the channel with the largest response to a joint, and its linear response (V) to a full movement."""
     column = fabric.joints.index(joint)
     channel = int(np.abs(fabric.gains[:, column]).argmax())
     return channel, float(fabric.gains[channel, column]) * 0.45

@@ -31,7 +31,7 @@ def opened(file):
 
 
 def taken(newest, boot, seq):
-    """Take a frame as soon as the disk allows it."""
+    """Accept a frame as soon as the number on the disk allows it."""
     pause = threading.Event()
     for _ in range(1000):
         if newest.is_new(boot, seq) and newest.take(boot, seq):

@@ -124,7 +124,7 @@ def test_a_player_hands_out_what_was_read(tmp_path):
 
 
 def write_run(folder, seqs, layout):
-    """Record ticks whose frames carry `seqs`, and a last turn of the loop in which no frame came."""
+    """Record ticks whose frames carry `seqs`, and a last turn of the loop without a frame."""
     ring = TickRing.create(f"bodydrive-test-{uuid.uuid4().hex}")
     ring.unlink()
     meta = {"run_id": "r", "kind": "drive", "layout": layout, "sample_rate": RATE, "gestures": []}

@@ -1,4 +1,4 @@
-"""What the loop relies on, for every shirt there is."""
+"""What the loop relies on, for every shirt."""
 
 from itertools import pairwise
 

@@ -54,12 +54,12 @@ class PairedShirt:
         self.devices[device].sendto(content, self.shirt.address)
 
     def takes(self, boot, seq, device=0):
-        """Send a frame and tell whether it is taken."""
+        """Send a frame and return whether it is accepted."""
         self.send(self.frame(boot, seq), device)
         return self.shirt.read(0.05) is not None
 
     def begin(self, boot, seq=0, device=0):
-        """Send the first frame of a start again and again, for the disk has to take note of the start first."""
+        """Send the first frame of a start repeatedly, until the number on the disk allows it."""
         pause = threading.Event()
         for _ in range(500):
             if self.takes(boot, seq, device):

@@ -12,7 +12,7 @@ from app.layout import ShirtLayout
 
 
 class StillBody:
-    """A body in one posture."""
+    """A body with a constant posture."""
 
     def __init__(self, joints, place):
         self.joints = joints
