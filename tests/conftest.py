@@ -4,6 +4,7 @@ import os
 import shutil
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 from hypothesis import settings
@@ -18,11 +19,10 @@ settings.load_profile("bodydrive")
 
 # Folders whose tests wait for real processes at the pace of a drive, and judge them by the clock.
 REAL_TIME = {"processes", "bench"}
-# Files that take longest are begun first where files run side by side; then the other browser tests, then the rest.
-LONGEST = (
-    *("test_calibrate_page", "test_drills_short"),
-    *("test_story", "test_drawn_plan", "test_chair_page", "test_without_program", "test_view"),
-)
+# Files that draw in 3D, in software, while a chair drives: one after the other, for each takes more than a processor.
+IN_3D = ("test_story", "test_drawn_plan", "test_chair_page", "test_without_program", "test_view")
+# Side by side, what takes longest is begun first: these, then the other browser tests, then the rest.
+LONGEST = ("test_calibrate_page", "test_drills_short", *IN_3D)
 
 
 @pytest.hookimpl(tryfirst=True)
@@ -38,6 +38,19 @@ def _turn(item: pytest.Item) -> int:
     if item.path.stem in LONGEST:
         return LONGEST.index(item.path.stem)
     return len(LONGEST) + (item.path.parent.name != "browser")
+
+
+@pytest.hookimpl(optionalhook=True)  # of pytest-xdist
+def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> object:
+    """Let each process take a file after the other, and one process all files that draw in 3D."""
+    from xdist.scheduler import LoadFileScheduling
+
+    class Files(LoadFileScheduling):
+        def _split_scope(self, nodeid: str) -> str:
+            file = super()._split_scope(nodeid)
+            return "3D" if Path(file).stem in IN_3D else file
+
+    return Files(config, log)
 
 
 @pytest.fixture(autouse=True)
