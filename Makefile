@@ -24,12 +24,13 @@ node_modules/.installed: package.json package-lock.json $(VENV)/.installed-test
 demo: $(VENV)/.installed
 	@exec $(BIN)/bodydrive demo --port $(PORT)
 
-# Files run side by side (tests/conftest.py groups them); what judges by the clock comes after what computes.
-SIDE_BY_SIDE := -n 2 --dist loadfile --no-loadscope-reorder
+# Files run side by side (tests/conftest.py groups them); what judges by the clock waits
+# more than it computes, and comes after what computes.
+SIDE_BY_SIDE := --dist loadfile --no-loadscope-reorder
 
 test: $(VENV)/.installed-test check
-	$(BIN)/python -m pytest $(SIDE_BY_SIDE) -m "not long and not real_time"
-	$(BIN)/python -m pytest $(SIDE_BY_SIDE) -m "not long and real_time"
+	$(BIN)/python -m pytest -n 2 $(SIDE_BY_SIDE) -m "not long and not real_time"
+	$(BIN)/python -m pytest -n 3 $(SIDE_BY_SIDE) -m "not long and real_time"
 
 browser: $(VENV)/.installed-test
 	$(BIN)/python -m pytest -m long

@@ -22,7 +22,7 @@ REAL_TIME = {"processes", "bench"}
 # Files that draw in 3D, in software, while a chair drives: one after the other, for each takes more than a processor.
 IN_3D = ("test_story", "test_drawn_plan", "test_chair_page", "test_without_program", "test_view")
 # Side by side, what takes longest is begun first: these, then the other browser tests, then the rest.
-LONGEST = ("test_calibrate_page", "test_drills_short", *IN_3D)
+LONGEST = ("test_calibrate_page", "test_drills_short", "test_odd_equipment", *IN_3D)
 
 
 @pytest.hookimpl(tryfirst=True)
