@@ -157,7 +157,7 @@ def make_body(config: BodyConfig) -> Body:
 
 
 def make_real_chair(config: RealChairConfig) -> "ChairLink":
-    """Return the link to the chair that `config` describes, not yet open; raise HardwareError without its driver."""
+    """Return the chair link that `config` describes, not yet open; raise HardwareError without its driver."""
     return cast("ChairLink", driver_class("chair", config.kind, CHAIRS)(config))
 
 

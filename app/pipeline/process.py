@@ -25,19 +25,19 @@ def main(arguments: list[str] | None = None) -> int:
     """Run until the control link ends; return the exit code."""
     given = _parser().parse_args(arguments)
     clock = MonotonicClock()
-    link = None
+    control_link = None
     try:
         report = ChairReport(*given.report) if given.report else None
-        link = socket.socket(fileno=given.link_fd)
+        control_link = socket.socket(fileno=given.link_fd)
         ring = TickRing.create(given.ring)
     except (HardwareError, OSError) as error:
-        if link is not None:
-            link.close()
+        if control_link is not None:
+            control_link.close()
         sys.stderr.write(f"The control process cannot start: {error}\n")
         return 2
     keep_new_files_private()
     try:
-        server = CommandServer(link)
+        server = CommandServer(control_link)
         setup = Setup(clock)
         loop = ControlLoop(setup, ring, report, clock)
         commands = Commands(loop, server, go_real_time(), clock)

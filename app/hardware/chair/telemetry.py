@@ -21,7 +21,7 @@ class ChairTelemetry:
     - its nonce is that of the newest telemetry: the chair continues;
     - it carries the epoch of the current arming: nobody can have recorded it before the arming; within the epoch the
       chair's time must grow;
-    - nothing was taken for `SILENT` seconds: the chair was started again, or this link was.
+    - nothing was taken for `SILENT` seconds: the chair was started again, or this chair link was.
 
     A forger can still show an old telemetry in place of a silent chair. That arms nothing, because a chair counts as
     ready only when its telemetry carries the epoch of the current arming.
