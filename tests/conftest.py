@@ -4,7 +4,6 @@ import os
 import shutil
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
 
 import pytest
 from hypothesis import settings
@@ -19,10 +18,11 @@ settings.load_profile("bodydrive")
 
 # Folders whose tests wait for real processes at the pace of a drive, and judge them by the clock.
 REAL_TIME = {"processes", "bench"}
-# Files that draw in 3D, in software, while a chair drives: one after the other, for each takes more than a processor.
+# Files that draw in 3D, in software, while a chair drives: each takes more than a processor, and a screen that is late
+# stops the chair. They have the machine for themselves.
 IN_3D = ("test_story", "test_drawn_plan", "test_chair_page", "test_without_program", "test_view")
 # Side by side, what takes longest is begun first: these, then the other browser tests, then the rest.
-LONGEST = ("test_calibrate_page", "test_drills_short", "test_odd_equipment", *IN_3D)
+LONGEST = ("test_calibrate_page", "test_drills_short", "test_odd_equipment")
 
 
 @pytest.hookimpl(tryfirst=True)
@@ -30,6 +30,8 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     for item in items:
         if item.path.parent.name in REAL_TIME:
             item.add_marker("real_time")
+        if item.path.stem in IN_3D:
+            item.add_marker("in_3d")
     if hasattr(config, "workerinput"):  # one of several processes
         items.sort(key=_turn)
 
@@ -38,19 +40,6 @@ def _turn(item: pytest.Item) -> int:
     if item.path.stem in LONGEST:
         return LONGEST.index(item.path.stem)
     return len(LONGEST) + (item.path.parent.name != "browser")
-
-
-@pytest.hookimpl(optionalhook=True)  # of pytest-xdist
-def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> object:
-    """Let each process take a file after the other, and one process all files that draw in 3D."""
-    from xdist.scheduler import LoadFileScheduling
-
-    class Files(LoadFileScheduling):
-        def _split_scope(self, nodeid: str) -> str:
-            file = super()._split_scope(nodeid)
-            return "3D" if Path(file).stem in IN_3D else file
-
-    return Files(config, log)
 
 
 @pytest.fixture(autouse=True)
