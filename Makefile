@@ -30,7 +30,7 @@ SIDE_BY_SIDE := --dist loadfile --no-loadscope-reorder
 
 test: $(VENV)/.installed-test check
 	$(BIN)/python -m pytest -n 2 $(SIDE_BY_SIDE) -m "not long and not real_time and not in_3d"
-	$(BIN)/python -m pytest -n 3 $(SIDE_BY_SIDE) -m "not long and real_time and not in_3d"
+	$(BIN)/python -m pytest -n 2 $(SIDE_BY_SIDE) -m "not long and real_time and not in_3d"
 	$(BIN)/python -m pytest -m "not long and in_3d"
 
 browser: $(VENV)/.installed-test
