@@ -24,8 +24,8 @@ node_modules/.installed: package.json package-lock.json $(VENV)/.installed-test
 demo: $(VENV)/.installed
 	@exec $(BIN)/bodydrive demo --port $(PORT)
 
-# Files run side by side (tests/conftest.py groups them); what judges by the clock waits
-# more than it computes, and comes after what computes.
+# Files run side by side: first what computes, then what waits for real processes and judges them by the clock.
+# What draws in 3D while a chair drives comes last, and has the machine for itself.
 SIDE_BY_SIDE := --dist loadfile --no-loadscope-reorder
 
 test: $(VENV)/.installed-test check

@@ -10,7 +10,7 @@ from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import DriveParameters, standard_parameters
 from app.clock import utc_now
 from app.refusals import Conflict, NotFound
-from app.store.tables import Parameters, Profile, Trial
+from app.store.tables import Parameters, Profile
 
 
 def save_profile(
@@ -106,12 +106,6 @@ def as_document(row: Parameters, profile: Profile) -> DriveParameters:
             "These controls were saved by another version of the program, and this one cannot read them: calibrate "
             "again, or start that version."
         ) from error
-
-
-def parameters_of_trial(db: Session, trial_id: int) -> DriveParameters:
-    """Return the parameter set that a trial was driven with, on the version of the map at that time."""
-    row = db.get_one(Parameters, db.get_one(Trial, trial_id).parameters_id)
-    return as_document(row, db.get_one(Profile, row.profile_id))
 
 
 def undo_and_redo(db: Session, patient_id: int) -> tuple[Parameters | None, Parameters | None]:

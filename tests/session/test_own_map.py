@@ -5,10 +5,11 @@ from recorded_trial import record_trial
 
 from app.pipeline.replay.exact_rerun import replay_run
 from app.recording.reader import read_run
-from app.store.parameters import current_parameters, parameters_of_trial, save_parameters, save_profile
+from app.store.parameters import as_document, current_parameters, save_parameters, save_profile
 from app.store.patients import add_patient, start_session
 from app.store.people import add_clinic
 from app.store.runs import add_run, add_trial, finish_trial
+from app.store.tables import Parameters, Profile
 from building import make_parameters
 
 COMMANDS = ("v", "omega", "u1", "u2")
@@ -41,7 +42,8 @@ def test_an_old_trial_gives_its_own_commands_and_the_new_map_gives_others(databa
     with database.transaction() as db:
         _, profile = current_parameters(db, patient.id)
         assert profile.version == 2
-        own, newest = parameters_of_trial(db, trial.id), current_parameters(db, patient.id)
+        row = db.get_one(Parameters, trial.parameters_id)
+        own, newest = as_document(row, db.get_one(Profile, row.profile_id)), current_parameters(db, patient.id)
         assert (own.hash, own.profile) == (first.hash, first.profile)
         run = read_run(tmp_path / "r1")
         again = replay_run(run, own)
