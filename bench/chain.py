@@ -12,7 +12,7 @@ from app.hardware.chair.simulator import VirtualChair
 from app.messages import SensorFrame
 from app.pipeline.chain import Chain
 from app.pipeline.replay.batch import decode_block
-from app.pipeline.safety import Conditions
+from app.pipeline.safety_gate import Conditions
 from app.quantities import Hertz
 from bench.row import Row
 from bench.subject import bench_floorplan, bench_parameters, bench_signals

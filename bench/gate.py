@@ -5,7 +5,7 @@ import statistics
 from app.clock import stopwatch
 from app.faults import State
 from app.geometry import Twist
-from app.pipeline.safety import BadGestures, Conditions, SafetyGate
+from app.pipeline.safety_gate import BadGestures, Conditions, SafetyGate
 from app.speeds import Speeds
 from bench.row import Row
 

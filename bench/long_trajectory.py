@@ -10,7 +10,7 @@ import viser
 from app.clock import MonotonicClock
 from app.geometry import Pose
 from app.scene.bridge_secret import SECRET
-from app.scene.servers import RoleServers
+from app.scene.role_servers import RoleServers
 from app.scene.trajectory import SEND_EVERY, STEP, Trajectory
 from bench.children import ask, started
 from bench.row import Row

@@ -10,7 +10,7 @@ from websockets.asyncio.connection import Connection
 from websockets.typing import Subprotocol
 
 from app.scene.client_messages import SUBPROTOCOL
-from app.scene.servers import Role
+from app.scene.role_servers import Role
 
 CHAIR: Final = "/world/chair"
 HEADER: Final = 16  # bytes: two lengths before the packed messages

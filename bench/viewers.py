@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from app.clock import monotonic, stopwatch
-from app.scene.servers import ROLES
+from app.scene.role_servers import ROLES
 from bench.children import ask, next_line, started
 from bench.circle import age_at
 from bench.row import Row

@@ -16,9 +16,9 @@ from pathlib import Path
 from folders import ROOT
 
 REPORT = ROOT / "docs" / "mutation.md"
-MODULES = ("safety", "brakes", "ramp", "shaping")
+MODULES = ("safety_gate", "person_brakes", "ramp", "shaping")
 TESTS = (
-    *("test_safety", "test_gate_states", "test_gate_levels", "test_brakes", "test_ramp", "test_shaping"),
+    *("test_safety_gate", "test_gate_states", "test_gate_levels", "test_person_brakes", "test_ramp", "test_shaping"),
     "test_drive_modes",
 )
 LEAST_SCORE = 0.95

@@ -9,7 +9,7 @@ from app.faults import Fault
 from app.hardware.chair.simulator import VirtualChair
 from app.messages import NO_CUE, SensorFrame
 from app.pipeline.chain import Chain
-from app.pipeline.safety import Conditions
+from app.pipeline.safety_gate import Conditions
 from app.process.ring import RING_SLOTS, TickRing
 from app.recording.writer import RunWriter
 from app.world.floorplan import FloorPlan

@@ -12,7 +12,6 @@ CODE = ("app/", "bench/", "tests/", "web_static/")
 # File names that stand in several packages of `app`, each for one subject seen from several sides.
 SAME_SUBJECT = {
     "adaptation": "of a map: the flow, the routes",
-    "arming": "of a chair: the refusals in the control process, the checks in a session",
     "calibration": "of a patient: the flow, the routes",
     "chairs": "real chairs: stored, chosen, the routes",
     "controls": "from gestures to commands: the step of the chain, the routes",
@@ -22,6 +21,7 @@ SAME_SUBJECT = {
     "log": "who did what: kept, the routes, the command",
     "map_choice": "which map decodes a joint: in a session, at the command line",
     "control_quality": "how well a trial was controlled: measured, kept, the routes",
+    "movers": "what moves by itself in a place: its motion, its meshes",
     "packet": "the datagram of a device: shirt, chair",
     "page_session": "the session that a page shows: the rule, the check of each request",
     "patients": "kept, the routes",

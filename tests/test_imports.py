@@ -13,7 +13,8 @@ LEAVES = "leaf"
 PURE_CHAIN = tuple(
     f"pipeline.{name}"
     for name in (
-        *("brakes", "chain", "controls", "decoder", "filters", "guided_rate", "health", "ramp", "safety", "shaping"),
+        *("chain", "channel_health", "controls", "decoder", "filters", "guided_rate", "person_brakes", "ramp"),
+        *("safety_gate", "shaping"),
         *("replay.batch", "replay.guided_batch"),
     )
 )
@@ -41,7 +42,7 @@ MAY_IMPORT = {
     "scene": (LEAVES, "world"),
     "api": (
         *(LEAVES, "process", "recording.reader", "signals.csv_dialect", "world", "calibration", "scoring", "store"),
-        *("session", "scene", "hardware.configs", "hardware.places", "hardware.chair.key"),
+        *("session", "scene", "hardware.configs", "hardware.addresses", "hardware.chair.key"),
     ),
     "cli": (
         *(LEAVES, "process", "recording", "signals", "world", "hardware", "calibration", "pipeline", "scoring"),

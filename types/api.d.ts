@@ -3205,12 +3205,24 @@ export interface components {
             roll_share?: number | null;
             head?: boolean | null;
         };
+        ChairStateView: {
+            words: string;
+        };
         ChairSummary: {
             id: number;
             name: string;
         };
+        ChairView: {
+            id: number;
+            name: string;
+            host: string;
+            port: number;
+            key_id: number;
+            speeds: components["schemas"]["Speeds"];
+            paired: string;
+        };
         ChairsView: {
-            chairs: components["schemas"]["app__api__routes__chairs__ChairView"][];
+            chairs: components["schemas"]["ChairView"][];
             chosen: number | null;
             /** @enum {string} */
             dynamics: "unicycle" | "wheelchair";
@@ -3477,7 +3489,7 @@ export interface components {
             status: components["schemas"]["StatusView"];
             files: components["schemas"]["FileView"][];
             shirt_keys: string[];
-            chair: components["schemas"]["app__api__routes__equipment__ChairView"];
+            chair: components["schemas"]["ChairStateView"];
             head: components["schemas"]["HeadView"];
             disk: components["schemas"]["DiskView"];
         };
@@ -3952,7 +3964,7 @@ export interface components {
             version: number;
         };
         PairedView: {
-            chairs: components["schemas"]["app__api__routes__chairs__ChairView"][];
+            chairs: components["schemas"]["ChairView"][];
             chosen: number | null;
             /** @enum {string} */
             dynamics: "unicycle" | "wheelchair";
@@ -4435,18 +4447,6 @@ export interface components {
              */
             kind: "visitor";
         };
-        app__api__routes__chairs__ChairView: {
-            id: number;
-            name: string;
-            host: string;
-            port: number;
-            key_id: number;
-            speeds: components["schemas"]["Speeds"];
-            paired: string;
-        };
-        app__api__routes__equipment__ChairView: {
-            words: string;
-        };
     };
     responses: never;
     parameters: never;
@@ -4468,7 +4468,9 @@ export type Box = components['schemas']['Box'];
 export type CalibrationProfile = components['schemas']['CalibrationProfile'];
 export type CalibrationView = components['schemas']['CalibrationView'];
 export type CameraChoice = components['schemas']['CameraChoice'];
+export type ChairStateView = components['schemas']['ChairStateView'];
 export type ChairSummary = components['schemas']['ChairSummary'];
+export type ChairView = components['schemas']['ChairView'];
 export type ChairsView = components['schemas']['ChairsView'];
 export type Channel = components['schemas']['Channel'];
 export type ChannelLine = components['schemas']['ChannelLine'];
@@ -4607,7 +4609,5 @@ export type UnusedChannels = components['schemas']['UnusedChannels'];
 export type ValidationError = components['schemas']['ValidationError'];
 export type ViewState = components['schemas']['ViewState'];
 export type VisitorConfig = components['schemas']['VisitorConfig'];
-export type AppApiRoutesChairsChairView = components['schemas']['app__api__routes__chairs__ChairView'];
-export type AppApiRoutesEquipmentChairView = components['schemas']['app__api__routes__equipment__ChairView'];
 export type $defs = Record<string, never>;
 export type operations = Record<string, never>;

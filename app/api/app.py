@@ -7,7 +7,7 @@ from contextlib import asynccontextmanager
 from fastapi import APIRouter, FastAPI
 
 from app import __version__
-from app.api import document
+from app.api import openapi_document
 from app.api.assembly import StartProcess, end_parts, make_parts, start_parts
 from app.api.deps import People, clinician, viewer
 from app.api.live import live_socket, screen
@@ -45,7 +45,7 @@ from app.api.sockets import OpenSockets
 from app.api.view.view_bridge import view_router
 from app.api.view.view_controls import view_controls
 from app.api.view.view_keeper import OpenScene, may_view
-from app.scene.servers import Role
+from app.scene.role_servers import Role
 from app.scene.session_scene import Scene
 from app.session.readings import Readings
 from app.settings import Settings
@@ -78,7 +78,7 @@ ROUTES = (
     screen,
     patient_screen,
     patient_socket,
-    document,
+    openapi_document,
     trial_plan,
 )
 

@@ -4,8 +4,8 @@ import asyncio
 from collections.abc import Awaitable, Callable
 
 from app.api.live.hub import LiveHub
-from app.api.live.picture import LivePicture
-from app.api.live.pictures import Pictures
+from app.api.live.live_picture import LivePicture
+from app.api.live.screen_pictures import ScreenPictures
 from app.api.live.screens import Screens
 from app.api.parts import WebParts, open_view
 from app.api.patient_screen.patient_picture import PatientPicture
@@ -14,7 +14,6 @@ from app.api.replay.timelines import Timelines
 from app.api.replay.trajectories import Trajectories
 from app.api.view.view_keeper import OpenScene, ViewKeeper
 from app.session.adaptation import AdaptationFlow
-from app.session.arming import RealArming
 from app.session.calibration import CalibrationFlow
 from app.session.control_link import ControlLink, LinkedProcess
 from app.session.equipment.chairs import Chairs
@@ -24,8 +23,9 @@ from app.session.equipment.shirt import Equipment
 from app.session.fault_log import FaultLog
 from app.session.open_session import SessionFlow
 from app.session.readings import Readings
+from app.session.real_arming import RealArming
 from app.session.real_drive import RealDriveFlow
-from app.session.runs import Runs
+from app.session.runs import SessionRuns
 from app.session.screen_codes import PairingCodes
 from app.session.trial import TrialFlow
 from app.session.trial_qualities import TrialQualities
@@ -33,7 +33,7 @@ from app.settings import Settings
 from app.store.calibrations import fail_interrupted_steps
 from app.store.database import Database
 from app.store.drives import close_interrupted_drives
-from app.store.files.disk import DiskWatch
+from app.store.files.disk_watch import DiskWatch
 from app.store.patients import open_session
 from app.store.people import the_clinic
 from app.store.runs import close_interrupted_trials
@@ -55,7 +55,7 @@ def make_parts(
         hub.tell(event)
 
     control = ControlLink(start_process)
-    runs = Runs(database, control, settings.runs)
+    runs = SessionRuns(database, control, settings.runs)
     equipment = Equipment(database, control, settings.files, settings.keys, tell, demonstration=settings.demo)
     chairs = Chairs(database, control, settings.keys, tell)
     limits = ClinicLimits(database, control, tell)
@@ -91,7 +91,7 @@ def make_parts(
         session=session,
         adaptation=AdaptationFlow(database, control, runs, trials, session, chairs, tell, readings),
         screens=Screens(),
-        pictures=Pictures(control, trials),
+        pictures=ScreenPictures(control, trials),
         faults=FaultLog(database, control, current_drive),
         disk=DiskWatch(settings.state, database.ballast, tell),
         live=hub,

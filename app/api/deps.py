@@ -11,7 +11,7 @@ from app.api.sign_in.identity import PairedScreen, SignedInPerson, find_signed_i
 from app.api.sign_in.set_up import SetUp
 from app.api.sign_in.sign_in_limits import SignInLimits
 from app.api.sockets import OpenSockets
-from app.scene.servers import Role
+from app.scene.role_servers import Role
 from app.settings import Settings
 from app.store.database import Database
 from app.store.files.replacements import ReplacedFiles

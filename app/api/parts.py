@@ -10,7 +10,7 @@ from fastapi import Depends, FastAPI
 from starlette.requests import HTTPConnection
 
 from app.api.live.hub import LiveHub
-from app.api.live.pictures import Pictures
+from app.api.live.screen_pictures import ScreenPictures
 from app.api.live.screens import SILENCE_LIMIT, VIRTUAL_SILENCE_LIMIT, PageSign, Screen, Screens
 from app.api.patient_screen.patient_picture import PatientPicture
 from app.api.replay.replays import Replays
@@ -19,7 +19,6 @@ from app.api.replay.trajectories import Trajectories
 from app.api.view.view_keeper import ViewKeeper
 from app.clock import monotonic
 from app.session.adaptation import AdaptationFlow
-from app.session.arming import RealArming
 from app.session.calibration import CalibrationFlow
 from app.session.control_link import ControlLink, ScreenSign
 from app.session.equipment.chairs import Chairs
@@ -28,12 +27,13 @@ from app.session.equipment.limits import ClinicLimits
 from app.session.equipment.shirt import Equipment
 from app.session.fault_log import FaultLog
 from app.session.open_session import SessionFlow
+from app.session.real_arming import RealArming
 from app.session.real_drive import RealDriveFlow
-from app.session.runs import Runs
+from app.session.runs import SessionRuns
 from app.session.screen_codes import PairingCodes
 from app.session.trial import TrialFlow
 from app.session.trial_qualities import TrialQualities
-from app.store.files.disk import DiskWatch
+from app.store.files.disk_watch import DiskWatch
 from app.world.floorplan import FloorPlan, bundled_floorplans, load_floorplan
 from app.world.scene import DrivingPlace, bundled_places, find_place
 
@@ -44,7 +44,7 @@ class WebParts:
 
     control: ControlLink
     equipment: Equipment
-    runs: Runs
+    runs: SessionRuns
     calibration: CalibrationFlow
     trials: TrialFlow
     drives: RealDriveFlow
@@ -55,7 +55,7 @@ class WebParts:
     session: SessionFlow
     adaptation: AdaptationFlow
     screens: Screens
-    pictures: Pictures
+    pictures: ScreenPictures
     faults: FaultLog
     disk: DiskWatch
     live: LiveHub

@@ -101,7 +101,7 @@ class JointMap(Document):
         return document
 
     @property
-    def handles(self) -> tuple[float, float]:
+    def thresholds(self) -> tuple[float, float]:
         """Dead-zone and full (FS/s) that the calibration suggests for the chosen map."""
         chosen = self.guided if self.map == "guided" and self.guided else self
         return chosen.dead_zone, chosen.full

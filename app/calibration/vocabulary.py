@@ -135,7 +135,7 @@ def standard_parameters(profile: CalibrationProfile) -> DriveParameters:
     A joint that was not prompted while others were is not bound: its direction is not known.
     """
     gestures = tuple(
-        Gesture(name=joint.name, joint=joint.name, dead_zone=joint.handles[0], full=joint.handles[1])
+        Gesture(name=joint.name, joint=joint.name, dead_zone=joint.thresholds[0], full=joint.thresholds[1])
         for joint in profile.joints
     )
     prompted = [joint.name for joint in profile.joints if joint.prompted]

@@ -119,7 +119,7 @@ def summary(profile: CalibrationProfile, reasons: dict[str, str], out: Path) -> 
     }
     mapped = {
         joint.name: {word: getattr(joint, word) for word in PRINTED}
-        | dict(zip(("dead_zone", "full"), joint.handles, strict=True))
+        | dict(zip(("dead_zone", "full"), joint.thresholds, strict=True))
         for joint in profile.joints
     }
     maps = {joint.name: checks(joint, reasons) for joint in profile.joints}
@@ -133,7 +133,7 @@ def report(profile: CalibrationProfile, reasons: dict[str, str], out: Path) -> s
     lines = [f"{'joint':{width}}  {'EVR':>6}  {'span':>10}  sign  {'grade':6}  {'dead-zone':>9}  {'full':>6}  map"]
     lines += [
         f"{joint.name:{width}}  {joint.evr:6.1%}  {joint.span:10.4g}  {'+' if joint.sign > 0 else '-':>4}  "
-        f"{joint.grade:6}  {joint.handles[0]:9.2f}  {joint.handles[1]:6.2f}  {joint.map}"
+        f"{joint.grade:6}  {joint.thresholds[0]:9.2f}  {joint.thresholds[1]:6.2f}  {joint.map}"
         for joint in profile.joints
     ]
     lines += [f"{name:{width}}  {'-':>6}  {'-':>10}  {'-':>4}  {'repeat':6}  {'-':>9}  {'-':>6}  -" for name in without]

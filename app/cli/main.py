@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 from app import __version__
-from app.cli.errors import InputError
+from app.cli.errors import InputError, refuse
 
 # Command: module and function, imported only when the command is used, so that `--help` starts quickly.
 COMMANDS = {
@@ -76,10 +76,3 @@ def main() -> None:
     except (typer.Abort, KeyboardInterrupt):
         sys.exit(130)
     sys.exit(code if isinstance(code, int) else 0)
-
-
-def refuse(sentence: str) -> None:
-    """End with `sentence` on stderr and exit code 2."""
-    line = "".join(letter if letter.isprintable() else " " for letter in sentence)  # file names may not be printable
-    sys.stderr.write(f"bodydrive: {line}\n")
-    sys.exit(2)

@@ -4,8 +4,8 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
+from app.hardware.addresses import FilePlace, Host, SerialLine
 from app.hardware.chair.packet import PORT
-from app.hardware.places import FilePlace, Host, SerialLine
 from app.hardware.shirt.standard import standard_layout
 from app.layout import ShirtLayout
 from app.quantities import Count, Document, Hertz, Name, Port, Title

@@ -7,10 +7,10 @@ from app.faults import Fault, State
 from app.geometry import STANDSTILL, Twist
 from app.hardware.base import Chair
 from app.messages import SensorFrame, Tick
+from app.pipeline.channel_health import LossWindow
 from app.pipeline.controls import Controls
 from app.pipeline.decoder import Decoder, periods_between
-from app.pipeline.health import LossWindow
-from app.pipeline.safety import LARGEST_STEP, LOSSY_LIMIT, BadGestures, Conditions, SafetyGate, shirt_limits
+from app.pipeline.safety_gate import LARGEST_STEP, LOSSY_LIMIT, BadGestures, Conditions, SafetyGate, shirt_limits
 from app.pipeline.shaping import Shaper
 from app.speeds import HIGHEST_SPEEDS, Speeds, apply_dial, most_restrictive
 

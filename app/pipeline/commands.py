@@ -11,7 +11,7 @@ from app.faults import Fault, State
 from app.hardware.base import HardwareError
 from app.hardware.registry import parse_body, parse_chair, parse_head, parse_shirt
 from app.pipeline import command_fields
-from app.pipeline.arming import real_chair_refusal, refusal
+from app.pipeline.arming_refusals import real_chair_refusal, refusal
 from app.pipeline.loop import ControlLoop
 from app.pipeline.opening import Change, Openings, defect
 from app.pipeline.runs import Runs

@@ -9,7 +9,7 @@ from app.hardware.base import ALIVE, BodyView, Chair, LeaderView, Shirt
 from app.hardware.chair.report import ChairReport
 from app.messages import NO_CUE, SensorFrame, Tick
 from app.pipeline.open_run import OpenRun
-from app.pipeline.safety import ChairCondition, Conditions
+from app.pipeline.safety_gate import ChairCondition, Conditions
 from app.pipeline.setup import Setup
 from app.process.ring import TickRing
 

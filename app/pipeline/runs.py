@@ -6,6 +6,7 @@ from typing import Any
 
 from app import __version__
 from app.clock import Clock, utc_now
+from app.disk_room import ROOM_TO_RECORD
 from app.pipeline import command_fields
 from app.pipeline.loop import ControlLoop
 from app.pipeline.open_run import OpenRun
@@ -13,8 +14,6 @@ from app.pipeline.setup import CommandRefused
 from app.process.command_channel import NO_ANSWER, CommandServer
 from app.realtime import collect_garbage
 from app.recording.writer import RunWriter
-
-LEAST_FREE = 500_000_000  # bytes free on the disk of the recordings: a drive of 20 minutes with the largest shirt
 
 
 class Runs:
@@ -133,8 +132,8 @@ def require_room(folder: Path) -> None:
     """Raise CommandRefused when a recording in `folder`, which need not exist yet, could fill its disk."""
     place = next(place for place in (folder, *folder.parents) if place.exists())
     free = shutil.disk_usage(place).free
-    if free < LEAST_FREE:
+    if free < ROOM_TO_RECORD:
         raise CommandRefused(
             f"Only {free / 1e6:.0f} MB are free on the disk of the recordings, and nothing may be lost of a drive: "
-            f"free {LEAST_FREE / 1e6:.0f} MB, then begin again."
+            f"free {ROOM_TO_RECORD / 1e6:.0f} MB, then begin again."
         )

@@ -17,8 +17,8 @@ from app.pipeline.opening import Change, close_quietly, one_line, open_device
 from app.source import UNKNOWN, Source
 from app.speeds import HIGHEST_SPEEDS, Speeds
 from app.world.floorplan import FloorPlan, PrescribedPath
+from app.world.movers import Track
 from app.world.progress import leader_of
-from app.world.scenery import Track
 
 IDLE_RATE = 50.0  # Hz: how often the loop turns while there is no shirt
 NO_SHIRT = "No shirt is connected: choose one on the Shirt page."

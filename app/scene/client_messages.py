@@ -5,7 +5,7 @@ from typing import Final
 
 import msgspec
 
-from app.scene.servers import Role
+from app.scene.role_servers import Role
 
 SUBPROTOCOL: Final = "viser-v1.1.1"
 LARGEST_MESSAGE = 4096  # bytes; a camera's message has about 300

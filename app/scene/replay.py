@@ -12,8 +12,8 @@ from app.geometry import Pose
 from app.scene.cameras import View
 from app.scene.drawing import drawing_of
 from app.scene.head_view import NO_HEAD, Angles
+from app.scene.role_servers import quiet_server
 from app.scene.scene_state import SceneState
-from app.scene.servers import quiet_server
 from app.scene.trajectory import Trajectory
 from app.scene.world_view import WorldView
 from app.world.floorplan import FloorPlan

@@ -5,8 +5,8 @@ from app.scene.cones import Cones
 from app.scene.meshes.bodies import Part
 from app.scene.task_marks import later_parts, task_parts
 from app.world.floorplan import FloorPlan, PrescribedPath
+from app.world.movers import Track
 from app.world.progress import TaskProgress, progress_of
-from app.world.scenery import Track
 
 
 class SceneState:

@@ -8,7 +8,7 @@ from typing import Final
 import numpy as np
 
 from app.clock import MonotonicClock
-from app.scene.servers import RoleServers
+from app.scene.role_servers import RoleServers
 from app.scene.session_scene import Scene
 
 RATE: Final = 60.0  # Hz

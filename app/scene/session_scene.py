@@ -12,8 +12,8 @@ from app.scene.cameras import EyeSettings, Orbit, View
 from app.scene.drawing import NOTHING, drawing_of
 from app.scene.head_view import NO_HEAD, Angles
 from app.scene.plots import Plots
+from app.scene.role_servers import ROLES, Role, RoleServers
 from app.scene.scene_state import SceneState
-from app.scene.servers import ROLES, Role, RoleServers
 from app.scene.trajectory import Trajectory
 from app.scene.world_view import WorldView
 from app.world.floorplan import FloorPlan

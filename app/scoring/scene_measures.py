@@ -10,7 +10,8 @@ from app.scoring.command_counts import contact_rows
 from app.world.collision import Collision
 from app.world.floorplan import Door, FloorPlan
 from app.world.kinematics import CHAIR_RADIUS
-from app.world.scenery import Gap, Track
+from app.world.movers import Track
+from app.world.scenery import Gap
 
 Numbers = NDArray[np.float64]
 

@@ -12,8 +12,8 @@ from app.scoring.command_counts import contact_beginnings
 from app.scoring.path_measures import path_measures
 from app.scoring.scene_measures import cones_touched, contacts_at_gaps, following_errors, gap_clearance
 from app.world.floorplan import FloorPlan, PrescribedPath
+from app.world.movers import Track
 from app.world.progress import CourseProgress, TaskProgress, TurnProgress, progress_of
-from app.world.scenery import Track
 from app.world.tasks import Course, FollowLeader, FollowPath
 
 Columns = Mapping[str, NDArray[Any]]

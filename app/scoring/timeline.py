@@ -18,8 +18,8 @@ from app.recording.reader import Columns, Run, read_run
 from app.scoring.decimation import Decimation
 from app.scoring.trial_events import Event, events_of
 from app.world.floorplan import FloorPlan
+from app.world.movers import Track
 from app.world.path import Path
-from app.world.scenery import Track
 
 MOST_POINTS = 2000
 CHANNELS_SHOWN = 4  # of a joint: those that weigh most in its map

@@ -14,7 +14,7 @@ from app.session.control_link import ControlLink
 from app.session.equipment.chairs import Chairs
 from app.session.open_session import SessionFlow
 from app.session.readings import AdaptationResult, Readings
-from app.session.runs import Runs
+from app.session.runs import SessionRuns
 from app.session.trial import TrialFlow
 from app.store.adaptation_material import is_current, material_for, mode_of
 from app.store.database import Database
@@ -65,7 +65,7 @@ class AdaptationFlow:
         self,
         database: Database,
         control: ControlLink,
-        runs: Runs,
+        runs: SessionRuns,
         trials: TrialFlow,
         session: SessionFlow,
         chairs: Chairs,

@@ -5,7 +5,10 @@ from pathlib import Path
 
 import numpy as np
 
-from app.calibration.adaptation.proposal import STANDARD_LIMITS, Movement, Proposal, propose
+from app.calibration.adaptation.change_limits import STANDARD_LIMITS
+from app.calibration.adaptation.movement import Movement
+from app.calibration.adaptation.proposal import propose
+from app.calibration.adaptation.proposal_document import Proposal
 from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import DriveParameters
 from app.faults import State

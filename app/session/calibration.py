@@ -13,7 +13,7 @@ from app.refusals import Conflict, NotFound, Refusal
 from app.session.control_link import ControlLink
 from app.session.equipment.shirt import Equipment
 from app.session.readings import Readings
-from app.session.runs import Runs
+from app.session.runs import SessionRuns
 from app.store.calibrations import (
     begin_calibration,
     calibration_steps,
@@ -52,7 +52,7 @@ class CalibrationFlow:
         database: Database,
         control: ControlLink,
         equipment: Equipment,
-        runs: Runs,
+        runs: SessionRuns,
         tell: Callable[[str], None],
         readings: Readings,
     ) -> None:

@@ -5,7 +5,7 @@ from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager, suppress
 
 from app.calibration.vocabulary import DriveParameters
-from app.pipeline.brakes import missing_brake
+from app.pipeline.person_brakes import missing_brake
 from app.refusals import Conflict, Refusal
 from app.session.calibration import CalibrationFlow
 from app.session.control_link import ControlLink

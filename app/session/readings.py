@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from app.calibration.adaptation.proposal import Proposal
+from app.calibration.adaptation.proposal_document import Proposal
 from app.calibration.profile import CalibrationProfile
 from app.calibration.script import Step
 from app.calibration.vocabulary import DriveParameters

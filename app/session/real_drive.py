@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from app.faults import State
 from app.session.run_flow import ArmedRun, FlowWords, RunFlow
 from app.session.run_watch import Halt, Starter
-from app.session.runs import OpenRun
+from app.session.runs import SessionRun
 from app.store.drives import add_drive, finish_drive
 from app.store.log import write_log
 from app.store.tables import Chair, Drive, PatientSession, Run
@@ -64,7 +64,7 @@ class RealDriveFlow(RunFlow[RunningDrive]):
             )
 
     def _add(
-        self, session: PatientSession, who: Starter, chair: Chair, parameters_id: int, digest: str, run: OpenRun
+        self, session: PatientSession, who: Starter, chair: Chair, parameters_id: int, digest: str, run: SessionRun
     ) -> RunningDrive:
         with self._database.transaction() as db:
             drive = add_drive(

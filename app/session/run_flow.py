@@ -14,7 +14,7 @@ from app.refusals import Conflict
 from app.session.control_link import ControlLink
 from app.session.readings import Readings
 from app.session.run_watch import RunLost, follow_run
-from app.session.runs import OpenRun, Runs
+from app.session.runs import SessionRun, SessionRuns
 from app.store.database import Database
 
 STOP_LIMIT = 1.5  # s for closing a run when the application ends; then it stays without figures
@@ -36,7 +36,7 @@ class ArmedRun:
     id: int
     person_id: int  # who started it
     screen: str  # the random word of the screen that started it, which must stay in view
-    run: OpenRun
+    run: SessionRun
     watch: Watch
 
 
@@ -65,7 +65,12 @@ class RunFlow(ABC, Generic[Current]):
     words: ClassVar[FlowWords]
 
     def __init__(
-        self, database: Database, control: ControlLink, runs: Runs, tell: Callable[[str], None], readings: Readings
+        self,
+        database: Database,
+        control: ControlLink,
+        runs: SessionRuns,
+        tell: Callable[[str], None],
+        readings: Readings,
     ) -> None:
         self._database = database
         self._control = control
@@ -116,7 +121,7 @@ class RunFlow(ABC, Generic[Current]):
             self._starting = False
 
     async def _arm(
-        self, session_id: int, meta: dict[str, Any], parameters_hash: str, add: Callable[[OpenRun], Current]
+        self, session_id: int, meta: dict[str, Any], parameters_hash: str, add: Callable[[SessionRun], Current]
     ) -> int:
         """Begin the recording, store the trial or drive by `add`, and arm the chair; return the id."""
         run = await self._runs.begin(session_id, "drive", (), meta)

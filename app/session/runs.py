@@ -17,7 +17,7 @@ from app.store.runs import add_run, close_run
 
 
 @dataclass(frozen=True, slots=True)
-class OpenRun:
+class SessionRun:
     """A run that is being recorded."""
 
     id: str
@@ -27,21 +27,21 @@ class OpenRun:
     cues: tuple[Cue, ...]
 
 
-class Runs:
+class SessionRuns:
     """Begins and ends runs; a run's folder is named by its random id, never by a patient."""
 
     def __init__(self, database: Database, control: ControlLink, folder: Path) -> None:
         self._database = database
         self._control = control
         self._folder = folder
-        self.open: OpenRun | None = None
+        self.open: SessionRun | None = None
         self._beginning = False
 
     def folder_of(self, run: str) -> Path:
         """Return the folder of the recording of a run."""
         return self._folder / run
 
-    async def begin(self, session_id: int, kind: str, cues: Sequence[Cue], meta: dict[str, Any]) -> OpenRun:
+    async def begin(self, session_id: int, kind: str, cues: Sequence[Cue], meta: dict[str, Any]) -> SessionRun:
         """Start recording; store the run in the database once the control process has begun it."""
         if self.open is not None or self._beginning:
             raise Conflict("Something is being recorded already: wait for its end, or stop it first.")
@@ -51,7 +51,7 @@ class Runs:
         finally:
             self._beginning = False
 
-    async def _begin(self, session_id: int, kind: str, cues: Sequence[Cue], meta: dict[str, Any]) -> OpenRun:
+    async def _begin(self, session_id: int, kind: str, cues: Sequence[Cue], meta: dict[str, Any]) -> SessionRun:
         run_id = uuid.uuid4().hex
         folder = self.folder_of(run_id)
         answer = await self._control.call(
@@ -68,10 +68,10 @@ class Runs:
             with suppress(Refusal):  # otherwise a run that nobody knows of would never be ended
                 await self._control.call("end_run")
             raise
-        self.open = OpenRun(run_id, int(answer["run"]), folder, kind, tuple(cues))
+        self.open = SessionRun(run_id, int(answer["run"]), folder, kind, tuple(cues))
         return self.open
 
-    async def end(self) -> OpenRun | None:
+    async def end(self) -> SessionRun | None:
         """Close the recording and return its run, also when the recording was cut; None when nothing is recorded."""
         run = self.open
         if run is None:

@@ -7,7 +7,7 @@ from typing import Any
 
 from app.session.run_flow import ArmedRun, FlowWords, RunFlow
 from app.session.run_watch import Starter
-from app.session.runs import OpenRun
+from app.session.runs import SessionRun
 from app.session.trial_watch import TrialPlace, TrialWatch
 from app.store.control_quality import save_quality
 from app.store.log import write_log
@@ -64,7 +64,7 @@ class TrialFlow(RunFlow[RunningTrial]):
         who: Starter,
         plan: FloorPlan,
         path: PrescribedPath,
-        run: OpenRun,
+        run: SessionRun,
     ) -> RunningTrial:
         with self._database.transaction() as db:
             trial = add_trial(

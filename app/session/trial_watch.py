@@ -10,8 +10,8 @@ from app.faults import State
 from app.geometry import Pose
 from app.session.run_watch import Halt
 from app.world.floorplan import FloorPlan, PrescribedPath
+from app.world.movers import Track
 from app.world.progress import leader_of, progress_of
-from app.world.scenery import Track
 
 End = Literal["goal", "time-out", "by hand", "fault"]
 

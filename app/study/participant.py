@@ -9,7 +9,7 @@ from app.hardware.body.person import Person
 from app.hardware.shirt.fabric import Fabric
 from app.layout import ShirtLayout
 from app.messages import SensorFrame
-from app.world.scenery import MoverState
+from app.world.movers import MoverState
 
 
 class Participant:

@@ -8,7 +8,9 @@ from typing import Literal
 import numpy as np
 
 from app.calibration.adaptation.channel_range import shift_ranges
-from app.calibration.adaptation.proposal import Movement, Proposal, propose
+from app.calibration.adaptation.movement import Movement
+from app.calibration.adaptation.proposal import propose
+from app.calibration.adaptation.proposal_document import Proposal
 from app.calibration.profile import CalibrationProfile
 from app.calibration.script import calibration_script
 from app.calibration.vocabulary import DriveParameters, standard_parameters

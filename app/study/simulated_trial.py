@@ -12,7 +12,7 @@ from app.geometry import Pose
 from app.hardware.chair.simulator import VirtualChair
 from app.messages import Tick
 from app.pipeline.chain import Chain
-from app.pipeline.safety import Conditions
+from app.pipeline.safety_gate import Conditions
 from app.scoring.task_measures import task_measures
 from app.study.participant import Participant
 from app.world.floorplan import FloorPlan, PrescribedPath

@@ -4,7 +4,7 @@ import math
 from collections.abc import Sequence
 
 from app.world.kinematics import CHAIR_RADIUS
-from app.world.scenery import Mover, Track
+from app.world.movers import Mover, Track
 
 TOUCH = 1e-3  # m; nearer than this counts as touching
 

@@ -16,9 +16,10 @@ from app.sentences import one_sentence
 from app.settings import data_folder
 from app.world.clearance import Clearance
 from app.world.kinematics import CHAIR_RADIUS
+from app.world.movers import Mover
 from app.world.obstacles import Box, Cylinder, Obstacle, Point
 from app.world.path import Path
-from app.world.scenery import Cone, Gap, Ground, Lights, Mover
+from app.world.scenery import Cone, Gap, Ground, Lights
 from app.world.tasks import Back, Course, FollowLeader, FollowPath, Task, Turn
 
 MAX_WALLS = 5000

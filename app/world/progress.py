@@ -5,8 +5,8 @@ from abc import ABC, abstractmethod
 
 from app.geometry import Pose, wrap_angle
 from app.world.floorplan import FloorPlan, PrescribedPath
+from app.world.movers import Track
 from app.world.path import Path
-from app.world.scenery import Track
 from app.world.tasks import Back, Course, FollowLeader, Turn
 
 WINDOW = 2.0  # m of path, back and ahead, in which the chair is searched first

@@ -55,7 +55,7 @@ def _request(port: int, name: str, *, is_known: bool) -> bytes:
         f"Content-Length: {len(body)}",
     ]
     if is_known:  # with a sign-in cookie, which is looked up
-        lines.append(f"Cookie: bodydrive_session={'s' * 43}; bodydrive_browser_1={'b' * 43}")
+        lines.append(f"Cookie: bodydrive_sign_in={'s' * 43}; bodydrive_browser_1={'b' * 43}")
     return "\r\n".join([*lines, "", ""]).encode() + body
 
 

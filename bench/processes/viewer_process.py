@@ -12,7 +12,7 @@ from typing import cast
 from websockets.exceptions import ConnectionClosed, InvalidHandshake
 
 from app.clock import monotonic
-from app.scene.servers import Role
+from app.scene.role_servers import Role
 from bench.circle import age_at
 from bench.view_client import chair_positions, open_view, packets
 

@@ -15,8 +15,8 @@ from fastapi import FastAPI, WebSocket
 
 from app.api.view.view_bridge import view_router
 from app.clock import monotonic
+from app.scene.role_servers import Role, RoleServers
 from app.scene.scene_thread import start_scene
-from app.scene.servers import Role, RoleServers
 from bench.circle import driving
 from bench.subject import bench_floorplan
 

@@ -5,7 +5,7 @@ from typing import Any
 from fake_clinic import Clinic
 from starlette.websockets import WebSocketDisconnect
 
-COOKIES = ("bodydrive_session", "bodydrive_screen")
+COOKIES = ("bodydrive_sign_in", "bodydrive_screen")
 
 
 def only(clinic: Clinic, cookie: str | None) -> None:

@@ -66,7 +66,7 @@ def test_every_changing_route_refuses_another_session_and_none_or_is_listed_with
         refused = {}
         for named in (before, "none", "999999", None, "B-12", "0", "-1"):
             with database.transaction() as db:  # anew: one of the routes signs out
-                in_session.client.cookies["bodydrive_session"] = sign_in(db, find_person(db, name), "test")
+                in_session.client.cookies["bodydrive_sign_in"] = sign_in(db, find_person(db, name), "test")
             answer = asked(in_session, route, named)
             refused[named] = (
                 (answer.status_code == 409 and OTHER in answer.text),

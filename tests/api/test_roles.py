@@ -102,7 +102,7 @@ def test_the_matrix_of_roles_and_routes(clinic: Clinic, role: str) -> None:
         clinic.client.cookies.clear()
         if role != "anonymous":
             with database.transaction() as db:  # anew: one of the routes signs out
-                clinic.client.cookies["bodydrive_session"] = sign_in(db, find_person(db, role), "test")
+                clinic.client.cookies["bodydrive_sign_in"] = sign_in(db, find_person(db, role), "test")
         method, path = name.split()
         for placeholder in ("{chair_id}", "{patient_id}", "{trial_id}", "{screen_id}"):
             path = path.replace(placeholder, "1")

@@ -6,7 +6,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from simulated_person import JOINTS, SimulatedPerson, calibrate, layout_of
 
-from app.calibration.adaptation.proposal import Movement, propose
+from app.calibration.adaptation.movement import Movement
+from app.calibration.adaptation.proposal import propose
 from app.calibration.vocabulary import standard_parameters
 
 ALL = ("map", "dead_zones", "full")

@@ -74,8 +74,8 @@ def test_a_guided_profile_survives_being_saved():
 
 
 def test_the_handles_are_those_of_the_map_that_is_chosen():
-    assert with_guided("pca").joints[0].handles == (0.2, 1.0)
-    assert with_guided("guided").joints[0].handles == (0.3, 1.5)
+    assert with_guided("pca").joints[0].thresholds == (0.2, 1.0)
+    assert with_guided("guided").joints[0].thresholds == (0.3, 1.5)
     gesture = standard_parameters(with_guided("guided")).gestures[0]
     assert (gesture.dead_zone, gesture.full) == (0.3, 1.5)
 

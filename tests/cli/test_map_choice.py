@@ -118,8 +118,8 @@ def test_the_profile_says_which_map_decodes_and_decode_does_so(files):
         assert answer["maps"]["elbow"]["map"] == profile.joints[0].map == kind
         assert answer["maps"]["elbow"]["repetitions"] == 4
         assert {"in_phase", "hit_rate", "false_per_minute"} <= set(answer["maps"]["elbow"]["pca_check"])
-        assert answer["joints"]["elbow"]["dead_zone"] == profile.joints[0].handles[0]
-        assert read_parameters(files / "profile.json").gestures[0].dead_zone == profile.joints[0].handles[0]
+        assert answer["joints"]["elbow"]["dead_zone"] == profile.joints[0].thresholds[0]
+        assert read_parameters(files / "profile.json").gestures[0].dead_zone == profile.joints[0].thresholds[0]
         result = run(files, "decode", "--profile", files / "profile.json", "--out", files / "out.csv")
         assert result.exit_code == 0, result.output
         decoded[kind] = np.genfromtxt(files / "out.csv", delimiter=",", names=True)

@@ -3,10 +3,10 @@
 import asyncio
 import random
 
-from drills.cuts import cuts
 from drills.flood import sign_ins
 from drills.machine import disk_full, wall_clock
-from drills.network import forgeries, weather
+from drills.network_cuts import cuts
+from drills.network_faults import forgeries, weather
 from drills.odd_names import odd_names
 from drills.processes import hold_control, kill_control, kill_receiver, kill_web, web_silent
 from drills.results import Result

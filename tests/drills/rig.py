@@ -136,7 +136,7 @@ class Rig:
         given = self._given()
         self.shirt.rest()
         web = await asyncio.create_subprocess_exec(
-            sys.executable, "-m", "drills.web", json.dumps(given), stdout=subprocess.PIPE, env=environment()
+            sys.executable, "-m", "drills.killed_web", json.dumps(given), stdout=subprocess.PIPE, env=environment()
         )
         await asyncio.sleep(1.0)
         for _ in range(TRIES):

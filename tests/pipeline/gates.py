@@ -2,7 +2,7 @@
 
 from app.faults import State
 from app.geometry import Twist
-from app.pipeline.safety import (
+from app.pipeline.safety_gate import (
     BadGestures,
     Conditions,
     SafetyGate,

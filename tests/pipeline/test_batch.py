@@ -10,7 +10,7 @@ from app.hardware.chair.simulator import VirtualChair
 from app.messages import SensorFrame
 from app.pipeline.chain import Chain
 from app.pipeline.replay.batch import decode_block
-from app.pipeline.safety import Conditions
+from app.pipeline.safety_gate import Conditions
 from building import make_parameters, make_signals
 
 FIELDS = ("score", "rate", "drive", "activation", "u1", "u2", "v", "omega", "x", "y", "theta")

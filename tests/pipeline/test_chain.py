@@ -8,7 +8,7 @@ from app.geometry import Pose
 from app.hardware.chair.simulator import VirtualChair
 from app.messages import SensorFrame
 from app.pipeline.chain import Chain
-from app.pipeline.safety import Conditions
+from app.pipeline.safety_gate import Conditions
 from building import make_parameters, make_signals
 
 RATE = 100.0

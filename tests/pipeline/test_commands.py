@@ -11,10 +11,11 @@ from commanded_loop import CommandedLoop
 from hardware.chair.chair_stand_in import StandInChair
 
 from app.calibration.vocabulary import Binding
+from app.disk_room import ROOM_TO_RECORD
 from app.faults import Fault, State
 from app.geometry import Twist
 from app.hardware.shirt.packet import encode
-from app.pipeline.runs import LEAST_FREE, require_room
+from app.pipeline.runs import require_room
 from app.pipeline.setup import CommandRefused
 from app.session.equipment.pairing import pair_shirt, shirt_key_file
 from app.speeds import HIGHEST_SPEEDS, Speeds
@@ -166,11 +167,11 @@ def test_a_real_chair_is_armed_only_when_it_is_recorded_heard_and_its_switch_is_
     assert control.setup.chain.gate.state is State.CHECKING
 
 
-@pytest.mark.parametrize("free", [LEAST_FREE - 1, LEAST_FREE])
+@pytest.mark.parametrize("free", [ROOM_TO_RECORD - 1, ROOM_TO_RECORD])
 def test_no_run_begins_on_a_disk_that_could_fill(control, tmp_path, monkeypatch, free):
     monkeypatch.setattr(shutil, "disk_usage", lambda _place: SimpleNamespace(free=free))
     run = {"run_id": "r", "folder": str(tmp_path / "deep" / "r"), "kind": "rest", "cues": [], "meta": {}}
-    if free < LEAST_FREE:
+    if free < ROOM_TO_RECORD:
         assert "500 MB are free" in control.refused("run", **run)
         assert not (tmp_path / "deep").exists()
     else:

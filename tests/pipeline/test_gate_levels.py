@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from app.faults import Fault, State
 from app.geometry import STANDSTILL, Twist
-from app.pipeline.safety import (
+from app.pipeline.safety_gate import (
     BadGestures,
     Conditions,
     shirt_limits,

@@ -8,7 +8,7 @@ from gates import DT, SPEEDS, armed_gate, decide, moving_gate
 
 from app.faults import EXPLANATIONS, Fault, State
 from app.geometry import STANDSTILL, Twist
-from app.pipeline.safety import (
+from app.pipeline.safety_gate import (
     CHAIR_SILENT,
     NEUTRAL_PATIENCE,
     NEUTRAL_TIME,

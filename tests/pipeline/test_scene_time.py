@@ -5,7 +5,7 @@ from commanded_loop import CommandedLoop
 
 from app.faults import State
 from app.hardware.base import BodyView, LeaderView
-from app.world.scenery import Track
+from app.world.movers import Track
 
 WORLD = {
     "name": "p",

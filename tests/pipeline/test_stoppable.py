@@ -27,7 +27,7 @@ from app.geometry import Pose
 from app.hardware.chair.simulator import VirtualChair
 from app.messages import SensorFrame
 from app.pipeline.chain import Chain
-from app.pipeline.safety import STOP_TIME, Conditions
+from app.pipeline.safety_gate import STOP_TIME, Conditions
 from building import make_profile
 
 RATE = 100.0

@@ -2,7 +2,7 @@
 
 import pytest
 
-from app.scene.servers import RoleServers
+from app.scene.role_servers import RoleServers
 
 
 @pytest.fixture

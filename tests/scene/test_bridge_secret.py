@@ -12,13 +12,13 @@ from websockets.exceptions import InvalidStatus
 from app.scene import servers
 from app.scene.bridge_secret import BRIDGE_HEADERS, HEADER, SECRET
 from app.scene.client_messages import SUBPROTOCOL
-from app.scene.servers import ROLES, RoleServers
+from app.scene.role_servers import ROLES, RoleServers
 from app.scene.viewer_page import client_page
 
 ORIGINS = [None, "http://evil.example", "http://127.0.0.1:8080", "null"]
 STRANGERS = [
     {},
-    {"Cookie": "bodydrive_session=anything"},
+    {"Cookie": "bodydrive_sign_in=anything"},
     {HEADER: ""},
     {HEADER: SECRET[:-1]},
     {HEADER: SECRET.lower()},

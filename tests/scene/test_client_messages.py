@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from viser import _messages
 
 from app.scene.client_messages import may_pass
-from app.scene.servers import ROLES
+from app.scene.role_servers import ROLES
 
 CAMERA = {
     "type": "ViewerCameraMessage",

@@ -15,8 +15,9 @@ from app.scene.meshes.movers import mover_parts
 from app.scene.meshes.rock import rock
 from app.scene.models.objects import Model
 from app.world.kinematics import CHAIR_RADIUS
+from app.world.movers import Mover
 from app.world.obstacles import Box, Cylinder
-from app.world.scenery import Cone, Mover
+from app.world.scenery import Cone
 
 metres = st.floats(-50, 50)
 

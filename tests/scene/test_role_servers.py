@@ -6,7 +6,7 @@ import threading
 import pytest
 from scene_messages import everything
 
-from app.scene.servers import ROLES, RoleServers
+from app.scene.role_servers import ROLES, RoleServers
 from app.scene.session_scene import Scene
 from app.scene.viewer_page import client_page
 

@@ -6,7 +6,7 @@ from scene_messages import everything, of_node, tick
 from app.geometry import Pose
 from app.scene.cameras import VIEWS, EyeSettings, Orbit, chase_camera, eye_camera, free_camera, world_placement
 from app.scene.head_view import Angles
-from app.scene.servers import ROLES
+from app.scene.role_servers import ROLES
 from app.scene.session_scene import Scene
 from app.world.floorplan import FloorPlan, bundled_floorplans, load_floorplan
 from app.world.obstacles import Box

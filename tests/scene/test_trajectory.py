@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from app.geometry import Pose
-from app.scene.servers import quiet_server
+from app.scene.role_servers import quiet_server
 from app.scene.trajectory import JUMP, PIECE, STEP, PointFilter, Trajectory, TrajectoryPieces, line_segments
 
 

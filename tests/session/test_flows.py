@@ -9,7 +9,7 @@ import pytest
 from app.refusals import Conflict, Unavailable
 from app.session.calibration import CalibrationFlow
 from app.session.real_drive import RealDriveFlow
-from app.session.runs import Runs
+from app.session.runs import SessionRuns
 from app.session.trial import TrialFlow
 from app.source import UNKNOWN_SOURCE
 from app.store.database import Database
@@ -36,8 +36,8 @@ class LostDatabase:
         raise OSError("the database is gone")
 
 
-def runs_with(control: Any, tmp_path: Any) -> Runs:
-    return Runs(LostDatabase(), control, tmp_path)  # type: ignore[arg-type]
+def runs_with(control: Any, tmp_path: Any) -> SessionRuns:
+    return SessionRuns(LostDatabase(), control, tmp_path)  # type: ignore[arg-type]
 
 
 def test_a_run_that_cannot_be_noted_is_not_left_running(tmp_path: Any) -> None:
@@ -62,7 +62,7 @@ def test_a_run_whose_end_nobody_answers_is_open_no_more(database: Database, tmp_
             return await super().call(do, **fields)
 
     async def story() -> None:
-        runs = Runs(database, SilentControl(), tmp_path)  # type: ignore[arg-type]
+        runs = SessionRuns(database, SilentControl(), tmp_path)  # type: ignore[arg-type]
         first = await runs.begin(session.id, "rest", (), {})
         assert await runs.end() == first
         assert runs.open is None

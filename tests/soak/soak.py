@@ -15,7 +15,7 @@ from typing import NamedTuple
 import psutil
 
 from app.clock import MonotonicClock
-from app.scene.servers import ROLES
+from app.scene.role_servers import ROLES
 from bench.children import ask, next_line, started
 
 VIEWERS = 3

@@ -9,8 +9,8 @@ import dataclasses
 import numpy as np
 import pytest
 
+from app.hardware.body.parameter_ranges import RANGES, out_of_range
 from app.hardware.body.person_parameters import NOVICE
-from app.hardware.body.person_ranges import RANGES, out_of_range
 from app.study.seeds import comparable_table, measure_over_seeds, run_seeds
 from app.world.floorplan import FloorPlan
 

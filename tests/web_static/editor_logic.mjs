@@ -6,9 +6,10 @@ const from = (name) => import(pathToFileURL(`${process.argv[2]}/editor/${name}.j
 const documents = await from("document");
 const { insertDoor, removeDoor, changeDoor } = await from("doors");
 const { newHistory, addStep, stepBack, stepForward } = await from("history");
-const { tap, finishLine, withTool, snapPlace, erase, placeChosen } = await from("tools");
+const { tap, finishLine, withTool, erase, placeChosen } = await from("tools");
 const { toPlace, toPixel, zoomView, panView, fitView } = await from("viewport");
-const { snap, lengthOf } = await from("geometry");
+const { lengthOf } = await from("geometry");
+const { snap, snapPlace } = await from("snap");
 const { add, change, emptyPlan, moveBy, moveTo, nameFrom, newPath, pointsOf, remove, itemNear } = documents;
 
 const HOW = { step: 0.1, reach: 0.3 };

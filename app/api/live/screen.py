@@ -7,7 +7,7 @@ from fastapi import APIRouter, WebSocket
 from pydantic import Field, ValidationError
 from starlette.websockets import WebSocketDisconnect
 
-from app.api.live.pictures import Picture
+from app.api.live.screen_pictures import Picture
 from app.api.live.screens import PageSign, Screen
 from app.api.parts import WebParts
 from app.clock import monotonic

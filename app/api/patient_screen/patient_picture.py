@@ -2,11 +2,11 @@
 
 from typing import Any
 
-from app.api.live.picture import LivePicture
+from app.api.live.live_picture import LivePicture
 from app.calibration.script import movement_words
 from app.faults import Fault, State
 from app.session.equipment.shirt import Equipment
-from app.session.runs import Runs
+from app.session.runs import SessionRuns
 from app.session.trial import TrialFlow
 from app.session.words.patient_words import patient_words
 from app.store.patient_screens import ScreenSettings
@@ -18,7 +18,7 @@ TRIAL_FIELDS = ("id", "t", "done", "length", "stage", "stages", "instruction", "
 class PatientPicture:
     """Makes the patient's picture from the clinician's, so that both show the same moment."""
 
-    def __init__(self, live: LivePicture, equipment: Equipment, runs: Runs, trials: TrialFlow) -> None:
+    def __init__(self, live: LivePicture, equipment: Equipment, runs: SessionRuns, trials: TrialFlow) -> None:
         self._live = live
         self._equipment = equipment
         self._runs = runs

@@ -10,7 +10,7 @@ from pydantic import ValidationError
 
 from app.api.deps import People
 from app.api.live.hub import Viewer
-from app.api.live.pictures import Picture
+from app.api.live.screen_pictures import Picture
 from app.api.parts import WebParts
 from app.clock import monotonic
 from app.quantities import Document

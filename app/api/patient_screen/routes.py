@@ -8,7 +8,7 @@ from fastapi.concurrency import run_in_threadpool
 from pydantic import Field
 
 from app.api.deps import Clinician, ForEveryone, People, PeopleParts, RowId
-from app.api.live.pictures import Picture
+from app.api.live.screen_pictures import Picture
 from app.api.own_address import own_address
 from app.api.parts import Web, WebParts
 from app.api.qr import qr_picture

@@ -6,10 +6,10 @@ from typing import Annotated, Any
 from fastapi import APIRouter
 from pydantic import Field
 
+from app.api.answers import Answer, MomentText
 from app.api.deps import Anyone, Clinician, PeopleParts, RowId
 from app.api.parts import Web, WebParts
-from app.api.views import MomentText, View
-from app.calibration.adaptation.proposal import JointChange
+from app.calibration.adaptation.proposal_document import JointChange
 from app.quantities import Document
 from app.scoring.trial_forecast import Effect
 from app.session.adaptation import NOT_ASKED, STALE, AdaptationProposal, Mode
@@ -72,7 +72,7 @@ class AdaptationView(Document):
     looking: bool  # a proposal is being made
 
 
-class MapView(View):
+class MapView(Answer):
     """One version of a map."""
 
     version: int

@@ -107,8 +107,8 @@ def _result(progress: Progress, profile: CalibrationProfile) -> dict[str, Any]:
     joints = [
         {
             **joint.model_dump(mode="json", include=fields),
-            "dead_zone": joint.handles[0],
-            "full": joint.handles[1],
+            "dead_zone": joint.thresholds[0],
+            "full": joint.thresholds[1],
             "map": joint.map,
             "guided": _guided(joint.guided),
             "label": labels[joint.name],

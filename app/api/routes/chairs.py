@@ -6,13 +6,13 @@ from typing import Annotated
 from fastapi import APIRouter
 from pydantic import Field
 
+from app.api.answers import Answer, MomentText
 from app.api.deps import Anyone, Clinician, Owner, People, PeopleParts, RowId
 from app.api.parts import Web, WebParts
 from app.api.qr import qr_picture
 from app.api.sign_in.identity import SignedInPerson
-from app.api.views import MomentText, View
+from app.hardware.addresses import Host
 from app.hardware.chair.key import Key
-from app.hardware.places import Host
 from app.quantities import Document, Port, Title
 from app.session.equipment.chairs import Dynamics
 from app.session.equipment.pairing import pair_chair, unpair_chair
@@ -41,7 +41,7 @@ class Choice(Document):
     dynamics: Dynamics
 
 
-class ChairView(View):
+class ChairView(Answer):
     """A paired chair."""
 
     id: int

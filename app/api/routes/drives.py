@@ -7,6 +7,7 @@ from fastapi import APIRouter, HTTPException, Query
 from fastapi.requests import Request
 from pydantic import Field
 
+from app.api.answers import Answer, MomentText
 from app.api.deps import Anyone, Clinician, People, PeopleParts
 from app.api.driving import require_controller
 from app.api.live.screen import ScreenWord
@@ -14,7 +15,6 @@ from app.api.live.screens import Screen
 from app.api.nearby import require_nearby
 from app.api.parts import Web
 from app.api.routes.source_view import SourceView
-from app.api.views import MomentText, View
 from app.calibration.vocabulary import ControlMode
 from app.clock import monotonic
 from app.quantities import Document
@@ -32,14 +32,14 @@ CHANGED = "The controls were changed meanwhile: read again what applies, then ar
 NOT_IN_VIEW = "This screen has not said yet that it is in view: wait a moment, then arm again."
 
 
-class ChairSummary(View):
+class ChairSummary(Answer):
     """A chair."""
 
     id: int
     name: str
 
 
-class ParametersSummary(View):
+class ParametersSummary(Answer):
     """A parameter set and its drive settings."""
 
     title: str
@@ -51,14 +51,14 @@ class ParametersSummary(View):
     turn_cruise_time: float  # s
 
 
-class PracticeView(View):
+class PracticeView(Answer):
     """How often this very set was practised on the virtual chair, and when last."""
 
     trials: int
     last: MomentText | None
 
 
-class LatestPractice(View):
+class LatestPractice(Answer):
     """The set that was practised last."""
 
     hash: str
@@ -84,7 +84,7 @@ class NewDrive(Document):
     screen: ScreenWord
 
 
-class DriveView(View):
+class DriveView(Answer):
     """A drive."""
 
     id: int

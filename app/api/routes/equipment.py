@@ -15,7 +15,7 @@ from app.quantities import Document, Line, Name
 from app.refusals import Refusal
 from app.session.control_link import ControlLink
 from app.session.equipment.shirt import shirt_kinds
-from app.store.files.disk import disk_room
+from app.store.files.disk_watch import disk_room
 from app.store.files.taken_names import SameName, log_details
 from app.store.log import write_log
 
@@ -45,7 +45,7 @@ class StatusView(Document):
     control: str
 
 
-class ChairView(Document):
+class ChairStateView(Document):
     """The state of the chair in use, in words."""
 
     words: str
@@ -104,7 +104,7 @@ class EquipmentView(Document):
     status: StatusView
     files: list[FileView]
     shirt_keys: list[str]
-    chair: ChairView
+    chair: ChairStateView
     head: HeadView
     disk: DiskView
 
@@ -148,7 +148,7 @@ async def _view(parts: PeopleParts, web: WebParts) -> EquipmentView:
         status=status,
         files=await asyncio.to_thread(list_files, parts.settings.files),
         shirt_keys=await asyncio.to_thread(lambda: equipment.key_names),
-        chair=ChairView(words=await web.chairs.state()),
+        chair=ChairStateView(words=await web.chairs.state()),
         head=head,
         disk=DiskView(free=room.free, words=room.words),
     )

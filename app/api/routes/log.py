@@ -2,14 +2,14 @@
 
 from fastapi import APIRouter
 
+from app.api.answers import Answer
 from app.api.deps import Owner, PeopleParts
-from app.api.views import View
 from app.store.log_chain import verify_log
 
 router = APIRouter(prefix="/log", tags=["log"])
 
 
-class LogCheckView(View):
+class LogCheckView(Answer):
     """The result of a check of the log."""
 
     whole: bool

@@ -6,9 +6,9 @@ from fastapi import APIRouter
 from fastapi.concurrency import run_in_threadpool
 from pydantic import Field
 
+from app.api.answers import Answer, MomentText
 from app.api.deps import Anyone, Clinician, PeopleParts, RowId
 from app.api.parts import Web, open_view
-from app.api.views import MomentText, View
 from app.quantities import Count, Document, Name, Note, Title
 from app.store.database import Transaction
 from app.store.log import write_log
@@ -56,7 +56,7 @@ class NewSession(Document):
     patient_id: Count
 
 
-class SessionView(View):
+class SessionView(Answer):
     """The open session."""
 
     id: int

@@ -6,10 +6,10 @@ from typing import Annotated, Any
 from fastapi import APIRouter, Form, HTTPException, Query, Request, UploadFile
 from pydantic import ValidationError
 
+from app.api.answers import Answer
 from app.api.deps import Clinician, People, PeopleParts
 from app.api.parts import Web
 from app.api.routes.plan_files import draft_of_uploads
-from app.api.views import View
 from app.quantities import Document, Name
 from app.sentences import one_sentence
 from app.store.files.plans import OwnPlans
@@ -23,7 +23,7 @@ MOST_PARTS = 250_000  # lists and objects of a document: far more than a buildin
 router = APIRouter(tags=["floor plans"])
 
 
-class OwnPlanView(View):
+class OwnPlanView(Answer):
     """A floor plan of the clinic's own; a change is refused unless it names this `version`."""
 
     name: str

@@ -6,8 +6,8 @@ from typing import Annotated
 from fastapi import APIRouter, HTTPException, Path
 from pydantic import ValidationError
 
+from app.api.answers import Answer, MomentText
 from app.api.deps import Clinician, People, PeopleParts
-from app.api.views import MomentText, View
 from app.quantities import Document
 from app.store.files.plans import OwnPlans
 from app.store.files.replacements import Kind
@@ -19,7 +19,7 @@ router = APIRouter(prefix="/replaced", tags=["uploads"])
 Identity = Annotated[str, Path(max_length=160, pattern=r"^[0-9TZ.]+--[A-Za-z0-9_.-]+$")]
 
 
-class ReplacedView(View):
+class ReplacedView(Answer):
     """A replaced file; at `until` it is deleted."""
 
     kind: Kind

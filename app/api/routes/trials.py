@@ -6,15 +6,15 @@ from typing import Annotated, Any, Literal
 from fastapi import APIRouter, HTTPException, Query
 from pydantic import Field
 
+from app.api.answers import Answer, MomentText
 from app.api.deps import Anyone, Clinician, People, PeopleParts, RowId
 from app.api.driving import require_controller
-from app.api.live.pictures import NO_PICTURE, Picture
 from app.api.live.screen import ScreenWord
+from app.api.live.screen_pictures import NO_PICTURE, Picture
 from app.api.live.screens import Screen
 from app.api.parts import Web, WebParts, load_plan
 from app.api.routes.source_view import SourceView
 from app.api.sign_in.identity import SignedInPerson
-from app.api.views import MomentText, View
 from app.quantities import Document, Line, Name
 from app.refusals import Conflict, NotFound
 from app.scoring.control_quality import ControlQuality
@@ -37,7 +37,7 @@ class PathView(Document):
     task: str  # path, follow, turn, back or course
 
 
-class SceneView(View):
+class SceneView(Answer):
     """The scene that a floor plan is a level of."""
 
     name: str
@@ -45,7 +45,7 @@ class SceneView(View):
     about: str
 
 
-class LevelView(View):
+class LevelView(Answer):
     """A level of difficulty."""
 
     name: str
@@ -85,7 +85,7 @@ class Discard(Document):
     reason: Annotated[Line, Field(min_length=1, max_length=200)]
 
 
-class TrialView(View):
+class TrialView(Answer):
     """A trial and its measures."""
 
     id: int
@@ -103,7 +103,7 @@ class TrialView(View):
     measures: dict[str, Any] | None
 
 
-class TrajectoryView(View):
+class TrajectoryView(Answer):
     """The trajectory of the chair, decimated."""
 
     t: list[float]

@@ -7,7 +7,7 @@ from app.store.database import Database
 from app.store.patient_screens import find_screen
 from app.store.people import signed_in
 
-COOKIE = "bodydrive_session"
+COOKIE = "bodydrive_sign_in"
 SCREEN_COOKIE = "bodydrive_screen"  # of a paired screen of the patient: it gives access to the patient's picture only
 
 

@@ -21,7 +21,7 @@ from websockets.typing import Subprotocol
 
 from app.scene.bridge_secret import BRIDGE_HEADERS
 from app.scene.client_messages import SUBPROTOCOL, may_pass
-from app.scene.servers import Role
+from app.scene.role_servers import Role
 from app.scene.viewer_page import client_page
 
 Admission = Callable[[WebSocket, Role], AbstractAsyncContextManager[bool]]

@@ -8,7 +8,7 @@ from pydantic import Field, StrictBool
 
 from app.quantities import Document, Fraction, Metres, Radians
 from app.scene.cameras import Orbit, View
-from app.scene.servers import Role
+from app.scene.role_servers import Role
 from app.scene.session_scene import Scene
 
 SceneNow = Callable[[], Scene | None]

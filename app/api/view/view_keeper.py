@@ -10,8 +10,8 @@ import numpy as np
 from fastapi import WebSocket
 
 from app.api.sockets import OpenSockets
+from app.scene.role_servers import Role, RoleServers
 from app.scene.scene_thread import SceneThread, start_scene
-from app.scene.servers import Role, RoleServers
 from app.scene.session_scene import Scene
 from app.world.floorplan import FloorPlan
 

@@ -1,4 +1,4 @@
-"""Assesses one joint after the last trials: the change of its direction and handles, or why there is none."""
+"""Assesses one joint after the last trials: the change of its direction and thresholds, or why there is none."""
 
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
@@ -6,6 +6,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from app.calibration.adaptation.change_limits import ChangeLimits
 from app.calibration.adaptation.channel_range import sound_channels
 from app.calibration.adaptation.direction import (
     angle,
@@ -15,9 +16,9 @@ from app.calibration.adaptation.direction import (
     share_along,
     turn_towards,
 )
-from app.calibration.adaptation.documents import JointChange, Limits, Part, Status
-from app.calibration.adaptation.handles import Handles, step_handles, wanted_dead_zone, wanted_full
 from app.calibration.adaptation.movement import MappedTrial, Movement, Numbers, gesture_of, movement_rows, rate_along
+from app.calibration.adaptation.proposal_document import JointChange, Part, Status
+from app.calibration.adaptation.thresholds import Thresholds, step_thresholds, wanted_dead_zone, wanted_full
 from app.calibration.fit.joint_fit import LEAST_RANGE
 from app.calibration.profile import JointMap
 from app.calibration.vocabulary import DriveParameters, Gesture
@@ -31,24 +32,24 @@ class AdaptationInput:
     movements: Sequence[Movement]
     trials: list[MappedTrial]
     parts: Collection[Part]
-    limits: Limits
+    limits: ChangeLimits
     fresh: int
     calibrated: dict[str, JointMap]
 
 
 @dataclass(frozen=True, slots=True)
 class JointAssessment:
-    """The change of one joint, and the weights and handles for the new parameters."""
+    """The change of one joint, and the weights and thresholds for the new parameters."""
 
     change: JointChange
     weights: Numbers
-    handles: Handles
+    thresholds: Thresholds
 
 
 def assess_joint(evidence: AdaptationInput, joint: JointMap, gesture: Gesture) -> JointAssessment:
-    """Return the change of one joint: of its direction, then of its handles, refused when it would be felt too much."""
+    """Return the change of one joint, first of its direction, then of its thresholds; refused when it would be felt."""
     limits, parts, old = evidence.limits, evidence.parts, np.array(joint.weights)
-    now = Handles(gesture.dead_zone, gesture.full)
+    now = Thresholds(gesture.dead_zone, gesture.full)
     values: dict[str, Any] = {
         "name": joint.name,
         "dead_zone_before": now.dead_zone,
@@ -62,14 +63,14 @@ def assess_joint(evidence: AdaptationInput, joint: JointMap, gesture: Gesture) -
     turn = _turn(evidence, joint, moved)
     values |= turn.values
     weights = turn.weights if "map" in parts else old
-    wanted = _handles(evidence, joint, gesture, weights)
-    handles = Handles(
+    wanted = _thresholds(evidence, joint, gesture, weights)
+    thresholds = Thresholds(
         wanted.dead_zone if "dead_zones" in parts else now.dead_zone, wanted.full if "full" in parts else now.full
     )
-    if handles.full < handles.dead_zone + LEAST_RANGE:
-        handles = now
+    if thresholds.full < thresholds.dead_zone + LEAST_RANGE:
+        thresholds = now
     sample_rate = evidence.trials[-1].sample_rate
-    felt = felt_change(old / now.full, weights / handles.full, moved, sample_rate) if len(moved) else 0.0
+    felt = felt_change(old / now.full, weights / thresholds.full, moved, sample_rate) if len(moved) else 0.0
     turns = not np.array_equal(weights, old)
     if felt >= limits.refuse:
         words = f"It would be felt as a change of {min(felt, 9.99):.0%}, more than {limits.refuse:.0%}: refused."
@@ -77,11 +78,11 @@ def assess_joint(evidence: AdaptationInput, joint: JointMap, gesture: Gesture) -
         return JointAssessment(
             JointChange(**values, felt_change=min(felt, 1e6), status="refused", reason=words), old, now
         )
-    values |= {"dead_zone_after": handles.dead_zone, "full_after": handles.full}
-    if turns or handles != now:
+    values |= {"dead_zone_after": thresholds.dead_zone, "full_after": thresholds.full}
+    if turns or thresholds != now:
         values |= {"felt_change": felt, "angle_applied_deg": angle(old, weights) if turns else 0.0}
         change = JointChange(**values, status="applied", reason="")
-        return JointAssessment(change.model_copy(update={"reason": _reason(change, turn.refusal)}), weights, handles)
+        return JointAssessment(change.model_copy(update={"reason": _reason(change, turn.refusal)}), weights, thresholds)
     if turn.refusal:
         return JointAssessment(JointChange(**values, status="refused", reason=turn.refusal), old, now)
     if not np.array_equal(turn.weights, old) or wanted != now:
@@ -166,13 +167,13 @@ def _rates(evidence: AdaptationInput, joint: JointMap, gesture: Gesture, weights
     ]
 
 
-def _handles(evidence: AdaptationInput, joint: JointMap, gesture: Gesture, weights: Numbers) -> Handles:
-    """Return the handles after one limited step towards those for rest noise and strokes of the last trials."""
+def _thresholds(evidence: AdaptationInput, joint: JointMap, gesture: Gesture, weights: Numbers) -> Thresholds:
+    """Return the thresholds after one limited step towards those for rest noise and strokes of the last trials."""
     rates = _rates(evidence, joint, gesture, weights)
     dead_zone = wanted_dead_zone(joint, evidence.trials, rates)
     full = wanted_full(joint, evidence.trials, rates, gesture)
-    wanted = Handles(gesture.dead_zone if dead_zone is None else dead_zone, gesture.full if full is None else full)
-    return step_handles(gesture, wanted, evidence.fresh)
+    wanted = Thresholds(gesture.dead_zone if dead_zone is None else dead_zone, gesture.full if full is None else full)
+    return step_thresholds(gesture, wanted, evidence.fresh)
 
 
 def _cross_talk(evidence: AdaptationInput, joint: JointMap, gesture: Gesture, weights: Numbers) -> float | None:

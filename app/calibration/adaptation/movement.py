@@ -58,7 +58,7 @@ def _map_trial(parameters: DriveParameters, movement: Movement) -> MappedTrial:
     for joint in parameters.profile.joints:
         rate[joint.name] = rate_along(joint, np.array(joint.weights), values, movement.sample_rate, parameters.cutoff)
         gesture = gesture_of(parameters, joint.name)
-        on_pc1 = gesture is not None and joint.map == "pca"  # the handles of a guided map have another scale
+        on_pc1 = gesture is not None and joint.map == "pca"  # the thresholds of a guided map have another scale
         dead_zone, full = (gesture.dead_zone, gesture.full) if gesture and on_pc1 else (joint.dead_zone, joint.full)
         size = np.abs(rate[joint.name])
         speed[joint.name], fast[joint.name] = size / max(full, 1e-9), size > dead_zone

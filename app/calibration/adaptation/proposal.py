@@ -2,29 +2,20 @@
 
 from collections.abc import Collection, Sequence
 
+from app.calibration.adaptation.change_limits import STANDARD_LIMITS, ChangeLimits
 from app.calibration.adaptation.channel_range import shift_ranges
-from app.calibration.adaptation.documents import (
-    ALL_PARTS,
-    STANDARD_LIMITS,
-    JointChange,
-    Limits,
-    Part,
-    Proposal,
-    Status,
-)
 from app.calibration.adaptation.joint_proposal import AdaptationInput, JointAssessment, assess_joint
 from app.calibration.adaptation.movement import Movement, gesture_of, map_trials
+from app.calibration.adaptation.proposal_document import ALL_PARTS, JointChange, Part, Proposal, Status
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.calibration.vocabulary import DriveParameters, Gesture
-
-__all__ = ["ALL_PARTS", "STANDARD_LIMITS", "JointChange", "Limits", "Movement", "Part", "Proposal", "Status", "propose"]
 
 
 def propose(
     parameters: DriveParameters,
     movements: Sequence[Movement],
     parts: Collection[Part] = ALL_PARTS,
-    limits: Limits = STANDARD_LIMITS,
+    limits: ChangeLimits = STANDARD_LIMITS,
     *,
     calibrated: CalibrationProfile | None = None,
     fresh: int | None = None,
@@ -109,7 +100,7 @@ def _with_range(change: JointChange, moved: bool) -> JointChange:
 def _new_parameters(
     parameters: DriveParameters, profile: CalibrationProfile, found: Sequence[JointAssessment]
 ) -> DriveParameters:
-    """Return the parameters with new weights and handles; sign, span and all else stay."""
+    """Return the parameters with new weights and thresholds; sign, span and all else stay."""
     new = {one.change.name: one for one in found}
     joints = tuple(_with_weights(joint, new.get(joint.name)) for joint in profile.joints)
     gestures = tuple(_with_handles(parameters, gesture, new.get(gesture.joint)) for gesture in parameters.gestures)
@@ -124,10 +115,10 @@ def _with_weights(joint: JointMap, new: JointAssessment | None) -> JointMap:
 
 
 def _with_handles(parameters: DriveParameters, gesture: Gesture, new: JointAssessment | None) -> Gesture:
-    """Return a gesture with its new handles; unchanged when its joint was assessed by another gesture."""
+    """Return a gesture with its new thresholds; unchanged when its joint was assessed by another gesture."""
     if new is None or gesture_of(parameters, gesture.joint) != gesture:
         return gesture
-    return gesture.model_copy(update={"dead_zone": new.handles.dead_zone, "full": new.handles.full})
+    return gesture.model_copy(update={"dead_zone": new.thresholds.dead_zone, "full": new.thresholds.full})
 
 
 def _sentence(changes: Sequence[JointChange], trials: int) -> str:

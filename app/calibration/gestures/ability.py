@@ -76,7 +76,7 @@ def _ability(
     rates = [direction * window[:, column] for window, _ in windows]
     # The prompts ask for the way there. No cue asks for a fast way back: there, the free movement is used as well.
     strokes = rates if direction > 0 and rates else rates + [direction * piece[:, column] for piece in evidence.free]
-    dead_zone, full = joint.handles
+    dead_zone, full = joint.thresholds
     reached = (full_rate(strokes, dead_zone) if strokes else None) or 0.0
     if direction < 0:
         full = round(min(max(reached, dead_zone + LEAST_RANGE), LARGEST_THRESHOLD + LEAST_RANGE), 4)

@@ -223,7 +223,7 @@ class _Candidate(NamedTuple):
 def _candidate(
     data: _TrainingRows, level_ridge: float, joint: JointMap, pca: MapCheck, sample_rate: float
 ) -> _Candidate:
-    """Return the map for one ridge on the levels, with its handles and its check on held-out repetitions."""
+    """Return the map for one ridge on the levels, with its thresholds and its check on held-out repetitions."""
     ridge = _Ridge(data, level_ridge)
     held_out = data.features @ ridge.weights()
     for name in np.unique(data.repetition[data.repetition >= 0]):

@@ -16,13 +16,13 @@ from app.calibration.vocabulary import DriveParameters
 from app.faults import State
 from app.geometry import Twist
 from app.hardware.base import Chair
+from app.pipeline.channel_health import ChannelHealth, LossWindow
 from app.pipeline.controls import Controls
 from app.pipeline.decoder import LONGEST_GAP, Decoder, channels_used, projection
 from app.pipeline.guided_rate import PARTS, guided_projection, is_guided
-from app.pipeline.health import ChannelHealth, LossWindow
 from app.pipeline.ramp import Ramp
 from app.pipeline.replay.guided_batch import guided_rate
-from app.pipeline.safety import (
+from app.pipeline.safety_gate import (
     LARGEST_STEP,
     STOP_DECELERATION,
     STOP_TURN_DECELERATION,

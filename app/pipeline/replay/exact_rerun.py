@@ -19,7 +19,7 @@ from app.hardware.chair.simulator import VirtualChair
 from app.messages import SensorFrame
 from app.pipeline.chain import Chain
 from app.pipeline.replay.rerun import chair_of, sample_rate_of
-from app.pipeline.safety import BadGestures, Conditions, SafetyGate
+from app.pipeline.safety_gate import BadGestures, Conditions, SafetyGate
 from app.recording.reader import Run
 from app.sentences import one_sentence
 from app.speeds import HIGHEST_SPEEDS, Speeds

@@ -6,7 +6,7 @@ from app.scene.meshes import palette
 from app.scene.meshes.bodies import Mesh, Part, Vector, ball, limb, merged, tube
 from app.scene.meshes.palette import Colour
 from app.scene.meshes.wheelchair import chair_parts, person_parts
-from app.world.scenery import Mover
+from app.world.movers import Mover
 
 HALF_WIDTH: Final = 0.3  # m, of the person as drawn here
 

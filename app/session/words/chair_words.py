@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from app.hardware.chair.reasons import WORDS, Reason
-from app.pipeline.safety import CHAIR_SILENT
+from app.pipeline.safety_gate import CHAIR_SILENT
 
 STATES = ("disarmed", "checking", "armed", "fault")
 CHAIR_FAULT = 3  # index of "fault" in STATES

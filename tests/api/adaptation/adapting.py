@@ -3,7 +3,7 @@
 import time
 from typing import Any
 
-from app.calibration.adaptation.proposal import JointChange, Proposal
+from app.calibration.adaptation.proposal_document import JointChange, Proposal
 from app.calibration.vocabulary import DriveParameters
 from app.scoring.trial_forecast import Effect
 from app.session.readings import AdaptationResult

@@ -8,7 +8,7 @@ import pytest
 from adapting import apply, begin, change, choose, choose_chair, drive, end, proposed, settled, versions
 from fake_clinic import WORD
 
-from app.calibration.adaptation.proposal import Proposal
+from app.calibration.adaptation.proposal_document import Proposal
 from app.calibration.vocabulary import DriveParameters
 from app.faults import Fault, State
 from app.session.readings import AdaptationResult
@@ -170,7 +170,7 @@ def test_a_reviewer_looks_and_changes_nothing(ready: Any) -> None:
     with database.transaction() as db:
         person = add_person(db, the_clinic(db), "Rita", "reviewer", None)
         token = sign_in(db, person, "test")
-    ready.client.cookies["bodydrive_session"] = token
+    ready.client.cookies["bodydrive_sign_in"] = token
     assert ready.good("GET", "/adaptation")["proposal"]["id"] == view["proposal"]["id"]
     assert ready.good("GET", f"/patients/{ready.patient['id']}/maps")[0]["version"] == 1
     assert apply(ready, view).status_code == 403

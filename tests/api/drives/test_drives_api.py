@@ -74,10 +74,10 @@ def test_only_who_armed_goes_on_and_ends_and_anybody_stops(ready: Any) -> None:
         other = sign_in(db, add_person(db, the_clinic(db), "Other", "clinician", None), "test")
     with ready.screen():
         arm(ready)
-        mine = ready.client.cookies["bodydrive_session"]
+        mine = ready.client.cookies["bodydrive_sign_in"]
         ready.client.cookies.clear()
         assert ready.good("POST", "/control/stop")["state"] == "fault"
-        ready.client.cookies["bodydrive_session"] = other
+        ready.client.cookies["bodydrive_sign_in"] = other
         for path, body in (
             ("/control/clear", {"stops": 1}),
             ("/control/dial", {"share": 0.5}),
@@ -87,7 +87,7 @@ def test_only_who_armed_goes_on_and_ends_and_anybody_stops(ready: Any) -> None:
             assert (answer.status_code, "Somebody else" in answer.json()["detail"]) == (409, True), path
         assert ready.good("POST", "/control/stop")["state"] == "fault"
         ready.client.cookies.clear()
-        ready.client.cookies["bodydrive_session"] = mine
+        ready.client.cookies["bodydrive_sign_in"] = mine
         assert ready("POST", "/control/clear", json={"stops": 1}).status_code == 409  # there was a second stop
         while not any(row.what == "stop" for row in ready.log()):
             time.sleep(0.01)

@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from app.api.live.screens import LINK_LIMIT, SILENCE_LIMIT, VIRTUAL_SILENCE_LIMIT, PageSign, Screen, Screens
-from app.pipeline.safety import SCREEN_SILENT, WEB_SILENT
+from app.pipeline.safety_gate import SCREEN_SILENT, WEB_SILENT
 from app.session.control_link import ScreenSign
 
 MINE = Screen(1, "one-screen")

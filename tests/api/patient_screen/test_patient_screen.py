@@ -177,9 +177,9 @@ def test_a_browser_that_pairs_again_is_the_same_screen(paired: Clinic) -> None:
 
 def test_there_is_an_end_to_screens(paired: Clinic) -> None:
     for _ in range(7):
-        only(paired, "bodydrive_session")
+        only(paired, "bodydrive_sign_in")
         assert pair(paired, code_of(paired)).status_code == 200
-    only(paired, "bodydrive_session")
+    only(paired, "bodydrive_sign_in")
     assert "unpair one" in pair(paired, code_of(paired)).json()["detail"]
 
 
@@ -188,6 +188,6 @@ def test_a_reviewer_pairs_nothing(paired: Clinic) -> None:
     with database.transaction() as db:
         person = find_person(db, "Demo clinician")
         person.role = "reviewer"
-        paired.client.cookies["bodydrive_session"] = sign_in(db, person, "test")
+        paired.client.cookies["bodydrive_sign_in"] = sign_in(db, person, "test")
     for method, path in (("POST", "/pairing"), ("POST", "/settings"), ("GET", ""), ("DELETE", "/1")):
         assert paired(method, f"/patient-screen{path}").status_code == 403

@@ -141,7 +141,7 @@ def test_the_dial_is_turned_logged_and_given_to_the_next_control_process(signed_
 
 def test_the_disk_is_told_before_it_is_full(signed_in: Clinic, monkeypatch: pytest.MonkeyPatch) -> None:
     usage = type("Usage", (), {"free": 3_000_000_000})()
-    monkeypatch.setattr("app.store.files.disk.shutil.disk_usage", lambda _folder: usage)
+    monkeypatch.setattr("app.store.files.disk_watch.shutil.disk_usage", lambda _folder: usage)
     assert signed_in.good("GET", "/equipment")["disk"] == {"free": 3_000_000_000, "words": ""}
     usage.free = 1_400_000_000
     assert "1.4 GB" in signed_in.good("GET", "/equipment")["disk"]["words"]

@@ -174,9 +174,9 @@ def test_a_restart_of_the_web_process_comes_back_to_the_same_step(settings: Sett
     signed_in.until("/calibration", lambda c: c["current"] == "free")
     signed_in.good("POST", "/calibration/go", json={"step": "prompt-left_elbow"})
     before = signed_in.good("GET", "/calibration")
-    token = signed_in.client.cookies["bodydrive_session"]
+    token = signed_in.client.cookies["bodydrive_sign_in"]
     for again in running(settings):
-        again.client.cookies["bodydrive_session"] = token
+        again.client.cookies["bodydrive_sign_in"] = token
         assert again.good("GET", "/calibration") == before
 
 

@@ -55,9 +55,9 @@ def test_a_real_clinic_begins_without_a_shirt_and_keeps_the_one_that_was_chosen(
     refused = clinic("POST", "/calibration/steps/rest/start")
     assert refused.status_code in {404, 409}
     clinic.good("PUT", "/equipment/shirt", json=SIMULATED)
-    token = clinic.client.cookies["bodydrive_session"]
+    token = clinic.client.cookies["bodydrive_sign_in"]
     for again in running(real_settings):
-        again.client.cookies["bodydrive_session"] = token
+        again.client.cookies["bodydrive_sign_in"] = token
         assert again.good("GET", "/equipment")["shirt"]["kind"] == "simulator"
         assert [do for do, _ in again.process.calls].count("shirt") == 1
 

@@ -93,7 +93,7 @@ def test_the_death_of_the_control_process_ends_the_trial_as_a_fault(ready: Any) 
 
 def test_stop_is_for_anyone_and_twice_and_clear_is_not(ready: Any) -> None:
     ready.good("POST", "/trials", json=ready.where)
-    token = ready.client.cookies["bodydrive_session"]
+    token = ready.client.cookies["bodydrive_sign_in"]
     ready.client.cookies.clear()
     for _ in range(2):
         assert ready.good("POST", "/control/stop") == {"state": "fault", "fault": "stop_tablet"}
@@ -101,7 +101,7 @@ def test_stop_is_for_anyone_and_twice_and_clear_is_not(ready: Any) -> None:
     foreign = ready.client.post("/api/v1/control/stop", headers={"Origin": "http://evil.example"})
     assert foreign.status_code == 403
     assert ready("POST", "/control/clear", json={"stops": 3}).status_code == 401
-    ready.client.cookies["bodydrive_session"] = token
+    ready.client.cookies["bodydrive_sign_in"] = token
     seen_before = ready("POST", "/control/clear", json={"stops": 2})
     assert seen_before.status_code == 409
     assert ready.good("POST", "/control/clear", json={"stops": 3}) == {"state": "armed", "fault": None}

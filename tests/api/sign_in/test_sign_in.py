@@ -31,17 +31,17 @@ def test_the_code_of_the_link_signs_in_as_often_as_it_is_opened(clinic: Any) -> 
 def test_the_cookie_is_not_for_scripts_nor_for_other_sites(clinic: Any) -> None:
     answer = clinic("POST", "/auth/demo", json={"code": "the-code-of-the-link"})
     cookie = answer.headers["set-cookie"]
-    assert cookie.startswith("bodydrive_session=")
+    assert cookie.startswith("bodydrive_sign_in=")
     assert "HttpOnly" in cookie
     assert "SameSite=lax" in cookie
-    assert len(answer.cookies["bodydrive_session"]) >= 32
+    assert len(answer.cookies["bodydrive_sign_in"]) >= 32
 
 
 def test_after_sign_out_the_old_cookie_is_worthless(signed_in: Any) -> None:
-    token = signed_in.client.cookies["bodydrive_session"]
+    token = signed_in.client.cookies["bodydrive_sign_in"]
     assert signed_in.good("POST", "/auth/sign-out")["signed_in"] is False
     signed_in.client.cookies.clear()
-    answer = signed_in("GET", "/patients", headers={"Cookie": f"bodydrive_session={token}"})
+    answer = signed_in("GET", "/patients", headers={"Cookie": f"bodydrive_sign_in={token}"})
     assert answer.status_code == 401
     assert "sign in" in answer.json()["detail"]
 
@@ -101,7 +101,7 @@ def test_a_foreign_name_that_points_here_is_not_served(signed_in: Any) -> None:
 
 def test_our_own_origin_is_the_address_that_was_asked(signed_in: Any) -> None:
     headers = {"Host": "localhost:8080", "Origin": "http://localhost:8080"}
-    cookie = f"bodydrive_session={signed_in.client.cookies['bodydrive_session']}"
+    cookie = f"bodydrive_sign_in={signed_in.client.cookies['bodydrive_sign_in']}"
     answer = signed_in.client.post(
         "/api/v1/patients", json={"code": "A", "pseudonym": "B"}, headers={**headers, "Cookie": cookie}
     )

@@ -56,7 +56,7 @@ def test_of_sixty_names_from_one_address_ten_are_looked_at(real: Clinic) -> None
 
 def test_a_locked_name_is_told_how_long_to_wait_and_signs_in_where_it_did_before(real: Clinic) -> None:
     real.good("POST", SIGN_IN, json={"name": "Ada", "password": RIGHT})  # in this browser
-    real.client.cookies.delete("bodydrive_session")
+    real.client.cookies.delete("bodydrive_sign_in")
     for _ in range(5):
         assert attempt(real, "Ada", "wrong password").status_code == 401
     locked = attempt(real, "Ada", RIGHT)

@@ -20,8 +20,8 @@ from app.api.view.view_controls import view_controls
 from app.clock import MonotonicClock, monotonic
 from app.geometry import Pose
 from app.messages import TICK
+from app.scene.role_servers import Role, RoleServers
 from app.scene.scene_thread import SceneThread, start_scene
-from app.scene.servers import Role, RoleServers
 from app.world.floorplan import FloorPlan, bundled_floorplans, load_floorplan
 from app.world.scene import bundled_scenes, load_scene
 

@@ -7,12 +7,6 @@ export function tidy(value) {
   return Number(value.toFixed(4)) + 0; // never −0
 }
 
-/** The nearest point of the grid. @param {Point} place @param {number} step m, of the grid; 0: no grid @returns {Point} */
-export function snap([x, y], step) {
-  if (!step) return [tidy(x), tidy(y)];
-  return [tidy(Math.round(x / step) * step), tidy(Math.round(y / step) * step)];
-}
-
 /** @param {Point} a @param {Point} b */
 export function distance(a, b) {
   return Math.hypot(b[0] - a[0], b[1] - a[1]);

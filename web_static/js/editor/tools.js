@@ -14,27 +14,12 @@
 import { heading } from "../plan/floor_plan.js";
 import { add, change, itemNear, itemOf, moveTo, newPath, pointsOf, remove } from "./document.js";
 import { changeDoor, doorOf, insertDoor, removeDoor } from "./doors.js";
-import { distance, snap, tidy } from "./geometry.js";
+import { distance, tidy } from "./geometry.js";
+import { snapPlace } from "./snap.js";
 
 export const TOOLS = /** @type {const} */ (["move", "wall", "door", "box", "round", "cone", "path", "heading", "erase"]);
 const SMALLEST = 0.05; // m, a side or a radius
 const CONE = { radius: 0.15, height: 0.5 };
-
-/**
- * Snap a place to the nearest wall end within reach, otherwise to the grid.
- * @param {Plan} plan @param {Point} place @param {number} step m, of the grid; 0: do not snap @param {number} reach m
- */
-export function snapPlace(plan, place, step, reach) {
-  if (!step) return snap(place, 0);
-  /** @type {{end: Point, away: number} | null} */
-  let best = null;
-  for (const wall of plan.walls)
-    for (const end of [wall[0], wall[wall.length - 1]]) {
-      const away = distance(end, place);
-      if (away <= reach && (!best || away < best.away)) best = { end, away };
-    }
-  return best ? best.end : snap(place, step);
-}
 
 /** Choose a tool; an unfinished line is finished first. @param {State} state @param {Tool} tool @returns {NextState} */
 export function withTool(state, tool) {

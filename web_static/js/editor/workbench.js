@@ -9,11 +9,12 @@ import { checker, refAt } from "./check.js";
 import { boundsOfPlan, itemNear, itemOf, moveBy, pointsOf } from "./document.js";
 import { drawing, lineWords } from "./drawing.js";
 import { form } from "./form.js";
-import { snap, STEP, tidy } from "./geometry.js";
+import { STEP, tidy } from "./geometry.js";
 import { addStep, newHistory, stepBack, stepForward } from "./history.js";
 import { listenToKeys } from "./keys.js";
 import { listenToPointers } from "./pointers.js";
-import { finishLine, placeChosen, snapPlace, tap, TOOLS, withTool } from "./tools.js";
+import { snap, snapPlace } from "./snap.js";
+import { finishLine, placeChosen, tap, TOOLS, withTool } from "./tools.js";
 import { viewButtons, ZOOM } from "./view_buttons.js";
 import { fitView, panView, toPlace, zoomView } from "./viewport.js";
 

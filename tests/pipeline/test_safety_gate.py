@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from app.faults import Fault, State
 from app.geometry import STANDSTILL, Twist
-from app.pipeline.safety import (
+from app.pipeline.safety_gate import (
     LOOP_STALL,
     NEUTRAL_PATIENCE,
     NEUTRAL_TIME,

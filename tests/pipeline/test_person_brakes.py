@@ -4,7 +4,7 @@ from hypothesis import strategies as st
 
 from app.calibration.vocabulary import Binding, DriveParameters, Gesture
 from app.geometry import STANDSTILL, Twist
-from app.pipeline.brakes import Brakes, missing_brake
+from app.pipeline.person_brakes import Brakes, missing_brake
 from building import make_parameters, make_profile
 
 FASTER, SLOWER, LEFT, RIGHT = range(4)  # the order of the paper's joints in the test profile

@@ -7,11 +7,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
+from app.disk_room import LITTLE_ROOM, NO_ROOM, ROOM_TO_RECORD
 from app.store.files.ballast import Ballast
 
-LITTLE_ROOM = 2_000_000_000  # bytes: below, people are asked to make room
-LEAST_ROOM = 500_000_000  # bytes: below, the control process refuses to record
-NO_ROOM = 32_000_000  # bytes: below, the disk counts as full; more than the ballast can release
 LOOK_EVERY = 1.0  # s: people are told of a full disk within 2 s
 
 logger = logging.getLogger("bodydrive")
@@ -38,7 +36,7 @@ def disk_room(folder: Path) -> DiskRoom:
         return DiskRoom(
             free,
             f"Only {free / 1e9:.1f} GB are free on the disk of the recordings, and below "
-            f"{LEAST_ROOM / 1e9:.1f} GB nothing is recorded or driven any more: make room.",
+            f"{ROOM_TO_RECORD / 1e9:.1f} GB nothing is recorded or driven any more: make room.",
         )
     return DiskRoom(free, "")
 

@@ -17,7 +17,7 @@ from app.session.equipment.shirt import Equipment
 from app.session.open_session import SessionFlow
 from app.session.real_drive import RealDriveFlow
 from app.session.run_watch import Halt
-from app.session.runs import Runs
+from app.session.runs import SessionRuns
 from app.session.trial import TrialFlow
 from app.session.words.chair_words import chair_report, closed_chair_report
 
@@ -35,7 +35,7 @@ class LivePicture:
         control: ControlLink,
         equipment: Equipment,
         chairs: Chairs,
-        runs: Runs,
+        runs: SessionRuns,
         trials: TrialFlow,
         drives: RealDriveFlow,
         session: SessionFlow,

@@ -2,7 +2,7 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.pipeline.health import ChannelHealth, LossWindow
+from app.pipeline.channel_health import ChannelHealth, LossWindow
 from building import make_profile
 
 CHANNELS = 8

@@ -56,7 +56,7 @@ class BadGestures(NamedTuple):
     """Bound gestures that read bad channels."""
 
     bound: int = 0  # how many
-    brakes: bool = False  # whether the other gestures cannot stop the motion (app/pipeline/brakes.py)
+    brakes: bool = False  # whether the other gestures cannot stop the motion (app/pipeline/person_brakes.py)
 
 
 def shirt_limits(sample_rate: float) -> tuple[float, float]:

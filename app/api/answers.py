@@ -16,7 +16,7 @@ MomentText = Annotated[str, BeforeValidator(_text_of)]
 """A date and time in ISO 8601, filled from a datetime."""
 
 
-class View(Document):
+class Answer(Document):
     """Base of such answers."""
 
     model_config = ConfigDict(from_attributes=True)

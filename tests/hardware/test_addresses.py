@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from pydantic import TypeAdapter
 
-from app.hardware.places import FilePlace, checked_host, checked_line
+from app.hardware.addresses import FilePlace, checked_host, checked_line
 
 HOSTS = [
     "localhost",

@@ -5,8 +5,8 @@ import math
 
 import pytest
 
+from app.hardware.body.parameter_ranges import RANGES, numbers_of, out_of_range
 from app.hardware.body.person_parameters import NOVICE, PARAMETERS, PersonParameters, PracticeEffect
-from app.hardware.body.person_ranges import RANGES, numbers_of, out_of_range
 from folders import ROOT
 
 NOT_MEASURED = {"learns", "practice"}  # a switch, and where the person stands in his learning

@@ -23,7 +23,7 @@ LARGEST_DEAD_ZONE = 0.5  # as a share of the calibration's full: half of the mov
 LEAST_CHANGE = 0.01  # relative: smaller changes are chance and make no new version
 
 
-class Handles(NamedTuple):
+class Thresholds(NamedTuple):
     """The two adjustable thresholds of a gesture, FS/s."""
 
     dead_zone: float
@@ -55,16 +55,16 @@ def wanted_full(
     return min(max(full, joint.full / LARGEST_FACTOR), joint.full * LARGEST_FACTOR)
 
 
-def step_handles(gesture: Gesture, wanted: Handles, fresh: int) -> Handles:
-    """Return the handles after one limited step from `gesture` towards `wanted`.
+def step_thresholds(gesture: Gesture, wanted: Thresholds, fresh: int) -> Thresholds:
+    """Return the thresholds after one limited step from `gesture` towards `wanted`.
 
     `fresh`: number of new trials since the last step; it sets the size of the step.
     """
     dead_zone = _step(gesture.dead_zone, wanted.dead_zone, min(DEAD_ZONE_UPDATE, DEAD_ZONE_STEP * fresh))
     full = _step(gesture.full, wanted.full, min(FULL_UPDATE, FULL_STEP * fresh))
     if full < dead_zone + LEAST_RANGE:
-        return Handles(gesture.dead_zone, gesture.full)  # no change is better than a gesture that acts as a switch
-    return Handles(dead_zone, full)
+        return Thresholds(gesture.dead_zone, gesture.full)  # no change is better than a gesture that acts as a switch
+    return Thresholds(dead_zone, full)
 
 
 def _step(before: float, wanted: float, most: float) -> float:

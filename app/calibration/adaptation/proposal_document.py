@@ -1,6 +1,5 @@
-"""Documents of the adaptation: its limits, the change of each joint, and the proposal."""
+"""The proposal of an adaptation as a document: the change of each joint, and the reasons."""
 
-from dataclasses import dataclass
 from typing import Any, Literal
 
 from app.calibration.vocabulary import DriveParameters
@@ -10,24 +9,6 @@ Part = Literal["map", "dead_zones", "full"]
 Status = Literal["applied", "shown", "refused", "unchanged"]
 
 ALL_PARTS: tuple[Part, ...] = ("map", "dead_zones", "full")
-
-
-@dataclass(frozen=True, slots=True)
-class Limits:
-    """Limits of a map's change, so small that a person can adapt to it."""
-
-    per_trial_deg: float = 2.0
-    per_update_deg: float = 5.0
-    least_evr: float = 0.8
-    largest_angle_deg: float = 30.0  # from the calibration's direction
-    cross_talk_slack: float = 0.01  # smaller differences of the share are chance
-    warn: float = 0.05  # felt change from which on the proposal warns
-    refuse: float = 0.10  # felt change from which on a joint's change is refused
-    least_movement: float = 3.0  # s of the joint's own movement, from which its direction is estimated
-    worth_it_deg: float = 0.5  # smaller turns are chance and make no new version
-
-
-STANDARD_LIMITS = Limits()
 
 
 class JointChange(Document):

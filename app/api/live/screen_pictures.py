@@ -19,7 +19,7 @@ NO_PICTURE_FOR_PATIENT = (
 )
 
 
-class Pictures:
+class ScreenPictures:
     """Keeps the last picture report of each screen, by its socket, and halts a trial without a picture.
 
     A screen that never reported counts as one with a picture: a program may drive over the API.

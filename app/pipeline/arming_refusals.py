@@ -1,8 +1,8 @@
 """Why a chair is not armed, apart from what the gate checks."""
 
 from app.faults import EXPLANATIONS, State
-from app.pipeline.brakes import missing_brake
 from app.pipeline.loop import ControlLoop
+from app.pipeline.person_brakes import missing_brake
 
 
 def refusal(loop: ControlLoop, digest: str) -> str:

@@ -1,0 +1,21 @@
+"""How far an adaptation may change a map (signal-chain.md, section 6)."""
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class ChangeLimits:
+    """ChangeLimits of a map's change, so small that a person can adapt to it."""
+
+    per_trial_deg: float = 2.0
+    per_update_deg: float = 5.0
+    least_evr: float = 0.8
+    largest_angle_deg: float = 30.0  # from the calibration's direction
+    cross_talk_slack: float = 0.01  # smaller differences of the share are chance
+    warn: float = 0.05  # felt change from which on the proposal warns
+    refuse: float = 0.10  # felt change from which on a joint's change is refused
+    least_movement: float = 3.0  # s of the joint's own movement, from which its direction is estimated
+    worth_it_deg: float = 0.5  # smaller turns are chance and make no new version
+
+
+STANDARD_LIMITS = ChangeLimits()
