@@ -1,5 +1,6 @@
 """Computes the clearance between a path and the walls and obstacles of a floor plan."""
 
+import math
 from collections.abc import Sequence
 from itertools import pairwise
 from typing import NamedTuple
@@ -11,6 +12,7 @@ from app.world.obstacles import Box, Cylinder, Obstacle
 
 Points = NDArray[np.float64]
 
+ROUNDING = 1e-6  # m: far more than distances differ by rounding
 PARALLEL = 1e-300  # m2: smallest cross product of two pieces that are not parallel; their crossing divides by it
 
 
@@ -37,15 +39,26 @@ class Clearance:
         self._walls = np.array(edges, dtype=np.float64).reshape(-1, 4)
         self._half_thickness = thickness / 2
         self._obstacles = obstacles
+        self._middles = np.array([obstacle.position for obstacle in obstacles], dtype=np.float64).reshape(-1, 2)
+        self._reaches = np.array([_reach(obstacle) for obstacle in obstacles])
 
     def along(self, points: Sequence[tuple[float, float]]) -> NarrowestPoint:
         """Return the narrowest point along the line through `points`."""
         narrowest = NO_SURFACE
         for a, b in pairwise(points):
             piece = np.array([*a, *b])
-            found = [self._from_walls(piece), *(_from_obstacle(piece, obstacle) for obstacle in self._obstacles)]
-            narrowest = min(narrowest, *found, key=lambda place: place.distance)
+            narrowest = min(narrowest, self._from_walls(piece), key=_distance)
+            for obstacle, least in zip(self._obstacles, self._least_distances(piece), strict=True):
+                if least <= narrowest.distance:
+                    narrowest = min(narrowest, _from_obstacle(piece, obstacle), key=_distance)
         return narrowest
+
+    def _least_distances(self, piece: Points) -> list[float]:
+        """Return the distance (m) of `piece` (4,) from a circle round each obstacle: the obstacle is not nearer."""
+        pieces = np.broadcast_to(piece, (len(self._middles), 4))
+        away = nearest_on_segments(self._middles, pieces) - self._middles
+        distances: list[float] = (np.hypot(away[:, 0], away[:, 1]) - self._reaches).tolist()
+        return distances
 
     def _from_walls(self, piece: Points) -> NarrowestPoint:
         if not len(self._walls):
@@ -54,6 +67,16 @@ class Clearance:
         nearest = int(np.argmin(distances))
         x, y = places[nearest]
         return NarrowestPoint(float(distances[nearest]) - self._half_thickness, float(x), float(y), "wall", "a wall")
+
+
+def _distance(place: NarrowestPoint) -> float:
+    return place.distance
+
+
+def _reach(obstacle: Obstacle) -> float:
+    """Return the radius (m) of a circle round an obstacle, a little larger than it needs to be."""
+    radius = obstacle.radius if isinstance(obstacle, Cylinder) else math.hypot(*obstacle.size) / 2
+    return radius + ROUNDING
 
 
 def _from_obstacle(piece: Points, obstacle: Obstacle) -> NarrowestPoint:
