@@ -10,6 +10,7 @@ from app import __version__
 from app.api import openapi_document
 from app.api.assembly import StartProcess, end_parts, make_parts, start_parts
 from app.api.deps import People, clinician, viewer
+from app.api.foreign_files import OneAtATime
 from app.api.live import live_socket, screen
 from app.api.page_session import SessionRequired
 from app.api.pages import install_pages
@@ -50,6 +51,7 @@ from app.scene.session_scene import Scene
 from app.session.readings import Readings
 from app.settings import Settings
 from app.store.database import Database
+from app.store.files.plans import OwnPlans
 from app.store.files.replacements import replaced_files
 from app.store.log_chain import warn_of_changed_log
 
@@ -105,6 +107,9 @@ def create_app(
             set_up=SetUp(settings.setup_code),
             sockets=OpenSockets(settings, database),
             replaced=replaced_files(settings),
+            own_plans=OwnPlans(settings.floorplans),
+            readings=OneAtATime(),
+            uploads=OneAtATime(),
         )
         web = make_parts(settings, database, start_process, readings, open_scene)
         app.state.people, app.state.web = people, web

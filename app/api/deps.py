@@ -6,6 +6,7 @@ from typing import Annotated
 from fastapi import Depends, HTTPException, Path
 from starlette.requests import HTTPConnection
 
+from app.api.foreign_files import OneAtATime
 from app.api.sign_in.hashing import Hashing
 from app.api.sign_in.identity import PairedScreen, SignedInPerson, find_signed_in, find_viewer
 from app.api.sign_in.set_up import SetUp
@@ -14,6 +15,7 @@ from app.api.sockets import OpenSockets
 from app.scene.role_servers import Role
 from app.settings import Settings
 from app.store.database import Database
+from app.store.files.plans import OwnPlans
 from app.store.files.replacements import ReplacedFiles
 
 RowId = Annotated[int, Path(ge=1, le=2**31)]
@@ -24,7 +26,7 @@ NOBODY = "You are not signed in, or no longer: sign in again."
 
 @dataclass(slots=True)
 class People:
-    """Settings, database, and the parts that decide who may sign in."""
+    """Settings, database, the clinic's files, and the parts that decide who may sign in."""
 
     settings: Settings
     database: Database
@@ -33,6 +35,9 @@ class People:
     set_up: SetUp
     sockets: OpenSockets
     replaced: ReplacedFiles
+    own_plans: OwnPlans
+    readings: OneAtATime  # of drawings, pictures and 3D objects
+    uploads: OneAtATime  # of recordings, each in memory as a whole
 
 
 async def people(connection: HTTPConnection) -> People:

@@ -1,4 +1,4 @@
-"""Read foreign files by the isolated reader, one at a time, and turn its errors into answers."""
+"""Take in foreign files one at a time, read them by the isolated reader, and turn its errors into answers."""
 
 import asyncio
 from collections.abc import Callable, Sequence
@@ -11,14 +11,17 @@ from app.isolated_reader import ReadingTimeoutError, read_isolated
 Given = ParamSpec("Given")
 Answer = TypeVar("Answer")
 
-# An asyncio semaphore: a waiting request must not occupy one of the few threads.
-_turn = asyncio.Semaphore(1)
 
+class OneAtATime:
+    """Runs work in a thread, one piece after the other: several large files at once would need too much memory."""
 
-async def in_turn(work: Callable[Given, Answer], *given: Given.args, **named: Given.kwargs) -> Answer:
-    """Run `work`, which reads a foreign file, in a thread; one file at a time."""
-    async with _turn:
-        return await asyncio.to_thread(work, *given, **named)
+    def __init__(self) -> None:
+        self._turn = asyncio.Lock()  # a waiting request must not occupy one of the few threads
+
+    async def run(self, work: Callable[Given, Answer], *given: Given.args, **named: Given.kwargs) -> Answer:
+        """Return what `work` returns, once the work before it has ended."""
+        async with self._turn:
+            return await asyncio.to_thread(work, *given, **named)
 
 
 def refusal(error: ValueError, places: Sequence[str] = ()) -> HTTPException:

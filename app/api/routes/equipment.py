@@ -240,7 +240,7 @@ async def bring_file(
     file: UploadFile, who: Clinician, parts: PeopleParts, web: Web, same_name: SameName = "ask"
 ) -> EquipmentView:
     """Store a file of recorded signals or of a recorded body; `same_name`: what to do when its name is taken."""
-    kept = await asyncio.to_thread(keep_upload, parts.replaced, file.filename or "", file.file, same_name)
+    kept = await parts.uploads.run(keep_upload, parts.replaced, file.filename or "", file.file, same_name)
     web.live.tell("equipment")
     return await _logged_view(
         parts, web, who.name, "file added", kind=kept.kind, size=kept.size, **log_details(same_name)

@@ -8,7 +8,7 @@ from pathlib import Path
 from fastapi import APIRouter, HTTPException, UploadFile
 
 from app.api.deps import Clinician, People, PeopleParts
-from app.api.foreign_files import in_turn, refusal
+from app.api.foreign_files import refusal
 from app.api.routes.uploads import harmless_name
 from app.quantities import Document
 from app.scene.models.glb import MOST_BYTES
@@ -87,7 +87,7 @@ async def bring_model(
         _log(parts, who.name, name, same_name)
         return _list(parts.settings.models)
 
-    return await in_turn(keep)
+    return await parts.readings.run(keep)
 
 
 def _log(parts: People, person: str, name: str, same_name: SameName) -> None:

@@ -9,7 +9,7 @@ from typing import Any
 
 from fastapi import HTTPException, UploadFile
 
-from app.api.foreign_files import in_turn, read_or_refuse
+from app.api.foreign_files import OneAtATime, read_or_refuse
 from app.api.routes.uploads import harmless_name
 from app.world.imports.plan_files import IMAGES, MAPS, SUFFIXES
 
@@ -19,7 +19,7 @@ PICTURES = (*IMAGES, ".pgm")
 READER = "app.world.imports.plan_files"
 
 
-async def draft_of_uploads(files: list[UploadFile], options: str) -> dict[str, Any]:
+async def draft_of_uploads(files: list[UploadFile], options: str, readings: OneAtATime) -> dict[str, Any]:
     """Return the draft's document, words and layers.
 
     Raises
@@ -36,7 +36,7 @@ async def draft_of_uploads(files: list[UploadFile], options: str) -> dict[str, A
         kept = [await asyncio.to_thread(_keep, folder, number, file) for number, file in enumerate(files)]
         plan, image = _plan_and_image(kept)
         question = {"file": str(plan), "image": None if image is None else str(image), "options": import_options}
-        return await in_turn(read_or_refuse, READER, question, [f"{file.parent}/" for file in kept])
+        return await readings.run(read_or_refuse, READER, question, [f"{file.parent}/" for file in kept])
     finally:
         await asyncio.to_thread(shutil.rmtree, folder, ignore_errors=True)
 

@@ -8,11 +8,9 @@ from pydantic import ValidationError
 
 from app.api.answers import Answer
 from app.api.deps import Clinician, People, PeopleParts
-from app.api.parts import Web
 from app.api.routes.plan_files import draft_of_uploads
 from app.quantities import Document, Name
 from app.sentences import one_sentence
-from app.store.files.plans import OwnPlans
 from app.store.files.taken_names import SameName, log_details
 from app.store.log import write_log
 from app.world.floorplan import ClearanceError, FloorPlan
@@ -89,9 +87,9 @@ def _log(parts: People, person: str, what: str, **details: Any) -> None:
 
 
 @router.get("/own-floorplans")
-def list_own(_who: Clinician, web: Web) -> list[OwnPlanView]:
+def list_own(_who: Clinician, parts: PeopleParts) -> list[OwnPlanView]:
     """List the clinic's own floor plans."""
-    return [OwnPlanView.of(plan) for plan in OwnPlans(web.own_floorplans).listed()]
+    return [OwnPlanView.of(plan) for plan in parts.own_plans.listed()]
 
 
 @router.post("/floorplans/check")
@@ -103,24 +101,25 @@ async def check(request: Request, _who: Clinician) -> CheckView:
 
 @router.post("/floorplans/import")
 async def import_files(
-    files: list[UploadFile], _who: Clinician, options: Annotated[str, Form(max_length=100_000)] = "{}"
+    files: list[UploadFile],
+    _who: Clinician,
+    parts: PeopleParts,
+    options: Annotated[str, Form(max_length=100_000)] = "{}",
 ) -> DraftView:
     """Propose a floor plan made of a DXF drawing, a picture, or a ROS map (its YAML file and its picture).
 
     `options` is a JSON object: unit, layers, metres_per_pixel, width, threshold, title, name.
     """
-    return DraftView(**await draft_of_uploads(files, options))
+    return DraftView(**await draft_of_uploads(files, options, parts.readings))
 
 
 @router.post("/floorplans", status_code=201)
-async def save_new(
-    request: Request, who: Clinician, parts: PeopleParts, web: Web, same_name: SameName = "ask"
-) -> OwnPlanView:
+async def save_new(request: Request, who: Clinician, parts: PeopleParts, same_name: SameName = "ask") -> OwnPlanView:
     """Save a document as a new floor plan of the clinic; `same_name`: what to do when its name is taken."""
     content = await request.body()
 
     def save() -> OwnPlanView:
-        saved = OwnPlans(web.own_floorplans).add(_parsed(content), same_name, parts.replaced)
+        saved = parts.own_plans.add(_parsed(content), same_name, parts.replaced)
         _log(parts, who.name, "floor plan saved", floorplan=saved.name, version=saved.version, **log_details(same_name))
         return OwnPlanView.of(saved)
 
@@ -134,7 +133,6 @@ async def save_version(
     request: Request,
     who: Clinician,
     parts: PeopleParts,
-    web: Web,
 ) -> OwnPlanView:
     """Save the next version of a floor plan; refused when somebody saved it after `version` was read."""
     content = await request.body()
@@ -143,7 +141,7 @@ async def save_version(
         plan = _parsed(content)
         if plan.name != name:
             raise HTTPException(422, f"{WHERE}, name: it is not '{name}' as in the address: correct it.")
-        now = OwnPlans(web.own_floorplans).replace(plan, version)
+        now = parts.own_plans.replace(plan, version)
         _log(parts, who.name, "floor plan saved", floorplan=name, version=now)
         return OwnPlanView(name=name, title=plan.title, version=now)
 
@@ -151,16 +149,16 @@ async def save_version(
 
 
 @router.delete("/floorplans/{name}")
-def delete(name: Name, who: Clinician, parts: PeopleParts, web: Web) -> list[OwnPlanView]:
+def delete(name: Name, who: Clinician, parts: PeopleParts) -> list[OwnPlanView]:
     """Take a floor plan out of what is offered; it can be restored."""
-    OwnPlans(web.own_floorplans).remove(name)
+    parts.own_plans.remove(name)
     _log(parts, who.name, "floor plan deleted", floorplan=name)
-    return list_own(who, web)
+    return list_own(who, parts)
 
 
 @router.post("/floorplans/{name}/restore")
-def restore(name: Name, who: Clinician, parts: PeopleParts, web: Web) -> list[OwnPlanView]:
+def restore(name: Name, who: Clinician, parts: PeopleParts) -> list[OwnPlanView]:
     """Offer a deleted floor plan again."""
-    version = OwnPlans(web.own_floorplans).restore(name)
+    version = parts.own_plans.restore(name)
     _log(parts, who.name, "floor plan restored", floorplan=name, version=version)
-    return list_own(who, web)
+    return list_own(who, parts)

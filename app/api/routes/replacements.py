@@ -9,7 +9,6 @@ from pydantic import ValidationError
 from app.api.answers import Answer, MomentText
 from app.api.deps import Clinician, People, PeopleParts
 from app.quantities import Document
-from app.store.files.plans import OwnPlans
 from app.store.files.replacements import Kind
 from app.store.log import write_log
 from app.world.floorplan import FloorPlan
@@ -63,6 +62,6 @@ def _restored_plan(parts: People, identity: str) -> str:
         plan = FloorPlan.model_validate_json(content)
     except ValidationError as error:
         raise HTTPException(409, "This floor plan can no longer be read: save it again as it was drawn.") from error
-    saved = OwnPlans(parts.settings.floorplans).add(plan, "keep-both", parts.replaced)
+    saved = parts.own_plans.add(plan, "keep-both", parts.replaced)
     parts.replaced.drop(found)
     return saved.name

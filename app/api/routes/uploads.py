@@ -5,7 +5,6 @@ import os
 import re
 from io import BytesIO
 from pathlib import Path
-from threading import Lock
 from typing import BinaryIO, Literal
 
 import pyarrow
@@ -27,8 +26,6 @@ PARQUET_END = 8  # bytes: u32 little-endian length of the schema, then a magic w
 
 FileKind = Literal["signals", "body", "head", "recording"]
 HEAD_COLUMNS = {"yaw_deg", "pitch_deg", "roll_deg"}
-
-_one_at_a_time = Lock()
 
 
 class FileView(Document):
@@ -69,11 +66,6 @@ def keep_upload(shelf: ReplacedFiles, name: str, content: BinaryIO, same_name: S
     safe = harmless_name(name)
     if Path(safe).suffix not in KINDS:
         raise HTTPException(415, f"'{safe}' is not a CSV or Parquet file: save it as one of these, then add it again.")
-    with _one_at_a_time:  # each file is held in memory as a whole
-        return _kept(shelf, safe, content, same_name)
-
-
-def _kept(shelf: ReplacedFiles, safe: str, content: BinaryIO, same_name: SameName) -> FileView:
     data = content.read(LARGEST + 1)
     if len(data) > LARGEST:
         raise HTTPException(413, f"'{safe}' is larger than {LARGEST // 1_000_000} MB: cut it, or save it as Parquet.")

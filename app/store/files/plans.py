@@ -14,8 +14,6 @@ from app.world.scene import bundled_scenes
 MOST_PLANS = 200
 VERSIONS = "versions"  # folder beside the plans; one folder for each plan, one file for each version
 
-_saving = Lock()  # two people may save at the same time, in threads of the one web process
-
 
 class OwnPlan(NamedTuple):
     """An entry of the list of own floor plans."""
@@ -30,6 +28,7 @@ class OwnPlans:
 
     def __init__(self, folder: Path) -> None:
         self._folder = folder
+        self._one_at_a_time = Lock()  # two people may save at the same time, in threads of the web process
 
     def listed(self) -> list[OwnPlan]:
         """Return the plans that can be read, by name."""
@@ -51,7 +50,7 @@ class OwnPlans:
 
     def add(self, plan: FloorPlan, same_name: SameName, shelf: ReplacedFiles) -> OwnPlan:
         """Save a plan; one that it replaces goes on the shelf. NameTaken when the name is taken and nobody chose."""
-        with _saving:
+        with self._one_at_a_time:
             if is_bundled(plan.name):
                 raise Conflict(
                     f"The name '{plan.name}' belongs to a plan that comes with the software: choose another."
@@ -66,7 +65,7 @@ class OwnPlans:
 
     def replace(self, plan: FloorPlan, version: int) -> int:
         """Save the next version of a plan that is at `version`; Conflict when somebody saved it meanwhile."""
-        with _saving:
+        with self._one_at_a_time:
             if is_bundled(plan.name):
                 raise Conflict("A plan that comes with the software stays as it is: save yours as a new plan.")
             self._needed(plan.name)
@@ -76,7 +75,7 @@ class OwnPlans:
 
     def remove(self, name: str) -> None:
         """Delete a plan; its versions stay."""
-        with _saving:
+        with self._one_at_a_time:
             if is_bundled(name):
                 raise Conflict("A plan that comes with the software cannot be deleted.")
             self._needed(name)
@@ -85,7 +84,7 @@ class OwnPlans:
 
     def restore(self, name: str) -> int:
         """Restore a deleted plan, and return its version."""
-        with _saving:
+        with self._one_at_a_time:
             versions = self._version_files(name)
             if self._file(name).is_file() or not versions:
                 raise NotFound(f"There is no deleted floor plan '{name}': look at the list.")
