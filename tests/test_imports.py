@@ -13,7 +13,7 @@ LEAVES = "leaf"
 PURE_CHAIN = tuple(
     f"pipeline.{name}"
     for name in (
-        *("chain", "channel_health", "controls", "decoder", "filters", "guided_rate", "person_brakes", "ramp"),
+        *("chain", "channel_health", "controls", "decoder", "low_pass", "guided_rate", "person_brakes", "ramp"),
         *("safety_gate", "shaping"),
         *("replay.batch", "replay.guided_batch"),
     )

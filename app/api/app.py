@@ -11,7 +11,7 @@ from app.api import openapi_document
 from app.api.assembly import StartProcess, end_parts, make_parts, start_parts
 from app.api.deps import People, clinician, viewer
 from app.api.foreign_files import OneAtATime
-from app.api.live import live_socket, screen
+from app.api.live import live_socket, screen_socket
 from app.api.page_session import SessionRequired
 from app.api.pages import install_pages
 from app.api.parts import web_parts_of
@@ -23,7 +23,6 @@ from app.api.routes import (
     adaptation,
     calibration,
     chairs,
-    control,
     control_quality,
     controls,
     drives,
@@ -35,6 +34,7 @@ from app.api.routes import (
     plans,
     replacements,
     review,
+    stop,
     trial_plan,
     trials,
 )
@@ -75,9 +75,9 @@ ROUTES = (
     review,
     control_quality,
     log,
-    control,
+    stop,
     live_socket,
-    screen,
+    screen_socket,
     patient_screen,
     patient_socket,
     openapi_document,

@@ -12,6 +12,8 @@ from app.quantities import Count, Document, Hertz, Name, Port, Title
 from app.speeds import Speeds
 
 ShirtRate = Annotated[Hertz, Field(ge=10, le=2000)]
+ReceiverPort = Annotated[Port, Field(gt=0)]
+RECEIVER_PORT = PORT
 
 
 class SimulatorConfig(Document):
@@ -77,7 +79,7 @@ class RealChairConfig(Document):
     kind: Literal["udp"]
     name: Title
     host: Host
-    port: Annotated[Port, Field(gt=0)] = PORT
+    port: ReceiverPort = RECEIVER_PORT
     key_file: FilePlace
     speeds: Speeds  # the chair's own limits
 

@@ -8,8 +8,8 @@ from numpy.typing import NDArray
 from app.butterworth import low_pass
 from app.calibration.vocabulary import DriveParameters
 from app.pipeline.channel_health import ChannelHealth
-from app.pipeline.filters import LowPass
 from app.pipeline.guided_rate import PARTS, GuidedRate, guided_projection, is_guided
+from app.pipeline.low_pass import LowPass
 
 BASELINE_TIME = 30.0  # s: time constant of the baseline of a displacement gesture
 LONGEST_GAP = 1.0  # s: a longer gap between two frames counts as this long

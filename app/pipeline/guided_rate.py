@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from app.butterworth import Coefficients
 from app.calibration.profile import AVERAGING_TIMES
 from app.calibration.vocabulary import DriveParameters, Gesture
-from app.pipeline.filters import LowPass
+from app.pipeline.low_pass import LowPass
 
 PARTS = 3  # projections of a guided map: the one that is differentiated, and two levels
 

@@ -8,8 +8,8 @@ from app.world.clearance import Clearance
 from app.world.collision import Collision
 from app.world.floorplan import FloorPlan
 from app.world.imports.draft import plan_of
-from app.world.imports.occupancy import read_occupancy_map
-from app.world.imports.ros_map import draft_of_map
+from app.world.imports.map_draft import draft_of_map
+from app.world.imports.ros_map import read_occupancy_map
 from folders import SHARED
 
 MAPS = SHARED / "data" / "maps"

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from app.calibration.quality import channel_quality
+from app.calibration.channel_quality import channel_quality
 from app.clock import monotonic
 from app.faults import EXPLANATIONS, Fault, State
 from app.layout import ShirtLayout

@@ -1,10 +1,8 @@
 """Real chairs: paired and unpaired by an owner, chosen by a clinician."""
 
 import asyncio
-from typing import Annotated
 
 from fastapi import APIRouter
-from pydantic import Field
 
 from app.api.answers import Answer, MomentText
 from app.api.deps import Anyone, Clinician, Owner, People, PeopleParts, RowId
@@ -13,7 +11,8 @@ from app.api.qr import qr_picture
 from app.api.sign_in.identity import SignedInPerson
 from app.hardware.addresses import Host
 from app.hardware.chair.key import Key
-from app.quantities import Document, Port, Title
+from app.hardware.configs import RECEIVER_PORT, ReceiverPort
+from app.quantities import Document, Title
 from app.session.equipment.chairs import Dynamics
 from app.session.equipment.pairing import pair_chair, unpair_chair
 from app.speeds import Speeds
@@ -30,7 +29,7 @@ class NewChair(Document):
 
     name: Title
     host: Host
-    port: Annotated[Port, Field(gt=0)] = 5354
+    port: ReceiverPort = RECEIVER_PORT
     speeds: Speeds
 
 

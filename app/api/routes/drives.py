@@ -9,10 +9,10 @@ from pydantic import Field
 
 from app.api.answers import Answer, MomentText
 from app.api.deps import Anyone, Clinician, People, PeopleParts
-from app.api.driving import require_controller
-from app.api.live.screen import ScreenWord
+from app.api.live.screen_socket import ScreenWord
 from app.api.live.screens import Screen
 from app.api.nearby import require_nearby
+from app.api.one_controller import require_controller
 from app.api.parts import Web
 from app.api.routes.source_view import SourceView
 from app.calibration.vocabulary import ControlMode

@@ -8,10 +8,10 @@ from pydantic import Field
 
 from app.api.answers import Answer, MomentText
 from app.api.deps import Anyone, Clinician, People, PeopleParts, RowId
-from app.api.driving import require_controller
-from app.api.live.screen import ScreenWord
 from app.api.live.screen_pictures import NO_PICTURE, Picture
+from app.api.live.screen_socket import ScreenWord
 from app.api.live.screens import Screen
+from app.api.one_controller import require_controller
 from app.api.parts import Web, WebParts, load_plan
 from app.api.routes.source_view import SourceView
 from app.api.sign_in.identity import SignedInPerson

@@ -8,7 +8,7 @@ from typing import NoReturn
 from fastapi import HTTPException
 from starlette.requests import HTTPConnection
 
-from app.api.sign_in.tries import Tries, seconds_in_words
+from app.api.sign_in.try_counter import Tries, seconds_in_words
 from app.clock import monotonic
 
 PASSWORDS_PER_NAME = 5

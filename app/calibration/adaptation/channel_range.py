@@ -11,9 +11,9 @@ from collections.abc import Sequence
 import numpy as np
 
 from app.calibration.adaptation.movement import Movement, Numbers
+from app.calibration.channel_quality import channel_quality
 from app.calibration.fit.pieces import fill_forward
 from app.calibration.profile import CalibrationProfile, JointMap
-from app.calibration.quality import channel_quality
 
 RANGE_PERCENTILES = (0.5, 99.5)  # of the samples of the last trials: single spikes are left out
 LEAST_AGREEMENT = 0.7  # multiple correlation: the joint's other channels explain half of the channel's variance

@@ -8,9 +8,9 @@ from numpy.typing import NDArray
 from PIL import Image, ImageOps, UnidentifiedImageError
 
 from app.world.imports.draft import Draft
-from app.world.imports.occupancy import OccupancyMap
+from app.world.imports.map_draft import draft_of_map
 from app.world.imports.raster import enclosed_cells
-from app.world.imports.ros_map import draft_of_map
+from app.world.imports.ros_map import OccupancyMap
 
 FORMATS: Final = ("PNG", "JPEG", "PPM")
 MOST_BYTES: Final = 20_000_000

@@ -11,8 +11,8 @@ from app.sentences import one_sentence
 from app.world.imports.draft import Draft
 from app.world.imports.dxf import import_dxf
 from app.world.imports.image import THRESHOLD, import_image
-from app.world.imports.occupancy import read_occupancy_map
-from app.world.imports.ros_map import draft_of_map
+from app.world.imports.map_draft import draft_of_map
+from app.world.imports.ros_map import read_occupancy_map
 
 MAPS: Final = (".yaml", ".yml")
 IMAGES: Final = (".png", ".jpg", ".jpeg")

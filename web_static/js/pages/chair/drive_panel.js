@@ -7,7 +7,7 @@
 import { t } from "../../texts.js";
 import { isSimulated } from "./arming.js";
 import { chairCard } from "../../widgets/chair_card.js";
-import { cross } from "../../widgets/cross.js";
+import { cross } from "../../widgets/control_cross.js";
 import { speedDial } from "../../widgets/dial.js";
 import { h, put, write } from "../../widgets/dom.js";
 import { clock, number } from "../../widgets/format.js";

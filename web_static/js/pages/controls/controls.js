@@ -8,7 +8,7 @@
 import { failureWords } from "../../api.js";
 import { controlRow } from "./control_row.js";
 import { ControlsDraft } from "./controls_draft.js";
-import { cross } from "../../widgets/cross.js";
+import { cross } from "../../widgets/control_cross.js";
 import { discoveryCard } from "../../widgets/discovery_card.js";
 import { h, put, write } from "../../widgets/dom.js";
 import { signed } from "../../widgets/format.js";

@@ -6,7 +6,7 @@
  * @import { TrialView } from "types/api"
  */
 import { t } from "../../texts.js";
-import { cross } from "../../widgets/cross.js";
+import { cross } from "../../widgets/control_cross.js";
 import { speedDial } from "../../widgets/dial.js";
 import { h, put, write } from "../../widgets/dom.js";
 import { DrivePicture } from "./drive_picture.js";

@@ -8,7 +8,7 @@ from fastapi.requests import Request
 from pydantic import Field
 
 from app.api.deps import Clinician, ForEveryone, People, PeopleParts
-from app.api.driving import require_hand_on_chair, require_picture
+from app.api.one_controller import require_hand_on_chair, require_picture
 from app.api.page_session import require_named
 from app.api.parts import Web
 from app.faults import Fault, State

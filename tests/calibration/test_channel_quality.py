@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from app.calibration.quality import channel_quality
+from app.calibration.channel_quality import channel_quality
 
 FS = 100.0
 GROUP = [[0, 1, 2, 3, 4]]

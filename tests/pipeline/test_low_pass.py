@@ -5,7 +5,7 @@ from hypothesis import strategies as st
 from scipy.signal import butter, freqz
 
 from app.butterworth import low_pass
-from app.pipeline.filters import LowPass
+from app.pipeline.low_pass import LowPass
 from app.signals.smoothing import smooth
 
 
