@@ -13,6 +13,7 @@ from app.layout import MAX_CHANNELS, MAX_JOINTS
 MAX_GESTURES = MAX_JOINTS
 
 NO_CUE = -1
+ALIVE = 0.5  # s without a frame or a pose after which a device counts as silent, in words and in the status
 
 
 @dataclass(slots=True)

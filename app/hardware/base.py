@@ -17,7 +17,6 @@ from app.speeds import Speeds
 from app.world.floorplan import FloorPlan, PrescribedPath
 
 ORIGIN = Pose(0.0, 0.0, 0.0)
-ALIVE = 0.5  # s without a frame or a pose after which a device counts as silent, in words and in the status
 
 
 class HardwareError(Exception):

@@ -5,9 +5,9 @@ import math
 from app.clock import Clock
 from app.faults import State
 from app.geometry import Pose
-from app.hardware.base import ALIVE, BodyView, Chair, LeaderView, Shirt
+from app.hardware.base import BodyView, Chair, LeaderView, Shirt
 from app.hardware.chair.report import ChairReport
-from app.messages import NO_CUE, SensorFrame, Tick
+from app.messages import ALIVE, NO_CUE, SensorFrame, Tick
 from app.pipeline.open_run import OpenRun
 from app.pipeline.safety_gate import ChairCondition, Conditions
 from app.pipeline.setup import Setup

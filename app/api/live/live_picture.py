@@ -10,7 +10,7 @@ from app.calibration.channel_quality import channel_quality
 from app.clock import monotonic
 from app.faults import EXPLANATIONS, Fault, State
 from app.layout import ShirtLayout
-from app.messages import NO_CUE
+from app.messages import ALIVE, NO_CUE
 from app.session.control_link import ControlLink
 from app.session.equipment.chairs import Chairs
 from app.session.equipment.shirt import Equipment
@@ -22,7 +22,6 @@ from app.session.trial import TrialFlow
 from app.session.words.chair_words import chair_report, closed_chair_report
 
 STALE = 1.0  # s without a tick, after which the control process counts as lost
-SILENT = 0.5  # s without a frame, after which the shirt counts as not alive
 LOOK_BACK = 1.0  # s of frames for the condition of the channels
 NOISY = 3.0  # times the median noise of the channels, above which a channel may be called noisy
 
@@ -79,7 +78,7 @@ class LivePicture:
             "values": self._values(),
             "shirt": {
                 "chosen": self._equipment.shirt is not None,
-                "alive": age is not None and age < SILENT,
+                "alive": age is not None and age < ALIVE,
                 "sample_rate": self._equipment.sample_rate,
                 "lost": int(tick["lost"]),
                 "age": None if age is None else round(age, 3),

@@ -5,10 +5,10 @@ from contextlib import suppress
 import serial
 
 from app.clock import Clock
-from app.hardware.base import ALIVE, HardwareError
+from app.hardware.base import HardwareError
 from app.hardware.configs import FlockOfBirdsConfig
 from app.hardware.head.flock_record import RECORD, Records, decode
-from app.messages import HeadPose
+from app.messages import ALIVE, HeadPose
 
 AUTO_CONFIGURE, GROUP_MODE = b"P\x32", b"P\x23\x01"
 TO_UNIT = 0xF0  # plus an address: the next command goes to that unit

@@ -3,9 +3,8 @@
 import math
 
 from app.clock import Clock
-from app.hardware.base import ALIVE
 from app.hardware.configs import TabletHeadConfig
-from app.messages import HeadPose
+from app.messages import ALIVE, HeadPose
 
 
 class TabletHead:

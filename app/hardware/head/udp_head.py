@@ -5,8 +5,8 @@ import socket
 from collections.abc import Callable
 
 from app.clock import Clock
-from app.hardware.base import ALIVE, HardwareError
-from app.messages import HeadPose
+from app.hardware.base import HardwareError
+from app.messages import ALIVE, HeadPose
 
 SILENCE = 2.0  # s without a pose after which another sender is accepted
 MOST = 64  # datagrams read in one look, so that a flood does not hold up the loop

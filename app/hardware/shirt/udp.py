@@ -7,14 +7,14 @@ import struct
 from pathlib import Path
 
 from app.clock import Clock
-from app.hardware.base import ALIVE, HardwareError
+from app.hardware.base import HardwareError
 from app.hardware.chair.key import Key, KeyRefused, read_key
 from app.hardware.configs import UdpConfig
 from app.hardware.shirt.newest_frame import NewestFrame, newest_file
 from app.hardware.shirt.packet import LONGEST, Packet, decode, decode_signed, refusal
 from app.hardware.shirt.sender_choice import Address, SenderChoice
 from app.hardware.shirt.sequence import Sequence
-from app.messages import SensorFrame
+from app.messages import ALIVE, SensorFrame
 
 BUFFER = 2 * LONGEST  # bytes: room to notice a datagram that is too long
 KERNEL_BUFFER = 1 << 20  # bytes: one second of frames at 1 kHz, for a hold-up of the loop
