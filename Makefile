@@ -5,7 +5,7 @@ BIN := $(VENV)/bin
 TSC := $(BIN)/node node_modules/typescript/bin/tsc
 INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt
 
-.PHONY: demo test browser check api-types safety drills soak worlds bench clean
+.PHONY: demo test browser check lint python-types javascript-types api-types safety drills soak worlds bench clean
 
 $(VENV)/.installed: pyproject.toml constraints.txt
 	@echo "Installing into $(VENV), once; this takes a minute or two ..."
@@ -24,22 +24,31 @@ node_modules/.installed: package.json package-lock.json $(VENV)/.installed-test
 demo: $(VENV)/.installed
 	@exec $(BIN)/bodydrive demo --port $(PORT)
 
-# Files run side by side: first what computes, then what waits for real processes and judges them by the clock.
-# What draws in 3D while a chair drives comes last, and has the machine for itself.
+# Files run side by side: first what computes, then what waits for real processes and judges them by the clock, then
+# what waits for browsers.
 SIDE_BY_SIDE := --dist loadfile --no-loadscope-reorder
+PROCESSES := tests/processes tests/bench
+BROWSERS := tests/browser
 
 test: $(VENV)/.installed-test check
-	$(BIN)/python -m pytest -n 2 $(SIDE_BY_SIDE) -m "not long and not real_time and not in_3d"
-	$(BIN)/python -m pytest -n 2 $(SIDE_BY_SIDE) -m "not long and real_time and not in_3d"
-	$(BIN)/python -m pytest -m "not long and in_3d"
+	$(BIN)/python -m pytest -n 2 $(SIDE_BY_SIDE) $(addprefix --ignore=,$(PROCESSES) $(BROWSERS))
+	$(BIN)/python -m pytest -n 3 $(SIDE_BY_SIDE) $(PROCESSES)
+	$(BIN)/python -m pytest -n 3 $(SIDE_BY_SIDE) $(BROWSERS)
 
 browser: $(VENV)/.installed-test
-	$(BIN)/python -m pytest -m long
+	$(BIN)/python -m pytest -n 2 $(SIDE_BY_SIDE) -m long $(BROWSERS)
 
 check: $(VENV)/.installed-test node_modules/.installed
+	@$(MAKE) --no-print-directory --jobs 2 --output-sync=target python-types lint javascript-types
+
+lint:
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
+
+python-types:
 	$(BIN)/mypy
+
+javascript-types:
 	$(TSC)
 	$(TSC) --project tsconfig.worker.json
 

@@ -16,30 +16,17 @@ from small_profile import small_profile
 settings.register_profile("bodydrive", deadline=None, derandomize=os.environ.get("CI") == "true")
 settings.load_profile("bodydrive")
 
-# Folders whose tests wait for real processes at the pace of a drive, and judge them by the clock.
-REAL_TIME = {"processes", "bench"}
-# Files that draw in 3D, in software, while a chair drives: each takes more than a processor, and a screen that is late
-# stops the chair. They have the machine for themselves.
-IN_3D = ("test_story", "test_drawn_plan", "test_chair_page", "test_without_program", "test_view")
-# Side by side, what takes longest is begun first: these, then the other browser tests, then the rest.
-LONGEST = ("test_calibrate_page", "test_drills_short", "test_odd_equipment")
+# Side by side, what takes longest is begun first, so that no process of the tests waits for another at the end.
+LONGEST = (
+    *("test_calibrate_page", "test_story", "test_drawn_plan", "test_without_program", "test_view", "test_chair_page"),
+    *("test_drills_short", "test_odd_equipment"),
+)
 
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    for item in items:
-        if item.path.parent.name in REAL_TIME:
-            item.add_marker("real_time")
-        if item.path.stem in IN_3D:
-            item.add_marker("in_3d")
     if hasattr(config, "workerinput"):  # one of several processes
-        items.sort(key=_turn)
-
-
-def _turn(item: pytest.Item) -> int:
-    if item.path.stem in LONGEST:
-        return LONGEST.index(item.path.stem)
-    return len(LONGEST) + (item.path.parent.name != "browser")
+        items.sort(key=lambda item: LONGEST.index(item.path.stem) if item.path.stem in LONGEST else len(LONGEST))
 
 
 @pytest.fixture(autouse=True)

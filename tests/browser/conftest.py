@@ -9,7 +9,7 @@ from typing import Any
 from urllib.parse import urlsplit
 
 import pytest
-from playwright.sync_api import Browser, ConsoleMessage, Page, Request, sync_playwright
+from playwright.sync_api import Browser, BrowserContext, ConsoleMessage, Page, Request, sync_playwright
 
 CHROMIUM = (
     "--headless=new",
@@ -17,11 +17,53 @@ CHROMIUM = (
     "--use-gl=angle",
     "--use-angle=swiftshader",
     "--enable-unsafe-swiftshader",
+    "--disable-gpu-compositing",  # a page is put together without 3D; only the 3D view itself is drawn so
     "--disable-background-networking",
     "--disable-component-update",
     "--disable-sync",
     "--no-first-run",
 )
+
+# Without a limit, software draws as many pictures as the processors can. Five of the 3D view in a second, and twelve of
+# a page, leave time for other tests.
+FEW_PICTURES = """(() => {
+  const pause = location.pathname.startsWith("/view/") ? 190 : 70;  // ms
+  const next = window.requestAnimationFrame.bind(window), cancel = window.cancelAnimationFrame.bind(window);
+  const pending = new Map();
+  let last = 0, count = 0;
+  window.requestAnimationFrame = (draw) => {
+    const id = ++count;
+    const later = (now) => {
+      if (now !== last && now - last <= pause) return void pending.set(id, next(later));
+      last = now;
+      pending.delete(id);
+      draw(now);
+    };
+    pending.set(id, next(later));
+    return id;
+  };
+  window.cancelAnimationFrame = (id) => {
+    cancel(pending.get(id));
+    pending.delete(id);
+  };
+})()"""
+
+
+class FewPicturesBrowser:
+    """Chromium whose pages draw few pictures."""
+
+    def __init__(self, browser: Browser) -> None:
+        self._browser = browser
+
+    def new_context(self, **options: Any) -> BrowserContext:
+        """Open a context, as Playwright does."""
+        context = self._browser.new_context(**options)
+        context.add_init_script(FEW_PICTURES)
+        return context
+
+    def new_page(self, **options: Any) -> Page:
+        """Open a page in a context of its own."""
+        return self.new_context(**options).new_page()
 
 
 @dataclass
@@ -60,7 +102,7 @@ class PageLog:
 
 # One for each file: Playwright keeps an event loop running as long as it lives, and other tests start their own.
 @pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
+def browser() -> Iterator[FewPicturesBrowser]:
     """Chromium without a screen, drawing in software."""
     found = shutil.which("chromium")
     if found is None:
@@ -69,7 +111,7 @@ def browser() -> Iterator[Browser]:
         pytest.skip("there is no chromium here: install Debian's package 'chromium' to run the browser tests")
     with sync_playwright() as playwright:
         launched = playwright.chromium.launch(executable_path=found, args=list(CHROMIUM))
-        yield launched
+        yield FewPicturesBrowser(launched)
         launched.close()
 
 

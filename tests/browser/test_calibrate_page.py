@@ -7,7 +7,7 @@ from browser.tablets import PATIENCE, TABLETS, go_to, signed_in
 from playwright.sync_api import expect
 from processes.served_demo import running_demo
 
-pytestmark = [pytest.mark.browser, pytest.mark.real_time, pytest.mark.timeout(420)]
+pytestmark = [pytest.mark.browser, pytest.mark.timeout(420)]
 
 STEP_LIMIT = 60_000  # ms: the longest step of the calibration takes 13 s
 

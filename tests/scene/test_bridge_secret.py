@@ -9,7 +9,7 @@ import websockets.sync.client
 from viser.infra import _infra
 from websockets.exceptions import InvalidStatus
 
-from app.scene import servers
+from app.scene import role_servers
 from app.scene.bridge_secret import BRIDGE_HEADERS, HEADER, SECRET
 from app.scene.client_messages import SUBPROTOCOL
 from app.scene.role_servers import ROLES, RoleServers
@@ -79,7 +79,7 @@ def test_a_server_that_does_not_require_the_secret_is_not_used(monkeypatch):
     """Another version of viser may open its port in another way."""
     opened = []
     monkeypatch.setattr(_infra, "websockets", websockets)
-    monkeypatch.setattr(servers, "guard_viser", lambda: None)
+    monkeypatch.setattr(role_servers, "guard_viser", lambda: None)
     made = viser.ViserServer.__init__
 
     def noted(self, **given):

@@ -8,7 +8,7 @@ from hardware.chair.commanded_receiver import PERIOD, CommandedReceiver
 from app.hardware.chair.packet import DRIVE, STOP, VIRTUAL
 from app.hardware.chair.reasons import WORDS, Reason
 from app.hardware.chair.receiver import Receiver, ReceiverState
-from app.pipeline import safety
+from app.pipeline import safety_gate
 
 DISARMED, CHECKING, ARMED, FAULT = ReceiverState
 STANDS = (0.0, 0.0)
@@ -154,7 +154,7 @@ def test_every_disarming_ends_the_epoch_and_says_why_and_only_a_new_arming_drive
     assert not any(chair.receiver.take(frame, chair.t) for frame in recorded)
     assert chair.state is DISARMED
     assert chair.receiver.driven == STANDS
-    assert all(v == 0.0 for t, v, _ in chair.speeds if t > began + safety.STOP_TIME)
+    assert all(v == 0.0 for t, v, _ in chair.speeds if t > began + safety_gate.STOP_TIME)
     assert chair.reason is reason
     chair.drive(0.3)
     assert chair.receiver.driven.v == pytest.approx(0.3)

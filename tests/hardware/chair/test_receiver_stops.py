@@ -9,7 +9,7 @@ from app.hardware.chair import receiver as receiver_module
 from app.hardware.chair.packet import DRIVE, STOP
 from app.hardware.chair.reasons import Reason
 from app.hardware.chair.receiver import ReceiverState
-from app.pipeline import safety
+from app.pipeline import safety_gate
 from app.speeds import HIGHEST_SPEEDS
 
 ARMED, DISARMED = ReceiverState.ARMED, ReceiverState.DISARMED
@@ -28,7 +28,7 @@ def test_silence_slows_the_chair_after_100_ms_and_disarms_it_after_300(chair):
     slowed = next(t for t, v, _ in chair.speeds if t > heard and v < 0.75)
     assert 0.1 <= slowed - heard <= 0.11 + 1e-9
     stood = next(t for t, v, omega in chair.speeds if t > heard and (v, omega) == STANDS)
-    assert stood - heard <= 0.11 + safety.STOP_TIME + STEP
+    assert stood - heard <= 0.11 + safety_gate.STOP_TIME + STEP
     assert chair.reason is Reason.SILENT
 
 
@@ -63,7 +63,7 @@ def test_a_stall_of_its_own_is_a_hundred_ms(chair):
 
 def test_the_stop_is_that_of_the_gate():
     names = ("STOP_DECELERATION", "STOP_TURN_DECELERATION", "STOP_TIME", "NEUTRAL_TIME", "NEUTRAL_PATIENCE")
-    assert all(getattr(receiver_module, name) == getattr(safety, name) for name in names)
+    assert all(getattr(receiver_module, name) == getattr(safety_gate, name) for name in names)
     assert (HIGHEST_SPEEDS.forward, HIGHEST_SPEEDS.turn) == (receiver_module.V_MAX, receiver_module.OMEGA_MAX)
 
 
@@ -75,7 +75,7 @@ def test_the_stopping_distance(v):
     chair.wait(0.5)
     distance = sum(abs(speed) * STEP for t, speed, _ in chair.speeds if t >= heard)
     detected = 0.11
-    assert distance <= 1.05 * (abs(v) * detected + v * v / (2 * safety.STOP_DECELERATION))
+    assert distance <= 1.05 * (abs(v) * detected + v * v / (2 * safety_gate.STOP_DECELERATION))
     assert distance >= abs(v) * 0.1
     assert chair.receiver.driven == STANDS
 
@@ -85,7 +85,7 @@ def test_any_stop_takes_at_most_a_quarter_of_a_second(chair, speeds):
     chair.drive(*speeds, seconds=1.2)
     assert chair.receiver.driven == pytest.approx(speeds)
     chair.send(0.0, 0.0, STOP)
-    chair.wait(safety.STOP_TIME)
+    chair.wait(safety_gate.STOP_TIME)
     assert chair.receiver.driven == pytest.approx(STANDS, abs=1e-9)
 
 
