@@ -5,7 +5,7 @@ BIN := $(VENV)/bin
 TSC := $(BIN)/node node_modules/typescript/bin/tsc
 INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt
 
-.PHONY: demo test browser check lint python-types javascript-types api-types safety drills soak worlds bench clean
+.PHONY: demo test browser check lint python-types javascript-types api-types demo-profile safety drills soak worlds bench clean
 
 $(VENV)/.installed: pyproject.toml constraints.txt
 	@echo "Installing into $(VENV), once; this takes a minute or two ..."
@@ -54,6 +54,9 @@ javascript-types:
 
 api-types: node_modules/.installed
 	PYTHONPATH=.:tests $(BIN)/python tests/api_types.py
+
+demo-profile: $(VENV)/.installed-test
+	PYTHONPATH=.:tests $(BIN)/python tests/cli/demonstration_profile.py
 
 safety: $(VENV)/.installed-test
 	@$(INSTALL) --editable '.[safety]'

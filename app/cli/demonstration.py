@@ -1,24 +1,28 @@
 """The demonstration clinic: one patient in an open session, calibrated in the simulated shirt and ready to drive."""
 
+from pathlib import Path
+
+from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import standard_parameters
-from app.hardware.body.person import Person
-from app.hardware.body.person_parameters import PRACTISED
-from app.hardware.shirt.standard import standard_layout
+from app.clock import utc_now
+from app.settings import data_folder
 from app.store.database import Database
 from app.store.parameters import save_parameters, save_profile
 from app.store.patients import add_patient, start_session
 from app.store.people import add_clinic
-from app.study.participant import Participant
-from app.study.simulated_calibration import calibrate
 
 PATIENT = ("DEMO-1", "Kingfisher", "A demonstration patient: nobody real. Calibrated in the simulated shirt.")
-SEED = 1  # of the fabric and the person: those of the simulated shirt and body that a control process starts with
-SAMPLE_RATE = 100.0  # Hz
+
+
+def profile_file() -> Path:
+    """Return the file of what the calibration of the simulated person gives; `make demo-profile` writes it."""
+    return data_folder() / "demo" / "profile.json"
 
 
 def furnish(database: Database) -> None:
-    """Make the clinic; its patient is calibrated by the application's own calibration, faster than real time."""
-    profile = calibrate(Participant(Person(PRACTISED, SEED), standard_layout(), SAMPLE_RATE, SEED))
+    """Make the clinic; its patient was calibrated by the application's own calibration."""
+    shipped = CalibrationProfile.model_validate_json(profile_file().read_bytes())
+    profile = shipped.model_copy(update={"created": utc_now().isoformat(timespec="seconds")})
     with database.transaction() as db:
         clinic = add_clinic(db, "Demonstration")
         patient = add_patient(db, clinic.id, *PATIENT)

@@ -13,6 +13,7 @@ import typer
 
 from app.api.app import WebApp, create_app
 from app.api.view.view_keeper import ServedScene
+from app.cli.demonstration import furnish
 from app.cli.errors import InputError
 from app.cli.server import WebServer, bind, held, keep_private, link_to
 from app.files import write_atomically
@@ -87,8 +88,6 @@ def _floorplan(file: Path) -> FloorPlan:
 
 
 def _furnish_demonstration(settings: Settings, plans: list[FloorPlan]) -> None:
-    from app.cli.demonstration import furnish  # noqa: PLC0415  (only here, because it loads what fits calibrations)
-
     for plan in plans:
         write_atomically(settings.floorplans / f"{plan.name}.json", plan.model_dump_json().encode())
     database = Database(settings.database)

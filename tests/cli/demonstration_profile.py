@@ -1,0 +1,22 @@
+"""Makes the profile of the demonstration's patient, as the application calibrates it: `make demo-profile`."""
+
+from app.calibration.profile import CalibrationProfile
+from app.cli.demonstration import profile_file
+from app.hardware.body.person import Person
+from app.hardware.body.person_parameters import PRACTISED
+from app.hardware.shirt.standard import standard_layout
+from app.study.participant import Participant
+from app.study.simulated_calibration import calibrate
+
+SEED = 1  # of the fabric and the person: those of the simulated shirt and body that a control process starts with
+SAMPLE_RATE = 100.0  # Hz
+
+
+def calibrated() -> CalibrationProfile:
+    """Return the profile of the simulated person, calibrated faster than real time."""
+    return calibrate(Participant(Person(PRACTISED, SEED), standard_layout(), SAMPLE_RATE, SEED))
+
+
+if __name__ == "__main__":
+    profile_file().parent.mkdir(exist_ok=True)
+    profile_file().write_text(calibrated().model_dump_json(indent=1) + "\n")
