@@ -24,10 +24,11 @@ CHROMIUM = (
     "--no-first-run",
 )
 
-# Without a limit, software draws as many pictures as the processors can. Five of the 3D view in a second, and twelve of
-# a page, leave time for other tests.
+# Without a limit, software draws as many pictures of the 3D view as the processors can: five in a second leave time for
+# other tests.
 FEW_PICTURES = """(() => {
-  const pause = location.pathname.startsWith("/view/") ? 190 : 70;  // ms
+  if (!location.pathname.startsWith("/view/")) return;
+  const pause = 190;  // ms
   const next = window.requestAnimationFrame.bind(window), cancel = window.cancelAnimationFrame.bind(window);
   const pending = new Map();
   let last = 0, count = 0;
@@ -50,20 +51,21 @@ FEW_PICTURES = """(() => {
 
 
 class FewPicturesBrowser:
-    """Chromium whose pages draw few pictures."""
+    """Chromium whose pages draw few pictures of the 3D view."""
 
     def __init__(self, browser: Browser) -> None:
         self._browser = browser
 
-    def new_context(self, **options: Any) -> BrowserContext:
-        """Open a context, as Playwright does."""
+    def new_context(self, *, all_pictures: bool = False, **options: Any) -> BrowserContext:
+        """Open a context, as Playwright does; with `all_pictures` its pages draw as often as they can."""
         context = self._browser.new_context(**options)
-        context.add_init_script(FEW_PICTURES)
+        if not all_pictures:
+            context.add_init_script(FEW_PICTURES)
         return context
 
-    def new_page(self, **options: Any) -> Page:
+    def new_page(self, *, all_pictures: bool = False, **options: Any) -> Page:
         """Open a page in a context of its own."""
-        return self.new_context(**options).new_page()
+        return self.new_context(all_pictures=all_pictures, **options).new_page()
 
 
 @dataclass

@@ -100,7 +100,7 @@ def wear(page, keep, shirt):
     go_to(page, "shirt")
     card = page.locator("section.card", has=page.get_by_role("heading", name="Source"))
     card.locator("summary").click()
-    card.get_by_role("radio", name="A shirt over the network").check(force=True)
+    card.get_by_text("A shirt over the network", exact=True).click()
     card.get_by_label("Port").fill(str(shirt.port))
     card.get_by_label("Key").select_option(shirt.config["key_file"])
     keep("chair-shirt-key")

@@ -277,7 +277,8 @@ def test_the_arrow_and_the_sounds_mean_what_happens(browser, demo):
         found = page.evaluate(arrow, [pose, target])
         assert math.cos(found[0] - bearing) == pytest.approx(1), (pose, target)
         assert found[1:] == [pytest.approx(2), where]
-    heard = """([before, now]) => import("/js/patient/sounds.js").then(({ heard }) => heard(before, now))"""
+    between = """([before, now]) => import("/js/patient/sounds.js")
+        .then(({ soundsBetween }) => soundsBetween(before, now))"""
     still = {"state": "armed", "contacts": 1, "trial": {"id": 1}, "over": None}
     over = {**still, "trial": None, "over": {"id": 1, "end": "goal"}}
     for before, now, sounds in (
@@ -291,5 +292,5 @@ def test_the_arrow_and_the_sounds_mean_what_happens(browser, demo):
         (over, over, []),
         (still, {**over, "over": {"id": 1, "end": "by hand"}}, []),
     ):
-        assert page.evaluate(heard, [before, now]) == sounds, (before, now)
+        assert page.evaluate(between, [before, now]) == sounds, (before, now)
     page.close()

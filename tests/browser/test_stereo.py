@@ -65,7 +65,7 @@ def log(app, page_log):
 @pytest.fixture(scope="module")
 def open_page(app, browser, log, until):
     """One page for all: loading takes most of the time."""
-    page = log.watch(browser.new_page(viewport={"width": WIDTH, "height": HEIGHT}))
+    page = log.watch(browser.new_page(all_pictures=True, viewport={"width": WIDTH, "height": HEIGHT}))
     page.set_default_timeout(PATIENCE)
     page.goto(f"{app.address}/stereo.html")
     page.evaluate("localStorage.setItem('bodydrive-stereo', '{\"apart\": 80}')")
@@ -232,7 +232,7 @@ def test_a_paired_screen_sees_it_and_it_comes_back_by_itself(browser, tmp_path, 
     process = served(port, state)
     try:
         base, code = printed_link(process).split("/#setup=")
-        page = page_log(base).watch(browser.new_page(viewport={"width": 640, "height": 360}))
+        page = page_log(base).watch(browser.new_page(all_pictures=True, viewport={"width": 640, "height": 360}))
         page.goto(f"{base}/stereo.html")
         expect(page.get_by_role("heading", name="may not see")).to_be_visible(timeout=PATIENCE)
         with SessionClient(base) as client:
@@ -241,7 +241,7 @@ def test_a_paired_screen_sees_it_and_it_comes_back_by_itself(browser, tmp_path, 
             assert client.post("/session", json={"patient_id": patient_id}).is_success
             link = client.post("/patient-screen/pairing").json()["url"]
         page.goto(link)
-        expect(page.get_by_text("All is ready")).to_be_visible(timeout=PATIENCE)
+        expect(page.get_by_text("We wait for the shirt")).to_be_visible(timeout=PATIENCE)
         page.goto(f"{base}/stereo.html")
         until(page, LIVE, seconds=60)
         process.send_signal(signal.SIGTERM)

@@ -25,7 +25,7 @@ const post = async (path, body) => {
   if (path.endsWith("/free")) Object.assign(free, body);
   return { ...body, free: { ...free } };
 };
-const bar = viewBar({ api: { post }, toasts: { show: (words) => { throw new Error(words); } } },
+const bar = viewBar({ api: { post }, toasts: { attempt: (work) => work() } },
   document.querySelector(".surface"), (which) => { window.chosen = which; });
 document.querySelector("#lower").append(bar.pad, bar.element);
 window.ready = true;

@@ -88,6 +88,11 @@ def view_app(plan: FloorPlan, path_name: str, rides: list[tuple[Ride, SceneThrea
     app = FastAPI(lifespan=lifespan)
     app.include_router(view_router(port_of, anybody, lambda: None))
     app.include_router(view_controls(lambda: app.state.scene, lambda: None), prefix="/api/v1")
+
+    @app.get("/api/v1/equipment/practice")
+    def worn_shirt() -> dict[str, None]:  # pages ask whether anybody wears the shirt
+        return {"kind": None}
+
     return app
 
 

@@ -44,7 +44,7 @@ export function patientScreenCard(app, signal) {
     const at = [...wishes.querySelectorAll("input")].findIndex((input) => input === document.activeElement);
     put(
       wishes,
-      WISHES.map((wish) => toggle(t(`screens.${wish}`), read.settings[wish], (on) => choose({ ...read.settings, [wish]: on }))),
+      WISHES.map((wish) => toggle(t(`screens.${wish}`), read.settings[wish], (on) => choose({ [wish]: on }))),
     );
     if (hadFocus) wishes.querySelectorAll("input")[at]?.focus();
   };
@@ -61,8 +61,16 @@ export function patientScreenCard(app, signal) {
     put(wishes);
     put(below, h("p", { class: "quiet" }, t("screens.nobody")));
   };
-  /** @param {ScreenSettings} settings */
-  const choose = async (settings) => (await call(app.api.post("/patient-screen/settings", settings))) || read();
+  /** @type {Promise<unknown>} */
+  let sent = Promise.resolve();
+  /** Send one choice after the other: each adds to what the answer before it says. @param {Partial<ScreenSettings>} change */
+  const choose = (change) => {
+    sent = sent.then(async () => {
+      if (!shown) return;
+      const settings = { ...shown.settings, ...change };
+      (await call(app.api.post("/patient-screen/settings", settings))) || (await read());
+    });
+  };
   /** @param {ScreenView} screen */
   const unpair = async ({ id, number }) => {
     if (await call(app.api.remove(`/patient-screen/${id}`))) app.toasts.show(t("screens.unpaired", { number }));

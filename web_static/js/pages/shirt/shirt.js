@@ -52,14 +52,15 @@ export async function show(app, root, { signal }) {
     drawRight();
     showWords();
   };
-  /** @param {EquipmentView} answer */
+  /** Forms are drawn again only where something differs: what is typed in them would be lost. @param {EquipmentView} answer */
   const take = (answer) => {
     const fresh = /** @type {Equipment} */ (answer);
-    const isSame = keyOf(fresh) === keyOf(equipment);
+    const before = equipment;
     equipment = fresh;
     app.toasts.attempt(replaced.show);
-    if (!isSame) draw();
-    else drawRight(); // at most the list of files differs
+    if (keyOf(fresh) !== keyOf(before)) draw();
+    else if (formsKeyOf(fresh) !== formsKeyOf(before)) drawRight();
+    showWords();
   };
   /** @param {ShirtLayout} layout */
   const lampsCard = (layout) => {
@@ -114,8 +115,9 @@ export async function show(app, root, { signal }) {
   /** @param {Promise<EquipmentView>} call @param {CardName} [card] whose form made it */
   const use = async (call, card) => {
     const answer = await call;
-    if (card) open.delete(card);
+    const isDone = card && open.delete(card);
     take(answer);
+    if (isDone) drawRight();
   };
   /**
    * A card that says what is in use; its form stays open, and as it is, when the page is drawn again.
@@ -198,6 +200,11 @@ export async function show(app, root, { signal }) {
 /** A key of the parts that need the whole page drawn again. @param {Equipment} equipment */
 function keyOf({ shirt, body, layout, unused }) {
   return JSON.stringify([shirt, body, layout, unused]);
+}
+
+/** A key of what the cards and their forms show besides. @param {Equipment} equipment */
+function formsKeyOf({ head, files, shirt_keys }) {
+  return JSON.stringify([head, files, shirt_keys]);
 }
 
 /**
