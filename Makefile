@@ -41,14 +41,14 @@ browser: $(VENV)/.installed-test
 check: $(VENV)/.installed-test node_modules/.installed
 	@$(MAKE) --no-print-directory --jobs 2 --output-sync=target python-types lint javascript-types
 
-lint:
+lint: $(VENV)/.installed-test
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 
-python-types:
+python-types: $(VENV)/.installed-test
 	$(BIN)/mypy
 
-javascript-types:
+javascript-types: node_modules/.installed
 	$(TSC)
 	$(TSC) --project tsconfig.worker.json
 

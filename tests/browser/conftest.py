@@ -17,7 +17,7 @@ CHROMIUM = (
     "--use-gl=angle",
     "--use-angle=swiftshader",
     "--enable-unsafe-swiftshader",
-    "--disable-gpu-compositing",  # a page is put together without 3D; only the 3D view itself is drawn so
+    "--disable-gpu-compositing",  # SwiftShader draws the 3D view only; to put whole pages together costs far more
     "--disable-background-networking",
     "--disable-component-update",
     "--disable-sync",

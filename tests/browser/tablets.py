@@ -1,4 +1,4 @@
-"""Tablets of two sizes, signed in to a demonstration."""
+"""Tablets of two sizes, signed in to a demonstration, and what a page sends with a change."""
 
 from contextlib import contextmanager
 
@@ -28,3 +28,9 @@ def signed_in(name, browser, page_log, link):
 
 def go_to(page, step):
     page.goto(page.url.split("#")[0] + f"#/{step}")
+
+
+def headers_of(calls, base):
+    """Return what a page of ours sends with a change: its origin, and the session that it shows."""
+    session = calls.get(f"{base}/api/v1/session").json()["session"]
+    return {"Origin": base, "Patient-Session": str(session["id"])}

@@ -2,6 +2,7 @@
 
 import pytest
 from browser.driving import go_on_until
+from browser.tablets import headers_of
 from playwright.sync_api import expect
 from processes.served_demo import running_demo
 
@@ -171,9 +172,7 @@ def test_the_patients_screen_falls_back_on_the_drawn_plan_once_the_chair_stands(
     choose_straight_ahead(page)
     base = demo.split("/#")[0]
     calls = page.context.request
-    session = calls.get(f"{base}/api/v1/session").json()["session"]["id"]
-    headers = {"Origin": base, "Patient-Session": str(session)}
-    offer = calls.post(f"{base}/api/v1/patient-screen/pairing", headers=headers).json()
+    offer = calls.post(f"{base}/api/v1/patient-screen/pairing", headers=headers_of(calls, base)).json()
     patient = opened(offer["url"], "dark")
     tag = page.locator(".patient-screens .tag", has_text="3D view")
     expect(tag).to_be_visible()

@@ -7,6 +7,7 @@ from urllib.parse import urlsplit
 
 import pytest
 from browser.driving import HIDE, SHOW, go_on_until
+from browser.tablets import headers_of
 from playwright.sync_api import expect
 from processes.served_demo import SessionClient, bodydrive, free_port, printed_link, running_demo
 
@@ -139,12 +140,6 @@ def is_readable_in_the_dark_and_large(clinician, patient, keep):
     patient.wait_for_timeout(500)
     assert patient.evaluate(OUTSIDE) == []
     keep(patient, "patient-large-dark")
-
-
-def headers_of(calls, base):
-    """Return what a page of ours sends with a change: its origin, and the session that it shows."""
-    session = calls.get(f"{base}/api/v1/session").json()["session"]
-    return {"Origin": base, "Patient-Session": str(session["id"])}
 
 
 def changes_nothing(clinician, patient, base):

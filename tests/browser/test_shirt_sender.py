@@ -5,6 +5,7 @@ import threading
 
 import numpy as np
 import pytest
+from browser.tablets import headers_of
 from playwright.sync_api import expect
 from processes.served_demo import running_demo
 from processes.udp_shirt import free_port
@@ -49,11 +50,9 @@ class Sender:
 
 def tell_of_the_equipment(page, link):
     """Let every page read the equipment again, although nothing differs."""
-    api, calls = f"{link.split('/#')[0]}/api/v1", page.context.request
-    session = calls.get(f"{api}/session").json()["session"]["id"]
-    headers = {"Origin": api.removesuffix("/api/v1"), "Patient-Session": str(session)}
+    base, calls = link.split("/#")[0], page.context.request
     with page.expect_response("**/api/v1/equipment"):
-        assert calls.put(f"{api}/equipment/head", headers=headers, data={"config": None}).ok
+        assert calls.put(f"{base}/api/v1/equipment/head", headers=headers_of(calls, base), data={"config": None}).ok
     page.wait_for_timeout(200)
 
 

@@ -1,5 +1,7 @@
 """A gate in the states that its tests begin with."""
 
+import pytest
+
 from app.faults import State
 from app.geometry import Twist
 from app.pipeline.safety_gate import (
@@ -10,13 +12,11 @@ from app.pipeline.safety_gate import (
 from app.speeds import Speeds
 
 DT = 0.01
-
-
 SPEEDS = Speeds()
 
 
-def decide(gate, t, *, neutral=True, bad=BadGestures(), age=0.0, **conditions):  # noqa: B008  (it is a tuple)
-    return gate.decide(t, DT, neutral, bad, age, Conditions(**conditions))
+def decide(gate, t, *, pause=DT, neutral=True, bad=BadGestures(), age=0.0, **conditions):  # noqa: B008  (it is a tuple)
+    return gate.decide(t, pause, neutral, bad, age, Conditions(**conditions))
 
 
 def armed_gate(speeds=SPEEDS):
@@ -32,4 +32,5 @@ def moving_gate():
     gate = armed_gate()
     for _ in range(200):
         gate.limit(Twist(9.0, 9.0), DT)
+    assert gate.last == pytest.approx(Twist(SPEEDS.forward, SPEEDS.turn))
     return gate

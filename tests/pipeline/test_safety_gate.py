@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+from gates import DT, SPEEDS, armed_gate, decide, moving_gate
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -16,36 +17,11 @@ from app.pipeline.safety_gate import (
     STOP_TIME,
     WEB_SILENT,
     BadGestures,
-    Conditions,
     SafetyGate,
     shirt_limits,
 )
-from app.speeds import Speeds
 
-DT = 0.01
-SPEEDS = Speeds()
 anything = st.floats(allow_nan=True, allow_infinity=True)
-
-
-def decide(gate, t, *, pause=DT, neutral=True, bad=0, age=0.0, **conditions):
-    return gate.decide(t, pause, neutral, BadGestures(bad), age, Conditions(**conditions))
-
-
-def armed_gate():
-    gate = SafetyGate(SPEEDS, 100.0)
-    assert gate.arm()
-    for i in range(60):
-        decide(gate, i * DT)
-    assert gate.state is State.ARMED
-    return gate
-
-
-def moving_gate():
-    gate = armed_gate()
-    for _ in range(200):
-        gate.limit(Twist(9.0, 9.0), DT)
-    assert gate.last == pytest.approx(Twist(SPEEDS.forward, SPEEDS.turn))
-    return gate
 
 
 def test_it_boots_disarmed_and_sends_exactly_zero():
@@ -107,7 +83,7 @@ def test_every_limit_in_time_around_its_border(name, limit, fault):
     [
         ({"screen_age": math.inf}, Fault.SCREEN_LOST),
         ({"recording": False}, Fault.RECORDING_LOST),
-        ({"bad": 2}, Fault.CHANNELS_BAD),
+        ({"bad": BadGestures(2)}, Fault.CHANNELS_BAD),
     ],
 )
 def test_every_other_condition(condition, fault):
@@ -120,7 +96,7 @@ def test_every_other_condition(condition, fault):
 
 
 def test_one_bad_gesture_is_no_fault():
-    assert decide(moving_gate(), 1.0, bad=1) is State.ARMED
+    assert decide(moving_gate(), 1.0, bad=BadGestures(1)) is State.ARMED
 
 
 def test_a_slow_shirt_is_judged_in_periods():

@@ -65,8 +65,9 @@ export function patientScreenCard(app, signal) {
   let sent = Promise.resolve();
   /** Send one choice after the other: each adds to what the answer before it says. @param {Partial<ScreenSettings>} change */
   const choose = (change) => {
+    const session = app.session?.session?.id;
     sent = sent.then(async () => {
-      if (!shown) return;
+      if (!shown || app.session?.session?.id !== session) return; // meant for somebody who is not here any more
       const settings = { ...shown.settings, ...change };
       (await call(app.api.post("/patient-screen/settings", settings))) || (await read());
     });

@@ -58,8 +58,8 @@ export async function show(app, root, { signal }) {
     const before = equipment;
     equipment = fresh;
     app.toasts.attempt(replaced.show);
-    if (keyOf(fresh) !== keyOf(before)) draw();
-    else if (formsKeyOf(fresh) !== formsKeyOf(before)) drawRight();
+    if (keyOf(fresh) !== keyOf(before)) return draw();
+    if (formsKeyOf(fresh) !== formsKeyOf(before)) drawRight();
     showWords();
   };
   /** @param {ShirtLayout} layout */
@@ -202,7 +202,7 @@ function keyOf({ shirt, body, layout, unused }) {
   return JSON.stringify([shirt, body, layout, unused]);
 }
 
-/** A key of what the cards and their forms show besides. @param {Equipment} equipment */
+/** A key of what only the cards and their forms show. @param {Equipment} equipment */
 function formsKeyOf({ head, files, shirt_keys }) {
   return JSON.stringify([head, files, shirt_keys]);
 }
