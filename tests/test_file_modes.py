@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from app.cli.server import keep_private
+from app.cli.clinic_folder import keep_private
 from app.file_modes import restrict
 from app.settings import Settings
 

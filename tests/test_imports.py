@@ -3,6 +3,7 @@
 import ast
 import subprocess
 import sys
+import tomllib
 from pathlib import Path
 
 from folders import ROOT
@@ -148,3 +149,12 @@ def test_the_control_process_reaches_no_web_database_or_fitting_library():
     code = f"import sys, app.pipeline.process; print([m for m in {forbidden} if m in sys.modules])"
     seen = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert seen.stdout.strip() == "[]"
+
+
+def test_a_start_loads_no_library_that_only_some_functions_use():
+    settings = tomllib.loads((ROOT / "pyproject.toml").read_text())["tool"]["ruff"]["lint"]["flake8-tidy-imports"]
+    heavy = set(settings["banned-module-level-imports"])
+    modules = ["app.api.app", *sorted(module for module in MODULES if module.startswith("app.cli."))]
+    code = f"import sys, {', '.join(modules)}; print(*{heavy} & set(sys.modules))"
+    seen = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert seen.stdout.split() == []

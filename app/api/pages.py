@@ -1,5 +1,6 @@
 """The files of the pages, the security headers of all answers, and the check of origin and size of all requests."""
 
+from importlib import metadata
 from pathlib import Path
 
 from fastapi import APIRouter, FastAPI, HTTPException
@@ -67,9 +68,8 @@ class Pages(StaticFiles):
 @router.get("/vendor/plotly.min.js", include_in_schema=False)
 def plotly_script() -> FileResponse:
     """Return the script of the installed plotly package; no page loads it from another host."""
-    import plotly  # noqa: PLC0415  (its import takes long, and few pages need it)
-
-    file = Path(plotly.__file__).parent / "package_data" / "plotly.min.js"
+    folder = Path(str(metadata.distribution("plotly").locate_file("plotly")))
+    file = folder / "package_data" / "plotly.min.js"
     if not file.is_file():
         raise HTTPException(404, "The installed plotly has no script: install it again.")
     return FileResponse(file, media_type="text/javascript", headers={"Cache-Control": "no-cache"})

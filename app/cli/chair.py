@@ -80,10 +80,10 @@ def pair(
 
 def _chair_config(fields: dict[str, object], keys: Path) -> "RealChairConfig":
     """Return the configuration with which the control process will open the chair."""
-    from pydantic import ValidationError  # noqa: PLC0415  (imported late: a chair's board loads none of it)
+    from pydantic import ValidationError
 
-    from app.hardware.configs import RealChairConfig  # noqa: PLC0415
-    from app.sentences import one_sentence  # noqa: PLC0415
+    from app.hardware.configs import RealChairConfig
+    from app.sentences import one_sentence
 
     try:
         return RealChairConfig.model_validate({"kind": "udp", "key_file": str(keys / "0.key"), **fields})
@@ -93,10 +93,10 @@ def _chair_config(fields: dict[str, object], keys: Path) -> "RealChairConfig":
 
 def _store_pairing(chair: "RealChairConfig", settings: Settings) -> "Key":
     """Store the chair and write its key, both or none; the clinic may be served meanwhile."""
-    from app.session.equipment.pairing import key_file, pair_chair  # noqa: PLC0415
-    from app.store.database import Database  # noqa: PLC0415
-    from app.store.log import write_log  # noqa: PLC0415
-    from app.store.people import add_clinic, the_clinic  # noqa: PLC0415
+    from app.session.equipment.pairing import key_file, pair_chair
+    from app.store.database import Database
+    from app.store.log import write_log
+    from app.store.people import add_clinic, the_clinic
 
     keep_new_files_private()
     database, key = Database(settings.database), None

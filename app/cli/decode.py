@@ -141,9 +141,9 @@ def content_of(file: Path, named: dict[str, NDArray[np.float64]], source: Source
     Both have a column `simulated`: 1 where nobody wore the shirt, 0 where somebody did, NaN where that is unknown.
     Parquet's own metadata carry the whole source in words (key `source`).
     """
-    import pyarrow as pa  # noqa: PLC0415  (keeps the start of the other commands quick)
-    import pyarrow.csv  # noqa: PLC0415
-    import pyarrow.parquet  # noqa: PLC0415
+    import pyarrow as pa
+    import pyarrow.csv
+    import pyarrow.parquet
 
     simulated = np.nan if source.simulated is None else float(source.simulated)
     rows = len(next(iter(named.values())))

@@ -12,8 +12,7 @@ from app.cli.output import write_output
 from app.sentences import one_sentence
 from app.world.floorplan import load_floorplan
 from app.world.imports.draft import plan_of
-from app.world.imports.image import THRESHOLD
-from app.world.imports.plan_files import Options, import_plan
+from app.world.imports.options import THRESHOLD, Options
 from app.world.scene import bundled_places, is_scene, places_in
 
 floorplan_app = typer.Typer(
@@ -46,6 +45,8 @@ def import_file(
     as_json: AsJson = False,
 ) -> None:
     """Make a floor plan from a ROS map, a DXF drawing or a picture: walls, and a path to drive."""
+    from app.world.imports.plan_files import import_plan
+
     if out.suffix != ".json":
         raise InputError(f"--out {out}: its name must end in .json")
     given = {

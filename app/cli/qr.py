@@ -6,7 +6,7 @@ import sys
 
 def terminal_code(content: str) -> str:
     """Return a QR code for a terminal, in half blocks where it can show them."""
-    import segno  # noqa: PLC0415  (imported late: a chair's board loads none of it)
+    import segno
 
     drawn = io.StringIO()
     has_blocks = "utf" in (sys.stdout.encoding or "").lower()

@@ -1,28 +1,20 @@
 """`bodydrive demo` and `bodydrive serve`: the web process, from its start to its end."""
 
-import asyncio
-import logging
 import os
+import socket
 import sys
 import tempfile
-from functools import partial
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
-from app.api.app import WebApp, create_app
-from app.api.view.view_keeper import ServedScene
-from app.cli.demonstration import furnish
+from app.cli.clinic_folder import held, keep_private
 from app.cli.errors import InputError
-from app.cli.server import WebServer, bind, held, keep_private, link_to
+from app.cli.port import bind, link_to
 from app.files import write_atomically
-from app.process.supervisor import ControlProcess
 from app.refusals import Refusal
-from app.session.recordings import recorded_readings
 from app.settings import Settings, new_code, state_folder
-from app.store.database import Database
-from app.store.people import count_people
 from app.world.floorplan import FloorPlan, load_floorplan
 
 Port = Annotated[int, typer.Option(min=0, max=65_535, help="The port to listen on; 0 takes any free one.")]
@@ -43,7 +35,7 @@ def demo(port: Port = 8080, host: Host = "127.0.0.1", floorplans: Plans = None) 
         _furnish_demonstration(settings, plans)
         words = ["A demonstration, kept nowhere. Ctrl-C ends it.", *_warning(host)]
         words.append(f"{link_to(host, bound)}#demo={settings.demo_code}")
-        _run(settings, WebServer(_app(settings), listening, "\n".join(words)))
+        _run(settings, listening, words)
     _leave()
 
 
@@ -63,8 +55,14 @@ def serve(port: Port = 8080, host: Host = "127.0.0.1", state: State = None) -> N
                 f"Set-up code, for the first owner, within 30 minutes: {code}",
                 f"{link_to(host, bound)}#setup={code}",
             ]
-        _run(settings, WebServer(_app(settings), listening, "\n".join(words)))
+        _run(settings, listening, words)
     _leave()
+
+
+def _run(settings: Settings, listening: socket.socket, words: list[str]) -> None:
+    from app.cli.server import run_clinic
+
+    run_clinic(settings, listening, "\n".join(words))
 
 
 def _leave() -> None:
@@ -88,6 +86,9 @@ def _floorplan(file: Path) -> FloorPlan:
 
 
 def _furnish_demonstration(settings: Settings, plans: list[FloorPlan]) -> None:
+    from app.cli.demonstration import furnish
+    from app.store.database import Database
+
     for plan in plans:
         write_atomically(settings.floorplans / f"{plan.name}.json", plan.model_dump_json().encode())
     database = Database(settings.database)
@@ -98,6 +99,9 @@ def _furnish_demonstration(settings: Settings, plans: list[FloorPlan]) -> None:
 
 
 def _nobody_yet(folder: Path) -> bool:
+    from app.store.database import Database
+    from app.store.people import count_people
+
     try:
         database = Database(Settings(state=folder).database)
     except Refusal as refusal:
@@ -107,21 +111,3 @@ def _nobody_yet(folder: Path) -> bool:
             return count_people(db) == 0
     finally:
         database.close()
-
-
-def _app(settings: Settings) -> WebApp:
-    scene = partial(ServedScene, models=settings.models)
-    return create_app(settings, ControlProcess.start, recorded_readings(), scene)
-
-
-def _run(settings: Settings, server: WebServer) -> None:
-    """Serve until a signal; refuse in one sentence when the server cannot start."""
-    logging.basicConfig(level=logging.WARNING, format="bodydrive: %(message)s", stream=sys.stderr)
-    # These log connections of browsers only; errors of this program go to the logger "bodydrive".
-    for name in ("uvicorn", "uvicorn.error", "websockets", "asyncio"):
-        logging.getLogger(name).setLevel(logging.CRITICAL)
-    settings.runs.mkdir(parents=True, exist_ok=True)
-    if not asyncio.run(server.run_until_signal()):
-        raise InputError(
-            "The control process did not start, so there is nothing to show: look at the messages above and try again."
-        )

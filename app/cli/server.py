@@ -1,28 +1,26 @@
-"""The web server: its socket, its end by a signal, and the lock of the clinic's folder."""
+"""The web server: from its start to its end by a signal."""
 
 import asyncio
-import errno
-import fcntl
-import ipaddress
+import logging
 import signal
 import socket
-from collections.abc import Iterator
-from contextlib import AbstractContextManager, contextmanager, nullcontext, suppress
-from pathlib import Path
+import sys
+from contextlib import AbstractContextManager, nullcontext, suppress
+from functools import partial
 
 import typer
 import uvicorn
 
-from app.api.app import WebApp, say_goodbye
+from app.api.app import WebApp, create_app, say_goodbye
+from app.api.view.view_keeper import ServedScene
 from app.cli.errors import InputError
-from app.file_modes import OWNER_FOLDER, keep_new_files_private, restrict
+from app.cli.port import PING_LIMIT
+from app.process.supervisor import ControlProcess
 from app.realtime import collect_garbage
-from app.settings import IN_USE, Settings
+from app.session.recordings import recorded_readings
+from app.settings import Settings
 
 PING_EVERY = 2.0  # s
-# A browser that does not answer for so long has gone: a tablet asleep, a cable pulled. Busy browsers need some time;
-# the live socket and the 3D view themselves disconnect, within 3 s, a browser that does not read.
-PING_LIMIT = 20.0  # s
 LAST_ANSWERS = 1  # s for requests under way when the program ends
 GOODBYE = 0.5  # s for telling the open pages
 
@@ -86,67 +84,16 @@ class WebServer(uvicorn.Server):
             self.should_exit = True
 
 
-def bind(host: str, port: int) -> socket.socket:
-    """Bind the port before anything else is made; refuse a port in use with a sentence."""
-    no_address = f"'{host}' is no address of this machine: leave --host out, or give one of its own."
-    try:
-        if not host.strip():  # would mean every address of this machine
-            raise UnicodeError
-        family = socket.AF_INET6 if ":" in host else socket.AF_INET
-        listening = socket.create_server((host, port), family=family, backlog=128)
-    except OSError as error:
-        if error.errno == errno.EADDRINUSE:
-            raise InputError(
-                f"Port {port} of {host} is busy: end the program that uses it, or choose another port with --port "
-                f"(with make: PORT={port + 1 if port < 65_535 else 8080})."
-            ) from error
-        if error.errno == errno.EACCES:
-            raise InputError(f"Port {port} is for the system: choose one above 1023 with --port.") from error
-        raise InputError(no_address) from error
-    except UnicodeError as error:
-        raise InputError(no_address) from error
-    # Without this, the connection of a machine that has vanished stays open for a quarter of an hour.
-    if hasattr(socket, "TCP_USER_TIMEOUT"):
-        listening.setsockopt(socket.IPPROTO_TCP, socket.TCP_USER_TIMEOUT, int(1000 * PING_LIMIT))
-    return listening
-
-
-def link_to(host: str, port: int) -> str:
-    """Return the address to open in a browser on this machine."""
-    with suppress(ValueError):
-        if ipaddress.ip_address(host).is_unspecified:
-            host = "127.0.0.1"
-    return f"http://[{host}]:{port}/" if ":" in host else f"http://{host}:{port}/"
-
-
-def keep_private(settings: Settings) -> list[str]:
-    """Let only their owner read what is written from now on, and what is in the clinic's folder already.
-
-    Return a sentence when others can read something still.
-    """
-    keep_new_files_private()
-    readable = restrict(settings.state_paths)
-    if not readable:
-        return []
-    return [
-        f"Other people on this computer can read {len(readable)} files of the clinic, the first is {readable[0]}: "
-        f"give them to this account, or move the clinic to a disk that keeps rights."
-    ]
-
-
-@contextmanager
-def held(folder: Path) -> Iterator[None]:
-    """Lock a clinic's folder, so that no second program writes to its database."""
-    try:
-        folder.mkdir(mode=OWNER_FOLDER, parents=True, exist_ok=True)
-        file = (folder / IN_USE).open("w")
-    except OSError as error:
-        raise InputError(f"{folder} cannot be written: choose another folder with --state.") from error
-    with file:
-        try:
-            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except OSError as error:
-            raise InputError(
-                f"The clinic in {folder} is open already: end the other program, or choose another with --state."
-            ) from error
-        yield
+def run_clinic(settings: Settings, listening: socket.socket, words: str) -> None:
+    """Serve until a signal, and print `words` after the start; refuse in one sentence when it cannot start."""
+    logging.basicConfig(level=logging.WARNING, format="bodydrive: %(message)s", stream=sys.stderr)
+    # These log connections of browsers only; errors of this program go to the logger "bodydrive".
+    for name in ("uvicorn", "uvicorn.error", "websockets", "asyncio"):
+        logging.getLogger(name).setLevel(logging.CRITICAL)
+    settings.runs.mkdir(parents=True, exist_ok=True)
+    scene = partial(ServedScene, models=settings.models)
+    app = create_app(settings, ControlProcess.start, recorded_readings(), scene)
+    if not asyncio.run(WebServer(app, listening, words).run_until_signal()):
+        raise InputError(
+            "The control process did not start, so there is nothing to show: look at the messages above and try again."
+        )

@@ -49,10 +49,10 @@ def pair(
 
 def _paired(settings: Settings) -> "Key":
     """Write the key and the log entry, both or none; the clinic may be served meanwhile."""
-    from app.session.equipment.pairing import pair_shirt, unpair_shirt  # noqa: PLC0415
-    from app.store.database import Database  # noqa: PLC0415
-    from app.store.log import write_log  # noqa: PLC0415
-    from app.store.people import add_clinic, the_clinic  # noqa: PLC0415
+    from app.session.equipment.pairing import pair_shirt, unpair_shirt
+    from app.store.database import Database
+    from app.store.log import write_log
+    from app.store.people import add_clinic, the_clinic
 
     keep_new_files_private()
     database, key = Database(settings.database), None

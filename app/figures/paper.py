@@ -150,15 +150,15 @@ def save_figure(figure: Figure, file: FilePath, file_format: FigureFormat) -> No
 
 def paper_style() -> AbstractContextManager[None]:
     """Return a context with the style of all figures of a study, for drawing and saving."""
-    from matplotlib import rc_context  # noqa: PLC0415  (slow to import, and most commands draw nothing)
+    from matplotlib import rc_context
 
     return rc_context(STYLE)
 
 
 def new_figure(width: float, height: float, rows: int) -> tuple[Figure, tuple[Axes, ...]]:
     """Return a figure (inches) with `rows` axes, one below the other, that needs no window system."""
-    from matplotlib.backends.backend_agg import FigureCanvasAgg  # noqa: PLC0415
-    from matplotlib.figure import Figure  # noqa: PLC0415
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
 
     figure = Figure(figsize=(width, height), layout="constrained")
     FigureCanvasAgg(figure)
@@ -167,7 +167,7 @@ def new_figure(width: float, height: float, rows: int) -> tuple[Figure, tuple[Ax
 
 
 def _draw_obstacles(axes: Axes, floorplan: FloorPlan) -> None:
-    from matplotlib.patches import Circle, Polygon  # noqa: PLC0415
+    from matplotlib.patches import Circle, Polygon
 
     for obstacle in floorplan.obstacles:
         shape = (
@@ -181,6 +181,6 @@ def _draw_obstacles(axes: Axes, floorplan: FloorPlan) -> None:
 
 def line_of(colour: str, width: float, label: str) -> Any:
     """Return a line for a legend."""
-    from matplotlib.lines import Line2D  # noqa: PLC0415
+    from matplotlib.lines import Line2D
 
     return Line2D([], [], color=colour, linewidth=width, label=label)

@@ -1,7 +1,6 @@
 """E_diff: the area between the driven trajectory and the prescribed path, segmented where they meet."""
 
 import numpy as np
-import shapely
 from numpy.typing import NDArray
 
 Points = NDArray[np.float64]
@@ -20,6 +19,8 @@ def area_between(trajectory: Points, path: Points) -> float:
     as often as the ring winds around it: a loop driven twice counts twice, and areas on the two sides of the path do
     not cancel each other.
     """
+    import shapely
+
     origin = path[0]
     driven, prescribed = trajectory - origin, path - origin
     if len(driven) > MOST_POINTS:

@@ -5,7 +5,6 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import least_squares
 
 Numbers = NDArray[np.float64]
 Form = Literal["exponential", "power", "level"]
@@ -74,6 +73,8 @@ def _fit(form: Form, n: Numbers, values: Numbers, bounds: tuple[float, float]) -
     Numerical Analysis 10 (1973)). Band and interval: delta method, which is a linear regression on the tangent plane
     at the optimum, with Student's t. Source: Seber and Wild, Nonlinear Regression (1989), section 5.1.
     """
+    from scipy.optimize import least_squares
+
     shape = SHAPES[form]
     scaled, centre, scale = _scaled(values)
 
@@ -113,7 +114,7 @@ def _fit(form: Form, n: Numbers, values: Numbers, bounds: tuple[float, float]) -
 
 def _uncertainty(residual: Numbers, jacobian: Numbers) -> tuple[Numbers, tuple[float, float]]:
     """Return half the confidence band (n,), and the interval of the last parameter around its estimate."""
-    from statsmodels.regression.linear_model import OLS  # noqa: PLC0415  (slow to import, and most pages fit nothing)
+    from statsmodels.regression.linear_model import OLS
 
     columns = jacobian.shape[1]
     while np.linalg.matrix_rank(jacobian[:, :columns]) < columns:  # for example b = 0: c has no effect
@@ -134,7 +135,7 @@ def _aicc(residual: Numbers, parameters: int) -> float:
 
     Source: Burnham and Anderson, Model Selection and Multimodel Inference (2002), section 2.4.
     """
-    from statsmodels.tools.eval_measures import aicc_sigma  # noqa: PLC0415
+    from statsmodels.tools.eval_measures import aicc_sigma
 
     variance = max(float(np.mean(residual**2)), ROUNDING**2)  # a curve through all points has a residual of 0
     return len(residual) * float(aicc_sigma(variance, len(residual), parameters))

@@ -55,7 +55,7 @@ def describe_retention(kept: Retention, unit: str) -> str:
 
 
 def _mean(changes: Sequence[float]) -> Change:
-    from statsmodels.stats.weightstats import DescrStatsW  # noqa: PLC0415  (slow to import)
+    from statsmodels.stats.weightstats import DescrStatsW
 
     low, high = DescrStatsW(np.asarray(changes)).tconfint_mean()
     return Change(float(np.mean(changes)), float(low), float(high), len(changes))

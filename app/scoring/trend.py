@@ -4,7 +4,6 @@ from collections.abc import Sequence
 from typing import Literal, NamedTuple
 
 import numpy as np
-from scipy.stats import kendalltau, theilslopes
 
 SIGNIFICANCE = 0.05
 
@@ -41,6 +40,8 @@ def mann_kendall(values: Sequence[float]) -> Trend:
 
     Sources: Mann, Econometrica 13 (1945); Kendall, Rank Correlation Methods (1975).
     """
+    from scipy.stats import kendalltau
+
     series = np.asarray(values, dtype=np.float64)
     if len(series) < 2 or np.all(series == series[0]):
         return Trend(0, 0.0, 1.0)
@@ -54,5 +55,7 @@ def theil_sen(n: Sequence[float], values: Sequence[float]) -> Slope:
 
     Source: Sen, Journal of the American Statistical Association 63 (1968).
     """
+    from scipy.stats import theilslopes
+
     outcome = theilslopes(values, n, alpha=0.95)
     return Slope(float(outcome.slope), float(outcome.low_slope), float(outcome.high_slope))

@@ -2,7 +2,6 @@
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.signal import lfilter, lfilter_zi
 
 from app.butterworth import low_pass
 
@@ -12,6 +11,8 @@ def smooth(samples: NDArray[np.float64], cutoff: float, sample_rate: float) -> N
 
     The filter starts in the steady state of the first row, so that the rate is zero at the start.
     """
+    from scipy.signal import lfilter, lfilter_zi
+
     c = low_pass(cutoff, sample_rate)
     numerator, denominator = [c.b0, c.b1, c.b2], [1.0, c.a1, c.a2]
     settled = lfilter_zi(numerator, denominator)
@@ -29,6 +30,8 @@ def slow_average(
     `time_constant` in s, `sample_rate` in Hz. `periods` (n,): sample periods between each row and the one before it,
     for recordings with missing rows.
     """
+    from scipy.signal import lfilter
+
     stays = float(np.exp(-1.0 / (sample_rate * time_constant)))
     if periods is None or (periods == 1.0).all():
         first = stays * samples[:1]

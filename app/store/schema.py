@@ -3,28 +3,25 @@
 import sqlite3
 from contextlib import closing
 from pathlib import Path
+from typing import TYPE_CHECKING
 from urllib.parse import quote
 
-from alembic import command
-from alembic.config import Config
-from alembic.script import ScriptDirectory
 from sqlalchemy import Engine
 
 from app import __version__
 from app.refusals import Refusal
 from app.store.backup import back_up
 
+if TYPE_CHECKING:
+    from alembic.config import Config
+
 MIGRATIONS = Path(__file__).parent / "migrations"
+NEWEST = "0007"  # the last revision there; a start with a database of this revision does not load alembic
 
 
 def connect(file: Path) -> sqlite3.Connection:
     """Return a connection to an existing database file; the caller closes it."""
     return sqlite3.connect(f"file:{quote(str(file))}?mode=rw", uri=True)
-
-
-def newest_revision() -> str:
-    """Return the revision that this program works with."""
-    return str(ScriptDirectory.from_config(_config()).get_current_head())
 
 
 def revision_of(file: Path) -> str | None:
@@ -48,37 +45,47 @@ def bring_up_to_date(file: Path, engine: Engine) -> None:
         When it is of a newer program, when there is no room for the copy, or when the migration fails. The database
         is then unchanged.
     """
-    revision, newest = revision_of(file), newest_revision()
+    revision = revision_of(file)
     if revision is None:
         migrate(engine)
         return
-    if revision not in {script.revision for script in ScriptDirectory.from_config(_config()).walk_revisions()}:
+    if revision == NEWEST:
+        return
+    if revision not in _revisions():
         raise Refusal(
             f"The database {file} was last opened by a newer bodydrive: its schema is {revision}, and this program "
-            f"({__version__}) knows schemas up to {newest}. Nothing was changed: start the newer program again."
+            f"({__version__}) knows schemas up to {NEWEST}. Nothing was changed: start the newer program again."
         )
-    if revision == newest:
-        return
     copy = back_up(file, file.parent, f"schema-{revision}")
     try:
         migrate(engine)
     except Exception as error:
         why = str(getattr(error, "orig", error)).partition("\n")[0]
         raise Refusal(
-            f"The database {file} could not be brought from schema {revision} to {newest} ({why}). It is as it was, "
+            f"The database {file} could not be brought from schema {revision} to {NEWEST} ({why}). It is as it was, "
             f"with a copy in {copy.file.name}: start the program that opened it last, and report this."
         ) from error
 
 
 def migrate(engine: Engine, revision: str = "head") -> None:
     """Migrate to `revision` in one transaction: up with "head" or a number, down with "base" or "-1"."""
+    from alembic import command
+
     with engine.begin() as connection:
         config = _config()
         config.attributes["connection"] = connection
         (command.downgrade if revision in {"base", "-1"} else command.upgrade)(config, revision)
 
 
-def _config() -> Config:
+def _revisions() -> set[str]:
+    from alembic.script import ScriptDirectory
+
+    return {script.revision for script in ScriptDirectory.from_config(_config()).walk_revisions()}
+
+
+def _config() -> "Config":
+    from alembic.config import Config
+
     config = Config()
     config.set_main_option("script_location", str(MIGRATIONS).replace("%", "%%"))
     return config

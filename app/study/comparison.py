@@ -5,7 +5,6 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.stats import bootstrap
 
 from app.study.sessions import SessionTrial
 
@@ -136,6 +135,8 @@ def _median(values: NDArray[np.float64]) -> tuple[float | None, tuple[float, flo
     """Return the median with its bootstrap interval; no interval for fewer than 3 values, no median for none."""
     if len(values) < 3 or not np.isfinite(values).all():
         return (float(np.median(values)) if len(values) else None), None
+    from scipy.stats import bootstrap
+
     bounds = bootstrap(
         (values,),
         np.median,

@@ -13,7 +13,7 @@ from pydantic import BaseModel, TypeAdapter, ValidationError
 from app.api.app import ROUTES
 from app.layout import ShirtLayout
 from app.world.floorplan import FloorPlan
-from app.world.imports.plan_files import Options
+from app.world.imports.options import Options
 
 MARKS = (0x200E, 0x200F, 0x061C, 0x200B, 0x200C, 0x200D, 0x2060, 0xFEFF, 0x2028, 0x2029)
 OVERRIDES = (*range(0x202A, 0x202F), *range(0x2066, 0x206A))

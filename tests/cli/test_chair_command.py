@@ -7,7 +7,7 @@ import stat
 
 import pytest
 
-from app.cli.server import held
+from app.cli.clinic_folder import held
 from app.hardware.chair.key import LARGEST_ID, read_key
 from app.hardware.chair.receive import _parser
 from app.session.equipment import pairing

@@ -18,7 +18,7 @@ from app.store.database import Database, make_engine
 from app.store.log import write_log
 from app.store.migrations.versions import v0005_learning
 from app.store.people import the_clinic
-from app.store.schema import MIGRATIONS, migrate, newest_revision, revision_of
+from app.store.schema import MIGRATIONS, NEWEST, migrate, revision_of
 
 CONFIG = Config()
 CONFIG.set_main_option("script_location", str(MIGRATIONS))
@@ -67,6 +67,10 @@ def copies(folder: Path) -> list[Path]:
     return sorted(folder.glob("*.backup"))
 
 
+def test_the_newest_revision_is_that_of_the_last_migration() -> None:
+    assert REVISIONS[-1] == NEWEST
+
+
 @pytest.mark.parametrize("revision", REVISIONS)
 def test_a_database_of_any_version_is_copied_and_goes_up_and_down(tmp_path: Path, revision: str) -> None:
     file = make_old(tmp_path / "clinic.sqlite", revision)
@@ -75,7 +79,7 @@ def test_a_database_of_any_version_is_copied_and_goes_up_and_down(tmp_path: Path
         assert the_clinic(db).name == "Old"  # type: ignore[union-attr]
         write_log(db, None, "opened")
     database.close()
-    assert revision_of(file) == newest_revision()
+    assert revision_of(file) == NEWEST
     assert count(file, "patient") == PATIENTS
     if revision == REVISIONS[-1]:
         assert copies(tmp_path) == []
@@ -99,7 +103,7 @@ def test_a_newer_database_is_one_sentence_and_nothing_is_touched(tmp_path: Path)
     Database(file).close()
     change(file, "UPDATE alembic_version SET version_num = '9999'")
     before = contents(tmp_path)
-    with pytest.raises(Refusal, match=rf"newer bodydrive: its schema is 9999, .* up to {newest_revision()}") as refused:
+    with pytest.raises(Refusal, match=rf"newer bodydrive: its schema is 9999, .* up to {NEWEST}") as refused:
         Database(file)
     assert "\n" not in str(refused.value)
     assert contents(tmp_path) == before
@@ -137,7 +141,7 @@ def test_a_migration_that_fails_midway_leaves_the_old_database_usable(
         assert connection.execute("PRAGMA integrity_check").fetchone() == ("ok",)
     assert "origin" not in columns
     Database(file).close()
-    assert revision_of(file) == newest_revision()
+    assert revision_of(file) == NEWEST
 
 
 def test_a_copy_is_of_one_moment_while_somebody_writes(tmp_path: Path) -> None:

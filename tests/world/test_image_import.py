@@ -11,7 +11,8 @@ from PIL import Image
 from app.world.imports import image
 from app.world.imports.draft import plan_of
 from app.world.imports.image import import_image
-from app.world.imports.plan_files import Options, import_plan
+from app.world.imports.options import Options
+from app.world.imports.plan_files import import_plan
 
 WHITE, BLACK = 255, 0
 

@@ -11,8 +11,7 @@ from app.api.deps import Clinician, People, PeopleParts
 from app.api.foreign_files import refusal
 from app.api.routes.uploads import harmless_name
 from app.quantities import Document
-from app.scene.models.glb import MOST_BYTES
-from app.scene.models.objects import read_isolated_into, stored_model
+from app.scene.models.objects import MOST_BYTES, read_isolated_into, stored_model
 from app.store.files.replacements import ReplacedFiles
 from app.store.files.taken_names import SameName, log_details
 from app.store.log import write_log

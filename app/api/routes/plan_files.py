@@ -11,7 +11,7 @@ from fastapi import HTTPException, UploadFile
 
 from app.api.foreign_files import OneAtATime, read_or_refuse
 from app.api.routes.uploads import harmless_name
-from app.world.imports.plan_files import IMAGES, MAPS, SUFFIXES
+from app.world.imports.options import IMAGES, MAPS, SUFFIXES
 
 LARGEST = 20_000_000  # bytes
 LARGEST_MAP = 100_000  # bytes: a map's YAML file has six lines

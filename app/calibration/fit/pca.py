@@ -5,7 +5,6 @@ from typing import Self
 
 import numpy as np
 from numpy.typing import NDArray
-from sklearn.decomposition import PCA
 
 
 class JointPCA:
@@ -28,6 +27,8 @@ class JointPCA:
 
     def fit(self, values: NDArray[np.float64]) -> Self:
         """Fit to the joint's k channels in frames (n, n_channels), which may not hold NaN."""
+        from sklearn.decomposition import PCA
+
         fitted = PCA(svd_solver="covariance_eigh").fit(values[:, self.channels])
         self.components_: NDArray[np.float64] = fitted.components_
         self.mean_: NDArray[np.float64] = fitted.mean_

@@ -11,7 +11,6 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.stats import beta, chi2, t
 
 CONFIDENCE = 0.95  # of every bound
 HIT_ACTIVATION = 0.5  # of a full activation: from here on a movement counts as a hit
@@ -76,11 +75,15 @@ def at_most_per_minute(counted: int, seconds: float) -> float | None:
 
     Exact for a Poisson process (Garwood, Biometrika 28, 1936); about three events per `seconds` when none was counted.
     """
+    from scipy.stats import chi2
+
     return None if seconds <= 0 else float(chi2.ppf(CONFIDENCE, 2 * counted + 2)) / 2.0 * 60.0 / seconds
 
 
 def at_least_share(hits: int, of: int) -> float:
     """Return the lower 95 % bound of the probability of a hit (Clopper and Pearson, one-sided)."""
+    from scipy.stats import beta
+
     return float(beta.ppf(1.0 - CONFIDENCE, hits, of - hits + 1)) if hits else 0.0
 
 
@@ -91,6 +94,8 @@ def hit_probability(peaks: Sequence[float], level: float, others: Sequence[Seque
     the person's other gestures (`others`: peaks of each), which counts as four repetitions (method: Smyth, Statistical
     Applications in Genetics and Molecular Biology 3, 2004). All peaks in FS/s.
     """
+    from scipy.stats import t
+
     logs = np.log(np.maximum(peaks, 1e-3 * level))
     count = len(logs)
     own_freedom = count - 1

@@ -7,8 +7,8 @@ from typing import Annotated, Any, Final
 import msgspec
 
 from app.scene.models.glb_pictures import check_pictures
+from app.scene.models.objects import MOST_BYTES
 
-MOST_BYTES: Final = 20_000_000
 MOST_FACES: Final = 100_000
 MOST_NODES: Final = 10_000
 DEEPEST: Final = 100  # levels of nested nodes

@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 from app.scene.meshes import palette
 from app.scene.meshes.bodies import Mesh, Part, merged
 from app.scene.meshes.palette import Colour
-from app.scene.models.glb import MOST_BYTES, MOST_FACES, check
-from app.scene.models.objects import THINNEST, Model, write_reading
+from app.scene.models.glb import MOST_FACES, check
+from app.scene.models.objects import MOST_BYTES, THINNEST, Model, write_reading
 
 MOST_COLOURS: Final = 12  # each needs a draw call
 COARSE: Final = 5  # of the 8 bits of a colour; colours that differ only in these lower bits are joined

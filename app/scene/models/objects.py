@@ -13,8 +13,8 @@ import numpy as np
 from app.files import write_atomically
 from app.isolated_reader import ReadingTimeoutError, read_isolated
 from app.scene.meshes.bodies import Mesh, Part, Vector
-from app.scene.models.glb import MOST_BYTES
 
+MOST_BYTES: Final = 20_000_000
 THINNEST: Final = 1e-6  # m
 READINGS: Final = ".readings"  # folder beside the objects, with one file for each content
 READER: Final = "app.scene.models.glb_import"

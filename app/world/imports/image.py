@@ -9,6 +9,7 @@ from PIL import Image, ImageOps, UnidentifiedImageError
 
 from app.world.imports.draft import Draft
 from app.world.imports.map_draft import draft_of_map
+from app.world.imports.options import THRESHOLD
 from app.world.imports.raster import enclosed_cells
 from app.world.imports.ros_map import OccupancyMap
 
@@ -20,7 +21,6 @@ FINEST: Final = (
     0.04  # m per cell; pixels of finer pictures are grouped: a cell is a wall when any of its pixels is dark
 )
 COARSEST: Final = 0.2  # m per cell; in coarser cells doorways close
-THRESHOLD: Final = 0.6  # share of white from which on a pixel is free
 WIDEST: Final = 500.0  # m
 
 

@@ -2,36 +2,17 @@
 
 import json
 from pathlib import Path
-from typing import Annotated, Any, Final, Literal
+from typing import Any
 
-from pydantic import Field, ValidationError
+from pydantic import ValidationError
 
-from app.quantities import Document, Line, Name, Title
 from app.sentences import one_sentence
 from app.world.imports.draft import Draft
 from app.world.imports.dxf import import_dxf
-from app.world.imports.image import THRESHOLD, import_image
+from app.world.imports.image import import_image
 from app.world.imports.map_draft import draft_of_map
+from app.world.imports.options import DRAWINGS, IMAGES, MAPS, SUFFIXES, Options
 from app.world.imports.ros_map import read_occupancy_map
-
-MAPS: Final = (".yaml", ".yml")
-IMAGES: Final = (".png", ".jpg", ".jpeg")
-DRAWINGS: Final = (".dxf",)
-SUFFIXES: Final = (*MAPS, *IMAGES, *DRAWINGS)
-
-Scale = Annotated[float, Field(strict=True, allow_inf_nan=False, gt=0, le=1000)]
-
-
-class Options(Document):
-    """The options of an import: information that the file does not contain."""
-
-    unit: Literal["mm", "cm", "m", "inch", "foot"] | None = None
-    layers: Annotated[tuple[Line, ...], Field(max_length=1000)] | None = None
-    metres_per_pixel: Scale | None = None
-    width: Scale | None = None  # m, of the whole picture
-    threshold: Annotated[float, Field(strict=True, allow_inf_nan=False, gt=0, lt=1)] = THRESHOLD
-    title: Title | None = None
-    name: Name | None = None
 
 
 def import_plan(file: Path, options: Options, image: Path | None = None) -> Draft:

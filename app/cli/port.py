@@ -1,0 +1,45 @@
+"""The port that a clinic listens on, and the address to open in a browser."""
+
+import errno
+import ipaddress
+import socket
+from contextlib import suppress
+
+from app.cli.errors import InputError
+
+# A browser that does not answer for so long has gone: a tablet asleep, a cable pulled. Busy browsers need some time;
+# the live socket and the 3D view themselves disconnect, within 3 s, a browser that does not read.
+PING_LIMIT = 20.0  # s
+
+
+def bind(host: str, port: int) -> socket.socket:
+    """Bind the port before anything else is made; refuse a port in use with a sentence."""
+    no_address = f"'{host}' is no address of this machine: leave --host out, or give one of its own."
+    try:
+        if not host.strip():  # would mean every address of this machine
+            raise UnicodeError
+        family = socket.AF_INET6 if ":" in host else socket.AF_INET
+        listening = socket.create_server((host, port), family=family, backlog=128)
+    except OSError as error:
+        if error.errno == errno.EADDRINUSE:
+            raise InputError(
+                f"Port {port} of {host} is busy: end the program that uses it, or choose another port with --port "
+                f"(with make: PORT={port + 1 if port < 65_535 else 8080})."
+            ) from error
+        if error.errno == errno.EACCES:
+            raise InputError(f"Port {port} is for the system: choose one above 1023 with --port.") from error
+        raise InputError(no_address) from error
+    except UnicodeError as error:
+        raise InputError(no_address) from error
+    # Without this, the connection of a machine that has vanished stays open for a quarter of an hour.
+    if hasattr(socket, "TCP_USER_TIMEOUT"):
+        listening.setsockopt(socket.IPPROTO_TCP, socket.TCP_USER_TIMEOUT, int(1000 * PING_LIMIT))
+    return listening
+
+
+def link_to(host: str, port: int) -> str:
+    """Return the address to open in a browser on this machine."""
+    with suppress(ValueError):
+        if ipaddress.ip_address(host).is_unspecified:
+            host = "127.0.0.1"
+    return f"http://[{host}]:{port}/" if ":" in host else f"http://{host}:{port}/"
