@@ -5,6 +5,9 @@ BIN := $(VENV)/bin
 TSC := $(BIN)/node node_modules/typescript/bin/tsc
 INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt
 
+# A module is compiled once, and not by each of the many processes that the tests start.
+unexport PYTHONDONTWRITEBYTECODE
+
 .PHONY: demo test browser check lint python-types javascript-types api-types demo-profile safety drills soak worlds bench clean
 
 $(VENV)/.installed: pyproject.toml constraints.txt
