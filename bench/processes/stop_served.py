@@ -6,7 +6,6 @@ the link, and prints when (monotonic s). Ends with stdin.
 """
 
 import asyncio
-import socket
 import sys
 from pathlib import Path
 from typing import Any
@@ -15,6 +14,7 @@ import uvicorn
 
 from app.api.app import create_app
 from app.api.parts import web_parts_of
+from app.cli.port import bind
 from app.clock import monotonic
 from app.faults import EXPLANATIONS, Fault, State
 from app.process.supervisor import ControlProcess
@@ -32,7 +32,7 @@ ARMING_LIMIT = 30.0  # s
 
 async def main(chair: dict[str, Any], shirt_port: int, shirt_key: str, folder: Path) -> None:
     """Serve until stdin ends."""
-    with socket.create_server(("127.0.0.1", 0)) as listening:
+    with bind("127.0.0.1", 0) as listening:
         port = listening.getsockname()[1]
         app = create_app(Settings(state=folder, port=port), ControlProcess.start, recorded_readings())
         server = uvicorn.Server(uvicorn.Config(app, log_level="error", lifespan="on"))

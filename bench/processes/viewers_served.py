@@ -14,6 +14,7 @@ import uvicorn
 from fastapi import FastAPI, WebSocket
 
 from app.api.view.view_bridge import view_router
+from app.cli.port import bind
 from app.clock import monotonic
 from app.scene.role_servers import Role, RoleServers
 from app.scene.scene_thread import start_scene
@@ -37,7 +38,7 @@ def viewed_app(servers: RoleServers) -> FastAPI:
 
 async def serve() -> None:
     """Serve until stdin ends."""
-    with RoleServers() as servers, socket.create_server(("127.0.0.1", 0)) as listening:
+    with RoleServers() as servers, bind("127.0.0.1", 0) as listening:
         if hasattr(socket, "TCP_USER_TIMEOUT"):
             listening.setsockopt(socket.IPPROTO_TCP, socket.TCP_USER_TIMEOUT, int(1000 * PING_LIMIT))
         thread = start_scene(servers, lambda: driving(monotonic()))

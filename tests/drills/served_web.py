@@ -7,7 +7,6 @@ the chair's stop switch was seen pressed, and, when it was let go of, `armed` as
 
 import asyncio
 import json
-import socket
 import sys
 from pathlib import Path
 
@@ -16,6 +15,7 @@ from processes.running_control import tick_with
 
 from app.api.app import create_app
 from app.api.parts import web_parts_of
+from app.cli.port import bind
 from app.faults import State
 from app.process.supervisor import ControlProcess
 from app.realtime import collect_garbage
@@ -27,7 +27,7 @@ from building import make_parameters
 
 
 async def main(given):
-    with socket.create_server(("127.0.0.1", 0)) as listening:
+    with bind("127.0.0.1", 0) as listening:
         port = listening.getsockname()[1]
         app = create_app(Settings(state=Path(given["state"]), port=port), ControlProcess.start, recorded_readings())
         server = uvicorn.Server(uvicorn.Config(app, log_level="error", lifespan="on"))

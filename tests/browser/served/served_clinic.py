@@ -1,6 +1,5 @@
 """A clinic's real web application in a thread of this process, its control link answering without a process."""
 
-import socket
 import threading
 import time
 
@@ -8,6 +7,7 @@ import uvicorn
 from api.fake_clinic import FakeProcess
 
 from app.api.app import create_app
+from app.cli.port import bind
 from app.session.recordings import recorded_readings
 from app.settings import Settings
 
@@ -22,9 +22,7 @@ class ServedClinic:
             self._processes.append(FakeProcess())
             return self._processes[-1]
 
-        self._socket = socket.socket()
-        self._socket.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-        self._socket.bind(("127.0.0.1", port))
+        self._socket = bind("127.0.0.1", port)
         self.app = create_app(settings, start_process, recorded_readings())
         config = uvicorn.Config(self.app, log_level="error", ws_per_message_deflate=False)
         self._server = uvicorn.Server(config)

@@ -5,7 +5,6 @@ python tests/browser/served/view_app.py --floorplan clinic --port 8090
 
 import argparse
 import math
-import socket
 import sys
 import threading
 from collections.abc import AsyncIterator, Iterator
@@ -17,6 +16,7 @@ from fastapi import FastAPI, WebSocket
 
 from app.api.view.view_bridge import view_router
 from app.api.view.view_controls import view_controls
+from app.cli.port import bind
 from app.clock import MonotonicClock, monotonic
 from app.geometry import Pose
 from app.messages import TICK
@@ -101,8 +101,7 @@ class Running:
 
     def __init__(self, plan: FloorPlan, path_name: str) -> None:
         self._rides: list[tuple[Ride, SceneThread]] = []
-        self.socket = socket.socket()
-        self.socket.bind(("127.0.0.1", 0))
+        self.socket = bind("127.0.0.1", 0)
         app = view_app(plan, path_name, self._rides)
         config = uvicorn.Config(
             app, log_level="error", ws_per_message_deflate=False, ws_ping_interval=2, ws_ping_timeout=3
