@@ -32,6 +32,7 @@ PARTS = {
     "decode": Part("bench.chain", "measure_decode", "decoding a recording"),
     "fit": Part("bench.fit", "measure_fit", "fitting a calibration"),
     "study": Part("bench.study", "measure_study", "the paper's experiment without a screen"),
+    "page": Part("bench.page", "measure_page", "from the address to a page that can be used, in Chromium"),
     "viewers": Part("bench.viewers", "measure_viewers", "the 3D view for one, four and eight"),
     "trajectory": Part("bench.long_trajectory", "measure_trajectory", "a long trajectory against a short one"),
 }

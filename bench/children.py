@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Final
 
 ROOT: Final = Path(__file__).resolve().parents[1]
+BODYDRIVE: Final = (sys.executable, "-c", "from app.cli.main import main; main()")
 
 
 def module(name: str) -> list[str]:
@@ -17,8 +18,13 @@ def module(name: str) -> list[str]:
 
 def started(name: str, *arguments: str, descriptors: Sequence[int] = ()) -> subprocess.Popen[str]:
     """Start a module that reads and writes lines; it inherits the open `descriptors`."""
+    return talking([*module(name), *arguments], descriptors)
+
+
+def talking(command: Sequence[str], descriptors: Sequence[int] = ()) -> subprocess.Popen[str]:
+    """Start a command that reads and writes lines; it inherits the open `descriptors`."""
     return subprocess.Popen(
-        [*module(name), *arguments],
+        command,
         stdin=subprocess.PIPE,
         stdout=subprocess.PIPE,
         text=True,

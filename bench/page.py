@@ -1,0 +1,103 @@
+"""Measures how soon a page can be used in Chromium: the page's first load, its reload, and both with a slow network."""
+
+import shutil
+import statistics
+from collections.abc import Sequence
+from typing import Any
+
+from playwright.sync_api import BrowserContext, CDPSession, Page, sync_playwright
+
+from bench.children import BODYDRIVE, talking
+from bench.row import Row
+
+RUNS = 5
+FIRST, RELOAD = "first page", "reload"
+REACH = {FIRST: 1600.0, RELOAD: 800.0}  # ms
+SLOW = 60.0  # ms of latency, as between two buildings
+CHROMIUM = (
+    "--headless=new",
+    "--no-sandbox",
+    "--use-gl=angle",
+    "--use-angle=swiftshader",  # WebGL in software, so that a page finds it on every machine
+    "--enable-unsafe-swiftshader",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+    "--no-first-run",
+)
+BUTTON = ".foot .btn.go"  # Start trial: the main button of a demonstration's first page
+WATCH = f"""new MutationObserver((_, watch) => {{
+  if (!document.querySelector("{BUTTON}:enabled")) return;
+  window.usable = performance.now();
+  watch.disconnect();
+}}).observe(document, {{ childList: true, subtree: true }})"""
+FIGURES = """() => {
+  const files = performance.getEntriesByType("resource");
+  const [drawn] = performance.getEntriesByName("first-contentful-paint");
+  return [window.usable, drawn?.startTime ?? NaN, files.length, files.reduce((sum, one) => sum + one.transferSize, 0)];
+}"""
+
+
+def measure_page(runs: int = RUNS) -> list[Row]:
+    """Return the times (ms) from the address to the main button that can be pressed, each the median of `runs`.
+
+    Raises
+    ------
+    RuntimeError
+        When there is no Chromium, or the demonstration does not start.
+    """
+    found = shutil.which("chromium")
+    if found is None:
+        raise RuntimeError("there is no chromium here: install Debian's package 'chromium' to measure pages")
+    with sync_playwright() as playwright, talking([*BODYDRIVE, "demo", "--port", "0"]) as demo:
+        try:
+            link = _link(demo.stdout)
+            with playwright.chromium.launch(executable_path=found, args=list(CHROMIUM)) as browser:
+                return [row for latency in (0.0, SLOW) for row in _rows(browser.new_context, link, latency, runs)]
+        finally:
+            demo.terminate()
+
+
+def _link(lines: Any) -> str:
+    for line in lines:
+        if line.startswith("http"):
+            return str(line.strip())
+    raise RuntimeError("the demonstration did not start: its message stands above")
+
+
+def _rows(new_context: Any, link: str, latency: float, runs: int) -> list[Row]:
+    figures: dict[str, list[list[float]]] = {FIRST: [], RELOAD: []}
+    for _ in range(runs):
+        context: BrowserContext = new_context(viewport={"width": 1280, "height": 800})
+        context.add_init_script(WATCH)
+        page = context.new_page()
+        _delay(context.new_cdp_session(page), latency)
+        page.goto(link)
+        figures[FIRST].append(_usable(page))
+        page.reload()
+        figures[RELOAD].append(_usable(page))
+        context.close()
+    return [_row(what, loads, latency) for what, loads in figures.items()]
+
+
+def _delay(session: CDPSession, latency: float) -> None:
+    session.send("Network.enable")
+    everything = {"offline": False, "downloadThroughput": -1, "uploadThroughput": -1}
+    session.send("Network.emulateNetworkConditions", {**everything, "latency": latency})
+
+
+def _usable(page: Page) -> list[float]:
+    """Return when the main button and the first content were there (ms), the number of requests, and their bytes."""
+    page.locator(BUTTON).wait_for()
+    return [float(figure) for figure in page.evaluate(FIGURES)]
+
+
+def _row(what: str, loads: Sequence[Sequence[float]], latency: float) -> Row:
+    usable, drawn, files, size = (sorted(column) for column in zip(*loads, strict=True))
+    words = (
+        f"median of {len(loads)}, {usable[0]:.0f} to {usable[-1]:.0f}; something to see after "
+        f"{statistics.median(drawn):.0f} ms; {statistics.median(files):.0f} requests, "
+        f"{statistics.median(size) / 1000:.0f} kB"
+    )
+    named = f"{what}, {latency:.0f} ms of latency" if latency else what
+    return Row(named, statistics.median(usable), "ms", None if latency else REACH[what], "lower", words)
