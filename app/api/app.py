@@ -11,9 +11,10 @@ from app.api import openapi_document
 from app.api.assembly import StartProcess, end_parts, make_parts, start_parts
 from app.api.deps import People, clinician, viewer
 from app.api.foreign_files import OneAtATime
+from app.api.guard import Guard
 from app.api.live import live_socket, screen_socket
 from app.api.page_session import SessionRequired
-from app.api.pages import install_pages
+from app.api.pages import Pages
 from app.api.parts import web_parts_of
 from app.api.patient_screen import patient_socket
 from app.api.patient_screen import routes as patient_screen
@@ -49,7 +50,7 @@ from app.api.view.view_keeper import OpenScene, may_view
 from app.scene.role_servers import Role
 from app.scene.session_scene import Scene
 from app.session.readings import Readings
-from app.settings import Settings
+from app.settings import Settings, static_folder
 from app.store.database import Database
 from app.store.files.plans import OwnPlans
 from app.store.files.replacements import replaced_files
@@ -145,7 +146,8 @@ def create_app(
     app.include_router(api)
     app.include_router(replay_view.page_router)
     app.include_router(view_router(port_of, may_view, viewer))
-    install_pages(app, settings)
+    app.mount("/", Pages(static_folder()), name="pages")
+    app.add_middleware(Guard, settings=settings)
     return app
 
 

@@ -1,149 +1,134 @@
-"""The files of the pages, the security headers of all answers, and the check of origin and size of all requests."""
+"""The files of the pages: read once, compressed, and kept by a browser under an address that names their version."""
 
+import gzip
+import posixpath
+import re
+from collections.abc import Iterable
+from hashlib import sha256
 from importlib import metadata
 from pathlib import Path
+from typing import Final, NamedTuple
 
-from fastapi import APIRouter, FastAPI, HTTPException
-from fastapi.responses import FileResponse, JSONResponse
-from starlette.datastructures import Headers, MutableHeaders
+from fastapi import HTTPException
+from fastapi.concurrency import run_in_threadpool
+from starlette.datastructures import Headers
 from starlette.responses import Response
-from starlette.staticfiles import StaticFiles
-from starlette.types import ASGIApp, Message, Receive, Scope, Send
+from starlette.types import Receive, Scope, Send
+from starlette.websockets import WebSocketClose
 
-from app.api.origin import host_is_ours, may_pass
-from app.settings import Settings, static_folder
+from app import __version__
 
-# Our pages run only scripts of this program. The 3D view has its own policy (view_bridge.py).
-PAGE_POLICY = "; ".join(
-    (
-        "default-src 'none'",
-        "script-src 'self'",
-        "worker-src 'self'",
-        "style-src 'self' 'unsafe-inline'",
-        "img-src 'self' data: blob:",
-        "font-src 'self'",
-        "connect-src 'self' {sockets}",
-        "frame-src 'self'",
-        "frame-ancestors 'self'",
-        "form-action 'self'",
-        "base-uri 'none'",
-        "manifest-src 'self'",
-        "media-src 'self'",
-    )
-)
-HEADERS = {
-    "X-Content-Type-Options": "nosniff",
-    "Referrer-Policy": "no-referrer",
-    "Cross-Origin-Opener-Policy": "same-origin",
-    "Cross-Origin-Resource-Policy": "same-origin",
-    "X-Frame-Options": "SAMEORIGIN",
+KINDS: Final = {
+    ".css": "text/css; charset=utf-8",
+    ".html": "text/html; charset=utf-8",
+    ".js": "text/javascript; charset=utf-8",
+    ".svg": "image/svg+xml",
 }
+FIRST: Final = {"index.html": ["js/pages/drive/drive.js"]}  # modules that an entry imports as soon as it has started
+PLOTLY: Final = "vendor/plotly.min.js"
+FOR_EVER: Final = "public, max-age=31536000, immutable"
+ASK_AGAIN: Final = "no-cache"  # a browser asks each time whether its copy is still good
 
-NOT_OURS = "This address does not belong to this program: open the link that it printed."
-NOT_OUR_PAGE = "This request does not come from our own page: open the page and try again."
-
-TOO_LARGE = "This is too large: send at most {limit} MB here."
-BODY_LIMIT = 2_000_000  # bytes
-# Bytes by the beginning of the path: the largest file, plus the parts of its form.
-LIMITS = {
-    "/api/v1/equipment/files": 65_000_000,
-    "/api/v1/floorplans/import": 41_000_000,  # a ROS map and its image
-    "/api/v1/floorplans": 8_100_000,
-    "/api/v1/models": 21_000_000,
-}
-
-router = APIRouter()
+VERSION: Final = re.compile(r"v-([0-9a-f]+)/")
+LINK: Final = re.compile(r'(href|src)="([a-z][^":]+)"')
+STYLE: Final = re.compile(r'<link rel="stylesheet" href="([^"]+)">')
+STYLES: Final = re.compile(r'(?:^ *<link rel="stylesheet" href="[^"]+">\n)+', re.MULTILINE)
+ENTRY: Final = re.compile(r'<script type="module" src="([^"]+)">')
+IMPORT: Final = re.compile(r"""^(?:import|export)(?:[^"';]*\bfrom)? *["'](\.{1,2}/[^"']+)["']""", re.MULTILINE)
 
 
-class Pages(StaticFiles):
-    """The files of the pages; the browser asks each time whether they have changed (no-cache)."""
+class PageFile(NamedTuple):
+    """One file."""
 
-    async def get_response(self, path: str, scope: Scope) -> Response:
-        """Return the file with the header that makes the browser ask again next time."""
-        response = await super().get_response(path, scope)
-        response.headers["Cache-Control"] = "no-cache"
-        return response
+    kind: str  # Content-Type
+    content: bytes
+    compressed: bytes  # in gzip
 
 
-@router.get("/vendor/plotly.min.js", include_in_schema=False)
-def plotly_script() -> FileResponse:
-    """Return the script of the installed plotly package; no page loads it from another host."""
-    folder = Path(str(metadata.distribution("plotly").locate_file("plotly")))
-    file = folder / "package_data" / "plotly.min.js"
-    if not file.is_file():
-        raise HTTPException(404, "The installed plotly has no script: install it again.")
-    return FileResponse(file, media_type="text/javascript", headers={"Cache-Control": "no-cache"})
+class Pages:
+    """ASGI application that answers with the files of a folder, and with the script of the installed plotly.
 
+    An entry (an HTML file) names its styles, joined to one file, and its scripts under `/v-VERSION/`, and the modules
+    that these import in turn, so that a browser loads all of them at once and keeps them until the version changes.
+    Under any other address, also that of an earlier version, a file is the present one, and a browser asks again each
+    time.
+    """
 
-class Guard:
-    """Middleware of every route: checks host, origin and size of a request, and adds the headers of its answer."""
-
-    def __init__(self, app: ASGIApp, settings: Settings) -> None:
-        self._app = app
-        self._settings = settings
+    def __init__(self, folder: Path) -> None:
+        files = sorted(file for file in folder.rglob("*") if file.suffix in KINDS)
+        contents = {file.relative_to(folder).as_posix(): file.read_bytes() for file in files}
+        self._plotly = metadata.distribution("plotly")
+        digest = sha256(f"{__version__} {self._plotly.version}".encode())
+        for name, content in contents.items():
+            digest.update(f"{name} {len(content)} ".encode() + content)
+        self.version = digest.hexdigest()[:16]
+        for name in [name for name in contents if name.endswith(".html")]:
+            text = contents[name].decode()
+            styles = f"{name.removesuffix('.html')}.css"
+            contents[styles] = b"".join(contents[style] for style in STYLE.findall(text))
+            contents[name] = self._entry(text, styles, _needed([*ENTRY.findall(text), *FIRST.get(name, [])], contents))
+        self._files = {name: _page_file(name, content) for name, content in contents.items()}
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Check and answer a request; websockets are checked by their own routes before they are accepted."""
-        if scope["type"] != "http":
-            await self._app(scope, receive, send)
+        """Answer a request for a file."""
+        if scope["type"] == "websocket":
+            await WebSocketClose()(scope, receive, send)
             return
-        headers, path = Headers(scope=scope), scope["path"]
-        ours = host_is_ours(self._settings, headers)
+        if scope["method"] not in {"GET", "HEAD"}:
+            raise HTTPException(405)
+        name = scope["path"].lstrip("/") or "index.html"
+        version = VERSION.match(name)
+        file = await self._file(name[version.end() :] if version else name)
+        is_present = version is not None and version[1] == self.version
+        await self._answer(file, Headers(scope=scope), is_present=is_present)(scope, receive, send)
 
-        async def with_headers(message: Message) -> None:
-            if message["type"] == "http.response.start":
-                given = MutableHeaders(scope=message)
-                for name, value in HEADERS.items():
-                    given.setdefault(name, value)
-                host = headers.get("host", "")
-                sockets = f"ws://{host} wss://{host}" if ours else ""
-                given.setdefault("Content-Security-Policy", PAGE_POLICY.format(sockets=sockets))
-                if path.startswith("/api/"):
-                    given["Cache-Control"] = "no-store"
-            await send(message)
+    async def _file(self, name: str) -> PageFile:
+        if name == PLOTLY and name not in self._files:
+            self._files[name] = await run_in_threadpool(self._read_plotly)
+        if name not in self._files:
+            raise HTTPException(404)
+        return self._files[name]
 
-        if not ours:
-            answer = JSONResponse({"detail": NOT_OURS}, 421)
-        elif not may_pass(scope["method"], path, headers):
-            answer = JSONResponse({"detail": NOT_OUR_PAGE}, 403)
-        elif _content_length(headers) > _limit(path):
-            answer = JSONResponse({"detail": _too_large(_limit(path))}, 413)
-        else:
-            await self._app(scope, _limited(receive, _limit(path)), with_headers)
-            return
-        await answer(scope, receive, with_headers)
+    def _read_plotly(self) -> PageFile:
+        script = Path(str(self._plotly.locate_file("plotly/package_data/plotly.min.js")))
+        if not script.is_file():
+            raise HTTPException(404, "The installed plotly has no script: install it again.")
+        return _page_file(PLOTLY, script.read_bytes())
 
+    def _answer(self, file: PageFile, asked: Headers, *, is_present: bool) -> Response:
+        tag = f'W/"{self.version}"'
+        headers = {
+            "Cache-Control": FOR_EVER if is_present else ASK_AGAIN,
+            "Content-Type": file.kind,
+            "ETag": tag,
+            "Vary": "Accept-Encoding",
+        }
+        if asked.get("if-none-match") == tag:
+            return Response(status_code=304, headers=headers)
+        if "gzip" not in asked.get("accept-encoding", ""):
+            return Response(file.content, headers=headers)
+        return Response(file.compressed, headers={**headers, "Content-Encoding": "gzip"})
 
-def _content_length(headers: Headers) -> int:
-    length = headers.get("content-length", "0")
-    return int(length) if length.isdecimal() else 0
-
-
-def _limit(path: str) -> int:
-    return next((limit for start, limit in LIMITS.items() if path.startswith(start)), BODY_LIMIT)
-
-
-def _too_large(limit: int) -> str:
-    return TOO_LARGE.format(limit=limit // 1_000_000)
-
-
-def _limited(receive: Receive, limit: int) -> Receive:
-    """Return `receive` with a limit: raise 413 when the body is larger than `limit` bytes."""
-    received = 0
-
-    async def counted() -> Message:
-        nonlocal received
-        message = await receive()
-        received += len(message.get("body", b""))
-        if received > limit:
-            raise HTTPException(413, _too_large(limit))
-        return message
-
-    return counted
+    def _entry(self, text: str, styles: str, modules: list[str]) -> bytes:
+        """Return an entry with one link to its joined styles, with links to its modules, all of this version."""
+        preloads = "".join(f'  <link rel="modulepreload" href="{module}">\n' for module in modules)
+        joined = STYLES.sub(f'  <link rel="stylesheet" href="{styles}">\n{preloads}', text)
+        return LINK.sub(rf'\1="/v-{self.version}/\2"', joined).encode()
 
 
-def install_pages(app: FastAPI, settings: Settings) -> None:
-    """Serve the pages, and add the guard to all routes."""
-    app.include_router(router)
-    app.mount("/", Pages(directory=static_folder(), html=True), name="pages")
-    app.add_middleware(Guard, settings=settings)
+def _page_file(name: str, content: bytes) -> PageFile:
+    return PageFile(KINDS[posixpath.splitext(name)[1]], content, gzip.compress(content, mtime=0))
+
+
+def _needed(names: Iterable[str], contents: dict[str, bytes]) -> list[str]:
+    """Return the modules, and all modules that they import, in the order of their imports."""
+    needed: dict[str, None] = {}
+    waiting = list(names)[::-1]
+    while waiting:
+        name = waiting.pop()
+        if name in needed:
+            continue
+        needed[name] = None
+        imported = IMPORT.findall(contents[name].decode())
+        waiting += [posixpath.normpath(posixpath.join(posixpath.dirname(name), one)) for one in reversed(imported)]
+    return list(needed)

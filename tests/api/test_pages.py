@@ -17,7 +17,6 @@ OPEN = {
     ("POST", "/api/v1/patient-screen/pair"),
     ("GET", "/api/v1/patient-screen/me"),
     ("GET", "/api/v1/equipment/practice"),
-    ("GET", "/vendor/plotly.min.js"),
 }
 
 
@@ -49,15 +48,6 @@ def test_patients_are_kept_by_no_cache(signed_in: Any) -> None:
     headers = signed_in("GET", "/patients").headers
     assert headers["cache-control"] == "no-store"
     assert headers["x-content-type-options"] == "nosniff"
-
-
-def test_plotly_comes_from_its_wheel(clinic: Any) -> None:
-    answer = clinic.client.get("/vendor/plotly.min.js")
-    assert answer.status_code == 200
-    assert answer.headers["cache-control"] == "no-cache"
-    assert b"plotly.js v" in answer.content[:300]
-    again = clinic.client.get("/vendor/plotly.min.js", headers={"If-None-Match": answer.headers["etag"]})
-    assert again.status_code in {200, 304}
 
 
 def test_an_address_that_is_nothing_is_said_so(signed_in: Any) -> None:

@@ -49,7 +49,7 @@ def plan():
 @pytest.fixture(scope="module")
 def app():
     served = Running(plan(), "main")
-    served._server.config.app.mount("/", Pages(directory=static_folder(), html=True))
+    served._server.config.app.mount("/", Pages(static_folder()))
     served.start()
     served.ride.pose = lambda _: Pose(0.0, 0.0, 0.0)
     served.ride.held_at = 0.0

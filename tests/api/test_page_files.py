@@ -1,0 +1,124 @@
+"""The files of the pages: kept by a browser under the address of their version, asked for again under any other."""
+
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+from starlette.applications import Starlette
+from starlette.testclient import TestClient
+
+from app.api.pages import Pages
+from app.settings import static_folder
+
+ENTRY = """<!doctype html>
+<head>
+  <link rel="icon" href="icon.svg">
+  <link rel="stylesheet" href="css/one.css">
+  <link rel="stylesheet" href="css/two.css">
+  <script type="module" src="js/main.js"></script>
+</head>
+"""
+FILES = {
+    "index.html": ENTRY,
+    "icon.svg": "<svg/>",
+    "css/one.css": "a { color: red }\n",
+    "css/two.css": "b { color: blue }\n",
+    "js/main.js": 'import { one } from "./one.js";\nimport "./deep/two.js";\n/** @import { X } from "./types" */\n',
+    "js/one.js": 'import {\n  two,\n} from "./deep/two.js";\nexport const text = "./no.js";\n',
+    "js/deep/two.js": 'export { one } from "../one.js";\n',
+    "js/pages/drive/drive.js": "",
+    "notes.txt": "not for browsers",
+}
+
+
+def put(folder: Path, **changed: str) -> Path:
+    for name, content in {**FILES, **changed}.items():
+        file = folder / name
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(content)
+    return folder
+
+
+@pytest.fixture
+def pages(tmp_path: Path) -> Pages:
+    return Pages(put(tmp_path))
+
+
+@pytest.fixture
+def client(pages: Pages) -> Any:
+    app = Starlette()
+    app.mount("/", pages)
+    with TestClient(app) as client:
+        yield client
+
+
+def test_an_entry_names_its_styles_and_every_module_once_in_this_version(pages: Pages, client: Any) -> None:
+    at = f"/v-{pages.version}"
+    assert client.get("/").text == ENTRY.replace("icon.svg", f"{at}/icon.svg").replace(
+        '  <link rel="stylesheet" href="css/one.css">\n  <link rel="stylesheet" href="css/two.css">\n',
+        f'  <link rel="stylesheet" href="{at}/index.css">\n'
+        + "".join(
+            f'  <link rel="modulepreload" href="{at}/js/{name}.js">\n'
+            for name in ("main", "one", "deep/two", "pages/drive/drive")
+        ),
+    ).replace('src="js', f'src="{at}/js')
+    assert client.get(f"{at}/index.css").text == FILES["css/one.css"] + FILES["css/two.css"]
+
+
+def test_a_file_of_this_version_is_never_asked_for_again(pages: Pages, client: Any) -> None:
+    answer = client.get(f"/v-{pages.version}/js/main.js")
+    assert answer.text == FILES["js/main.js"]
+    assert answer.headers["content-type"] == "text/javascript; charset=utf-8"
+    assert answer.headers["cache-control"] == "public, max-age=31536000, immutable"
+
+
+@pytest.mark.parametrize("path", ["/", "/js/main.js", "/v-0123456789abcdef/js/main.js"])
+def test_an_entry_and_any_other_address_are_asked_for_each_time(client: Any, path: str) -> None:
+    answer = client.get(path)
+    assert (answer.status_code, answer.headers["cache-control"]) == (200, "no-cache")
+    again = client.get(path, headers={"If-None-Match": answer.headers["etag"]})
+    assert (again.status_code, again.content) == (304, b"")
+
+
+@pytest.mark.parametrize("changed", ["js/one.js", "css/two.css", "index.html"])
+def test_a_changed_file_changes_the_version(pages: Pages, tmp_path: Path, changed: str) -> None:
+    assert Pages(tmp_path).version == pages.version
+    put(tmp_path, **{changed: FILES[changed] + " "})
+    assert Pages(tmp_path).version != pages.version
+
+
+def test_a_browser_that_can_unpack_gets_it_packed(client: Any) -> None:
+    packed = client.get("/css/one.css", headers={"Accept-Encoding": "br, gzip"})
+    plain = client.get("/css/one.css", headers={"Accept-Encoding": "identity"})
+    assert packed.headers["content-encoding"] == "gzip"
+    assert "content-encoding" not in plain.headers
+    assert packed.content == plain.content == FILES["css/one.css"].encode()
+    assert {answer.headers["vary"] for answer in (packed, plain)} == {"Accept-Encoding"}
+
+
+@pytest.mark.parametrize("path", ["/notes.txt", "/js", "/js/", "/../secret", "/v-1/", "/v-x/js/main.js", "/%00"])
+def test_what_is_no_file_of_the_pages_is_not_there(client: Any, path: str) -> None:
+    assert client.get(path).status_code == 404
+
+
+def test_a_file_is_only_read(client: Any) -> None:
+    assert client.head("/css/one.css").status_code == 200
+    assert client.post("/css/one.css").status_code == 405
+
+
+def test_plotly_comes_from_its_wheel(client: Any, pages: Pages) -> None:
+    answer = client.get(f"/v-{pages.version}/vendor/plotly.min.js")
+    assert answer.status_code == 200
+    assert b"plotly.js v" in answer.content[:300]
+
+
+def test_every_module_that_a_page_imports_is_preloaded_and_there() -> None:
+    pages = Pages(static_folder())
+    app = Starlette()
+    app.mount("/", pages)
+    with TestClient(app) as client:
+        for entry in ("index", "patient", "stereo"):
+            links = re.findall(r'(?:href|src)="([^"]+)"', client.get(f"/{entry}.html").text)
+            assert len(links) > 20
+            assert {client.get(link).status_code for link in links} == {200}
