@@ -35,6 +35,7 @@ from app.api.routes import (
     plans,
     replacements,
     review,
+    start,
     stop,
     trial_plan,
     trials,
@@ -58,6 +59,7 @@ from app.store.log_chain import warn_of_changed_log
 
 PREFIX = "/api/v1"
 ROUTES = (
+    start,
     auth,
     patients,
     equipment,

@@ -13,6 +13,7 @@ OPEN = {
     ("POST", "/api/v1/auth/sign-in"),
     ("POST", "/api/v1/auth/sign-out"),
     ("GET", "/api/v1/auth/me"),
+    ("GET", "/api/v1/start"),
     ("POST", "/api/v1/control/stop"),
     ("POST", "/api/v1/patient-screen/pair"),
     ("GET", "/api/v1/patient-screen/me"),

@@ -23,6 +23,7 @@ FOR_EVERYONE = {
     "POST /auth/sign-in",
     "POST /auth/sign-out",
     "GET /auth/me",
+    "GET /start",
     "POST /control/stop",
     "POST /patient-screen/pair",
     "GET /patient-screen/me",

@@ -7,7 +7,6 @@ import { Live } from "./live/live.js";
 import { h, put } from "./widgets/dom.js";
 import { header } from "./shell/header.js";
 import { notices } from "./shell/notices.js";
-import { readPractice } from "./shell/practice_mark.js";
 import { PAGES, rail } from "./shell/rail.js";
 import { stopOnSpace } from "./shell/stop.js";
 import { followSystem } from "./shell/theme.js";
@@ -78,24 +77,19 @@ export class App extends TypedEvents {
   /** Sign in by the demonstration's link if there is one, then show the first page. */
   async enter() {
     const link = DEMO_LINK.exec(location.hash);
-    try {
-      this.me = link
-        ? await this.api.post("/auth/demo", { code: decodeURIComponent(link[1]) })
-        : await this.api.get("/auth/me");
-    } catch (error) {
-      this.me = await this.api.get("/auth/me").catch(() => null);
-      this.toasts.show(failureWords(error));
+    if (link) {
+      // The code must not stay in the address, where the next person could read it.
+      history.replaceState(null, "", location.pathname);
+      await this.toasts.attempt(() => this.api.post("/auth/demo", { code: decodeURIComponent(link[1]) }));
     }
-    // The code must not stay in the address, where the next person could read it.
-    if (link) history.replaceState(null, "", location.pathname);
-    this.#setPractice(await readPractice(this.api).catch(() => null));
-    await this.#signedIn();
+    const start = await this.toasts.attempt(() => this.api.get("/start"));
+    this.#setPractice(start?.practice ?? null);
+    await this.#signedIn(start?.me ?? null, start?.session ?? null);
   }
 
   /** Take the answer of a sign-in. @param {Me} me */
   async signedIn(me) {
-    this.me = me;
-    await this.#signedIn();
+    await this.#signedIn(me, me.signed_in ? ((await this.toasts.attempt(() => this.api.get("/session"))) ?? null) : null);
   }
 
   async signOut() {
@@ -215,9 +209,12 @@ export class App extends TypedEvents {
     );
   }
 
-  async #signedIn() {
-    if (this.me?.signed_in) {
-      await this.toasts.attempt(() => this.readSession());
+  /** @param {Me | null} me @param {CurrentSession | null} session */
+  async #signedIn(me, session) {
+    this.me = me;
+    this.session = session;
+    this.dispatchEvent(new Event("session"));
+    if (me?.signed_in) {
       this.live.open();
       this.screen.open();
       this.#lookAtDisk();

@@ -122,7 +122,8 @@ def undo_removal(patient_id: RowId, who: Clinician, parts: PeopleParts) -> Patie
         return _view(db, patient)
 
 
-def _session(parts: PeopleParts, clinic_id: int) -> CurrentSession:
+def current_session(parts: PeopleParts, clinic_id: int) -> CurrentSession:
+    """Return the open session of a clinic and its patient."""
     with parts.database.transaction() as db:
         session = open_session(db, clinic_id)
         if session is None:
@@ -139,7 +140,7 @@ def _session(parts: PeopleParts, clinic_id: int) -> CurrentSession:
 @router.get("/session")
 def who_is_here(who: Anyone, parts: PeopleParts) -> CurrentSession:
     """Return the patient who is here now, and the open session."""
-    return _session(parts, who.clinic_id)
+    return current_session(parts, who.clinic_id)
 
 
 @router.post("/session")
@@ -150,7 +151,7 @@ async def begin_session(body: NewSession, who: Clinician, parts: PeopleParts, we
         with parts.database.transaction() as db:
             session = start_session(db, who.clinic_id, body.patient_id, who.name)
             write_log(db, who.name, "session opened", patient=body.patient_id, session=session.id)
-        return _session(parts, who.clinic_id)
+        return current_session(parts, who.clinic_id)
 
     async with web.session.undisturbed("open a session"):
         answer = await run_in_threadpool(_open)
@@ -168,7 +169,7 @@ async def close_session(who: Clinician, parts: PeopleParts, web: Web) -> Current
         with parts.database.transaction(closing=True) as db:
             end_session(db, who.clinic_id)
             write_log(db, who.name, "session ended")
-        return _session(parts, who.clinic_id)
+        return current_session(parts, who.clinic_id)
 
     async with web.session.undisturbed("end the session"):
         answer = await run_in_threadpool(_end)

@@ -67,7 +67,8 @@ class Me(Document):
     version: str
 
 
-def _me(parts: PeopleParts, name: str | None, role: str | None) -> Me:
+def me_view(parts: PeopleParts, name: str | None, role: str | None) -> Me:
+    """Return the view of who is signed in, None for nobody."""
     with parts.database.transaction() as db:
         needs_setup = not parts.settings.demo and count_people(db) == 0
     return Me(
@@ -104,7 +105,7 @@ def _let_in(parts: People, request: Request, response: Response, name: str, how:
             secure=secure,
             path=request.url_for("sign_in_by_password").path,  # no other request needs it
         )
-    return _me(parts, name, role)
+    return me_view(parts, name, role)
 
 
 @router.post("/demo")
@@ -174,7 +175,7 @@ async def sign_out_here(request: Request, response: Response, parts: PeopleParts
     def _end() -> tuple[int | None, Me]:
         with parts.database.transaction(closing=True) as db:
             ended = sign_out(db, request.cookies.get(COOKIE, ""))
-        return ended, _me(parts, None, None)
+        return ended, me_view(parts, None, None)
 
     ended, me = await run_in_threadpool(_end)
     if ended is not None:
@@ -187,4 +188,4 @@ async def sign_out_here(request: Request, response: Response, parts: PeopleParts
 def who_am_i(request: Request, parts: PeopleParts) -> Me:
     """Tell who is signed in on this screen."""
     who = find_signed_in(parts.database, request.cookies)
-    return _me(parts, who.name if who else None, who.role if who else None)
+    return me_view(parts, who.name if who else None, who.role if who else None)

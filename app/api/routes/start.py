@@ -1,0 +1,31 @@
+"""What a page asks for when it starts, in one answer."""
+
+from fastapi import APIRouter, Request
+
+from app.api.deps import ForEveryone, PeopleParts
+from app.api.parts import Web
+from app.api.routes.patients import CurrentSession, current_session
+from app.api.sign_in.auth import Me, me_view
+from app.api.sign_in.identity import find_signed_in
+from app.quantities import Document
+
+router = APIRouter(tags=["start"])
+
+
+class StartView(Document):
+    """Who is signed in, the kind of a shirt that nobody wears, and the open session for who is signed in."""
+
+    me: Me
+    practice: str | None
+    session: CurrentSession | None  # None: nobody is signed in
+
+
+@router.get("/start", dependencies=[ForEveryone])
+def start(request: Request, parts: PeopleParts, web: Web) -> StartView:
+    """Return what a page needs before it can show anything."""
+    who = find_signed_in(parts.database, request.cookies)
+    return StartView(
+        me=me_view(parts, who.name if who else None, who.role if who else None),
+        practice=web.equipment.practice,
+        session=None if who is None else current_session(parts, who.clinic_id),
+    )
