@@ -167,7 +167,7 @@ def test_a_context_that_is_lost_halts_the_trial_until_there_is_a_picture(opened,
     expect(page.get_by_role("heading", name="Ended by hand")).to_be_visible()
 
 
-def test_the_patients_screen_falls_back_on_the_drawn_plan_once_the_chair_stands(opened, demo, until):
+def test_the_patients_screen_falls_back_on_the_drawn_plan_once_the_chair_stands(opened, demo):
     page = opened(demo, webgl=False)
     choose_straight_ahead(page)
     base = demo.split("/#")[0]
@@ -185,8 +185,8 @@ def test_the_patients_screen_falls_back_on_the_drawn_plan_once_the_chair_stands(
     expect(patient.locator(".band.stopped")).to_contain_text("The picture was lost")
     page.get_by_role("button", name="Continue").click()
     drives_for(page, 2)
-    before = patient.evaluate(CHAIR)
-    until(patient, f"{CHAIR} !== {before!r}")
+    before = patient.evaluate(f"() => {CHAIR}")
+    go_on_until(page, lambda: patient.evaluate(f"() => {CHAIR}") != before, "the chair in the patient's plan")
     patient.keep("patient-plan")
     patient.context.close()  # a screen that is gone shows nothing
     expect(page.locator(".fault-card")).to_contain_text("lost the picture")

@@ -6,6 +6,7 @@ import signal
 import socket
 import subprocess
 import sys
+import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
@@ -66,15 +67,12 @@ class SessionClient(httpx.Client):
         return super().request(method, url, **more)
 
 
-class Demo:
-    """A running demonstration and a client that is signed in."""
+class Served:
+    """A running program and a client of it."""
 
-    def __init__(self, process: "subprocess.Popen[str]") -> None:
-        self.process = process
-        base, self.code = printed_link(process).split("/#demo=")
-        self.base = base
+    def __init__(self, process: "subprocess.Popen[str]", base: str) -> None:
+        self.process, self.base = process, base
         self.client = SessionClient(base)
-        assert self.client.post("/auth/demo", json={"code": self.code}).json()["signed_in"]
 
     def socket(self, name: str) -> ClientConnection:
         """Open the live socket or the screen socket."""
@@ -85,6 +83,42 @@ class Demo:
     def control_process(self) -> psutil.Process:
         children = psutil.Process(self.process.pid).children(recursive=True)
         return next(child for child in children if "app.pipeline.process" in child.cmdline())
+
+
+class Demo(Served):
+    """A running demonstration and a client that is signed in."""
+
+    def __init__(self, process: "subprocess.Popen[str]") -> None:
+        base, self.code = printed_link(process).split("/#demo=")
+        super().__init__(process, base)
+        assert self.client.post("/auth/demo", json={"code": self.code}).json()["signed_in"]
+
+
+class InView:
+    """A page's worker, which reports twenty times a second whether the page is in view."""
+
+    def __init__(self, socket_: ClientConnection, word: str) -> None:
+        self.visible = True
+        self._ended = threading.Event()
+        self._socket, self._word = socket_, word
+        self._thread = threading.Thread(target=self._say)
+        self._thread.start()
+
+    def hide(self) -> None:
+        self.visible = False
+        self._send()
+
+    def close(self) -> None:
+        self._ended.set()
+        self._thread.join()
+        self._socket.close()
+
+    def _say(self) -> None:
+        while not self._ended.wait(0.05):
+            self._send()
+
+    def _send(self) -> None:
+        self._socket.send(json.dumps({"screen": self._word, "visible": self.visible, "silence": 0.0}))
 
 
 def until(socket_: ClientConnection, good: Callable[[Any], bool]) -> Any:

@@ -1,7 +1,5 @@
 """A drive of a real chair through the whole application: pairing, practice, arming, stop by a hidden screen, end."""
 
-import json
-import threading
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -9,7 +7,7 @@ from typing import Any
 import pytest
 from paired_shirt import PairedShirt, calibrated_as_worn
 from processes.chair_process import ReceiverProcess
-from processes.served_demo import Demo, bodydrive, until
+from processes.served_demo import Demo, InView, bodydrive, until
 from processes.udp_shirt import free_port
 
 from app.hardware.chair.key import Key, write_key
@@ -17,33 +15,6 @@ from app.speeds import Speeds
 
 WORD = "the-screen-of-this-test"
 ARMINGS = 5  # on a machine so busy that a heartbeat may be late
-
-
-class InView:
-    """A page's worker, which reports ten times a second whether the page is in view."""
-
-    def __init__(self, demo: Demo) -> None:
-        self.visible = True
-        self._ended = threading.Event()
-        self._socket = demo.socket("screen")
-        self._thread = threading.Thread(target=self._say)
-        self._thread.start()
-
-    def hide(self) -> None:
-        self.visible = False
-        self._send()
-
-    def close(self) -> None:
-        self._ended.set()
-        self._thread.join()
-        self._socket.close()
-
-    def _say(self) -> None:
-        while not self._ended.wait(0.05):
-            self._send()
-
-    def _send(self) -> None:
-        self._socket.send(json.dumps({"screen": WORD, "visible": self.visible, "silence": 0.0}))
 
 
 @pytest.fixture
@@ -93,7 +64,7 @@ def test_the_story_of_a_real_chair(demo: Demo, tmp_path: Path) -> None:
     receiver = ReceiverProcess(tmp_path, port)
     database = next(tmp_path.rglob("bodydrive.sqlite"))
     shirt = PairedShirt(database.parent)
-    screen = InView(demo)
+    screen = InView(demo.socket("screen"), WORD)
     try:
         with demo.socket("live") as live:
             until(live, lambda m: m["values"] is not None)

@@ -1,0 +1,128 @@
+"""Pages that are opened for the first time load slow libraries: a chair that drives meanwhile drives on."""
+
+import math
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager
+from pathlib import Path
+from typing import Any
+
+from drills.results import Watcher, waited
+from processes.served_demo import InView, Served, bodydrive, printed_link, until
+
+from app.api.sign_in.identity import COOKIE
+from app.cli.demonstration import furnish
+from app.clock import monotonic
+from app.settings import Settings, data_folder
+from app.source import Source
+from app.store.database import Database
+from app.store.parameters import current_parameters
+from app.store.patients import open_session
+from app.store.people import add_person, find_person, sign_in, the_clinic
+from app.store.runs import add_run, add_trial, finish_trial
+from app.world.floorplan import load_floorplan
+
+PLAN = load_floorplan(data_folder() / "floorplans" / "apartment.json")
+WORD = "the-screen-of-this-test"
+SIMULATED = Source(shirt="simulator", body="person", chair="virtual", simulated=True)
+TRIALS = 12  # enough for curves
+PAGES = (
+    "/trials/1",
+    f"/patients/1/learning?floorplan={PLAN.name}&path={PLAN.paths[0].name}&source=simulated",
+    "/patients/1/quality?source=simulated",
+    "/patients/1/maps",
+    "/adaptation",
+    "/log/check",
+)
+SLOW = ("pandas", "scipy")  # libraries that these pages load
+BUSY = 0.1  # s: a machine that is late by so much may stop the chair
+ATTEMPTS = 4
+
+
+def furnish_with_trials(settings: Settings) -> str:
+    """Make a clinic whose patient has driven, and return the token of a sign-in."""
+    path = PLAN.paths[0]
+    database = Database(settings.database)
+    furnish(database)
+    with database.transaction() as db:
+        clinic = the_clinic(db)
+        assert clinic is not None
+        add_person(db, clinic, "Ada", "owner", None)
+        session = open_session(db, clinic.id)
+        assert session is not None
+        row, _ = current_parameters(db, session.patient_id)
+        for number in range(TRIALS):
+            run = f"run{number}"
+            trial = add_trial(
+                db,
+                run=add_run(db, run, session.id, "drive", run, SIMULATED),
+                clinic_id=clinic.id,
+                patient_id=session.patient_id,
+                parameters_id=row.id,
+                floorplan=PLAN.name,
+                floorplan_title=PLAN.title,
+                path=path.name,
+                path_points=[[x, y] for x, y in path.points],
+            )
+            finish_trial(db, trial.id, "goal", {"reached": True, "e_diff": 1.0 + math.exp(-number / 3), "time": 60.0})
+        person = find_person(db, "Ada")
+        assert person is not None
+        token = sign_in(db, person, "test")
+    database.close()
+    return token
+
+
+@contextmanager
+def served(state: Path, token: str) -> Iterator[Served]:
+    """Yield a program that serves the clinic, in which nothing was loaded before, and a client that is signed in."""
+    with bodydrive("serve", "--port", "0", "--state", str(state)) as process:
+        try:
+            running = Served(process, printed_link(process).rstrip("/"))
+            running.client.cookies.set(COOKIE, token)
+            yield running
+            running.client.close()
+        finally:
+            process.terminate()
+            assert process.wait(20) == 0
+
+
+def libraries(pid: int) -> set[str]:
+    """Return which slow libraries a process has loaded."""
+    maps = Path(f"/proc/{pid}/maps").read_text()
+    return {name for name in SLOW if f"/{name}/" in maps}
+
+
+def drive_and_open(clinic: Served) -> tuple[Any, float]:
+    """Drive, open every page, and return the first message that tells of a stop, None without one; and the lateness."""
+    with ExitStack() as stack:
+        live = stack.enter_context(clinic.socket("live"))
+        screen = InView(clinic.socket("screen"), WORD)
+        stack.callback(screen.close)
+        watcher = Watcher()
+        stack.callback(watcher.close)
+        for path, choice in (("/equipment/shirt", {"kind": "simulator"}), ("/equipment/body", {"kind": "person"})):
+            assert clinic.client.put(path, json=choice).is_success
+        until(live, lambda message: message["values"] is not None)
+        begun, before = monotonic(), waited(clinic.process.pid)
+        where = {"floorplan": PLAN.name, "path": PLAN.paths[0].name, "screen": WORD}
+        assert clinic.client.post("/trials", json=where).status_code == 201
+        until(live, lambda message: message["state"] == "fault" or abs(message["v"]) > 0.1)
+        assert libraries(clinic.process.pid) == set()
+        for page in PAGES:
+            answer = clinic.client.get(page)
+            assert answer.status_code == 200, f"{page}: {answer.text}"
+        ended = monotonic()
+        assert libraries(clinic.process.pid) == set(SLOW)
+        message = until(live, lambda message: message["state"] == "fault" or message["t"] > ended)
+        late = max(watcher.late(begun, ended), waited(clinic.process.pid) - before)
+        return (message if message["state"] == "fault" else None), late
+
+
+def test_pages_that_are_opened_for_the_first_time_stop_no_chair(tmp_path: Path) -> None:
+    token = furnish_with_trials(Settings(state=tmp_path))
+    for _ in range(ATTEMPTS):
+        with served(tmp_path, token) as clinic:
+            stop, late = drive_and_open(clinic)
+        if stop is None:
+            return
+        assert late > BUSY, stop["fault"]
+    raise AssertionError("this machine was too busy at every attempt")
