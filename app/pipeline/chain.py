@@ -10,7 +10,7 @@ from app.messages import SensorFrame, Tick
 from app.pipeline.channel_health import LossWindow
 from app.pipeline.controls import Controls
 from app.pipeline.decoder import Decoder, periods_between
-from app.pipeline.safety_gate import LARGEST_STEP, LOSSY_LIMIT, BadGestures, Conditions, SafetyGate, shirt_limits
+from app.pipeline.safety_gate import ARMED, LARGEST_STEP, LOSSY_LIMIT, BadGestures, Conditions, SafetyGate, shirt_limits
 from app.pipeline.shaping import Shaper
 from app.speeds import HIGHEST_SPEEDS, Speeds, apply_dial, most_restrictive
 
@@ -107,7 +107,7 @@ class Chain:
             twist = self._decide(self._decoder, self._controls, self._shaper, frame, t, pause, dt, conditions)
         else:
             twist = STANDSTILL
-        state = self.chair.drive(twist, dt, self.gate.state is State.ARMED)
+        state = self.chair.drive(twist, dt, self.gate.state is ARMED)
         tick.v, tick.omega = twist
         tick.x, tick.y, tick.theta = state.x, state.y, state.theta
         tick.in_contact, tick.contacts, tick.scene_t = state.in_contact, state.contacts, state.scene_t
@@ -137,12 +137,16 @@ class Chain:
             decoder.quieten()
         activation = decoder.activation
         tick.score, tick.rate, tick.drive, tick.activation = decoder.score, decoder.rate, decoder.drive, activation
-        tick.u1, tick.u2 = controls.step(activation)
-        if controls.is_stop(activation) and gate.state is not State.DISARMED:
-            gate.stop(Fault.STOP_GESTURE)
-        self._at_rest = not unseen and controls.is_neutral(activation)  # unseen is not at rest
+        if decoder.is_active:
+            tick.u1, tick.u2 = controls.step(activation)
+            if controls.is_stop(activation) and gate.state is not State.DISARMED:
+                gate.stop(Fault.STOP_GESTURE)
+            self._at_rest = not unseen and controls.is_neutral(activation)
+        else:
+            tick.u1 = tick.u2 = 0.0
+            self._at_rest = not unseen  # unseen is not at rest
         permitted = gate.decide(t, pause, self._at_rest, self._bad(decoder, controls), frame_age, conditions)
-        if permitted is not State.ARMED:
+        if permitted is not ARMED:
             shaper.reset()
             return gate.limit(STANDSTILL, dt)
         return gate.limit(shaper.step(tick.u1, tick.u2, gate.last, gate.rates, dt), dt)

@@ -1,9 +1,13 @@
 """Which channels are bad, and whether too many frames are lost."""
 
+from collections import deque
+
 import numpy as np
 from numpy.typing import NDArray
 
 from app.calibration.profile import CalibrationProfile
+
+Frame = NDArray[np.float32] | NDArray[np.float64]
 
 FLAT_TIME = 0.2  # s: a fabric sensor always shows noise; a signal that stays constant for so long is a broken line
 RANGE_FACTOR = 1.5  # of the calibrated half-range: a value beyond it is not from this body
@@ -13,56 +17,79 @@ LOSS_LIMIT = 0.1  # share of frames
 
 
 class ChannelHealth:
-    """Checks channels for NaN, for values outside 1.5 x the calibrated range, and for constant values."""
+    """Checks channels for NaN, for values outside 1.5 x the calibrated range, and for constant values.
+
+    Whether a channel is constant is looked at every `flat_after // 2` frames only: a channel that has not been constant
+    for at least the other half cannot become flat before the next look. While some channel could, all are counted frame
+    by frame.
+    """
 
     def __init__(self, profile: CalibrationProfile, watched: NDArray[np.bool_], sample_rate: float) -> None:
         low, high = np.array(profile.low), np.array(profile.high)
-        reach = RANGE_FACTOR * np.maximum((high - low) / 2, SMALLEST_HALF_RANGE)
-        self._low = np.where(watched, (low + high) / 2 - reach, -np.inf)
-        self._high = np.where(watched, (low + high) / 2 + reach, np.inf)
+        middle, reach = (low + high) / 2, RANGE_FACTOR * np.maximum((high - low) / 2, SMALLEST_HALF_RANGE)
+        self._low = np.where(watched, middle - reach, -np.inf)
+        self._high = np.where(watched, middle + reach, np.inf)
+        # Rows low, frame, high: one comparison of neighbouring rows tests both limits.
+        self._table = np.stack((self._low, middle, self._high))
+        self._within = np.empty((2, len(low)), dtype=np.bool_)
+        self._all_within = np.ones((2, len(low)), dtype=np.bool_).tobytes()
         self._watched = watched
-        self._same = np.empty(len(low), dtype=np.bool_)
         self._flat_after = max(2, round(FLAT_TIME * sample_rate))
-        self._above = np.empty(len(low), dtype=np.bool_)
-        self._below = np.empty(len(low), dtype=np.bool_)
-        self._all = np.ones(len(low), dtype=np.bool_).tobytes()
+        self._look_every = self._flat_after // 2
+        self._suspect_after = self._flat_after - self._look_every
         self.reset()
 
     def reset(self) -> None:
         """Forget for how long each channel was constant."""
-        self._previous = np.full(len(self._low), np.nan)
-        self._still = np.zeros(len(self._low), dtype=np.int32)
-        self._some_still = False
+        self._recent: deque[Frame] = deque(maxlen=self._flat_after)
+        self._until_look = self._look_every + 1
+        self._still: NDArray[np.int32] | None = None  # frames, while some channel is suspect
 
-    def step(self, values: NDArray[np.float64]) -> NDArray[np.bool_] | None:
+    @property
+    def frame(self) -> NDArray[np.float64]:
+        """The frame (n_channels,) of the last step; the next step overwrites it."""
+        frame: NDArray[np.float64] = self._table[1]
+        return frame
+
+    def step(self, values: Frame) -> NDArray[np.bool_] | None:
         """Return which channels are bad in this frame (n_channels,), or None when none is.
 
         `values` (n_channels,) in signal units; the caller must not change the array afterwards.
         """
-        longest = self._count_still(values)
-        np.greater_equal(values, self._low, out=self._above)
-        np.less_equal(values, self._high, out=self._below)
+        self._recent.append(values)
+        if self._still is not None:
+            self._still += 1
+            self._still *= self._watched & (values == self._recent[-2])
+        self._until_look -= 1
+        if not self._until_look:
+            self._until_look = self._look_every
+            self._look(values)
+        self._table[1] = values
+        np.less_equal(self._table[:2], self._table[1:], out=self._within)
         # Comparing bytes is the fastest test for "all true"; a NaN compares false and so takes the exact way below.
-        if longest < self._flat_after and self._above.tobytes() == self._all == self._below.tobytes():
+        if self._still is None and self._within.tobytes() == self._all_within:
             return None
-        wrong = ~(self._above & self._below) | (self._still >= self._flat_after)
+        wrong = ~self._within.all(axis=0)
+        if self._still is not None:
+            wrong |= self._still >= self._flat_after
         bad: NDArray[np.bool_] = wrong & self._watched
         return bad if bad.any() else None
 
-    def _count_still(self, values: NDArray[np.float64]) -> int:
-        """Count for how many frames each watched channel has been constant; return the largest count."""
-        np.equal(values, self._previous, out=self._same)
-        np.logical_and(self._same, self._watched, out=self._same)
-        self._previous = values
-        if b"\x01" in self._same.tobytes():
-            self._still += 1
-            self._still *= self._same
-            self._some_still = True
-            return int(self._still.max())
-        if self._some_still:
-            self._still[:] = 0
-            self._some_still = False
-        return 0
+    def _look(self, values: Frame) -> None:
+        """Begin or end to count frame by frame."""
+        if self._still is not None:
+            if self._still.max() < self._suspect_after:
+                self._still = None
+        elif (self._watched & (values == self._recent[-1 - self._look_every])).any():
+            still = self._count_back()
+            if still.max() >= self._suspect_after:
+                self._still = still
+
+    def _count_back(self) -> NDArray[np.int32]:
+        """Return for how many of the recent frames each watched channel has been constant."""
+        backwards = np.array(self._recent)[::-1]
+        same = (backwards[:-1] == backwards[1:]) & self._watched
+        return np.asarray(np.logical_and.accumulate(same).sum(axis=0), dtype=np.int32)
 
     def block(self, values: NDArray[np.float64], before: NDArray[np.float64] | None) -> NDArray[np.bool_]:
         """Return which channels are bad (n, n_channels) for many frames at once, as `step` would frame by frame.

@@ -4,12 +4,13 @@ The gate limits every requested twist with ramps; the shaper reaches its target 
 """
 
 import math
-from typing import NamedTuple
+from dataclasses import dataclass
 
 SLACK = 1e-9  # of a limit: a rounding error is no violation
 
 
-class Ramp(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Ramp:
     """The limits of one axis, all positive: m/s, m/s2, m/s3, or rad."""
 
     top: float
@@ -29,9 +30,15 @@ class Ramp(NamedTuple):
         if asked == speed and rate == 0.0 and -self.bottom <= speed <= self.top:
             return speed  # the usual case: a constant speed, or standstill
         wanted = (asked - speed) / dt
-        low, high = -self._highest(-speed, self.bottom, dt), self._highest(speed, self.top, dt)
         softest, hardest = rate - self.jerk * dt, rate + self.jerk * dt
-        permitted = min(hardest, max(softest, min(high, max(low, wanted))))
+        if not -self.bottom <= speed <= self.top:
+            low, high = -self._highest(-speed, self.bottom, dt), self._highest(speed, self.top, dt)
+            permitted = min(high, max(low, wanted))
+        elif wanted >= 0.0:  # within the limits, the rate 0 is permitted: only one side needs to be looked at
+            permitted = self._at_most(wanted, speed, self.top, dt)
+        else:
+            permitted = -self._at_most(-wanted, -speed, self.bottom, dt)
+        permitted = hardest if permitted > hardest else permitted if permitted > softest else softest
         is_permitted = abs(permitted - wanted) <= SLACK * self.acceleration
         following = asked if is_permitted else speed + permitted * dt
         return min(max(self.top, speed), max(min(-self.bottom, speed), following))
@@ -45,8 +52,22 @@ class Ramp(NamedTuple):
         if abs(away) <= change * dt and abs(away / dt - rate) <= change:
             return target  # one step reaches the target, and the rate can be 0 in the next
         limit = self.acceleration if abs(target) > abs(speed) else self.deceleration
-        wanted = min(limit, max(-limit, reach(away, self.jerk, dt)))
-        return speed + min(rate + change, max(rate - change, wanted)) * dt
+        wanted = reach(away, self.jerk, dt)
+        wanted = limit if wanted > limit else wanted if wanted > -limit else -limit
+        softest, hardest = rate - change, rate + change
+        return speed + (hardest if wanted > hardest else wanted if wanted > softest else softest) * dt
+
+    def _at_most(self, wanted: float, speed: float, top: float, dt: float) -> float:
+        """Return the smaller of `wanted` and `_highest`, neither of them negative; most steps need no root."""
+        if speed >= 0.0:
+            rate = wanted if wanted < self.acceleration else self.acceleration
+        else:
+            rate = wanted if wanted < self.deceleration else self.deceleration
+            if rate > self.acceleration:
+                crossing = self.acceleration * self.acceleration / (2.0 * self.jerk) - speed
+                if not is_reached(rate, crossing, self.jerk, dt):
+                    rate = min(rate, max(self.acceleration, reach(crossing, self.jerk, dt)))
+        return rate if is_reached(rate, top - speed, self.jerk, dt) else min(rate, reach(top - speed, self.jerk, dt))
 
     def _highest(self, speed: float, top: float, dt: float) -> float:
         """Return the largest rate permitted at `speed`; the smallest rate follows with the signs reversed."""
@@ -66,3 +87,8 @@ def reach(headroom: float, jerk: float, dt: float) -> float:
     """
     rate = jerk * (math.sqrt(dt * dt + 2.0 * abs(headroom) / jerk) - dt)
     return rate if headroom >= 0.0 else -rate
+
+
+def is_reached(rate: float, headroom: float, jerk: float, dt: float) -> bool:
+    """Return whether `rate`, not negative, is not above `reach`, to within the rounding error of its root."""
+    return (rate * dt + rate * rate / (2.0 * jerk)) * (1.0 + SLACK) <= headroom

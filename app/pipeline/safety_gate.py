@@ -40,16 +40,22 @@ class ChairCondition(IntEnum):
     INHIBITED = 2  # its stop switch is pressed, or it has a fault
 
 
+# Members of enumerations that each tick looks up: a look-up by the name of its class costs 0.1 us.
+ARMED, CHECKING = State.ARMED, State.CHECKING
+NO_FAULT = Fault.NONE
+READY, INHIBITED = ChairCondition.READY, ChairCondition.INHIBITED
+
+
 @dataclass(slots=True)
 class Conditions:
     """The conditions outside the chain that the gate checks."""
 
     supervisor_age: float = 0.0  # s since the last heartbeat of the web process
     screen_age: float = 0.0  # s since the last report of the screen that armed the chair; inf: it is gone
-    screen: Fault = Fault.NONE  # why the screen's report does not count: it is hidden, or its page is frozen
+    screen: Fault = NO_FAULT  # why the screen's report does not count: it is hidden, or its page is frozen
     recording: bool = True  # whether the recording, where one is required, is being written
     chair_age: float = 0.0  # s since the chair's newest telemetry
-    chair: ChairCondition = ChairCondition.READY
+    chair: ChairCondition = READY
 
 
 class BadGestures(NamedTuple):
@@ -84,7 +90,7 @@ class SafetyGate:
         self._forward, self._turn = forward_ramp(speeds), turn_ramp(speeds)
         _, self._shirt_silent = shirt_limits(sample_rate)
         self.state = State.DISARMED
-        self.fault = Fault.NONE
+        self.fault = NO_FAULT
         self.stops = 0
         self.stand()
         self._checking_since: float | None = None
@@ -118,7 +124,7 @@ class SafetyGate:
         if self.state is State.FAULT:
             return False
         if self.state is State.DISARMED:
-            self.state = State.CHECKING
+            self.state = CHECKING
             self._checking_since = self._neutral_since = None
         return True
 
@@ -142,7 +148,7 @@ class SafetyGate:
         if self.state is not State.FAULT or stops != self.stops:
             return False
         self.state = State.DISARMED
-        self.fault = Fault.NONE
+        self.fault = NO_FAULT
         return True
 
     def decide(
@@ -153,20 +159,20 @@ class SafetyGate:
         `neutral`: every bound gesture is inside its dead-zone. `bad`: the bound gestures that read bad channels.
         `frame_age`: s since the shirt's newest frame.
         """
-        if self.state is State.CHECKING or self.state is State.ARMED:
+        if self.state is CHECKING or self.state is ARMED:
             fault = self._fault_now(pause, bad, frame_age, conditions)
-            if fault is not Fault.NONE:
+            if fault is not NO_FAULT:
                 self.stop(fault)
-            elif self.state is State.CHECKING:
+            elif self.state is CHECKING:
                 self._check_neutral(t, neutral and not bad.bound, bad, conditions.chair)
         return self.state
 
     def limit(self, asked: Twist, dt: float) -> Twist:
         """Return the twist that may be sent, `dt` (s) after the last; without permission, the ramp to standstill."""
-        if self.state is State.ARMED and not (math.isfinite(asked.v) and math.isfinite(asked.omega)):
+        if self.state is ARMED and not (math.isfinite(asked.v) and math.isfinite(asked.omega)):
             self.stop(Fault.BAD_NUMBER)
         last = self.last
-        if self.state is State.ARMED:
+        if self.state is ARMED:
             v = self._forward.bounded(last.v, self.rates.v, asked.v, dt)
             omega = self._turn.bounded(last.omega, self.rates.omega, asked.omega, dt)
             if dt > 0.0:
@@ -179,7 +185,7 @@ class SafetyGate:
         return self.last
 
     def _withdraw(self, state: State) -> None:
-        if self.state is State.ARMED:  # a stop during a stop must not lengthen it
+        if self.state is ARMED:  # a stop during a stop must not lengthen it
             self._stop_rate = stop_rate(self.last.v, STOP_DECELERATION)
             self._stop_turn_rate = stop_rate(self.last.omega, STOP_TURN_DECELERATION)
             self.rates = STANDSTILL
@@ -193,13 +199,13 @@ class SafetyGate:
             return Fault.WEB_SILENT
         if not conditions.screen_age <= SCREEN_SILENT:
             return Fault.SCREEN_LOST
-        if conditions.screen is not Fault.NONE:
+        if conditions.screen is not NO_FAULT:
             return conditions.screen
         if not conditions.chair_age <= CHAIR_SILENT:
             return Fault.CHAIR_SILENT
-        if conditions.chair is ChairCondition.INHIBITED:
+        if conditions.chair is INHIBITED:
             return Fault.STOP_CHAIR
-        if self.state is State.ARMED and conditions.chair is not ChairCondition.READY:
+        if self.state is ARMED and conditions.chair is not READY:
             return Fault.CHAIR_DISARMED
         if not conditions.recording:
             return Fault.RECORDING_LOST
@@ -207,7 +213,7 @@ class SafetyGate:
             return Fault.SHIRT_SILENT
         if bad.bound >= BAD_GESTURES:
             return Fault.CHANNELS_BAD
-        return Fault.BRAKE_BAD if bad.brakes else Fault.NONE
+        return Fault.BRAKE_BAD if bad.brakes else NO_FAULT
 
     def _check_neutral(self, t: float, neutral: bool, bad: BadGestures, chair: ChairCondition) -> None:
         if self._checking_since is None:
@@ -217,8 +223,8 @@ class SafetyGate:
         elif self._neutral_since is None:
             self._neutral_since = t
         if self._neutral_since is not None and t - self._neutral_since >= NEUTRAL_TIME:
-            if chair is ChairCondition.READY:
-                self.state = State.ARMED
+            if chair is READY:
+                self.state = ARMED
             elif t - self._checking_since > NEUTRAL_PATIENCE:
                 self.stop(Fault.CHAIR_NOT_READY)
         elif t - self._checking_since > NEUTRAL_PATIENCE:

@@ -16,7 +16,7 @@ from dataclasses import dataclass, fields
 from typing import NamedTuple
 
 from app.geometry import STANDSTILL, Pose, Twist
-from app.world.kinematics import step as unicycle_step
+from app.world.kinematics import unicycle
 
 REST_SPEED, REST_TURN = 1e-3, 1e-3  # m/s, rad/s: below both, and commanded to stand, the parking brakes close
 POISE = math.pi - 0.1  # rad: largest angle of a castor to its way; the unstable balance at pi does not occur on a floor
@@ -103,7 +103,7 @@ def step(motion: Motion, twist: Twist, dt: float, chair: Wheelchair) -> Motion:
     omega = _follow(omega, target_omega, dt, chair.turn_lag)
     if twist == STANDSTILL and abs(v) < REST_SPEED and abs(omega) < REST_TURN:
         v = omega = 0.0
-    return Motion(unicycle_step(pose, Twist(v, omega), dt), v, omega, left, right)
+    return Motion(Pose(*unicycle(*pose, v, omega, dt)), v, omega, left, right)
 
 
 def _follow(speed: float, target: float, dt: float, lag: float) -> float:

@@ -1,6 +1,7 @@
 """Speed, acceleration and jerk of one axis: for any requests, any steps, from any reachable state."""
 
 import math
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -8,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.pipeline.ramp import Ramp, reach
+from app.pipeline.ramp import SLACK, Ramp, is_reached, reach
 
 FORWARD = Ramp(top=0.8, bottom=0.3, acceleration=0.8, deceleration=1.2, jerk=8.0)
 ROUNDING = 1e-6  # of a limit: a change is a difference of speeds, divided by a short time
@@ -74,7 +75,7 @@ def test_what_may_not_be_done_is_not_handed_back():
 
 
 def test_a_chair_that_brakes_softly_may_still_set_off_briskly():
-    brisk = FORWARD._replace(acceleration=2.0, deceleration=0.5)
+    brisk = replace(FORWARD, acceleration=2.0, deceleration=0.5)
     assert max(change for *_, change, _ in followed(brisk, [(0.8, 0.01)] * 150)) == pytest.approx(2.0)
     assert min(change for *_, change, _ in followed(brisk, [(0.0, 0.01)] * 300, speed=0.8)) == pytest.approx(-0.5)
 
@@ -88,7 +89,7 @@ def test_without_time_nothing_changes(dt):
 
 @pytest.mark.parametrize("start", [0.8, -0.3])
 def test_a_limit_that_was_lowered_is_come_down_to_and_never_left_upwards(start):
-    lower = FORWARD._replace(top=0.2, bottom=0.1)
+    lower = replace(FORWARD, top=0.2, bottom=0.1)
     way = list(followed(lower, [(9.0 * start, 0.01)] * 400, speed=start))
     assert all(abs(after) <= abs(before) for before, _, after, _, _ in way)
     assert abs(way[-1][2]) == pytest.approx(0.2 if start > 0 else 0.1, abs=1e-6)
@@ -138,3 +139,33 @@ def test_reach_spends_the_headroom_and_no_more(headroom, jerk, dt):
 def test_towards_a_target_speeding_up_and_slowing_down_have_limits_of_their_own():
     assert FORWARD.towards(0.2, 0.8, 0.8, 0.01) == pytest.approx(0.2 + 0.8 * 0.01)
     assert FORWARD.towards(0.6, -1.2, 0.0, 0.01) == pytest.approx(0.6 - 1.2 * 0.01)
+
+
+def bounded_by_roots(ramp, speed, rate, asked, dt):
+    """Return what `bounded` returns, by the formula that computes every limit of the rate with its root."""
+    wanted = (asked - speed) / dt
+    low, high = -ramp._highest(-speed, ramp.bottom, dt), ramp._highest(speed, ramp.top, dt)
+    permitted = min(high, max(low, wanted))
+    permitted = min(rate + ramp.jerk * dt, max(rate - ramp.jerk * dt, permitted))
+    following = asked if abs(permitted - wanted) <= SLACK * ramp.acceleration else speed + permitted * dt
+    return min(max(ramp.top, speed), max(min(-ramp.bottom, speed), following))
+
+
+@given(ramps, st.floats(-2, 2), st.floats(-5, 5), wishes, steps)
+def test_limits_without_roots_are_the_limits_with_roots_bit_for_bit(ramp, speed, rate, asked, dt):
+    assert ramp.bounded(speed, rate, asked, dt) == bounded_by_roots(ramp, speed, rate, asked, dt)
+
+
+@given(ramps, st.lists(st.tuples(wishes, steps), max_size=120))
+def test_so_they_are_on_every_way_that_a_chair_goes(ramp, wished):
+    for (speed, rate, after, _, dt), (asked, _) in zip(followed(ramp, wished), wished, strict=True):
+        assert after == bounded_by_roots(ramp, speed, rate, asked, dt)
+
+
+@given(st.floats(0, 5), st.floats(0, 3), st.floats(0.5, 20.0), steps)
+def test_a_rate_that_is_reached_without_a_root_is_not_above_the_root(rate, headroom, jerk, dt):
+    highest = reach(headroom, jerk, dt)
+    if is_reached(rate, headroom, jerk, dt):
+        assert rate <= highest + ROUNDING**2
+    else:
+        assert rate >= highest * (1 - 1e-6)

@@ -35,7 +35,7 @@ def test_without_any_effect_the_model_is_exactly_the_unicycle(motion, twists, dt
     pose = motion.pose
     for twist in twists:
         motion = step(motion, twist, dt, IDEAL)
-        pose = kinematics.step(pose, twist, dt)
+        pose = Pose(*kinematics.unicycle(*pose, *twist, dt))
         assert (motion.pose, motion.v, motion.omega) == (pose, *twist)
 
 

@@ -77,29 +77,30 @@ class VirtualChair:
         if not dt > 0.0:
             return self.state
         dt = min(dt, LONGEST_STEP)
-        pose = self._motion.pose
+        last, motion = self.state, None
         if self._wheelchair is None:
-            wanted = Motion(kinematics.step(pose, twist, dt), *twist)
+            v, omega = twist
+            x, y, theta = kinematics.unicycle(last.x, last.y, last.theta, v, omega, dt)
         else:
-            wanted = dynamics.step(self._motion, twist, dt, self._wheelchair)
-        v, theta = wanted.v, wanted.pose.theta
-        scene_t = self.state.scene_t + dt if permitted else self.state.scene_t
-        x, y, touching = self._collision.slide(pose.x, pose.y, wanted.pose.x, wanted.pose.y)
+            motion = dynamics.step(self._motion, twist, dt, self._wheelchair)
+            (x, y, theta), v, omega = motion.pose, motion.v, motion.omega
+        scene_t = last.scene_t + dt if permitted else last.scene_t
+        x, y, touching = self._collision.slide(last.x, last.y, x, y)
         if self._encounters:
-            x, y, met = self._encounters.slide(pose.x, pose.y, x, y, scene_t)
+            x, y, met = self._encounters.slide(last.x, last.y, x, y, scene_t)
             if met:
-                x, y, _ = self._collision.slide(pose.x, pose.y, x, y)  # along the person, but not into a wall
+                x, y, _ = self._collision.slide(last.x, last.y, x, y)  # along the person, but not into a wall
                 touching = True
         if touching:
             if self._free_for >= FREE_AGAIN:
                 self._contacts += 1
             self._free_for = 0.0
-            v = ((x - pose.x) * math.cos(pose.theta) + (y - pose.y) * math.sin(pose.theta)) / dt
-            wanted = wanted._replace(pose=Pose(x, y, theta), v=v)  # the wall stops the wheels, too
+            v = ((x - last.x) * math.cos(last.theta) + (y - last.y) * math.sin(last.theta)) / dt
         else:
             self._free_for += dt
-        self._motion = wanted
-        self.state = ChairState(x, y, theta, v, wanted.omega, touching, self._contacts, scene_t)
+        if motion is not None:
+            self._motion = motion._replace(pose=Pose(x, y, theta), v=v)  # a wall stops the wheels, too
+        self.state = ChairState(x, y, theta, v, omega, touching, self._contacts, scene_t)
         return self.state
 
     def words(self) -> str:

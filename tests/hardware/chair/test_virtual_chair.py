@@ -9,7 +9,7 @@ from app.hardware.chair.simulator import VirtualChair
 from app.world.dynamics import Motion, Wheelchair
 from app.world.dynamics import step as dynamics_step
 from app.world.floorplan import FloorPlan
-from app.world.kinematics import step
+from app.world.kinematics import unicycle
 
 PLAN = FloorPlan.model_validate(
     {
@@ -102,7 +102,7 @@ DYNAMICS = pytest.mark.parametrize("dynamics", ["unicycle", "wheelchair"])
 def test_by_default_it_is_the_unicycle_exactly(twists, dt):
     chair, pose = VirtualChair(None, Pose(1, 2, 3)), Pose(1, 2, 3)
     for twist in twists:
-        state, pose = chair.drive(twist, dt), step(pose, twist, dt)
+        state, pose = chair.drive(twist, dt), Pose(*unicycle(*pose, *twist, dt))
         assert (state.x, state.y, state.theta, state.v, state.omega) == (*pose, *twist)
 
 
