@@ -41,10 +41,10 @@ class Encoder:
 
 
 def _array(column: NDArray[np.generic], kind: Any) -> Any:
-    if column.ndim == 1:
-        return pa.array(column, type=kind)
-    numbers: Any = pa.array(column.ravel(), type=kind.value_type)
-    return pa.FixedSizeListArray.from_arrays(numbers, kind.list_size)
+    """Return an array on the memory of a contiguous column; `pa.array` would load pandas while somebody drives."""
+    numbers_kind = kind if column.ndim == 1 else kind.value_type
+    numbers: Any = pa.Array.from_buffers(numbers_kind, column.size, [None, pa.py_buffer(column)])
+    return numbers if column.ndim == 1 else pa.FixedSizeListArray.from_arrays(numbers, kind.list_size)
 
 
 def compact(segments: Sequence[Path], target: Path) -> int:
