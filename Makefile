@@ -8,7 +8,7 @@ INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check --co
 # A module is compiled once, and not by each of the many processes that the tests start.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: demo test browser check lint python-types javascript-types api-types demo-profile safety drills soak worlds bench clean
+.PHONY: demo test browser check lint python-types javascript-types api-types demo-profile safety drills soak worlds bench bench-compare clean
 
 $(VENV)/.installed: pyproject.toml constraints.txt
 	@echo "Installing into $(VENV), once; this takes a minute or two ..."
@@ -76,6 +76,9 @@ worlds: $(VENV)/.installed-test
 
 bench: $(VENV)/.installed-test
 	$(BIN)/python -m bench $(PART)
+
+bench-compare: $(VENV)/.installed-test
+	$(BIN)/python -m bench.compare $(or $(COMMIT),$(error name a commit, as in: make bench-compare COMMIT=main)) $(PART)
 
 clean:
 	rm -rf $(VENV) node_modules dist build
