@@ -156,7 +156,8 @@ class Fabric:
         values += self._offsets
         values *= STEPS / FULL_SCALE
         np.rint(values, out=values)
-        np.clip(values, 0, STEPS - 1, out=values)
+        np.maximum(values, 0.0, out=values)  # np.clip takes four times as long
+        np.minimum(values, STEPS - 1, out=values)
         values *= FULL_SCALE / STEPS
         if len(self._dead):
             values[self._dead] = self._dead_values
