@@ -11,6 +11,7 @@ from folders import SCREENSHOTS
 pytestmark = [pytest.mark.browser, pytest.mark.timeout(420)]
 
 PATIENCE = 60_000  # ms: drawing in software on a busy machine is slow
+CLOSINGS = 5  # on a machine so busy that the driving page is late itself
 DRIVE_LIMIT = 150  # s
 LOOKS = {"light": (1280, 800), "dark": (768, 1024)}
 WITHOUT_WEBGL = """{
@@ -188,7 +189,16 @@ def test_the_patients_screen_falls_back_on_the_drawn_plan_once_the_chair_stands(
     before = patient.evaluate(f"() => {CHAIR}")
     go_on_until(page, lambda: patient.evaluate(f"() => {CHAIR}") != before, "the chair in the patient's plan")
     patient.keep("patient-plan")
-    patient.context.close()  # a screen that is gone shows nothing
-    expect(page.locator(".fault-card")).to_contain_text("lost the picture")
+    card, screen = page.locator(".fault-card"), patient.context
+    for _ in range(CLOSINGS):
+        patient.close()  # a screen that is gone shows nothing
+        expect(card).to_be_visible()
+        if "lost the picture" in card.inner_text():
+            break
+        patient = screen.new_page()  # this machine was too busy for the driving page: once more
+        patient.goto(f"{base}/patient.html")
+        expect(tag).to_be_visible()
+        drives_for(page, 1)
+    expect(card).to_contain_text("lost the picture")
     page.get_by_role("button", name="Continue").click()
     drives_for(page, 1)
