@@ -15,6 +15,7 @@ from app.session.control_link import ControlLink
 from app.session.readings import Readings
 from app.session.run_watch import RunLost, follow_run
 from app.session.runs import SessionRun, SessionRuns
+from app.session.slow_libraries import load_slow_libraries
 from app.store.database import Database
 
 STOP_LIMIT = 1.5  # s for closing a run when the application ends; then it stays without figures
@@ -116,6 +117,7 @@ class RunFlow(ABC, Generic[Current]):
             raise Conflict(f"Something is being recorded already: end it first, then {self.words.to_start}.")
         self._starting = True
         try:
+            await asyncio.to_thread(load_slow_libraries)
             yield
         finally:
             self._starting = False

@@ -1,4 +1,4 @@
-"""Pages that are opened for the first time load slow libraries: a chair that drives meanwhile drives on."""
+"""Slow libraries are loaded before a chair may move: pages that are opened for the first time load none of them."""
 
 import math
 from collections.abc import Iterator
@@ -33,7 +33,7 @@ PAGES = (
     "/adaptation",
     "/log/check",
 )
-SLOW = ("pandas", "scipy")  # libraries that these pages load
+SLOW = ("pandas", "scipy")  # libraries that these pages need
 BUSY = 0.1  # s: a machine that is late by so much may stop the chair
 ATTEMPTS = 4
 
@@ -85,10 +85,15 @@ def served(state: Path, token: str) -> Iterator[Served]:
             assert process.wait(20) == 0
 
 
+def shared_objects(pid: int) -> set[str]:
+    """Return the files of compiled code that a process has loaded."""
+    lines = Path(f"/proc/{pid}/maps").read_text().splitlines()
+    return {line.split()[-1] for line in lines if line.endswith(".so")}
+
+
 def libraries(pid: int) -> set[str]:
     """Return which slow libraries a process has loaded."""
-    maps = Path(f"/proc/{pid}/maps").read_text()
-    return {name for name in SLOW if f"/{name}/" in maps}
+    return {name for name in SLOW if any(f"/{name}/" in file for file in shared_objects(pid))}
 
 
 def drive_and_open(clinic: Served) -> tuple[Any, float]:
@@ -103,15 +108,17 @@ def drive_and_open(clinic: Served) -> tuple[Any, float]:
             assert clinic.client.put(path, json=choice).is_success
         until(live, lambda message: message["values"] is not None)
         begun, before = monotonic(), waited(clinic.process.pid)
+        assert libraries(clinic.process.pid) == set()
         where = {"floorplan": PLAN.name, "path": PLAN.paths[0].name, "screen": WORD}
         assert clinic.client.post("/trials", json=where).status_code == 201
         until(live, lambda message: message["state"] == "fault" or abs(message["v"]) > 0.1)
-        assert libraries(clinic.process.pid) == set()
+        loaded = shared_objects(clinic.process.pid)
         for page in PAGES:
             answer = clinic.client.get(page)
             assert answer.status_code == 200, f"{page}: {answer.text}"
         ended = monotonic()
         assert libraries(clinic.process.pid) == set(SLOW)
+        assert shared_objects(clinic.process.pid) - loaded == set()
         message = until(live, lambda message: message["state"] == "fault" or message["t"] > ended)
         late = max(watcher.late(begun, ended), waited(clinic.process.pid) - before)
         return (message if message["state"] == "fault" else None), late
