@@ -5,7 +5,8 @@ from abc import ABC, abstractmethod
 from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager, suppress
 from dataclasses import dataclass
-from typing import Any, ClassVar, Generic, NamedTuple, Protocol, TypeVar
+from importlib import import_module
+from typing import Any, ClassVar, Final, Generic, NamedTuple, Protocol, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,7 +16,6 @@ from app.session.control_link import ControlLink
 from app.session.readings import Readings
 from app.session.run_watch import RunLost, follow_run
 from app.session.runs import SessionRun, SessionRuns
-from app.session.slow_libraries import load_slow_libraries
 from app.store.database import Database
 
 STOP_LIMIT = 1.5  # s for closing a run when the application ends; then it stays without figures
@@ -58,6 +58,23 @@ class FlowWords(NamedTuple):
     to_start: str  # "..., then start a trial."
     not_running: str
     still_closing: str
+
+
+# What measuring and learning import inside their functions.
+SLOW_LIBRARIES: Final = (
+    *("scipy.optimize", "scipy.signal", "scipy.stats", "shapely", "sklearn.decomposition"),
+    *("statsmodels.regression.linear_model", "statsmodels.stats.weightstats", "statsmodels.tools.eval_measures"),
+)
+
+
+def load_slow_libraries() -> None:
+    """Load them all; the first call takes about a second, later ones nothing.
+
+    A library that is loaded while a chair drives takes the interpreter from the thread that reads the screen's reports,
+    and on a busy machine the gate would then stop the chair.
+    """
+    for name in SLOW_LIBRARIES:
+        import_module(name)
 
 
 class RunFlow(ABC, Generic[Current]):

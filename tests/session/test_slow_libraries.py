@@ -2,7 +2,7 @@
 
 import ast
 
-from app.session.slow_libraries import SLOW_LIBRARIES
+from app.session.run_flow import SLOW_LIBRARIES
 from folders import ROOT
 
 MEASURING = ("calibration", "scoring", "signals")
