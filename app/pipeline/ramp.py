@@ -38,7 +38,7 @@ class Ramp:
             permitted = self._at_most(wanted, speed, self.top, dt)
         else:
             permitted = -self._at_most(-wanted, -speed, self.bottom, dt)
-        permitted = hardest if permitted > hardest else permitted if permitted > softest else softest
+        permitted = min(hardest, max(softest, permitted))
         is_permitted = abs(permitted - wanted) <= SLACK * self.acceleration
         following = asked if is_permitted else speed + permitted * dt
         return min(max(self.top, speed), max(min(-self.bottom, speed), following))
@@ -52,17 +52,15 @@ class Ramp:
         if abs(away) <= change * dt and abs(away / dt - rate) <= change:
             return target  # one step reaches the target, and the rate can be 0 in the next
         limit = self.acceleration if abs(target) > abs(speed) else self.deceleration
-        wanted = reach(away, self.jerk, dt)
-        wanted = limit if wanted > limit else wanted if wanted > -limit else -limit
-        softest, hardest = rate - change, rate + change
-        return speed + (hardest if wanted > hardest else wanted if wanted > softest else softest) * dt
+        wanted = min(limit, max(-limit, reach(away, self.jerk, dt)))
+        return speed + min(rate + change, max(rate - change, wanted)) * dt
 
     def _at_most(self, wanted: float, speed: float, top: float, dt: float) -> float:
         """Return the smaller of `wanted` and `_highest`, neither of them negative; most steps need no root."""
         if speed >= 0.0:
-            rate = wanted if wanted < self.acceleration else self.acceleration
+            rate = min(wanted, self.acceleration)
         else:
-            rate = wanted if wanted < self.deceleration else self.deceleration
+            rate = min(wanted, self.deceleration)
             if rate > self.acceleration:
                 crossing = self.acceleration * self.acceleration / (2.0 * self.jerk) - speed
                 if not is_reached(rate, crossing, self.jerk, dt):

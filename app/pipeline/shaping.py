@@ -82,8 +82,7 @@ class Shaper:
                 return last + u1 * ramp.acceleration * dt
             target = 0.0
         else:
-            target = u1 * ramp.top
-            target = target if target > -ramp.bottom else -ramp.bottom  # u1 is at most 1
+            target = min(ramp.top, max(-ramp.bottom, u1 * ramp.top))
             if last * target < 0.0:  # first to standstill, then in the other direction
                 target = 0.0
         return ramp.towards(last, rate, target, dt)

@@ -141,10 +141,24 @@ def test_towards_a_target_speeding_up_and_slowing_down_have_limits_of_their_own(
     assert FORWARD.towards(0.6, -1.2, 0.0, 0.01) == pytest.approx(0.6 - 1.2 * 0.01)
 
 
+def highest_by_roots(ramp, speed, top, dt):
+    """Return the largest rate permitted at `speed`, by its definition."""
+    within = max(-ramp.deceleration, reach(top - speed, ramp.jerk, dt))
+    if speed >= 0.0:
+        return min(ramp.acceleration, within)
+    crossing = reach(ramp.acceleration * ramp.acceleration / (2.0 * ramp.jerk) - speed, ramp.jerk, dt)
+    return min(ramp.deceleration, max(ramp.acceleration, crossing), within)
+
+
+@given(ramps, st.one_of(st.floats(-2, 2), st.floats(-0.05, 0.05)), st.floats(0.05, 1.5), steps)
+def test_beyond_standstill_slowing_down_is_speeding_up(ramp, speed, top, dt):
+    assert ramp._highest(speed, top, dt) == highest_by_roots(ramp, speed, top, dt)
+
+
 def bounded_by_roots(ramp, speed, rate, asked, dt):
     """Return what `bounded` returns, by the formula that computes every limit of the rate with its root."""
     wanted = (asked - speed) / dt
-    low, high = -ramp._highest(-speed, ramp.bottom, dt), ramp._highest(speed, ramp.top, dt)
+    low, high = -highest_by_roots(ramp, -speed, ramp.bottom, dt), highest_by_roots(ramp, speed, ramp.top, dt)
     permitted = min(high, max(low, wanted))
     permitted = min(rate + ramp.jerk * dt, max(rate - ramp.jerk * dt, permitted))
     following = asked if abs(permitted - wanted) <= SLACK * ramp.acceleration else speed + permitted * dt
