@@ -18,10 +18,10 @@ def module(name: str) -> list[str]:
 
 def started(name: str, *arguments: str, descriptors: Sequence[int] = ()) -> subprocess.Popen[str]:
     """Start a module that reads and writes lines; it inherits the open `descriptors`."""
-    return talking([*module(name), *arguments], descriptors)
+    return start_command([*module(name), *arguments], descriptors)
 
 
-def talking(command: Sequence[str], descriptors: Sequence[int] = ()) -> subprocess.Popen[str]:
+def start_command(command: Sequence[str], descriptors: Sequence[int] = ()) -> subprocess.Popen[str]:
     """Start a command that reads and writes lines; it inherits the open `descriptors`."""
     return subprocess.Popen(
         command,

@@ -7,7 +7,7 @@ from typing import Any
 
 from playwright.sync_api import BrowserContext, CDPSession, Page, sync_playwright
 
-from bench.children import BODYDRIVE, talking
+from bench.children import BODYDRIVE, start_command
 from bench.row import Row
 
 RUNS = 5
@@ -49,7 +49,7 @@ def measure_page(runs: int = RUNS) -> list[Row]:
     found = shutil.which("chromium")
     if found is None:
         raise RuntimeError("there is no chromium here: install Debian's package 'chromium' to measure pages")
-    with sync_playwright() as playwright, talking([*BODYDRIVE, "demo", "--port", "0"]) as demo:
+    with sync_playwright() as playwright, start_command([*BODYDRIVE, "demo", "--port", "0"]) as demo:
         try:
             link = _link(demo.stdout)
             with playwright.chromium.launch(executable_path=found, args=list(CHROMIUM)) as browser:

@@ -35,7 +35,7 @@ SAME = {
     "<= speed < self.top:": "only a short cut: the long way gives the same speed",
     "elif wanted > 0.0": "a rate of 0 is the same on either side",
     "if rate >= self.acceleration": "at the acceleration itself the root changes nothing",
-    "and False else min(rate, reach": "only a short cut: the root gives the same rate",
+    "if (is_reached(": "only a short cut: the root gives the same rate",
     "/ (1.0 + SLACK)": "a rounding error, which SLACK forgives",
     "(1.0 - SLACK)": "a rounding error, which SLACK forgives",
     "(1.0 + SLACK) < headroom": "a rounding error, which SLACK forgives",

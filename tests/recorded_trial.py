@@ -12,6 +12,7 @@ from app.pipeline.chain import Chain
 from app.pipeline.safety_gate import Conditions
 from app.process.ring import RING_SLOTS, TickRing
 from app.recording.writer import RunWriter
+from app.store.runs import add_run, add_trial, finish_trial
 from app.world.floorplan import FloorPlan
 from building import make_signals
 
@@ -101,3 +102,21 @@ def record_trial(
     ring.close()
     assert (writer.dropped, writer.damage) == (0, "")
     return meta
+
+
+def store_trial(db, run, owners, plan, source, measures):
+    """Store a finished trial on the first path of `plan`; `owners`: the rows of its session and its parameters."""
+    session, parameters = owners
+    path = plan.paths[0]
+    trial = add_trial(
+        db,
+        run=add_run(db, run, session.id, "drive", run, source),
+        clinic_id=1,
+        patient_id=session.patient_id,
+        parameters_id=parameters.id,
+        floorplan=plan.name,
+        floorplan_title=plan.title,
+        path=path.name,
+        path_points=[[x, y] for x, y in path.points],
+    )
+    return finish_trial(db, trial.id, "by hand", measures)

@@ -32,7 +32,8 @@ class Ramp:
         wanted = (asked - speed) / dt
         softest, hardest = rate - self.jerk * dt, rate + self.jerk * dt
         if not -self.bottom <= speed <= self.top:
-            low, high = -self._highest(-speed, self.bottom, dt), self._highest(speed, self.top, dt)
+            low = -self._at_most(math.inf, -speed, self.bottom, dt)
+            high = self._at_most(math.inf, speed, self.top, dt)
             permitted = min(high, max(low, wanted))
         elif wanted >= 0.0:  # within the limits, the rate 0 is permitted: only one side needs to be looked at
             permitted = self._at_most(wanted, speed, self.top, dt)
@@ -56,25 +57,22 @@ class Ramp:
         return speed + min(rate + change, max(rate - change, wanted)) * dt
 
     def _at_most(self, wanted: float, speed: float, top: float, dt: float) -> float:
-        """Return the smaller of `wanted` and `_highest`, neither of them negative; most steps need no root."""
+        """Return `wanted`, not negative, or the largest rate permitted at `speed` where that is smaller.
+
+        The smallest rate follows with the signs reversed. A root is computed only where it decides.
+        """
         if speed >= 0.0:
             rate = min(wanted, self.acceleration)
         else:
             rate = min(wanted, self.deceleration)
             if rate > self.acceleration:
+                # Slowing down from a backward speed: beyond standstill this is acceleration, with its own limit.
                 crossing = self.acceleration * self.acceleration / (2.0 * self.jerk) - speed
                 if not is_reached(rate, crossing, self.jerk, dt):
                     rate = min(rate, max(self.acceleration, reach(crossing, self.jerk, dt)))
-        return rate if is_reached(rate, top - speed, self.jerk, dt) else min(rate, reach(top - speed, self.jerk, dt))
-
-    def _highest(self, speed: float, top: float, dt: float) -> float:
-        """Return the largest rate permitted at `speed`; the smallest rate follows with the signs reversed."""
-        within = max(-self.deceleration, reach(top - speed, self.jerk, dt))
-        if speed >= 0.0:
-            return min(self.acceleration, within)
-        # Slowing down from a backward speed: beyond standstill this is acceleration, with its own limit.
-        crossing = reach(self.acceleration * self.acceleration / (2.0 * self.jerk) - speed, self.jerk, dt)
-        return min(self.deceleration, max(self.acceleration, crossing), within)
+        if is_reached(rate, top - speed, self.jerk, dt):
+            return rate
+        return min(rate, max(-self.deceleration, reach(top - speed, self.jerk, dt)))
 
 
 def reach(headroom: float, jerk: float, dt: float) -> float:

@@ -68,7 +68,7 @@ SLOW_LIBRARIES: Final = (
 
 
 def load_slow_libraries() -> None:
-    """Load them all; the first call takes about a second, later ones nothing.
+    """Load SLOW_LIBRARIES before a chair may move; the first call takes about a second, later ones nothing.
 
     A library that is loaded while a chair drives takes the interpreter from the thread that reads the screen's reports,
     and on a busy machine the gate would then stop the chair.

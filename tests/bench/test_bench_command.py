@@ -1,16 +1,16 @@
 """`python -m bench`, as `make bench` runs it."""
 
 import json
+import os
 import subprocess
 import sys
 
 from folders import ROOT
 
 
-def bench(*words):
-    return subprocess.run(
-        [sys.executable, "-m", "bench", *words], check=False, capture_output=True, text=True, cwd=ROOT
-    )
+def bench(*words, **environment):
+    command, environment = [sys.executable, "-m", "bench", *words], {**os.environ, **environment}
+    return subprocess.run(command, check=False, capture_output=True, text=True, cwd=ROOT, env=environment)
 
 
 def test_one_part_is_measured_and_printed_as_one_json_object():
@@ -25,3 +25,10 @@ def test_an_unknown_part_is_refused_in_one_sentence():
     ended = bench("fit", "speed")
     assert ended.returncode == 2
     assert "there is no part 'speed' to measure: use any of chain, gate" in ended.stderr
+
+
+def test_a_part_that_cannot_be_measured_here_is_a_sentence_and_the_others_are_measured():
+    ended = bench("page", "fit", "--json", PATH="/nowhere")
+    assert ended.returncode == 0
+    assert ended.stderr.startswith("page is not measured: there is no chromium here: install Debian's package")
+    assert len(json.loads(ended.stdout)["rows"]) == 1

@@ -152,7 +152,7 @@ def highest_by_roots(ramp, speed, top, dt):
 
 @given(ramps, st.one_of(st.floats(-2, 2), st.floats(-0.05, 0.05)), st.floats(0.05, 1.5), steps)
 def test_beyond_standstill_slowing_down_is_speeding_up(ramp, speed, top, dt):
-    assert ramp._highest(speed, top, dt) == highest_by_roots(ramp, speed, top, dt)
+    assert ramp._at_most(math.inf, speed, top, dt) == highest_by_roots(ramp, speed, top, dt)
 
 
 def bounded_by_roots(ramp, speed, rate, asked, dt):

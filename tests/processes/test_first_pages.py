@@ -8,6 +8,7 @@ from typing import Any
 
 from drills.results import Watcher, waited
 from processes.served_demo import InView, Served, bodydrive, printed_link, until
+from recorded_trial import store_trial
 
 from app.api.sign_in.identity import COOKIE
 from app.cli.demonstration import furnish
@@ -18,7 +19,6 @@ from app.store.database import Database
 from app.store.parameters import current_parameters
 from app.store.patients import open_session
 from app.store.people import add_person, find_person, sign_in, the_clinic
-from app.store.runs import add_run, add_trial, finish_trial
 from app.world.floorplan import load_floorplan
 
 PLAN = load_floorplan(data_folder() / "floorplans" / "apartment.json")
@@ -40,7 +40,6 @@ ATTEMPTS = 4
 
 def furnish_with_trials(settings: Settings) -> str:
     """Make a clinic whose patient has driven, and return the token of a sign-in."""
-    path = PLAN.paths[0]
     database = Database(settings.database)
     furnish(database)
     with database.transaction() as db:
@@ -51,19 +50,8 @@ def furnish_with_trials(settings: Settings) -> str:
         assert session is not None
         row, _ = current_parameters(db, session.patient_id)
         for number in range(TRIALS):
-            run = f"run{number}"
-            trial = add_trial(
-                db,
-                run=add_run(db, run, session.id, "drive", run, SIMULATED),
-                clinic_id=clinic.id,
-                patient_id=session.patient_id,
-                parameters_id=row.id,
-                floorplan=PLAN.name,
-                floorplan_title=PLAN.title,
-                path=path.name,
-                path_points=[[x, y] for x, y in path.points],
-            )
-            finish_trial(db, trial.id, "goal", {"reached": True, "e_diff": 1.0 + math.exp(-number / 3), "time": 60.0})
+            measures = {"reached": True, "e_diff": 1.0 + math.exp(-number / 3), "time": 60.0}
+            store_trial(db, f"run{number}", (session, row), PLAN, SIMULATED, measures)
         person = find_person(db, "Ada")
         assert person is not None
         token = sign_in(db, person, "test")

@@ -12,7 +12,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))  # for its own start, outside of the tests
 
 from browser.served.served_clinic import ServedClinic
-from recorded_trial import record_trial
+from recorded_trial import record_trial, store_trial
 
 from app.session.recordings import recorded_readings
 from app.settings import Settings
@@ -21,7 +21,6 @@ from app.store.database import Database
 from app.store.parameters import current_parameters, save_parameters, save_profile
 from app.store.patients import add_patient, start_session
 from app.store.people import add_clinic
-from app.store.runs import add_run, add_trial, finish_trial
 from app.world.floorplan import FloorPlan
 from app.world.scene import find_place
 from building import make_parameters
@@ -50,18 +49,8 @@ def furnish(settings: Settings) -> list[int]:
             run = f"run{number}"
             folder = settings.runs / run
             record_trial(folder, parameters, seconds=SECONDS, seed=number, plan=plan, stop_at=15.0)
-            trial = add_trial(
-                db,
-                run=add_run(db, run, session.id, "drive", run, SIMULATED),
-                clinic_id=clinic.id,
-                patient_id=patient.id,
-                parameters_id=row.id,
-                floorplan=plan.name,
-                floorplan_title=plan.title,
-                path=path.name,
-                path_points=[[x, y] for x, y in path.points],
-            )
-            finish_trial(db, trial.id, "by hand", recorded_readings().measure(folder, plan, path))
+            measures = recorded_readings().measure(folder, plan, path)
+            trial = store_trial(db, run, (session, row), plan, SIMULATED, measures)
             made.append(trial.id)
     database.close()
     return made
