@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from simulated_person import SimulatedPerson, calibrate, layout_of
 
@@ -17,6 +17,7 @@ def person():
 
 
 @settings(max_examples=15, deadline=None)
+@example(bad={0, 1, 2, 3, 4}, how="some")
 @given(bad=st.sets(st.integers(0, 19), max_size=6), how=st.sampled_from(["all", "some", "dead"]))
 def test_broken_channels_are_named_and_kept_out(bad, how):
     person = SimulatedPerson(LAYOUT, seed=5)
@@ -27,12 +28,15 @@ def test_broken_channels_are_named_and_kept_out(bad, how):
     else:
         free[slice(None) if how == "all" else slice(300, 330), columns] = np.nan
     profile = calibrate(person, free=free)
+    without_good = {name: set(channels) for name, channels in LAYOUT.channels_of_joint.items() if set(channels) <= bad}
+    if how == "some":  # few samples are missing: a joint that has no better channels keeps these
+        bad = bad.difference(*without_good.values())
+        without_good = {}
     assert sorted(profile.left_out) == sorted(LAYOUT.channels[i].name for i in bad)
     for joint in profile.joints:
         assert not set(joint.channels) & bad
         assert np.isfinite(joint.weights).all()
-    lost = {name for name, channels in LAYOUT.channels_of_joint.items() if set(channels) <= bad}
-    assert set(joints_without_map(profile)) == lost
+    assert set(joints_without_map(profile)) == set(without_good)
 
 
 def test_lost_frames_do_no_harm(person):
