@@ -3,8 +3,9 @@
 import re
 from contextlib import suppress
 
-from playwright.sync_api import Error
+from playwright.sync_api import Error, expect
 
+STOPS = 5  # on a machine so busy that the driving page itself is late
 LOOK_EVERY = 250  # ms
 BEND = 700  # ms there, and the same back: the movement is what drives
 HIDE = """() => {
@@ -28,6 +29,20 @@ def go_on_until(page, reached, what, *, seconds=60):
                 go_on.click(timeout=2000)
         page.wait_for_timeout(LOOK_EVERY)
     raise AssertionError(f"{what} did not come: {page.locator('main').inner_text()[:500]}")
+
+
+def stops_because(page, card, words, cause, again):
+    """Let `cause` stop the chair, until the card gives the reason in `words`.
+
+    A machine that is too busy may miss the driving page first: then `again` makes it ready to be stopped once more.
+    """
+    for _ in range(STOPS):
+        cause()
+        expect(page.get_by_role("button", name="Continue")).to_be_visible()
+        if words in card.inner_text():
+            return
+        again()
+    expect(card).to_contain_text(words)
 
 
 def bend_until(page, speed, least, bend=None):

@@ -12,7 +12,7 @@ from contextlib import closing, contextmanager
 from pathlib import Path
 
 import pytest
-from browser.driving import HIDE, SHOW, bend_until, go_on_until
+from browser.driving import HIDE, SHOW, bend_until, go_on_until, stops_because
 from paired_shirt import PairedShirt, calibrated_as_worn
 from playwright.sync_api import expect
 from processes.served_demo import running_demo
@@ -222,8 +222,7 @@ def stops_when_hidden_or_loaded_again(page, keep):
     page.evaluate(SHOW)
     keep("chair-was-hidden")
     go_on(page)
-    page.evaluate(FREEZE)
-    expect(state).to_contain_text("stood still for too long")
+    stops_because(page, state, "stood still for too long", lambda: page.evaluate(FREEZE), lambda: go_on(page))
     go_on(page)
     page.reload()
     expect(state).to_contain_text(LEFT)

@@ -69,8 +69,14 @@ def shows_nothing_as_present(page, picture):
     page.screenshot(path=SCREENSHOTS / f"without-program-{picture}.png")
 
 
-def test_a_page_with_the_word_of_another_is_refused_and_takes_one_of_its_own(pages):
-    _, driven, other = pages
+def test_pages_that_lose_their_word_or_the_chair_or_the_program(pages):
+    process, driven, shirt = pages
+    a_page_with_the_word_of_another_is_refused_and_takes_one_of_its_own(driven, shirt)
+    a_page_that_does_not_hear_the_chair_does_not_keep_it_driving(driven, shirt)
+    without_the_program_no_page_shows_a_present_or_offers_what_needs_it(process, driven, shirt)
+
+
+def a_page_with_the_word_of_another_is_refused_and_takes_one_of_its_own(driven, other):
     word = driven.evaluate(WORD_OF)
     assert other.evaluate(WORD_OF) != word
     other.evaluate("(word) => sessionStorage.setItem('bodydrive-screen', word)", word)
@@ -84,8 +90,32 @@ def test_a_page_with_the_word_of_another_is_refused_and_takes_one_of_its_own(pag
     expect(driven.locator(".fault-card")).to_have_count(0)
 
 
-def test_without_the_program_no_page_shows_a_present_or_offers_what_needs_it(pages):
-    process, driven, shirt = pages
+def a_page_that_does_not_hear_the_chair_does_not_keep_it_driving(driven, other):
+    """Only the live socket is cut; the worker's would go on. Either of two signs may stop the chair first."""
+    passed = []
+
+    def pass_on(route):
+        passed.append(route)
+        if is_cut:
+            route.close()
+        else:
+            route.connect_to_server()
+
+    is_cut = False
+    driven.route_web_socket(re.compile("/api/v1/live$"), pass_on)
+    driven.reload()
+    driven.bring_to_front()
+    speed = driven.locator(".bar .speed .big")
+    go_on_until(driven, lambda: float(re.match(r"[\d.]+", speed.inner_text())[0]) >= 0.1, "a speed")
+    is_cut = True
+    passed[-1].close()
+    expect(driven.locator(".notes")).to_contain_text(SINCE)
+    expect(other.locator(".notes")).to_contain_text(re.compile("was not heard for 0.3 s|lost the picture"))
+    is_cut = False
+    expect(driven.locator(".notes")).to_be_empty()
+
+
+def without_the_program_no_page_shows_a_present_or_offers_what_needs_it(process, driven, shirt):
     go_on = driven.get_by_role("button", name="Continue")
     expect(go_on).to_be_visible()
     os.kill(process.pid, signal.SIGSTOP)
@@ -106,27 +136,3 @@ def test_without_the_program_no_page_shows_a_present_or_offers_what_needs_it(pag
         driven.screenshot(path=SCREENSHOTS / f"without-program-{width}x{height}.png")
     driven.locator("#stop").dispatch_event("pointerdown")
     expect(driven.get_by_text("Stop did not get through")).to_be_visible()
-
-
-def test_a_page_that_does_not_hear_the_chair_does_not_keep_it_driving(pages):
-    """Only the live socket is cut; the worker's would go on. Either of two signs may stop the chair first."""
-    _, driven, other = pages
-    passed = []
-
-    def pass_on(route):
-        passed.append(route)
-        if is_cut:
-            route.close()
-        else:
-            route.connect_to_server()
-
-    is_cut = False
-    driven.route_web_socket(re.compile("/api/v1/live$"), pass_on)
-    driven.reload()
-    driven.bring_to_front()
-    speed = driven.locator(".bar .speed .big")
-    go_on_until(driven, lambda: float(re.match(r"[\d.]+", speed.inner_text())[0]) >= 0.1, "a speed")
-    is_cut = True
-    passed[-1].close()
-    expect(driven.locator(".notes")).to_contain_text(SINCE)
-    expect(other.locator(".notes")).to_contain_text(re.compile("was not heard for 0.3 s|lost the picture"))
