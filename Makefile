@@ -27,19 +27,20 @@ node_modules/.installed: package.json package-lock.json $(VENV)/.installed-test
 demo: $(VENV)/.installed
 	@exec $(BIN)/bodydrive demo --port $(PORT)
 
-# Files run side by side: first what computes, then what waits for real processes and judges them by the clock, then
-# what waits for browsers.
-SIDE_BY_SIDE := --dist loadfile --no-loadscope-reorder
+# Tests run side by side: first what computes, then what waits for real processes and judges them by the clock, then
+# what waits for browsers. A file is run by one process, except where each test starts processes of its own.
+SIDE_BY_SIDE := -n 3 --dist loadfile --no-loadscope-reorder
+ONE_BY_ONE := -n 4 --dist load --maxschedchunk 1
 PROCESSES := tests/processes tests/bench
 BROWSERS := tests/browser
 
 test: $(VENV)/.installed-test check
-	$(BIN)/python -m pytest -n 2 $(SIDE_BY_SIDE) $(addprefix --ignore=,$(PROCESSES) $(BROWSERS))
-	$(BIN)/python -m pytest -n 3 $(SIDE_BY_SIDE) $(PROCESSES)
-	$(BIN)/python -m pytest -n 3 $(SIDE_BY_SIDE) $(BROWSERS)
+	$(BIN)/python -m pytest $(SIDE_BY_SIDE) $(addprefix --ignore=,$(PROCESSES) $(BROWSERS))
+	$(BIN)/python -m pytest $(ONE_BY_ONE) $(PROCESSES)
+	$(BIN)/python -m pytest $(SIDE_BY_SIDE) $(BROWSERS)
 
 browser: $(VENV)/.installed-test
-	$(BIN)/python -m pytest -n 2 $(SIDE_BY_SIDE) -m long $(BROWSERS)
+	$(BIN)/python -m pytest $(SIDE_BY_SIDE) -n 2 -m long $(BROWSERS)
 
 check: $(VENV)/.installed-test node_modules/.installed
 	@$(MAKE) --no-print-directory --jobs 2 --output-sync=target python-types lint javascript-types

@@ -24,10 +24,9 @@ CHROMIUM = (
     "--no-first-run",
 )
 
-# Without a limit, software draws as many pictures of the 3D view as the processors can: five in a second leave time for
-# other tests.
+# Without a limit, software draws as many pictures of a page and of its 3D view as the processors can: five in a second
+# leave time for other tests.
 FEW_PICTURES = """(() => {
-  if (!location.pathname.startsWith("/view/")) return;
   const pause = 190;  // ms
   const next = window.requestAnimationFrame.bind(window), cancel = window.cancelAnimationFrame.bind(window);
   const pending = new Map();
@@ -51,7 +50,7 @@ FEW_PICTURES = """(() => {
 
 
 class FewPicturesBrowser:
-    """Chromium whose pages draw few pictures of the 3D view."""
+    """Chromium whose pages draw few pictures."""
 
     def __init__(self, browser: Browser) -> None:
         self._browser = browser
