@@ -6,8 +6,9 @@ offsets each time the shirt is put on.
 """
 
 import math
-from collections.abc import Collection
+from collections.abc import Callable, Collection
 from dataclasses import dataclass
+from itertools import accumulate, repeat
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,7 +22,7 @@ SPAN = 0.45  # V by which a channel of strength 1 changes over the full movement
 REST_LEVEL = (1.2, 1.8)  # V at rest: the middle of the converter's range, with room in both directions
 STRENGTH = (0.5, 1.0)  # of SPAN: how strongly a channel responds to its joint
 SLACKENING = 0.3  # share of channels that slacken where the others stretch
-NOISE_BLOCK = 256  # frames of noise drawn at once
+BLOCK = 256  # frames of noise, and of drift, computed at once
 TURN_DEG = (8.0, 17.0)  # angle by which a joint's main direction turns when the shirt is put on again
 
 
@@ -51,6 +52,25 @@ PEAKY = FabricProperties(peak=0.06)
 """A fabric that also responds to the speed of a movement."""
 
 STANDARD = FabricProperties()
+
+
+class _Rows:
+    """Rows that are computed in blocks (n, n_channels) and taken one by one."""
+
+    __slots__ = ("_at", "_block", "_compute")
+
+    def __init__(self, compute: Callable[[], NDArray[np.float64]]) -> None:
+        self._compute = compute
+        self._block = np.empty((0, 0))
+        self._at = 0
+
+    def take(self) -> NDArray[np.float64]:
+        """Return the next row (n_channels,)."""
+        if self._at == len(self._block):
+            self._block, self._at = self._compute(), 0
+        row: NDArray[np.float64] = self._block[self._at]
+        self._at += 1
+        return row
 
 
 class Fabric:
@@ -96,14 +116,11 @@ class Fabric:
         self._dead_values = np.where(rng.random(len(self._dead)) < 0.5, 0.0, rng.uniform(0.5, 2.8, len(self._dead)))
         median_rate = 2 * math.pi / properties.drift_period / math.sqrt(2.0)  # of a sine of amplitude 1, roughly
         amplitude = properties.drift_per_minute / 60.0 / median_rate
-        self._drift = self._strength * amplitude * np.exp(rng.normal(0.0, properties.drift_spread, channels))
+        self._drift_size = self._strength * amplitude * np.exp(rng.normal(0.0, properties.drift_spread, channels))
         self._drift_speed = 2 * math.pi / (properties.drift_period * rng.uniform(0.7, 1.4, channels))
         self._drift_phase = rng.uniform(0.0, 2 * math.pi, channels)
         self._parts = np.zeros((6, ways))  # posture, its square, two averages, hysteresis, speed
-        self._dt = 0.0
-        self._keep_fast = self._keep_slow = 1.0
-        self._noise = np.empty((0, channels))
-        self._noise_at = 0
+        self._noise = _Rows(self._noise_block)
         self._compute_matrix()
         self.reset()
 
@@ -111,6 +128,7 @@ class Fabric:
         """Reset the fabric to a long rest: no creep, no hysteresis."""
         self._parts[:] = 0.0
         self._t = 0.0
+        self._dt = math.nan  # s, of the last step
 
     def don_again(self) -> None:
         """Take the shirt off and put it on again: other gains and offsets, and every joint's direction turned.
@@ -135,25 +153,24 @@ class Fabric:
         """Return the channels (n_channels,) in V, `dt` (s) after the step before, at `posture` (n_joints,)."""
         if dt != self._dt:
             self._set_step(dt)
-        q, square, fast, slow, loop, speed = self._parts
-        moved = posture - q
-        way = np.abs(moved)
-        q[:] = posture
+        before, square, _, _, loop, speed = self._parts
+        averages = self._parts[2:4]
+        moved = posture - before
+        before[:] = posture
         np.multiply(posture, posture, out=square)
-        fast += self._keep_fast * (posture - fast)
-        slow += self._keep_slow * (posture - slow)
+        averages += self._keep * (posture - averages)
         # Duhem's hysteresis: after a reversal it changes sign within `loop_length`, at any speed.
-        side = np.sign(moved)
+        way, side = np.abs(moved), np.sign(moved)
         loop -= side
         loop *= np.exp(way * (-1.0 / self._properties.loop_length))
         loop += side
         if self._properties.peak:
             np.power(way / dt, self._properties.peak_power, out=speed)
         values = self._matrix @ self._parts.ravel()
-        self._t += dt
-        values += self._drift * np.sin(self._drift_speed * self._t + self._drift_phase)
-        values += self._next_noise()
+        values += self._drift.take()
+        values += self._noise.take()
         values += self._offsets
+        self._t += dt
         values *= STEPS / FULL_SCALE
         np.rint(values, out=values)
         np.maximum(values, 0.0, out=values)  # np.clip takes four times as long
@@ -165,21 +182,24 @@ class Fabric:
 
     def _set_step(self, dt: float) -> None:
         self._dt = dt
-        self._keep_fast = 1.0 - math.exp(-dt / self._properties.fast)
-        self._keep_slow = 1.0 - math.exp(-dt / self._properties.slow)
+        self._keep = np.array([[1.0 - math.exp(-dt / time)] for time in (self._properties.fast, self._properties.slow)])
+        self._drift = _Rows(self._drift_block)
 
     def _compute_matrix(self) -> None:
         """Compute the matrix (n_channels, 6 n_joints) from all parts of the movement to volts."""
         self._matrix = np.concatenate([self.gains * share[:, np.newaxis] for share in self._shares], axis=1) * SPAN
 
-    def _next_noise(self) -> NDArray[np.float64]:
-        if self._noise_at == len(self._noise):
-            drawn = self._random.standard_normal((NOISE_BLOCK, len(self._offsets)))
-            self._noise = drawn * (self._properties.noise * self._strength)
-            self._noise_at = 0
-        self._noise_at += 1
-        row: NDArray[np.float64] = self._noise[self._noise_at - 1]
-        return row
+    def _noise_block(self) -> NDArray[np.float64]:
+        """Return the noise of the next frames (BLOCK, n_channels), V."""
+        drawn: NDArray[np.float64] = self._random.standard_normal((BLOCK, len(self._offsets)))
+        drawn *= self._properties.noise * self._strength
+        return drawn
+
+    def _drift_block(self) -> NDArray[np.float64]:
+        """Return the drift of the next frames (BLOCK, n_channels), V."""
+        times = list(accumulate(repeat(self._dt, BLOCK), initial=self._t))[1:]
+        turns = np.multiply.outer(times, self._drift_speed) + self._drift_phase
+        return np.asarray(self._drift_size * np.sin(turns))
 
 
 def _gains(
