@@ -97,6 +97,18 @@ def test_a_limit_that_was_lowered_is_come_down_to_and_never_left_upwards(start):
     assert max(abs(change) for *_, change, _ in way) <= 1.2 * (1 + ROUNDING)
 
 
+@pytest.mark.parametrize("side", [1.0, -1.0])
+def test_a_wish_to_slow_down_a_little_does_not_delay_the_way_to_a_lowered_limit(side):
+    lowered = replace(FORWARD, top=0.3, bottom=0.3)
+    kept, eased = [side], [side]
+    for _ in range(30):
+        for speeds, less in ((kept, 0.0), (eased, 1e-4)):
+            rate = (speeds[-1] - speeds[-2]) / 0.01 if len(speeds) > 1 else 0.0
+            speeds.append(lowered.bounded(speeds[-1], rate, speeds[-1] - side * less, 0.01))
+    assert eased == pytest.approx(kept)
+    assert abs(eased[-1]) < 0.8
+
+
 @pytest.mark.parametrize("dt", [0.001, 0.01, 0.02])
 @pytest.mark.parametrize("target", [0.8, 0.35, 0.0, -0.3])
 @pytest.mark.parametrize("start", [0.8, 0.1, 0.0, -0.3])
