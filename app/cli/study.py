@@ -32,6 +32,7 @@ SESSION_TRIALS = 3
 MOST_SESSIONS = 100
 MOST_SEEDS = 1000
 LARGEST_SEED = 2**31 - 1
+MOST_JOBS = 256
 OF_A_STUDY = re.compile(
     r"(study\.json|trials\.csv|trajectories\.parquet|(trajectories|errors)(-seed-\d+)?\.(png|svg)"
     r"|sessions\.csv|table\.txt|adaptation\.json)"
@@ -56,6 +57,10 @@ def study(
     ] = None,
     person: Annotated[PersonKind, typer.Option(help="Over sessions: what happens to body or shirt.")] = "deteriorating",
     sessions: Annotated[int, typer.Option(min=1, max=MOST_SESSIONS, help="How many, with --adapt.")] = 10,
+    jobs: Annotated[
+        int | None,
+        typer.Option(min=1, max=MOST_JOBS, help="Processes at once; as many as processors when not given."),
+    ] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")] = False,
 ) -> None:
     """Let a simulated person calibrate, then drive a path again and again, and score every trial."""
@@ -71,6 +76,7 @@ def study(
     except ValueError as error:
         raise InputError(f"--out {error}") from error
     plan = find_floorplan(floorplan)
+    processes = jobs or len(os.sched_getaffinity(0))
     started = stopwatch()
     try:
         chosen = plan.path_named(path) if path is not None else plan.paths[0]
@@ -90,6 +96,7 @@ def study(
             seeds=range(seed, seed + seeds),
             floorplan=plan,
             path=chosen,
+            processes=processes,
             as_json=as_json,
         )
         return
@@ -97,13 +104,13 @@ def study(
     driver = dataclasses.replace(NOVICE, learns=not no_learning)
     try:
         if seeds == 1:
-            result = run_study(trials, seed, plan, chosen.name, None if as_json else _Progress(trials), driver)
+            progress = None if as_json else _Progress(trials)
+            result = run_study(trials, seed, plan, chosen.name, progress, driver, processes)
             write_study(result, out, lambda folder: draw_study(result, folder, figure_format), overwrite)
             document, lines = summary(result), [result.learning[name]["text"] for name in MEASURES]
         else:
-            results = run_seeds(
-                range(seed, seed + seeds), trials, plan, chosen.name, driver, None if as_json else _tell_of_seed
-            )
+            tell = None if as_json else _tell_of_seed
+            results = run_seeds(range(seed, seed + seeds), trials, plan, chosen.name, driver, tell, processes)
             write_seeds(results, out, lambda folder: draw_seeds(results, folder, figure_format), overwrite)
             document, lines = seeds_summary(results), sentences(results)
     except ValueError as error:

@@ -14,7 +14,7 @@ from app.cli.errors import InputError
 from app.clock import stopwatch
 from app.source import STUDY_SOURCE, source_words
 from app.study.comparison import compare, table
-from app.study.sessions import Mode, PersonKind, SessionTrial, calibrated_participant, run_sessions
+from app.study.sessions import Mode, PersonKind, SessionTrial, run_participants
 from app.world.floorplan import FloorPlan, PrescribedPath
 
 ROWS, TABLE, SUMMARY = "sessions.csv", "table.txt", "adaptation.json"
@@ -30,6 +30,7 @@ def study_sessions(
     seeds: Sequence[int],
     floorplan: FloorPlan,
     path: PrescribedPath,
+    processes: int,
     as_json: bool,
 ) -> None:
     """Run every seed with the map fixed, and beside it as `adapt` says; write rows, table and summary into `out`.
@@ -42,14 +43,13 @@ def study_sessions(
     started = stopwatch()
     rows: list[SessionTrial] = []
     modes: tuple[Mode, ...] = ("off",) if adapt == "off" else ("off", adapt)
-    progress = None if as_json else _say
     try:
         out.mkdir(parents=True, exist_ok=True)
-        for seed in seeds:
-            first = calibrated_participant(person, seed)
-            for mode in modes:
-                rows += run_sessions(mode, first, sessions, trials, floorplan, path, progress)
+        for of_seed in run_participants(person, seeds, modes, sessions, trials, floorplan, path, processes):
+            rows += of_seed
             _write_rows(out, rows)  # after each person, so that a failure loses one person's results only
+            if not as_json:
+                _say(of_seed)
         asked = {
             "source": source_words(STUDY_SOURCE),
             "adapt": adapt,
@@ -81,9 +81,10 @@ def _write_rows(out: Path, rows: Sequence[SessionTrial]) -> None:
         writer.writerows(asdict(row) for row in rows)
 
 
-def _say(row: SessionTrial) -> None:
-    words: dict[str, Any] = asdict(row)
-    words["ending"] = "" if row.reached else ", goal not reached"
-    sys.stderr.write(
-        "seed {seed}, {mode}, session {session}, trial {trial}: E_diff {e_diff:.2f} m²{ending}\n".format(**words)
-    )
+def _say(rows: Sequence[SessionTrial]) -> None:
+    for row in rows:
+        words: dict[str, Any] = asdict(row)
+        words["ending"] = "" if row.reached else ", goal not reached"
+        sys.stderr.write(
+            "seed {seed}, {mode}, session {session}, trial {trial}: E_diff {e_diff:.2f} m²{ending}\n".format(**words)
+        )

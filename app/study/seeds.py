@@ -1,7 +1,6 @@
 """The study with several seeds: in how many of them a measure falls, and at which trial it falls most."""
 
 import dataclasses
-import os
 from collections.abc import Callable, Sequence
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from dataclasses import dataclass
@@ -42,7 +41,7 @@ def run_seeds(
     path_name: str,
     person: PersonParameters = NOVICE,
     progress: Progress | None = None,
-    processes: int | None = None,
+    processes: int = 1,
 ) -> tuple[StudyResult, ...]:
     """Run one study per seed, several in parallel, and return the results in the order of `seeds`.
 
@@ -56,16 +55,15 @@ def run_seeds(
     progress
         Called with each result when its study is done, in the order in which they finish.
     processes
-        Largest number of parallel processes; by default the number of processors.
+        Largest number of parallel processes.
 
     Raises
     ------
     ValueError
         When one of the studies cannot be made.
     """
-    workers = min(len(seeds), processes or os.cpu_count() or 1)
     done: dict[int, StudyResult] = {}
-    with ProcessPoolExecutor(workers) as pool:
+    with ProcessPoolExecutor(min(len(seeds), processes)) as pool:
         studies = [
             pool.submit(_study_of, seed, trials, floorplan, path_name, person, whole=seed == seeds[0]) for seed in seeds
         ]

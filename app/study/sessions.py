@@ -1,8 +1,10 @@
 """The study over sessions: one calibration, then sessions of trials, with a fixed or an adapted map."""
 
-from collections.abc import Callable
+from collections.abc import Iterator, Sequence
+from concurrent.futures import ProcessPoolExecutor
 from copy import deepcopy
 from dataclasses import dataclass
+from functools import partial
 from typing import Literal
 
 import numpy as np
@@ -19,7 +21,7 @@ from app.hardware.body.person_parameters import DETERIORATING, IMPROVING, PRACTI
 from app.study.experiment import SAMPLE_RATE, SEEDS_APART, shirt_layout
 from app.study.participant import Participant
 from app.study.simulated_calibration import calibrate, record_step
-from app.study.simulated_trial import FrameLog, StudyTrial, drive_trial
+from app.study.simulated_trial import FrameLog, StudyTrial, drive_trial, score_trial
 from app.world.floorplan import FloorPlan, PrescribedPath
 
 Mode = Literal["off", "suggest", "auto"]
@@ -54,9 +56,6 @@ class SessionTrial:
     from_calibration_deg: float  # largest angle of a joint to its calibration, in this trial
 
 
-Progress = Callable[[SessionTrial], None]
-
-
 @dataclass(frozen=True, slots=True)
 class CalibratedParticipant:
     """A participant just after the calibration; each condition of the study begins with a copy."""
@@ -80,7 +79,6 @@ def run_sessions(
     trials: int,
     floorplan: FloorPlan,
     path: PrescribedPath,
-    progress: Progress | None = None,
 ) -> list[SessionTrial]:
     """Drive `sessions` sessions of `trials` trials with one calibrated person, and return all trials.
 
@@ -101,15 +99,49 @@ def run_sessions(
         movements: list[Movement] = []
         for number in range(1, trials + 1):
             frames: FrameLog = []
-            trial = drive_trial(number, participant, parameters, floorplan, path, frames)
+            driven = drive_trial(number, participant, parameters, floorplan, path, frames)
+            trial = score_trial(floorplan, path, driven)
             movements.append(_movement(frames))
             proposal = None if mode == "off" else propose(parameters, movements, calibrated=calibrated, fresh=1)
             rows.append(_row(mode, first, session, trial, parameters, proposal))
-            if progress is not None:
-                progress(rows[-1])
             if mode == "auto" and proposal is not None and proposal.parameters is not None:
                 parameters = proposal.parameters
     return rows
+
+
+def run_participants(
+    who: PersonKind,
+    seeds: Sequence[int],
+    modes: Sequence[Mode],
+    sessions: int,
+    trials: int,
+    floorplan: FloorPlan,
+    path: PrescribedPath,
+    processes: int = 1,
+) -> Iterator[list[SessionTrial]]:
+    """Yield all trials of one seed after the other, in the order of `seeds`: its sessions in each of the modes.
+
+    Up to `processes` seeds are driven at once; the results do not depend on their number.
+    """
+    run = partial(_run_participant, who, modes, sessions, trials, floorplan, path)
+    if processes == 1:
+        yield from map(run, seeds)
+        return
+    with ProcessPoolExecutor(min(len(seeds), processes)) as pool:
+        yield from pool.map(run, seeds)
+
+
+def _run_participant(
+    who: PersonKind,
+    modes: Sequence[Mode],
+    sessions: int,
+    trials: int,
+    floorplan: FloorPlan,
+    path: PrescribedPath,
+    seed: int,
+) -> list[SessionTrial]:
+    first = calibrated_participant(who, seed)
+    return [row for mode in modes for row in run_sessions(mode, first, sessions, trials, floorplan, path)]
 
 
 def _free_movement(participant: Participant) -> Movement:

@@ -1,7 +1,8 @@
 """One trial of a study: armed after the neutral check, driven through the chain, scored as any trial."""
 
 from dataclasses import dataclass
-from typing import Any
+from operator import attrgetter
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,7 +11,6 @@ from app.calibration.vocabulary import DriveParameters
 from app.faults import State
 from app.geometry import Pose
 from app.hardware.chair.simulator import VirtualChair
-from app.messages import Tick
 from app.pipeline.chain import Chain
 from app.pipeline.safety_gate import Conditions
 from app.scoring.task_measures import task_measures
@@ -24,13 +24,22 @@ LONGEST_WAIT = 30.0  # s until motion is permitted; after that the trial is give
 COLUMNS = ("t", "x", "y", "theta", "v", "omega", "u1", "u2", "in_contact", "contacts", "scene_t")
 
 Numbers = NDArray[np.float64]
+_row = attrgetter(*COLUMNS)
 FrameLog = list[tuple[NDArray[np.float32], bool]]
 """Frames (n_channels,), each with whether motion was permitted."""
 
 
+class DrivenTrial(NamedTuple):
+    """One attempt along the path, not yet scored."""
+
+    number: int  # from 1
+    faults: int  # latched stops on the way
+    columns: dict[str, Numbers]  # (n,) each, by the names in COLUMNS; t in s since motion was permitted
+
+
 @dataclass(frozen=True, slots=True)
 class StudyTrial:
-    """One attempt along the path."""
+    """One attempt along the path, scored."""
 
     number: int  # from 1
     measures: dict[str, Any]
@@ -50,8 +59,8 @@ def drive_trial(
     floorplan: FloorPlan,
     path: PrescribedPath,
     frames: FrameLog | None = None,
-) -> StudyTrial:
-    """Drive the path once, until the goal or the path's time limit, and score the trial.
+) -> DrivenTrial:
+    """Drive the path once, until the goal or the path's time limit.
 
     All frames from the rest before the trial on are appended to `frames`.
     """
@@ -62,10 +71,16 @@ def drive_trial(
     frames = [] if frames is None else frames
     _settle(participant, chain, conditions, frames)
     rows, faults = _drive(participant, chain, chair, conditions, floorplan, path, frames)
-    column = dict(zip(COLUMNS, np.array(rows, dtype=np.float64).T, strict=True))
-    column["t"] = column["t"] - column["t"][0]
-    measures = task_measures(floorplan, path, column)
-    return StudyTrial(number, measures, faults, *(column[name] for name in ("t", "x", "y", "theta", "v", "omega")))
+    columns = dict(zip(COLUMNS, np.array(rows, dtype=np.float64).T, strict=True))
+    columns["t"] = columns["t"] - columns["t"][0]
+    return DrivenTrial(number, faults, columns)
+
+
+def score_trial(floorplan: FloorPlan, path: PrescribedPath, driven: DrivenTrial) -> StudyTrial:
+    """Return a trial with its measures."""
+    number, faults, columns = driven
+    shown = (columns[name] for name in ("t", "x", "y", "theta", "v", "omega"))
+    return StudyTrial(number, task_measures(floorplan, path, columns), faults, *shown)
 
 
 def _settle(participant: Participant, chain: Chain, conditions: Conditions, frames: FrameLog) -> None:
@@ -114,7 +129,3 @@ def _drive(
             if progress.reached:
                 break
     return rows or [_row(tick)], faults
-
-
-def _row(tick: Tick) -> tuple[float, ...]:
-    return tuple(float(getattr(tick, name)) for name in COLUMNS)

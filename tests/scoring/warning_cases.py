@@ -91,12 +91,12 @@ def sessions_of(condition: Condition, seed: int, place: str = PLACE, path_name: 
             if session == condition.dies and number == 2:
                 participant.dead = np.random.default_rng(seed).choice(_used(parameters))
             participant.frames.clear()
-            driven = drive_trial(len(trials) + 1, participant, parameters, plan, path)
+            driven = drive_trial(len(trials) + 1, participant, parameters, plan, path).columns
             values = np.array(participant.frames)
             t = np.arange(len(values)) / SAMPLE_RATE
-            armed = np.arange(len(values)) >= len(values) - len(driven.t)
+            armed = np.arange(len(values)) >= len(values) - len(driven["t"])
             activation = decode_block(parameters, SAMPLE_RATE, t, values).activation
-            way = float(np.hypot(np.diff(driven.x), np.diff(driven.y)).sum())
+            way = float(np.hypot(np.diff(driven["x"]), np.diff(driven["y"])).sum())
             quality = control_quality(parameters, SAMPLE_RATE, values, armed, activation, way)
             trials.append(TrialAssessment(len(trials) + 1, len(trials) + 1, session, version, path_name, quality))
     return trials

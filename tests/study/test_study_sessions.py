@@ -5,7 +5,7 @@ import json
 import pytest
 
 from app.cli.study import study
-from app.study.sessions import calibrated_participant, run_sessions
+from app.study.sessions import calibrated_participant, run_participants, run_sessions
 from app.world.floorplan import bundled_floorplans, load_floorplan
 
 CLINIC = load_floorplan(bundled_floorplans()["clinic"])
@@ -34,6 +34,11 @@ def test_a_suggested_step_changes_nothing(first) -> None:
     suggested = run_sessions("suggest", first, 1, 2, CLINIC, CORRIDOR)
     assert [row.e_diff for row in fixed] == [row.e_diff for row in suggested]
     assert suggested[0].felt_change > 0.0
+
+
+def test_the_trials_do_not_depend_on_the_number_of_processes() -> None:
+    asked = ("redonned", (3, 4), ("off",), 1, 1, CLINIC, CORRIDOR)
+    assert list(run_participants(*asked)) == list(run_participants(*asked, processes=2))
 
 
 def test_the_command_writes_rows_table_and_summary(tmp_path, capsys) -> None:

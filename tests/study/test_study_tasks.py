@@ -8,7 +8,7 @@ from app.hardware.body.person_parameters import PRACTISED
 from app.study.experiment import SAMPLE_RATE, shirt_layout
 from app.study.participant import Participant
 from app.study.simulated_calibration import calibrate
-from app.study.simulated_trial import drive_trial
+from app.study.simulated_trial import drive_trial, score_trial
 from app.world.scene import bundled_scenes, load_scene
 
 
@@ -26,7 +26,8 @@ def drive(calibrated_participant):
 
     def measured(scene: str, level: str, task: str):
         plan = load_scene(bundled_scenes()[scene]).plans[level]
-        return drive_trial(1, participant, parameters, plan, plan.path_named(task))
+        path = plan.path_named(task)
+        return score_trial(plan, path, drive_trial(1, participant, parameters, plan, path))
 
     return measured
 
