@@ -8,7 +8,7 @@ INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check --co
 # A module is compiled once, and not by each of the many processes that the tests start.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: demo test browser check lint python-types javascript-types api-types demo-profile safety drills soak worlds bench bench-compare clean
+.PHONY: demo test browser check lint python-types javascript-types api-types demo-profile safety compiled drills soak worlds bench bench-compare clean
 
 $(VENV)/.installed: pyproject.toml constraints.txt
 	@echo "Installing into $(VENV), once; this takes a minute or two ..."
@@ -65,6 +65,16 @@ demo-profile: $(VENV)/.installed-test
 safety: $(VENV)/.installed-test
 	@$(INSTALL) --editable '.[safety]'
 	$(BIN)/python tests/mutation.py
+
+# A wheel, compiled, in a folder of its own: its drives and tests are compared with those of plain Python.
+# test_stoppable.py is left out: it copies chains, and compiled objects cannot be copied.
+COMPILED := build/compiled
+COMPILED_TESTS := tests/pipeline tests/world tests/study --ignore=tests/pipeline/test_stoppable.py
+compiled: $(VENV)/.installed-test
+	@rm -rf $(COMPILED)
+	@BODYDRIVE_COMPILE=must $(INSTALL) --no-deps --target $(COMPILED) .
+	$(BIN)/python tests/compiled/equal_drives.py $(COMPILED)
+	PYTHONPATH=$(COMPILED) $(BIN)/pytest $(SIDE_BY_SIDE) $(COMPILED_TESTS)
 
 drills: $(VENV)/.installed-test
 	PYTHONPATH=tests $(BIN)/python -m drills --jobs 2 --out docs/drills.md

@@ -10,6 +10,7 @@ from importlib import import_module
 from pathlib import Path
 from typing import NamedTuple
 
+from app.pipeline.compiled import IS_COMPILED
 from bench.row import Row
 
 
@@ -77,13 +78,14 @@ def line(row: Row) -> str:
 
 
 def machine() -> str:
-    """Return processor, cores, system and Python version of this machine."""
+    """Return processor, cores, system and Python version of this machine, and whether bodydrive runs compiled."""
     name = platform.processor() or platform.machine()
     for entry in _lines_of(Path("/proc/cpuinfo")):
         if entry.startswith("model name"):
             name = entry.split(":", 1)[1].strip()
             break
-    return f"{name}, {_cores()} cores, {platform.system()} {platform.release()}, Python {platform.python_version()}"
+    python = f"Python {platform.python_version()}, bodydrive {'compiled' if IS_COMPILED else 'not compiled'}"
+    return f"{name}, {_cores()} cores, {platform.system()} {platform.release()}, {python}"
 
 
 def _cores() -> int:

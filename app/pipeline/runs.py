@@ -8,6 +8,7 @@ from app import __version__
 from app.clock import Clock, utc_now
 from app.disk_room import ROOM_TO_RECORD
 from app.pipeline import command_fields
+from app.pipeline.compiled import IS_COMPILED
 from app.pipeline.loop import ControlLoop
 from app.pipeline.open_run import OpenRun
 from app.pipeline.setup import CommandRefused
@@ -106,6 +107,7 @@ class Runs:
             "kind": fields.kind,
             "created": utc_now().isoformat(),
             "software": __version__,
+            "compiled": IS_COMPILED,
             "layout": shirt.layout.model_dump(mode="json"),
             "sample_rate": shirt.sample_rate,
             "gestures": gestures,

@@ -48,6 +48,7 @@ def test_a_run_with_cues_is_recorded(tmp_path):
     assert (run.damage, run.rows, run.dropped) == ("", ended["rows"], ended["dropped"])
     assert ended["dropped"] == 0
     assert run.meta["meta"] == {"step": "x"}
+    assert run.meta["compiled"] is False
     assert run.meta["source"] == SOURCE
     assert [cue["kind"] for cue in run.meta["cues"]] == ["rest", "move"]
     run_t, cue = run.columns["run_t"], run.columns["cue"]

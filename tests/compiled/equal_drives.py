@@ -1,0 +1,34 @@
+"""`equal_drives.py FOLDER`: compares the drives of the compiled program in FOLDER with those of plain Python."""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).parents[2]
+LEAST_PERMITTED = 0.1  # of the time, over all drives: a comparison of chairs that stand would show little
+
+
+def drives(program):
+    """Return what `many_drives.py` prints with the program in this folder."""
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join([str(program), str(ROOT / "tests")])}
+    words = [sys.executable, str(Path(__file__).with_name("many_drives.py"))]
+    return json.loads(subprocess.run(words, env=environment, check=True, stdout=subprocess.PIPE).stdout)
+
+
+def main():
+    compiled, pure = drives(Path(sys.argv[1]).resolve()), drives(ROOT)
+    if not compiled["compiled"] or pure["compiled"]:
+        sys.exit(f"{sys.argv[1]} has to hold the compiled program, and {ROOT} plain Python")
+    differing = [i for i, pair in enumerate(zip(compiled["drives"], pure["drives"], strict=True)) if pair[0] != pair[1]]
+    if differing:
+        sys.exit(f"compiled and plain Python differ in the drives {differing}")
+    permitted = sum(share for _, _, share in pure["drives"]) / len(pure["drives"])
+    if permitted < LEAST_PERMITTED:
+        sys.exit(f"motion was permitted for only {permitted:.0%} of the time: the drives compare too little")
+    sys.stdout.write(f"{len(differing)} of {len(pure['drives'])} drives differ; motion was permitted {permitted:.0%}\n")
+
+
+if __name__ == "__main__":
+    main()
