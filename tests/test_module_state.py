@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from folders import ROOT
 
 # Made by a call and never changed afterwards.
-CONSTANT_KINDS = ("getLogger", "APIRouter", "Typer", "ViewPage")
+CONSTANT_KINDS = ("getLogger", "APIRouter", "Typer", "ViewPage", "attrgetter")
 # What must be one for the whole process, with its reason.
 PROCESS_WIDE = {
     "app/hardware/chair/link.py: _sequence": "the numbers of commands go on when a chair is opened again",
