@@ -3,12 +3,10 @@
 import json
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 from zlib import crc32
 
 import numpy as np
-import pyarrow as pa
-import pyarrow.parquet as pa_parquet
 from numpy.typing import NDArray
 
 from app.messages import TICK
@@ -27,6 +25,9 @@ from app.recording.format import (
     check_pieces,
     parse_end,
 )
+
+if TYPE_CHECKING:
+    import pyarrow as pa
 
 CHUNK = 1 << 20  # bytes read at once for a checksum
 
@@ -91,7 +92,10 @@ def read_run(folder: str | Path) -> Run:
     return Run(meta, _columns(tables, meta), end["dropped"] if end else 0, damage or words)
 
 
-def _read_parquet(file: Path, end: dict[str, Any] | None) -> tuple[list[pa.Table], str]:
+def _read_parquet(file: Path, end: dict[str, Any] | None) -> tuple[list["pa.Table"], str]:
+    import pyarrow as pa
+    import pyarrow.parquet as pa_parquet
+
     try:
         table = pa_parquet.read_table(file, page_checksum_verification=True)
         table.validate(full=True)
@@ -105,7 +109,7 @@ def _read_parquet(file: Path, end: dict[str, Any] | None) -> tuple[list[pa.Table
     return ([table] if _has_all_columns(table.schema) else []), words
 
 
-def _read_segments(segments: list[Path]) -> tuple[list[pa.Table], str]:
+def _read_segments(segments: list[Path]) -> tuple[list["pa.Table"], str]:
     """Return the rows before the first missing or wrong byte, and one sentence on the damage."""
     tables: list[pa.Table] = []
     for number, segment in enumerate(segments):
@@ -140,8 +144,10 @@ def _sound_part(content: bytes, records: bytes) -> tuple[int, bool]:
     return len(content), False
 
 
-def _batches(content: bytes) -> list[pa.Table]:
+def _batches(content: bytes) -> list["pa.Table"]:
     """Return the batches of a stream that may be cut anywhere."""
+    import pyarrow as pa
+
     batches: list[pa.RecordBatch] = []
     try:
         with pa.ipc.open_stream(content) as stream:
@@ -156,12 +162,14 @@ def _batches(content: bytes) -> list[pa.Table]:
         return [pa.Table.from_batches(batches)] if batches else []
 
 
-def _has_all_columns(columns: pa.Schema) -> bool:
+def _has_all_columns(columns: "pa.Schema") -> bool:
     return set(SCALARS) <= set(columns.names) and PER_CHANNEL in columns.names
 
 
-def _columns(tables: list[pa.Table], meta: dict[str, Any]) -> Columns:
+def _columns(tables: list["pa.Table"], meta: dict[str, Any]) -> Columns:
     """Return the rows of all tables as arrays."""
+    import pyarrow as pa
+
     if not tables:
         return _no_rows(meta)
     rows = pa.concat_tables(tables)
@@ -191,7 +199,7 @@ def _no_rows(meta: dict[str, Any]) -> Columns:
     return columns
 
 
-def _copied_meta(tables: list[pa.Table]) -> bytes | None:
+def _copied_meta(tables: list["pa.Table"]) -> bytes | None:
     """Return the copy of `run.json` that the recording itself carries."""
     known = tables[0].schema.metadata if tables else None
     return known.get(META_KEY) if known else None

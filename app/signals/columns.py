@@ -3,15 +3,15 @@
 import csv
 from collections.abc import Collection
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
-import pyarrow as pa
-import pyarrow.csv as pa_csv
-import pyarrow.parquet as pa_parquet
 from numpy.typing import NDArray
 
 from app.signals.csv_dialect import Dialect, cells_of, decimals_to_try, separator_of
+
+if TYPE_CHECKING:
+    import pyarrow as pa
 
 Table = dict[str, NDArray[np.generic]]
 
@@ -82,7 +82,10 @@ def _is_parquet(path: Path) -> bool:
     return path.suffix.lower() == ".parquet"
 
 
-def _read_parquet(path: Path, only: Collection[str] | None) -> pa.Table:
+def _read_parquet(path: Path, only: Collection[str] | None) -> "pa.Table":
+    import pyarrow as pa
+    import pyarrow.parquet as pa_parquet
+
     try:
         described = pa_parquet.read_metadata(path)
         names = described.schema.to_arrow_schema().names
@@ -98,7 +101,9 @@ def _read_parquet(path: Path, only: Collection[str] | None) -> pa.Table:
         raise ValueError(f"{path}: this Parquet file was cut or changed and cannot be read, save it anew") from error
 
 
-def _read_csv(path: Path, text: Collection[str], only: Collection[str] | None) -> tuple[pa.Table, Dialect]:
+def _read_csv(path: Path, text: Collection[str], only: Collection[str] | None) -> tuple["pa.Table", Dialect]:
+    import pyarrow as pa
+
     header, separator = _header(path)
     wanted = [name for name in header if only is None or name in only]
     if not wanted:
@@ -120,8 +125,10 @@ def _read_csv(path: Path, text: Collection[str], only: Collection[str] | None) -
 
 
 def _table_of_csv(
-    path: Path, header: list[str], types: dict[str, pa.DataType], wanted: list[str], dialect: Dialect
-) -> pa.Table:
+    path: Path, header: list[str], types: dict[str, "pa.DataType"], wanted: list[str], dialect: Dialect
+) -> "pa.Table":
+    import pyarrow.csv as pa_csv
+
     return pa_csv.read_csv(
         path,
         read_options=pa_csv.ReadOptions(column_names=header, skip_rows=1),
@@ -206,6 +213,8 @@ def _is_number(cell: str, decimal: str) -> bool:
 
 
 def _as_array(path: Path, name: str, column: Any, text: Collection[str]) -> NDArray[np.generic]:
+    import pyarrow as pa
+
     if name in text:
         return np.array([str(cell).strip() for cell in column.to_pylist()], dtype=np.str_)
     if pa.types.is_null(column.type):

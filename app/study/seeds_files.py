@@ -6,11 +6,9 @@ import io
 import json
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import pyarrow as pa
-import pyarrow.parquet
 
 from app import __version__
 from app.source import STUDY_SOURCE, source_words
@@ -24,6 +22,9 @@ from app.study.study_files import (
     person_document,
     trajectories_table,
 )
+
+if TYPE_CHECKING:
+    import pyarrow as pa
 
 WORDS = {"dist": ("Dist", "m"), "e_diff": ("E_diff", "m²")}
 
@@ -40,6 +41,8 @@ def write_seeds(results: Sequence[StudyResult], folder: Path, draw: Draw, overwr
     OSError
         When the place cannot be written; nothing is left behind then.
     """
+    import pyarrow.parquet
+
     with atomic_folder(folder, overwrite) as part:
         (part / "trials.csv").write_text(seeds_csv(results), encoding="utf-8")
         pyarrow.parquet.write_table(_trajectories(results), part / "trajectories.parquet", compression="zstd")
@@ -114,8 +117,10 @@ def _sentence(measure: str, over: MeasureOverSeeds, seeds: int) -> str:
     )
 
 
-def _trajectories(results: Sequence[StudyResult]) -> pa.Table:
+def _trajectories(results: Sequence[StudyResult]) -> "pa.Table":
     """Return the trajectories of all seeds, about ten rows a second, with the column `seed` first."""
+    import pyarrow as pa
+
     whole = results[0]
     sparse = dataclasses.replace(whole, trials=tuple(decimated(trial) for trial in whole.trials))
     tables = []

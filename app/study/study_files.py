@@ -9,16 +9,17 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import fields
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import pyarrow as pa
-import pyarrow.parquet
 
 from app import __version__
 from app.hardware.body.person_parameters import PersonParameters, PracticeEffect
 from app.source import STUDY_SOURCE, source_words
 from app.study.experiment import StudyResult
+
+if TYPE_CHECKING:
+    import pyarrow as pa
 
 Draw = Callable[[Path], None]
 
@@ -52,6 +53,8 @@ def write_study(result: StudyResult, folder: Path, draw: Draw, overwrite: bool =
     OSError
         When the place cannot be written; nothing is left behind then.
     """
+    import pyarrow.parquet
+
     with atomic_folder(folder, overwrite) as part:
         (part / "trials.csv").write_text(trials_csv(result), encoding="utf-8")
         pyarrow.parquet.write_table(trajectories_table(result), part / "trajectories.parquet", compression="zstd")
@@ -94,8 +97,10 @@ def trials_csv(result: StudyResult) -> str:
     return text.getvalue()
 
 
-def trajectories_table(result: StudyResult) -> pa.Table:
+def trajectories_table(result: StudyResult) -> "pa.Table":
     """Return all trajectories as one table: trial, t (s since the trial's start), x, y, theta, v, omega."""
+    import pyarrow as pa
+
     trials = result.trials
     columns: dict[str, Any] = {
         "trial": np.repeat([trial.number for trial in trials], [len(trial.t) for trial in trials]).astype(np.int32)

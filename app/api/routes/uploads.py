@@ -7,8 +7,6 @@ from io import BytesIO
 from pathlib import Path
 from typing import BinaryIO, Literal
 
-import pyarrow
-import pyarrow.parquet
 from fastapi import HTTPException
 
 from app.quantities import Document
@@ -100,6 +98,9 @@ def harmless_name(name: str) -> str:
 def _columns(suffix: str, opened: BinaryIO) -> list[str] | None:
     """Return the names of the columns, reading no more than needed; None when unreadable or too large."""
     if suffix == ".parquet":
+        import pyarrow
+        import pyarrow.parquet
+
         opened.seek(0, os.SEEK_END)
         opened.seek(max(opened.tell() - PARQUET_END, 0))
         if int.from_bytes(opened.read(4), "little") > LONGEST_SCHEMA:
