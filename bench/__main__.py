@@ -5,10 +5,10 @@ import json
 import os
 import platform
 import sys
-from dataclasses import asdict
+from collections.abc import Sequence
 from importlib import import_module
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from app.pipeline.compiled import IS_COMPILED
 from bench.row import Row
@@ -22,6 +22,8 @@ class Part(NamedTuple):
     words: str
 
 
+RATIOS = "Ratios to what the same machine did in the same run:"
+ABSOLUTE = "What depends on how fast this machine is:"
 PARTS = {
     "chain": Part("bench.chain", "measure_chain_step", "a step from signals to the chair"),
     "gate": Part("bench.gate", "measure_gate", "a step of the safety gate"),
@@ -33,6 +35,7 @@ PARTS = {
     "decode": Part("bench.chain", "measure_decode", "decoding a recording"),
     "fit": Part("bench.fit", "measure_fit", "fitting a calibration"),
     "study": Part("bench.study", "measure_study", "the paper's experiment without a screen"),
+    "start": Part("bench.start", "measure_start", "from the command to its link or its help"),
     "page": Part("bench.page", "measure_page", "from the address to a page that can be used, in Chromium"),
     "viewers": Part("bench.viewers", "measure_viewers", "the 3D view for one, four and eight"),
     "trajectory": Part("bench.long_trajectory", "measure_trajectory", "a long trajectory against a short one"),
@@ -50,23 +53,42 @@ def main() -> None:
     for part in chosen:
         if part not in PARTS:
             parser.error(f"there is no part '{part}' to measure: use any of {', '.join(PARTS)}")
-    rows = []
+    rows: list[Row] = []
     for part in chosen:
-        module, function, _ = PARTS[part]
+        module, function, words = PARTS[part]
+        if not given.json:
+            sys.stderr.write(f"{part}: {words} ...\n")
         try:
-            measured = getattr(import_module(module), function)()
+            rows += getattr(import_module(module), function)()
         except RuntimeError as error:  # for example without a browser: the other parts are measured all the same
             sys.stderr.write(f"{part} is not measured: {error}\n")
-            continue
-        for row in measured:
-            rows.append(row)
-            if not given.json:
-                sys.stdout.write(f"{line(row)}\n")
-                sys.stdout.flush()
     if given.json:
-        sys.stdout.write(json.dumps({"machine": machine(), "rows": [asdict(row) for row in rows]}) + "\n")
-    else:
-        sys.stdout.write(f"\n{machine()}\n")
+        sys.stdout.write(json.dumps({"machine": machine(), "rows": [document(row) for row in rows]}) + "\n")
+        return
+    sys.stdout.write(table(RATIOS, [row for row in rows if row.is_ratio]))
+    sys.stdout.write(table(ABSOLUTE, [row for row in rows if not row.is_ratio]))
+    sys.stdout.write(f"{machine()}\n")
+
+
+def document(row: Row) -> dict[str, Any]:
+    """Return the row for JSON."""
+    return {
+        "what": row.what,
+        "figure": row.figure,
+        "runs": list(row.runs),
+        "unit": row.unit,
+        "reach": row.reach,
+        "better": row.better,
+        "details": row.details,
+    }
+
+
+def table(title: str, rows: Sequence[Row]) -> str:
+    """Return the rows as a Markdown table below its title; an empty text without rows."""
+    if not rows:
+        return ""
+    head = "| what | measured (of each run) | to be reached | details |\n|---|---|---|---|\n"
+    return f"{title}\n\n{head}{''.join(map(line, rows))}\n"
 
 
 def line(row: Row) -> str:
@@ -74,7 +96,13 @@ def line(row: Row) -> str:
     sign = "<=" if row.better == "lower" else ">="
     reached = "" if row.is_reached else " **not reached**"
     asked = "" if row.reach is None else f"{sign} {row.reach:g}"
-    return f"| {row.what} | {row.figure:.3g} {row.unit} | {asked} | {row.details}{reached} |"
+    spread = f" ({number(min(row.runs))} to {number(max(row.runs))})" if len(row.runs) > 1 else ""
+    return f"| {row.what} | {number(row.figure)} {row.unit}{spread} | {asked} | {row.details}{reached} |\n"
+
+
+def number(figure: float) -> str:
+    """Return a figure with three digits that count, without an exponent."""
+    return f"{figure:.0f}" if abs(figure) >= 100 else f"{figure:.3g}"
 
 
 def machine() -> str:

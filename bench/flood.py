@@ -11,31 +11,35 @@ from bench.row import Row
 from bench.stop import request, served
 
 SIGN_INS = 40  # at once
-ROUNDS, STOPS = 10, 40  # rounds without and with sign-ins, in turn; stops in each round
+RUNS, ROUNDS, STOPS = 3, 6, 40  # runs; rounds without and with sign-ins in each, in turn; stops in each round
 REACH = 2.0  # the largest ratio of the two p99
 SETTLING = 0.5  # s after the flood began or ended
 PAUSE = (0.005, 0.03)  # s between two stops, random, so that stops meet every phase of the sign-ins
 
 
-def measure_flood(rounds: int = ROUNDS, stops: int = STOPS, sign_ins: int = SIGN_INS) -> list[Row]:
+def measure_flood(runs: int = RUNS, rounds: int = ROUNDS, stops: int = STOPS, sign_ins: int = SIGN_INS) -> list[Row]:
     """Return the p99 of the time of `POST /control/stop` with sign-ins under way, divided by the p99 without."""
     with served() as (_, _, port), started("bench.processes.sign_ins", str(port), str(sign_ins)) as flood:
         try:
-            times = _in_turn(MonotonicClock(), rounds, stops, port, lambda word: ask(flood, word))
+            times = _in_turn(MonotonicClock(), runs * rounds, stops, port, lambda word: ask(flood, word))
             answers = ask(flood, "off")
         finally:
             flood.communicate()
     quiet, flooded = (1e3 * np.array(times[word]) for word in ("off", "on"))
     p99 = [float(np.percentile(found, 99)) for found in (quiet, flooded)]
+    ratios = [
+        float(np.percentile(under, 99) / np.percentile(without, 99))
+        for without, under in zip(np.split(quiet, runs), np.split(flooded, runs), strict=True)
+    ]
     details = (
-        f"{rounds * stops} stops each; p99 {p99[1]:.1f} ms against {p99[0]:.1f} ms, median {np.median(flooded):.1f} "
-        f"against {np.median(quiet):.1f} ms, worst {flooded.max():.1f} against {quiet.max():.1f} ms; "
-        f"answers to the sign-ins by status: {answers}"
+        f"{runs} runs of {rounds * stops} stops each; p99 {p99[1]:.1f} ms against {p99[0]:.1f} ms, "
+        f"median {np.median(flooded):.1f} against {np.median(quiet):.1f} ms, "
+        f"worst {flooded.max():.1f} against {quiet.max():.1f} ms; answers to the sign-ins by status: {answers}"
     )
     return [
         Row(
             f"Stop with {sign_ins} sign-ins under way: p99 over that without",
-            p99[1] / p99[0],
+            ratios,
             "x",
             REACH,
             "lower",

@@ -47,10 +47,11 @@ def measure_trajectory(rounds: int = ROUNDS, long: int = LONG) -> list[Row]:
             viewer.kill()
     rows = []
     for kind, unit in (("bytes", "bytes"), ("processor", "us")):
-        short, after = (statistics.median(getattr(cost, kind) for cost in costs) for costs in zip(*found, strict=True))
+        pairs = [(getattr(short, kind), getattr(after, kind)) for short, after in found]
+        brief, lengthy = map(statistics.median, zip(*pairs, strict=True))
         what = f"update of a trajectory of {long} points against one of {SHORT}: {kind}"
-        details = f"{after:.0f} {unit} against {short:.0f}, with one viewer; median of {rounds} rounds"
-        rows.append(Row(what, after / short, "x", REACH[kind], "lower", details))
+        details = f"{lengthy:.0f} {unit} against {brief:.0f}, with one viewer; {rounds} rounds"
+        rows.append(Row(what, [after / short for short, after in pairs], "x", REACH[kind], "lower", details))
     return rows
 
 

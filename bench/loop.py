@@ -26,12 +26,12 @@ def measure_loop(runs: int = RUNS, seconds: float = SECONDS) -> list[Row]:
     for name, (percentile, reach) in PERCENTILES.items():
         loop = [1e6 * float(np.percentile(run["loop"], percentile)) for run in found]
         echo = [1e6 * float(np.percentile(run["echo"], percentile)) for run in found]
-        ratio = statistics.median(through / bare for through, bare in zip(loop, echo, strict=True))
+        ratios = [through / bare for through, bare in zip(loop, echo, strict=True)]
         details = (
-            f"{statistics.median(loop):.0f} us against {statistics.median(echo):.0f} us, median of {runs} runs "
-            f"of {seconds:g} s, recorded, chair armed for {armed:.0%} of the time"
+            f"{statistics.median(loop):.0f} us against {statistics.median(echo):.0f} us, {runs} runs of {seconds:g} s, "
+            f"recorded, chair armed for {armed:.0%} of the time"
         )
-        rows.append(Row(f"{WHAT}: {name}", ratio, "x", reach, "lower", details))
+        rows.append(Row(f"{WHAT}: {name}", ratios, "x", reach, "lower", details))
     return rows
 
 

@@ -95,9 +95,9 @@ def _usable(page: Page) -> list[float]:
 def _row(what: str, loads: Sequence[Sequence[float]], latency: float) -> Row:
     usable, drawn, files, size = (sorted(column) for column in zip(*loads, strict=True))
     words = (
-        f"median of {len(loads)}, {usable[0]:.0f} to {usable[-1]:.0f}; something to see after "
+        f"{len(loads)} runs; something to see after "
         f"{statistics.median(drawn):.0f} ms; {statistics.median(files):.0f} requests, "
         f"{statistics.median(size) / 1000:.0f} kB"
     )
     named = f"{what}, {latency:.0f} ms of latency" if latency else what
-    return Row(named, statistics.median(usable), "ms", None if latency else REACH[what], "lower", words)
+    return Row(named, usable, "ms", None if latency else REACH[what], "lower", words)

@@ -2,7 +2,6 @@
 
 import json
 import socket
-import statistics
 import tempfile
 from pathlib import Path
 from typing import NamedTuple
@@ -33,8 +32,8 @@ class PeriodRun(NamedTuple):
 def measure_period(seconds: float = SECONDS, rate: float = JUNK_RATE, runs: int = RUNS) -> list[Row]:
     """Return the p99 of the time between two commands, and the longest."""
     found = [_run(seconds, rate) for _ in range(runs)]
-    p99 = statistics.median(1e3 * float(np.percentile(run.gaps, 99)) for run in found)
-    longest = 1e3 * max(max(run.gaps) for run in found)
+    p99 = [1e3 * float(np.percentile(run.gaps, 99)) for run in found]
+    longest = [1e3 * max(run.gaps) for run in found]
     chairs, senders = (min(run.rates[port] for run in found) for port in (0, 1))
     commands, driving = sum(len(run.gaps) for run in found), min(run.driving for run in found)
     details = (
@@ -43,7 +42,7 @@ def measure_period(seconds: float = SECONDS, rate: float = JUNK_RATE, runs: int 
     )
     return [
         Row(f"{WHAT}: p99", p99, "ms", 25.0, "lower", details),
-        Row(f"{WHAT}: longest gap", longest, "ms", 40.0, "lower", "of all runs"),
+        Row(f"{WHAT}: longest gap", longest, "ms", 40.0, "lower", "the longest of all runs", max),
     ]
 
 

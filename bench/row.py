@@ -1,6 +1,8 @@
 """One measured figure beside its target."""
 
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from statistics import median
 from typing import Literal
 
 
@@ -9,11 +11,22 @@ class Row:
     """A line of the benchmark's table."""
 
     what: str
-    figure: float
-    unit: str
+    runs: Sequence[float]  # the figure of each run
+    unit: str  # "x": a ratio to something else that the same machine did in the same run
     reach: float | None  # the target; None: no target
     better: Literal["lower", "higher"]
     details: str
+    of_runs: Callable[[Sequence[float]], float] = median
+
+    @property
+    def figure(self) -> float:
+        """The figure of all runs together."""
+        return self.of_runs(self.runs)
+
+    @property
+    def is_ratio(self) -> bool:
+        """Whether the figure hardly depends on how fast the machine is."""
+        return self.unit == "x"
 
     @property
     def is_reached(self) -> bool:

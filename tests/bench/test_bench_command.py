@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import subprocess
 import sys
 
@@ -19,6 +20,16 @@ def test_one_part_is_measured_and_printed_as_one_json_object():
     found = json.loads(ended.stdout)
     assert found["machine"]
     assert [row["figure"] > 0 for row in found["rows"]] == [True]
+
+
+def test_without_json_a_table_says_what_depends_on_the_machine():
+    ended = bench("fit")
+    assert ended.stderr == "fit: fitting a calibration ...\n"
+    title, _, head, _, row, _, machine = ended.stdout.splitlines()
+    assert title == "What depends on how fast this machine is:"
+    assert "measured (of each run)" in head
+    assert re.match(r"\| calibration fit of 10 s at 1 kHz x 52 \| [\d.]+ ms \([\d.]+ to [\d.]+\) \| <= 100 \|", row)
+    assert machine.endswith("not compiled")
 
 
 def test_an_unknown_part_is_refused_in_one_sentence():

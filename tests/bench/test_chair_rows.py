@@ -36,7 +36,7 @@ def test_junk_looks_like_frames_is_none_and_is_counted():
 
 
 def test_a_stop_is_measured_from_its_command_to_its_frame():
-    rows = measure_stop(stops=2)
+    rows = measure_stop(runs=1, stops=2)
     assert [row.unit for row in rows] == ["ms", "ms"]
     assert all(0.0 < row.figure < 2000.0 for row in rows)
     assert all("2 stops" in row.details for row in rows)
