@@ -18,7 +18,7 @@ from bench.children import ask, free_ports, next_line, started
 from bench.processes.measured_chair import MeasuredChair
 from bench.row import Row
 
-RUNS, STOPS = 3, 100  # runs; stops of each kind in each run
+RUNS, STOPS = 3, 40  # runs; stops of each kind in each run: a stop takes a second with its arming
 REACH = 25.0  # ms
 DRIVING = 0.1  # s: longest drive before a stop, of random length, so that stops meet every phase of the loop
 FRAME_LIMIT = 2.0  # s to wait for the stop frame
