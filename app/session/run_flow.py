@@ -62,7 +62,7 @@ class FlowWords(NamedTuple):
 
 # What measuring and learning import inside their functions.
 SLOW_LIBRARIES: Final = (
-    *("pyarrow.csv", "pyarrow.parquet", "scipy.optimize", "scipy.signal", "scipy.stats", "shapely"),
+    *("pyarrow", "pyarrow.csv", "pyarrow.parquet", "scipy.optimize", "scipy.signal", "scipy.stats", "shapely"),
     "sklearn.decomposition",
     *("statsmodels.regression.linear_model", "statsmodels.stats.weightstats", "statsmodels.tools.eval_measures"),
 )
