@@ -18,6 +18,7 @@ from app.figures.paper import FigureFormat
 from app.figures.study_figures import draw_seeds, draw_study
 from app.hardware.body.person_parameters import NOVICE
 from app.study.experiment import StudyResult, run_study
+from app.study.second_process import second_process
 from app.study.seeds import MEASURES, run_seeds
 from app.study.seeds_files import seeds_summary, sentences, write_seeds
 from app.study.sessions import Mode, PersonKind
@@ -105,8 +106,14 @@ def study(
     try:
         if seeds == 1:
             progress = None if as_json else _Progress(trials)
-            result = run_study(trials, seed, plan, chosen.name, progress, driver, processes)
-            write_study(result, out, lambda folder: draw_study(result, folder, figure_format), overwrite)
+            with second_process(processes) as second:
+                result = run_study(trials, seed, plan, chosen.name, progress, driver, second)
+                write_study(
+                    result,
+                    out,
+                    lambda folder: second.submit(draw_study, result, folder, figure_format).result(),
+                    overwrite,
+                )
             document, lines = summary(result), [result.learning[name]["text"] for name in MEASURES]
         else:
             tell = None if as_json else _tell_of_seed

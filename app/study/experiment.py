@@ -1,8 +1,7 @@
 """The paper's experiment with a simulated person: calibrate once, then drive one path repeatedly."""
 
-import signal
 from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures import Future, ProcessPoolExecutor
+from concurrent.futures import Executor, Future
 from dataclasses import dataclass
 from typing import Any
 
@@ -14,7 +13,8 @@ from app.scoring.learning import learning_curves
 from app.settings import data_folder
 from app.signals.signals import read_layout
 from app.study.participant import Participant
-from app.study.simulated_calibration import calibrate
+from app.study.second_process import SameProcess
+from app.study.simulated_calibration import fit_recorded, record_calibration
 from app.study.simulated_trial import DrivenTrial, StudyTrial, drive_trial, score_trial
 from app.world.floorplan import FloorPlan, PrescribedPath
 
@@ -46,7 +46,7 @@ def run_study(
     path_name: str,
     progress: Progress | None = None,
     person: PersonParameters = NOVICE,
-    processes: int = 1,
+    second: Executor | None = None,
 ) -> StudyResult:
     """Let a simulated person in the simulated shirt calibrate, then drive one path `trials` times.
 
@@ -65,8 +65,9 @@ def run_study(
         Called with each trial when it is scored.
     person
         Parameters of the person; a novice by default. The person learns; the scoring knows nothing of learning.
-    processes
-        With 2 or more, a trial is scored while the next one is driven. The results do not depend on it.
+    second
+        What fits and scores; a trial is scored while the next one is driven. This process itself by default. The
+        results do not depend on it.
 
     Raises
     ------
@@ -76,10 +77,12 @@ def run_study(
     path = floorplan.path_named(path_name)
     layout = shirt_layout()
     participant = Participant(Person(person, seed), layout, SAMPLE_RATE, seed + SEEDS_APART)
-    parameters = standard_parameters(calibrate(participant))
+    second = second or SameProcess()
+    recorded = record_calibration(participant)
+    parameters = standard_parameters(second.submit(fit_recorded, layout, SAMPLE_RATE, recorded).result())
     driven = (drive_trial(number, participant, parameters, floorplan, path) for number in range(1, trials + 1))
     scored = []
-    for trial in _scored(driven, floorplan, path) if processes == 1 else _scored_beside(driven, floorplan, path):
+    for trial in _scored(driven, floorplan, path, second):
         scored.append(trial)
         if progress is not None:
             progress(trial)
@@ -87,22 +90,18 @@ def run_study(
     return StudyResult(seed, floorplan, path, person, SAMPLE_RATE, parameters, tuple(scored), curves)
 
 
-def _scored(driven: Iterable[DrivenTrial], floorplan: FloorPlan, path: PrescribedPath) -> Iterator[StudyTrial]:
-    return (score_trial(floorplan, path, trial) for trial in driven)
-
-
-def _scored_beside(driven: Iterable[DrivenTrial], floorplan: FloorPlan, path: PrescribedPath) -> Iterator[StudyTrial]:
-    """Yield each trial, which another process has scored while the next one was driven."""
-    # An interrupt (Ctrl+C) ends the process that drives, and that one ends the other.
-    with ProcessPoolExecutor(1, initializer=signal.signal, initargs=(signal.SIGINT, signal.SIG_IGN)) as scorer:
-        before: Future[StudyTrial] | None = None
-        for trial in driven:
-            latest = scorer.submit(score_trial, floorplan, path, trial)
-            if before is not None:
-                yield before.result()
-            before = latest
+def _scored(
+    driven: Iterable[DrivenTrial], floorplan: FloorPlan, path: PrescribedPath, second: Executor
+) -> Iterator[StudyTrial]:
+    """Yield each trial with its measures; it is scored while the next one is driven."""
+    before: Future[StudyTrial] | None = None
+    for trial in driven:
+        latest = second.submit(score_trial, floorplan, path, trial)
         if before is not None:
             yield before.result()
+        before = latest
+    if before is not None:
+        yield before.result()
 
 
 def shirt_layout() -> ShirtLayout:

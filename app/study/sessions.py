@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
-from copy import deepcopy
 from dataclasses import dataclass
 from functools import partial
 from typing import Literal
@@ -58,7 +57,7 @@ class SessionTrial:
 
 @dataclass(frozen=True, slots=True)
 class CalibratedParticipant:
-    """A participant just after the calibration; each condition of the study begins with a copy."""
+    """A participant just after the calibration; each condition of the study begins with one, equal by its seed."""
 
     who: PersonKind
     seed: int
@@ -82,12 +81,14 @@ def run_sessions(
 ) -> list[SessionTrial]:
     """Drive `sessions` sessions of `trials` trials with one calibrated person, and return all trials.
 
+    The person tires and learns: `first` cannot begin another condition afterwards.
+
     `redonned` puts the shirt on again before each session but the first. The channel ranges of safety rule S5 are then
     moved to the present signals, in every mode: otherwise sound channels would count as broken and the chair would not
     move. An adapted map is proposed after each trial from the session's trials; mode `auto` applies it before the next
     trial.
     """
-    participant, calibrated = deepcopy(first.participant), first.profile
+    participant, calibrated = first.participant, first.profile
     parameters = standard_parameters(calibrated)
     rows: list[SessionTrial] = []
     for session in range(1, sessions + 1):
@@ -140,8 +141,11 @@ def _run_participant(
     path: PrescribedPath,
     seed: int,
 ) -> list[SessionTrial]:
-    first = calibrated_participant(who, seed)
-    return [row for mode in modes for row in run_sessions(mode, first, sessions, trials, floorplan, path)]
+    return [
+        row
+        for mode in modes
+        for row in run_sessions(mode, calibrated_participant(who, seed), sessions, trials, floorplan, path)
+    ]
 
 
 def _free_movement(participant: Participant) -> Movement:

@@ -26,8 +26,12 @@ def calibrate(participant: Participant) -> CalibrationProfile:
     ValueError
         When no joint can be mapped.
     """
-    recorded = [(step, *record_step(participant, step)) for step in calibration_script(participant.layout)]
-    return fit_recorded(participant.layout, participant.sample_rate, recorded)
+    return fit_recorded(participant.layout, participant.sample_rate, record_calibration(participant))
+
+
+def record_calibration(participant: Participant) -> list[StepRecording]:
+    """Record rest, free movement and prompts of the participant."""
+    return [(step, *record_step(participant, step)) for step in calibration_script(participant.layout)]
 
 
 def fit_recorded(layout: ShirtLayout, sample_rate: float, recorded: Sequence[StepRecording]) -> CalibrationProfile:

@@ -21,13 +21,16 @@ def main():
     compiled, pure = drives(Path(sys.argv[1]).resolve()), drives(ROOT)
     if not compiled["compiled"] or pure["compiled"]:
         sys.exit(f"{sys.argv[1]} has to hold the compiled program, and {ROOT} plain Python")
-    differing = [i for i, pair in enumerate(zip(compiled["drives"], pure["drives"], strict=True)) if pair[0] != pair[1]]
-    if differing:
-        sys.exit(f"compiled and plain Python differ in the drives {differing}")
+    for kind in ("drives", "studies"):
+        pairs = enumerate(zip(compiled[kind], pure[kind], strict=True))
+        differing = [i for i, (one, other) in pairs if one != other]
+        if differing:
+            sys.exit(f"compiled and plain Python differ in the {kind} {differing}")
     permitted = sum(share for _, _, share in pure["drives"]) / len(pure["drives"])
     if permitted < LEAST_PERMITTED:
         sys.exit(f"motion was permitted for only {permitted:.0%} of the time: the drives compare too little")
-    sys.stdout.write(f"{len(differing)} of {len(pure['drives'])} drives differ; motion was permitted {permitted:.0%}\n")
+    count, studies = len(pure["drives"]), len(pure["studies"])
+    sys.stdout.write(f"{count} drives (motion was permitted {permitted:.0%}) and {studies} studies are equal\n")
 
 
 if __name__ == "__main__":

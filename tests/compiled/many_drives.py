@@ -1,4 +1,4 @@
-"""Prints the hashes of many random drives and decodes, which must be equal, bit for bit, however they are computed.
+"""Prints the hashes of many random drives, decodes and studies: equal, bit for bit, however they are computed.
 
 Each drive has a parameter set, signals and a chair of its own. Frames are lost, sensors break, screens and chairs fall
 silent, limits and dial change, and somebody stops, clears and arms again.
@@ -22,10 +22,11 @@ from app.pipeline.compiled import IS_COMPILED
 from app.pipeline.replay.batch import decode_block
 from app.pipeline.safety_gate import ChairCondition, Conditions
 from app.speeds import Speeds
+from app.study.experiment import run_study
 from app.world.scene import find_place
 from building import make_parameters, make_signals
 
-DRIVES = 60
+DRIVES, STUDIES = 60, 3
 MOST_FRAMES, LONGEST = 9000, 25.0  # of a drive; s
 PLACES = ("clinic", "follow_me.easy", None)
 RATES = (20.0, 50.0, 100.0, 400.0, 1000.0)  # Hz
@@ -145,5 +146,19 @@ def numbers(tick):
     return struct.pack(f"{len(row)}d", *row)
 
 
+def study(seed):
+    """Return the hash of a short study: a simulated person in the simulated shirt calibrates and drives two trials."""
+    plan = find_place("clinic")
+    result = run_study(2, seed, plan, plan.paths[0].name)
+    columns = [getattr(trial, name) for trial in result.trials for name in ("t", "x", "y", "theta", "v", "omega")]
+    measures = json.dumps([trial.measures for trial in result.trials])
+    return hashlib.sha256(b"".join(column.tobytes() for column in columns) + measures.encode()).hexdigest()
+
+
 if __name__ == "__main__":
-    json.dump({"compiled": IS_COMPILED, "drives": [drive(seed) for seed in range(DRIVES)]}, sys.stdout)
+    found = {
+        "compiled": IS_COMPILED,
+        "drives": [drive(seed) for seed in range(DRIVES)],
+        "studies": [study(seed) for seed in range(1, 1 + STUDIES)],
+    }
+    json.dump(found, sys.stdout)

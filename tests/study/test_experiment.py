@@ -15,6 +15,7 @@ from app.figures.study_figures import draw_study
 from app.hardware.body.person_parameters import NOVICE, PRACTISED
 from app.study import study_files
 from app.study.experiment import run_study
+from app.study.second_process import second_process
 from app.study.study_files import TRIAL_COLUMNS, trials_csv, write_study
 from app.world.floorplan import bundled_floorplans, load_floorplan
 
@@ -28,7 +29,8 @@ def short():
 
 
 def test_one_seed_gives_the_same_numbers_bit_for_bit(short) -> None:
-    again = run_study(2, 5, CLINIC, "corridor", person=PRACTISED, processes=2)  # scored by another process
+    with second_process(2) as second:  # fitted and scored by another process
+        again = run_study(2, 5, CLINIC, "corridor", person=PRACTISED, second=second)
     assert trials_csv(again) == trials_csv(short)
     assert study_files.summary(again) == study_files.summary(short)
     for one, other in zip(short.trials, again.trials, strict=True):

@@ -12,14 +12,14 @@ CLINIC = load_floorplan(bundled_floorplans()["clinic"])
 CORRIDOR = CLINIC.path_named("corridor")
 
 
-@pytest.fixture(scope="module")
 def first():
+    """Return a participant of one seed just after the calibration."""
     return calibrated_participant("redonned", 5)
 
 
-def test_both_conditions_begin_alike_and_applied_steps_keep_their_limits(first) -> None:
-    fixed = run_sessions("off", first, 2, 1, CLINIC, CORRIDOR)
-    auto = run_sessions("auto", first, 2, 1, CLINIC, CORRIDOR)
+def test_both_conditions_begin_alike_and_applied_steps_keep_their_limits() -> None:
+    fixed = run_sessions("off", first(), 2, 1, CLINIC, CORRIDOR)
+    auto = run_sessions("auto", first(), 2, 1, CLINIC, CORRIDOR)
     assert fixed[0].e_diff == auto[0].e_diff  # the first trial is driven with the calibration's own map
     assert [row.felt_change for row in fixed] == [0.0, 0.0]
     assert fixed[1].reached  # after putting the shirt on again, sound channels do not count as broken
@@ -29,9 +29,9 @@ def test_both_conditions_begin_alike_and_applied_steps_keep_their_limits(first) 
     assert fixed[1].from_calibration_deg == 0.0
 
 
-def test_a_suggested_step_changes_nothing(first) -> None:
-    fixed = run_sessions("off", first, 1, 2, CLINIC, CORRIDOR)
-    suggested = run_sessions("suggest", first, 1, 2, CLINIC, CORRIDOR)
+def test_a_suggested_step_changes_nothing() -> None:
+    fixed = run_sessions("off", first(), 1, 2, CLINIC, CORRIDOR)
+    suggested = run_sessions("suggest", first(), 1, 2, CLINIC, CORRIDOR)
     assert [row.e_diff for row in fixed] == [row.e_diff for row in suggested]
     assert suggested[0].felt_change > 0.0
 
