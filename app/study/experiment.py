@@ -86,7 +86,8 @@ def run_study(
         scored.append(trial)
         if progress is not None:
             progress(trial)
-    curves = learning_curves([{"trial": trial.number, **trial.measures} for trial in scored])
+    rows = [{"trial": trial.number, **trial.measures} for trial in scored]
+    curves = second.submit(learning_curves, rows).result()
     return StudyResult(seed, floorplan, path, person, SAMPLE_RATE, parameters, tuple(scored), curves)
 
 

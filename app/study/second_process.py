@@ -14,7 +14,11 @@ from typing import ParamSpec, TypeVar
 Asked = ParamSpec("Asked")
 Answer = TypeVar("Answer")
 
-SLOW_LIBRARIES = ("sklearn.decomposition", "shapely", "scipy.signal", "matplotlib.figure")  # loaded while nobody waits
+# What fitting, scoring and drawing import inside their functions; loaded while nobody waits, in the order of use.
+SLOW_LIBRARIES = (
+    *("sklearn.decomposition", "shapely", "scipy.signal", "scipy.optimize", "scipy.stats"),
+    *("statsmodels.regression.linear_model", "statsmodels.tools.eval_measures", "matplotlib.figure"),
+)
 
 
 class SameProcess(Executor):
