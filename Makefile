@@ -69,7 +69,7 @@ safety: $(VENV)/.installed-test
 # A wheel, compiled, in a folder of its own: its drives and tests are compared with those of plain Python.
 # test_stoppable.py is left out: it copies chains, and compiled objects cannot be copied.
 COMPILED := build/compiled
-COMPILED_TESTS := tests/pipeline tests/world tests/study tests/hardware/body tests/hardware/shirt --ignore=tests/pipeline/test_stoppable.py
+COMPILED_TESTS := tests/pipeline tests/world tests/study tests/hardware --ignore=tests/pipeline/test_stoppable.py
 compiled: $(VENV)/.installed-test
 	@rm -rf $(COMPILED)
 	@BODYDRIVE_COMPILE=must $(INSTALL) --no-deps --target $(COMPILED) .

@@ -30,17 +30,23 @@ class VirtualChair:
 
     kind: Literal["virtual"] = "virtual"
     is_real = False
-    speeds = HIGHEST_SPEEDS
-    ready = stands = True
-    inhibited = silent = switch_seen = False
+    ready = True
+    stands = True
+    inhibited = False
+    silent = False
+    switch_seen = False
     due = math.inf
 
-    __slots__ = ("_collision", "_contacts", "_encounters", "_free_for", "_motion", "_wheelchair", "dynamics", "state")
+    __slots__ = (
+        *("_collision", "_contacts", "_encounters", "_free_for", "_motion", "_wheelchair"),
+        *("dynamics", "speeds", "state"),
+    )
 
     def __init__(self, floorplan: FloorPlan | None, start: Pose, dynamics: Dynamics = "unicycle") -> None:
         """Raise ValueError when there are no such `dynamics`, or the chair cannot stand on `start`."""
         if dynamics not in get_args(Dynamics):
             raise ValueError(f"there are no dynamics '{dynamics}': use unicycle or wheelchair")
+        self.speeds = HIGHEST_SPEEDS
         self._collision = Collision(floorplan)
         self._encounters = Encounters(floorplan.movers if floorplan else ())
         self.dynamics: Dynamics = dynamics
