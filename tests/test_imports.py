@@ -42,8 +42,8 @@ MAY_IMPORT = {
     "figures": (LEAVES, "world", "scoring", "study"),
     "scene": (LEAVES, "world"),
     "api": (
-        *(LEAVES, "process", "recording.reader", "signals.csv_dialect", "world", "calibration", "scoring", "store"),
-        *("session", "scene", "hardware.configs", "hardware.addresses", "hardware.chair.key"),
+        *(LEAVES, "process", "signals.csv_dialect", "signals.parquet_names", "world", "calibration", "scoring"),
+        *("store", "session", "scene", "hardware.configs", "hardware.addresses", "hardware.chair.key"),
     ),
     "cli": (
         *(LEAVES, "process", "recording", "signals", "world", "hardware", "calibration", "pipeline", "scoring"),

@@ -48,9 +48,9 @@ from app.api.sockets import OpenSockets
 from app.api.view.view_bridge import view_router
 from app.api.view.view_controls import view_controls
 from app.api.view.view_keeper import OpenScene, may_view
+from app.computing_process import ComputingProcess
 from app.scene.role_servers import Role
 from app.scene.session_scene import Scene
-from app.session.readings import Readings
 from app.settings import Settings, static_folder
 from app.store.database import Database
 from app.store.files.plans import OwnPlans
@@ -91,11 +91,11 @@ WebApp = FastAPI
 
 
 def create_app(
-    settings: Settings, start_process: StartProcess, readings: Readings, open_scene: OpenScene | None = None
+    settings: Settings, start_process: StartProcess, computing: ComputingProcess, open_scene: OpenScene | None = None
 ) -> FastAPI:
     """Return the web application; its parts start and end with it.
 
-    `start_process` starts a control process, `readings` reads recordings, and `open_scene` opens the 3D view of a
+    `start_process` starts a control process, `computing` reads recordings, and `open_scene` opens the 3D view of a
     session; without `open_scene` there is no 3D view.
     """
 
@@ -114,7 +114,7 @@ def create_app(
             readings=OneAtATime(),
             uploads=OneAtATime(),
         )
-        web = make_parts(settings, database, start_process, readings, open_scene)
+        web = make_parts(settings, database, start_process, computing, open_scene)
         app.state.people, app.state.web = people, web
         await start_parts(database, web)
         checking = asyncio.create_task(asyncio.to_thread(warn_of_changed_log, settings.database))

@@ -13,6 +13,7 @@ from app.api.replay.replays import Replays
 from app.api.replay.timelines import Timelines
 from app.api.replay.trajectories import Trajectories
 from app.api.view.view_keeper import OpenScene, ViewKeeper
+from app.computing_process import ComputingProcess
 from app.session.adaptation import AdaptationFlow
 from app.session.calibration import CalibrationFlow
 from app.session.control_link import ControlLink, LinkedProcess
@@ -22,7 +23,6 @@ from app.session.equipment.limits import ClinicLimits
 from app.session.equipment.shirt import Equipment
 from app.session.fault_log import FaultLog
 from app.session.open_session import SessionFlow
-from app.session.readings import Readings
 from app.session.real_arming import RealArming
 from app.session.real_drive import RealDriveFlow
 from app.session.runs import SessionRuns
@@ -45,7 +45,7 @@ def make_parts(
     settings: Settings,
     database: Database,
     start_process: StartProcess,
-    readings: Readings,
+    computing: ComputingProcess,
     open_scene: OpenScene | None,
 ) -> WebParts:
     """Make the parts of the web process; nothing runs before `start_parts`."""
@@ -59,9 +59,9 @@ def make_parts(
     equipment = Equipment(database, control, settings.files, settings.keys, tell, demonstration=settings.demo)
     chairs = Chairs(database, control, settings.keys, tell)
     limits = ClinicLimits(database, control, tell)
-    calibration = CalibrationFlow(database, control, equipment, runs, tell, readings)
-    trials = TrialFlow(database, control, runs, tell, readings)
-    drives = RealDriveFlow(database, control, runs, tell, readings)
+    calibration = CalibrationFlow(database, control, equipment, runs, tell, computing)
+    trials = TrialFlow(database, control, runs, tell, computing)
+    drives = RealDriveFlow(database, control, runs, tell, computing)
     session = SessionFlow(database, control, equipment, calibration, trials, drives, tell)
     live_picture = LivePicture(control, equipment, chairs, runs, trials, drives, session)
     hub = LiveHub(live_picture.picture, live_picture.quality)
@@ -78,6 +78,7 @@ def make_parts(
 
     control.on_change.append(control_changed)
     web = WebParts(
+        computing=computing,
         control=control,
         equipment=equipment,
         runs=runs,
@@ -89,7 +90,7 @@ def make_parts(
         limits=limits,
         arming=RealArming(database, control, equipment, session, chairs, limits),
         session=session,
-        adaptation=AdaptationFlow(database, control, runs, trials, session, chairs, tell, readings),
+        adaptation=AdaptationFlow(database, control, runs, trials, session, chairs, tell, computing),
         screens=Screens(),
         pictures=ScreenPictures(control, trials),
         faults=FaultLog(database, control, current_drive),
@@ -98,9 +99,9 @@ def make_parts(
         pairing=PairingCodes(),
         patient=patient,
         patient_live=LiveHub(patient.picture, dict),
-        trajectories=Trajectories(readings.trajectory),
-        timelines=Timelines(),
-        qualities=TrialQualities(database, runs.folder_of, readings.quality),
+        trajectories=Trajectories(computing),
+        timelines=Timelines(computing),
+        qualities=TrialQualities(database, runs.folder_of, computing),
         replays=Replays(),
         view=ViewKeeper(open_scene, control.newest),
         own_floorplans=settings.floorplans,
@@ -148,3 +149,4 @@ async def end_parts(web: WebParts) -> None:
     await web.adaptation.stop()
     await asyncio.gather(web.live.close(), web.patient_live.close(), web.faults.close(), web.disk.close())
     await asyncio.gather(web.view.close(), web.control.close(), asyncio.to_thread(web.replays.close_all))
+    await asyncio.to_thread(web.computing.close)

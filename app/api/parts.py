@@ -18,6 +18,7 @@ from app.api.replay.timelines import Timelines
 from app.api.replay.trajectories import Trajectories
 from app.api.view.view_keeper import ViewKeeper
 from app.clock import monotonic
+from app.computing_process import ComputingProcess
 from app.session.adaptation import AdaptationFlow
 from app.session.calibration import CalibrationFlow
 from app.session.control_link import ControlLink, ScreenSign
@@ -42,6 +43,7 @@ from app.world.scene import DrivingPlace, bundled_places, find_place
 class WebParts:
     """The parts of the web process that live as long as it does, also while no page is open."""
 
+    computing: ComputingProcess
     control: ControlLink
     equipment: Equipment
     runs: SessionRuns

@@ -15,9 +15,9 @@ from app.api.app import WebApp, create_app, say_goodbye
 from app.api.view.view_keeper import ServedScene
 from app.cli.errors import InputError
 from app.cli.port import PING_LIMIT
+from app.computing_process import ComputingProcess
 from app.process.supervisor import ControlProcess
 from app.realtime import collect_garbage
-from app.session.recordings import recorded_readings
 from app.settings import Settings
 
 PING_EVERY = 2.0  # s
@@ -92,7 +92,7 @@ def run_clinic(settings: Settings, listening: socket.socket, words: str) -> None
         logging.getLogger(name).setLevel(logging.CRITICAL)
     settings.runs.mkdir(parents=True, exist_ok=True)
     scene = partial(ServedScene, models=settings.models)
-    app = create_app(settings, ControlProcess.start, recorded_readings(), scene)
+    app = create_app(settings, ControlProcess.start, ComputingProcess(), scene)
     if not asyncio.run(WebServer(app, listening, words).run_until_signal()):
         raise InputError(
             "The control process did not start, so there is nothing to show: look at the messages above and try again."

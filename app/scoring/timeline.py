@@ -152,6 +152,15 @@ class Poses(NamedTuple):
     head: NDArray[np.float64]  # (n, 3) yaw, pitch, roll in rad; NaN where unknown
 
 
+def recorded_poses(folder: FilePath, most_per_second: float) -> tuple[FloorPlan, Poses]:
+    """Return where a recorded trial was driven, and its poses; ValueError when the recording does not tell."""
+    run = read_run(folder)
+    plan = plan_of(run)
+    if plan is None:
+        raise ValueError("The recording of this trial names no place: choose another trial.")
+    return plan, poses_of(run, most_per_second)
+
+
 def poses_of(run: Run, most_per_second: float) -> Poses:
     """Return the poses of a recorded run, at most `most_per_second`; ValueError when the recording holds nothing."""
     rows = run.columns

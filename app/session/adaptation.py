@@ -6,14 +6,16 @@ import threading
 import uuid
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Literal
 
+from app.computing_process import ComputingProcess
 from app.faults import State
 from app.refusals import Conflict, NotFound, Refusal, Unavailable
+from app.session.adaptation_reading import AdaptationResult, adapt_from_recordings
 from app.session.control_link import ControlLink
 from app.session.equipment.chairs import Chairs
 from app.session.open_session import SessionFlow
-from app.session.readings import AdaptationResult, Readings
 from app.session.runs import SessionRuns
 from app.session.trial import TrialFlow
 from app.store.adaptation_material import is_current, material_for, mode_of
@@ -70,7 +72,7 @@ class AdaptationFlow:
         session: SessionFlow,
         chairs: Chairs,
         tell: Callable[[str], None],
-        readings: Readings,
+        computing: ComputingProcess,
     ) -> None:
         self._database = database
         self._control = control
@@ -78,7 +80,7 @@ class AdaptationFlow:
         self._session = session
         self._chairs = chairs
         self._tell = tell
-        self._readings = readings
+        self._computing = computing
         self._one_at_a_time = asyncio.Lock()
         self._ending = threading.Event()
         self._tasks: set[asyncio.Task[None]] = set()
@@ -218,9 +220,8 @@ class AdaptationFlow:
         folders = [self._runs.folder_of(run_id) for run_id in material.run_ids]
         self._newest, result = None, None
         if material.fresh:
-            result = self._readings.adapt(
-                material.parameters, material.calibrated, folders, material.fresh, self._is_disturbed
-            )
+            question = partial(adapt_from_recordings, material.parameters, material.calibrated, folders, material.fresh)
+            result = self._computing.ask_unless(self._is_disturbed, question)
         if result is None:
             self._reasons[patient_id] = LEFT_OFF if material.fresh else NO_TRIALS
             return

@@ -1,7 +1,7 @@
 """Make a proposal to adapt a map from the recordings of the last trials."""
 
-from collections.abc import Callable
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
@@ -14,25 +14,26 @@ from app.calibration.vocabulary import DriveParameters
 from app.faults import State
 from app.recording.reader import read_run
 from app.scoring.trial_forecast import Effect, predicted_effect
-from app.session.readings import AdaptationResult
+
+
+class AdaptationResult(NamedTuple):
+    """The proposal to adapt a parameter set, and its predicted effect on the newest trial."""
+
+    proposal: Proposal
+    effect: Effect | None  # None when nothing would change, or the trial cannot be decoded again
 
 
 def adapt_from_recordings(
-    parameters: DriveParameters,
-    calibrated: CalibrationProfile,
-    folders: list[Path],
-    fresh: int,
-    leave_off: Callable[[], bool],
-) -> AdaptationResult | None:
-    """Return what the recordings (the newest last) propose to change; None when `leave_off` returned True.
+    parameters: DriveParameters, calibrated: CalibrationProfile, folders: list[Path], fresh: int
+) -> AdaptationResult:
+    """Return what the recordings of trials (the newest last) propose to change.
 
-    The newest `fresh` of them were driven with the map of `parameters`: each allows one small turn of the map. Earlier
-    trials allowed theirs before. A recording that is gone, or of another shirt, is left out.
+    `parameters` is the set that drives, `calibrated` the calibration that its map goes back to. The newest `fresh`
+    recordings were driven with the map of `parameters`: each allows one small turn of the map. Earlier trials allowed
+    theirs before. A recording that is gone, or of another shirt, is left out.
     """
     movements, fresh_read = [], 0
     for left, folder in zip(range(len(folders), 0, -1), folders, strict=True):
-        if leave_off():
-            return None
         movement = movement_of(folder, parameters)
         if movement is not None:
             movements.append(movement)

@@ -8,11 +8,12 @@ from dataclasses import dataclass
 from app.calibration.profile import CalibrationProfile
 from app.calibration.script import Step, calibration_script
 from app.clock import monotonic
+from app.computing_process import ComputingProcess
 from app.layout import ShirtLayout
 from app.refusals import Conflict, NotFound, Refusal
 from app.session.control_link import ControlLink
 from app.session.equipment.shirt import Equipment
-from app.session.readings import Readings
+from app.session.recordings import check_recording, fit_recordings
 from app.session.runs import SessionRuns
 from app.store.calibrations import (
     begin_calibration,
@@ -54,14 +55,14 @@ class CalibrationFlow:
         equipment: Equipment,
         runs: SessionRuns,
         tell: Callable[[str], None],
-        readings: Readings,
+        computing: ComputingProcess,
     ) -> None:
         self._database = database
         self._control = control
         self._equipment = equipment
         self._runs = runs
         self._tell = tell
-        self._readings = readings
+        self._computing = computing
         self._task: asyncio.Task[None] | None = None
         self._running: str | None = None
 
@@ -153,7 +154,7 @@ class CalibrationFlow:
             words = await self._wait(number, step.duration)
             run = await self._runs.end()
             if not words and run is not None:
-                complaint = await asyncio.to_thread(self._readings.check_step, run.folder, step.duration)
+                complaint = await asyncio.to_thread(self._computing.ask, check_recording, run.folder, step.duration)
                 words = complaint or ""
             status = "failed" if words else "done"
         except asyncio.CancelledError as cancelled:
@@ -228,7 +229,7 @@ class CalibrationFlow:
             is_calibration_simulated(db, session_id)  # refuse a mixture of worn and simulated recordings before the fit
         done = [step for step in progress.steps if progress.status[step.id][0] == "done"]
         recorded = [(step, self._runs.folder_of(folders[step.id])) for step in done]
-        profile = self._readings.fit(progress.layout, recorded, self._equipment.unused)
+        profile = self._computing.ask(fit_recordings, progress.layout, recorded, self._equipment.unused)
         with self._database.transaction() as db:
             session = db.get_one(PatientSession, session_id)
             session.result, session.accepted = profile.model_dump(mode="json"), False

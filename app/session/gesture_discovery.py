@@ -8,6 +8,7 @@ from app.calibration.cued_runs import CuedRun, run_of_cues
 from app.calibration.gestures.discovery import Discovery, discover, discovery_from_profile
 from app.calibration.profile import CalibrationProfile
 from app.calibration.script import Step, calibration_script
+from app.computing_process import ComputingProcess
 from app.recording.reader import read_run
 from app.refusals import Conflict
 from app.store.calibrations import recordings_behind, recordings_of
@@ -23,7 +24,9 @@ GONE = (
 )
 
 
-def session_gestures(database: Database, folder_of: Callable[[str], Path], session_id: int) -> Discovery:
+def session_gestures(
+    database: Database, folder_of: Callable[[str], Path], computing: ComputingProcess, session_id: int
+) -> Discovery:
     """Return the gestures of the session's fitted calibration, or of the patient's newest map when none waits.
 
     Raises
@@ -37,11 +40,13 @@ def session_gestures(database: Database, folder_of: Callable[[str], Path], sessi
         is_waiting = document is not None and not session.accepted
         folders = recordings_of(db, session_id)
     if document is None or not is_waiting:
-        return patient_gestures(database, folder_of, patient_id)
-    return _discovery(CalibrationProfile.model_validate(document), folders, folder_of)
+        return patient_gestures(database, folder_of, computing, patient_id)
+    return _discovery(CalibrationProfile.model_validate(document), folders, folder_of, computing)
 
 
-def patient_gestures(database: Database, folder_of: Callable[[str], Path], patient_id: int) -> Discovery:
+def patient_gestures(
+    database: Database, folder_of: Callable[[str], Path], computing: ComputingProcess, patient_id: int
+) -> Discovery:
     """Return the gestures of the patient's newest map, ranked by the recordings of its calibration.
 
     Raises
@@ -54,23 +59,34 @@ def patient_gestures(database: Database, folder_of: Callable[[str], Path], patie
         if row is None:
             raise Conflict(NOTHING)
         document, folders = row.document, recordings_behind(db, row)
-    return _discovery(CalibrationProfile.model_validate(document), folders, folder_of)
+    return _discovery(CalibrationProfile.model_validate(document), folders, folder_of, computing)
 
 
-def _discovery(profile: CalibrationProfile, folders: dict[str, str], folder_of: Callable[[str], Path]) -> Discovery:
+def _discovery(
+    profile: CalibrationProfile,
+    folders: dict[str, str],
+    folder_of: Callable[[str], Path],
+    computing: ComputingProcess,
+) -> Discovery:
     recorded = tuple((step, str(folder_of(folder))) for step, folder in sorted(folders.items()))
     if recorded:
         try:
-            return _cached_discovery(profile.model_dump_json(), recorded)
+            return _cached_discovery(computing, profile.model_dump_json(), recorded)
         except (ValueError, OSError):  # the recordings were deleted; the profile's own numbers are still there
             pass
     return discovery_from_profile(profile, GONE)
 
 
 @lru_cache(maxsize=KEPT)
-def _cached_discovery(profile_json: str, recorded: tuple[tuple[str, str], ...]) -> Discovery:
+def _cached_discovery(
+    computing: ComputingProcess, profile_json: str, recorded: tuple[tuple[str, str], ...]
+) -> Discovery:
     """Return the gestures of a map and its recordings; cached, because closed recordings never change."""
-    profile = CalibrationProfile.model_validate_json(profile_json)
+    return computing.ask(recorded_discovery, CalibrationProfile.model_validate_json(profile_json), recorded)
+
+
+def recorded_discovery(profile: CalibrationProfile, recorded: tuple[tuple[str, str], ...]) -> Discovery:
+    """Return the gestures of a map and the recordings of its calibration, (step, folder) each."""
     steps = {step.id: step for step in calibration_script(profile.layout)}
     return discover(profile, [read_cued_run(steps[step], Path(folder)) for step, folder in recorded if step in steps])
 

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.faults import State
+from app.session.recordings import read_trajectory
 from app.session.run_flow import ArmedRun, FlowWords, RunFlow
 from app.session.run_watch import Halt, Starter
 from app.session.runs import SessionRun
@@ -81,7 +82,7 @@ class RealDriveFlow(RunFlow[RunningDrive]):
 
     async def _measure(self, current: RunningDrive, figures: dict[str, Any]) -> None:
         """Read the length (m) of the line that the chair drove by its own report."""
-        line = await asyncio.to_thread(self._readings.trajectory, current.run.folder)
+        line = await asyncio.to_thread(self._computing.ask, read_trajectory, current.run.folder)
         figures["distance"] = float(np.hypot(np.diff(line.x), np.diff(line.y)).sum())
 
     def _delete(self, current_id: int) -> None:

@@ -1,7 +1,7 @@
 """Read from recordings what calibration and scoring need. Figures never come from the live picture."""
 
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,22 +17,16 @@ from app.layout import ShirtLayout
 from app.recording.reader import Columns, read_run
 from app.scoring.control_quality import ControlQuality, control_quality
 from app.scoring.task_measures import task_measures
-from app.session.adaptation_reading import adapt_from_recordings
-from app.session.readings import Readings, RecordedTrajectory
 from app.session.step_check import check_frames
 from app.world.floorplan import FloorPlan, PrescribedPath
 
 
-def recorded_readings() -> Readings:
-    """Return the functions that read recordings from disk."""
-    return Readings(
-        check_step=check_recording,
-        fit=fit_recordings,
-        measure=measure_recording,
-        trajectory=read_trajectory,
-        quality=quality_of_recording,
-        adapt=adapt_from_recordings,
-    )
+class RecordedTrajectory(NamedTuple):
+    """Where the chair was in a trial, from the moment when motion was first permitted."""
+
+    t: NDArray[np.float64]  # (n,) s
+    x: NDArray[np.float64]  # (n,) m
+    y: NDArray[np.float64]
 
 
 def check_recording(folder: Path, duration: float) -> str | None:

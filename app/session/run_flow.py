@@ -5,15 +5,14 @@ from abc import ABC, abstractmethod
 from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager, suppress
 from dataclasses import dataclass
-from importlib import import_module
-from typing import Any, ClassVar, Final, Generic, NamedTuple, Protocol, TypeVar
+from typing import Any, ClassVar, Generic, NamedTuple, Protocol, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from app.refusals import Conflict
+from app.computing_process import ComputingProcess
+from app.refusals import Conflict, Unavailable
 from app.session.control_link import ControlLink
-from app.session.readings import Readings
 from app.session.run_watch import RunLost, follow_run
 from app.session.runs import SessionRun, SessionRuns
 from app.store.database import Database
@@ -60,24 +59,6 @@ class FlowWords(NamedTuple):
     still_closing: str
 
 
-# What measuring and learning import inside their functions.
-SLOW_LIBRARIES: Final = (
-    *("pyarrow", "pyarrow.csv", "pyarrow.parquet", "scipy.optimize", "scipy.signal", "scipy.stats", "shapely"),
-    "sklearn.decomposition",
-    *("statsmodels.regression.linear_model", "statsmodels.stats.weightstats", "statsmodels.tools.eval_measures"),
-)
-
-
-def load_slow_libraries() -> None:
-    """Load SLOW_LIBRARIES before a chair may move; the first call takes about a second, later ones nothing.
-
-    A library that is loaded while a chair drives takes the interpreter from the thread that reads the screen's reports,
-    and on a busy machine the gate would then stop the chair.
-    """
-    for name in SLOW_LIBRARIES:
-        import_module(name)
-
-
 class RunFlow(ABC, Generic[Current]):
     """Starts one trial or drive at a time and follows it to its end."""
 
@@ -89,13 +70,13 @@ class RunFlow(ABC, Generic[Current]):
         control: ControlLink,
         runs: SessionRuns,
         tell: Callable[[str], None],
-        readings: Readings,
+        computing: ComputingProcess,
     ) -> None:
         self._database = database
         self._control = control
         self._runs = runs
         self._tell = tell
-        self._readings = readings
+        self._computing = computing
         self._task: asyncio.Task[None] | None = None
         self._end_asked = asyncio.Event()
         self._starting = False
@@ -135,7 +116,7 @@ class RunFlow(ABC, Generic[Current]):
             raise Conflict(f"Something is being recorded already: end it first, then {self.words.to_start}.")
         self._starting = True
         try:
-            await asyncio.to_thread(load_slow_libraries)
+            await asyncio.to_thread(self._computing.begin)
             yield
         finally:
             self._starting = False
@@ -181,7 +162,7 @@ class RunFlow(ABC, Generic[Current]):
         try:
             await self._runs.end()
             await self._measure(current, figures)
-        except (ValueError, OSError):
+        except (ValueError, OSError, Unavailable):
             pass  # too short to measure, or a recording that was cut: it stays without those figures
         finally:
             try:

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
+from app.session.recordings import measure_recording, quality_of_recording
 from app.session.run_flow import ArmedRun, FlowWords, RunFlow
 from app.session.run_watch import Starter
 from app.session.runs import SessionRun
@@ -83,8 +84,9 @@ class TrialFlow(RunFlow[RunningTrial]):
 
     async def _measure(self, current: RunningTrial, figures: dict[str, Any]) -> None:
         folder = current.run.folder
-        figures["measures"] = await asyncio.to_thread(self._readings.measure, folder, current.plan, current.path)
-        figures["quality"] = await asyncio.to_thread(self._readings.quality, folder)
+        ask = self._computing.ask
+        figures["measures"] = await asyncio.to_thread(ask, measure_recording, folder, current.plan, current.path)
+        figures["quality"] = await asyncio.to_thread(ask, quality_of_recording, folder)
 
     def _delete(self, current_id: int) -> None:
         with self._database.transaction(closing=True) as db:

@@ -4,10 +4,11 @@ from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
 
+from app.computing_process import ComputingProcess
 from app.refusals import DiskFull
 from app.scoring.control_quality import ControlQuality
 from app.scoring.trial_assessment import TrialAssessment
-from app.session.readings import Quality
+from app.session.recordings import quality_of_recording
 from app.store.control_quality import map_version_of, save_quality, stored_quality
 from app.store.database import Database
 from app.store.tables import PatientSession, Trial
@@ -16,10 +17,10 @@ from app.store.tables import PatientSession, Trial
 class TrialQualities:
     """Returns the control quality of ended trials, and stores what it had to read from a recording."""
 
-    def __init__(self, database: Database, folder_of: Callable[[str], Path], quality: Quality) -> None:
+    def __init__(self, database: Database, folder_of: Callable[[str], Path], computing: ComputingProcess) -> None:
         self._database = database
         self._folder_of = folder_of
-        self._quality = quality
+        self._computing = computing
         self._unreadable: set[int] = set()  # trials whose recording cannot be read; tried once per start of the program
 
     def of(self, trial: Trial) -> ControlQuality | None:
@@ -28,7 +29,7 @@ class TrialQualities:
         if known is not None or trial.status != "done" or trial.id in self._unreadable:
             return known
         try:
-            made = self._quality(self._folder_of(trial.run_id))
+            made = self._computing.ask(quality_of_recording, self._folder_of(trial.run_id))
         except (ValueError, OSError):
             self._unreadable.add(trial.id)
             return None

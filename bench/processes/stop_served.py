@@ -16,12 +16,12 @@ from app.api.app import create_app
 from app.api.parts import web_parts_of
 from app.cli.port import bind
 from app.clock import monotonic
+from app.computing_process import ComputingProcess
 from app.faults import EXPLANATIONS, Fault, State
 from app.process.supervisor import ControlProcess
 from app.realtime import collect_garbage
 from app.refusals import Conflict
 from app.session.control_link import ControlLink, ScreenSign
-from app.session.recordings import recorded_readings
 from app.settings import Settings
 from bench.subject import bench_chair, bench_floorplan, bench_parameters
 
@@ -34,7 +34,7 @@ async def main(chair: dict[str, Any], shirt_port: int, shirt_key: str, folder: P
     """Serve until stdin ends."""
     with bind("127.0.0.1", 0) as listening:
         port = listening.getsockname()[1]
-        app = create_app(Settings(state=folder, port=port), ControlProcess.start, recorded_readings())
+        app = create_app(Settings(state=folder, port=port), ControlProcess.start, ComputingProcess())
         server = uvicorn.Server(uvicorn.Config(app, log_level="error", lifespan="on"))
         serving = asyncio.create_task(server.serve([listening]))
         while not server.started:

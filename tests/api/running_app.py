@@ -4,20 +4,29 @@ Building the application's routes takes longer than most tests. So an applicatio
 settings for each test: whatever it keeps, it makes at its start and gives up at its end.
 """
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from fake_clinic import BASE, Clinic, FakeProcess, TestClient, profile_for
+from session.same_process import SameProcess
 
 from app.api.app import create_app
 from app.calibration.profile import CalibrationProfile
 from app.calibration.script import Step
 from app.layout import ShirtLayout
 from app.scoring.control_quality import ControlQuality
-from app.session.readings import Readings, RecordedTrajectory
+from app.session.adaptation_reading import adapt_from_recordings
+from app.session.recordings import (
+    RecordedTrajectory,
+    check_recording,
+    fit_recordings,
+    measure_recording,
+    quality_of_recording,
+    read_trajectory,
+)
 from app.settings import Settings
 
 
@@ -29,15 +38,15 @@ class RunningApp:
         self._processes: list[FakeProcess] = []
         self._answers: dict[str, Any] = {}
         line = np.linspace(0.0, 1.0, 101)
-        readings = Readings(
-            check_step=lambda _folder, _duration: self._answers["judge"],
-            fit=self._fit,
-            measure=lambda _folder, _plan, _path: self._answers["measures"],
-            trajectory=lambda _folder: RecordedTrajectory(line, line, 0 * line),
-            quality=lambda _folder: self._quality(),
-            adapt=lambda *given: self._answers["adapt"](*given) if "adapt" in self._answers else None,
-        )
-        self._app = create_app(self._settings, self._start_process, readings)
+        stand_ins: dict[Callable[..., Any], Callable[..., Any]] = {
+            check_recording: lambda _folder, _duration: self._answers["judge"],
+            fit_recordings: self._fit,
+            measure_recording: lambda _folder, _plan, _path: self._answers["measures"],
+            read_trajectory: lambda _folder: RecordedTrajectory(line, line, 0 * line),
+            quality_of_recording: lambda _folder: self._quality(),
+            adapt_from_recordings: lambda *given: self._answers["adapt"](*given) if "adapt" in self._answers else None,
+        }
+        self._app = create_app(self._settings, self._start_process, SameProcess(stand_ins))
 
     def start(self, settings: Settings) -> Iterator[Clinic]:
         """Start it with these settings, and yield it until it is to end."""

@@ -16,12 +16,12 @@ from processes.running_control import tick_with
 from app.api.app import create_app
 from app.api.parts import web_parts_of
 from app.cli.port import bind
+from app.computing_process import ComputingProcess
 from app.faults import State
 from app.process.supervisor import ControlProcess
 from app.realtime import collect_garbage
 from app.refusals import Refusal
 from app.session.control_link import ScreenSign
-from app.session.recordings import recorded_readings
 from app.settings import Settings
 from building import make_parameters
 
@@ -29,7 +29,7 @@ from building import make_parameters
 async def main(given):
     with bind("127.0.0.1", 0) as listening:
         port = listening.getsockname()[1]
-        app = create_app(Settings(state=Path(given["state"]), port=port), ControlProcess.start, recorded_readings())
+        app = create_app(Settings(state=Path(given["state"]), port=port), ControlProcess.start, ComputingProcess())
         server = uvicorn.Server(uvicorn.Config(app, log_level="error", lifespan="on"))
         serving = asyncio.create_task(server.serve([listening]))
         while not server.started:

@@ -3,8 +3,8 @@
 import asyncio
 import tempfile
 
-from bomb_effects import LONGEST_ANSWER, MOST_GROWTH, memory, send_bomb
-from bombs import BOMBS
+from drills.bomb_effects import LONGEST_ANSWER, MOST_GROWTH, memory, send_bomb
+from drills.bombs import BOMBS
 from drills.results import Result, Watcher
 from processes.served_demo import Demo, bodydrive
 

@@ -13,8 +13,8 @@ from odd_values import odd_values
 from processes.running_control import SIMULATED, refusal, tick_with
 
 from app.api.app import create_app
+from app.computing_process import ComputingProcess
 from app.process.supervisor import ControlProcess
-from app.session.recordings import recorded_readings
 from app.settings import Settings
 from app.speeds import Speeds
 from app.store.database import Database
@@ -83,7 +83,7 @@ def clinic(folder):
         processes.append(await ControlProcess.start())
         return processes[-1]
 
-    app = create_app(settings, start_process, recorded_readings())
+    app = create_app(settings, start_process, ComputingProcess())
     with TestClient(app, base_url=BASE, raise_server_exceptions=False, client=("127.0.0.1", 50_000)) as client:
         client.headers["Origin"] = BASE
         assert client.post("/api/v1/auth/demo", json={"code": "the-code-of-the-link"}).status_code == 200

@@ -7,8 +7,8 @@ from statistics import median
 
 import psutil
 import pytest
-from bomb_effects import LONGEST_ANSWER, MOST_GROWTH, memory, send_bomb
-from bombs import BOMBS, glb_with_pictures, png
+from drills.bomb_effects import LONGEST_ANSWER, MOST_GROWTH, memory, send_bomb
+from drills.bombs import BOMBS, glb_with_pictures, png
 from drills.results import Watcher
 from processes.served_demo import Demo, bodydrive
 

@@ -14,20 +14,10 @@ from app.calibration.profile import CalibrationProfile, JointMap
 from app.calibration.vocabulary import DriveParameters, standard_parameters
 from app.faults import State
 from app.messages import Tick
-from app.session.adaptation_reading import movement_of
-from app.session.recordings import recorded_readings
+from app.session.adaptation_reading import adapt_from_recordings, movement_of
 
-READINGS = recorded_readings()
 AS_CALIBRATED, PUT_ON_AGAIN = (1.0, -0.6), (1.0, -0.3)  # how a joint's two channels answer to its angle
 SIZE = math.hypot(*AS_CALIBRATED)
-
-
-def never() -> bool:
-    return False
-
-
-def always() -> bool:
-    return True
 
 
 @pytest.fixture
@@ -84,9 +74,7 @@ def trial(tmp_path: Path) -> Callable[..., Path]:
 
 
 def adapt(parameters: DriveParameters, folders: list[Path], fresh: int) -> Any:
-    adapted = READINGS.adapt(parameters, parameters.profile, folders, fresh, never)
-    assert adapted is not None
-    return adapted.proposal
+    return adapt_from_recordings(parameters, parameters.profile, folders, fresh).proposal
 
 
 def test_a_shirt_put_on_again_turns_the_map_two_degrees_for_each_new_trial(
@@ -121,7 +109,8 @@ def test_the_effect_is_what_the_last_trial_would_have_been(
     parameters: DriveParameters, trial: Callable[..., Path]
 ) -> None:
     folder = trial("a")
-    effect = READINGS.adapt(parameters, parameters.profile, [folder], 1, never).effect
+    effect = adapt_from_recordings(parameters, parameters.profile, [folder], 1).effect
+    assert effect is not None
     assert effect.seconds == pytest.approx(30.0, abs=0.1)
     assert 18 <= effect.activations_before <= 22
     assert 18 <= effect.activations_after <= 22
@@ -146,7 +135,3 @@ def test_what_cannot_be_read_or_never_moved_says_nothing(
     assert joints[0].angle_applied_deg == pytest.approx(2.0)
     other = parameters.profile.model_copy(update={"sample_rate": 200.0})
     assert adapt(parameters.model_copy(update={"profile": other}), [tmp_path / "new"], 1).parameters is None
-
-
-def test_it_leaves_off_when_somebody_drives(parameters: DriveParameters, trial: Callable[..., Path]) -> None:
-    assert READINGS.adapt(parameters, parameters.profile, [trial("a")], 1, always) is None

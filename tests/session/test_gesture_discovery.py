@@ -3,12 +3,14 @@
 import shutil
 
 import pytest
-from session.test_recordings import LAYOUT, READINGS, record, step_ticks
+from session.same_process import SameProcess
+from session.test_recordings import LAYOUT, record, step_ticks
 
 from app.calibration.script import calibration_script
 from app.calibration.vocabulary import standard_parameters
 from app.refusals import Conflict
 from app.session.gesture_discovery import patient_gestures, session_gestures
+from app.session.recordings import fit_recordings
 from app.store.calibrations import begin_calibration, set_step
 from app.store.map_versions import save_adapted
 from app.store.parameters import save_parameters, save_profile
@@ -16,6 +18,8 @@ from app.store.patients import add_patient, start_session
 from app.store.people import add_clinic
 from app.store.runs import add_run
 from app.store.tables import PatientSession
+
+COMPUTING = SameProcess()
 
 
 class RecordedCalibration:
@@ -25,7 +29,7 @@ class RecordedCalibration:
         self.database, self.folder = database, folder
         self.steps = calibration_script(LAYOUT)
         recorded = [(step, record(folder / step.id, step_ticks(step), step.cues)) for step in self.steps]
-        self.profile = READINGS.fit(LAYOUT, recorded, [])
+        self.profile = fit_recordings(LAYOUT, recorded, [])
         with database.transaction() as db:
             patient = add_patient(db, add_clinic(db, "Clinic").id, "P-1", "Heron", "")
             session = start_session(db, patient.clinic_id, patient.id)
@@ -46,10 +50,10 @@ class RecordedCalibration:
             db.get_one(PatientSession, self.session).accepted = True
 
     def result(self):
-        return session_gestures(self.database, self.folder_of, self.session)
+        return session_gestures(self.database, self.folder_of, COMPUTING, self.session)
 
     def newest(self):
-        return patient_gestures(self.database, self.folder_of, self.patient)
+        return patient_gestures(self.database, self.folder_of, COMPUTING, self.patient)
 
 
 @pytest.fixture

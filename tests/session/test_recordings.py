@@ -14,7 +14,7 @@ from app.layout import Channel, Joint, ShirtLayout
 from app.messages import Tick
 from app.process.ring import TickRing
 from app.recording.writer import RunWriter
-from app.session.recordings import recorded_readings
+from app.session.recordings import check_recording, fit_recordings, measure_recording, read_trajectory
 from app.world.floorplan import FloorPlan, PrescribedPath
 
 RATE = 100.0
@@ -24,7 +24,6 @@ LAYOUT = ShirtLayout(
     channels=tuple(Channel(name=f"{joint}_{i}", joint=joint) for joint in JOINTS for i in (1, 2)),
     joints=tuple(Joint(name=joint, label=joint) for joint in JOINTS),
 )
-READINGS = recorded_readings()
 PATH = PrescribedPath(name="main", title="Main", points=((0.0, 0.0), (10.0, 0.0)), instruction="Drive.")
 PLAN = FloorPlan(name="p", title="P", walls=(), paths=(PATH,))
 
@@ -69,8 +68,8 @@ def recorded(tmp_path):
 
 def test_a_calibration_is_fitted_from_its_recordings_alone(recorded):
     for step, folder in recorded:
-        assert READINGS.check_step(folder, step.duration) is None
-    profile = READINGS.fit(LAYOUT, recorded, [])
+        assert check_recording(folder, step.duration) is None
+    profile = fit_recordings(LAYOUT, recorded, [])
     assert all(joint.map == "pca" for joint in profile.joints)
     assert [joint.guided.repetitions for joint in profile.joints] == [3] * len(profile.joints)
     assert [joint.name for joint in profile.joints] == list(JOINTS)
@@ -78,7 +77,7 @@ def test_a_calibration_is_fitted_from_its_recordings_alone(recorded):
         assert joint.prompted
         assert joint.evr > 0.95
         assert joint.sign * joint.weights[0] > 0  # the first channel rises with the movement
-    without = READINGS.fit(LAYOUT, recorded, ["left_elbow_1"])
+    without = fit_recordings(LAYOUT, recorded, ["left_elbow_1"])
     assert "left_elbow_1" in without.left_out
 
 
@@ -88,7 +87,7 @@ def test_a_step_whose_shirt_fell_silent_is_not_taken(tmp_path):
     for tick in ticks[100:140]:
         tick.values = None
     folder = record(tmp_path / "rest", ticks, step.cues)
-    assert "silent for 0.4 seconds" in READINGS.check_step(folder, step.duration)
+    assert "silent for 0.4 seconds" in check_recording(folder, step.duration)
 
 
 def trial_ticks(state_at):
@@ -99,12 +98,12 @@ def trial_ticks(state_at):
 
 def test_a_trial_is_measured_from_when_motion_was_permitted(tmp_path):
     folder = record(tmp_path / "a", trial_ticks(lambda t: State.CHECKING if t < 1.0 else State.ARMED))
-    measures = READINGS.measure(folder, PLAN, PLAN.paths[0])
+    measures = measure_recording(folder, PLAN, PLAN.paths[0])
     assert measures["reached"] is True
     assert 9.4 <= measures["time"] <= 10.1  # within the goal's radius
     assert 9.4 <= measures["dist"] <= 10.1
     assert measures["e_diff"] == pytest.approx(0.0, abs=1e-6)
-    line = READINGS.trajectory(folder)
+    line = read_trajectory(folder)
     assert (line.t[0], line.x[0]) == (0.0, 0.0)
     assert all(before <= after for before, after in itertools.pairwise(line.x))
 
@@ -112,6 +111,6 @@ def test_a_trial_is_measured_from_when_motion_was_permitted(tmp_path):
 def test_a_trial_that_never_moved_has_no_measures(tmp_path):
     folder = record(tmp_path / "a", trial_ticks(lambda _t: State.CHECKING))
     with pytest.raises(ValueError, match="never permitted to move"):
-        READINGS.measure(folder, PLAN, PLAN.paths[0])
+        measure_recording(folder, PLAN, PLAN.paths[0])
     with pytest.raises(ValueError, match="no recording"):
-        READINGS.trajectory(tmp_path / "nowhere")
+        read_trajectory(tmp_path / "nowhere")

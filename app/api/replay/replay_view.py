@@ -11,13 +11,12 @@ from app.api.replay.trial_replay import refuse_while_driving
 from app.api.sockets import OpenSockets
 from app.api.view.view_bridge import NO_VIEW, ViewPage, bridge
 from app.quantities import Count, Document
-from app.recording.reader import read_run
 from app.refusals import Conflict, NotFound
 from app.scene.cameras import View
 from app.scene.client_messages import SUBPROTOCOL
 from app.scene.replay import Replay, ReplayPoses
 from app.scene.viewer_page import client_page
-from app.scoring.timeline import plan_of, poses_of
+from app.scoring.timeline import recorded_poses
 from app.store.log import write_log
 from app.store.runs import find_trial
 from app.store.tables import Trial
@@ -78,11 +77,8 @@ def close_replay(word: Word, who: Anyone, web: Web) -> None:
 
 def _replay_of(parts: People, web: WebParts, trial: Trial) -> Replay:
     try:
-        run = read_run(web.runs.folder_of(trial.run_id))
-        plan = plan_of(run)
-        if plan is None:
-            raise ValueError("it does not say where it was driven")
-        return Replay(plan, trial.path, ReplayPoses(*poses_of(run, MOMENTS_PER_SECOND)), parts.settings.models)
+        plan, poses = web.computing.ask(recorded_poses, web.runs.folder_of(trial.run_id), MOMENTS_PER_SECOND)
+        return Replay(plan, trial.path, ReplayPoses(*poses), parts.settings.models)
     except (ValueError, OSError) as error:
         raise NotFound("There is no picture of this trial: its recording cannot be read, or names no place.") from error
 

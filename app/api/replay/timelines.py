@@ -4,6 +4,7 @@ import gzip
 from pathlib import Path
 from typing import Any
 
+from app.computing_process import ComputingProcess
 from app.scoring.timeline import timeline_of
 
 KEPT = 16  # time lines in memory, about 0.25 MB each
@@ -12,7 +13,8 @@ KEPT = 16  # time lines in memory, about 0.25 MB each
 class Timelines:
     """Makes each time line once; the recording of an ended trial never changes."""
 
-    def __init__(self) -> None:
+    def __init__(self, computing: ComputingProcess) -> None:
+        self._computing = computing
         self._packed: dict[Path, bytes] = {}
 
     def has(self, folder: Path) -> bool:
@@ -29,8 +31,13 @@ class Timelines:
         """
         packed = self._packed.get(folder)
         if packed is None:
-            packed = gzip.compress(timeline_of(folder, path_points, end).model_dump_json().encode(), 5, mtime=0)
+            packed = self._computing.ask(packed_timeline, folder, path_points, end)
             if len(self._packed) >= KEPT:
                 self._packed.pop(next(iter(self._packed)), None)
             self._packed[folder] = packed
         return packed
+
+
+def packed_timeline(folder: Path, path_points: list[Any], end: str | None) -> bytes:
+    """Return the time line of an ended trial as compressed JSON; ValueError when there is none."""
+    return gzip.compress(timeline_of(folder, path_points, end).model_dump_json().encode(), 5, mtime=0)

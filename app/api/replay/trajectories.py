@@ -6,7 +6,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from app.session.readings import ReadTrajectory
+from app.computing_process import ComputingProcess
+from app.session.recordings import read_trajectory
 
 APART = 0.05  # m between two points that are shown
 KEPT = 200  # trajectories in memory: the recording of an ended trial never changes
@@ -23,15 +24,15 @@ class Trajectory(NamedTuple):
 class Trajectories:
     """Reads the trajectory of each recording once and caches it."""
 
-    def __init__(self, read: ReadTrajectory) -> None:
-        self._read_trajectory = read
+    def __init__(self, computing: ComputingProcess) -> None:
+        self._computing = computing
         self._trajectories: dict[Path, Trajectory] = {}
 
     def of(self, folder: Path) -> Trajectory | None:
         """Return the trajectory of an ended trial, None when its recording cannot be read."""
         if folder not in self._trajectories:
             try:
-                rows = self._read_trajectory(folder)
+                rows = self._computing.ask(read_trajectory, folder)
             except (ValueError, OSError):
                 return None
             kept = thinned(rows.x, rows.y)

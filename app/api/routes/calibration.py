@@ -156,7 +156,7 @@ async def look(who: Clinician, web: Web) -> CalibrationView:
 async def gestures(who: Clinician, parts: PeopleParts, web: Web) -> Discovery:
     """Return all gestures of the calibration under way, or else of the newest accepted one."""
     session = await web.session.needed_session(who.clinic_id)
-    return await asyncio.to_thread(session_gestures, parts.database, web.runs.folder_of, session.id)
+    return await asyncio.to_thread(session_gestures, parts.database, web.runs.folder_of, web.computing, session.id)
 
 
 @router.post("/steps/{step}/start")

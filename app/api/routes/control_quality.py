@@ -60,7 +60,7 @@ def quality(
         newest = newest_profile(db, patient_id)
         write_log(db, who.name, "patient viewed", patient=patient_id)
     assessments = web.qualities.assessments([trial for trial in trials if trial.run.source.group == source])
-    found = control_warnings(assessments, None if newest is None else newest.version)
+    found = web.computing.ask(control_warnings, assessments, None if newest is None else newest.version)
     return QualityView(
         source=source,
         trials=[_row(one) for one in assessments],

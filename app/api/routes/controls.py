@@ -110,7 +110,7 @@ def _view(db: Transaction, web: WebParts, patient_id: int, suggestion: Suggested
 
 def _suggestion(parts: People, web: WebParts, patient_id: int) -> SuggestedVocabulary:
     """Return the vocabulary that the newest map suggests; call outside of a transaction: it reads recordings."""
-    return patient_gestures(parts.database, web.runs.folder_of, patient_id).suggestion
+    return patient_gestures(parts.database, web.runs.folder_of, web.computing, patient_id).suggestion
 
 
 @router.get("")

@@ -146,7 +146,7 @@ async def _view(parts: PeopleParts, web: WebParts) -> EquipmentView:
         layout=equipment.layout,
         unused=equipment.unused,
         status=status,
-        files=await asyncio.to_thread(list_files, parts.settings.files),
+        files=await asyncio.to_thread(list_files, parts.settings.files, web.computing),
         shirt_keys=await asyncio.to_thread(lambda: equipment.key_names),
         chair=ChairStateView(words=await web.chairs.state()),
         head=head,
@@ -240,7 +240,9 @@ async def bring_file(
     file: UploadFile, who: Clinician, parts: PeopleParts, web: Web, same_name: SameName = "ask"
 ) -> EquipmentView:
     """Store a file of recorded signals or of a recorded body; `same_name`: what to do when its name is taken."""
-    kept = await parts.uploads.run(keep_upload, parts.replaced, file.filename or "", file.file, same_name)
+    kept = await parts.uploads.run(
+        keep_upload, parts.replaced, web.computing, file.filename or "", file.file, same_name
+    )
     web.live.tell("equipment")
     return await _logged_view(
         parts, web, who.name, "file added", kind=kept.kind, size=kept.size, **log_details(same_name)

@@ -65,7 +65,7 @@ def learning(
         source=source,
         others=dict(Counter(one.group for one in every if one.group != source)),
         trials=rows,
-        curves=learning_curves(rows, every_model=True),
+        curves=web.computing.ask(learning_curves, rows, every_model=True),
         trajectories=lines,
         path=[(x, y) for x, y in counted[-1].trial.path_points] if counted else [],
     )

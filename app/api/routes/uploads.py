@@ -1,26 +1,25 @@
 """Uploads of recorded signals and bodies: check size, type, name and content."""
 
 import csv
-import os
 import re
-from io import BytesIO
+from functools import lru_cache
 from pathlib import Path
 from typing import BinaryIO, Literal
 
 from fastapi import HTTPException
 
+from app.computing_process import ComputingProcess
 from app.quantities import Document
+from app.refusals import Unavailable
 from app.signals.csv_dialect import cells_of, separator_of
+from app.signals.parquet_names import MOST_NUMBERS, parquet_names
 from app.store.files.replacements import ReplacedFiles
 from app.store.files.taken_names import SameName
 
 LARGEST = 64_000_000  # bytes
 HEADER = 65_536  # bytes of a CSV in which its first row must end
 KINDS = (".csv", ".parquet")
-MOST_NUMBERS = 40_000_000  # as many as a CSV file of the largest size can hold; Parquet packs equal values
-MOST_COLUMNS = 1000
-LONGEST_SCHEMA = 1_000_000  # bytes of a Parquet file's schema
-PARQUET_END = 8  # bytes: u32 little-endian length of the schema, then a magic word (Parquet format, File Format)
+KEPT = 100  # Parquet files of which the names are in memory: the list is asked for by every page
 
 FileKind = Literal["signals", "body", "head", "recording"]
 HEAD_COLUMNS = {"yaw_deg", "pitch_deg", "roll_deg"}
@@ -34,7 +33,7 @@ class FileView(Document):
     size: int
 
 
-def list_files(folder: Path) -> list[FileView]:
+def list_files(folder: Path, computing: ComputingProcess) -> list[FileView]:
     """List the files in `folder` that a shirt or a body can be played from; what cannot be read is left out."""
     found = []
     for file in sorted(folder.glob("*")) if folder.is_dir() else []:
@@ -44,14 +43,20 @@ def list_files(folder: Path) -> list[FileView]:
             size = sum(part.stat().st_size for part in file.iterdir() if part.is_file())
             found.append(FileView(name=file.name, kind="recording", size=size))
         elif file.is_file() and file.suffix in KINDS:
-            with file.open("rb") as opened:
-                columns = _columns(file.suffix, opened)
+            known = file.stat()
+            if file.suffix == ".parquet":
+                columns = _names_of_file(computing, file, known.st_mtime_ns, known.st_size)
+            else:
+                with file.open("rb") as opened:
+                    columns = _csv_names(opened.read(HEADER))
             if columns is not None:
-                found.append(FileView(name=file.name, kind=_kind(columns), size=file.stat().st_size))
+                found.append(FileView(name=file.name, kind=_kind(columns), size=known.st_size))
     return found
 
 
-def keep_upload(shelf: ReplacedFiles, name: str, content: BinaryIO, same_name: SameName) -> FileView:
+def keep_upload(
+    shelf: ReplacedFiles, computing: ComputingProcess, name: str, content: BinaryIO, same_name: SameName
+) -> FileView:
     """Store an uploaded file under a harmless name, atomically.
 
     Raises
@@ -70,7 +75,7 @@ def keep_upload(shelf: ReplacedFiles, name: str, content: BinaryIO, same_name: S
     if not data:
         raise HTTPException(422, f"'{safe}' is empty: choose another file.")
     # Check before writing: an unreadable file must not replace a good one of the same name.
-    columns = _columns(Path(safe).suffix, BytesIO(data))
+    columns = _parquet_names(computing, data) if safe.endswith(".parquet") else _csv_names(data[:HEADER])
     if columns is None or "t" not in columns or len(columns) < 2:
         raise HTTPException(
             422,
@@ -95,23 +100,21 @@ def harmless_name(name: str) -> str:
     return f"{clean}.{ending}" if dot and ending else clean
 
 
-def _columns(suffix: str, opened: BinaryIO) -> list[str] | None:
-    """Return the names of the columns, reading no more than needed; None when unreadable or too large."""
-    if suffix == ".parquet":
-        import pyarrow
-        import pyarrow.parquet
+@lru_cache(maxsize=KEPT)
+def _names_of_file(computing: ComputingProcess, file: Path, _changed: int, _size: int) -> list[str] | None:
+    """Return the names of a Parquet file's columns; the same for as long as the file was not changed."""
+    return _parquet_names(computing, file)
 
-        opened.seek(0, os.SEEK_END)
-        opened.seek(max(opened.tell() - PARQUET_END, 0))
-        if int.from_bytes(opened.read(4), "little") > LONGEST_SCHEMA:
-            return None
-        try:
-            metadata = pyarrow.parquet.read_metadata(opened)
-            many = metadata.num_columns > MOST_COLUMNS or metadata.num_rows * metadata.num_columns > MOST_NUMBERS
-            return None if many else list(metadata.schema.to_arrow_schema().names)
-        except (ValueError, OSError, pyarrow.ArrowException):
-            return None
-    head = opened.read(HEADER)
+
+def _parquet_names(computing: ComputingProcess, source: Path | bytes) -> list[str] | None:
+    try:
+        return computing.ask(parquet_names, source)
+    except Unavailable:  # reading this file ended the process
+        return None
+
+
+def _csv_names(head: bytes) -> list[str] | None:
+    """Return the names of the columns of a CSV file that begins with `head`; None when unreadable."""
     line = head.partition(b"\n")[0]
     header = line.decode("utf-8-sig", "replace").rstrip("\r")
     try:

@@ -6,7 +6,7 @@ from typing import Any
 from app.calibration.adaptation.proposal_document import JointChange, Proposal
 from app.calibration.vocabulary import DriveParameters
 from app.scoring.trial_forecast import Effect
-from app.session.readings import AdaptationResult
+from app.session.adaptation_reading import AdaptationResult
 from app.speeds import Speeds
 
 UP = 0.01

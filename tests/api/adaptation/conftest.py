@@ -9,7 +9,7 @@ from fake_clinic import WORD, Clinic
 
 from app.api.routes import drives
 from app.calibration.vocabulary import DriveParameters
-from app.session.readings import AdaptationResult
+from app.session.adaptation_reading import AdaptationResult
 
 
 @pytest.fixture(autouse=True)

@@ -11,7 +11,7 @@ from fake_clinic import WORD
 from app.calibration.adaptation.proposal_document import Proposal
 from app.calibration.vocabulary import DriveParameters
 from app.faults import Fault, State
-from app.session.readings import AdaptationResult
+from app.session.adaptation_reading import AdaptationResult
 from app.store.people import add_person, sign_in, the_clinic
 
 

@@ -14,7 +14,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2]))  # for its own star
 from browser.served.served_clinic import ServedClinic
 from recorded_trial import record_trial, store_trial
 
-from app.session.recordings import recorded_readings
+from app.session.recordings import measure_recording
 from app.settings import Settings
 from app.source import Source
 from app.store.database import Database
@@ -49,7 +49,7 @@ def furnish(settings: Settings) -> list[int]:
             run = f"run{number}"
             folder = settings.runs / run
             record_trial(folder, parameters, seconds=SECONDS, seed=number, plan=plan, stop_at=15.0)
-            measures = recorded_readings().measure(folder, plan, path)
+            measures = measure_recording(folder, plan, path)
             trial = store_trial(db, run, (session, row), plan, SIMULATED, measures)
             made.append(trial.id)
     database.close()

@@ -8,7 +8,7 @@ from api.fake_clinic import FakeProcess
 
 from app.api.app import create_app
 from app.cli.port import bind
-from app.session.recordings import recorded_readings
+from app.computing_process import ComputingProcess
 from app.settings import Settings
 
 
@@ -23,7 +23,7 @@ class ServedClinic:
             return self._processes[-1]
 
         self._socket = bind("127.0.0.1", port)
-        self.app = create_app(settings, start_process, recorded_readings())
+        self.app = create_app(settings, start_process, ComputingProcess())
         config = uvicorn.Config(self.app, log_level="error", ws_per_message_deflate=False)
         self._server = uvicorn.Server(config)
         self._thread = threading.Thread(target=self._server.run, args=([self._socket],), daemon=True)

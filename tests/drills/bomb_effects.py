@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import httpx
-from bombs import Bomb
+from drills.bombs import Bomb
 from drills.results import Watcher
 from processes.served_demo import Demo
 

@@ -1,0 +1,200 @@
+"""Computes in a process of its own what takes long or needs a large library.
+
+A moving chair depends on the web process: a library that is loaded there takes the interpreter from the thread that
+reads the screen's reports, and its memory stays. `ComputingProcess` starts `python -m app.computing_process
+DESCRIPTOR`, which calls one function after the other, at low priority, and ends with the web process.
+"""
+
+import signal
+import sys
+import threading
+import traceback
+from collections.abc import Callable
+from contextlib import suppress
+from functools import partial
+from importlib import import_module
+from multiprocessing.connection import Connection, Pipe
+from subprocess import DEVNULL, Popen
+from typing import Any, Final, ParamSpec, TypeVar
+
+from app.clock import monotonic
+from app.realtime import lower_priority
+from app.refusals import Unavailable
+
+IDLE_LIMIT: Final = 300.0  # s without a question, after which the process ends and gives its memory back
+ANSWER_LIMIT: Final = 120.0  # s
+LOOK_EVERY: Final = 0.05  # s between two looks whether the answer is still wanted
+ENDED: Final = "What computes figures has ended: try again."
+TOO_LONG: Final = f"This took more than {ANSWER_LIMIT:.0f} s to compute: close other programs, then try again."
+
+# What the functions import late. The process loads them while nobody asks, in the order in which they are used.
+SLOW_LIBRARIES: Final = (
+    *("pyarrow", "pyarrow.parquet", "sklearn.decomposition", "shapely", "scipy.signal", "scipy.optimize"),
+    *("scipy.stats", "statsmodels.regression.linear_model", "statsmodels.stats.weightstats"),
+    *("statsmodels.tools.eval_measures", "pyarrow.csv"),
+)
+
+Asked = ParamSpec("Asked")
+Answer = TypeVar("Answer")
+
+
+class ComputingProcess:
+    """Asks the computing process; starts it for the first question, and again when it has ended. Thread-safe.
+
+    It is asked to call functions of modules, with arguments that can be pickled.
+    """
+
+    def __init__(self, idle_limit: float = IDLE_LIMIT) -> None:
+        self._idle_limit = idle_limit
+        self._one_at_a_time = threading.Lock()
+        self._running: _Running | None = None
+        self._idle = threading.Timer(0.0, self._end_idle)
+        self._closed = False
+
+    def begin(self) -> None:
+        """Start the process unless it runs, so that it loads its libraries before the first question."""
+        if self._one_at_a_time.acquire(blocking=False):  # otherwise somebody asks, and it runs
+            try:
+                self._started()
+                self._count_idle_time()
+            finally:
+                self._one_at_a_time.release()
+
+    def ask(self, function: Callable[Asked, Answer], /, *given: Asked.args, **named: Asked.kwargs) -> Answer:
+        """Return `function(*given, **named)`, computed when earlier questions are answered.
+
+        Raises
+        ------
+        ValueError, OSError
+            With the words of the one that the function raised.
+        Unavailable
+            In one sentence, when the process ended, or gave no answer within 120 s.
+        RuntimeError
+            When the function raised another error; it names the place.
+        """
+        return self._answer(partial(function, *given, **named), lambda: False)
+
+    def ask_unless(self, leave_off: Callable[[], bool], question: Callable[[], Answer]) -> Answer | None:
+        """Return `question()`, a partial function; None when `leave_off` returned True before the answer came.
+
+        Raises what `ask` raises.
+        """
+        try:
+            return self._answer(question, leave_off)
+        except _NoLongerWantedError:
+            return None
+
+    def close(self) -> None:
+        """End the process for good; who waits for an answer is refused."""
+        self._closed = True
+        running = self._running
+        if running is not None:
+            running.process.kill()
+        with self._one_at_a_time:
+            self._idle.cancel()
+            self._end()
+
+    def _answer(self, question: Callable[[], Answer], leave_off: Callable[[], bool]) -> Answer:
+        with self._one_at_a_time:
+            self._idle.cancel()
+            running = self._started()
+            try:
+                error, answer = running.answer(question, leave_off)
+            except BaseException:
+                self._end()
+                raise
+            self._count_idle_time()
+        if error is not None:
+            raise error
+        return answer  # type: ignore[no-any-return]
+
+    def _started(self) -> "_Running":
+        if self._closed:
+            raise Unavailable(ENDED)
+        if self._running is None or self._running.process.poll() is not None:
+            self._end()
+            self._running = _Running()
+        return self._running
+
+    def _count_idle_time(self) -> None:
+        self._idle.cancel()
+        self._idle = threading.Timer(self._idle_limit, self._end_idle)
+        self._idle.daemon = True
+        self._idle.start()
+
+    def _end_idle(self) -> None:
+        if self._one_at_a_time.acquire(blocking=False):  # otherwise somebody asks
+            try:
+                self._end()
+            finally:
+                self._one_at_a_time.release()
+
+    def _end(self) -> None:
+        running, self._running = self._running, None
+        if running is not None:
+            running.end()
+
+
+class _NoLongerWantedError(Exception):
+    """Nobody wants the answer any more."""
+
+
+class _Running:
+    """A running computing process and the connection to it."""
+
+    def __init__(self) -> None:
+        self._connection, its_end = Pipe()
+        with its_end:
+            descriptor = its_end.fileno()
+            command = [sys.executable, "-m", __name__, str(descriptor)]
+            self.process = Popen(command, stdin=DEVNULL, stdout=DEVNULL, pass_fds=[descriptor])
+
+    def answer(self, question: Callable[[], Any], leave_off: Callable[[], bool]) -> tuple[Exception | None, Any]:
+        """Return the error that the question raised, or None, and its answer."""
+        until = monotonic() + ANSWER_LIMIT
+        try:
+            self._connection.send(question)
+            while not self._connection.poll(LOOK_EVERY):
+                if leave_off():
+                    raise _NoLongerWantedError
+                if monotonic() > until:
+                    raise Unavailable(TOO_LONG)
+            found: tuple[Exception | None, Any] = self._connection.recv()
+        except (EOFError, ConnectionError) as error:
+            raise Unavailable(ENDED) from error
+        return found
+
+    def end(self) -> None:
+        """End the process at once: it keeps nothing that could be lost."""
+        self.process.kill()
+        self.process.wait()
+        self._connection.close()
+
+
+def main(descriptor: int) -> None:
+    """Answer questions until the web process ends."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the web process, which then ends this one
+    lower_priority()
+    with Connection(descriptor) as web, suppress(EOFError, ConnectionError):
+        libraries = iter(SLOW_LIBRARIES)
+        while True:
+            if web.poll() or (name := next(libraries, None)) is None:
+                web.send(answer(web.recv()))
+            else:
+                import_module(name)
+
+
+def answer(question: Callable[[], Any]) -> tuple[Exception | None, Any]:
+    """Return the error that a question raised, or None, and its answer. Any pickle can carry the error."""
+    try:
+        return None, question()
+    except ValueError as error:
+        return ValueError(str(error)), None
+    except OSError as error:
+        return OSError(str(error)), None
+    except Exception:
+        return RuntimeError(traceback.format_exc()), None
+
+
+if __name__ == "__main__":
+    main(int(sys.argv[1]))
