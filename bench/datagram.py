@@ -1,6 +1,7 @@
 """The yardstick of the benchmarks: one loopback UDP datagram, measured on the same machine in the same run."""
 
 import socket
+import statistics
 from collections.abc import Callable
 
 import numpy as np
@@ -32,3 +33,12 @@ def datagram_time() -> float:
             loop.recv(2048)
 
         return median_duration(send_and_receive)
+
+
+def against_datagram(measured: Callable[[], float], runs: int) -> tuple[float, list[float]]:
+    """Return the median of a time (s) over `runs`, and in each run its ratio to the time of one loopback datagram."""
+    times, ratios = [], []
+    for _ in range(runs):
+        times.append(measured())
+        ratios.append(times[-1] / datagram_time())
+    return statistics.median(times), ratios

@@ -1,11 +1,9 @@
 """Measures encoding and verifying a command to the real chair."""
 
-import statistics
-
 from app.clock import stopwatch
 from app.hardware.chair.key import new_key
 from app.hardware.chair.packet import DIGEST_BYTES, DRIVE, NONCE_BYTES, Command, decode_command, encode_command
-from bench.datagram import datagram_time
+from bench.datagram import against_datagram
 from bench.row import Row
 
 RUNS = 5
@@ -15,14 +13,8 @@ REACH = 2.5  # of one loopback datagram
 
 def measure_frame() -> list[Row]:
     """Return the time for encoding and verifying one command, relative to one loopback datagram."""
-    times, ratios = [], []
-    for _ in range(RUNS):
-        times.append(_frame_time())
-        ratios.append(times[-1] / datagram_time())
-    details = (
-        f"{1e6 * statistics.median(times):.1f} us, both ends together, HMAC-SHA-256 twice; "
-        f"{FRAMES} in each of {RUNS} runs"
-    )
+    both, ratios = against_datagram(_frame_time, RUNS)
+    details = f"{1e6 * both:.1f} us, both ends together, HMAC-SHA-256 twice; {FRAMES} in each of {RUNS} runs"
     what = "frame to the chair, encode and verify, against one loopback datagram"
     return [Row(what, ratios, "x", REACH, "lower", details)]
 

@@ -10,12 +10,16 @@ from typing import Any
 import numpy as np
 
 from bench.children import ROOT, free_ports, module, next_line, started
-from bench.row import Row
+from bench.row import Row, reach_of
 
 RUNS = 3
 SECONDS = 12.0
 WHAT = "UDP in to UDP out at 1 kHz, 52 channels, beside two browsers' worth of work, against a bare echo"
-PERCENTILES = {"median": (50.0, 2.5), "p99": (99.0, 3.0), "p99.9": (99.9, 3.0)}  # name: percentile, target
+PERCENTILES = {
+    "median": (50.0, reach_of(2.2, 1.9)),
+    "p99": (99.0, 3.0),
+    "p99.9": (99.9, 3.0),
+}  # name: percentile, target
 
 
 def measure_loop(runs: int = RUNS, seconds: float = SECONDS) -> list[Row]:

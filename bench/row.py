@@ -5,6 +5,13 @@ from dataclasses import dataclass
 from statistics import median
 from typing import Literal
 
+from app.pipeline.compiled import IS_COMPILED
+
+
+def reach_of(pure: float, compiled: float) -> float:
+    """Return the target of what runs: plain Python, or the compiled middle of the program."""
+    return compiled if IS_COMPILED else pure
+
 
 @dataclass(slots=True)
 class Row:

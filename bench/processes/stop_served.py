@@ -28,13 +28,14 @@ from bench.subject import bench_chair, bench_floorplan, bench_parameters
 SAMPLE_RATE = 100.0  # Hz
 LOOK_EVERY = 0.005  # s
 ARMING_LIMIT = 30.0  # s
+IDLE_LIMIT = 0.2  # s without a question, after which the computing process ends: the next question starts it again
 
 
 async def main(chair: dict[str, Any], shirt_port: int, shirt_key: str, folder: Path) -> None:
     """Serve until stdin ends."""
     with bind("127.0.0.1", 0) as listening:
         port = listening.getsockname()[1]
-        app = create_app(Settings(state=folder, port=port), ControlProcess.start, ComputingProcess())
+        app = create_app(Settings(state=folder, port=port), ControlProcess.start, ComputingProcess(IDLE_LIMIT))
         server = uvicorn.Server(uvicorn.Config(app, log_level="error", lifespan="on"))
         serving = asyncio.create_task(server.serve([listening]))
         while not server.started:

@@ -14,7 +14,7 @@ from websockets.exceptions import ConnectionClosed, InvalidHandshake
 from app.clock import monotonic
 from app.scene.role_servers import Role
 from bench.circle import age_at
-from bench.view_client import chair_positions, open_view, packets
+from bench.web.view_client import chair_positions, open_view, packets
 
 AGAIN = 0.5  # s before the next connection
 

@@ -9,7 +9,7 @@ from app.hardware.chair.packet import FRAME_BYTES, decode_command, decode_teleme
 from bench.children import module
 from bench.period import measure_period
 from bench.processes.junk import KEY_ID
-from bench.stop import measure_stop
+from bench.web.stop import measure_stop
 
 
 def test_junk_looks_like_frames_is_none_and_is_counted():

@@ -30,7 +30,7 @@ def measure_stop(runs: int = RUNS, stops: int = STOPS) -> list[Row]:
     clock, pause = MonotonicClock(), random.Random(1)
     over_link: list[float] = []
     over_http: list[float] = []
-    with served() as (web, chair, port):
+    with served(lambda _: []) as (web, chair, port, _):
         address = ("127.0.0.1", port)
         request(address, "GET", "/")  # the page with the button is loaded before a stop
         for times, stop in [(over_link, _by_link), (over_http, _by_http)] * (runs * stops):
@@ -44,12 +44,18 @@ def measure_stop(runs: int = RUNS, stops: int = STOPS) -> list[Row]:
 
 
 @contextmanager
-def served() -> Iterator[tuple[subprocess.Popen[str], MeasuredChair, int]]:
-    """Yield the web process of `stop_served`, the chair that it drives, and the port on which it serves."""
+def served(
+    prepare: Callable[[Path], list[str]],
+) -> Iterator[tuple[subprocess.Popen[str], MeasuredChair, int, list[str]]]:
+    """Yield the web process of `stop_served`, the chair that it drives, the port on which it serves.
+
+    `prepare` is called before with the folder of the clinic; what it returns is yielded, too.
+    """
     key = new_key(1)
     with tempfile.TemporaryDirectory() as folder, MeasuredChair(key) as chair:
         key_file = Path(folder) / "1.key"
         write_key(key_file, key)
+        prepared = prepare(Path(folder))
         shirt_port, shirt_key = free_ports(1)[0], str(shirt_key_file(Path(folder), pair_shirt(Path(folder)).id))
         places = [str(chair.port), str(key_file), str(shirt_port), shirt_key, folder]
         with (
@@ -57,7 +63,7 @@ def served() -> Iterator[tuple[subprocess.Popen[str], MeasuredChair, int]]:
             started("app.hardware.shirt.sender", "--key-file", shirt_key, "--to", f"127.0.0.1:{shirt_port}") as shirt,
         ):
             try:
-                yield web, chair, int(next_line(web))
+                yield web, chair, int(next_line(web)), prepared
             finally:
                 web.communicate()
                 shirt.terminate()

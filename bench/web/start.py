@@ -7,8 +7,9 @@ import psutil
 
 from app.cli.main import COMMANDS
 from app.clock import MonotonicClock, stopwatch
-from bench.children import BODYDRIVE, start_command
+from bench.children import BODYDRIVE
 from bench.row import Row
+from bench.web.demonstration import demonstration
 
 RUNS = 5
 HELP_RUNS = 3
@@ -41,16 +42,11 @@ def measure_start(
 
 def _link_and_memory() -> tuple[float, float]:
     before = stopwatch()
-    with start_command([*BODYDRIVE, "demo", "--port", "0"]) as demo:
-        try:
-            if not any(line.startswith("http") for line in demo.stdout or ()):
-                raise RuntimeError("the demonstration did not start: its message stands above")
-            link = stopwatch() - before
-            clock = MonotonicClock()
-            clock.sleep_until(clock.now() + SETTLED)
-            return link, psutil.Process(demo.pid).memory_info().rss / 1e6
-        finally:
-            demo.terminate()
+    with demonstration() as (demo, _):
+        link = stopwatch() - before
+        clock = MonotonicClock()
+        clock.sleep_until(clock.now() + SETTLED)
+        return link, psutil.Process(demo.pid).memory_info().rss / 1e6
 
 
 def _help(name: str) -> float:

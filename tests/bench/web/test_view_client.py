@@ -1,7 +1,7 @@
 import msgspec
 import zstandard
 
-from bench.view_client import chair_positions
+from bench.web.view_client import chair_positions
 
 
 def packet(*messages):

@@ -1,5 +1,5 @@
 from bench.circle import ROUND
-from bench.viewers import REACH, measure_viewers
+from bench.web.viewers import REACH, measure_viewers
 
 
 def test_the_viewers_are_served_and_their_cost_is_measured():

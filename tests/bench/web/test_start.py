@@ -1,4 +1,4 @@
-from bench.start import measure_start
+from bench.web.start import measure_start
 
 
 def test_link_help_and_memory_are_measured():

@@ -12,7 +12,7 @@ from app.scene.role_servers import ROLES
 from bench.children import ask, next_line, started
 from bench.circle import age_at
 from bench.row import Row
-from bench.view_client import chair_positions, open_view, packets
+from bench.web.view_client import chair_positions, open_view, packets
 
 VIEWERS = (1, 4, 8)
 RUNS = 3

@@ -1,30 +1,18 @@
 """Measures how soon a page can be used in Chromium: the page's first load, its reload, and both with a slow network."""
 
-import shutil
 import statistics
 from collections.abc import Sequence
 from typing import Any
 
-from playwright.sync_api import BrowserContext, CDPSession, Page, sync_playwright
+from playwright.sync_api import BrowserContext, CDPSession, Page
 
-from bench.children import BODYDRIVE, start_command
 from bench.row import Row
+from bench.web.demonstration import chromium, demonstration
 
 RUNS = 5
 FIRST, RELOAD = "first page", "reload"
 REACH = {FIRST: 1600.0, RELOAD: 800.0}  # ms
 SLOW = 60.0  # ms of latency, as between two buildings
-CHROMIUM = (
-    "--headless=new",
-    "--no-sandbox",
-    "--use-gl=angle",
-    "--use-angle=swiftshader",  # WebGL in software, so that a page finds it on every machine
-    "--enable-unsafe-swiftshader",
-    "--disable-background-networking",
-    "--disable-component-update",
-    "--disable-sync",
-    "--no-first-run",
-)
 BUTTON = ".foot .btn.go"  # Start trial: the main button of a demonstration's first page
 WATCH = f"""new MutationObserver((_, watch) => {{
   if (!document.querySelector("{BUTTON}:enabled")) return;
@@ -46,23 +34,8 @@ def measure_page(runs: int = RUNS) -> list[Row]:
     RuntimeError
         When there is no Chromium, or the demonstration does not start.
     """
-    found = shutil.which("chromium")
-    if found is None:
-        raise RuntimeError("there is no chromium here: install Debian's package 'chromium' to measure pages")
-    with sync_playwright() as playwright, start_command([*BODYDRIVE, "demo", "--port", "0"]) as demo:
-        try:
-            link = _link(demo.stdout)
-            with playwright.chromium.launch(executable_path=found, args=list(CHROMIUM)) as browser:
-                return [row for latency in (0.0, SLOW) for row in _rows(browser.new_context, link, latency, runs)]
-        finally:
-            demo.terminate()
-
-
-def _link(lines: Any) -> str:
-    for line in lines:
-        if line.startswith("http"):
-            return str(line.strip())
-    raise RuntimeError("the demonstration did not start: its message stands above")
+    with chromium() as browser, demonstration() as (_, link):
+        return [row for latency in (0.0, SLOW) for row in _rows(browser.new_context, link, latency, runs)]
 
 
 def _rows(new_context: Any, link: str, latency: float, runs: int) -> list[Row]:

@@ -1,4 +1,4 @@
-from bench.long_trajectory import REACH, measure_trajectory
+from bench.web.long_trajectory import REACH, measure_trajectory
 
 
 def test_a_longer_trajectory_sends_no_more():

@@ -1,4 +1,4 @@
-from bench.flood import measure_flood
+from bench.web.busy import measure_first_pages, measure_flood
 
 
 def test_stops_are_timed_without_and_with_sign_ins_under_way():
@@ -6,3 +6,9 @@ def test_stops_are_timed_without_and_with_sign_ins_under_way():
     assert row.figure > 0
     assert row.details.startswith("1 runs of 3 stops each; p99 ")
     assert '"503": ' in row.details  # two of the ten found no place
+
+
+def test_stops_are_timed_while_pages_are_opened_for_the_first_time():
+    (row,) = measure_first_pages(runs=1, rounds=1, stops=20)
+    assert row.figure > 0
+    assert '{"200": ' in row.details

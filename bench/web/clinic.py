@@ -1,0 +1,51 @@
+"""A clinic with trials for a benchmark."""
+
+import math
+from pathlib import Path
+
+from app.cli.demonstration import furnish
+from app.settings import Settings, data_folder
+from app.source import Source
+from app.store.database import Database
+from app.store.parameters import current_parameters
+from app.store.patients import end_session, open_session
+from app.store.people import add_person, sign_in, the_clinic
+from app.store.runs import add_run, add_trial, finish_trial
+from app.world.floorplan import load_floorplan
+
+TRIALS = 22  # as in the paper
+SIMULATED = Source(shirt="simulator", body="person", chair="virtual", simulated=True)
+
+
+def furnish_clinic(state: Path) -> list[str]:
+    """Make a clinic whose patient drove trials; return the token of a sign-in, and pages that need large libraries."""
+    plan = load_floorplan(data_folder() / "floorplans" / "apartment.json")
+    path = plan.paths[0]
+    database = Database(Settings(state=state).database)
+    furnish(database)
+    with database.transaction() as db:
+        clinic = the_clinic(db)
+        session = None if clinic is None else open_session(db, clinic.id)
+        if clinic is None or session is None:
+            raise RuntimeError("the clinic of the benchmark was not made")
+        parameters, _ = current_parameters(db, session.patient_id)
+        for number in range(TRIALS):
+            run = f"run-{number}"
+            trial = add_trial(
+                db,
+                run=add_run(db, run, session.id, "drive", run, SIMULATED),
+                clinic_id=clinic.id,
+                patient_id=session.patient_id,
+                parameters_id=parameters.id,
+                floorplan=plan.name,
+                floorplan_title=plan.title,
+                path=path.name,
+                path_points=[[x, y] for x, y in path.points],
+            )
+            measures = {"reached": True, "e_diff": 1.0 + math.exp(-number / 5), "time": 60.0 - number}
+            finish_trial(db, trial.id, "goal", measures)
+        end_session(db, clinic.id)
+        token = sign_in(db, add_person(db, clinic, "Ada", "owner", None), "bench")
+    database.close()
+    learning = f"learning?floorplan={plan.name}&path={path.name}&source={SIMULATED.group}"
+    return [token, f"/patients/{session.patient_id}/{learning}"]
