@@ -1,7 +1,8 @@
 """Opens pages for which the web process has to start its computing process.
 
 Arguments: the port of the web process, the token of a sign-in, the pages. Then, for each line on stdin, `on` lets it
-begin and `off` lets it end; answers with a JSON object of how often each status came so far. Ends with stdin.
+begin and `off` lets it end, when the page under way is answered; answers with a JSON object of how often each status
+came so far. Ends with stdin.
 """
 
 import http.client
@@ -9,6 +10,7 @@ import json
 import sys
 import threading
 from collections import Counter
+from contextlib import nullcontext
 
 from app.api.sign_in.identity import COOKIE
 
@@ -17,25 +19,33 @@ IDLE = 0.5  # s between two looks at all pages, after which the computing proces
 
 def main(port: int, token: str, pages: list[str]) -> None:
     """Open pages until stdin ends."""
-    is_on, answers = threading.Event(), Counter[int]()
-    threading.Thread(target=_open, args=(port, token, pages, is_on, answers), daemon=True).start()
+    is_on, page_open, answers = threading.Event(), threading.Lock(), Counter[int]()
+    threading.Thread(target=_open, args=(port, token, pages, is_on, page_open, answers), daemon=True).start()
     while word := sys.stdin.readline().strip():
         (is_on.set if word == "on" else is_on.clear)()
-        sys.stdout.write(f"{json.dumps(answers)}\n")
-        sys.stdout.flush()
+        with page_open if word == "off" else nullcontext():
+            sys.stdout.write(f"{json.dumps(answers)}\n")
+            sys.stdout.flush()
 
 
-def _open(port: int, token: str, pages: list[str], is_on: threading.Event, answers: Counter[int]) -> None:
+def _open(
+    port: int, token: str, pages: list[str], is_on: threading.Event, page_open: threading.Lock, answers: Counter[int]
+) -> None:
     pause = threading.Event()
     while is_on.wait():
         for page in pages:
-            connection = http.client.HTTPConnection("127.0.0.1", port)
-            connection.request("GET", f"/api/v1{page}", headers={"Cookie": f"{COOKIE}={token}"})
-            answer = connection.getresponse()
-            answer.read()
-            connection.close()
-            answers[answer.status] += 1
+            with page_open:
+                answers[_status(port, token, page)] += 1
         pause.wait(IDLE)
+
+
+def _status(port: int, token: str, page: str) -> int:
+    connection = http.client.HTTPConnection("127.0.0.1", port)
+    connection.request("GET", f"/api/v1{page}", headers={"Cookie": f"{COOKIE}={token}"})
+    answer = connection.getresponse()
+    answer.read()
+    connection.close()
+    return answer.status
 
 
 if __name__ == "__main__":
