@@ -1,6 +1,7 @@
 """`bodydrive study`: the paper's experiment with simulated people, faster than real time."""
 
 import dataclasses
+import functools
 import json
 import os
 import re
@@ -108,12 +109,8 @@ def study(
             progress = None if as_json else _Progress(trials)
             with second_process(processes) as second:
                 result = run_study(trials, seed, plan, chosen.name, progress, driver, second)
-                write_study(
-                    result,
-                    out,
-                    lambda folder: second.submit(draw_study, result, folder, figure_format).result(),
-                    overwrite,
-                )
+                draw = functools.partial(draw_study, result, figure_format=figure_format)
+                write_study(result, out, draw, overwrite, second)
             document, lines = summary(result), [result.learning[name]["text"] for name in MEASURES]
         else:
             tell = None if as_json else _tell_of_seed

@@ -14,9 +14,10 @@ from typing import ParamSpec, TypeVar
 Asked = ParamSpec("Asked")
 Answer = TypeVar("Answer")
 
-# What fitting, scoring and drawing import inside their functions; loaded while nobody waits, in the order of use.
-SLOW_LIBRARIES = (
-    *("sklearn.decomposition", "shapely", "scipy.signal", "scipy.optimize", "scipy.stats"),
+# What is imported inside functions: by the fit, with which a study begins, and by scoring and drawing.
+FIRST_LIBRARY = "sklearn.decomposition"
+LATER_LIBRARIES = (
+    *("shapely", "scipy.signal", "scipy.optimize", "scipy.stats"),
     *("statsmodels.regression.linear_model", "statsmodels.tools.eval_measures", "matplotlib.figure"),
 )
 
@@ -38,11 +39,27 @@ def second_process(processes: int) -> Iterator[Executor]:
         yield SameProcess()
         return
     # An interrupt (Ctrl+C) ends the process that drives, and that one ends the other.
-    with ProcessPoolExecutor(1, initializer=signal.signal, initargs=(signal.SIGINT, signal.SIG_IGN)) as second:
-        second.submit(_load_slow_libraries)
+    with _SecondProcess() as second:
         yield second
 
 
-def _load_slow_libraries() -> None:
-    for name in SLOW_LIBRARIES:
+class _SecondProcess(ProcessPoolExecutor):
+    """Loads what the first question needs, and what later ones need behind it: nobody waits for the wrong library."""
+
+    def __init__(self) -> None:
+        super().__init__(1, initializer=signal.signal, initargs=(signal.SIGINT, signal.SIG_IGN))
+        self._later: tuple[str, ...] = LATER_LIBRARIES
+        super().submit(_load, (FIRST_LIBRARY,))
+
+    def submit(self, ask: Callable[Asked, Answer], /, *given: Asked.args, **named: Asked.kwargs) -> Future[Answer]:
+        """Return the answer that is to come."""
+        answer = super().submit(ask, *given, **named)
+        if self._later:
+            super().submit(_load, self._later)
+            self._later = ()
+        return answer
+
+
+def _load(libraries: tuple[str, ...]) -> None:
+    for name in libraries:
         import_module(name)

@@ -6,6 +6,7 @@ import json
 import shutil
 import tempfile
 from collections.abc import Callable, Iterator
+from concurrent.futures import Executor, wait
 from contextlib import contextmanager
 from dataclasses import fields
 from pathlib import Path
@@ -17,6 +18,7 @@ from app import __version__
 from app.hardware.body.person_parameters import PersonParameters, PracticeEffect
 from app.source import STUDY_SOURCE, source_words
 from app.study.experiment import StudyResult
+from app.study.second_process import SameProcess
 
 if TYPE_CHECKING:
     import pyarrow as pa
@@ -41,10 +43,12 @@ def check_folder(folder: Path, overwrite: bool) -> None:
         raise ValueError(f"{folder} is not empty: name another folder, or replace it with --overwrite")
 
 
-def write_study(result: StudyResult, folder: Path, draw: Draw, overwrite: bool = False) -> None:
+def write_study(
+    result: StudyResult, folder: Path, draw: Draw, overwrite: bool = False, second: Executor | None = None
+) -> None:
     """Write a study into `folder`, all files or none.
 
-    `draw` draws the figures into the folder given to it.
+    `draw` draws the figures into the folder given to it, in `second` beside the writing of the other files.
 
     Raises
     ------
@@ -53,15 +57,22 @@ def write_study(result: StudyResult, folder: Path, draw: Draw, overwrite: bool =
     OSError
         When the place cannot be written; nothing is left behind then.
     """
+    with atomic_folder(folder, overwrite) as part:
+        drawing = (second or SameProcess()).submit(draw, part)
+        try:
+            _write_tables(result, part)
+        finally:
+            wait([drawing])  # nothing may be written into a folder that is being removed
+        drawing.result()
+
+
+def _write_tables(result: StudyResult, folder: Path) -> None:
     import pyarrow.parquet
 
-    with atomic_folder(folder, overwrite) as part:
-        (part / "trials.csv").write_text(trials_csv(result), encoding="utf-8")
-        pyarrow.parquet.write_table(trajectories_table(result), part / "trajectories.parquet", compression="zstd")
-        (part / "study.json").write_text(
-            json.dumps(summary(result), indent=1, allow_nan=False) + "\n", encoding="utf-8"
-        )
-        draw(part)
+    (folder / "trials.csv").write_text(trials_csv(result), encoding="utf-8")
+    pyarrow.parquet.write_table(trajectories_table(result), folder / "trajectories.parquet", compression="zstd")
+    document = json.dumps(summary(result), indent=1, allow_nan=False)
+    (folder / "study.json").write_text(f"{document}\n", encoding="utf-8")
 
 
 @contextmanager
