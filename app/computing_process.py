@@ -55,7 +55,8 @@ class ComputingProcess:
         """Start the process unless it runs, so that it loads its libraries before the first question."""
         if self._one_at_a_time.acquire(blocking=False):  # otherwise somebody asks, and it runs
             try:
-                self._started()
+                with suppress(OSError):  # the question that follows will say why it cannot be started
+                    self._started()
                 self._count_idle_time()
             finally:
                 self._one_at_a_time.release()
