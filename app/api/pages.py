@@ -33,7 +33,9 @@ VERSION: Final = re.compile(r"v-([0-9a-f]+)/")
 LINK: Final = re.compile(r'(href|src)="([a-z][^":]+)"')
 STYLE: Final = re.compile(r'<link rel="stylesheet" href="([^"]+)">')
 STYLES: Final = re.compile(r'(?:^ *<link rel="stylesheet" href="[^"]+">\n)+', re.MULTILINE)
-ENTRY: Final = re.compile(r'<script type="module" src="([^"]+)">')
+ENTRY: Final = re.compile(r' *<script type="module" src="([^"]+)"></script>\n')
+BEGINNING: Final = '  <script type="module" src="js/first_picture.js"></script>\n'  # adds the program to the page
+PROGRAM: Final = '  <template id="program">\n{}  </template>\n</body>'
 IMPORT: Final = re.compile(r"""^(?:import|export)(?:[^"';]*\bfrom)? *["'](\.{1,2}/[^"']+)["']""", re.MULTILINE)
 
 
@@ -48,8 +50,8 @@ class PageFile(NamedTuple):
 class Pages:
     """ASGI application that answers with the files of a folder, and with the script of the installed plotly.
 
-    An entry (an HTML file) names its styles, joined to one file, and its scripts under `/v-VERSION/`, and the modules
-    that these import in turn, so that a browser loads all of them at once and keeps them until the version changes.
+    An entry (an HTML file) names its styles, joined to one file, and its script under `/v-VERSION/`, and the modules
+    that this imports in turn, so that a browser loads all of them at once and keeps them until the version changes.
     Under any other address, also that of an earlier version, a file is the present one, and a browser asks again each
     time.
     """
@@ -110,9 +112,14 @@ class Pages:
         return Response(file.compressed, headers={**headers, "Content-Encoding": "gzip"})
 
     def _entry(self, text: str, styles: str, modules: list[str]) -> bytes:
-        """Return an entry with one link to its joined styles, with links to its modules, all of this version."""
+        """Return an entry with one link to its joined styles, all addresses of this version.
+
+        Its script, with links to the modules, stands in a template: the browser draws the entry's own words first.
+        """
         preloads = "".join(f'  <link rel="modulepreload" href="{module}">\n' for module in modules)
-        joined = STYLES.sub(f'  <link rel="stylesheet" href="{styles}">\n{preloads}', text)
+        scripts = "".join(found[0] for found in ENTRY.finditer(text))
+        joined = STYLES.sub(f'  <link rel="stylesheet" href="{styles}">\n', text)
+        joined = ENTRY.sub(BEGINNING, joined).replace("</body>", PROGRAM.format(preloads + scripts))
         return LINK.sub(rf'\1="/v-{self.version}/\2"', joined).encode()
 
 
