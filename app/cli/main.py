@@ -22,6 +22,7 @@ COMMANDS = {
     "chair": ("app.cli.chair", "chair_app"),
     "log": ("app.cli.log", "log_app"),
     "floorplan": ("app.cli.floorplan", "floorplan_app"),
+    "about": ("app.cli.about", "about"),
 }
 
 

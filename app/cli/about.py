@@ -1,0 +1,127 @@
+"""`bodydrive about`: the version, how it was built, and the installed packages with their licences."""
+
+import json
+import platform
+from importlib.metadata import Distribution, PackageNotFoundError, distribution
+from typing import TYPE_CHECKING, Annotated, NamedTuple
+
+import typer
+
+from app import __version__
+from app.cli.errors import InputError
+
+if TYPE_CHECKING:
+    from packaging.requirements import Requirement
+
+NAME = "bodydrive"
+OPTIONAL = "ros2"  # the extra of the program itself; the others are for development
+NO_LICENCE = "no licence stated"
+NOT_INSTALLED = "not installed"
+LONGEST_NAME = 100  # characters; a longer License field holds the text of the licence instead of its name
+CLASSIFIER = "License :: "
+NOTHING_SAID = {"", "UNKNOWN"}
+
+EQUAL = "the numbers are the same either way, bit for bit"
+
+
+class Package(NamedTuple):
+    """A package that the program needs."""
+
+    name: str
+    version: str | None  # None: it is required, and not installed
+    licence: str | None  # as its author wrote it; None: not stated
+
+
+def about(
+    licences: Annotated[
+        bool, typer.Option("--licences", help="List the packages that are installed for it, with their licences.")
+    ] = False,
+    as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")] = False,
+) -> None:
+    """Say which version this is, how it was built, and which packages it uses."""
+    from app.pipeline.compiled import IS_COMPILED
+
+    python = f"{platform.python_implementation()} {platform.python_version()}"
+    packages = packages_of(NAME) if licences else []
+    if as_json:
+        facts = {"version": __version__, "compiled": IS_COMPILED, "python": python, "system": platform.platform()}
+        listed = {"packages": [package._asdict() for package in packages]} if licences else {}
+        typer.echo(json.dumps(facts | listed))
+        return
+    built = "with its middle compiled" if IS_COMPILED else "as plain Python"
+    typer.echo(f"bodydrive {__version__}, built {built} ({EQUAL})\n{python}, {platform.platform()}")
+    if packages:
+        typer.echo("\n".join(["", *_table(packages)]))
+
+
+def packages_of(name: str) -> list[Package]:
+    """Return a package and everything that it requires, directly and indirectly, sorted by name.
+
+    A package of the extra `OPTIONAL` is listed only if it is installed. Raises InputError when `name` itself is not
+    installed, because nothing is known about its requirements then.
+    """
+    from packaging.requirements import Requirement
+    from packaging.utils import canonicalize_name
+
+    if _installed(name) is None:
+        raise InputError("bodydrive is not installed for this Python, so its packages are unknown: install its wheel.")
+    found: dict[str, Package] = {}
+    seen: set[tuple[str, str]] = set()  # packages and their extras
+    waiting = [(Requirement(f"{name}[{OPTIONAL}]"), False)]
+    while waiting:
+        requirement, optional = waiting.pop()
+        key = canonicalize_name(requirement.name)
+        installed = _installed(key)
+        if installed is None:
+            if not optional:
+                found[key] = Package(requirement.name, None, None)
+            continue
+        found[key] = Package(installed.metadata["Name"], installed.version, licence_of(installed))
+        for extra in {"", *requirement.extras}:
+            if (key, extra) not in seen:
+                seen.add((key, extra))
+                waiting += [(needed, (key, extra) == (name, OPTIONAL)) for needed in _required(installed, extra)]
+    return sorted(found.values(), key=lambda package: canonicalize_name(package.name))
+
+
+def _required(installed: Distribution, extra: str) -> "list[Requirement]":
+    """Return what a package requires on this machine: of itself, or for one of its extras."""
+    from packaging.requirements import Requirement
+
+    needed = [Requirement(line) for line in installed.requires or []]
+    if not extra:
+        return [one for one in needed if one.marker is None or one.marker.evaluate({"extra": ""})]
+    return [
+        one
+        for one in needed
+        if one.marker is not None and one.marker.evaluate({"extra": extra}) and not one.marker.evaluate({"extra": ""})
+    ]
+
+
+def licence_of(installed: Distribution) -> str | None:
+    """Return the licence that a package states: its expression, else its name, else its classifiers."""
+    said = installed.metadata.get("License-Expression") or ""
+    name = " ".join((installed.metadata.get("License") or "").split())
+    classifiers = [
+        line.rpartition(" :: ")[2]
+        for line in installed.metadata.get_all("Classifier") or []
+        if line.startswith(CLASSIFIER)
+    ]
+    if said.strip() not in NOTHING_SAID:
+        return said.strip()
+    if name not in NOTHING_SAID and len(name) <= LONGEST_NAME:
+        return name
+    return " and ".join(classifiers) or None
+
+
+def _installed(name: str) -> Distribution | None:
+    try:
+        return distribution(name)
+    except PackageNotFoundError:
+        return None
+
+
+def _table(packages: list[Package]) -> list[str]:
+    rows = [(one.name, one.version or NOT_INSTALLED, one.licence or NO_LICENCE) for one in packages]
+    widths = [max(len(row[column]) for row in rows) for column in range(2)]
+    return [f"{name:<{widths[0]}}  {version:<{widths[1]}}  {licence}" for name, version, licence in rows]
