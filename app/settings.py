@@ -6,6 +6,9 @@ import secrets
 import sys
 from dataclasses import dataclass, field
 from pathlib import Path
+from urllib.parse import urlsplit
+
+Network = ipaddress.IPv4Network | ipaddress.IPv6Network
 
 PACKAGE = Path(__file__).parent
 IN_USE = "in-use"  # name of the file that is locked while a program uses the state folder
@@ -52,6 +55,8 @@ class Settings:
     port: int = 8080
     demo_code: str | None = field(default=None, repr=False)  # set: this is a demonstration
     setup_code: str | None = field(default=None, repr=False)  # for the first owner only
+    proxy: Network | None = None  # set: requests come through a proxy of this network, and in no other way
+    public_name: str = ""  # HOST or HOST:PORT by which browsers reach the proxy
 
     @property
     def demo(self) -> bool:
@@ -103,12 +108,12 @@ class Settings:
         return own if foreign or not self.state.exists() else [self.state, *own]
 
     def serves(self, host: str) -> bool:
-        """Return whether a request's Host (without port) names this server: its address, localhost or its own name.
+        """Return whether a request's Host (without port) names this server: its address, localhost, its own name.
 
         A foreign page can let its own name resolve to this machine (DNS rebinding), but its requests then carry that
         name.
         """
-        if host in {"localhost", self.host}:
+        if host in {"localhost", self.host, urlsplit(f"//{self.public_name}").hostname}:
             return True
         try:
             ipaddress.ip_address(host.strip("[]"))

@@ -18,6 +18,7 @@ from app.api.pages import Pages
 from app.api.parts import web_parts_of
 from app.api.patient_screen import patient_socket
 from app.api.patient_screen import routes as patient_screen
+from app.api.proxy import BehindProxy
 from app.api.refusals import install_refusals
 from app.api.replay import replay_view, trial_replay
 from app.api.routes import (
@@ -150,6 +151,7 @@ def create_app(
     app.include_router(view_router(port_of, may_view, viewer))
     app.mount("/", Pages(static_folder()), name="pages")
     app.add_middleware(Guard, settings=settings)
+    app.add_middleware(BehindProxy, settings=settings)  # before all others, which see what the browser sent
     return app
 
 

@@ -32,13 +32,18 @@ def is_nearby(connection: HTTPConnection) -> bool:
     names = [name.lower() for name in connection.headers]
     if any(name in PASSED_ON or name.startswith("x-forwarded") for name in names) or connection.client is None:
         return False
+    address = parsed_address(connection.client.host)
+    return address is not None and any(address in network for network in NEAR)
+
+
+def parsed_address(text: str) -> ipaddress.IPv4Address | ipaddress.IPv6Address | None:
+    """Return an IP address without its zone, as IPv4 where it stands for one; None for any other text."""
     try:
-        address = ipaddress.ip_address(connection.client.host.partition("%")[0])
+        address = ipaddress.ip_address(text.partition("%")[0])
     except ValueError:
-        return False
-    if isinstance(address, ipaddress.IPv6Address) and address.ipv4_mapped is not None:
-        address = address.ipv4_mapped
-    return any(address in network for network in NEAR)
+        return None
+    mapped = address.ipv4_mapped if isinstance(address, ipaddress.IPv6Address) else None
+    return mapped or address
 
 
 def require_nearby(connection: HTTPConnection) -> None:

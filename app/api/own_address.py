@@ -25,8 +25,11 @@ def own_address(settings: Settings, connection: HTTPConnection) -> OwnAddress:
     """Return the address for another screen.
 
     This is the address of the request itself, unless that is a loopback address; otherwise the address that the
-    program listens on, or this machine's address on the network when it listens on all.
+    program listens on, or this machine's address on the network when it listens on all. Behind a proxy it is the
+    proxy's.
     """
+    if settings.public_name:
+        return OwnAddress(f"https://{settings.public_name}/", only_here=False)
     scheme = "https" if connection.url.scheme in {"https", "wss"} else "http"
     requested = urlsplit(f"//{connection.headers.get('host', '')}")
     if requested.hostname and not is_loopback(requested.hostname) and not is_loopback(settings.host):

@@ -1,15 +1,20 @@
-"""The port that a clinic listens on, and the address to open in a browser."""
+"""The port that a clinic listens on, the proxy before it, and the address to open in a browser."""
 
 import errno
 import ipaddress
 import socket
 from contextlib import suppress
+from urllib.parse import urlsplit
 
 from app.cli.errors import InputError
+from app.hardware.addresses import checked_host
+from app.settings import Network
 
 # A browser that does not answer for so long has gone: a tablet asleep, a cable pulled. Busy browsers need some time;
 # the live socket and the 3D view themselves disconnect, within 3 s, a browser that does not read.
 PING_LIMIT = 20.0  # s
+
+LARGEST_NETWORK = 65_536  # addresses that may speak for a browser; whole networks of people are no proxies
 
 
 def bind(host: str, port: int) -> socket.socket:
@@ -45,3 +50,30 @@ def link_to(host: str, port: int) -> str:
         if ipaddress.ip_address(host).is_unspecified:
             host = "127.0.0.1"
     return f"http://[{host}]:{port}/" if ":" in host else f"http://{host}:{port}/"
+
+
+def proxy_network(text: str) -> Network:
+    """Return the address or network of the proxy."""
+    try:
+        network = ipaddress.ip_network(text, strict=False)
+    except ValueError as error:
+        raise InputError(
+            f"--behind-proxy '{text}' is no address: write one such as 127.0.0.1, or 10.1.2.0/24."
+        ) from error
+    if network.num_addresses > LARGEST_NETWORK:
+        raise InputError(f"--behind-proxy {text} has too many addresses to be believed: give that of the proxy.")
+    return network
+
+
+def public_name(text: str) -> str:
+    """Return the name by which browsers reach the proxy, with its port when it is not that of https."""
+    try:
+        parts = urlsplit(f"//{text}")
+        host, port = checked_host(parts.hostname or ""), parts.port
+    except ValueError as error:
+        raise InputError(f"--name '{text}' is no name: write one such as clinic.example.org.") from error
+    shown = f"[{host}]" if ":" in host else host
+    given = shown if port is None else f"{shown}:{port}"
+    if given != text.lower():  # a path, a person, or a scheme
+        raise InputError(f"--name '{text}' is no name: write one such as clinic.example.org.")
+    return given

@@ -11,7 +11,7 @@ import typer
 
 from app.cli.clinic_folder import held, keep_private
 from app.cli.errors import InputError
-from app.cli.port import bind, link_to
+from app.cli.port import bind, link_to, proxy_network, public_name
 from app.files import write_atomically
 from app.refusals import Refusal
 from app.settings import Settings, new_code, state_folder
@@ -21,6 +21,13 @@ Port = Annotated[int, typer.Option(min=0, max=65_535, help="The port to listen o
 Host = Annotated[str, typer.Option(help="The address to listen on; other machines reach only other ones than this.")]
 Plans = Annotated[list[Path] | None, typer.Option("--floorplan", help="A floor plan of your own to drive in, too.")]
 State = Annotated[Path | None, typer.Option(help="The folder of the clinic's database and recordings.")]
+Proxy = Annotated[
+    str | None,
+    typer.Option(
+        "--behind-proxy", help="The address of the clinic's own reverse proxy, the only way in; needs --name."
+    ),
+]
+Name = Annotated[str | None, typer.Option(help="The name, or NAME:PORT, by which browsers reach the proxy.")]
 
 LOOPBACK = ("127.0.0.1", "localhost", "::1")
 
@@ -39,21 +46,28 @@ def demo(port: Port = 8080, host: Host = "127.0.0.1", floorplans: Plans = None) 
     _leave()
 
 
-def serve(port: Port = 8080, host: Host = "127.0.0.1", state: State = None) -> None:
+def serve(
+    port: Port = 8080, host: Host = "127.0.0.1", state: State = None, behind_proxy: Proxy = None, name: Name = None
+) -> None:
     """Open a clinic; its database and recordings are kept."""
+    if (behind_proxy is None) != (name is None):
+        raise InputError("--behind-proxy and --name belong together: give the proxy's address, and its name.")
+    proxy = None if behind_proxy is None else proxy_network(behind_proxy)
+    reached_by = "" if name is None else public_name(name)
     folder = (state or state_folder()).expanduser().resolve()
     with bind(host, port) as listening, held(folder):
         bound = int(listening.getsockname()[1])
         warnings = keep_private(Settings(state=folder))
         code = new_code() if _nobody_yet(folder) else None
-        settings = Settings(state=folder, host=host, port=bound, setup_code=code)
+        settings = Settings(state=folder, host=host, port=bound, setup_code=code, proxy=proxy, public_name=reached_by)
+        link = f"https://{reached_by}/" if reached_by else link_to(host, bound)
         words = [f"The clinic in {folder}. Ctrl-C ends it.", *_warning(host), *warnings]
         if code is None:
-            words.append(link_to(host, bound))
+            words.append(link)
         else:
             words += [
                 f"Set-up code, for the first owner, within 30 minutes: {code}",
-                f"{link_to(host, bound)}#setup={code}",
+                f"{link}#setup={code}",
             ]
         _run(settings, listening, words)
     _leave()

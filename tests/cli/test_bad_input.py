@@ -242,3 +242,8 @@ def test_a_full_disk_behind_stdout_is_one_sentence(bodydrive, monkeypatch):
 
     monkeypatch.setattr("app.cli.floorplan.typer.echo", full)
     refused(bodydrive("floorplan", "list"), "the output cannot be read or written (No space left on device)")
+
+
+def test_a_proxy_needs_its_name_and_a_name_its_proxy(bodydrive):
+    for words in (("--behind-proxy", "127.0.0.1"), ("--name", "clinic.example.org")):
+        refused(bodydrive("serve", *words), "--behind-proxy and --name belong together")

@@ -56,8 +56,8 @@ def free_port() -> int:
 class SessionClient(httpx.Client):
     """A client that names the open session with every change, as a page does."""
 
-    def __init__(self, base: str) -> None:
-        super().__init__(base_url=f"{base}/api/v1", headers={"Origin": base}, timeout=60)
+    def __init__(self, base: str, **more: Any) -> None:
+        super().__init__(base_url=f"{base}/api/v1", headers={"Origin": base}, timeout=60, **more)
 
     def request(self, method: str, url: Any, **more: Any) -> httpx.Response:
         if method != "GET":

@@ -1,0 +1,106 @@
+"""docs/administrators.md and docs/defects.md: each command is one that exists, with these words and options."""
+
+import re
+import shlex
+import shutil
+import subprocess
+import sys
+
+import pytest
+from typer.main import get_command
+
+from app.cli.main import COMMANDS, build
+from app.settings import Settings
+from app.store.database import Database
+from folders import ROOT
+
+PAGES = [ROOT / "docs" / name for name in ("administrators.md", "defects.md")]
+BLOCK = re.compile(r"^```sh\n(.*?)^```", flags=re.DOTALL | re.MULTILINE)
+SETTING = re.compile(r"[A-Z_]+=\S+")
+
+
+def commands() -> list[list[str]]:
+    """Return the words of every command on the pages: the lines of their blocks, and bodydrive's within sentences."""
+    found = []
+    for page in PAGES:
+        text = page.read_text(encoding="utf-8")
+        found += [line for block in BLOCK.findall(text) for line in block.splitlines()]
+        found += re.findall(r"`(bodydrive [^`]+)`", text)
+    split = [shlex.split(line) for line in found]
+    return [[word for word in words if not SETTING.fullmatch(word)] for words in split]
+
+
+def program(words: list[str]) -> str:
+    return words[0].rpartition("/")[2]
+
+
+COMMAND_LINES = commands()
+OURS = [words[1:] for words in COMMAND_LINES if program(words) == "bodydrive"]
+OTHERS = [words for words in COMMAND_LINES if program(words) != "bodydrive"]
+
+
+def test_the_pages_name_commands():
+    assert {words[0] for words in OURS} >= {"serve", "log", "about", "chair"}
+    assert {program(words) for words in OTHERS} == {"python3", "pip", "cp", "cd", "mkdir", "find"}
+
+
+# Where a page names a command within a sentence, it may leave out what else the command needs.
+INCOMPLETE = {"MissingParameter", "NoArgsIsHelpError"}
+
+
+def complaint(words):
+    """Read a command line as bodydrive does, without running it; return what is wrong with it, empty for nothing."""
+    context = get_command(build(list(COMMANDS))).make_context("bodydrive", list(words))
+    try:
+        while hasattr(context.command, "resolve_command"):
+            given = [*context._protected_args, *context.args]
+            name, command, rest = context.command.resolve_command(context, given)
+            context = command.make_context(name, rest, parent=context)
+    except Exception as error:
+        return "" if type(error).__name__ in INCOMPLETE else str(error)
+    return ""
+
+
+@pytest.mark.parametrize("words", OURS, ids=" ".join)
+def test_a_command_of_bodydrive_is_understood(words):
+    assert complaint([word for word in words if word != "--help"]) == ""
+
+
+@pytest.mark.parametrize("words", [["verify"], ["serve", "--nothing"], ["log", "check"], ["serve", "--port", "many"]])
+def test_a_command_that_does_not_exist_would_be_found(words):
+    assert complaint(words)
+
+
+@pytest.mark.parametrize("words", OTHERS, ids=" ".join)
+def test_a_command_of_the_system_is_there_with_its_options(words):
+    name = program(words)
+    if name != "pip":
+        assert name == "cd" or shutil.which(name)
+        return
+    shown = subprocess.run(
+        [sys.executable, "-m", "pip", words[1], "--help"], capture_output=True, text=True, check=True
+    )
+    assert [word for word in words if word.startswith("--") and word not in shown.stdout] == []
+
+
+@pytest.mark.parametrize("words", [words for words in OURS if words[0] in {"about", "log"}], ids=" ".join)
+def test_what_only_reads_is_run(words, bodydrive, tmp_path):
+    settings = Settings(state=tmp_path)
+    Database(settings.database).close()
+    given = [str(tmp_path) if word == "/var/lib/bodydrive" else word for word in words]
+    if words[0] == "log" and "--state" not in words:
+        given += ["--state", str(tmp_path)]
+    code, out, err = bodydrive(*given)
+    assert (code, err) == (0, "")
+    assert out
+
+
+def test_the_files_and_ports_of_the_page_are_those_of_the_program():
+    text = PAGES[0].read_text(encoding="utf-8")
+    table = text.partition("| in the state folder |")[2].partition("\n\n")[0]
+    named = set(re.findall(r"`([\w.-]+)/?`", table))
+    settings = Settings(state=ROOT)
+    folders = {settings.files, settings.models, settings.floorplans, settings.runs, settings.replaced, settings.keys}
+    assert {folder.name for folder in folders} <= named
+    assert settings.database.name in named
+    assert f"TCP {settings.port} of {settings.host}" in text

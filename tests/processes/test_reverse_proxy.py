@@ -1,0 +1,229 @@
+"""bodydrive behind real reverse proxies, each with its configuration of docs/proxy, over https."""
+
+import json
+import os
+import shutil
+import socket
+import ssl
+import subprocess
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import NamedTuple
+
+import httpx
+import pytest
+from processes.served_demo import SessionClient, bodydrive, free_port, printed_link
+from websockets.exceptions import ConnectionClosed
+from websockets.sync.client import ClientConnection, connect
+
+from app.api.proxy import INCOMPLETE
+from app.scene.client_messages import SUBPROTOCOL
+from folders import ROOT
+
+NAME = "clinic.example.org"
+PLACE = "/etc/ssl/clinic"  # of the certificate, in the configurations
+OPENED_WITHIN = 60.0  # s for the 3D view of a session, beside other tests
+
+NGINX_MAIN = """daemon off; {user}
+pid {folder}/nginx.pid;
+error_log stderr;
+events {{}}
+http {{
+    access_log off;
+    client_body_temp_path {folder}/bodies;
+    proxy_temp_path {folder}/answers;
+    include {site};
+}}
+"""
+CADDY_MAIN = """{{
+	admin off
+	auto_https disable_redirects
+	default_bind 127.0.0.1
+}}
+import {site}
+"""
+
+
+class Proxy(NamedTuple):
+    """A program, its configuration in docs/proxy, the file that includes it, and how it is started with that file."""
+
+    package: str  # of Debian
+    site: str
+    port: tuple[str, str]  # the place of the port in the configuration: as it stands there, and with another one
+    main: str
+    words: Callable[[Path], list[str]]
+
+
+PROXIES = {
+    "caddy": Proxy(
+        "caddy",
+        "Caddyfile",
+        (f"\n{NAME} {{", f"\n{NAME}:{{port}} {{{{"),
+        CADDY_MAIN,
+        lambda main: ["caddy", "run", "--adapter", "caddyfile", "--config", str(main)],
+    ),
+    "nginx": Proxy(
+        "nginx-light",
+        "nginx.conf",
+        ("listen 443 ssl", "listen 127.0.0.1:{port} ssl"),
+        NGINX_MAIN,
+        lambda main: ["nginx", "-p", str(main.parent), "-e", "stderr", "-c", str(main)],
+    ),
+}
+
+
+class ThroughLoopback(httpx.HTTPTransport):
+    """Connects to this machine, whatever name is asked for."""
+
+    def handle_request(self, request: httpx.Request) -> httpx.Response:
+        address, extensions = request.url.copy_with(host="127.0.0.1"), {"sni_hostname": request.url.host}
+        sent = httpx.Request(
+            request.method,
+            address,
+            headers=request.headers,
+            stream=request.stream,
+            extensions={**request.extensions, **extensions},
+        )
+        return super().handle_request(sent)
+
+
+class Browser(SessionClient):
+    """A client that reaches the clinic by the name of the proxy, and trusts its certificate only."""
+
+    def __init__(self, port: int, certificate: Path) -> None:
+        self._port, self._trust = port, ssl.create_default_context(cafile=str(certificate))
+        super().__init__(f"https://{NAME}:{port}", transport=ThroughLoopback(verify=self._trust))
+
+    def socket(self, path: str, **more: object) -> ClientConnection:
+        """Open a websocket, as a page of the proxy's address does."""
+        address = f"{NAME}:{self._port}"
+        cookie = "; ".join(f"{name}={value}" for name, value in self.cookies.items())
+        plain = socket.create_connection(("127.0.0.1", self._port))
+        return connect(
+            f"wss://{address}{path}",
+            sock=plain,
+            ssl=self._trust,
+            additional_headers={"Cookie": cookie},
+            origin=f"https://{address}",  # type: ignore[arg-type]
+            **more,  # type: ignore[arg-type]
+        )
+
+
+@pytest.fixture(scope="module")
+def certificate(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The folder of a certificate of its own and its key."""
+    folder = tmp_path_factory.mktemp("certificate")
+    key = ("-newkey", "ec", "-pkeyopt", "ec_paramgen_curve:prime256v1", "-nodes", "-keyout", folder / "key.pem")
+    names = ("-subj", f"/CN={NAME}", "-addext", f"subjectAltName=DNS:{NAME}")
+    words = ("openssl", "req", "-x509", *key, *names, "-days", "2", "-out", folder / "certificate.pem")
+    subprocess.run(words, check=True, capture_output=True)
+    return folder
+
+
+def configured(proxy: Proxy, folder: Path, certificate: Path, port: int, upstream: int) -> Path:
+    """Write the configuration of docs/proxy with other ports and another certificate; return what includes it."""
+    text = (ROOT / "docs" / "proxy" / proxy.site).read_text(encoding="utf-8")
+    here, there = proxy.port
+    changes = {here: there.format(port=port), "127.0.0.1:8080": f"127.0.0.1:{upstream}"}
+    for before, after in changes.items():
+        assert text.count(before) == 1, before
+        text = text.replace(before, after)
+    assert text.count(PLACE) == 2
+    site, main = folder / proxy.site, folder / "main"
+    site.write_text(text.replace(PLACE, str(certificate)), encoding="utf-8")
+    user = "user root;" if os.geteuid() == 0 else ""  # only its owner can open the folders of a test
+    main.write_text(proxy.main.format(site=site, folder=folder, user=user), encoding="utf-8")
+    return main
+
+
+@contextmanager
+def running(words: list[str], port: int, folder: Path) -> Iterator[None]:
+    """Run a proxy until it listens on its port, and end it afterwards."""
+    with (folder / "proxy.log").open("w+") as said:
+        process = subprocess.Popen(words, stdout=said, stderr=said, env={**os.environ, "HOME": str(folder)})
+        try:
+            while socket.socket().connect_ex(("127.0.0.1", port)):
+                assert process.poll() is None, (folder / "proxy.log").read_text()
+                time.sleep(0.05)
+            yield
+        finally:
+            process.terminate()
+            process.wait(20)
+
+
+@pytest.fixture(params=list(PROXIES))
+def proxy(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Proxy:
+    monkeypatch.setenv("PATH", f"{os.environ['PATH']}:/usr/sbin")  # where Debian has nginx
+    chosen = PROXIES[request.param]
+    if shutil.which(request.param) is None:
+        sentence = f"there is no {request.param} here: install Debian's package '{chosen.package}'"
+        if os.environ.get("BODYDRIVE_NO_SKIP") == "1":
+            pytest.fail(sentence)
+        pytest.skip(sentence)
+    return chosen
+
+
+def test_a_clinic_is_used_through_the_proxy(proxy: Proxy, certificate: Path, tmp_path: Path) -> None:
+    port, upstream = free_port(), free_port()
+    main = configured(proxy, tmp_path, certificate, port, upstream)
+    name = f"{NAME}:{port}"
+    words = ("serve", "--port", str(upstream), "--state", str(tmp_path / "clinic"))
+    served = bodydrive(*words, "--behind-proxy", "127.0.0.1", "--name", name)
+    try:
+        with running(proxy.words(main), port, tmp_path):
+            link, _, code = printed_link(served).partition("#setup=")
+            assert link == f"https://{name}/"
+            with Browser(port, certificate / "certificate.pem") as browser:
+                walk_through(browser, code)
+            past_the_proxy = httpx.get(f"http://127.0.0.1:{upstream}/")
+            assert (past_the_proxy.status_code, past_the_proxy.json()["detail"]) == (403, INCOMPLETE)
+    finally:
+        served.terminate()
+        _, errors = served.communicate(timeout=30)
+    assert served.returncode == 0
+    assert "Traceback" not in errors
+
+
+def walk_through(browser: Browser, code: str) -> None:
+    """Sign in, look at the live picture, upload a recording, open the 3D view of a session, and stop."""
+    forged = {"X-Forwarded-For": "6.6.6.6", "X-Forwarded-Host": "evil.example"}  # the proxy replaces them
+    owner = {"code": code, "name": "Ada", "password": "correct horse battery"}
+    answer = browser.post("/auth/setup", json=owner, headers=forged)
+    assert answer.json()["role"] == "owner"
+    cookies = answer.headers.get_list("set-cookie")
+    assert cookies
+    assert all("; Secure" in cookie for cookie in cookies)
+    page = browser.get(f"{browser.headers['Origin']}/")
+    assert page.status_code == 200
+    assert f"wss://{page.request.url.netloc.decode()}" in page.headers["content-security-policy"]
+    with browser.socket("/api/v1/live") as live:
+        assert "control" in json.loads(live.recv(timeout=30))
+    # larger than the 1 MB that nginx takes unless it is told otherwise
+    rows = "\n".join(f"{i / 100},{i},{i}" for i in range(80_000))
+    sent = browser.post("/equipment/files", files={"file": ("arm.csv", f"t,a,b\n{rows}\n")})
+    assert sent.status_code == 201, sent.text
+    patient = browser.post("/patients", json={"code": "P-1", "pseudonym": "Heron"}).json()
+    assert browser.post("/session", json={"patient_id": patient["id"]}).status_code == 200
+    assert browser.get(f"{browser.headers['Origin']}/view/clinician/").status_code == 200
+    assert first_picture(browser)
+    assert browser.post("/control/stop").status_code == 200
+
+
+def first_picture(browser: Browser) -> str | bytes:
+    """Return the first message of the 3D view, which opens after its session."""
+    until = time.monotonic() + OPENED_WITHIN
+    while True:
+        try:
+            with browser.socket("/view/clinician", subprotocols=[SUBPROTOCOL]) as view:
+                return view.recv(timeout=30)
+        except ConnectionClosed:
+            assert time.monotonic() < until
+            time.sleep(0.2)
+
+
+@pytest.mark.parametrize("name", list(PROXIES))
+def test_the_configurations_fit_the_page(name: str, tmp_path: Path) -> None:
+    """Also where no proxy is installed: what the test changes in a configuration stands in it once."""
+    assert configured(PROXIES[name], tmp_path, tmp_path, 1, 2).is_file()

@@ -1,0 +1,165 @@
+"""Upgrade and roll back, with real wheels: that of this tree, and that of the commit before."""
+
+import os
+import re
+import shutil
+import signal
+import sqlite3
+import subprocess
+import sys
+from collections.abc import Iterator
+from contextlib import closing, contextmanager
+from pathlib import Path
+from typing import Any
+
+import pytest
+from processes.served_demo import COMMAND, SessionClient, printed_link
+
+from folders import ROOT
+
+OWNER = {"name": "Ada", "password": "correct horse battery"}
+PAGE = ROOT / "docs" / "administrators.md"
+STATE_OF_PAGE = "/var/lib/bodydrive"
+ONE_DOWN = """
+import sys
+from pathlib import Path
+from app.store.database import make_engine
+from app.store.schema import migrate
+
+engine = make_engine(Path(sys.argv[1]))
+migrate(engine, "-1")
+engine.dispose()
+"""
+
+
+def run(*words: str | Path, **more: Any) -> str:
+    ended = subprocess.run([*map(str, words)], capture_output=True, text=True, check=False, **more)
+    assert ended.returncode == 0, ended.stderr
+    return ended.stdout
+
+
+class Installed:
+    """A wheel of bodydrive, plain Python, built of a folder and installed into another one."""
+
+    def __init__(self, source: Path, folder: Path) -> None:
+        self._folder = folder
+        built = folder / "wheel"
+        run(
+            *(sys.executable, "-m", "hatchling", "build", "--target", "wheel", "--directory", built),
+            cwd=source,
+            env={**os.environ, "BODYDRIVE_COMPILE": "no"},
+        )
+        (wheel,) = built.glob("bodydrive-*-py3-none-any.whl")
+        self._packages = folder / "packages"
+        pip = (sys.executable, "-m", "pip", "install", "--quiet", "--disable-pip-version-check")
+        run(*pip, "--no-deps", "--no-index", "--no-compile", "--target", self._packages, wheel)
+        self._environment = {**os.environ, "PYTHONPATH": str(self._packages)}
+        place = self.python("import app; print(app.__file__)").strip()
+        assert Path(place).is_relative_to(self._packages), place
+
+    def python(self, code: str, *words: str | Path) -> str:
+        """Run Python code with this wheel, and return what it prints."""
+        return run(sys.executable, "-c", code, *words, cwd=self._folder, env=self._environment)
+
+    @property
+    def schema(self) -> str:
+        """The newest schema that this wheel knows."""
+        return self.python("from app.store.schema import NEWEST; print(NEWEST)").strip()
+
+    def bodydrive(self, *words: str | Path) -> "subprocess.Popen[str]":
+        pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
+        words = (*COMMAND, *map(str, words))
+        return subprocess.Popen(words, text=True, cwd=self._folder, env=self._environment, **pipes)
+
+    @contextmanager
+    def serving(self, state: Path) -> Iterator[SessionClient]:
+        """Serve a clinic, and yield a browser in which its owner is signed in; the first start makes the owner."""
+        process = self.bodydrive("serve", "--port", "0", "--state", state)
+        try:
+            base, _, code = printed_link(process).partition("/#setup=")
+            with SessionClient(base.rstrip("/")) as client:
+                way, body = ("setup", {"code": code, **OWNER}) if code else ("sign-in", OWNER)
+                assert client.post(f"/auth/{way}", json=body).json()["role"] == "owner"
+                yield client
+            process.send_signal(signal.SIGTERM)
+            assert process.wait(30) == 0
+        finally:
+            process.kill()
+            process.communicate()
+
+
+@pytest.fixture(scope="module")
+def new(tmp_path_factory: pytest.TempPathFactory) -> Installed:
+    return Installed(ROOT, tmp_path_factory.mktemp("new"))
+
+
+@pytest.fixture(scope="module")
+def old(tmp_path_factory: pytest.TempPathFactory) -> Installed:
+    archive = subprocess.run(["git", "archive", "HEAD~1"], cwd=ROOT, capture_output=True, check=False)
+    if archive.returncode:
+        pytest.skip("This copy has no history of git, so the wheel of the commit before cannot be built.")
+    folder = tmp_path_factory.mktemp("old")
+    source = folder / "source"
+    source.mkdir()
+    subprocess.run(["tar", "--extract", "--directory", source], input=archive.stdout, check=True)
+    return Installed(source, folder)
+
+
+def add_patient(client: SessionClient, code: str) -> None:
+    assert client.post("/patients", json={"code": code, "pseudonym": "Heron"}).status_code == 201
+
+
+def patients(client: SessionClient) -> set[str]:
+    return {patient["code"] for patient in client.get("/patients").json()}
+
+
+def schema_of(file: Path) -> str:
+    with closing(sqlite3.connect(file)) as connection:
+        return str(connection.execute("SELECT version_num FROM alembic_version").fetchone()[0])
+
+
+def roll_back_as_the_page_says(state: Path, copy: Path) -> None:
+    """Run the commands of the section "Roll back" on this clinic."""
+    section = PAGE.read_text(encoding="utf-8").partition("### Roll back")[2].partition("\n#")[0]
+    (commands,) = re.findall(r"```sh\n(.*?)```", section, flags=re.DOTALL)
+    (name,) = re.findall(r"\S+\.backup(?= )", commands)
+    assert STATE_OF_PAGE in commands
+    run("sh", "-e", "-c", commands.replace(STATE_OF_PAGE, str(state)).replace(name, copy.name))
+
+
+def test_a_clinic_is_upgraded_and_rolled_back(old: Installed, new: Installed, tmp_path: Path) -> None:
+    state = tmp_path / "clinic"
+    database = state / "bodydrive.sqlite"
+    with old.serving(state) as client:
+        add_patient(client, "before")
+    if old.schema == new.schema:  # both wheels know the same schema: the wheel's own migration makes an older one
+        old.python(ONE_DOWN, database)
+    before = schema_of(database)
+    assert before < new.schema
+
+    with new.serving(state) as client:
+        assert patients(client) == {"before"}
+        add_patient(client, "after")
+    assert schema_of(database) == new.schema
+    (copy,) = state.glob("*.backup")
+    assert (schema_of(copy), copy.stat().st_mode & 0o077) == (before, 0)
+
+    if old.schema != new.schema:
+        refused = old.bodydrive("serve", "--port", "0", "--state", state)
+        out, errors = refused.communicate(timeout=30)
+        assert (refused.returncode, out, errors.count("\n")) == (2, "", 1)
+        assert "newer bodydrive" in errors
+
+    kept = shutil.copytree(state, tmp_path / "as it was")
+    roll_back_as_the_page_says(state, copy)
+    with old.serving(state) as client:
+        assert patients(client) == {"before"}
+        assert client.get("/log/check").json()["whole"]
+    verified = old.bodydrive("log", "verify", "--state", state)
+    assert "The log is whole" in verified.communicate(timeout=30)[0]
+    # nothing of the newer database was lost: it lies where the page puts it
+    newer = tmp_path / "bodydrive-newer"
+    assert newer.stat().st_mode & 0o077 == 0
+    for file in newer.iterdir():
+        assert file.read_bytes() == (kept / file.name).read_bytes()
+    assert {"bodydrive.sqlite", "bodydrive.sqlite.log-head"} <= {file.name for file in newer.iterdir()}
