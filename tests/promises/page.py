@@ -17,7 +17,7 @@ KEYS = {"id", "words", "built", "tests", "commands", "missing"}
 
 HEAD = """# Promises
 
-Made by `make promises` of [safety.md](safety.md) and [promises.toml](promises.toml); a test says when it is out of date.
+Made by `make promises` of [safety.md](safety.md) and [promises.toml](promises.toml); a test says when it is old.
 Each row is what the program promises, with the tests that show it (file in `tests/` and function).
 
 - **shown**: the tests show all of it.
