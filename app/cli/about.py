@@ -17,7 +17,7 @@ NAME = "bodydrive"
 OPTIONAL = "ros2"  # the extra of the program itself; the others are for development
 NO_LICENCE = "no licence stated"
 NOT_INSTALLED = "not installed"
-LONGEST_NAME = 100  # characters; a longer License field holds the text of the licence instead of its name
+LONGEST_NAME = 200  # characters; a longer License field holds the text of the licence instead of its name
 CLASSIFIER = "License :: "
 NOTHING_SAID = {"", "UNKNOWN"}
 
@@ -100,17 +100,15 @@ def _required(installed: Distribution, extra: str) -> "list[Requirement]":
 
 def licence_of(installed: Distribution) -> str | None:
     """Return the licence that a package states: its expression, else its name, else its classifiers."""
-    said = installed.metadata.get("License-Expression") or ""
-    name = " ".join((installed.metadata.get("License") or "").split())
-    classifiers = [
-        line.rpartition(" :: ")[2]
-        for line in installed.metadata.get_all("Classifier") or []
-        if line.startswith(CLASSIFIER)
-    ]
-    if said.strip() not in NOTHING_SAID:
-        return said.strip()
-    if name not in NOTHING_SAID and len(name) <= LONGEST_NAME:
-        return name
+
+    def stated(field: str) -> list[str]:
+        lines = [" ".join(line.split()) for line in installed.metadata.get_all(field) or []]
+        return [line for line in lines if line not in NOTHING_SAID]
+
+    for name in (*stated("License-Expression"), *stated("License")):
+        if len(name) <= LONGEST_NAME:
+            return name
+    classifiers = [line.rpartition(" :: ")[2] for line in stated("Classifier") if line.startswith(CLASSIFIER)]
     return " and ".join(classifiers) or None
 
 

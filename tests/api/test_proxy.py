@@ -1,8 +1,10 @@
 """Behind a proxy: its forwarded headers stand for the browser; anything else is refused in one sentence."""
 
+import shutil
 from collections.abc import Iterator
 from dataclasses import replace
 from ipaddress import ip_network
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -88,7 +90,8 @@ def test_no_headers_break_it_and_none_from_elsewhere_are_believed(headers: Any, 
 
 
 @pytest.fixture
-def behind(settings: Settings) -> Iterator[Clinic]:
+def behind(settings: Settings, new_state: Path) -> Iterator[Clinic]:
+    shutil.copytree(new_state, settings.state)
     yield from running(replace(settings, proxy=PROXY, public_name=NAME))
 
 
@@ -97,6 +100,7 @@ def test_a_page_signs_in_by_the_name_of_the_proxy(behind: Clinic) -> None:
         return behind.client.post("/api/v1/auth/demo", json=CODE, headers={**PAGE, **changed})
 
     answer = enter()
+    assert answer.status_code == 200, answer.text
     assert answer.json()["signed_in"]
     assert "; Secure" in answer.headers["set-cookie"]
     assert f"wss://{NAME}" in answer.headers["content-security-policy"]
