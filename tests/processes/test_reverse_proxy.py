@@ -144,13 +144,18 @@ def running(words: list[str], port: int, folder: Path) -> Iterator[None]:
     with (folder / "proxy.log").open("w+") as said:
         process = subprocess.Popen(words, stdout=said, stderr=said, env={**os.environ, "HOME": str(folder)})
         try:
-            while socket.socket().connect_ex(("127.0.0.1", port)):
+            while not listens(port):
                 assert process.poll() is None, (folder / "proxy.log").read_text()
                 time.sleep(0.05)
             yield
         finally:
             process.terminate()
             process.wait(20)
+
+
+def listens(port: int) -> bool:
+    with socket.socket() as probe:
+        return probe.connect_ex(("127.0.0.1", port)) == 0
 
 
 @pytest.fixture(params=list(PROXIES))
