@@ -1,0 +1,18 @@
+"""Two rounds of five browsers in one clinic; `make people-soak` lets them work for half an hour."""
+
+import shutil
+
+import pytest
+from soak.people import MOST_GROWTH, work
+
+pytestmark = [pytest.mark.browser, pytest.mark.long, pytest.mark.timeout(420)]
+
+
+def test_nothing_of_one_shows_up_at_another_and_one_controls():
+    if shutil.which("chromium") is None:
+        pytest.skip("there is no chromium here: install Debian's package 'chromium' to run the browser tests")
+    found = work(1.0)
+    assert found.errors == []
+    assert found.sockets == 0
+    assert found.growth < MOST_GROWTH
+    assert found.refused >= 8
