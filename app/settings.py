@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from urllib.parse import urlsplit
 
-Network = ipaddress.IPv4Network | ipaddress.IPv6Network
+ProxyNetwork = ipaddress.IPv4Network | ipaddress.IPv6Network
 
 PACKAGE = Path(__file__).parent
 IN_USE = "in-use"  # name of the file that is locked while a program uses the state folder
@@ -55,7 +55,7 @@ class Settings:
     port: int = 8080
     demo_code: str | None = field(default=None, repr=False)  # set: this is a demonstration
     setup_code: str | None = field(default=None, repr=False)  # for the first owner only
-    proxy: Network | None = None  # set: requests come through a proxy of this network, and in no other way
+    proxy: ProxyNetwork | None = None  # set: requests come through a proxy of this network, and in no other way
     public_name: str = ""  # HOST or HOST:PORT by which browsers reach the proxy
 
     @property

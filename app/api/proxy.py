@@ -8,7 +8,7 @@ from starlette.types import ASGIApp, Receive, Scope, Send
 
 from app.api.guard import HEADERS
 from app.api.nearby import parsed_address
-from app.settings import Network, Settings
+from app.settings import ProxyNetwork, Settings
 
 CLIENT, SCHEME, HOST = "x-forwarded-for", "x-forwarded-proto", "x-forwarded-host"
 REFUSED = 1008  # close code of a websocket; before it is accepted, uvicorn answers 403
@@ -53,7 +53,7 @@ class BehindProxy:
         await self._app(scope, receive, send)
 
 
-def forwarded(scope: Scope, proxy: Network) -> dict[str, Any]:
+def forwarded(scope: Scope, proxy: ProxyNetwork) -> dict[str, Any]:
     """Return the scope of a request as the browser sent it to the proxy.
 
     Of X-Forwarded-For the last address counts: the proxy itself has added it, whatever the browser has sent.

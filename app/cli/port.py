@@ -8,7 +8,7 @@ from urllib.parse import urlsplit
 
 from app.cli.errors import InputError
 from app.hardware.addresses import checked_host
-from app.settings import Network
+from app.settings import ProxyNetwork
 
 # A browser that does not answer for so long has gone: a tablet asleep, a cable pulled. Busy browsers need some time;
 # the live socket and the 3D view themselves disconnect, within 3 s, a browser that does not read.
@@ -52,7 +52,7 @@ def link_to(host: str, port: int) -> str:
     return f"http://[{host}]:{port}/" if ":" in host else f"http://{host}:{port}/"
 
 
-def proxy_network(text: str) -> Network:
+def proxy_network(text: str) -> ProxyNetwork:
     """Return the address or network of the proxy."""
     try:
         network = ipaddress.ip_network(text, strict=False)

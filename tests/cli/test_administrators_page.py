@@ -95,12 +95,10 @@ def test_what_only_reads_is_run(words, bodydrive, tmp_path):
     assert out
 
 
-def test_the_files_and_ports_of_the_page_are_those_of_the_program():
+def test_the_files_and_ports_of_the_page_are_those_of_the_program(tmp_path):
     text = PAGES[0].read_text(encoding="utf-8")
     table = text.partition("| in the state folder |")[2].partition("\n\n")[0]
-    named = set(re.findall(r"`([\w.-]+)/?`", table))
-    settings = Settings(state=ROOT)
-    folders = {settings.files, settings.models, settings.floorplans, settings.runs, settings.replaced, settings.keys}
-    assert {folder.name for folder in folders} <= named
-    assert settings.database.name in named
+    settings = Settings(state=tmp_path / "nobody yet")
+    written = {settings.database.name, *(path.name for path in settings.state_paths)}
+    assert written - {settings.state.name} <= set(re.findall(r"`([\w.-]+)/?`", table))
     assert f"TCP {settings.port} of {settings.host}" in text
