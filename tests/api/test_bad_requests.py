@@ -59,6 +59,19 @@ def test_names_without_end_are_not_said_back(signed_in: Any) -> None:
         sentence(signed_in("PUT", "/equipment/shirt", json={"kind": "replay", "file": name}), 404)
 
 
+def test_an_error_of_ours_is_a_sentence_without_a_word_of_the_inside(
+    signed_in: Any, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    def fails(_file: object) -> None:
+        raise RuntimeError("of the inside")
+
+    monkeypatch.setattr("app.api.routes.log.verify_log", fails)
+    answer = signed_in("GET", "/log/check")
+    assert "report it" in sentence(answer, 500)
+    assert [word for word in ("of the inside", "Traceback", "RuntimeError", ".py") if word in answer.text] == []
+    assert "of the inside" in caplog.text  # for whoever mends it
+
+
 def test_a_form_that_is_none(signed_in: Any) -> None:
     sentence(signed_in("POST", "/equipment/files", data={"file": "text"}), 422)
     form = {"Content-Type": "multipart/form-data; boundary=x"}
