@@ -20,7 +20,7 @@ from pathlib import Path
 import psutil
 from browser.conftest import CHROMIUM, FewPicturesBrowser
 from browser.driving import go_on_until
-from playwright.sync_api import Locator, expect, sync_playwright
+from playwright.sync_api import Locator, Page, expect, sync_playwright
 from processes.served_demo import bodydrive, printed_link
 from soak.cables import Cables
 from soak.five_browsers import PATIENCE, PATIENTS, Errors, Seat, furnish, seated
@@ -159,14 +159,13 @@ def is_prompted(leads: Seat, screens: list[Seat]) -> None:
 def drives(leads: Seat, screens: list[Seat]) -> None:
     """Wait until the patient's screens show that the chair drives; whatever stopped it, Continue goes on."""
     for screen in screens:
-        speed = screen.page.locator(".patient .speed .big")
-        go_on_until(leads.page, partial(is_fast, speed), f"a speed on {screen.name}")
+        go_on_until(leads.page, partial(is_driven, screen.page), f"a speed on {screen.name}")
 
 
-def is_fast(speed: Locator) -> bool:
-    """Return whether a speed on a page is one of a chair that drives."""
-    shown = re.match(r"[\d.]+", speed.inner_text())
-    return shown is not None and float(shown[0]) >= FAST
+def is_driven(page: Page) -> bool:
+    """Return whether a patient's screen shows a chair that drives, and not one that still rolls after a stop."""
+    shown = re.match(r"[\d.]+", page.locator(".patient .speed .big").inner_text())
+    return shown is not None and float(shown[0]) >= FAST and page.locator(".band.stopped").is_hidden()
 
 
 def nobody_else_controls(looks_on: Seat, reviewer: Seat) -> int:
