@@ -23,6 +23,7 @@ SAME_SUBJECT = {
     "control_quality": "how well a trial was controlled: measured, kept, the routes",
     "movers": "what moves by itself in a place: its motion, its meshes",
     "packet": "the datagram of a device: shirt, chair",
+    "people": "of the clinic: kept, the routes, the command",
     "page_session": "the session that a page shows: the rule, the check of each request",
     "patients": "kept, the routes",
     "plan_files": "floor plans of foreign files: read, the routes",

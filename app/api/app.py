@@ -33,6 +33,7 @@ from app.api.routes import (
     log,
     models,
     patients,
+    people,
     plans,
     replacements,
     review,
@@ -41,7 +42,7 @@ from app.api.routes import (
     trial_plan,
     trials,
 )
-from app.api.sign_in import auth
+from app.api.sign_in import accept_invitation, auth, own_password
 from app.api.sign_in.hashing import Hashing
 from app.api.sign_in.set_up import SetUp
 from app.api.sign_in.sign_in_limits import SignInLimits
@@ -62,6 +63,9 @@ PREFIX = "/api/v1"
 ROUTES = (
     start,
     auth,
+    accept_invitation,
+    own_password,
+    people,
     patients,
     equipment,
     chairs,
@@ -103,28 +107,28 @@ def create_app(
     @asynccontextmanager
     async def lifespan(app: FastAPI) -> AsyncIterator[None]:
         database = await asyncio.to_thread(Database, settings.database)
-        people = People(
+        parts = People(
             settings=settings,
             database=database,
             hashing=Hashing(),
             limits=SignInLimits(),
             set_up=SetUp(settings.setup_code),
-            sockets=OpenSockets(settings, database),
+            sockets=OpenSockets(settings, database, busy=lambda: web_parts_of(app).session.recording),
             replaced=replaced_files(settings),
             own_plans=OwnPlans(settings.floorplans),
             readings=OneAtATime(),
             uploads=OneAtATime(),
         )
         web = make_parts(settings, database, start_process, computing, open_scene)
-        app.state.people, app.state.web = people, web
+        app.state.people, app.state.web = parts, web
         await start_parts(database, web)
         checking = asyncio.create_task(asyncio.to_thread(warn_of_changed_log, settings.database))
         try:
             yield
         finally:
             await asyncio.gather(checking, return_exceptions=True)
-            await people.sockets.close_all()
-            await people.hashing.close()
+            await parts.sockets.close_all()
+            await parts.hashing.close()
             await end_parts(web)
             database.close()
 

@@ -7,6 +7,7 @@ from app.api.live.hub import LiveHub
 from app.api.live.live_picture import LivePicture
 from app.api.live.screen_pictures import ScreenPictures
 from app.api.live.screens import Screens
+from app.api.live.without_patient import without_patient
 from app.api.parts import WebParts, open_view
 from app.api.patient_screen.patient_picture import PatientPicture
 from app.api.replay.replays import Replays
@@ -64,7 +65,7 @@ def make_parts(
     drives = RealDriveFlow(database, control, runs, tell, computing)
     session = SessionFlow(database, control, equipment, calibration, trials, drives, tell)
     live_picture = LivePicture(control, equipment, chairs, runs, trials, drives, session)
-    hub = LiveHub(live_picture.picture, live_picture.quality)
+    hub = LiveHub(live_picture.picture, live_picture.quality, without_patient)
     patient = PatientPicture(live_picture, equipment, runs, trials)
 
     def current_drive() -> dict[str, int]:

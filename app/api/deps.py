@@ -8,10 +8,11 @@ from starlette.requests import HTTPConnection
 
 from app.api.foreign_files import OneAtATime
 from app.api.sign_in.hashing import Hashing
-from app.api.sign_in.identity import PairedScreen, SignedInPerson, find_signed_in, find_viewer
+from app.api.sign_in.identity import PairedScreen, SignedInPerson, find_viewer
 from app.api.sign_in.set_up import SetUp
 from app.api.sign_in.sign_in_limits import SignInLimits
 from app.api.sockets import OpenSockets
+from app.api.who_asks import WhoAsks
 from app.scene.role_servers import Role
 from app.settings import Settings
 from app.store.database import Database
@@ -21,6 +22,7 @@ from app.store.files.replacements import ReplacedFiles
 RowId = Annotated[int, Path(ge=1, le=2**31)]
 
 DRIVERS = frozenset({"owner", "clinician"})
+LOCKED = "This page is locked: give the password, or let somebody else sign in."
 NOBODY = "You are not signed in, or no longer: sign in again."
 
 
@@ -49,30 +51,36 @@ async def people(connection: HTTPConnection) -> People:
 PeopleParts = Annotated[People, Depends(people)]
 
 
-def anyone_signed_in(connection: HTTPConnection, parts: PeopleParts) -> SignedInPerson:
-    """Return the person who is signed in; 401 when nobody is."""
-    who = find_signed_in(parts.database, connection.cookies)
+async def anyone_signed_in(who: WhoAsks) -> SignedInPerson:
+    """Return the person who is signed in; 401 when nobody is, 423 when the sign-in is locked."""
     if who is None:
         raise HTTPException(401, NOBODY)
+    if who.locked:
+        raise HTTPException(423, LOCKED)
     return who
 
 
-def viewer(role: Role, connection: HTTPConnection, parts: PeopleParts) -> SignedInPerson | PairedScreen:
-    """Return who requests the 3D view of a role; the patient's is for the patient's screens, too; 401 for others."""
-    who = (find_viewer if role == "patient" else find_signed_in)(parts.database, connection.cookies)
-    if who is None:
+def viewer(role: Role, connection: HTTPConnection, parts: PeopleParts, who: WhoAsks) -> SignedInPerson | PairedScreen:
+    """Return who requests the 3D view of a role; the patient's is for the patient's screens, too.
+
+    401 for nobody, 423 for a locked sign-in.
+    """
+    found = find_viewer(parts.database, connection.cookies) if role == "patient" else who
+    if found is None:
         raise HTTPException(401, NOBODY)
-    return who
+    if isinstance(found, SignedInPerson) and found.locked:
+        raise HTTPException(423, LOCKED)
+    return found
 
 
-def clinician(who: Annotated[SignedInPerson, Depends(anyone_signed_in)]) -> SignedInPerson:
+async def clinician(who: Annotated[SignedInPerson, Depends(anyone_signed_in)]) -> SignedInPerson:
     """Return the person who is signed in; 403 for reviewers, who may only look."""
     if who.role not in DRIVERS:
         raise HTTPException(403, "You may look at sessions, not change them: ask an owner for the right.")
     return who
 
 
-def owner(who: Annotated[SignedInPerson, Depends(anyone_signed_in)]) -> SignedInPerson:
+async def owner(who: Annotated[SignedInPerson, Depends(anyone_signed_in)]) -> SignedInPerson:
     """Return the person who is signed in; 403 for those who are no owner of the clinic."""
     if who.role != "owner":
         raise HTTPException(403, "Only an owner of the clinic changes this: ask one.")

@@ -10,12 +10,11 @@ from fastapi import Depends, HTTPException
 from starlette.requests import HTTPConnection
 
 from app.api.deps import DRIVERS, People, PeopleParts
-from app.api.sign_in.identity import find_signed_in
+from app.api.who_asks import READS, WhoAsks
 from app.session.page_session import PAGE_SESSION, PageSession, require_page_session
 
 HEADER = "Patient-Session"
 NOBODY = "none"
-READS = frozenset({"GET", "HEAD", "OPTIONS"})
 ID = re.compile(r"[1-9][0-9]{0,9}")
 
 UNNAMED = (
@@ -34,6 +33,10 @@ WITHOUT_SESSION = {
     "POST /auth/setup": _SIGN_IN,
     "POST /auth/demo": _SIGN_IN,
     "POST /auth/sign-in": _SIGN_IN,
+    "POST /auth/unlock": _SIGN_IN,
+    "POST /auth/invitation": _SIGN_IN,
+    "POST /auth/invitation/accept": _SIGN_IN,
+    "PUT /auth/password": _SIGN_IN,
     "POST /auth/sign-out": _SIGN_IN,
     "POST /patient-screen/pair": "The code was made for one session; the patient's screen shows no other.",
     "POST /patients": _OWN_NAME,
@@ -56,17 +59,21 @@ WITHOUT_SESSION = {
     "POST /chairs": _CLINIC,
     "DELETE /chairs/{chair_id}": _CLINIC,
     "PUT /limits": _CLINIC,
+    "POST /people": _CLINIC,
+    "PUT /people/{person_id}": _CLINIC,
+    "POST /people/{person_id}/link": _CLINIC,
+    "POST /people/{person_id}/disable": _CLINIC,
+    "POST /people/{person_id}/enable": _CLINIC,
 }
 """Routes that change something without naming a session, each with the reason."""
 
 
-async def require_session(connection: HTTPConnection, parts: PeopleParts) -> None:
+async def require_session(connection: HTTPConnection, parts: PeopleParts, who: WhoAsks) -> None:
     """Refuse a change that names no session (422) or another session than the open one (409)."""
     method = connection.scope.get("method", "GET")  # a websocket has no method, and opening one changes nothing
     if method in READS or f"{method} {_path(connection)}" in WITHOUT_SESSION:
         return
-    who = await asyncio.to_thread(find_signed_in, parts.database, connection.cookies)
-    if who is not None and who.role in DRIVERS:  # the route refuses everybody else
+    if who is not None and not who.locked and who.role in DRIVERS:  # the route refuses everybody else
         await require_named(connection, parts)
 
 

@@ -10,7 +10,7 @@ from fastapi.responses import JSONResponse
 from starlette.exceptions import HTTPException
 
 from app.api.deps import People
-from app.api.sign_in.identity import find_signed_in
+from app.api.sign_in.identity import find_sign_in
 from app.refusals import NO_ROOM, Conflict, DiskFull, NotFound, OtherClinicRow, Refusal, Unavailable
 from app.sentences import sentence_of
 from app.store.files.taken_names import NameTaken
@@ -46,7 +46,7 @@ def _note(request: Request, error: OtherClinicRow) -> None:
     """Log who requested a row of another clinic; the answer does not depend on it."""
     parts: People = request.app.state.people
     try:
-        who = find_signed_in(parts.database, request.cookies)
+        who = find_sign_in(parts.database, request.cookies)
         with parts.database.transaction() as db:
             write_log(db, who.name if who else None, "another clinic's id", **{error.kind: error.row_id})
     except Refusal:

@@ -5,12 +5,14 @@ import logging
 from collections.abc import Callable
 from typing import Any
 
+from app.clock import monotonic
 from app.faults import Fault
 from app.session.control_link import ControlLink, ControlState
 from app.store.database import Database
 from app.store.log import write_log
 
 LOOK_EVERY = 0.1  # s
+NAMED_EVERY = 1.0  # s
 
 logger = logging.getLogger("bodydrive")
 
@@ -24,6 +26,7 @@ class FaultLog:
         self._control = control
         self._during = during
         self._latched = Fault.NONE
+        self._named_at = -NAMED_EVERY
         self._task: asyncio.Task[None] | None = None
         control.on_change.append(self._changed)
 
@@ -36,6 +39,17 @@ class FaultLog:
         if self._task is not None:
             self._task.cancel()
             await asyncio.gather(self._task, return_exceptions=True)
+
+    async def stop_requested(self, person: str) -> None:
+        """Log who asked for a stop; at most one row per NAMED_EVERY, so that a flood of stops writes little."""
+        now = monotonic()
+        if now - self._named_at < NAMED_EVERY:
+            return
+        self._named_at = now
+        try:
+            await asyncio.to_thread(self._write, "stop requested", person, **self._during())
+        except Exception:  # the stop itself was carried out, and is logged as a fault
+            logger.exception("Who asked for a stop could not be noted in the log")
 
     async def _watch(self) -> None:
         while True:
@@ -54,10 +68,10 @@ class FaultLog:
             return
         what = "stop" if fault.name.startswith("STOP_") else "fault"
         try:
-            await asyncio.to_thread(self._write, what, fault=fault.name.lower(), **self._during())
+            await asyncio.to_thread(self._write, what, None, fault=fault.name.lower(), **self._during())
         except Exception:  # keep watching: a full database may have room again later
             logger.exception("A %s could not be noted in the log", what)
 
-    def _write(self, what: str, **details: Any) -> None:
+    def _write(self, what: str, person: str | None, **details: Any) -> None:
         with self._database.transaction(closing=True) as db:
-            write_log(db, None, what, **details)
+            write_log(db, person, what, **details)

@@ -42,7 +42,9 @@ class SessionFlow:
         self._tell = tell
         self._one_at_a_time = asyncio.Lock()
         self.loaded: DriveParameters | None = None  # what the control process drives with
-        self.session_id: int | None = None  # of the open session; may be read from any thread
+        # Of the open session; may be read from any thread.
+        self.session_id: int | None = None
+        self.patient_id: int | None = None
 
     @asynccontextmanager
     async def undisturbed(self, what: str) -> AsyncIterator[None]:
@@ -64,6 +66,11 @@ class SessionFlow:
     def driving(self) -> bool:
         """Whether a trial or a drive is going on; may be read from any thread."""
         return self._trials.running or self._drives.running
+
+    @property
+    def recording(self) -> bool:
+        """Whether a step, a trial or a drive is going on; may be read from any thread."""
+        return self.driving or self._calibration.running
 
     @property
     def simulated(self) -> bool | None:
@@ -94,7 +101,7 @@ class SessionFlow:
 
     async def session_changed(self) -> None:
         """Load the parameters of the patient who is here now; load none when nobody is here."""
-        self.session_id = await asyncio.to_thread(self._open_id)
+        self.session_id, self.patient_id = await asyncio.to_thread(self._open_ids)
         await self.try_load_parameters()
         self._tell("session")
 
@@ -141,11 +148,11 @@ class SessionFlow:
         with suppress(Refusal):
             await self.load_parameters()
 
-    def _open_id(self) -> int | None:
+    def _open_ids(self) -> tuple[int | None, int | None]:
         with self._database.transaction() as db:
             clinic = the_clinic(db)
             session = None if clinic is None else open_session(db, clinic.id)
-            return None if session is None else session.id
+            return (None, None) if session is None else (session.id, session.patient_id)
 
     def _current(self) -> tuple[DriveParameters, bool | None] | None:
         with self._database.transaction() as db:

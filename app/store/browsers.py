@@ -8,7 +8,7 @@ from sqlalchemy import delete, select
 from sqlalchemy.orm import Session
 
 from app.clock import utc_now
-from app.store.tables import KnownBrowser, Person
+from app.store.access.person_tables import KnownBrowser, Person
 
 TOKEN_BYTES = 32
 KNOWN_FOR = timedelta(days=180)  # since the last sign-in there

@@ -14,6 +14,7 @@ from sqlalchemy.orm import Session
 
 from app.file_modes import OWNER_FILE, OWNER_FOLDER
 from app.refusals import NO_ROOM, DiskFull, Unavailable
+from app.store.access.visible_patients import restrict
 from app.store.files.ballast import Ballast
 from app.store.log import HAS_NEW_ROWS, write_log
 from app.store.log_chain import HEAD_BEGUN, Head, HeadFile, advance
@@ -77,6 +78,8 @@ class Database:
     def transaction(self, *, closing: bool = False) -> Iterator[Transaction]:
         """Yield a database session: its changes are committed together, or rolled back when an exception is raised.
 
+        It shows the patients of who asks, and what is theirs (`app/store/access/visible_patients.py`).
+
         `closing`: this transaction must succeed on a full disk, too, and may use the ballast: it ends something, signs
         somebody in or out, or only logs what has happened anyway.
 
@@ -91,6 +94,7 @@ class Database:
             self.ballast.make_room()
         with self._as_refusals(), self._one_at_a_time:
             with Session(self._engine, expire_on_commit=False) as db, db.begin():
+                restrict(db)
                 yield db
                 head = self._head_file.after(db) if HAS_NEW_ROWS in db.info else None
             if head is not None:

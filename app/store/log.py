@@ -12,7 +12,7 @@ from app.store.tables import LogEntry
 HAS_NEW_ROWS = "logged"  # key in `Session.info`: rows were added, so the log's head must be written
 
 
-def write_log(db: Session, person: str | None, what: str, **details: Any) -> None:
+def write_log(db: Session, person: str | None, what: str, /, **details: Any) -> None:
     """Append one row; `details` name patients by id or code, never by a name."""
     previous = db.scalar(select(LogEntry.hash).order_by(LogEntry.id.desc()).limit(1)) or FIRST
     at = utc_now()

@@ -8,12 +8,15 @@ from sqlalchemy import func, select
 from sqlalchemy.orm import Session
 
 from app.clock import utc_now
-from app.refusals import Conflict
+from app.refusals import Conflict, NotFound
+from app.store.access.person_tables import Person, SignIn
 from app.store.log import write_log
-from app.store.tables import Clinic, Person, SignIn
+from app.store.tables import Clinic
 
 TOKEN_BYTES = 32
 SIGNED_IN_FOR = timedelta(hours=12)  # a working day
+IDLE_FOR = timedelta(minutes=10)  # without an action of the person; then the sign-in is locked
+ACTION_STORED_EVERY = timedelta(seconds=15)  # so that an action seldom writes to the disk
 
 
 def add_clinic(db: Session, name: str) -> Clinic:
@@ -29,16 +32,34 @@ def the_clinic(db: Session) -> Clinic | None:
     return db.scalar(select(Clinic).order_by(Clinic.id).limit(1))
 
 
-def add_person(db: Session, clinic: Clinic, name: str, role: str, password_hash: str | None) -> Person:
-    """Add a person who may sign in."""
+def add_person(
+    db: Session,
+    clinic: Clinic,
+    name: str,
+    role: str,
+    password_hash: str | None,
+    *,
+    patients: list[int] | None = None,
+    by: str | None = None,
+) -> Person:
+    """Add a person who may sign in; without a password, by an invitation or a demonstration's link only.
+
+    `patients` are those that a reviewer is shown, None: all; `by` is the name of who adds them, when somebody else.
+    """
     if find_person(db, name) is not None:
         raise Conflict(f"There is already somebody called '{name}': choose another name to sign in with.")
     person = Person(
-        clinic_id=clinic.id, name=name, role=role, password_hash=password_hash, created=utc_now(), disabled=None
+        clinic_id=clinic.id,
+        name=name,
+        role=role,
+        patients=patients,
+        password_hash=password_hash,
+        created=utc_now(),
+        disabled=None,
     )
     db.add(person)
     db.flush()
-    write_log(db, name, "person added", role=role)
+    write_log(db, by or name, "person added", person=person.id, name=name, role=role, patients=patients)
     return person
 
 
@@ -62,7 +83,8 @@ def sign_in(db: Session, person: Person, how: str) -> str:
     now = utc_now()
     for old in db.scalars(select(SignIn).where(SignIn.expires < now)):
         db.delete(old)
-    db.add(SignIn(token_hash=_token_hash(token), person_id=person.id, created=now, expires=now + SIGNED_IN_FOR))
+    ends = now + SIGNED_IN_FOR
+    db.add(SignIn(token_hash=_token_hash(token), person_id=person.id, created=now, active=now, expires=ends))
     write_log(db, person.name, "sign-in", how=how)
     return token
 
@@ -75,6 +97,28 @@ def signed_in(db: Session, token: str) -> tuple[SignIn, Person] | None:
         .where(SignIn.token_hash == _token_hash(token), SignIn.expires > utc_now(), Person.disabled.is_(None))
     ).first()
     return None if found is None else (found[0], found[1])
+
+
+def is_locked(found: SignIn, person: Person) -> bool:
+    """Return whether a sign-in is locked: its person has done nothing for IDLE_FOR, and has a password to unlock it."""
+    return person.password_hash is not None and utc_now() - found.active > IDLE_FOR
+
+
+def note_action(found: SignIn, person: Person) -> None:
+    """Store that the person of a sign-in has just done something; a locked sign-in stays locked."""
+    now = utc_now()
+    if not is_locked(found, person) and now - found.active > ACTION_STORED_EVERY:
+        found.active = now
+
+
+def unlock(db: Session, sign_in_id: int) -> None:
+    """Unlock a sign-in, whose person has given the password."""
+    found = db.get(SignIn, sign_in_id)
+    person = None if found is None else db.get(Person, found.person_id)
+    if found is None or person is None:
+        raise NotFound("This sign-in has ended: sign in again.")
+    found.active = utc_now()
+    write_log(db, person.name, "unlocked")
 
 
 def sign_out(db: Session, token: str) -> int | None:

@@ -1,4 +1,4 @@
-"""The tables of a clinic: people, patients, sessions, screens, calibrations, parameters, trials, chairs, drives."""
+"""The tables of a clinic: patients, sessions, screens, calibrations, parameters, trials, chairs, drives, the log."""
 
 from datetime import UTC, datetime
 from typing import Any
@@ -55,42 +55,6 @@ class Clinic(Table):
         dict[str, Any] | None
     ]  # the chair in use: its id (None: the virtual one), and the dynamics of the virtual one
     limits: Mapped[dict[str, Any] | None]  # the clinic's speed limits; None: the owner has set none
-
-
-class Person(Table):
-    """A person who may sign in."""
-
-    __tablename__ = "person"
-    __table_args__ = (UniqueConstraint("clinic_id", "name"),)
-    id: Mapped[int] = mapped_column(primary_key=True)
-    clinic_id: Mapped[int] = mapped_column(ForeignKey("clinic.id"))
-    name: Mapped[str] = mapped_column(String(80))
-    role: Mapped[str] = mapped_column(String(16))  # owner, clinician, reviewer
-    password_hash: Mapped[str | None]  # None: signs in by the link of a demonstration only
-    created: Mapped[datetime]
-    disabled: Mapped[datetime | None]
-
-
-class SignIn(Table):
-    """A sign-in that holds until sign-out or its end; the token itself is never stored."""
-
-    __tablename__ = "auth_session"
-    id: Mapped[int] = mapped_column(primary_key=True)
-    token_hash: Mapped[str] = mapped_column(String(64), unique=True)
-    person_id: Mapped[int] = mapped_column(ForeignKey("person.id"))
-    created: Mapped[datetime]
-    expires: Mapped[datetime]
-
-
-class KnownBrowser(Table):
-    """A browser in which a person has signed in before; the token itself is never stored."""
-
-    __tablename__ = "known_browser"
-    id: Mapped[int] = mapped_column(primary_key=True)
-    person_id: Mapped[int] = mapped_column(ForeignKey("person.id"), index=True)
-    token_hash: Mapped[str] = mapped_column(String(64), unique=True)
-    created: Mapped[datetime]
-    expires: Mapped[datetime]
 
 
 class Patient(Table):

@@ -15,7 +15,7 @@ from app.store import tables
 from app.store.chairs import add_chair
 from app.store.patient_screens import add_screen
 from app.store.patients import add_patient, start_session
-from app.store.people import add_clinic
+from app.store.people import add_clinic, add_person
 from app.store.runs import add_run, add_trial
 
 IDS = {  # names of whole numbers that are ids, and of which table
@@ -25,10 +25,20 @@ IDS = {  # names of whole numbers that are ids, and of which table
     "trial": "trial",
     "chair_id": "chair",
     "screen_id": "patient_screen",
+    "person_id": "person",
+    "patients": "patient",
     "PUT /chairs/chosen id": "chair",
 }
-NUMBERS = {"stops", "port", "seed", "baud", "address", "version", "direction"}  # whole numbers that are none
+NUMBERS = {"stops", "port", "seed", "baud", "address", "version", "direction", "before"}  # whole numbers that are none
 FILLED = {"reason": "by hand", "dynamics": "unicycle", "floorplan": "apartment", "path": "main"}
+LISTS = {"patients"}
+OWN_PERSON = "1"  # the person who asks, where a path needs an id besides the one that is tried
+BODIES: dict[str, dict[str, Any]] = {  # what has to be sent along with an id
+    "POST /trials/{trial_id}/discard": {"reason": "x"},
+    "PUT /chairs/chosen": {"dynamics": "unicycle"},
+    "POST /people": {"name": "Ben", "role": "reviewer"},
+    "PUT /people/{person_id}": {"role": "reviewer"},
+}
 MISSING = 2**31 - 1  # an id that nothing has
 
 
@@ -105,7 +115,14 @@ def theirs(signed_in: Clinic) -> dict[str, int]:
             path_points=[[0.0, 0.0]],
         )
         trial.status = "done"
-        return {"patient": patient.id, "trial": trial.id, "chair": chair.id, "patient_screen": screen.id}
+        person = add_person(db, clinic, "Eve", "owner", None)
+        return {
+            "person": person.id,
+            "patient": patient.id,
+            "trial": trial.id,
+            "chair": chair.id,
+            "patient_screen": screen.id,
+        }
 
 
 def test_every_whole_number_of_every_route_is_known_as_an_id_or_as_none(signed_in: Clinic) -> None:
@@ -130,11 +147,14 @@ def test_another_clinics_ids_do_not_exist_here_and_asking_for_one_is_noted(
             in_path = f"{{{name}}}" in path
             url = path.removeprefix("/api/v1").replace(f"{{{name}}}", str(number))
             more = {other: FILLED[other] for other in needed if other != name}
-            body = {"reason": "x"} if path.endswith("/discard") else None
+            body = BODIES.get(f"{method} {path.removeprefix('/api/v1')}")
+            url = url.replace("{person_id}", OWN_PERSON)
             if not in_path and method == "GET":
                 more[name] = str(number)
             elif not in_path:
-                body = {name: number} | ({"dynamics": "unicycle"} if "chosen" in path else {})
+                body = BODIES.get(f"{method} {path.removeprefix('/api/v1')}", {}) | {
+                    name: [number] if name in LISTS else number
+                }
             return signed_in(method, url, params=more, json=body)
 
         rows = len(signed_in.log())

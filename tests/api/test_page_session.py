@@ -18,6 +18,7 @@ VALUES = {
     "chair_id": "1",
     "patient_id": "1",
     "trial_id": "1",
+    "person_id": "1",
     "screen_id": "1",
     "name": "nowhere",
     "step": "rest",

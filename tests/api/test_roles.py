@@ -8,19 +8,32 @@ from fake_clinic import BASE, Clinic
 from fastapi import FastAPI
 from fastapi.dependencies.models import Dependant
 from fastapi.routing import APIRoute, APIWebSocketRoute, RouteContext, iter_route_contexts
+from pairing import code_of, pair
 from starlette.websockets import WebSocketDisconnect
 
 from app.api.deps import anyone_signed_in, clinician, everyone, owner, viewer
+from app.api.sign_in.identity import SCREEN_COOKIE
+from app.api.who_asks import who_asks
 from app.store.people import add_person, find_person, sign_in, the_clinic
 
 RIGHTS = {everyone: 0, anyone_signed_in: 1, viewer: 1, clinician: 2, owner: 3}
-ROLES = {"anonymous": 0, "reviewer": 1, "clinician": 2, "owner": 3}
+ROLES = {
+    "nobody": 0,
+    "patient's screen": 0,
+    "reviewer of all": 1,
+    "reviewer by patient": 1,
+    "clinician": 2,
+    "owner": 3,
+}
 
 # What a person may do here is this table, and the code; a new route has to be put in both.
 FOR_EVERYONE = {
     "POST /auth/demo",
     "POST /auth/setup",
     "POST /auth/sign-in",
+    "POST /auth/unlock",
+    "POST /auth/invitation",
+    "POST /auth/invitation/accept",
     "POST /auth/sign-out",
     "GET /auth/me",
     "GET /start",
@@ -30,8 +43,23 @@ FOR_EVERYONE = {
     "GET /equipment/practice",
 }
 FOR_PATIENTS_SCREENS = {"GET /view/{role}/", "GET /view/{role}/plan"}  # the patient's only
-FOR_OWNERS = {"POST /chairs", "DELETE /chairs/{chair_id}", "PUT /limits", "GET /log/check", "GET /openapi.json"}
+FOR_OWNERS = {
+    "POST /chairs",
+    "DELETE /chairs/{chair_id}",
+    "PUT /limits",
+    "GET /log",
+    "GET /log/export",
+    "GET /log/check",
+    "GET /openapi.json",
+    "GET /people",
+    "POST /people",
+    "PUT /people/{person_id}",
+    "POST /people/{person_id}/link",
+    "POST /people/{person_id}/disable",
+    "POST /people/{person_id}/enable",
+}
 FOR_REVIEWERS = {
+    "PUT /auth/password",
     "GET /patients",
     "GET /session",
     "GET /equipment",
@@ -89,37 +117,74 @@ def test_every_route_says_whom_it_is_for_and_it_is_the_table(clinic: Clinic) -> 
     assert {name for name, right in rights.items() if right == 3} == FOR_OWNERS
 
 
+def test_every_route_finds_who_asks_before_it_reads_a_patient(clinic: Clinic) -> None:
+    """Otherwise a route would show a reviewer of chosen patients every patient."""
+    found = contexts(clinic.client.app, APIRoute)  # type: ignore[arg-type]
+    assert [context.path for context in found if who_asks not in asked(context.dependant)] == []
+
+
+def test_stop_asks_nobodys_name_before_it_stops(signed_in: Clinic, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Otherwise a busy database would delay it."""
+
+    def fail(*_given: Any, **_more: Any) -> None:
+        raise AssertionError("Stop has read the database")
+
+    monkeypatch.setattr("app.api.who_asks.find_sign_in", fail)
+    assert signed_in("POST", "/control/stop").status_code == 200
+    assert signed_in.process.stops == 1
+    row = signed_in.log()[-1]
+    assert (row.person, row.what) == ("Demo clinician", "stop requested")
+
+
+def requested(clinic: Clinic, name: str, view: str = "clinician") -> Any:
+    """Request a route by its method and path as in the table, without content; return the answer."""
+    method, path = name.split()
+    for placeholder in ("{chair_id}", "{patient_id}", "{trial_id}", "{screen_id}", "{person_id}"):
+        path = path.replace(placeholder, "1")
+    path = path.replace("{name}", "nowhere").replace("{step}", "rest").replace("{role}", view)
+    path = path.replace("{word}", "no-such-word").replace("{kind}", "floorplan")
+    path = path.replace("{identity}", "20260101T000000Z--nowhere")
+    is_frame = path == f"/view/{view}/" or path.startswith("/view/replay/")
+    prefix = "" if is_frame and method == "GET" else "/api/v1"
+    return clinic.client.request(method, f"{prefix}{path}", headers={"Origin": BASE})
+
+
 @pytest.mark.parametrize("role", ROLES)
-def test_the_matrix_of_roles_and_routes(clinic: Clinic, role: str) -> None:
+def test_the_matrix_of_roles_and_routes(in_session: Clinic, role: str) -> None:
     """Requests have no content, so that a permitted one is refused for its content only."""
+    clinic = in_session
     database = clinic.client.app.state.people.database  # type: ignore[attr-defined]
-    with database.transaction() as db:
-        if role != "anonymous":
-            add_person(db, the_clinic(db), role, role, None)
+    if role == "patient's screen":
+        assert pair(clinic, code_of(clinic)).status_code == 200
+        screen = clinic.client.cookies[SCREEN_COOKIE]
+    elif role != "nobody":
+        with database.transaction() as db:
+            patients = [] if role == "reviewer by patient" else None
+            add_person(db, the_clinic(db), role, role.partition(" ")[0], None, patients=patients)
     wrong = []
     for name, right in table(clinic.client.app).items():  # type: ignore[arg-type]
-        clinic.client.cookies.clear()
-        if role != "anonymous":
-            with database.transaction() as db:  # anew: one of the routes signs out
-                clinic.client.cookies["bodydrive_sign_in"] = sign_in(db, find_person(db, role), "test")
-        method, path = name.split()
-        for placeholder in ("{chair_id}", "{patient_id}", "{trial_id}", "{screen_id}"):
-            path = path.replace(placeholder, "1")
-        path = path.replace("{name}", "nowhere").replace("{step}", "rest").replace("{role}", "clinician")
-        path = path.replace("{word}", "no-such-word")
-        is_frame = path == "/view/clinician/" or path.startswith("/view/replay/")
-        prefix = "" if is_frame and method == "GET" else "/api/v1"
-        status = clinic.client.request(method, f"{prefix}{path}", headers={"Origin": BASE}).status_code
-        needed = right or 0
-        if needed and ROLES[role] == 0:
-            expected = {401}
-        elif needed > ROLES[role]:
-            expected = {403}
-        else:
-            expected = {200, 201, 204, 404, 409, 415, 422, 503}
-        if status not in expected:
-            wrong.append((name, status))
+        for view in ("clinician", "patient"):
+            clinic.client.cookies.clear()
+            if role == "patient's screen":
+                clinic.client.cookies[SCREEN_COOKIE] = screen
+            elif role != "nobody":
+                with database.transaction() as db:  # anew: one of the routes signs out
+                    clinic.client.cookies["bodydrive_sign_in"] = sign_in(db, find_person(db, role), "test")
+            status = requested(clinic, name, view).status_code
+            if status not in expected(role, name, right or 0, view):
+                wrong.append((name, view, status))
     assert wrong == []
+
+
+def expected(role: str, name: str, needed: int, view: str) -> set[int]:
+    """Return which answers are right for a role."""
+    if role == "patient's screen" and name in FOR_PATIENTS_SCREENS and view == "patient":
+        return {200}
+    if needed and ROLES[role] == 0:
+        return {401}
+    if needed > ROLES[role]:
+        return {403}
+    return {200, 201, 204, 401, 404, 409, 415, 422, 503} if needed == 0 else {200, 201, 204, 404, 409, 415, 422, 503}
 
 
 def test_no_websocket_opens_for_nobody(clinic: Clinic) -> None:

@@ -7,9 +7,9 @@ from sqlalchemy.orm import Session
 
 from app.clock import utc_now
 from app.store import browsers
+from app.store.access.person_tables import KnownBrowser, Person
 from app.store.browsers import KNOWN_FOR, find_browser, remember_browser
 from app.store.people import add_clinic, add_person
-from app.store.tables import KnownBrowser, Person
 
 
 @pytest.fixture

@@ -14,31 +14,36 @@ from starlette.websockets import WebSocketState
 from app.clock import monotonic
 
 EVERY = 0.05  # s
+NOTHING = "{}"
 SEND_LIMIT = 3.0  # s: a page that does not take a message within this time is disconnected
 
 logger = logging.getLogger("bodydrive")
 
 Picture = Callable[[], dict[str, Any]]
 Quality = Callable[[], dict[str, Any]]
+Reduce = Callable[[dict[str, Any]], dict[str, Any]]
 
 
 @dataclass(slots=True, eq=False)
 class Viewer:
-    """One open page."""
+    """One open page; while `may_see` returns False, it gets the picture without a patient."""
 
     websocket: WebSocket
+    may_see: Callable[[], bool] = lambda: True
     events: dict[str, None] = field(default_factory=dict)  # names of changes that were not sent yet, in order
 
 
 class LiveHub:
     """Sends the newest picture to every viewer; a slow viewer misses pictures but no event."""
 
-    def __init__(self, picture: Picture, quality: Quality) -> None:
+    def __init__(self, picture: Picture, quality: Quality, without_patient: Reduce = lambda picture: picture) -> None:
         self._picture = picture
         self._quality = quality
+        self._without_patient = without_patient
         self._viewers: set[Viewer] = set()
         self._fresh = asyncio.Condition()
         self._text = ""
+        self._bare_text = ""  # for those who may not see the patient
         self._number = 0
         self._task: asyncio.Task[None] | None = None
 
@@ -65,7 +70,9 @@ class LiveHub:
             while viewer.websocket.application_state is WebSocketState.CONNECTED:
                 async with self._fresh:
                     await self._fresh.wait_for(lambda: self._number > sent)  # noqa: B023
-                    text, sent = self._text, self._number
+                    text, sent = self._text if viewer.may_see() else self._bare_text, self._number
+                if text == NOTHING:
+                    continue  # the page may see nothing since just now: the next picture is made for it
                 if viewer.events:
                     event = next(iter(viewer.events))
                     del viewer.events[event]
@@ -87,22 +94,30 @@ class LiveHub:
         while True:
             deadline = max(deadline + EVERY, monotonic())
             if self._viewers:
-                text = self._message(with_quality=turn % round(1 / EVERY) == 0)
+                texts = self._messages(with_quality=turn % round(1 / EVERY) == 0)
                 turn += 1
-                if text is not None:
+                if texts is not None:
                     async with self._fresh:
-                        self._text = text
+                        self._text, self._bare_text = texts
                         self._number += 1
                         self._fresh.notify_all()
             await asyncio.sleep(max(deadline - monotonic(), 0.0))
 
-    def _message(self, with_quality: bool) -> str | None:
-        """Return the current picture as JSON; None, with the error logged, when it cannot be made."""
+    def _messages(self, with_quality: bool) -> tuple[str, str] | None:
+        """Return the current picture as JSON, whole and without the patient.
+
+        None, with the error logged, when it cannot be made.
+        """
         try:
             picture = self._picture()
+            bare = self._without_patient(picture) if any(not viewer.may_see() for viewer in self._viewers) else {}
             if with_quality:
                 picture |= self._quality()
-            return json.dumps(picture, separators=(",", ":"), allow_nan=False)
+            return _json(picture), _json(bare)
         except Exception:  # go on: the pages need the next pictures of a chair that may drive
             logger.exception("The live picture could not be made")
             return None
+
+
+def _json(picture: dict[str, Any]) -> str:
+    return json.dumps(picture, separators=(",", ":"), allow_nan=False)

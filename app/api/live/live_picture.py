@@ -212,6 +212,7 @@ class LivePicture:
     def _session_and_practice(self) -> dict[str, Any]:
         """Return the id of the open session, and the kind of the chosen shirt when nobody wears it."""
         return {
+            "hidden": False,  # see app/api/live/without_patient.py
             "session": self._session.session_id,
             "practice": self._equipment.practice,
         }

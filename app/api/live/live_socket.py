@@ -28,11 +28,15 @@ class HeadDirection(Document):
 
 
 class PageMessage(Document):
-    """A message of a page: targets of the simulated body's joints, the direction of a tablet, or Stop."""
+    """A message of a page: targets of the simulated body's joints, the direction of a tablet, or Stop.
+
+    `acted`: the person has just touched the page or pressed a key; otherwise the sign-in is locked after a while.
+    """
 
     move: Annotated[dict[Name, Fraction], Field(max_length=MAX_JOINTS)] | None = None
     look: HeadDirection | None = None
     stop: bool = False
+    acted: bool = False
 
 
 @router.websocket("/live")
@@ -44,12 +48,12 @@ async def live(websocket: WebSocket) -> None:
         return
     await websocket.accept()
     web: WebParts = websocket.app.state.web
-    viewer = Viewer(websocket)
+    viewer = Viewer(websocket, lambda: sockets.may_see(websocket, web.session.patient_id))
     async with sockets.guarded(websocket, who):
         sending = asyncio.create_task(web.live.serve(viewer))
         try:
             while True:
-                await _take(await websocket.receive_text(), web)
+                await _take(await websocket.receive_text(), websocket, web)
         except (WebSocketDisconnect, RuntimeError):
             pass  # disconnected, or closed by us: in both cases the page connects again by itself
         except KeyError:
@@ -60,8 +64,8 @@ async def live(websocket: WebSocket) -> None:
             await asyncio.gather(sending, return_exceptions=True)
 
 
-async def _take(text: str, web: WebParts) -> None:
-    """Carry out a message of a page. An invalid message is ignored, but a Stop in it counts."""
+async def _take(text: str, websocket: WebSocket, web: WebParts) -> None:
+    """Carry out a message of a page. An invalid message is ignored, but a Stop in it counts; so on a locked page."""
     if len(text) > MESSAGE_LIMIT:
         return
     try:
@@ -70,6 +74,11 @@ async def _take(text: str, web: WebParts) -> None:
             await web.control.stop()
         message = PageMessage.model_validate(content)
     except (ValidationError, ValueError, RecursionError):
+        return
+    sockets = websocket.app.state.people.sockets
+    if message.acted:
+        await sockets.acted(websocket)
+    if sockets.is_locked(websocket):
         return
     if message.move is not None:
         web.control.move(message.move)

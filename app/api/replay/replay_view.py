@@ -101,6 +101,9 @@ async def replay_socket(websocket: WebSocket, word: str) -> None:
     who = await sockets.admit(websocket)
     if who is None:
         return
+    if who.locked:
+        await websocket.close(NO_VIEW)
+        return
     try:
         port = web_parts_of(websocket.app).replays.find(word, who.person_id).port
     except NotFound:
@@ -109,5 +112,5 @@ async def replay_socket(websocket: WebSocket, word: str) -> None:
     if SUBPROTOCOL not in websocket.scope.get("subprotocols", []):
         await websocket.close(NO_VIEW)
         return
-    async with sockets.guarded(websocket, who):
+    async with sockets.guarded(websocket, who, lambda now: now.sees(None)):
         await bridge(websocket, "patient", port)  # as on the patient's screen: the browser may only tell its camera

@@ -54,6 +54,13 @@ class Replays:
             del self._open[word]
         found.replay.stop()
 
+    def close_of(self, person_id: int) -> None:
+        """Close all replays of a person whose rights have changed."""
+        with self._lock:
+            ended = [word for word, found in self._open.items() if found.person_id == person_id]
+        for word in ended:
+            self.close(word, person_id)
+
     def close_all(self) -> None:
         """Close all replays, because the application ends."""
         while self._close_one_of(1):

@@ -23,6 +23,7 @@ from app.session.parameter_differences import Difference
 from app.session.run_watch import Starter
 from app.speeds import Speeds
 from app.store.drives import drives_of, find_drive
+from app.store.log import write_log
 from app.store.patients import find_patient
 
 router = APIRouter(prefix="/drives", tags=["drives"])
@@ -147,8 +148,9 @@ async def end_drive(who: Clinician, parts: PeopleParts, web: Web) -> DriveView:
 @router.get("")
 def list_drives(patient: Annotated[int, Query(ge=1, le=2**31)], who: Anyone, parts: PeopleParts) -> list[DriveView]:
     """List a patient's drives, the newest last."""
-    with parts.database.transaction() as db:
+    with parts.database.transaction(closing=True) as db:
         find_patient(db, who.clinic_id, patient)
+        write_log(db, who.name, "patient viewed", patient=patient)
         return [DriveView.of(drive) for drive in drives_of(db, who.clinic_id, patient)]
 
 

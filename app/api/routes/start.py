@@ -1,12 +1,12 @@
 """What a page asks for when it starts, in one answer."""
 
-from fastapi import APIRouter, Request
+from fastapi import APIRouter
 
 from app.api.deps import ForEveryone, PeopleParts
 from app.api.parts import Web
 from app.api.routes.patients import CurrentSession, current_session
 from app.api.sign_in.auth import Me, me_view
-from app.api.sign_in.identity import find_signed_in
+from app.api.who_asks import WhoAsks
 from app.quantities import Document
 
 router = APIRouter(tags=["start"])
@@ -17,15 +17,14 @@ class StartView(Document):
 
     me: Me
     practice: str | None
-    session: CurrentSession | None  # None: nobody is signed in
+    session: CurrentSession | None  # None: nobody is signed in, or the page is locked
 
 
 @router.get("/start", dependencies=[ForEveryone])
-def start(request: Request, parts: PeopleParts, web: Web) -> StartView:
+def start(who: WhoAsks, parts: PeopleParts, web: Web) -> StartView:
     """Return what a page needs before it can show anything."""
-    who = find_signed_in(parts.database, request.cookies)
     return StartView(
-        me=me_view(parts, who.name if who else None, who.role if who else None),
+        me=me_view(parts, who),
         practice=web.equipment.practice,
-        session=None if who is None else current_session(parts, who.clinic_id),
+        session=None if who is None or who.locked else current_session(parts, who.clinic_id),
     )

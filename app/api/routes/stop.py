@@ -3,14 +3,15 @@
 import asyncio
 from typing import Annotated
 
-from fastapi import APIRouter
+from fastapi import APIRouter, BackgroundTasks
 from fastapi.requests import Request
 from pydantic import Field
 
 from app.api.deps import Clinician, ForEveryone, People, PeopleParts
 from app.api.one_controller import require_hand_on_chair, require_picture
 from app.api.page_session import require_named
-from app.api.parts import Web
+from app.api.parts import Web, WebParts
+from app.api.sign_in.identity import COOKIE, find_sign_in
 from app.faults import Fault, State
 from app.quantities import Count, Document
 from app.session.control_link import ControlLink
@@ -51,11 +52,22 @@ def _view(control: ControlLink) -> ControlView:
 
 
 @router.post("/stop", dependencies=[ForEveryone])
-async def stop(web: Web) -> ControlView:
-    """Stop the chair: latched, overrides every motion; for anyone, signed in or not."""
+async def stop(request: Request, afterwards: BackgroundTasks, parts: PeopleParts, web: Web) -> ControlView:
+    """Stop the chair: latched, overrides every motion; for anyone, signed in or not.
+
+    Who asked is found and logged after the answer: a stop waits for no database.
+    """
+    afterwards.add_task(_note_who, request, parts, web)
     if await web.control.stop():
         return ControlView(state="fault", fault=Fault.STOP_TABLET.name.lower())
     return ControlView(state="fault", fault=Fault.CONTROL_LOST.name.lower())  # it has ended, or is being replaced
+
+
+async def _note_who(request: Request, parts: People, web: WebParts) -> None:
+    if COOKIE in request.cookies:
+        who = await asyncio.to_thread(find_sign_in, parts.database, request.cookies)
+        if who is not None:
+            await web.faults.stop_requested(who.name)
 
 
 @router.post("/clear")

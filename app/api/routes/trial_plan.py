@@ -1,9 +1,12 @@
 """The floor plan of the running trial, for the plan that a page draws."""
 
+from typing import Annotated
+
 from fastapi import APIRouter, Depends
 
 from app.api.deps import viewer
 from app.api.parts import Web
+from app.api.sign_in.identity import PairedScreen, SignedInPerson
 from app.quantities import Document, Name
 from app.world.floorplan import FloorPlan
 
@@ -18,8 +21,10 @@ class TrialPlan(Document):
     path: Name
 
 
-@router.get("/view/{role}/plan", dependencies=[Depends(viewer)])
-def shown_plan(web: Web) -> TrialPlan | None:
+@router.get("/view/{role}/plan")
+def shown_plan(who: Annotated[SignedInPerson | PairedScreen, Depends(viewer)], web: Web) -> TrialPlan | None:
     """Return the floor plan and the path of the running trial; null while there is none."""
     trial = web.trials.current
-    return None if trial is None else TrialPlan(trial=trial.id, floorplan=trial.plan, path=trial.path.name)
+    if trial is None or not who.sees(web.session.patient_id):
+        return None
+    return TrialPlan(trial=trial.id, floorplan=trial.plan, path=trial.path.name)

@@ -212,8 +212,9 @@ async def end_trial(_body: EndTrial, who: Clinician, parts: PeopleParts, web: We
 @router.get("/trials")
 def list_trials(patient: Annotated[int, Query(ge=1, le=2**31)], who: Anyone, parts: PeopleParts) -> list[TrialView]:
     """List a patient's trials, the newest last."""
-    with parts.database.transaction() as db:
+    with parts.database.transaction(closing=True) as db:
         find_patient(db, who.clinic_id, patient)
+        write_log(db, who.name, "patient viewed", patient=patient)
         return [TrialView.of(trial) for trial in trials_of(db, who.clinic_id, patient)]
 
 

@@ -8,10 +8,11 @@ from fastapi.concurrency import run_in_threadpool
 from pydantic import Field
 
 from app import __version__
-from app.api.deps import ForEveryone, People, PeopleParts
-from app.api.sign_in.identity import COOKIE, find_signed_in
+from app.api.deps import NOBODY, ForEveryone, People, PeopleParts
+from app.api.sign_in.identity import COOKIE, SignedInPerson
 from app.api.sign_in.passwords import BROWSER_COOKIE, hash_of, require_password, weakness
 from app.api.sign_in.sign_in_limits import address_of
+from app.api.who_asks import WhoAsks
 from app.quantities import Document, Line
 from app.refusals import Conflict
 from app.store.browsers import KNOWN_FOR, remember_browser
@@ -24,6 +25,7 @@ from app.store.people import (
     sign_in,
     sign_out,
     the_clinic,
+    unlock,
 )
 
 router = APIRouter(prefix="/auth", tags=["sign-in"], dependencies=[ForEveryone])
@@ -60,6 +62,7 @@ class Me(Document):
     """Who is signed in on this screen, and what this installation is."""
 
     signed_in: bool
+    locked: bool  # nobody did anything for a while: only the password of this person goes on
     name: str | None
     role: str | None
     demo: bool
@@ -67,12 +70,23 @@ class Me(Document):
     version: str
 
 
-def me_view(parts: PeopleParts, name: str | None, role: str | None) -> Me:
+class OwnPassword(Document):
+    """The password of the person whose page is locked."""
+
+    password: Password
+
+
+def me_view(parts: PeopleParts, who: SignedInPerson | None) -> Me:
     """Return the view of who is signed in, None for nobody."""
+    return _me(parts, None, None) if who is None else _me(parts, who.name, who.role, locked=who.locked)
+
+
+def _me(parts: PeopleParts, name: str | None, role: str | None, *, locked: bool = False) -> Me:
     with parts.database.transaction() as db:
         needs_setup = not parts.settings.demo and count_people(db) == 0
     return Me(
         signed_in=name is not None,
+        locked=locked,
         name=name,
         role=role,
         demo=parts.settings.demo,
@@ -81,7 +95,7 @@ def me_view(parts: PeopleParts, name: str | None, role: str | None) -> Me:
     )
 
 
-def _let_in(parts: People, request: Request, response: Response, name: str, how: str) -> Me:
+def let_in(parts: People, request: Request, response: Response, name: str, how: str) -> Me:
     """Open a sign-in, end the one that this browser had, and make the browser a known one of this person."""
     with parts.database.transaction(closing=True) as db:
         old = request.cookies.get(COOKIE)
@@ -103,9 +117,9 @@ def _let_in(parts: People, request: Request, response: Response, name: str, how:
             httponly=True,
             samesite="strict",
             secure=secure,
-            path=request.url_for("sign_in_by_password").path,  # no other request needs it
+            path=request.url_for("sign_in_by_password").path.rpartition("/")[0],  # no other request needs it
         )
-    return me_view(parts, name, role)
+    return _me(parts, name, role)
 
 
 @router.post("/demo")
@@ -124,7 +138,7 @@ async def enter_demonstration(body: DemoCode, request: Request, response: Respon
             clinic = the_clinic(db)
             if clinic is not None and find_person(db, DEMO_PERSON) is None:
                 add_person(db, clinic, DEMO_PERSON, "owner", None)
-        return _let_in(parts, request, response, DEMO_PERSON, "demonstration")
+        return let_in(parts, request, response, DEMO_PERSON, "demonstration")
 
     return await run_in_threadpool(_enter)
 
@@ -146,7 +160,7 @@ async def make_first_owner(body: FirstOwner, request: Request, response: Respons
             _require_no_owner(db)
             add_person(db, the_clinic(db) or add_clinic(db, "Clinic"), body.name, "owner", password_hash)
         parts.set_up.used()
-        return _let_in(parts, request, response, body.name, "set-up")
+        return let_in(parts, request, response, body.name, "set-up")
 
     await run_in_threadpool(_check)
     attempt = await parts.limits.code(address_of(request))
@@ -165,7 +179,7 @@ async def make_first_owner(body: FirstOwner, request: Request, response: Respons
 async def sign_in_by_password(body: Credentials, request: Request, response: Response, parts: PeopleParts) -> Me:
     """Sign in with name and password."""
     await require_password(parts, request, body.name, body.password)
-    return await run_in_threadpool(_let_in, parts, request, response, body.name, "password")
+    return await run_in_threadpool(let_in, parts, request, response, body.name, "password")
 
 
 @router.post("/sign-out")
@@ -175,7 +189,7 @@ async def sign_out_here(request: Request, response: Response, parts: PeopleParts
     def _end() -> tuple[int | None, Me]:
         with parts.database.transaction(closing=True) as db:
             ended = sign_out(db, request.cookies.get(COOKIE, ""))
-        return ended, me_view(parts, None, None)
+        return ended, me_view(parts, None)
 
     ended, me = await run_in_threadpool(_end)
     if ended is not None:
@@ -184,8 +198,24 @@ async def sign_out_here(request: Request, response: Response, parts: PeopleParts
     return me
 
 
+@router.post("/unlock")
+async def unlock_here(body: OwnPassword, request: Request, who: WhoAsks, parts: PeopleParts) -> Me:
+    """Unlock the page with the password of the person who is signed in on it."""
+    if who is None:
+        raise HTTPException(401, NOBODY)
+    if who.locked:
+        await require_password(parts, request, who.name, body.password)
+        await run_in_threadpool(_unlock, parts, who.sign_in_id)
+        await parts.sockets.look_again(who.sign_in_id)
+    return await run_in_threadpool(_me, parts, who.name, who.role)
+
+
+def _unlock(parts: People, sign_in_id: int) -> None:
+    with parts.database.transaction(closing=True) as db:
+        unlock(db, sign_in_id)
+
+
 @router.get("/me")
-def who_am_i(request: Request, parts: PeopleParts) -> Me:
+def who_am_i(who: WhoAsks, parts: PeopleParts) -> Me:
     """Tell who is signed in on this screen."""
-    who = find_signed_in(parts.database, request.cookies)
-    return me_view(parts, who.name if who else None, who.role if who else None)
+    return me_view(parts, who)

@@ -3,9 +3,10 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from app.store.access.visible_patients import VisiblePatients
 from app.store.database import Database
 from app.store.patient_screens import find_screen
-from app.store.people import signed_in
+from app.store.people import is_locked, note_action, signed_in
 
 COOKIE = "bodydrive_sign_in"
 SCREEN_COOKIE = "bodydrive_screen"  # of a paired screen of the patient: it gives access to the patient's picture only
@@ -20,10 +21,19 @@ class SignedInPerson:
     clinic_id: int
     name: str
     role: str
+    patients: VisiblePatients = None  # those that exist for this person; None: all
+    locked: bool = False  # nothing may be seen or changed until the password was given
+
+    def sees(self, patient_id: int | None) -> bool:
+        """Return whether this person may see a patient now; None stands for nobody, whom everybody may see."""
+        return not self.locked and (patient_id is None or self.patients is None or patient_id in self.patients)
 
 
-def find_signed_in(database: Database, cookies: Mapping[str, str]) -> SignedInPerson | None:
-    """Return the person whose sign-in the cookie opens, None when there is none or it has ended."""
+def find_sign_in(database: Database, cookies: Mapping[str, str], *, acts: bool = False) -> SignedInPerson | None:
+    """Return the person whose sign-in the cookie opens, locked or not; None when there is none or it has ended.
+
+    `acts`: the person does something at this moment, which is stored, so that the sign-in is not locked soon.
+    """
     token = cookies.get(COOKIE)
     if not token:
         return None
@@ -32,7 +42,17 @@ def find_signed_in(database: Database, cookies: Mapping[str, str]) -> SignedInPe
         if found is None:
             return None
         opened, person = found
-        return SignedInPerson(opened.id, person.id, person.clinic_id, person.name, person.role)
+        if acts:
+            note_action(opened, person)
+        return SignedInPerson(
+            opened.id,
+            person.id,
+            person.clinic_id,
+            person.name,
+            person.role,
+            None if person.patients is None else frozenset(person.patients),
+            is_locked(opened, person),
+        )
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,6 +61,10 @@ class PairedScreen:
 
     screen_id: int
     session_id: int
+
+    def sees(self, _patient_id: int | None) -> bool:
+        """Return True: the screen is paired with the open session, and shows no other patient."""
+        return True
 
 
 def find_paired_screen(database: Database, cookies: Mapping[str, str]) -> PairedScreen | None:
@@ -54,5 +78,11 @@ def find_paired_screen(database: Database, cookies: Mapping[str, str]) -> Paired
 
 
 def find_viewer(database: Database, cookies: Mapping[str, str]) -> SignedInPerson | PairedScreen | None:
-    """Return who may see the patient's picture: a person who is signed in, or a paired screen of the patient."""
-    return find_signed_in(database, cookies) or find_paired_screen(database, cookies)
+    """Return who may see the patient's picture: a person who is signed in, or a paired screen of the patient.
+
+    A browser whose sign-in is locked still is the patient's screen that it was paired as.
+    """
+    person = find_sign_in(database, cookies)
+    if person is None or person.locked:
+        return find_paired_screen(database, cookies) or person
+    return person

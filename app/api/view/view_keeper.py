@@ -9,7 +9,7 @@ from typing import Protocol
 import numpy as np
 from fastapi import WebSocket
 
-from app.api.sockets import OpenSockets
+from app.api.sockets import NOT_VISIBLE, OpenSockets
 from app.scene.role_servers import Role, RoleServers
 from app.scene.scene_thread import SceneThread, start_scene
 from app.scene.session_scene import Scene
@@ -121,11 +121,19 @@ class ViewKeeper:
 
 @asynccontextmanager
 async def may_view(websocket: WebSocket, role: Role) -> AsyncIterator[bool]:
-    """Admit a websocket of the 3D view by origin and sign-in (the patient's view: or pairing) until that ends."""
+    """Admit a websocket of the 3D view by origin and sign-in (the patient's view: or pairing) until that ends.
+
+    Who may not see the patient of the open session is answered as when there is no session.
+    """
     sockets: OpenSockets = websocket.app.state.people.sockets
+    session = websocket.app.state.web.session
     who = await (sockets.admit_viewer if role == "patient" else sockets.admit)(websocket)
     if who is None:
         yield False
         return
-    async with sockets.guarded(websocket, who):
+    if not who.sees(session.patient_id):
+        await websocket.close(NOT_VISIBLE)
+        yield False
+        return
+    async with sockets.guarded(websocket, who, lambda now: now.sees(session.patient_id)):
         yield True

@@ -2,6 +2,7 @@
 
 from alembic import context
 
+from app.store.access import person_tables  # noqa: F401  (its tables belong to the metadata)
 from app.store.tables import Table
 
 context.configure(

@@ -15,6 +15,7 @@ from app.settings import Settings
 def test_the_code_of_the_link_signs_in_as_often_as_it_is_opened(clinic: Any) -> None:
     assert clinic.good("GET", "/auth/me") == {
         "signed_in": False,
+        "locked": False,
         "name": None,
         "role": None,
         "demo": True,

@@ -79,7 +79,7 @@ def test_a_known_browser_has_five_tries_of_its_own(real: Clinic) -> None:
 def test_somebody_elses_browser_and_an_invented_one_are_not_known(real: Clinic) -> None:
     real.good("POST", SIGN_IN, json={"name": "Ada", "password": RIGHT})
     (cookie,) = [cookie for cookie in real.client.cookies.jar if cookie.name.startswith("bodydrive_browser_")]
-    assert cookie.path == f"/api/v1{SIGN_IN}"
+    assert cookie.path == "/api/v1/auth"  # also for unlocking and for the own password
     assert cookie.has_nonstandard_attr("HttpOnly")
     for _ in range(5):
         attempt(real, "Eve", "wrong password")

@@ -1,0 +1,178 @@
+"""The people of the clinic, for owners: invite, choose rights, make a link for a new password, disable, enable."""
+
+import asyncio
+from typing import Annotated, Literal
+
+from fastapi import APIRouter, Request
+from fastapi.concurrency import run_in_threadpool
+from pydantic import Field
+
+from app.api.deps import Owner, People, PeopleParts, RowId
+from app.api.own_address import own_address
+from app.api.parts import Web
+from app.api.qr import qr_picture
+from app.api.sign_in.auth import PersonName
+from app.quantities import Count, Document
+from app.store.access.invitations import MadeInvitation, invite, open_invitation
+from app.store.access.person_tables import Person
+from app.store.access.rights import (
+    PersonRole,
+    change_rights,
+    checked_patients,
+    disable,
+    enable,
+    find_person_by_id,
+    people_of,
+)
+from app.store.database import Transaction
+from app.store.people import add_person
+from app.store.tables import Clinic
+
+router = APIRouter(prefix="/people", tags=["people"])
+
+MOST_PATIENTS = 10_000  # of one reviewer
+ONLY_HERE = "Only this machine can open the link, because the program listens to nobody else."
+
+PatientIds = Annotated[list[Count], Field(max_length=MOST_PATIENTS)]
+
+
+class Rights(Document):
+    """What a person may do; a reviewer sees the chosen patients only, null: all."""
+
+    role: PersonRole
+    patients: PatientIds | None = None
+
+
+class NewPerson(Rights):
+    """A person to invite."""
+
+    name: PersonName
+
+
+class PersonView(Document):
+    """A person of the clinic."""
+
+    id: int
+    name: str
+    role: PersonRole
+    patients: list[int] | None
+    state: Literal["active", "invited", "disabled"]  # invited: has not chosen a password yet
+    link_until: str | None  # when the open link of this person ends
+    is_you: bool
+
+
+class LinkView(Document):
+    """A link by which a person chooses a password, shown once; `words`: where it does not work."""
+
+    person: PersonView
+    url: str
+    qr: str
+    expires: str
+    words: str
+
+
+def _view(db: Transaction, person: Person, own_id: int) -> PersonView:
+    link = open_invitation(db, person)
+    is_invited = person.password_hash is None and person.id != own_id
+    return PersonView.model_validate(
+        {
+            "id": person.id,
+            "name": person.name,
+            "role": person.role,
+            "patients": person.patients,
+            "state": "disabled" if person.disabled else "invited" if is_invited else "active",
+            "link_until": None if link is None else link.expires.isoformat(),
+            "is_you": person.id == own_id,
+        }
+    )
+
+
+async def _link(parts: People, request: Request, person: PersonView, made: MadeInvitation) -> LinkView:
+    address = await asyncio.to_thread(own_address, parts.settings, request)
+    url = f"{address.base}#invite={made.code}"  # the part behind # is not sent to a server, so it appears in no log
+    return LinkView(
+        person=person,
+        url=url,
+        qr=qr_picture(url),
+        expires=made.expires.isoformat(),
+        words=ONLY_HERE if address.only_here else "",
+    )
+
+
+@router.get("")
+def list_people(who: Owner, parts: PeopleParts) -> list[PersonView]:
+    """List the people of the clinic."""
+    with parts.database.transaction() as db:
+        return [_view(db, person, who.person_id) for person in people_of(db, who.clinic_id)]
+
+
+@router.post("", status_code=201)
+async def invite_person(body: NewPerson, request: Request, who: Owner, parts: PeopleParts) -> LinkView:
+    """Add a person, and make the link by which this person chooses a password within 24 hours."""
+
+    def _add() -> tuple[PersonView, MadeInvitation]:
+        with parts.database.transaction() as db:
+            patients = checked_patients(db, who.clinic_id, body.role, body.patients)
+            clinic = db.get_one(Clinic, who.clinic_id)
+            person = add_person(db, clinic, body.name, body.role, None, patients=patients, by=who.name)
+            made = invite(db, person, who.name)
+            return _view(db, person, who.person_id), made
+
+    return await _link(parts, request, *await run_in_threadpool(_add))
+
+
+@router.post("/{person_id}/link", status_code=201)
+async def make_link(person_id: RowId, request: Request, who: Owner, parts: PeopleParts) -> LinkView:
+    """Make a link by which a person chooses a new password; the old one holds until the link is used."""
+
+    def _make() -> tuple[PersonView, MadeInvitation]:
+        with parts.database.transaction() as db:
+            person = find_person_by_id(db, who.clinic_id, person_id)
+            made = invite(db, person, who.name)
+            return _view(db, person, who.person_id), made
+
+    return await _link(parts, request, *await run_in_threadpool(_make))
+
+
+@router.put("/{person_id}")
+async def choose_rights(person_id: RowId, body: Rights, who: Owner, parts: PeopleParts, web: Web) -> PersonView:
+    """Give a person another role or other patients; when they change, the person has to sign in again."""
+
+    def _choose() -> tuple[PersonView, bool]:
+        with parts.database.transaction() as db:
+            person = find_person_by_id(db, who.clinic_id, person_id)
+            before = (person.role, person.patients)
+            patients = checked_patients(db, who.clinic_id, body.role, body.patients)
+            change_rights(db, person, body.role, patients, who.name)
+            return _view(db, person, who.person_id), before != (person.role, person.patients)
+
+    view, has_changed = await run_in_threadpool(_choose)
+    if has_changed:
+        await parts.sockets.close_person(person_id)
+        await asyncio.to_thread(web.replays.close_of, person_id)
+    return view
+
+
+@router.post("/{person_id}/disable")
+async def disable_person(person_id: RowId, who: Owner, parts: PeopleParts, web: Web) -> PersonView:
+    """Let a person sign in no longer; every sign-in and socket of this person ends at once."""
+
+    def _disable() -> PersonView:
+        with parts.database.transaction(closing=True) as db:
+            person = find_person_by_id(db, who.clinic_id, person_id)
+            disable(db, person, who.name)
+            return _view(db, person, who.person_id)
+
+    view = await run_in_threadpool(_disable)
+    await parts.sockets.close_person(person_id)
+    await asyncio.to_thread(web.replays.close_of, person_id)
+    return view
+
+
+@router.post("/{person_id}/enable")
+def enable_person(person_id: RowId, who: Owner, parts: PeopleParts) -> PersonView:
+    """Let a disabled person sign in again."""
+    with parts.database.transaction() as db:
+        person = find_person_by_id(db, who.clinic_id, person_id)
+        enable(db, person, who.name)
+        return _view(db, person, who.person_id)

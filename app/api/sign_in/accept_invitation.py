@@ -1,0 +1,88 @@
+"""The page that an invitation opens: for whom it is, and the password that this person chooses."""
+
+from fastapi import APIRouter, HTTPException, Request, Response
+from fastapi.concurrency import run_in_threadpool
+
+from app.api.deps import ForEveryone, People, PeopleParts
+from app.api.sign_in.auth import Code, Me, Password, let_in
+from app.api.sign_in.passwords import hash_of, weakness
+from app.api.sign_in.sign_in_limits import address_of
+from app.quantities import Document
+from app.store.access.invitations import accept_invitation, find_invited
+
+router = APIRouter(prefix="/auth/invitation", tags=["sign-in"], dependencies=[ForEveryone])
+
+WRONG = "This link is wrong, was used, or is older than 24 hours: ask an owner for a new one."
+
+
+class InvitationCode(Document):
+    """The code in the link of an invitation."""
+
+    code: Code
+
+
+class AcceptedInvitation(Document):
+    """The code in the link, and the password that the person has chosen."""
+
+    code: Code
+    password: Password
+
+
+class InvitedView(Document):
+    """For whom an invitation is."""
+
+    name: str
+    role: str
+    is_new: bool  # False: the person is there, and chooses another password
+
+
+class _Invited(Document):
+    person_id: int
+    view: InvitedView
+
+
+async def _require_invited(parts: People, request: Request, code: str) -> _Invited:
+    """Return for whom a code is valid; 401 for a wrong one, which is counted by address."""
+    attempt = await parts.limits.code(address_of(request))
+    found = await run_in_threadpool(_look_up, parts, code)
+    if found is None:
+        raise HTTPException(401, WRONG)
+    attempt.take_back()
+    return found
+
+
+def _look_up(parts: People, code: str) -> _Invited | None:
+    with parts.database.transaction() as db:
+        person = find_invited(db, code)
+        if person is None:
+            return None
+        view = InvitedView(name=person.name, role=person.role, is_new=person.password_hash is None)
+        return _Invited(person_id=person.id, view=view)
+
+
+@router.post("")
+async def look(body: InvitationCode, request: Request, parts: PeopleParts) -> InvitedView:
+    """Tell for whom an invitation is; it stays valid."""
+    return (await _require_invited(parts, request, body.code)).view
+
+
+@router.post("/accept")
+async def accept(body: AcceptedInvitation, request: Request, response: Response, parts: PeopleParts) -> Me:
+    """Give the invited person the password and sign them in; other sign-ins of the person end."""
+    invited = await _require_invited(parts, request, body.code)
+    weak = weakness(invited.view.name, body.password)
+    if weak is not None:
+        raise HTTPException(422, weak)
+    password_hash = await hash_of(parts, body.password)
+
+    def _accept() -> Me:
+        with parts.database.transaction() as db:
+            person = find_invited(db, body.code)
+            if person is None:  # used by somebody else while the password was being hashed
+                raise HTTPException(401, WRONG)
+            accept_invitation(db, person, password_hash)
+        return let_in(parts, request, response, invited.view.name, "invitation")
+
+    me = await run_in_threadpool(_accept)
+    await parts.sockets.close_person(invited.person_id)
+    return me

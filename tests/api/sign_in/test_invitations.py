@@ -1,0 +1,93 @@
+"""Invitations: a link is valid once and for 24 hours, and only its hash is stored; a new password ends sign-ins."""
+
+import hashlib
+from datetime import timedelta
+
+import pytest
+from fake_clinic import Clinic
+from people_of_clinic import PASSWORD, accepted, as_person, code_of, invited
+
+from app.clock import utc_now
+from app.store.access import invitations
+from app.store.access.person_tables import Invitation
+
+
+def test_whoever_opens_the_link_chooses_the_password_and_is_signed_in(owned: Clinic) -> None:
+    link = invited(owned, "Ben", "clinician")
+    assert link["qr"].startswith("<svg")
+    assert (link["person"]["state"], link["person"]["role"]) == ("invited", "clinician")
+    code = code_of(link)
+    with owned.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
+        (stored,) = db.query(Invitation).all()
+        assert stored.code_hash == hashlib.sha256(code.encode()).hexdigest()
+        assert stored.expires - stored.created == timedelta(hours=24)
+    with as_person(owned, {}):
+        sign_in = {"name": "Ben", "password": PASSWORD}
+        assert owned("POST", "/auth/sign-in", json=sign_in).status_code == 401  # there is no password yet
+        about = owned.good("POST", "/auth/invitation", json={"code": code})
+        assert about == {"name": "Ben", "role": "clinician", "is_new": True}
+        weak = owned("POST", "/auth/invitation/accept", json={"code": code, "password": "password"})
+        assert weak.status_code == 422
+        assert "choose another" in weak.json()["detail"]
+        me = owned.good("POST", "/auth/invitation/accept", json={"code": code, "password": PASSWORD})
+        assert (me["signed_in"], me["name"], me["role"]) == (True, "Ben", "clinician")
+        again = owned("POST", "/auth/invitation/accept", json={"code": code, "password": "another long one"})
+        assert again.status_code == 401
+        assert "was used" in again.json()["detail"]
+        owned.good("POST", "/auth/sign-out")
+        assert owned.good("POST", "/auth/sign-in", json=sign_in)["name"] == "Ben"
+    rows = [(row.person, row.what) for row in owned.log()]
+    assert [what for who, what in rows if who == "Ada"][-2:] == ["person added", "invitation made"]
+    assert ("Ben", "invitation accepted") in rows
+    assert code not in str([row.details for row in owned.log()])
+
+
+def test_a_link_holds_for_24_hours_and_the_newer_one_only(owned: Clinic, monkeypatch: pytest.MonkeyPatch) -> None:
+    first = invited(owned, "Ben", "clinician")
+    second = owned.good("POST", f"/people/{first['person']['id']}/link")
+    assert owned("POST", "/auth/invitation", json={"code": code_of(first)}).status_code == 401
+    assert owned("POST", "/auth/invitation", json={"code": code_of(second)}).status_code == 200
+    later = utc_now() + timedelta(hours=24, seconds=1)
+    monkeypatch.setattr(invitations, "utc_now", lambda: later)
+    assert owned("POST", "/auth/invitation", json={"code": code_of(second)}).status_code == 401
+    assert owned.good("GET", "/people")[1]["link_until"] is None
+
+
+def test_wrong_codes_are_counted_by_address_before_they_are_looked_up(owned: Clinic) -> None:
+    link = invited(owned, "Ben", "clinician")
+    tried = [owned("POST", "/auth/invitation", json={"code": f"wrong-{n}"}).status_code for n in range(11)]
+    assert tried == [401] * 10 + [429]
+    answer = owned("POST", "/auth/invitation/accept", json={"code": code_of(link), "password": PASSWORD})
+    assert answer.status_code == 429
+    assert int(answer.headers["Retry-After"]) > 0
+
+
+def test_a_new_password_by_a_link_ends_the_old_sign_ins(owned: Clinic) -> None:
+    cookies = accepted(owned, invited(owned, "Ben", "clinician"))
+    ben = owned.good("GET", "/people")[1]
+    link = owned.good("POST", f"/people/{ben['id']}/link")
+    with as_person(owned, cookies):
+        assert owned.good("GET", "/auth/me")["name"] == "Ben"  # until the link is used
+    accepted(owned, link, "another long password")
+    with as_person(owned, cookies):
+        assert owned.good("GET", "/auth/me")["signed_in"] is False
+        assert owned("POST", "/auth/sign-in", json={"name": "Ben", "password": PASSWORD}).status_code == 401
+
+
+@pytest.mark.parametrize(
+    ("body", "status", "words"),
+    [
+        ({"name": "Ada", "role": "clinician"}, 409, "already somebody called"),
+        ({"name": "Ben", "role": "clinician", "patients": [1]}, 409, "for reviewers only"),
+        ({"name": "Ben", "role": "reviewer", "patients": [999]}, 404, "no patient 999"),
+        ({"name": "Ben", "role": "king"}, 422, ""),
+        ({"name": " ", "role": "owner"}, 422, ""),
+    ],
+)
+def test_an_invitation_that_cannot_be_made_adds_nobody(
+    owned: Clinic, body: dict[str, object], status: int, words: str
+) -> None:
+    answer = owned("POST", "/people", json=body)
+    assert answer.status_code == status
+    assert words in str(answer.json()["detail"])
+    assert [person["name"] for person in owned.good("GET", "/people")] == ["Ada"]

@@ -1,0 +1,112 @@
+"""Disabling and enabling people, their rights, the own password: what ends, and when."""
+
+import pytest
+from fake_clinic import BASE, Clinic
+from pairing import closing
+from people_of_clinic import OWNER, PASSWORD, accepted, as_person, invited
+
+from app.store.access.person_tables import KnownBrowser
+
+ORIGIN = {"Origin": BASE}
+LIVE = f"{BASE.replace('http', 'ws')}/api/v1/live"
+
+
+@pytest.fixture
+def ben(owned: Clinic) -> dict[str, str]:
+    """Return the cookies of a clinician."""
+    return accepted(owned, invited(owned, "Ben", "clinician"))
+
+
+def id_of(owned: Clinic, name: str) -> int:
+    return int(next(person["id"] for person in owned.good("GET", "/people") if person["name"] == name))
+
+
+def test_disabling_ends_sign_ins_and_sockets_at_once_and_forgets_browsers(owned: Clinic, ben: dict[str, str]) -> None:
+    with as_person(owned, ben):
+        opening = owned.client.websocket_connect(LIVE, headers=ORIGIN)
+        socket = opening.__enter__()
+        socket.receive_json()
+    person = id_of(owned, "Ben")
+    assert owned.good("POST", f"/people/{person}/disable")["state"] == "disabled"
+    assert closing(socket) == 4401
+    opening.__exit__(None, None, None)
+    with owned.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
+        assert db.query(KnownBrowser).filter_by(person_id=person).count() == 0
+    with as_person(owned, ben):
+        assert owned("GET", "/patients").status_code == 401
+        assert owned("POST", "/auth/sign-in", json={"name": "Ben", "password": PASSWORD}).status_code == 401
+    assert owned("POST", f"/people/{person}/link").status_code == 409
+    assert owned.good("POST", f"/people/{person}/enable")["state"] == "active"
+    with as_person(owned, ben):
+        assert owned("GET", "/patients").status_code == 401  # the old cookie stays worthless
+        assert owned.good("POST", "/auth/sign-in", json={"name": "Ben", "password": PASSWORD})["name"] == "Ben"
+    assert [(row.person, row.what) for row in owned.log() if row.details.get("name") == "Ben"][-2:] == [
+        ("Ada", "person disabled"),
+        ("Ada", "person enabled"),
+    ]
+
+
+def test_somebody_disabled_by_another_program_is_out_within_five_seconds(owned: Clinic, ben: dict[str, str]) -> None:
+    """The command line writes to the database only: the check of open sockets (every 2 s) notices it."""
+    from app.api import sockets
+    from app.store.access.rights import disable
+    from app.store.people import find_person
+
+    assert sockets.CHECK_EVERY <= 2.5  # an open socket ends within twice this time
+    with as_person(owned, ben), owned.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
+        socket.receive_json()
+        with owned.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
+            person = find_person(db, "Ben")
+            assert person is not None
+            disable(db, person, None)
+        assert owned("GET", "/patients").status_code == 401
+        assert closing(socket) == 4401
+
+
+def test_the_last_owner_who_can_sign_in_stays_one(owned: Clinic) -> None:
+    ada = id_of(owned, "Ada")
+    invited(owned, "Eve", "owner")  # has no password yet: cannot sign in
+    for method, path, body in (
+        ("POST", f"/people/{ada}/disable", None),
+        ("PUT", f"/people/{ada}", {"role": "clinician"}),
+    ):
+        answer = owned(method, path, json=body)
+        assert answer.status_code == 409
+        assert "last owner who can sign in" in answer.json()["detail"]
+    accepted(owned, owned.good("POST", f"/people/{id_of(owned, 'Eve')}/link"))
+    assert owned.good("PUT", f"/people/{ada}", json={"role": "clinician"})["role"] == "clinician"
+
+
+def test_changed_rights_end_the_sign_ins(owned: Clinic, ben: dict[str, str]) -> None:
+    person = id_of(owned, "Ben")
+    assert owned.good("PUT", f"/people/{person}", json={"role": "clinician"})["role"] == "clinician"
+    with as_person(owned, ben):
+        assert owned("GET", "/patients").status_code == 200  # nothing has changed
+    assert owned.good("PUT", f"/people/{person}", json={"role": "reviewer", "patients": []})["patients"] == []
+    with as_person(owned, ben):
+        assert owned("GET", "/patients").status_code == 401
+    row = owned.log()[-1]
+    assert (row.person, row.what, row.details["now"]) == (
+        "Ada",
+        "rights changed",
+        {"role": "reviewer", "patients": []},
+    )
+
+
+def test_the_own_password_needs_the_old_one_and_ends_the_other_sign_ins(owned: Clinic) -> None:
+    here = dict(owned.client.cookies)
+    with as_person(owned, {}):
+        owned.good("POST", "/auth/sign-in", json={"name": "Ada", "password": OWNER["password"]})
+        elsewhere = dict(owned.client.cookies)
+    wrong = owned("PUT", "/auth/password", json={"old": "nothing like it", "new": PASSWORD})
+    weak = owned("PUT", "/auth/password", json={"old": OWNER["password"], "new": "12345678"})
+    assert (wrong.status_code, weak.status_code) == (401, 422)
+    answer = owned("PUT", "/auth/password", json={"old": OWNER["password"], "new": PASSWORD})
+    assert answer.status_code == 204
+    with as_person(owned, elsewhere):
+        assert owned("GET", "/patients").status_code == 401
+    with as_person(owned, here):
+        assert owned("GET", "/patients").status_code == 200
+        owned.good("POST", "/auth/sign-out")
+        assert owned("POST", "/auth/sign-in", json={"name": "Ada", "password": OWNER["password"]}).status_code == 401
+        assert owned.good("POST", "/auth/sign-in", json={"name": "Ada", "password": PASSWORD})["name"] == "Ada"

@@ -1,0 +1,162 @@
+"""A reviewer of chosen patients: every other patient does not exist, in any route, list, socket or 3D view."""
+
+import json
+import re
+from typing import Any
+
+import pytest
+from fake_clinic import BASE, Clinic
+from fastapi.routing import APIRoute
+from people_of_clinic import as_person
+from starlette.websockets import WebSocketDisconnect
+from test_other_clinics import BODIES, FILLED, MISSING, places, table_of
+from test_roles import FOR_REVIEWERS, contexts, requested
+
+from app.scene.client_messages import SUBPROTOCOL
+from app.store.access.visible_patients import VISIBLE_PATIENTS
+from app.store.people import add_person, sign_in, the_clinic
+from app.store.tables import Parameters, Patient, PatientSession, Profile, Run, Table, Trial
+
+ORIGIN = {"Origin": BASE}
+SOCKETS = BASE.replace("http", "ws")
+SHOWN, HIDDEN = "SHOWN-1", "HIDDEN-2"
+
+
+@pytest.fixture
+def reviewed(calibrated: Clinic) -> Clinic:
+    """Return a clinic where a patient called HIDDEN is here, with a trial, and one called SHOWN was here."""
+    clinic = calibrated
+    with clinic.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
+        patient = db.get_one(Patient, clinic.patient["id"])
+        patient.code, patient.pseudonym = HIDDEN, "Zebra"
+    plan = clinic.good("GET", "/floorplans")[0]
+    where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": "screen-of-the-test"}
+    with clinic.screen("screen-of-the-test"):
+        clinic.good("POST", "/trials", json=where)
+        clinic.good("POST", "/trials/current/end", json={})
+    shown = clinic.good("POST", "/patients", json={"code": SHOWN, "pseudonym": "Heron"})
+    clinic.shown = shown["id"]  # type: ignore[attr-defined]
+    return clinic
+
+
+def reviewer(clinic: Clinic, *patients: int) -> dict[str, str]:
+    """Return the cookies of a reviewer to whom these patients are shown."""
+    with clinic.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
+        named = the_clinic(db)
+        assert named is not None
+        person = add_person(db, named, f"Rita {len(patients)}", "reviewer", None, patients=list(patients))
+        return {"bodydrive_sign_in": sign_in(db, person, "test")}
+
+
+def live_picture(clinic: Clinic) -> Any:
+    with clinic.client.websocket_connect(f"{SOCKETS}/api/v1/live", headers=ORIGIN) as socket:
+        return socket.receive_json()
+
+
+def test_the_id_of_another_patient_is_answered_like_one_that_does_not_exist(reviewed: Clinic) -> None:
+    document = reviewed.good("GET", "/openapi.json")
+    trial = reviewed.good("GET", "/trials", params={"patient": reviewed.patient["id"]})[0]["id"]
+    hidden = {"patient": reviewed.patient["id"], "trial": trial}
+    tried = []
+    with as_person(reviewed, reviewer(reviewed, reviewed.shown)):  # type: ignore[attr-defined]
+        for method, path, name, needed in places(document):
+            route, table = f"{method} {path.removeprefix('/api/v1')}", table_of(method, path, name)
+            if table not in hidden or route not in FOR_REVIEWERS:
+                continue
+
+            def ask(number: int, method: str = method, path: str = path, name: str = name, needed: Any = needed) -> Any:
+                url = path.removeprefix("/api/v1").replace(f"{{{name}}}", str(number))
+                more = {other: FILLED[other] for other in needed if other != name}
+                body = None
+                if f"{{{name}}}" not in path and method == "GET":
+                    more[name] = str(number)
+                elif f"{{{name}}}" not in path:
+                    body = BODIES.get(f"{method} {path}", {}) | {name: number}
+                return reviewed(method, url, params=more, json=body)
+
+            missing, refused = ask(MISSING), ask(hidden[table])
+            assert (missing.status_code, refused.status_code) == (404, 404), (route, refused.text)
+            assert re.sub(r"\d+", "N", refused.text) == re.sub(r"\d+", "N", missing.text), route
+            tried.append(route)
+    assert len(tried) >= 7
+
+
+def test_no_answer_to_a_reviewer_names_another_patient(reviewed: Clinic) -> None:
+    gets = [
+        f"{method} {context.path.removeprefix('/api/v1')}"
+        for context in contexts(reviewed.client.app, APIRoute)  # type: ignore[arg-type]
+        for method in context.methods & {"GET"}
+    ]
+    said = json.dumps([requested(reviewed, name).text for name in gets])
+    assert HIDDEN in said  # the owner sees the patient in these answers
+    with as_person(reviewed, reviewer(reviewed, reviewed.shown)):  # type: ignore[attr-defined]
+        answers = {name: requested(reviewed, name).text for name in gets}
+        assert {name for name, text in answers.items() if HIDDEN in text or "Zebra" in text} == set()
+        assert [patient["code"] for patient in reviewed.good("GET", "/patients")] == [SHOWN]
+        assert reviewed.good("GET", "/session")["session"] is None
+        assert reviewed.good("GET", "/start")["session"]["patient"] is None
+        assert "Nobody is here" in reviewed("GET", "/adaptation").json()["detail"]
+        assert reviewed.good("GET", "/drives/summary")["parameters"] is None
+
+
+def test_the_open_session_is_shown_live_to_the_reviewers_of_its_patient_only(reviewed: Clinic) -> None:
+    session = reviewed.good("GET", "/session")["session"]["id"]
+    view = {"url": f"{SOCKETS}/view/clinician/", "subprotocols": [SUBPROTOCOL], "headers": ORIGIN}
+    with as_person(reviewed, reviewer(reviewed, reviewed.shown)):  # type: ignore[attr-defined]
+        picture = live_picture(reviewed)
+        assert (picture["hidden"], picture["session"], picture["gestures"]) == (True, None, [])
+        with pytest.raises(WebSocketDisconnect) as refused, reviewed.client.websocket_connect(**view):
+            pass
+        assert refused.value.code == 4409
+        assert reviewed.good("GET", "/view/clinician/plan") is None
+    with as_person(reviewed, reviewer(reviewed, reviewed.shown, reviewed.patient["id"])):  # type: ignore[attr-defined]
+        picture = live_picture(reviewed)
+        assert (picture["hidden"], picture["session"]) == (False, session)
+        assert picture["gestures"]
+
+
+def test_a_session_of_a_shown_patient_appears_at_once(reviewed: Clinic) -> None:
+    cookies = reviewer(reviewed, reviewed.shown)  # type: ignore[attr-defined]
+    with as_person(reviewed, cookies):
+        opening = reviewed.client.websocket_connect(f"{SOCKETS}/api/v1/live", headers=ORIGIN)
+        socket = opening.__enter__()
+        assert socket.receive_json()["hidden"] is True
+    reviewed.good("POST", "/session", json={"patient_id": reviewed.shown})  # type: ignore[attr-defined]
+    for _ in range(100):
+        picture = socket.receive_json()
+        if not picture["hidden"]:
+            break
+    assert picture["session"] == reviewed.good("GET", "/session")["session"]["id"]
+    opening.__exit__(None, None, None)
+
+
+def test_what_is_of_a_patient_is_left_out_of_every_query(reviewed: Clinic) -> None:
+    """Every table with a way to a patient is restricted, also one that is added later."""
+    database = reviewed.client.app.state.people.database  # type: ignore[attr-defined]
+    of_patients = {"patient", "session", "patient_screen", "calibration_step", "run", "profile", "parameters", "trial"}
+    with database.transaction() as db:
+        before = {mapper.class_: db.query(mapper.class_).count() for mapper in Table.registry.mappers}
+    token = VISIBLE_PATIENTS.set(frozenset())
+    try:
+        with database.transaction() as db:
+            after = {kind: db.query(kind).count() for kind in before}
+            for kind in (Patient, PatientSession, Profile, Parameters, Trial):
+                assert db.get(kind, 1) is None
+    finally:
+        VISIBLE_PATIENTS.reset(token)
+    reaching = {"patient"}
+    while True:
+        more = {
+            table.name
+            for table in Table.metadata.tables.values()
+            for key in table.foreign_keys
+            if key.column.table.name in reaching and not key.parent.nullable
+        } - reaching
+        if not more:
+            break
+        reaching |= more
+    assert reaching >= of_patients
+    assert {kind.__tablename__ for kind in before if after[kind] != 0 and kind.__tablename__ in reaching} == set()
+    assert all(after[kind] == before[kind] for kind in before if kind.__tablename__ not in reaching)
+    assert before[Run] > 0
+    assert before[Trial] > 0
