@@ -1,0 +1,19 @@
+"""Cells of CSV files that spreadsheets show as text: one that begins like a formula could run one when it is opened."""
+
+import csv
+import io
+from collections.abc import Sequence
+
+FORMULA_BEGINS = ("=", "+", "-", "@", "\t", "\r")
+
+
+def safe_cell(text: str) -> str:
+    """Return a text that no spreadsheet takes for a formula: an apostrophe is put before one that begins like it."""
+    return f"'{text}" if text.startswith(FORMULA_BEGINS) else text
+
+
+def csv_line(cells: Sequence[str]) -> str:
+    """Return one line of a CSV file, each cell safe."""
+    line = io.StringIO()
+    csv.writer(line).writerow([safe_cell(cell) for cell in cells])
+    return line.getvalue()
