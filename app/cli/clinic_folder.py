@@ -2,12 +2,18 @@
 
 import fcntl
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from app.cli.errors import InputError
 from app.file_modes import OWNER_FOLDER, keep_new_files_private, restrict
 from app.settings import IN_USE, Settings
+
+if TYPE_CHECKING:
+    from app.store.database import Database
+
+ADDRESS_LIMIT = 300  # characters
 
 
 def keep_private(settings: Settings) -> list[str]:
@@ -25,19 +31,72 @@ def keep_private(settings: Settings) -> list[str]:
     ]
 
 
+class FolderInUseError(InputError):
+    """Another program serves the clinic; `address` is that of its pages, empty when it is not known."""
+
+    def __init__(self, words: str, address: str) -> None:
+        super().__init__(words)
+        self.address = address
+
+
 @contextmanager
-def held(folder: Path) -> Iterator[None]:
-    """Lock a clinic's folder, so that no second program writes to its database."""
+def held(folder: Path, address: str = "") -> Iterator[None]:
+    """Lock a clinic's folder, so that no second program serves it.
+
+    `address` of the pages is written into the locked file, for commands that are given meanwhile.
+
+    Raises
+    ------
+    FolderInUseError
+        When another program holds the folder.
+    InputError
+        When the folder cannot be written.
+    """
     try:
         folder.mkdir(mode=OWNER_FOLDER, parents=True, exist_ok=True)
-        file = (folder / IN_USE).open("w")
+        file = (folder / IN_USE).open("a+")
     except OSError as error:
         raise InputError(f"{folder} cannot be written: choose another folder with --state.") from error
     with file:
         try:
             fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except OSError as error:
-            raise InputError(
-                f"The clinic in {folder} is open already: end the other program, or choose another with --state."
-            ) from error
+            file.seek(0)
+            words = f"The clinic in {folder} is open already: end the other program, or choose another with --state."
+            raise FolderInUseError(words, file.read(ADDRESS_LIMIT)) from error
+        file.truncate(0)
+        file.write(address)
+        file.flush()
         yield
+
+
+@contextmanager
+def open_clinic(settings: Settings) -> Iterator[tuple["Database", str]]:
+    """Open the database of a clinic that is there, also while another program serves it.
+
+    Yield it with the address of the running program's pages, empty when none runs.
+    """
+    from app.refusals import Refusal
+    from app.store.database import Database
+    from app.store.schema import NEWEST, revision_of
+
+    if not settings.database.is_file():
+        raise InputError(f"There is no clinic in {settings.state}: give its folder with --state.")
+    keep_new_files_private()
+    with ExitStack() as stack:
+        address = ""
+        try:
+            stack.enter_context(held(settings.state))
+        except FolderInUseError as running:
+            address = running.address
+            if revision_of(settings.database) != NEWEST:
+                raise InputError(
+                    "The program that runs is another version than this command: give the command of that version, "
+                    "or end that program first."
+                ) from running
+        try:
+            database = Database(settings.database)
+            stack.callback(database.close)
+            yield database, address
+        except Refusal as refusal:
+            raise InputError(str(refusal)) from refusal

@@ -20,6 +20,7 @@ COMMANDS = {
     "replay": ("app.cli.replay", "replay"),
     "shirt": ("app.cli.shirt", "shirt_app"),
     "chair": ("app.cli.chair", "chair_app"),
+    "people": ("app.cli.people", "people_app"),
     "log": ("app.cli.log", "log_app"),
     "floorplan": ("app.cli.floorplan", "floorplan_app"),
     "about": ("app.cli.about", "about"),

@@ -4,6 +4,7 @@ import os
 import socket
 import sys
 import tempfile
+from contextlib import ExitStack
 from pathlib import Path
 from typing import Annotated
 
@@ -55,8 +56,10 @@ def serve(
     proxy = None if behind_proxy is None else proxy_network(behind_proxy)
     reached_by = "" if name is None else public_name(name)
     folder = (state or state_folder()).expanduser().resolve()
-    with bind(host, port) as listening, held(folder):
+    with ExitStack() as stack:
+        listening = stack.enter_context(bind(host, port))
         bound = int(listening.getsockname()[1])
+        stack.enter_context(held(folder, link_to(host, bound)))
         warnings = keep_private(Settings(state=folder))
         code = new_code() if _nobody_yet(folder) else None
         settings = Settings(state=folder, host=host, port=bound, setup_code=code, proxy=proxy, public_name=reached_by)

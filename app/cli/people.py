@@ -1,0 +1,177 @@
+"""`bodydrive people`: the people of a clinic, on its own machine; also while the program runs.
+
+Who can read the clinic's files owns the clinic. So this is also the way in again for somebody who is locked out.
+"""
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from app.cli.clinic_folder import open_clinic
+from app.cli.errors import InputError
+from app.cli.port import link_to
+from app.cli.qr import terminal_code
+from app.refusals import Refusal
+from app.settings import Settings, state_folder
+
+if TYPE_CHECKING:
+    from app.store.access.invitations import MadeInvitation
+    from app.store.access.person_tables import Person
+    from app.store.database import Transaction
+
+State = Annotated[Path | None, typer.Option(help="The folder of the clinic's database and recordings.")]
+Name = Annotated[str, typer.Argument(help="The name that the person signs in with.")]
+Role = Annotated[str, typer.Option(help="owner, clinician or reviewer.")]
+Shown = Annotated[
+    list[str] | None,
+    typer.Option("--patient", help="The code of a patient that a reviewer may see, once for each; without: all."),
+]
+Address = Annotated[str, typer.Option(help="The address of the pages, for the link; that of the running program.")]
+
+COMMAND = "command line"  # who did it, in the log
+DEFAULT_PORT = 8080  # of `bodydrive serve`
+ROLES = ("owner", "clinician", "reviewer")
+NOT_RUNNING = "The program does not run now: start it with `bodydrive serve`, then open the link at its address."
+
+people_app = typer.Typer(
+    help="See, invite, disable and enable the people of a clinic; make a link for a new password.",
+    no_args_is_help=True,
+    pretty_exceptions_enable=False,
+)
+
+
+@people_app.command("list")
+def list_people(
+    state: State = None,
+    as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")] = False,
+) -> None:
+    """List the people of the clinic: name, role, what a reviewer may see, whether they can sign in."""
+    from app.store.access.rights import people_of
+    from app.store.tables import Patient
+
+    with open_clinic(_settings(state)) as (database, _), database.transaction() as db:
+        found: list[dict[str, Any]] = []
+        for person in people_of(db, _clinic_id(db)):
+            shown = None
+            if person.patients is not None:
+                rows = [db.get(Patient, patient) for patient in person.patients]
+                shown = [patient.code for patient in rows if patient is not None]
+            found.append({"name": person.name, "role": person.role, "patients": shown, "state": _state_of(person)})
+    if as_json:
+        typer.echo(json.dumps({"people": found}))
+        return
+    width = max((len(str(one["name"])) for one in found), default=0)
+    for one in found:
+        patients = "" if one["patients"] is None else f"  patients: {', '.join(one['patients']) or 'none'}"
+        typer.echo(f"{one['name']:<{width}}  {one['role']:<9}  {one['state']}{patients}")
+
+
+@people_app.command("invite")
+def invite_person(
+    name: Name, role: Role = "clinician", patients: Shown = None, state: State = None, address: Address = ""
+) -> None:
+    """Add a person, and print the link by which this person chooses a password within 24 hours.
+
+    For somebody who is there already, the link makes a new password; role and patients stay.
+    """
+    from app.store.access.invitations import invite
+    from app.store.access.rights import checked_patients
+    from app.store.people import add_clinic, add_person, find_person, the_clinic
+
+    if role not in ROLES:
+        raise InputError(f"--role {role} is no role: give owner, clinician or reviewer.")
+    _require_name(name)
+    with open_clinic(_settings(state)) as (database, running):
+        try:
+            with database.transaction() as db:
+                person = find_person(db, name)
+                if person is None:
+                    clinic = the_clinic(db) or add_clinic(db, "Clinic")
+                    ids = None if patients is None else _patient_ids(db, clinic.id, patients)
+                    ids = checked_patients(db, clinic.id, role, ids)
+                    person = add_person(db, clinic, name, role, None, patients=ids, by=COMMAND)
+                made = invite(db, person, COMMAND)
+        except Refusal as refusal:
+            raise InputError(str(refusal)) from refusal
+    _print_link(name, made, address or running)
+
+
+@people_app.command("disable")
+def disable_person(name: Name, state: State = None) -> None:
+    """Let a person sign in no longer; open pages of this person end within 5 s."""
+    from app.store.access.rights import disable
+
+    _change(name, state, lambda db, person: disable(db, person, COMMAND))
+    typer.echo(f"{name} is disabled: pages that {name} has open end within 5 seconds.")
+
+
+@people_app.command("enable")
+def enable_person(name: Name, state: State = None) -> None:
+    """Let a disabled person sign in again."""
+    from app.store.access.rights import enable
+
+    _change(name, state, lambda db, person: enable(db, person, COMMAND))
+    typer.echo(f"{name} can sign in again, with the password of before.")
+
+
+def _settings(state: Path | None) -> Settings:
+    return Settings(state=(state or state_folder()).expanduser().resolve())
+
+
+def _clinic_id(db: "Transaction") -> int:
+    from app.store.people import the_clinic
+
+    clinic = the_clinic(db)
+    return 0 if clinic is None else clinic.id
+
+
+def _state_of(person: "Person") -> str:
+    if person.disabled is not None:
+        return "disabled"
+    return "invited" if person.password_hash is None else "active"
+
+
+def _require_name(name: str) -> None:
+    from pydantic import TypeAdapter, ValidationError
+
+    from app.api.sign_in.auth import PersonName
+
+    try:
+        TypeAdapter(PersonName).validate_python(name)
+    except ValidationError as error:
+        raise InputError("This name cannot be used: give 1 to 80 visible characters.") from error
+
+
+def _patient_ids(db: "Transaction", clinic_id: int, codes: list[str]) -> list[int]:
+    from app.store.patients import all_patients
+
+    by_code = {patient.code: patient.id for patient in all_patients(db, clinic_id)}
+    unknown = next((code for code in codes if code not in by_code), None)
+    if unknown is not None:
+        raise InputError(f"--patient {unknown}: there is no patient of this code, see the Patients page.")
+    return [by_code[code] for code in codes]
+
+
+def _change(name: str, state: Path | None, change: Callable[["Transaction", "Person"], None]) -> None:
+    from app.store.access.rights import needed_person
+    from app.store.people import find_person
+
+    with open_clinic(_settings(state)) as (database, _):
+        try:
+            with database.transaction(closing=True) as db:
+                change(db, needed_person(find_person(db, name), name))
+        except Refusal as refusal:
+            raise InputError(str(refusal)) from refusal
+
+
+def _print_link(name: str, made: "MadeInvitation", address: str) -> None:
+    base = address or link_to("127.0.0.1", DEFAULT_PORT)
+    link = f"{base.rstrip('/')}/#invite={made.code}"
+    typer.echo(terminal_code(link))
+    typer.echo(f"{name} chooses a password with this link, once, until {made.expires.astimezone():%Y-%m-%d %H:%M}:")
+    typer.echo(link)
+    if not address:
+        typer.echo(NOT_RUNNING)
