@@ -182,6 +182,44 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/auth/unlock": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/json": components["schemas"]["OwnPassword"];
+                };
+            };
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["Me"];
+                    };
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/auth/me": {
         parameters: {
             query?: never;
@@ -210,6 +248,314 @@ export interface paths {
         };
         put?: never;
         post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/auth/invitation": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/json": components["schemas"]["InvitationCode"];
+                };
+            };
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["InvitedView"];
+                    };
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/auth/invitation/accept": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/json": components["schemas"]["AcceptedInvitation"];
+                };
+            };
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["Me"];
+                    };
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/auth/password": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/json": components["schemas"]["PasswordChange"];
+                };
+            };
+            responses: {
+                204: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/people": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["PersonView"][];
+                    };
+                };
+            };
+        };
+        put?: never;
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/json": components["schemas"]["NewPerson"];
+                };
+            };
+            responses: {
+                201: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["LinkView"];
+                    };
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/people/{person_id}/link": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                201: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["LinkView"];
+                    };
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/people/{person_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/json": components["schemas"]["Rights"];
+                };
+            };
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["PersonView"];
+                    };
+                };
+            };
+        };
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/people/{person_id}/disable": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["PersonView"];
+                    };
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/people/{person_id}/enable": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["PersonView"];
+                    };
+                };
+            };
+        };
         delete?: never;
         options?: never;
         head?: never;
@@ -2608,6 +2954,72 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/log": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["LogView"];
+                    };
+                };
+            };
+        };
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/log/export": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/log/check": {
         parameters: {
             query?: never;
@@ -3116,6 +3528,10 @@ export interface paths {
 export type webhooks = Record<string, never>;
 export interface components {
     schemas: {
+        AcceptedInvitation: {
+            code: string;
+            password: string;
+        };
         AdaptationModeChoice: {
             /** @enum {string} */
             mode: "off" | "suggest" | "auto";
@@ -3768,6 +4184,14 @@ export interface components {
             counted: number;
             repetitions: number;
         };
+        InvitationCode: {
+            code: string;
+        };
+        InvitedView: {
+            name: string;
+            role: string;
+            is_new: boolean;
+        };
         Joint: {
             name: string;
             label: string;
@@ -3874,10 +4298,31 @@ export interface components {
                 number
             ];
         };
+        LinkView: {
+            person: components["schemas"]["PersonView"];
+            url: string;
+            qr: string;
+            expires: string;
+            words: string;
+        };
         LogCheckView: {
             whole: boolean;
             rows: number;
             words: string;
+        };
+        LogEntryView: {
+            id: number;
+            at: string;
+            person: string | null;
+            what: string;
+            details: {
+                [key: string]: unknown;
+            };
+        };
+        LogView: {
+            entries: components["schemas"]["LogEntryView"][];
+            has_more: boolean;
+            people: string[];
         };
         MapCheck: {
             in_phase: number;
@@ -3902,6 +4347,7 @@ export interface components {
         };
         Me: {
             signed_in: boolean;
+            locked: boolean;
             name: string | null;
             role: string | null;
             demo: boolean;
@@ -3962,6 +4408,12 @@ export interface components {
             /** @default  */
             note?: string;
         };
+        NewPerson: {
+            /** @enum {string} */
+            role: "owner" | "clinician" | "reviewer";
+            patients?: number[] | null;
+            name: string;
+        };
         NewReplay: {
             trial: number;
         };
@@ -3992,6 +4444,9 @@ export interface components {
             /** @default 4242 */
             port?: number;
         };
+        OwnPassword: {
+            password: string;
+        };
         OwnPlanView: {
             name: string;
             title: string;
@@ -4016,6 +4471,10 @@ export interface components {
             cutoff: number;
             cruise_time: number;
             turn_cruise_time: number;
+        };
+        PasswordChange: {
+            old: string;
+            new: string;
         };
         PathView: {
             name: string;
@@ -4046,6 +4505,17 @@ export interface components {
             skill?: "novice" | "practised";
             /** @default 1 */
             seed?: number;
+        };
+        PersonView: {
+            id: number;
+            name: string;
+            /** @enum {string} */
+            role: "owner" | "clinician" | "reviewer";
+            patients: number[] | null;
+            /** @enum {string} */
+            state: "active" | "invited" | "disabled";
+            link_until: string | null;
+            is_you: boolean;
         };
         PlotsChoice: {
             open: boolean;
@@ -4183,6 +4653,11 @@ export interface components {
             /** @enum {string} */
             kind: "file" | "model" | "floorplan";
             name: string;
+        };
+        Rights: {
+            /** @enum {string} */
+            role: "owner" | "clinician" | "reviewer";
+            patients?: number[] | null;
         };
         Room: {
             label: string;
@@ -4493,6 +4968,7 @@ export interface components {
     headers: never;
     pathItems: never;
 }
+export type AcceptedInvitation = components['schemas']['AcceptedInvitation'];
 export type AdaptationModeChoice = components['schemas']['AdaptationModeChoice'];
 export type AdaptationView = components['schemas']['AdaptationView'];
 export type Back = components['schemas']['Back'];
@@ -4563,6 +5039,8 @@ export type HttpValidationError = components['schemas']['HTTPValidationError'];
 export type HeadTrackerChoice = components['schemas']['HeadTrackerChoice'];
 export type HeadView = components['schemas']['HeadView'];
 export type HitCheck = components['schemas']['HitCheck'];
+export type InvitationCode = components['schemas']['InvitationCode'];
+export type InvitedView = components['schemas']['InvitedView'];
 export type Joint = components['schemas']['Joint'];
 export type JointLines = components['schemas']['JointLines'];
 export type JointMap = components['schemas']['JointMap'];
@@ -4572,7 +5050,10 @@ export type LatestPractice = components['schemas']['LatestPractice'];
 export type LearningView = components['schemas']['LearningView'];
 export type LevelView = components['schemas']['LevelView'];
 export type Lights = components['schemas']['Lights'];
+export type LinkView = components['schemas']['LinkView'];
 export type LogCheckView = components['schemas']['LogCheckView'];
+export type LogEntryView = components['schemas']['LogEntryView'];
+export type LogView = components['schemas']['LogView'];
 export type MapCheck = components['schemas']['MapCheck'];
 export type MapChoice = components['schemas']['MapChoice'];
 export type MapView = components['schemas']['MapView'];
@@ -4584,17 +5065,21 @@ export type NamedGesture = components['schemas']['NamedGesture'];
 export type NewChair = components['schemas']['NewChair'];
 export type NewDrive = components['schemas']['NewDrive'];
 export type NewPatient = components['schemas']['NewPatient'];
+export type NewPerson = components['schemas']['NewPerson'];
 export type NewReplay = components['schemas']['NewReplay'];
 export type NewSession = components['schemas']['NewSession'];
 export type NewTrial = components['schemas']['NewTrial'];
 export type OfferView = components['schemas']['OfferView'];
 export type OpentrackConfig = components['schemas']['OpentrackConfig'];
+export type OwnPassword = components['schemas']['OwnPassword'];
 export type OwnPlanView = components['schemas']['OwnPlanView'];
 export type PairedView = components['schemas']['PairedView'];
 export type ParametersSummary = components['schemas']['ParametersSummary'];
+export type PasswordChange = components['schemas']['PasswordChange'];
 export type PathView = components['schemas']['PathView'];
 export type PatientView = components['schemas']['PatientView'];
 export type PersonConfig = components['schemas']['PersonConfig'];
+export type PersonView = components['schemas']['PersonView'];
 export type PlotsChoice = components['schemas']['PlotsChoice'];
 export type Practice = components['schemas']['Practice'];
 export type PracticeView = components['schemas']['PracticeView'];
@@ -4612,6 +5097,7 @@ export type ReplayMoment = components['schemas']['ReplayMoment'];
 export type ReplayView = components['schemas']['ReplayView'];
 export type RestCheck = components['schemas']['RestCheck'];
 export type RestoredView = components['schemas']['RestoredView'];
+export type Rights = components['schemas']['Rights'];
 export type Room = components['schemas']['Room'];
 export type RunningStep = components['schemas']['RunningStep'];
 export type SceneView = components['schemas']['SceneView'];

@@ -23,7 +23,7 @@ DOCUMENTS = [FloorPlan, Options, ShirtLayout]
 ROOM = [[[0.0, 0.0], [6.0, 0.0], [6.0, 4.0], [0.0, 4.0], [0.0, 0.0]]]
 PATH = {"name": "main", "title": "Across", "points": [[1.0, 2.0], [5.0, 2.0]], "instruction": "Go."}
 JSON = {"Content-Type": "application/json"}
-SECRET = {"password", "code"}  # never shown: a password may hold anything
+SECRET = {"password", "old", "new", "code"}  # never shown: a password may hold anything
 LOOKED_UP = {"file", "device"}  # what a machine's file or device is called; it is found or not
 
 

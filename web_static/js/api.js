@@ -11,6 +11,7 @@ import { t } from "./texts.js";
 
 const BASE = "/api/v1";
 const NOT_SIGNED_IN = 401;
+const LOCKED = 423;
 const CONFLICT = 409;
 const STOP = "/control/stop";
 const ALWAYS = new Set([STOP, "/auth/sign-out"]);
@@ -39,13 +40,16 @@ const isForEveryone = (path) => path === STOP || path.startsWith("/auth/");
 let signIns = 0; // counts up with each sign-in that ends, for the calls of every page
 
 /**
- * The calls by method; `onSignedOut` is called when a sign-in has run out. Each change names the session that the page
+ * The calls by method; `on.signedOut` is called when a sign-in has run out, `on.locked` when it is locked. Each change names the session that the page
  * shows (docs/protocols.md, section 4), so that nothing meant for one patient reaches another one.
  */
 export class Api {
-  /** @param {() => void} onSignedOut @param {number | null} [session] id of the session that the page shows, null: nobody is here */
-  constructor(onSignedOut, session = null) {
-    this.onSignedOut = onSignedOut;
+  /**
+   * @param {{signedOut: () => void, locked?: () => void}} on what to do then
+   * @param {number | null} [session] id of the session that the page shows, null: nobody is here
+   */
+  constructor(on, session = null) {
+    this.on = on;
     this.session = session;
     this.isOver = false;
   }
@@ -108,7 +112,8 @@ export class Api {
       (refusal) => refusal,
     );
     if (isForEveryone(path)) return answer;
-    if (error?.status === NOT_SIGNED_IN && signIn === signIns) this.onSignedOut();
+    if (error?.status === NOT_SIGNED_IN && signIn === signIns) this.on.signedOut();
+    if (error?.status === LOCKED && signIn === signIns) this.on.locked?.();
     return signIn === signIns ? answer : new Promise(() => {});
   }
 

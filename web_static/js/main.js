@@ -5,7 +5,9 @@
 import { Api, failureWords } from "./api.js";
 import { Live } from "./live/live.js";
 import { h, put } from "./widgets/dom.js";
+import { Lock } from "./shell/lock.js";
 import { header } from "./shell/header.js";
+import { DEMO_LINK, INVITATION_LINK, takeCode } from "./shell/link_codes.js";
 import { notices } from "./shell/notices.js";
 import { PAGES, rail } from "./shell/rail.js";
 import { stopOnSpace } from "./shell/stop.js";
@@ -17,7 +19,6 @@ import { Screen } from "./live/screen.js";
 import { PageSession } from "./live/page_session.js";
 import { t } from "./texts.js";
 
-const DEMO_LINK = /^#demo=(.+)$/;
 const LOOK_AT_DISK_EVERY = 60_000; // ms
 const WITHOUT_PROGRAM = new Set(["plans"]); // pages that work without the program: drawings are kept in this browser
 
@@ -33,11 +34,15 @@ const WITHOUT_PROGRAM = new Set(["plans"]); // pages that work without the progr
 /** @extends {TypedEvents<AppEvents>} */
 export class App extends TypedEvents {
   /** The calls of the API, which name the session of the page; a page that is left keeps its own instance. */
-  api = new Api(() => this.signedOut());
+  lock = new Lock(this);
+  #onRefusal = { signedOut: () => this.signedOut(), locked: () => this.lock.lock() };
+  api = new Api(this.#onRefusal);
   live = new Live();
   screen = new Screen();
   toasts = new Toasts();
   question = questionPlace();
+  /** The code of the link that was opened, until its person has chosen a password; otherwise empty. */
+  invitation = "";
   /** Who is signed in here. @type {Me | null} */
   me = null;
   /** The open session and its patient. @type {CurrentSession | null} */
@@ -52,6 +57,7 @@ export class App extends TypedEvents {
   /** Whether the drive page shows a running trial or drive: then it shows faults itself. */
   showsTrial = false;
   #leave = new AbortController();
+  #shown = "";
   /** @type {{floorplan: string, path: string} | null} the trial that the drive page shall start */
   #trialRequest = null;
 
@@ -62,12 +68,14 @@ export class App extends TypedEvents {
   async start() {
     document.body.replaceChildren(this.frame, this.question, this.toasts.element, this.toasts.voice, this.toasts.urgent);
     stopOnSpace(this, window);
+    this.lock.watch();
     this.live.addEventListener("changed", (event) => this.#changed(event.detail));
     this.live.addEventListener("connection", () => this.#connectionChanged());
     this.addEventListener("route", () => this.#showWhetherOffline());
     this.live.addEventListener("tick", ({ detail }) => {
       this.#setPractice(detail.practice);
-      this.#pageSession.follow(detail.session);
+      this.lock.follow(detail.hidden);
+      if (!this.lock.isLocked) this.#pageSession.follow(detail.session);
     });
     window.addEventListener("hashchange", () => this.show());
     setInterval(() => this.#lookAtDisk(), LOOK_AT_DISK_EVERY);
@@ -76,12 +84,8 @@ export class App extends TypedEvents {
 
   /** Sign in by the demonstration's link if there is one, then show the first page. */
   async enter() {
-    const link = DEMO_LINK.exec(location.hash);
-    if (link) {
-      // The code must not stay in the address, where the next person could read it.
-      history.replaceState(null, "", location.pathname);
-      await this.toasts.attempt(() => this.api.post("/auth/demo", { code: decodeURIComponent(link[1]) }));
-    }
+    const code = takeCode(DEMO_LINK);
+    if (code) await this.toasts.attempt(() => this.api.post("/auth/demo", { code }));
     const start = await this.toasts.attempt(() => this.api.get("/start"));
     this.#setPractice(start?.practice ?? null);
     await this.#signedIn(start?.me ?? null, start?.session ?? null);
@@ -101,6 +105,7 @@ export class App extends TypedEvents {
   /** Nobody is signed in any more: remove at once what may name a patient. @param {string} [words] what to say then */
   signedOut(words = t("note.signed-out")) {
     if (!this.me?.signed_in) return;
+    this.lock.lift();
     this.live.close();
     this.screen.close();
     this.api.forget();
@@ -113,6 +118,12 @@ export class App extends TypedEvents {
     if (words) this.toasts.show(words);
     this.dispatchEvent(new Event("me"));
     this.show();
+  }
+
+  /** The page was unlocked: read what may have changed meanwhile; show the page when it was never there. */
+  async unlocked() {
+    await this.toasts.attempt(() => this.readSession());
+    if (!this.root.hasChildNodes() || this.#page() !== this.#shown) await this.show();
   }
 
   /** Read the open session again. */
@@ -155,11 +166,12 @@ export class App extends TypedEvents {
 
   /** Show the page that the address names; without one, the page that comes next in this session. */
   async show() {
+    if (this.lock.isLocked) return;
     this.#leave.abort();
     this.#pageSession.adopt();
     const leave = (this.#leave = new AbortController());
     this.setShowsTrial(false);
-    const name = this.#page();
+    const name = (this.#shown = this.#page());
     this.dispatchEvent(new Event("route"));
     this.frame.classList.toggle("alone", !this.me?.signed_in);
     try {
@@ -177,6 +189,11 @@ export class App extends TypedEvents {
   }
 
   #page() {
+    this.invitation = takeCode(INVITATION_LINK) || this.invitation;
+    if (this.invitation) {
+      this.route = { page: "invitation", rest: [] };
+      return "invitation";
+    }
     if (!this.me?.signed_in) {
       this.route = { page: "sign_in", rest: [] };
       return this.me?.needs_setup ? "set_up" : "sign_in";
@@ -220,6 +237,7 @@ export class App extends TypedEvents {
       this.#lookAtDisk();
     }
     this.dispatchEvent(new Event("me"));
+    if (me?.locked) this.lock.lock();
     await this.show();
   }
 
@@ -255,7 +273,7 @@ export class App extends TypedEvents {
 
   /** Send this session's id with each change from now on. @param {number | null} id */
   useSession(id) {
-    this.api = new Api(() => this.signedOut(), id);
+    this.api = new Api(this.#onRefusal, id);
   }
 
   /** End the page's listeners and requests. @param {string} [why] */

@@ -13,7 +13,7 @@ const FIRST_PAUSE = 500; // ms before asking again; doubled with each failure, u
 const LONGEST_PAUSE = 5000; // ms
 
 class PatientPage {
-  #api = new Api(() => {});
+  #api = new Api({ signedOut: () => {} });
   /** @type {Live<import("./patient/message.js").PatientMessage>} */
   #live = new Live("/api/v1/patient/live");
   #screen = new AbortController();

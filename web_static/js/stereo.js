@@ -16,7 +16,7 @@ const PATIENCE = 15; // s for the first picture; later the page says that it is 
 
 class StereoPage {
   #root = h("main", { class: "stereo" });
-  #api = new Api(() => {});
+  #api = new Api({ signedOut: () => {} });
   #practice = practiceMark();
   #words = h("div", { class: "said", role: "status", hidden: true });
   /** @type {Eyes | null} */

@@ -12,6 +12,7 @@ import editor from "./texts/en/editor.js";
 import measures from "./texts/en/measures.js";
 import patient_screen from "./texts/en/patient_screen.js";
 import patients from "./texts/en/patients.js";
+import people from "./texts/en/people.js";
 import picture from "./texts/en/picture.js";
 import replay from "./texts/en/replay.js";
 import quality from "./texts/en/quality.js";
@@ -45,6 +46,7 @@ const CATALOGUE = Object.freeze({
   ...picture,
   ...settings,
   ...patient_screen,
+  ...people,
   ...stereo,
   ...uploads,
 });

@@ -82,6 +82,7 @@ const SIGNED_OUT = 4401; // close code
  * @property {TrialMoment | null} trial
  * @property {{id: number, t: number | null, waits: number | null} | null} drive
  * @property {number | null} session id of the open session
+ * @property {boolean} hidden nothing of a patient is in this message: the page is locked, or the patient is not shown to this reviewer
  */
 
 /** The clinician's live message. @typedef {Moment & ClinicianFields} LiveMessage */

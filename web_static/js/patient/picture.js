@@ -91,7 +91,7 @@ function renewableView(live, signal) {
 
 /** The drawn plan of the running trial; the plan of the last trial stays until another trial begins. */
 function planOfTrial() {
-  const api = new Api(() => {});
+  const api = new Api({ signedOut: () => {} });
   const element = h("div", { class: "drawn-place", hidden: true });
   /** @type {ReturnType<typeof drawnPlan> | null} */
   let drawn = null;

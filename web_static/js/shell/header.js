@@ -49,7 +49,7 @@ export function header(app) {
     leave.hidden = !signedIn || Boolean(app.me?.demo);
     lamps.style.visibility = signedIn ? "" : "hidden";
     who.hidden = !signedIn;
-    write(who, patient ? t("who.session", { code: patient.code, number: session?.number ?? 1 }) : t("who.nobody"));
+    write(who, app.lock.isLocked ? "" : patient ? t("who.session", { code: patient.code, number: session?.number ?? 1 }) : t("who.nobody"));
   };
   const showShirt = () => {
     if (!app.live.present) return unknown(shirt, "lamp.shirt.unknown", "");

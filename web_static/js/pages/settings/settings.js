@@ -2,7 +2,7 @@
 import { chairsCard } from "./chairs_card.js";
 import { h, put } from "../../widgets/dom.js";
 import { limitsCard } from "./limits_card.js";
-import { logCard } from "./log_card.js";
+import { passwordCard } from "./password_card.js";
 import { patientScreenCard } from "../../widgets/patient_screen_card.js";
 import { t } from "../../texts.js";
 
@@ -16,8 +16,10 @@ export async function show(app, root, { signal }) {
   const right = [
     chairsCard(app, chairs, isOwner, signal),
     role !== "reviewer" && patientScreenCard(app, signal),
-    role !== "reviewer" && plansCard(),
-    isOwner && logCard(app, signal),
+    role !== "reviewer" && linkedCard("plans.settings.lead", "plans.settings", "#/plans", "plans.link"),
+    isOwner && linkedCard("people.settings.lead", "rail.people", "#/people", "people.settings.go"),
+    isOwner && linkedCard("log.lead", "rail.log", "#/log", "log.settings.go"),
+    !app.me?.demo && passwordCard(app),
   ];
   put(
     root,
@@ -31,12 +33,13 @@ export async function show(app, root, { signal }) {
   );
 }
 
-function plansCard() {
+/** A card that leads to a page of its own; each argument but the address is the key of a text. @param {string} lead @param {string} title @param {string} hash @param {string} link */
+function linkedCard(lead, title, hash, link) {
   return h(
     "section",
     { class: "card" },
-    h("h2", {}, t("plans.settings")),
-    h("p", { class: "quiet small" }, t("plans.settings.lead")),
-    h("a", { class: "btn small", href: "#/plans" }, t("plans.link")),
+    h("h2", {}, t(title)),
+    h("p", { class: "quiet small" }, t(lead)),
+    h("a", { class: "btn small", href: hash }, t(link)),
   );
 }
