@@ -113,7 +113,7 @@ def invite(page, name, role, patient=None):
 def accept(page, name):
     expect(page.get_by_role("heading", name=f"Welcome, {name}")).to_be_visible()
     page.get_by_label("Your new password").fill(f"{name}'s long password")
-    page.get_by_role("button", name="Choose this password and sign in").click()
+    page.get_by_role("button", name="Save and sign in").click()
     expect(page.get_by_role("heading", name="Who has come?")).to_be_visible()
 
 

@@ -1,14 +1,22 @@
 """The check of the log for the owner; the message of a full disk for every page."""
 
+import csv
+import io
+import json
 import logging
 import sqlite3
 from contextlib import closing
+from datetime import datetime
 from types import SimpleNamespace
 
 import pytest
 from fake_clinic import Clinic
+from pairing import code_of
 
+from app.api.routes import log as log_routes
 from app.settings import Settings
+from app.store.log import write_log
+from app.store.log_chain import FIRST, entry_hash
 
 
 def remove_newest(settings: Settings) -> None:
@@ -56,3 +64,52 @@ def test_a_disk_that_fills_is_told_to_open_pages_within_two_seconds(
     words = signed_in.good("GET", "/equipment")["disk"]["words"]
     assert "disk of the recordings is full" in words
     assert "people can sign out" in words
+
+
+def test_the_log_is_read_in_pages_and_filtered_by_person_and_patient(
+    in_session: Clinic, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    patient = in_session.good("GET", "/session")["patient"]["id"]
+    other = in_session.good("POST", "/patients", json={"code": "P-2", "pseudonym": "Otter"})["id"]
+    in_session.good("GET", "/trials", params={"patient": other})
+    in_session.good("POST", "/patient-screen/pair", json={"code": code_of(in_session)})
+    rows = in_session.log()
+    everything = in_session.good("GET", "/log")
+    assert [entry["id"] for entry in everything["entries"]] == [row.id for row in rows][::-1]
+    assert everything["people"] == ["Demo clinician"]
+    of_patient = in_session.good("GET", "/log", params={"patient": patient})["entries"]
+    assert [entry["what"] for entry in of_patient] == ["patient's screen paired", "session opened", "patient added"]
+    of_other = in_session.good("GET", "/log", params={"patient": other})["entries"]
+    assert [entry["what"] for entry in of_other] == ["patient viewed", "patient added"]
+    assert in_session.good("GET", "/log", params={"person": "Nobody"})["entries"] == []
+    monkeypatch.setattr(log_routes, "PAGE", 2)
+    newest = in_session.good("GET", "/log")
+    older = in_session.good("GET", "/log", params={"before": newest["entries"][-1]["id"]})
+    assert (newest["has_more"], len(newest["entries"])) == (True, 2)
+    assert older["entries"] == everything["entries"][2:4]
+
+
+def test_the_chain_can_be_computed_from_the_exported_lines(in_session: Clinic, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("app.store.log_reading.AT_ONCE", 2)
+    answer = in_session("GET", "/log/export?form=jsonl")
+    assert answer.headers["content-disposition"].endswith('.jsonl"')
+    previous = FIRST
+    lines = [json.loads(line) for line in answer.text.splitlines()]
+    for line in lines:
+        moment = datetime.fromisoformat(line["at"])
+        assert line["previous_hash"] == previous
+        previous = entry_hash(previous, moment, line["person"], line["what"], line["details"])
+        assert line["hash"] == previous
+    assert [line["id"] for line in lines] == [row.id for row in in_session.log()]
+    assert (lines[-1]["person"], lines[-1]["what"]) == ("Demo clinician", "log exported")
+
+
+@pytest.mark.parametrize("name", ["=1+1", "+Ben", "-Ben", "@Ben"])
+def test_a_cell_that_begins_like_a_formula_is_escaped_in_csv(signed_in: Clinic, name: str) -> None:
+    with signed_in.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
+        write_log(db, name, "@what", patient=1)
+    answer = signed_in("GET", "/log/export?form=csv")
+    rows = list(csv.DictReader(io.StringIO(answer.text)))
+    (row,) = [row for row in rows if row["details"] == '{"patient": 1}']
+    assert (row["person"], row["what"]) == (f"'{name}", "'@what")
+    assert len(row["hash"]) == 64

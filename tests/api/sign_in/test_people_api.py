@@ -1,10 +1,14 @@
 """Disabling and enabling people, their rights, the own password: what ends, and when."""
 
+import subprocess
+import sys
+
 import pytest
 from fake_clinic import BASE, Clinic
 from pairing import closing
 from people_of_clinic import OWNER, PASSWORD, accepted, as_person, invited
 
+from app.api import sockets
 from app.store.access.person_tables import KnownBrowser
 
 ORIGIN = {"Origin": BASE}
@@ -48,17 +52,12 @@ def test_disabling_ends_sign_ins_and_sockets_at_once_and_forgets_browsers(owned:
 
 def test_somebody_disabled_by_another_program_is_out_within_five_seconds(owned: Clinic, ben: dict[str, str]) -> None:
     """The command line writes to the database only: the check of open sockets (every 2 s) notices it."""
-    from app.api import sockets
-    from app.store.access.rights import disable
-    from app.store.people import find_person
-
     assert sockets.CHECK_EVERY <= 2.5  # an open socket ends within twice this time
+    state = owned.client.app.state.people.settings.state  # type: ignore[attr-defined]
     with as_person(owned, ben), owned.client.websocket_connect(LIVE, headers=ORIGIN) as socket:
         socket.receive_json()
-        with owned.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
-            person = find_person(db, "Ben")
-            assert person is not None
-            disable(db, person, None)
+        command = [sys.executable, "-c", "from app.cli.main import main; main()", "people", "disable", "Ben"]
+        subprocess.run([*command, "--state", str(state)], check=True, capture_output=True)
         assert owned("GET", "/patients").status_code == 401
         assert closing(socket) == 4401
 

@@ -65,7 +65,7 @@ export class Lock {
     this.isLocked = true;
     app.toasts.clear();
     app.question.style.display = "none";
-    app.frame.classList.add("locked");
+    app.frame.classList.add("locked", "alone");
     document.title = t("app.title", { page: t("lock.title") });
     put(this.#cover, this.#doors());
     app.root.replaceWith(this.#cover);
@@ -79,7 +79,7 @@ export class Lock {
     if (!this.isLocked) return;
     this.isLocked = false;
     app.question.style.display = "";
-    app.frame.classList.remove("locked");
+    app.frame.classList.remove("locked", "alone");
     this.#cover.replaceWith(app.root);
     put(this.#cover);
     app.dispatchEvent(new Event("me"));

@@ -78,7 +78,7 @@ export async function show(app, root, { signal }) {
         none,
         more,
       ),
-      h("p", { class: "spread" }, exportLink("csv"), exportLink("jsonl"), h("a", { class: "btn small", href: "#/settings" }, t("people.back"))),
+      h("p", { class: "spread after-list" }, exportLink("csv"), exportLink("jsonl"), h("a", { class: "btn small", href: "#/settings" }, t("people.back"))),
     ),
   );
 }

@@ -27,8 +27,8 @@ export function logCard(app, signal) {
   return h(
     "section",
     { class: "card" },
-    h("h2", {}, t("log.title")),
-    h("p", { class: "quiet small" }, t("log.lead")),
+    h("h2", {}, t("log.whole")),
+    h("p", { class: "quiet small" }, t("log.whole.lead")),
     h("div", { class: "stack" }, h("div", {}, finding, problem), h("div", {}, again)),
   );
 }

@@ -71,7 +71,7 @@ export async function show(app, root, { signal }) {
       h("p", { class: "lead" }, t("people.lead")),
       h("div", { class: "above-list" }, above),
       list,
-      h("p", {}, h("a", { class: "btn small", href: "#/settings" }, t("people.back"))),
+      h("p", { class: "after-list" }, h("a", { class: "btn small", href: "#/settings" }, t("people.back"))),
     ),
   );
 }
@@ -86,7 +86,7 @@ function row(person, patients, actions) {
     h(
       "button",
       { type: "button", class: "btn small", "aria-label": t(`people.${what}.label`, { name: person.name }), onclick: () => actions[what](person) },
-      t(`people.${what}`),
+      t(what === "link" && person.state === "invited" ? "people.link.again" : `people.${what}`),
     );
   const isDisabled = person.state === "disabled";
   return h(

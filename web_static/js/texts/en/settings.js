@@ -8,7 +8,6 @@ export default {
     "Clinicians move inside these. A set with higher numbers keeps them, and drives with these.",
   "limits.saving": "saving…",
   "limits.saved": "saved",
-  "log.title": "Log",
   "log.lead": "Who signed in, looked, changed something, drove and stopped, and when. Rows are only ever added.",
   "log.checking": "The log is being checked …",
   "log.check": "Check again",
