@@ -11,6 +11,7 @@ from people_of_clinic import as_person
 from starlette.websockets import WebSocketDisconnect
 from test_other_clinics import BODIES, FILLED, MISSING, places, table_of
 from test_roles import FOR_REVIEWERS, contexts, requested
+from view.served_view import VIEW, serve_view
 
 from app.scene.client_messages import SUBPROTOCOL
 from app.store.access.visible_patients import VISIBLE_PATIENTS
@@ -99,13 +100,15 @@ def test_no_answer_to_a_reviewer_names_another_patient(reviewed: Clinic) -> None
         assert reviewed.good("GET", "/drives/summary")["parameters"] is None
 
 
-def test_the_open_session_is_shown_live_to_the_reviewers_of_its_patient_only(reviewed: Clinic) -> None:
+def test_the_open_session_is_shown_live_to_the_reviewers_of_its_patient_only(
+    reviewed: Clinic, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    serve_view(monkeypatch)
     session = reviewed.good("GET", "/session")["session"]["id"]
-    view = {"url": f"{SOCKETS}/view/clinician/", "subprotocols": [SUBPROTOCOL], "headers": ORIGIN}
     with as_person(reviewed, reviewer(reviewed, reviewed.shown)):  # type: ignore[attr-defined]
         picture = live_picture(reviewed)
         assert (picture["hidden"], picture["session"], picture["gestures"]) == (True, None, [])
-        with pytest.raises(WebSocketDisconnect) as refused, reviewed.client.websocket_connect(**view):
+        with pytest.raises(WebSocketDisconnect) as refused, reviewed.client.websocket_connect(**VIEW):
             pass
         assert refused.value.code == 4409
         assert reviewed.good("GET", "/view/clinician/plan") is None
@@ -113,6 +116,8 @@ def test_the_open_session_is_shown_live_to_the_reviewers_of_its_patient_only(rev
         picture = live_picture(reviewed)
         assert (picture["hidden"], picture["session"]) == (False, session)
         assert picture["gestures"]
+        with reviewed.client.websocket_connect(**VIEW) as socket:  # type: ignore[arg-type]
+            assert socket.accepted_subprotocol == SUBPROTOCOL
 
 
 def test_a_session_of_a_shown_patient_appears_at_once(reviewed: Clinic) -> None:

@@ -7,7 +7,9 @@ from typing import Any
 import pytest
 from fake_clinic import BASE, Clinic
 from people_of_clinic import OWNER, accepted, as_person, invited
+from starlette.websockets import WebSocketDisconnect
 from test_roles import FOR_EVERYONE, requested, table
+from view.served_view import VIEW, serve_view
 
 from app.api import sockets
 from app.clock import utc_now
@@ -122,6 +124,27 @@ def test_the_live_socket_shows_nothing_of_a_patient_while_locked_and_stops(owned
     ):
         later(11)
         next_that(socket, lambda m: m["hidden"])
+
+
+def test_the_3d_view_ends_when_the_page_is_locked(owned: Clinic, later: Later, monkeypatch: pytest.MonkeyPatch) -> None:
+    serve_view(monkeypatch)
+    with owned.client.websocket_connect(**VIEW) as socket:  # type: ignore[arg-type]
+        later(11)
+        with pytest.raises(WebSocketDisconnect) as ended:
+            socket.receive_text()
+        assert ended.value.code == 4409
+    with pytest.raises(WebSocketDisconnect), owned.client.websocket_connect(**VIEW):  # type: ignore[arg-type]
+        pass
+
+
+def test_wrong_passwords_from_elsewhere_do_not_keep_a_page_locked(owned: Clinic, later: Later) -> None:
+    """The browser is a known one of this person, also when it unlocks (C23)."""
+    later(11)
+    wrong = {"name": "Ada", "password": "nothing like it"}
+    elsewhere = {"headers": {"Origin": BASE, "Cookie": ""}}
+    tried = [owned.client.post("/api/v1/auth/sign-in", json=wrong, **elsewhere).status_code for _ in range(6)]
+    assert tried == [401] * 5 + [429]
+    assert owned.good("POST", "/auth/unlock", json=PASSWORD)["locked"] is False
 
 
 def test_a_touch_of_the_page_counts_as_an_action(owned: Clinic, later: Later) -> None:
