@@ -122,6 +122,7 @@ def test_two_are_invited_accept_elsewhere_and_one_is_disabled(opened, served, ow
     go_to(owner, "people")
     for_ben, for_rita = invite(owner, "Ben", "Clinician"), invite(owner, "Rita", "Reviewer", "P-72 · Otter")
     ben, rita = opened(f"{served.address}/{for_ben}", "768x1024"), opened(f"{served.address}/{for_rita}", "390x844")
+    expect(ben.get_by_role("heading", name="Welcome, Ben")).to_be_visible()
     assert "invite" not in ben.evaluate("() => location.href")
     expect(rita.get_by_role("heading", name="Welcome, Rita")).to_be_visible()
     photograph(rita, "invitation")
