@@ -2,6 +2,7 @@
 
 import json
 import re
+from contextlib import ExitStack
 from typing import Any
 
 import pytest
@@ -111,7 +112,6 @@ def test_the_open_session_is_shown_live_to_the_reviewers_of_its_patient_only(
         with pytest.raises(WebSocketDisconnect) as refused, reviewed.client.websocket_connect(**VIEW):
             pass
         assert refused.value.code == 4409
-        assert reviewed.good("GET", "/view/clinician/plan") is None
     with as_person(reviewed, reviewer(reviewed, reviewed.shown, reviewed.patient["id"])):  # type: ignore[attr-defined]
         picture = live_picture(reviewed)
         assert (picture["hidden"], picture["session"]) == (False, session)
@@ -120,19 +120,31 @@ def test_the_open_session_is_shown_live_to_the_reviewers_of_its_patient_only(
             assert socket.accepted_subprotocol == SUBPROTOCOL
 
 
+def test_the_plan_of_the_running_trial_is_for_those_who_may_see_its_patient(reviewed: Clinic) -> None:
+    plan = reviewed.good("GET", "/floorplans")[0]
+    where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": "screen-of-the-test"}
+    others, own = reviewer(reviewed, reviewed.shown), reviewer(reviewed, reviewed.shown, reviewed.patient["id"])  # type: ignore[attr-defined]
+    with reviewed.screen("screen-of-the-test"):
+        trial = reviewed.good("POST", "/trials", json=where)["id"]
+        with as_person(reviewed, own):
+            assert reviewed.good("GET", "/view/clinician/plan")["trial"] == trial
+        with as_person(reviewed, others):
+            assert reviewed.good("GET", "/view/clinician/plan") is None
+            assert live_picture(reviewed)["trial"] is None
+
+
 def test_a_session_of_a_shown_patient_appears_at_once(reviewed: Clinic) -> None:
     cookies = reviewer(reviewed, reviewed.shown)  # type: ignore[attr-defined]
-    with as_person(reviewed, cookies):
-        opening = reviewed.client.websocket_connect(f"{SOCKETS}/api/v1/live", headers=ORIGIN)
-        socket = opening.__enter__()
-        assert socket.receive_json()["hidden"] is True
-    reviewed.good("POST", "/session", json={"patient_id": reviewed.shown})  # type: ignore[attr-defined]
-    for _ in range(100):
-        picture = socket.receive_json()
-        if not picture["hidden"]:
-            break
+    with ExitStack() as stack:
+        with as_person(reviewed, cookies):
+            socket = stack.enter_context(reviewed.client.websocket_connect(f"{SOCKETS}/api/v1/live", headers=ORIGIN))
+            assert socket.receive_json()["hidden"] is True
+        reviewed.good("POST", "/session", json={"patient_id": reviewed.shown})  # type: ignore[attr-defined]
+        for _ in range(100):
+            picture = socket.receive_json()
+            if not picture["hidden"]:
+                break
     assert picture["session"] == reviewed.good("GET", "/session")["session"]["id"]
-    opening.__exit__(None, None, None)
 
 
 def test_what_is_of_a_patient_is_left_out_of_every_query(reviewed: Clinic) -> None:
