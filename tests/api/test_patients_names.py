@@ -2,6 +2,7 @@
 
 import json
 import re
+from typing import Any
 
 import pytest
 from fake_clinic import Clinic
@@ -10,8 +11,18 @@ from app.settings import Settings
 
 PATIENT = {"code": "P-77", "pseudonym": "Bartailed", "note": "likes the window"}
 # What an address may hold besides numbers: names of plans and their paths, of objects and files, a step of the
-# calibration, a role, a source of signals, a choice, and random words.
-WORDS_OF_ADDRESSES = {"name", "floorplan", "path", "kind", "identity", "step", "role", "source", "same_name", "word"}
+# calibration, a role, a source of signals, a choice, the form of a file, and random words. `person` is one who may sign
+# in: never a patient.
+WORDS_OF_ADDRESSES = {
+    *("name", "floorplan", "path", "kind", "identity", "step", "role", "source", "same_name", "form", "word"),
+    "person",
+}
+NUMBERS = {"integer", "number", "boolean", "null"}
+
+
+def kinds_of(schema: dict[str, Any]) -> set[Any]:
+    """Return the types that a parameter may have; None for one without a type, such as a choice of words."""
+    return {one.get("type") for one in schema.get("anyOf", [schema])}
 
 
 def named_in(text: str) -> list[str]:
@@ -41,7 +52,7 @@ def test_addresses_hold_numbers_and_words_that_name_nobody(signed_in: Clinic) ->
     words = set()
     for path, methods in paths.items():
         given = [parameter for operation in methods.values() for parameter in operation.get("parameters", [])]
-        kinds = {one["name"]: one["schema"].get("type") for one in given if one["in"] in {"path", "query"}}
-        words |= {name for name, kind in kinds.items() if kind not in {"integer", "number", "boolean"}}
+        kinds = {one["name"]: kinds_of(one["schema"]) for one in given if one["in"] in {"path", "query"}}
+        words |= {name for name, possible in kinds.items() if not possible <= NUMBERS}
         assert set(re.findall(r"\{(\w+)\}", path)) <= kinds.keys()
     assert words <= WORDS_OF_ADDRESSES, words - WORDS_OF_ADDRESSES
