@@ -225,6 +225,7 @@ def main() -> int:
         f"{found.rounds} sessions of two clinicians, a reviewer and two patient's screens.\n"
         f"Web process: {found.memory[0]:.1f} MB after the first, {max(found.memory):.1f} MB at most: "
         f"{found.growth:.1f} MB more (limit {MOST_GROWTH:g}).\n"
+        f"After each session, MB: {' '.join(f'{memory:.0f}' for memory in found.memory)}.\n"
         f"Attempts of others to control the chair: {found.refused}, all refused.\n"
         f"Connections left at the end: {found.sockets}.\nErrors: {len(found.errors)}.\n"
     )
