@@ -114,6 +114,7 @@ def one_round(code: str, leads: Seat, looks_on: Seat, reviewer: Seat, screens: l
     leads.page.get_by_role("button", name="End trial").first.click()
     for screen in screens:
         expect(screen.page.locator(".moment")).to_contain_text("Finished")
+    is_measured(leads)
     reviews(reviewer, code)
     names_nobody_else(code, leads, looks_on, screens)
     leads.good("DELETE", "/session")
@@ -194,6 +195,13 @@ def loses_the_network(seat: Seat, sentence: Locator, stopped: Seat | None = None
         expect(stopped.page.locator(".band.stopped")).to_be_visible()
     seat.cable.plug_in()
     expect(sentence).to_be_hidden()
+
+
+def is_measured(leads: Seat) -> None:
+    """Wait until the trial that was ended is closed and measured."""
+    patient = leads.good("GET", "/session")["patient"]["id"]
+    while any(trial["status"] == "running" for trial in leads.good("GET", f"/trials?patient={patient}")):
+        leads.page.wait_for_timeout(200)
 
 
 def reviews(reviewer: Seat, code: str) -> None:
