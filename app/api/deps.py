@@ -65,7 +65,7 @@ def viewer(role: Role, connection: HTTPConnection, parts: PeopleParts, who: WhoA
 
     401 for nobody, 423 for a locked sign-in.
     """
-    found = find_viewer(parts.database, connection.cookies) if role == "patient" else who
+    found = find_viewer(parts.database, connection) if role == "patient" else who
     if found is None:
         raise HTTPException(401, NOBODY)
     if isinstance(found, SignedInPerson) and found.locked:

@@ -3,9 +3,11 @@
 from fastapi import HTTPException
 from fastapi.responses import JSONResponse
 from starlette.datastructures import Headers, MutableHeaders
+from starlette.requests import HTTPConnection
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from app.api.origin import host_is_ours, may_pass
+from app.api.sign_in.cookies import is_encrypted
 from app.settings import Settings
 
 # Our pages run only scripts of this program. The 3D view has its own policy (view_bridge.py).
@@ -60,7 +62,8 @@ class Guard:
         if scope["type"] != "http":
             await self._app(scope, receive, send)
             return
-        headers, path = Headers(scope=scope), scope["path"]
+        connection, path = HTTPConnection(scope), scope["path"]
+        headers = connection.headers
         ours = host_is_ours(self._settings, headers)
 
         async def with_headers(message: Message) -> None:
@@ -69,7 +72,7 @@ class Guard:
                 for name, value in HEADERS.items():
                     given.setdefault(name, value)
                 host = headers.get("host", "")
-                sockets = f"ws://{host} wss://{host}" if ours else ""
+                sockets = f"{'wss' if is_encrypted(connection) else 'ws'}://{host}" if ours else ""
                 given.setdefault("Content-Security-Policy", PAGE_POLICY.format(sockets=sockets))
                 if path.startswith("/api/"):
                     given["Cache-Control"] = "no-store"
@@ -77,7 +80,7 @@ class Guard:
 
         if not ours:
             answer = JSONResponse({"detail": NOT_OURS}, 421)
-        elif not may_pass(scope["method"], path, headers):
+        elif not may_pass(scope["method"], path, connection):
             answer = JSONResponse({"detail": NOT_OUR_PAGE}, 403)
         elif _content_length(headers) > _limit(path):
             answer = JSONResponse({"detail": _too_large(_limit(path))}, 413)

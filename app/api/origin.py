@@ -3,7 +3,9 @@
 from urllib.parse import urlsplit
 
 from starlette.datastructures import Headers
+from starlette.requests import HTTPConnection
 
+from app.api.sign_in.cookies import is_encrypted
 from app.settings import Settings
 
 READING = frozenset({"GET", "HEAD"})
@@ -19,23 +21,27 @@ def host_is_ours(settings: Settings, headers: Headers) -> bool:
     return host is not None and settings.serves(host)
 
 
-def origin_is_ours(headers: Headers) -> bool:
-    """Return whether the page that sends this request was loaded from the address that it sends it to."""
-    origin = headers.get("origin")
+def origin_is_ours(connection: HTTPConnection) -> bool:
+    """Return whether the page that sends this request was loaded from the address that it sends it to.
+
+    The page must have been loaded over https when the request comes over https: anybody can serve pages over http.
+    """
+    origin = connection.headers.get("origin")
     if not origin:
         return False
     try:
         parts = urlsplit(origin)
     except ValueError:
         return False
-    return parts.scheme in {"http", "https"} and parts.netloc == headers.get("host")
+    scheme = "https" if is_encrypted(connection) else "http"
+    return parts.scheme == scheme and parts.netloc == connection.headers.get("host")
 
 
-def may_pass(method: str, path: str, headers: Headers) -> bool:
+def may_pass(method: str, path: str, connection: HTTPConnection) -> bool:
     """Return whether the origin of a request permits it.
 
     A stop may also come from a program that sends no origin: it can only make things safer.
     """
-    if method in READING or origin_is_ours(headers):
+    if method in READING or origin_is_ours(connection):
         return True
-    return path == STOP and "origin" not in headers
+    return path == STOP and "origin" not in connection.headers

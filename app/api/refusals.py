@@ -46,7 +46,7 @@ def _note(request: Request, error: OtherClinicRow) -> None:
     """Log who requested a row of another clinic; the answer does not depend on it."""
     parts: People = request.app.state.people
     try:
-        who = find_sign_in(parts.database, request.cookies)
+        who = find_sign_in(parts.database, request)
         with parts.database.transaction() as db:
             write_log(db, who.name if who else None, "another clinic's id", **{error.kind: error.row_id})
     except Refusal:

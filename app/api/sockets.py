@@ -1,11 +1,12 @@
 """The open websockets, each with the sign-in or pairing that opened it, whose end closes it at once."""
 
 import asyncio
-from collections.abc import AsyncIterator, Callable, Mapping
+from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager, suppress
 from typing import TypeVar
 
 from fastapi import WebSocket, WebSocketDisconnect
+from starlette.requests import HTTPConnection
 
 from app.api.origin import host_is_ours, origin_is_ours
 from app.api.sign_in.identity import PairedScreen, SignedInPerson, find_paired_screen, find_sign_in, find_viewer
@@ -17,7 +18,7 @@ NOT_VISIBLE = 4409  # close code: there is nothing to see for this person at the
 CHECK_EVERY = 2.0  # s until the end of a sign-in is noticed; a sign-out closes at once
 
 Who = TypeVar("Who", bound=SignedInPerson | PairedScreen)
-Find = Callable[[Database, Mapping[str, str]], Who | None]
+Find = Callable[[Database, HTTPConnection], Who | None]
 Sees = Callable[[SignedInPerson | PairedScreen], bool]
 """Returns whether somebody may see what a websocket shows, which may change while it is open."""
 Busy = Callable[[], bool]
@@ -49,8 +50,8 @@ class OpenSockets:
         return await self._admit(websocket, find_viewer)
 
     async def _admit(self, websocket: WebSocket, find: Find[Who]) -> Who | None:
-        if host_is_ours(self._settings, websocket.headers) and origin_is_ours(websocket.headers):
-            who = await asyncio.to_thread(find, self._database, websocket.cookies)
+        if host_is_ours(self._settings, websocket.headers) and origin_is_ours(websocket):
+            who = await asyncio.to_thread(find, self._database, websocket)
             if who is not None:
                 return who
         await websocket.close(SIGNED_OUT)
@@ -90,8 +91,8 @@ class OpenSockets:
 
     async def _find_again(self, websocket: WebSocket) -> SignedInPerson | PairedScreen | None:
         if isinstance(self._open[websocket], PairedScreen):
-            return await asyncio.to_thread(find_paired_screen, self._database, websocket.cookies)
-        return await asyncio.to_thread(find_sign_in, self._database, websocket.cookies, acts=self._busy())
+            return await asyncio.to_thread(find_paired_screen, self._database, websocket)
+        return await asyncio.to_thread(find_sign_in, self._database, websocket, acts=self._busy())
 
     def may_see(self, websocket: WebSocket, patient_id: int | None) -> bool:
         """Return whether who opened a websocket may see this patient now."""
@@ -105,7 +106,7 @@ class OpenSockets:
 
     async def acted(self, websocket: WebSocket) -> None:
         """Store that the person at the page of a websocket does something."""
-        await asyncio.to_thread(find_sign_in, self._database, websocket.cookies, acts=True)
+        await asyncio.to_thread(find_sign_in, self._database, websocket, acts=True)
 
     async def close_person(self, person_id: int, but: int | None = None) -> None:
         """Close every websocket of a person whose sign-ins have ended, all but the sign-in with the id `but`."""

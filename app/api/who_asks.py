@@ -6,6 +6,7 @@ from typing import Annotated
 from fastapi import Depends
 from starlette.requests import HTTPConnection
 
+from app.api.sign_in.cookies import read_cookie
 from app.api.sign_in.identity import COOKIE, SignedInPerson, find_sign_in
 from app.store.access.visible_patients import VISIBLE_PATIENTS
 
@@ -20,12 +21,12 @@ async def who_asks(connection: HTTPConnection) -> SignedInPerson | None:
     Async, so that what it sets holds for the route, too. A request that changes something counts as an action.
     A websocket is admitted by its own route (`app/api/sockets.py`), and reads no patient from the database.
     """
-    if connection.scope["type"] != "http" or COOKIE not in connection.cookies or _route_path(connection) in AT_ONCE:
+    if connection.scope["type"] != "http" or not read_cookie(connection, COOKIE) or _route_path(connection) in AT_ONCE:
         return None
     method = connection.scope["method"]
     acts = method not in READS and _route_path(connection) not in BY_THEMSELVES
     database = connection.app.state.people.database
-    who = await asyncio.to_thread(find_sign_in, database, connection.cookies, acts=acts)
+    who = await asyncio.to_thread(find_sign_in, database, connection, acts=acts)
     VISIBLE_PATIENTS.set(None if who is None else who.patients)
     return who
 

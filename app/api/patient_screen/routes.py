@@ -12,6 +12,7 @@ from app.api.live.screen_pictures import Picture
 from app.api.own_address import own_address
 from app.api.parts import Web, WebParts
 from app.api.qr import qr_picture
+from app.api.sign_in.cookies import read_cookie, set_cookie
 from app.api.sign_in.identity import SCREEN_COOKIE, SignedInPerson
 from app.api.sign_in.sign_in_limits import address_of
 from app.quantities import Document
@@ -31,8 +32,8 @@ from app.store.tables import PatientSession
 router = APIRouter(prefix="/patient-screen", tags=["patient's screen"])
 
 ONLY_HERE = (
-    "Only this machine can open the link, because the program listens to nobody else. For a screen of its own, "
-    "end the program and start it again with --host 0.0.0.0, in a network where everybody may see it."
+    "Only this machine can open the link, because the program serves no other. For a screen of its own, end the "
+    "program and start it with bodydrive serve --lan."
 )
 
 
@@ -128,18 +129,10 @@ async def pair(body: Code, request: Request, response: Response, parts: PeoplePa
 
     def _pair() -> str:
         with parts.database.transaction() as db:
-            return add_screen(db, offered.session_id, offered.person, request.cookies.get(SCREEN_COOKIE))
+            return add_screen(db, offered.session_id, offered.person, read_cookie(request, SCREEN_COOKIE))
 
     token = await run_in_threadpool(_pair)
-    response.set_cookie(
-        SCREEN_COOKIE,
-        token,
-        max_age=int(PAIRED_FOR.total_seconds()),
-        httponly=True,
-        samesite="lax",
-        secure=request.url.scheme == "https",
-        path="/",
-    )
+    set_cookie(request, response, SCREEN_COOKIE, token, max_age=int(PAIRED_FOR.total_seconds()))
     await parts.sockets.close_ended_screens()
     web.live.tell("screens")
     return ScreenStateView(state="paired")
@@ -149,7 +142,7 @@ async def pair(body: Code, request: Request, response: Response, parts: PeoplePa
 def who_am_i(request: Request, parts: PeopleParts) -> ScreenStateView:
     """Tell a page how its pairing stands."""
     with parts.database.transaction() as db:
-        return ScreenStateView(state=find_screen(db, request.cookies.get(SCREEN_COOKIE, ""))[1])
+        return ScreenStateView(state=find_screen(db, read_cookie(request, SCREEN_COOKIE) or "")[1])
 
 
 @router.post("/settings")

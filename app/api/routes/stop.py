@@ -11,6 +11,7 @@ from app.api.deps import Clinician, ForEveryone, People, PeopleParts
 from app.api.one_controller import require_hand_on_chair, require_picture
 from app.api.page_session import require_named
 from app.api.parts import Web, WebParts
+from app.api.sign_in.cookies import read_cookie
 from app.api.sign_in.identity import COOKIE, find_sign_in
 from app.faults import Fault, State
 from app.quantities import Count, Document
@@ -64,8 +65,8 @@ async def stop(request: Request, afterwards: BackgroundTasks, parts: PeopleParts
 
 
 async def _note_who(request: Request, parts: People, web: WebParts) -> None:
-    if COOKIE in request.cookies:
-        who = await asyncio.to_thread(find_sign_in, parts.database, request.cookies)
+    if read_cookie(request, COOKIE):
+        who = await asyncio.to_thread(find_sign_in, parts.database, request)
         if who is not None:
             await web.faults.stop_requested(who.name)
 

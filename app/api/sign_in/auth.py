@@ -9,8 +9,9 @@ from pydantic import Field
 
 from app import __version__
 from app.api.deps import NOBODY, ForEveryone, People, PeopleParts
+from app.api.sign_in.cookies import delete_cookie, read_cookie, set_cookie
 from app.api.sign_in.identity import COOKIE, SignedInPerson
-from app.api.sign_in.passwords import BROWSER_COOKIE, hash_of, require_password, weakness
+from app.api.sign_in.passwords import BROWSER_COOKIE, BROWSER_PATH, hash_of, require_password, weakness
 from app.api.sign_in.sign_in_limits import address_of
 from app.api.who_asks import WhoAsks
 from app.quantities import Document, Line
@@ -98,7 +99,7 @@ def _me(parts: PeopleParts, name: str | None, role: str | None, *, locked: bool 
 def let_in(parts: People, request: Request, response: Response, name: str, how: str) -> Me:
     """Open a sign-in, end the one that this browser had, and make the browser a known one of this person."""
     with parts.database.transaction(closing=True) as db:
-        old = request.cookies.get(COOKIE)
+        old = read_cookie(request, COOKIE)
         if old:
             sign_out(db, old)
         person = find_person(db, name)
@@ -106,19 +107,12 @@ def let_in(parts: People, request: Request, response: Response, name: str, how: 
             raise HTTPException(401, "This person may no longer sign in: ask an owner.")
         token, role = sign_in(db, person, how), person.role
         cookie = f"{BROWSER_COOKIE}{person.id}"
-        browser = None if person.password_hash is None else remember_browser(db, person, request.cookies.get(cookie))
-    secure = request.url.scheme == "https"
-    response.set_cookie(COOKIE, token, httponly=True, samesite="lax", secure=secure, path="/")
+        known = read_cookie(request, cookie, BROWSER_PATH)
+        browser = None if person.password_hash is None else remember_browser(db, person, known)
+    set_cookie(request, response, COOKIE, token)
     if browser is not None:
-        response.set_cookie(
-            cookie,
-            browser,
-            max_age=int(KNOWN_FOR.total_seconds()),
-            httponly=True,
-            samesite="strict",
-            secure=secure,
-            path=request.url_for("sign_in_by_password").path.rpartition("/")[0],  # no other request needs it
-        )
+        lifetime = int(KNOWN_FOR.total_seconds())
+        set_cookie(request, response, cookie, browser, BROWSER_PATH, max_age=lifetime, samesite="strict")
     return _me(parts, name, role)
 
 
@@ -188,13 +182,13 @@ async def sign_out_here(request: Request, response: Response, parts: PeopleParts
 
     def _end() -> tuple[int | None, Me]:
         with parts.database.transaction(closing=True) as db:
-            ended = sign_out(db, request.cookies.get(COOKIE, ""))
+            ended = sign_out(db, read_cookie(request, COOKIE) or "")
         return ended, me_view(parts, None)
 
     ended, me = await run_in_threadpool(_end)
     if ended is not None:
         await parts.sockets.close_sign_in(ended)
-    response.delete_cookie(COOKIE, httponly=True, samesite="lax", path="/")
+    delete_cookie(request, response, COOKIE)
     return me
 
 

@@ -1,8 +1,10 @@
 """The identity behind a request's cookies: a person who is signed in, or a paired screen of the patient."""
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 
+from starlette.requests import HTTPConnection
+
+from app.api.sign_in.cookies import read_cookie
 from app.store.access.visible_patients import VisiblePatients
 from app.store.database import Database
 from app.store.patient_screens import find_screen
@@ -29,12 +31,12 @@ class SignedInPerson:
         return not self.locked and (patient_id is None or self.patients is None or patient_id in self.patients)
 
 
-def find_sign_in(database: Database, cookies: Mapping[str, str], *, acts: bool = False) -> SignedInPerson | None:
+def find_sign_in(database: Database, connection: HTTPConnection, *, acts: bool = False) -> SignedInPerson | None:
     """Return the person whose sign-in the cookie opens, locked or not; None when there is none or it has ended.
 
     `acts`: the person does something at this moment, which is stored, so that the sign-in is not locked soon.
     """
-    token = cookies.get(COOKIE)
+    token = read_cookie(connection, COOKIE)
     if not token:
         return None
     with database.transaction() as db:
@@ -67,9 +69,9 @@ class PairedScreen:
         return True
 
 
-def find_paired_screen(database: Database, cookies: Mapping[str, str]) -> PairedScreen | None:
+def find_paired_screen(database: Database, connection: HTTPConnection) -> PairedScreen | None:
     """Return the patient's screen of the cookie, None when its session has ended or it was unpaired."""
-    token = cookies.get(SCREEN_COOKIE)
+    token = read_cookie(connection, SCREEN_COOKIE)
     if not token:
         return None
     with database.transaction() as db:
@@ -77,12 +79,12 @@ def find_paired_screen(database: Database, cookies: Mapping[str, str]) -> Paired
         return None if screen is None else PairedScreen(screen.id, screen.session_id)
 
 
-def find_viewer(database: Database, cookies: Mapping[str, str]) -> SignedInPerson | PairedScreen | None:
+def find_viewer(database: Database, connection: HTTPConnection) -> SignedInPerson | PairedScreen | None:
     """Return who may see the patient's picture: a person who is signed in, or a paired screen of the patient.
 
     A browser whose sign-in is locked still is the patient's screen that it was paired as.
     """
-    person = find_sign_in(database, cookies)
+    person = find_sign_in(database, connection)
     if person is None or person.locked:
-        return find_paired_screen(database, cookies) or person
+        return find_paired_screen(database, connection) or person
     return person

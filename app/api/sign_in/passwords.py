@@ -6,6 +6,7 @@ from fastapi import HTTPException, Request
 from fastapi.concurrency import run_in_threadpool
 
 from app.api.deps import People
+from app.api.sign_in.cookies import cookie_name, read_cookie
 from app.api.sign_in.hashing import Busy
 from app.api.sign_in.sign_in_limits import address_of
 from app.store.browsers import find_browser
@@ -19,6 +20,7 @@ COMMON = """
     superman starwars letmein1 welcome1 whatever trustno1 computer internet changeme bodydrive wheelchair
 """
 BROWSER_COOKIE = "bodydrive_browser_"  # followed by the person's id: several people share a tablet
+BROWSER_PATH = "/api/v1/auth"  # no other request needs the cookie
 
 WRONG = "Name or password is wrong: try again, or ask an owner for a new password."
 BUSY = "Too many people are signing in at this moment: wait a few seconds, then try again."
@@ -51,7 +53,8 @@ async def require_password(parts: People, request: Request, name: str, password:
     The try is counted before anything is looked up or hashed, so that concurrent tries all count.
     """
     attempt = parts.limits.password(name, address_of(request))
-    if not any(cookie.startswith(BROWSER_COOKIE) for cookie in request.cookies):
+    known = cookie_name(request, BROWSER_COOKIE, BROWSER_PATH)
+    if not any(cookie.startswith(known) for cookie in request.cookies):
         await parts.limits.require(attempt)
     try:
         async with parts.hashing.slot():
@@ -79,7 +82,7 @@ def _look_up(parts: People, request: Request, name: str) -> _StoredCredentials:
         person = find_person(db, name)
         if person is None or person.disabled is not None:
             return _StoredCredentials(None, None)
-        browser = find_browser(db, person, request.cookies.get(f"{BROWSER_COOKIE}{person.id}"))
+        browser = find_browser(db, person, read_cookie(request, f"{BROWSER_COOKIE}{person.id}", BROWSER_PATH))
         return _StoredCredentials(person.password_hash, None if browser is None else browser.id)
 
 

@@ -1,0 +1,84 @@
+"""Over https every cookie is marked for encrypted connections alone, in its name too, and origins must be https."""
+
+from collections.abc import Iterator
+from http.cookies import SimpleCookie
+from pathlib import Path
+from typing import Any
+
+import pytest
+from fake_clinic import Clinic, TestClient
+from running_app import running
+from starlette.websockets import WebSocketDisconnect
+
+from app.api.sign_in import hashing
+from app.settings import Settings
+
+OWNER = {"code": "set-up-code", "name": "Ada", "password": "correct horse battery"}
+HTTPS = "https://127.0.0.1:8443"
+
+
+@pytest.fixture
+def real(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Clinic]:
+    monkeypatch.setattr(hashing, "COST", hashing.Cost(time=1, memory=8, lanes=1))
+    yield from running(Settings(state=tmp_path, setup_code="set-up-code"))
+
+
+def over(clinic: Clinic, base: str) -> TestClient:
+    """Return a browser of the running application at another address."""
+    browser = TestClient(clinic.client.app, base_url=base, client=("127.0.0.1", 50_001), headers={"Origin": base})
+    browser.portal = clinic.client.portal  # one event loop, that of the application
+    return browser
+
+
+def cookies_of(answer: Any) -> dict[str, Any]:
+    return {
+        name: morsel for line in answer.headers.get_list("set-cookie") for name, morsel in SimpleCookie(line).items()
+    }
+
+
+def test_over_https_the_names_say_that_only_https_may_set_them(real: Clinic) -> None:
+    browser = over(real, HTTPS)
+    answer = browser.post("/api/v1/auth/setup", json=OWNER)
+    assert answer.status_code == 200
+    made = cookies_of(answer)
+    assert set(made) == {"__Host-bodydrive_sign_in", "__Secure-bodydrive_browser_1"}
+    for morsel in made.values():
+        assert morsel["secure"]
+        assert morsel["httponly"]
+    host = made["__Host-bodydrive_sign_in"]
+    assert (host["path"], host["domain"], host["samesite"]) == ("/", "", "lax")
+    assert made["__Secure-bodydrive_browser_1"]["path"] == "/api/v1/auth"
+    assert browser.get("/api/v1/auth/me").json()["name"] == "Ada"
+    deleted = cookies_of(browser.post("/api/v1/auth/sign-out"))
+    assert deleted["__Host-bodydrive_sign_in"]["secure"]
+    assert deleted["__Host-bodydrive_sign_in"]["max-age"] == "0"
+    assert browser.get("/api/v1/auth/me").json()["name"] is None
+
+
+def test_a_cookie_without_the_prefix_opens_nothing_over_https(real: Clinic) -> None:
+    real.good("POST", "/auth/setup", json=OWNER)
+    token = real.client.cookies["bodydrive_sign_in"]
+    browser = over(real, HTTPS)
+    assert browser.get("/api/v1/patients", headers={"Cookie": f"bodydrive_sign_in={token}"}).status_code == 401
+    assert browser.get("/api/v1/patients", headers={"Cookie": f"__Host-bodydrive_sign_in={token}"}).status_code == 200
+    plain = {"Cookie": f"__Host-bodydrive_sign_in={token}"}
+    real.client.cookies.clear()
+    assert real("GET", "/patients", headers=plain).status_code == 401
+
+
+def test_a_page_loaded_over_http_changes_nothing_over_https(real: Clinic) -> None:
+    browser = over(real, HTTPS)
+    http = {"Origin": HTTPS.replace("https", "http")}
+    assert browser.post("/api/v1/auth/setup", json=OWNER, headers=http).status_code == 403
+    assert browser.post("/api/v1/auth/setup", json=OWNER).status_code == 200
+    url = f"{HTTPS.replace('https', 'wss')}/api/v1/live"
+    with browser.websocket_connect(url, headers={"Origin": HTTPS}) as socket:
+        assert socket.receive_json()
+    with pytest.raises(WebSocketDisconnect), browser.websocket_connect(url, headers=http) as socket:
+        socket.receive_json()
+
+
+def test_over_https_the_page_may_open_encrypted_sockets_only(real: Clinic) -> None:
+    policy = over(real, HTTPS).get("/").headers["content-security-policy"]
+    assert "connect-src 'self' wss://127.0.0.1:8443;" in policy
+    assert "ws://127.0.0.1:8080;" in real.client.get("/").headers["content-security-policy"]
