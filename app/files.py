@@ -6,10 +6,10 @@ from errno import EEXIST, EISDIR
 from pathlib import Path
 
 
-def write_atomically(path: Path, content: bytes) -> None:
+def write_atomically(path: Path, content: bytes, mode: int | None = None) -> None:
     """Write `content` to `path`, so that readers find the old file or the new one, also after a power cut.
 
-    Makes missing folders; follows a link.
+    Makes missing folders; follows a link. Without `mode`, the umask decides who can read the file.
 
     Raises
     ------
@@ -27,7 +27,7 @@ def write_atomically(path: Path, content: bytes) -> None:
             file.write(content)
             file.flush()
             os.fsync(file.fileno())
-        part.chmod(0o666 & ~_file_mode_mask())
+        part.chmod(0o666 & ~_file_mode_mask() if mode is None else mode)
         part.replace(path)
     except BaseException:
         part.unlink(missing_ok=True)

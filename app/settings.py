@@ -8,8 +8,9 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from urllib.parse import urlsplit
 
-ProxyNetwork = ipaddress.IPv4Network | ipaddress.IPv6Network
+from app.network import NetworkService
 
+ProxyNetwork = ipaddress.IPv4Network | ipaddress.IPv6Network
 PACKAGE = Path(__file__).parent
 IN_USE = "in-use"  # name of the file that is locked while a program uses the state folder
 CODE_BYTES = 16  # 128 bits: a code of this length cannot be guessed
@@ -57,6 +58,7 @@ class Settings:
     setup_code: str | None = field(default=None, repr=False)  # for the first owner only
     proxy: ProxyNetwork | None = None  # set: requests come through a proxy of this network, and in no other way
     public_name: str = ""  # HOST or HOST:PORT by which browsers reach the proxy
+    network: NetworkService | None = None  # set: other machines reach the pages, over https
 
     @property
     def demo(self) -> bool:
@@ -94,6 +96,11 @@ class Settings:
         return self.state / "keys"
 
     @property
+    def authority(self) -> Path:
+        """Return the folder of the clinic's certificate authority, its keys and the machine's certificate."""
+        return self.state / "authority"
+
+    @property
     def database(self) -> Path:
         """Return the database's file."""
         return self.state / "bodydrive.sqlite"
@@ -102,7 +109,7 @@ class Settings:
     def state_paths(self) -> list[Path]:
         """Return the program's files in the state folder, and that folder itself when it holds nothing else."""
         beside = sorted(self.state.glob(f"*{self.database.name}*"))  # the database, its log head, ballast and copies
-        folders = [self.files, self.runs, self.models, self.keys, self.floorplans, self.replaced]
+        folders = [self.files, self.runs, self.models, self.keys, self.authority, self.floorplans, self.replaced]
         own = [*beside, *folders, self.state / IN_USE]
         foreign = set(self.state.glob("*")) - set(own)
         return own if foreign or not self.state.exists() else [self.state, *own]
@@ -113,7 +120,8 @@ class Settings:
         A foreign page can let its own name resolve to this machine (DNS rebinding), but its requests then carry that
         name.
         """
-        if host in {"localhost", self.host, urlsplit(f"//{self.public_name}").hostname}:
+        own = {"localhost", self.host, urlsplit(f"//{self.public_name}").hostname}
+        if host in own or (self.network is not None and self.network.names(host)):
             return True
         try:
             ipaddress.ip_address(host.strip("[]"))

@@ -40,14 +40,15 @@ MAY_IMPORT = {
         *("hardware.body", "hardware.shirt.fabric", "hardware.chair.simulator"),
     ),
     "figures": (LEAVES, "world", "scoring", "study"),
+    "host": (LEAVES,),
     "scene": (LEAVES, "world"),
     "api": (
         *(LEAVES, "process", "signals.csv_dialect", "signals.parquet_names", "world", "calibration", "scoring"),
-        *("store", "session", "scene", "hardware.configs", "hardware.addresses", "hardware.chair.key"),
+        *("store", "session", "host", "scene", "hardware.configs", "hardware.addresses", "hardware.chair.key"),
     ),
     "cli": (
         *(LEAVES, "process", "recording", "signals", "world", "hardware", "calibration", "pipeline", "scoring"),
-        *("store", "session", "study", "figures", "scene", "api"),
+        *("store", "session", "study", "figures", "host", "scene", "api"),
     ),
 }
 FITTING = ("calibration.fit", "calibration.guided", "calibration.gestures", "calibration.adaptation")
@@ -71,6 +72,8 @@ HOME = {
     "ezdxf": {"world"},
     "statsmodels": {"scoring"},
     "msgspec": {"scene"},
+    "cryptography": {"host"},
+    "psutil": {"host"},
 }
 
 

@@ -39,6 +39,7 @@ from app.api.routes import (
     review,
     start,
     stop,
+    tablets,
     trial_plan,
     trials,
 )
@@ -79,6 +80,7 @@ ROUTES = (
     plans,
     models,
     replacements,
+    tablets,
     drives,
     review,
     control_quality,

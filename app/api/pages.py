@@ -22,7 +22,9 @@ KINDS: Final = {
     ".css": "text/css; charset=utf-8",
     ".html": "text/html; charset=utf-8",
     ".js": "text/javascript; charset=utf-8",
+    ".png": "image/png",
     ".svg": "image/svg+xml",
+    ".webmanifest": "application/manifest+json",
 }
 FIRST: Final = {"index.html": ["js/pages/drive/drive.js"]}  # modules that an entry imports as soon as it has started
 PLOTLY: Final = "vendor/plotly.min.js"
@@ -123,6 +125,21 @@ class Pages:
         return LINK.sub(rf'\1="/v-{self.version}/\2"', joined).encode()
 
 
+def read_entry(folder: Path, entry: str) -> dict[str, PageFile]:
+    """Return an entry (an HTML file) and the files that it needs, by their names, as they are."""
+    text = (folder / entry).read_text()
+    styles = [name for kind, name in LINK.findall(text) if kind == "href"]
+    scripts: dict[str, bytes] = {}
+    waiting = ENTRY.findall(text)
+    while waiting:
+        name = waiting.pop()
+        if name not in scripts:
+            scripts[name] = (folder / name).read_bytes()
+            waiting += _imported(name, scripts[name])
+    contents = {entry: text.encode()} | {name: (folder / name).read_bytes() for name in styles} | scripts
+    return {name: _page_file(name, content) for name, content in contents.items()}
+
+
 def _page_file(name: str, content: bytes) -> PageFile:
     return PageFile(KINDS[posixpath.splitext(name)[1]], content, gzip.compress(content, mtime=0))
 
@@ -136,6 +153,11 @@ def _needed(names: Iterable[str], contents: dict[str, bytes]) -> list[str]:
         if name in needed:
             continue
         needed[name] = None
-        imported = IMPORT.findall(contents[name].decode())
-        waiting += [posixpath.normpath(posixpath.join(posixpath.dirname(name), one)) for one in reversed(imported)]
+        waiting += reversed(_imported(name, contents[name]))
     return list(needed)
+
+
+def _imported(name: str, script: bytes) -> list[str]:
+    """Return the names of the modules that a module imports."""
+    imported = IMPORT.findall(script.decode())
+    return [posixpath.normpath(posixpath.join(posixpath.dirname(name), one)) for one in imported]

@@ -3,7 +3,7 @@
 import errno
 import ipaddress
 import socket
-from contextlib import suppress
+from collections.abc import Sequence
 from urllib.parse import urlsplit
 
 from app.cli.errors import InputError
@@ -44,14 +44,6 @@ def bind(host: str, port: int) -> socket.socket:
     return listening
 
 
-def link_to(host: str, port: int) -> str:
-    """Return the address to open in a browser on this machine."""
-    with suppress(ValueError):
-        if ipaddress.ip_address(host).is_unspecified:
-            host = "127.0.0.1"
-    return f"http://[{host}]:{port}/" if ":" in host else f"http://{host}:{port}/"
-
-
 def proxy_network(text: str) -> ProxyNetwork:
     """Return the address or network of the proxy."""
     try:
@@ -77,3 +69,32 @@ def public_name(text: str) -> str:
     if given != text.lower():  # a path, a person, or a scheme
         raise InputError(f"--name '{text}' is no name: write one such as clinic.example.org.")
     return given
+
+
+def bind_here(host: str, port: int) -> socket.socket:
+    """Bind an address that only this machine reaches; refuse others, because nothing is encrypted there."""
+    listening = bind(host, port)
+    if ipaddress.ip_address(listening.getsockname()[0]).is_loopback:
+        return listening
+    listening.close()
+    raise InputError(
+        f"Other machines reach {host}, and without https everybody on the way could read and change what they send: "
+        f"use 'bodydrive serve --lan', or leave --host out."
+    )
+
+
+def bind_free(hosts: Sequence[str], ports: Sequence[int]) -> list[socket.socket]:
+    """Bind all addresses to the first of these ports that is free on all of them; 0 is any free port."""
+    for port in ports:
+        bound: list[socket.socket] = []
+        try:
+            for host in hosts:
+                bound.append(bind(host, bound[0].getsockname()[1] if bound else port))
+        except InputError:
+            for listening in bound:
+                listening.close()
+            if port == ports[-1]:
+                raise
+        else:
+            return bound
+    return []

@@ -6,20 +6,39 @@ import sys
 import tempfile
 from contextlib import ExitStack
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from app.cli.clinic_folder import held, keep_private
 from app.cli.errors import InputError
-from app.cli.port import bind, link_to, proxy_network, public_name
+from app.cli.port import bind, bind_here, proxy_network, public_name
 from app.files import write_atomically
+from app.network import link
 from app.refusals import Refusal
 from app.settings import Settings, new_code, state_folder
 from app.world.floorplan import FloorPlan, load_floorplan
 
+if TYPE_CHECKING:
+    from app.cli.lan import Lan
+
 Port = Annotated[int, typer.Option(min=0, max=65_535, help="The port to listen on; 0 takes any free one.")]
-Host = Annotated[str, typer.Option(help="The address to listen on; other machines reach only other ones than this.")]
+Host = Annotated[str, typer.Option(help="The address to listen on, one of this machine alone.")]
+ServePort = Annotated[
+    int | None,
+    typer.Option(min=0, max=65_535, help="The port to listen on: else 8080, and 8443 for https; 0 takes any free one."),
+]
+Hosts = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--host", help="The address to listen on; with --lan one of this machine's, or several, instead of all."
+    ),
+]
+Network = Annotated[bool, typer.Option("--lan", help="Open the clinic to tablets in this network, over https.")]
+CertificateFile = Annotated[
+    Path | None, typer.Option("--certificate", help="A certificate of your own for --lan: a PEM file, with its chain.")
+]
+KeyFile = Annotated[Path | None, typer.Option("--key", help="The private key of that certificate: a PEM file.")]
 Plans = Annotated[list[Path] | None, typer.Option("--floorplan", help="A floor plan of your own to drive in, too.")]
 State = Annotated[Path | None, typer.Option(help="The folder of the clinic's database and recordings.")]
 Proxy = Annotated[
@@ -30,56 +49,85 @@ Proxy = Annotated[
 ]
 Name = Annotated[str | None, typer.Option(help="The name, or NAME:PORT, by which browsers reach the proxy.")]
 
-LOOPBACK = ("127.0.0.1", "localhost", "::1")
-
 
 def demo(port: Port = 8080, host: Host = "127.0.0.1", floorplans: Plans = None) -> None:
     """Open a throw-away demonstration clinic: a simulated shirt, a patient, and the virtual chair."""
     plans = [_floorplan(file) for file in floorplans or []]
-    with bind(host, port) as listening, tempfile.TemporaryDirectory(prefix="bodydrive-demo-") as folder:
+    with bind_here(host, port) as listening, tempfile.TemporaryDirectory(prefix="bodydrive-demo-") as folder:
         bound = int(listening.getsockname()[1])
         settings = Settings(state=Path(folder), host=host, port=bound, demo_code=new_code())
         keep_private(settings)
         _furnish_demonstration(settings, plans)
-        words = ["A demonstration, kept nowhere. Ctrl-C ends it.", *_warning(host)]
-        words.append(f"{link_to(host, bound)}#demo={settings.demo_code}")
+        words = [
+            "A demonstration, kept nowhere. Ctrl-C ends it.",
+            f"{link('http', host, bound)}#demo={settings.demo_code}",
+        ]
         _run(settings, listening, words)
     _leave()
 
 
 def serve(
-    port: Port = 8080, host: Host = "127.0.0.1", state: State = None, behind_proxy: Proxy = None, name: Name = None
+    port: ServePort = None,
+    host: Hosts = None,
+    state: State = None,
+    lan: Network = False,
+    certificate: CertificateFile = None,
+    key: KeyFile = None,
+    behind_proxy: Proxy = None,
+    name: Name = None,
 ) -> None:
     """Open a clinic; its database and recordings are kept."""
+    from app.cli.lan import Lan, bind_local, own_files
+
     if (behind_proxy is None) != (name is None):
         raise InputError("--behind-proxy and --name belong together: give the proxy's address, and its name.")
+    if behind_proxy is not None and lan:
+        raise InputError("A proxy is the only way in: use either --lan or --behind-proxy.")
     proxy = None if behind_proxy is None else proxy_network(behind_proxy)
     reached_by = "" if name is None else public_name(name)
     folder = (state or state_folder()).expanduser().resolve()
+    own, hosts = own_files(certificate, key, lan=lan), host or []
+    if len(hosts) > 1 and not lan:
+        raise InputError("Without --lan there is one address only: name --host once, or leave it out.")
+    first = hosts[0] if hosts and not lan else "127.0.0.1"
     with ExitStack() as stack:
-        listening = stack.enter_context(bind(host, port))
+        if lan:
+            listening = stack.enter_context(bind_local(port))
+        else:  # a proxy on another machine, the only one that is answered, reaches an address of the network
+            listening = stack.enter_context((bind_here if proxy is None else bind)(first, 8080 if port is None else port))
         bound = int(listening.getsockname()[1])
-        stack.enter_context(held(folder, link_to(host, bound)))
-        warnings = keep_private(Settings(state=folder))
-        code = new_code() if _nobody_yet(folder) else None
-        settings = Settings(state=folder, host=host, port=bound, setup_code=code, proxy=proxy, public_name=reached_by)
-        link = f"https://{reached_by}/" if reached_by else link_to(host, bound)
-        words = [f"The clinic in {folder}. Ctrl-C ends it.", *_warning(host), *warnings]
-        if code is None:
-            words.append(link)
+        here = link("http", first, bound)
+        stack.enter_context(held(folder, here))
+        settings = Settings(state=folder)
+        warnings = keep_private(settings)
+        others = stack.enter_context(Lan(hosts, port, settings.authority, own)) if lan else None
+        settings = Settings(
+            state=folder,
+            host=first,
+            port=bound,
+            setup_code=new_code() if _nobody_yet(folder) else None,
+            proxy=proxy,
+            public_name=reached_by,
+            network=None if others is None else others.service,
+        )
+        opened = f"https://{reached_by}/" if reached_by else here
+        words = [f"The clinic in {folder}. Ctrl-C ends it.", *warnings]
+        if settings.setup_code is None:
+            words.append(opened)
         else:
             words += [
-                f"Set-up code, for the first owner, within 30 minutes: {code}",
-                f"{link}#setup={code}",
+                f"Set-up code, for the first owner, within 30 minutes: {settings.setup_code}",
+                f"{opened}#setup={settings.setup_code}",
             ]
-        _run(settings, listening, words)
+        words += [] if others is None else others.look()
+        _run(settings, listening, words, others)
     _leave()
 
 
-def _run(settings: Settings, listening: socket.socket, words: list[str]) -> None:
+def _run(settings: Settings, listening: socket.socket, words: list[str], others: "Lan | None" = None) -> None:
     from app.cli.server import run_clinic
 
-    run_clinic(settings, listening, "\n".join(words))
+    run_clinic(settings, listening, "\n".join(words), others)
 
 
 def _leave() -> None:
@@ -87,12 +135,6 @@ def _leave() -> None:
     sys.stdout.flush()
     sys.stderr.flush()
     os._exit(0)
-
-
-def _warning(host: str) -> list[str]:
-    if host in LOOPBACK:
-        return []
-    return ["Others on the network can reach this, and nothing on the way is encrypted."]
 
 
 def _floorplan(file: Path) -> FloorPlan:

@@ -4,16 +4,20 @@ import asyncio
 import logging
 import signal
 import socket
+import ssl
 import sys
 from contextlib import AbstractContextManager, nullcontext, suppress
 from functools import partial
+from typing import Literal
 
 import typer
 import uvicorn
 
 from app.api.app import WebApp, create_app, say_goodbye
+from app.api.tablet_page import TabletPage
 from app.api.view.view_keeper import ServedScene
 from app.cli.errors import InputError
+from app.cli.lan import Lan
 from app.cli.port import PING_LIMIT
 from app.computing_process import ComputingProcess
 from app.process.supervisor import ControlProcess
@@ -23,29 +27,21 @@ from app.settings import Settings
 PING_EVERY = 2.0  # s
 LAST_ANSWERS = 1  # s for requests under way when the program ends
 GOODBYE = 0.5  # s for telling the open pages
+HANDSHAKE = 10.0  # s for the beginning of a connection over https
+TLS_END = 1.0  # s for its end, when the other side does not answer
+LOOK_EVERY = 5.0  # s until a changed address of this machine is noticed
 
 
 class WebServer(uvicorn.Server):
     """uvicorn on a socket that is bound already; ends in order on Ctrl-C and SIGTERM, without output of its own."""
 
-    def __init__(self, app: WebApp, listening: socket.socket, words: str) -> None:
-        super().__init__(
-            uvicorn.Config(
-                app,
-                log_config=None,
-                access_log=False,
-                server_header=False,
-                proxy_headers=False,  # the client is the connected address, never one in a header
-                lifespan="on",
-                ws_per_message_deflate=False,
-                ws_ping_interval=PING_EVERY,
-                ws_ping_timeout=PING_LIMIT,
-                timeout_graceful_shutdown=LAST_ANSWERS,
-            )
-        )
+    def __init__(self, app: WebApp, listening: socket.socket, words: str, lan: Lan | None = None) -> None:
+        super().__init__(_config(app, "on"))
         self._app = app
         self._listening = listening
         self._words = words
+        self._lan = lan
+        self._following: asyncio.Task[None] | None = None
 
     async def run_until_signal(self) -> bool:
         """Serve until a signal; return whether the server had started."""
@@ -65,9 +61,13 @@ class WebServer(uvicorn.Server):
         return self.started
 
     async def startup(self, sockets: list[socket.socket] | None = None) -> None:
-        """Start, then print the address."""
+        """Start, open the sockets for other machines, then print the address."""
         await super().startup(sockets)
         if self.started:
+            if self._lan is not None:
+                await self._open(self.config, self._lan.https, self._lan.certificate.context)
+                await self._open(_config(TabletPage(self._lan.service), "off"), self._lan.page, None)
+                self._following = asyncio.create_task(self._follow(self._lan))
             # Collecting all loaded objects would take 0.2 s, in which no Stop would be handled, so they are frozen.
             collect_garbage()
             typer.echo(self._words)
@@ -75,6 +75,37 @@ class WebServer(uvicorn.Server):
     def capture_signals(self) -> AbstractContextManager[None]:  # type: ignore[override]
         """Do nothing: this program handles the signals itself."""
         return nullcontext()
+
+    async def _open(self, config: uvicorn.Config, sockets: list[socket.socket], tls: ssl.SSLContext | None) -> None:
+        """Serve an application on further sockets, over https with `tls`; uvicorn itself opens one kind only."""
+        if not config.loaded:
+            config.load()
+        loop = asyncio.get_running_loop()
+
+        def protocol() -> asyncio.Protocol:
+            connection: asyncio.Protocol = config.http_protocol_class(  # type: ignore[call-arg]
+                config=config, server_state=self.server_state, app_state=self.lifespan.state, _loop=loop
+            )
+            return connection
+
+        begin, end = (None, None) if tls is None else (HANDSHAKE, TLS_END)
+        for opened in sockets:
+            server = await loop.create_server(
+                protocol, sock=opened, ssl=tls, ssl_handshake_timeout=begin, ssl_shutdown_timeout=end
+            )
+            self.servers.append(server)
+
+    async def _follow(self, lan: Lan) -> None:
+        """Follow the machine's addresses as long as the program runs."""
+        while True:
+            await asyncio.sleep(LOOK_EVERY)
+            try:
+                words = await asyncio.to_thread(lan.look)
+            except Exception:  # the next look may succeed, and without one the certificate would end unnoticed
+                logging.getLogger("bodydrive").exception("The machine's addresses could not be read.")
+                continue
+            if words:
+                typer.echo("\n".join(words))
 
     async def _leave(self) -> None:
         try:
@@ -84,7 +115,22 @@ class WebServer(uvicorn.Server):
             self.should_exit = True
 
 
-def run_clinic(settings: Settings, listening: socket.socket, words: str) -> None:
+def _config(app: WebApp | TabletPage, lifespan: Literal["on", "off"]) -> uvicorn.Config:
+    return uvicorn.Config(
+        app,
+        log_config=None,
+        access_log=False,
+        server_header=False,
+        proxy_headers=False,  # the client is the connected address, never one in a header
+        lifespan=lifespan,
+        ws_per_message_deflate=False,
+        ws_ping_interval=PING_EVERY,
+        ws_ping_timeout=PING_LIMIT,
+        timeout_graceful_shutdown=LAST_ANSWERS,
+    )
+
+
+def run_clinic(settings: Settings, listening: socket.socket, words: str, lan: Lan | None = None) -> None:
     """Serve until a signal, and print `words` after the start; refuse in one sentence when it cannot start."""
     logging.basicConfig(level=logging.WARNING, format="bodydrive: %(message)s", stream=sys.stderr)
     # These log connections of browsers only; errors of this program go to the logger "bodydrive".
@@ -93,7 +139,7 @@ def run_clinic(settings: Settings, listening: socket.socket, words: str) -> None
     settings.runs.mkdir(parents=True, exist_ok=True)
     scene = partial(ServedScene, models=settings.models)
     app = create_app(settings, ControlProcess.start, ComputingProcess(), scene)
-    if not asyncio.run(WebServer(app, listening, words).run_until_signal()):
+    if not asyncio.run(WebServer(app, listening, words, lan).run_until_signal()):
         raise InputError(
             "The control process did not start, so there is nothing to show: look at the messages above and try again."
         )

@@ -1,43 +1,61 @@
 """The address of this program for another screen."""
 
+import datetime as dt
+
 import pytest
 
 from app.api.own_address import own_address
+from app.network import NetworkService, Trust
 from app.settings import Settings
+
+NOW = dt.datetime(2026, 5, 1, tzinfo=dt.UTC)
+
+
+def network(
+    *addresses: str, names: tuple[str, ...] = ("pc", "pc.local", "localhost"), port: int = 8443
+) -> NetworkService:
+    return NetworkService(port, 8081, Trust(names, addresses, NOW, NOW, "00", b"root"))
 
 
 @pytest.mark.parametrize(
-    ("host", "asked", "base", "only_here"),
+    ("asked", "service", "base", "only_here"),
     [
-        ("127.0.0.1", "127.0.0.1:8080", "http://127.0.0.1:8080/", True),
-        ("::1", "[::1]:8080", "http://[::1]:8080/", True),
-        ("localhost", "localhost:8080", "http://localhost:8080/", True),
-        ("192.168.1.5", "192.168.1.5:8080", "http://192.168.1.5:8080/", False),
-        ("0.0.0.0", "192.168.1.7:8080", "http://192.168.1.7:8080/", False),
-        ("0.0.0.0", "127.0.0.1:8080", "http://10.1.2.3:8080/", False),
-        ("::", "[::1]:8080", "http://[fd00::7]:8080/", False),
-        ("clinic.local", "localhost:8080", "http://clinic.local:8080/", False),
-        ("127.0.0.1", "192.168.1.7:8080", "http://127.0.0.1:8080/", True),
+        ("http://127.0.0.1:8080", None, "http://127.0.0.1:8080/", True),
+        ("http://192.168.1.7:8080", None, "http://127.0.0.1:8080/", True),
+        ("https://drive.clinic.example", None, "https://drive.clinic.example/", False),
+        ("http://127.0.0.1:8080", network("10.1.2.3", "127.0.0.1"), "https://10.1.2.3:8443/", False),
+        ("http://localhost:8080", network("fd00::7"), "https://[fd00::7]:8443/", False),
+        ("https://pc.local:8443", network("10.1.2.3"), "https://pc.local:8443/", False),
+        ("https://127.0.0.1:8443", network("10.1.2.3"), "https://10.1.2.3:8443/", False),
+        (
+            "http://127.0.0.1:8080",
+            network(names=("*.clinic.example", "d.clinic.example"), port=443),
+            "https://d.clinic.example/",
+            False,
+        ),
+        ("http://127.0.0.1:8080", network("127.0.0.1"), "https://127.0.0.1:8443/", True),
     ],
 )
 def test_the_link_names_an_address_that_another_screen_can_open(
-    host: str, asked: str, base: str, only_here: bool, monkeypatch: pytest.MonkeyPatch
+    asked: str, service: NetworkService | None, base: str, only_here: bool
 ) -> None:
-    found = {2: "10.1.2.3", 10: "fd00::7"}
-    monkeypatch.setattr("app.api.own_address.address_on_network", lambda family: found[int(family)])
+    scheme, _, host = asked.partition("://")
 
     class Asked:
-        headers = {"host": asked}  # noqa: RUF012
-        url = type("Url", (), {"scheme": "http"})
+        headers = {"host": host}  # noqa: RUF012
+        scope = {"scheme": scheme}  # noqa: RUF012
 
-    assert own_address(Settings(host=host), Asked()) == (base, only_here)  # type: ignore[arg-type]
+    assert own_address(Settings(network=service), Asked()) == (base, only_here)  # type: ignore[arg-type]
 
 
-def test_a_machine_on_no_network_is_only_here(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("app.api.own_address.address_on_network", lambda _family: None)
+def test_the_page_is_named_until_the_clinic_has_a_certificate_of_its_own() -> None:
+    service = network("10.1.2.3")
+    assert service.page_link() == "http://10.1.2.3:8081/"
+    service.trust = Trust(("d.clinic.example",), (), NOW, NOW, "00", None)
+    assert service.page_link() == "https://d.clinic.example:8443/"
 
-    class Asked:
-        headers = {"host": "127.0.0.1:8080"}  # noqa: RUF012
-        url = type("Url", (), {"scheme": "http"})
 
-    assert own_address(Settings(host="0.0.0.0"), Asked()).only_here is True  # type: ignore[arg-type]
+def test_the_host_of_a_request_is_a_name_of_the_certificate() -> None:
+    settings = Settings(network=network("10.1.2.3", names=("pc", "pc.local", "*.clinic.example")))
+    assert all(settings.serves(host) for host in ("pc", "pc.local", "drive.clinic.example", "10.9.9.9", "localhost"))
+    assert not any(settings.serves(host) for host in ("evil.example", "a.b.clinic.example", "local", "example"))

@@ -21,6 +21,7 @@ OPEN = {
     ("POST", "/api/v1/patient-screen/pair"),
     ("GET", "/api/v1/patient-screen/me"),
     ("GET", "/api/v1/equipment/practice"),
+    ("GET", "/api/v1/trust"),
 }
 
 

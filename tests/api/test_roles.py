@@ -41,6 +41,7 @@ FOR_EVERYONE = {
     "POST /patient-screen/pair",
     "GET /patient-screen/me",
     "GET /equipment/practice",
+    "GET /trust",
 }
 FOR_PATIENTS_SCREENS = {"GET /view/{role}/", "GET /view/{role}/plan"}  # the patient's only
 FOR_OWNERS = {
@@ -66,6 +67,7 @@ FOR_REVIEWERS = {
     "GET /equipment/sender",
     "GET /chairs",
     "GET /limits",
+    "GET /tablets",
     "GET /floorplans",
     "GET /floorplans/{name}",
     "GET /trials",

@@ -6,7 +6,8 @@ from ipaddress import ip_network
 import pytest
 
 from app.cli.errors import InputError
-from app.cli.port import bind, link_to, proxy_network, public_name
+from app.cli.port import bind, bind_free, bind_here, proxy_network, public_name
+from app.network import link
 
 
 def test_no_part_of_an_answer_waits_for_the_browser_to_confirm_another() -> None:
@@ -29,17 +30,44 @@ def test_an_address_of_another_machine_is_refused(host: str) -> None:
         bind(host, 0)
 
 
+@pytest.mark.parametrize("host", ["127.0.0.1", "127.0.0.2", "localhost", "::1"])
+def test_an_address_of_this_machine_alone_needs_no_https(host: str) -> None:
+    with bind_here(host, 0) as listening:
+        assert listening.getsockname()[1] > 0
+
+
+@pytest.mark.parametrize("host", ["0.0.0.0", "::"])
+def test_without_https_no_other_machine_is_served(host: str) -> None:
+    with pytest.raises(InputError, match=r"could read and change .* 'bodydrive serve --lan'"):
+        bind_here(host, 0)
+
+
+def test_the_first_port_that_is_free_on_all_addresses_is_bound() -> None:
+    with bind("127.0.0.2", 0) as taken, bind("127.0.0.3", 0) as other:
+        busy = taken.getsockname()[1]
+        bound = bind_free(["127.0.0.1", "127.0.0.2"], (busy, 0))
+        ports = {listening.getsockname()[1] for listening in bound}
+        for listening in bound:
+            listening.close()
+        assert len(ports) == 1
+        assert busy not in ports
+        with pytest.raises(InputError, match="is busy"):
+            bind_free(["127.0.0.3"], (other.getsockname()[1],))
+        with socket.create_server(("127.0.0.1", busy)):  # what was bound before the busy one is free again
+            pass
+
+
 @pytest.mark.parametrize(
-    ("host", "link"),
+    ("scheme", "host", "port", "shown"),
     [
-        ("127.0.0.1", "http://127.0.0.1:8080/"),
-        ("0.0.0.0", "http://127.0.0.1:8080/"),
-        ("::1", "http://[::1]:8080/"),
-        ("localhost", "http://localhost:8080/"),
+        ("http", "127.0.0.1", 8080, "http://127.0.0.1:8080/"),
+        ("http", "192.168.1.5", 80, "http://192.168.1.5/"),
+        ("https", "::1", 443, "https://[::1]/"),
+        ("https", "pc.local", 80, "https://pc.local:80/"),
     ],
 )
-def test_the_link_can_be_opened_on_this_machine(host: str, link: str) -> None:
-    assert link_to(host, 8080) == link
+def test_the_link_leaves_out_the_usual_port(scheme: str, host: str, port: int, shown: str) -> None:
+    assert link(scheme, host, port) == shown
 
 
 def test_the_proxy_is_an_address_or_a_small_network() -> None:

@@ -1,0 +1,48 @@
+"""How a tablet reaches the pages: the link to begin with, and whether it trusts this machine."""
+
+from fastapi import APIRouter, HTTPException, Response
+
+from app.api.deps import Anyone, ForEveryone, PeopleParts
+from app.api.qr import qr_picture
+from app.quantities import Document
+
+router = APIRouter(tags=["tablets"])
+
+# The page that explains asks from another origin (http); nothing is answered that this page does not know.
+FOR_OTHER_ORIGINS = {"Access-Control-Allow-Origin": "*", "Cross-Origin-Resource-Policy": "cross-origin"}
+THIS_MACHINE_ONLY = "This program serves this machine alone: end it, and start it with bodydrive serve --lan."
+
+
+class TrustView(Document):
+    """The fingerprint of what a tablet trusts when it gets this answer over https."""
+
+    fingerprint: str
+
+
+class TabletsView(Document):
+    """The link with which a tablet begins, and where it arrives."""
+
+    url: str | None  # None: the program serves this machine alone
+    qr: str
+    pages: str
+    words: str
+
+
+@router.get("/trust", dependencies=[ForEveryone])
+def trust(response: Response, parts: PeopleParts) -> TrustView:
+    """Answer a tablet that tries whether it trusts this machine."""
+    network = parts.settings.network
+    if network is None:
+        raise HTTPException(404, THIS_MACHINE_ONLY)
+    response.headers.update(FOR_OTHER_ORIGINS)
+    return TrustView(fingerprint=network.trust.fingerprint)
+
+
+@router.get("/tablets")
+def tablets(_who: Anyone, parts: PeopleParts) -> TabletsView:
+    """Return the link for further tablets."""
+    network = parts.settings.network
+    if network is None:
+        return TabletsView(url=None, qr="", pages="", words=THIS_MACHINE_ONLY)
+    url = network.page_link()
+    return TabletsView(url=url, qr=qr_picture(url), pages=network.link(), words="")

@@ -1,0 +1,102 @@
+"""`bodydrive serve --lan`: the sockets for other machines, their certificate, and what is printed about both."""
+
+import ipaddress
+import socket
+from contextlib import ExitStack
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from app.cli.errors import InputError
+from app.cli.port import bind_free
+from app.cli.qr import terminal_code
+from app.network import NetworkService
+from app.refusals import Refusal
+
+if TYPE_CHECKING:
+    from app.host.certificate import ServerCertificate
+
+HTTPS_PORT = 8443  # the same at every start: home screens and bookmarks keep it
+LOCAL_PORTS = (8080, 0)  # for this machine's own browser, first choice first
+PAGE_PORTS = (80, 8081, 0)  # for the page that explains
+EVERY_ADDRESS = ("0.0.0.0", "::")  # noqa: S104  (over https, and the page that explains)
+
+SCAN = "On a tablet, scan this code, or open the address below it:"
+MOVED = "This machine's address has changed. On a tablet, scan this code, or open the address below it:"
+
+
+@dataclass(slots=True)
+class OwnFiles:
+    """The files of a clinic that has a certificate of its own."""
+
+    certificate: Path
+    key: Path
+
+
+class Lan:
+    """What other machines in the network reach: the pages over https, and over http the page that explains."""
+
+    def __init__(self, hosts: list[str], port: int | None, folder: Path, own: OwnFiles | None) -> None:
+        every = hosts or EVERY_ADDRESS[: 2 if socket.has_dualstack_ipv6() else 1]
+        with ExitStack() as stack:
+            self.https = [
+                stack.enter_context(each) for each in bind_free(every, [HTTPS_PORT if port is None else port])
+            ]
+            self.page = [stack.enter_context(each) for each in bind_free(every, (0,) if port == 0 else PAGE_PORTS)]
+            bound = [ipaddress.ip_address(each.getsockname()[0]) for each in self.https]
+            only = () if any(address.is_unspecified for address in bound) else tuple(bound)
+            self.certificate = _certificate(only, folder, own)
+            self._close = stack.pop_all()
+        self.service = NetworkService(
+            self.https[0].getsockname()[1], self.page[0].getsockname()[1], self.certificate.trust
+        )
+        self._shown = ""
+        self._said: list[str] = []
+
+    def __enter__(self) -> "Lan":
+        return self
+
+    def __exit__(self, *_error: object) -> None:
+        self._close.close()
+
+    def look(self) -> list[str]:
+        """Follow the machine's addresses and renew the certificate; return what is to be printed now."""
+        said = self.certificate.look()
+        self.service.trust = self.certificate.trust
+        words = [sentence for sentence in said if sentence not in self._said]
+        self._said = said
+        address = self.service.page_link()
+        if address != self._shown:
+            words += [MOVED if self._shown else SCAN, terminal_code(address).rstrip("\n"), address]
+            self._shown = address
+        return words
+
+
+def bind_local(port: int | None) -> socket.socket:
+    """Bind the port for this machine's own browser; any free one when the usual one is busy, or with port 0."""
+    return bind_free(["127.0.0.1"], (0,) if port == 0 else LOCAL_PORTS)[0]
+
+
+def own_files(certificate: Path | None, key: Path | None, *, lan: bool) -> OwnFiles | None:
+    """Return the files of an own certificate, None when there is none."""
+    if certificate is None and key is None:
+        return None
+    if not lan:
+        raise InputError("A certificate is for other machines: use --certificate and --key together with --lan.")
+    if certificate is None or key is None:
+        raise InputError("A certificate needs its key: name both, with --certificate FILE --key FILE.")
+    return OwnFiles(certificate, key)
+
+
+def _certificate(
+    only: tuple[ipaddress.IPv4Address | ipaddress.IPv6Address, ...], folder: Path, own: OwnFiles | None
+) -> "ServerCertificate":
+    from app.host.certificate import LocalCertificate, OwnCertificate
+    from app.host.machine import this_machine
+
+    try:
+        if own is not None:
+            return OwnCertificate(own.certificate, own.key)
+        return LocalCertificate(folder, lambda: this_machine(only))
+    except Refusal as refusal:
+        raise InputError(str(refusal)) from refusal

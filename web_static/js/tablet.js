@@ -1,0 +1,93 @@
+/** The page that explains how a device learns to trust the clinic's machine, and that checks whether it does. */
+import { h, put } from "./widgets/dom.js";
+import { check } from "./tablet/check.js";
+import { DEVICES, deviceOf, stepList, text } from "./tablet/steps.js";
+import { signPicture } from "./tablet/pictures.js";
+
+/** @typedef {import("./tablet/check.js").Finding} Finding */
+
+const EVERY = 3000; // ms between two checks
+const APART = 120_000; // ms by which clocks may disagree without a word
+
+let device = deviceOf(navigator);
+let shown = "";
+const result = h("section", { class: "check", role: "status" }, signPicture("waiting"), h("h2", {}, text("checking")));
+const steps = h("section", {});
+const fingerprint = h("p", { class: "fingerprint" });
+
+/** Show the steps for the chosen device. */
+function showSteps() {
+  put(
+    steps,
+    h("h2", {}, text("device")),
+    h(
+      "div",
+      { class: "devices" },
+      DEVICES.map((each) =>
+        h("button", { type: "button", "aria-pressed": String(each === device), onclick: () => choose(each) }, text(each)),
+      ),
+    ),
+    stepList(device),
+  );
+}
+
+/** @param {import("./tablet/steps.js").Device} chosen */
+function choose(chosen) {
+  device = chosen;
+  showSteps();
+  const pressed = steps.querySelector('[aria-pressed="true"]');
+  if (pressed instanceof HTMLElement) pressed.focus();
+}
+
+/** @param {Finding} finding */
+function showResult({ state, facts, apart }) {
+  const apartWords =
+    facts && state !== "clock" && Math.abs(apart) > APART && text("clock.apart", { minutes: String(Math.round(Math.abs(apart) / 60_000)) });
+  const key = `${state} ${facts?.link} ${apartWords}`;
+  if (key === shown) return; // a screen reader would read it again
+  shown = key;
+  result.dataset.state = state;
+  put(
+    result,
+    signPicture(state === "trusted" || state === "clock" ? state : "waiting"),
+    h("div", {}, h("h2", {}, text(state)), h("p", {}, leadOf(state, facts)), apartWords && h("p", {}, apartWords)),
+    state === "trusted" && facts && h("a", { class: "go", href: facts.link }, text("go")),
+  );
+  steps.hidden = state === "trusted";
+  put(fingerprint, facts?.installs && [text("fingerprint"), " ", (facts.fingerprint.match(/../g) ?? []).join(":")]);
+}
+
+/** @param {Finding["state"]} state @param {Finding["facts"]} facts */
+function leadOf(state, facts) {
+  if (!facts) return text("lost.lead");
+  if (state === "not-yet" && !facts.installs) return text("not-yet.own", { link: facts.link });
+  return text(`${state}.lead`, {
+    here: moment(Date.now()),
+    there: moment(facts.now),
+    start: moment(facts.start),
+    end: moment(facts.end),
+  });
+}
+
+/** @param {string | number} time */
+function moment(time) {
+  return new Date(time).toLocaleString([], { dateStyle: "long", timeStyle: "short" });
+}
+
+/** Check now and again, until this device trusts the machine. */
+async function keepChecking() {
+  const finding = await check();
+  showResult(finding);
+  if (finding.state !== "trusted") setTimeout(keepChecking, EVERY);
+}
+
+showSteps();
+put(
+  /** @type {HTMLElement} */ (document.getElementById("main")),
+  h("h1", {}, text("title")),
+  h("p", { class: "lead" }, text("lead")),
+  result,
+  steps,
+  fingerprint,
+);
+keepChecking();
