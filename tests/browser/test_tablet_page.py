@@ -1,0 +1,203 @@
+"""A tablet that meets the program for the first time: Chromium with and without the clinic's authority.
+
+The authority is installed into the browser's own store by `certutil` (Debian's libnss3-tools), as a person would do it
+in the settings.
+"""
+
+import os
+import shutil
+import socket
+import ssl
+import subprocess
+import threading
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import pytest
+from browser.conftest import CHROMIUM
+from cryptography import x509
+from playwright.sync_api import BrowserContext, Error, Playwright, sync_playwright
+from processes.served_lan import HOSTS, NAME, OWNER, ServedLan, served_lan
+
+from app.clock import utc_now
+from app.host.authority import make_leaf, read_identity
+from app.host.certificate import KEY
+
+FOREIGN = "bank.example"
+
+
+@pytest.fixture(scope="module")
+def lan(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ServedLan]:
+    with served_lan(tmp_path_factory.mktemp("lan") / "clinic") as served:
+        yield served
+
+
+@pytest.fixture(scope="module")
+def playwright() -> Iterator[Playwright]:
+    for command, package in (("chromium", "chromium"), ("certutil", "libnss3-tools")):
+        if shutil.which(command) is None:
+            message = f"there is no {command} here: install Debian's package '{package}' for the tests of tablets"
+            (pytest.fail if os.environ.get("BODYDRIVE_NO_SKIP") == "1" else pytest.skip)(message)
+    with sync_playwright() as started:
+        yield started
+
+
+@contextmanager
+def tablet(playwright: Playwright, home: Path, root: str | None = None, **options: Any) -> Iterator[BrowserContext]:
+    """Yield a browser with a home of its own, which trusts `root` (PEM)."""
+    store = home / ".pki" / "nssdb"
+    if root is not None:
+        store.mkdir(parents=True)
+        (home / "root.crt").write_text(root)
+        database = f"sql:{store}"
+        subprocess.run(["certutil", "-d", database, "-N", "--empty-password"], check=True)
+        words = ["-A", "-t", "C,,", "-n", "bodydrive", "-i", str(home / "root.crt")]
+        subprocess.run(["certutil", "-d", database, *words], check=True)
+    names = f"MAP {NAME} {HOSTS[1]}, MAP {FOREIGN} {HOSTS[1]}"
+    context = playwright.chromium.launch_persistent_context(
+        str(home / "profile"),
+        executable_path=shutil.which("chromium"),
+        args=[*CHROMIUM, f"--host-resolver-rules={names}"],
+        env={**os.environ, "HOME": str(home)},
+        **options,
+    )
+    try:
+        yield context
+    finally:
+        context.close()
+
+
+def test_from_the_page_that_explains_to_a_green_tick_and_the_pages(
+    playwright: Playwright, lan: ServedLan, tmp_path: Path, until: Callable[..., Any]
+) -> None:
+    with tablet(playwright, tmp_path / "stranger") as context:
+        page = context.pages[0]
+        page.goto(lan.page)
+        until(page, "document.querySelector('.check').dataset.state === 'not-yet'")
+        assert page.locator("button[aria-pressed=true]").inner_text() == "Linux"
+        for button in page.locator(".devices button").all():
+            button.click()
+            assert page.locator(".steps li").count() >= 2
+        page.get_by_role("button", name="iPad or iPhone").click()
+        assert page.locator(".steps svg").count() == 4
+        with page.expect_download() as profile:
+            page.get_by_role("link", name="Load the profile").click()
+        assert profile.value.suggested_filename == "bodydrive.mobileconfig"
+        assert page.evaluate("[...document.querySelectorAll('button, .go')].every((e) => e.offsetHeight >= 44)")
+        with pytest.raises(Error, match="ERR_CERT_AUTHORITY_INVALID"):
+            page.goto(lan.facts["link"])
+
+    with tablet(playwright, tmp_path / "trusting", lan.root) as context:
+        page = context.pages[0]
+        for host in (HOSTS[0], NAME):
+            page.goto(lan.page.replace(HOSTS[0], host))
+            until(page, "document.querySelector('.check').dataset.state === 'trusted'")
+            assert page.locator(".steps").is_hidden()
+            page.get_by_role("link", name="Go on").click()
+            page.wait_for_url(f"https://{host}:{lan.port}/**")
+            assert page.evaluate("isSecureContext") is True
+
+
+def test_a_first_owner_drives_the_pages_over_https(
+    playwright: Playwright, lan: ServedLan, tmp_path: Path, until: Callable[..., Any]
+) -> None:
+    with tablet(playwright, tmp_path, lan.root) as context:
+        page = context.pages[0]
+        page.goto(f"https://{HOSTS[1]}:{lan.port}/")
+        code = {"code": lan.code, **OWNER}
+        made = page.evaluate(
+            "async (body) => (await fetch('/api/v1/auth/setup', {method: 'POST', "
+            "headers: {'Content-Type': 'application/json'}, body: JSON.stringify(body)})).status",
+            code,
+        )
+        assert made == 200
+        sockets: list[str] = []
+        page.on("websocket", lambda opened: sockets.append(opened.url))
+        page.reload()
+        until(page, "document.querySelector('nav') !== null")
+        while not any("/api/v1/" in url for url in sockets):
+            page.wait_for_timeout(50)
+        assert all(url.startswith(f"wss://{HOSTS[1]}:{lan.port}/") for url in sockets)
+        cookies = {cookie["name"]: cookie for cookie in context.cookies()}
+        assert cookies["__Host-bodydrive_sign_in"]["secure"]
+        assert page.evaluate("'wakeLock' in navigator && 'mediaDevices' in navigator") is True
+
+
+@pytest.mark.parametrize(
+    ("name", "error"),
+    [(NAME, "ERR_EMPTY_RESPONSE"), (FOREIGN, "ERR_CERT_INVALID|ERR_CERT_NAME_CONSTRAINT_VIOLATION")],
+)
+def test_chromium_trusts_the_root_for_this_machine_and_not_for_the_internet(
+    playwright: Playwright, lan: ServedLan, tmp_path: Path, name: str, error: str
+) -> None:
+    """Somebody has the intermediate's key: their certificate of this machine is trusted, that of a bank is not."""
+    certificate, mark, key = (lan.state / "authority" / "intermediate.pem").read_bytes().partition(KEY)
+    intermediate = read_identity(certificate, mark + key)
+    serving = ssl.SSLContext(ssl.PROTOCOL_TLS_SERVER)
+    leaf = make_leaf(intermediate, [x509.DNSName(name)], utc_now())
+    (tmp_path / "leaf.pem").write_bytes(leaf.certificate_pem + certificate + leaf.key_pem)
+    serving.load_cert_chain(tmp_path / "leaf.pem")
+    with socket.create_server((HOSTS[1], 0)) as listening, tablet(playwright, tmp_path, lan.root) as context:
+
+        def answer_nothing() -> None:
+            while True:
+                try:
+                    with serving.wrap_socket(listening.accept()[0], server_side=True) as connection:
+                        connection.recv(1000)
+                except ssl.SSLError:
+                    continue
+                except OSError:
+                    return
+
+        thread = threading.Thread(target=answer_nothing)
+        thread.start()
+        try:
+            with pytest.raises(Error, match=error):
+                context.pages[0].goto(f"https://{name}:{listening.getsockname()[1]}/")
+        finally:
+            listening.shutdown(socket.SHUT_RDWR)
+            thread.join()
+
+
+def test_a_replaced_authority_and_a_wrong_clock_are_said(
+    playwright: Playwright, lan: ServedLan, tmp_path: Path, until: Callable[..., Any]
+) -> None:
+    with tablet(playwright, tmp_path) as context:
+        page = context.pages[0]
+        page.goto(lan.page)
+        page.evaluate("localStorage.setItem('bodydrive_trusted', 'another')")
+        page.reload()
+        until(page, "document.querySelector('.check').dataset.state === 'replaced'")
+
+        page.clock.install()
+        page.clock.set_system_time("2001-01-01T00:00:00Z")
+        page.reload()
+        until(page, "document.querySelector('.check').dataset.state === 'clock'")
+        said = page.locator(".check").inner_text()
+        assert "2001" in said
+        assert "set date and time by itself" in said
+
+
+DEVICES = [
+    ("Mozilla/5.0 (Macintosh; Intel Mac OS X 10_15_7) Version/18.0 Safari/605.1.15", "MacIntel", 5, "iPad or iPhone"),
+    ("Mozilla/5.0 (Macintosh; Intel Mac OS X 10_15_7) Version/18.0 Safari/605.1.15", "MacIntel", 0, "Mac"),
+    ("Mozilla/5.0 (iPhone; CPU iPhone OS 18_0 like Mac OS X)", "iPhone", 5, "iPad or iPhone"),
+    ("Mozilla/5.0 (Linux; Android 15; Tablet) Chrome/140.0", "Linux armv8l", 5, "Android"),
+    ("Mozilla/5.0 (Windows NT 10.0; Win64; x64) Chrome/140.0", "Win32", 10, "Windows"),
+    ("Mozilla/5.0 (X11; Linux x86_64; rv:140.0) Firefox/140.0", "Linux x86_64", 0, "Linux"),
+]
+
+
+def test_the_page_knows_the_device(playwright: Playwright, lan: ServedLan, tmp_path: Path) -> None:
+    with tablet(playwright, tmp_path) as context:
+        page = context.pages[0]
+        page.goto(lan.page)
+        for agent, platform, touches, name in DEVICES:
+            found = page.evaluate(
+                "async (browser) => (await import('/js/tablet/steps.js')).deviceOf(browser)",
+                {"userAgent": agent, "platform": platform, "maxTouchPoints": touches},
+            )
+            texts = page.evaluate("async () => (await import('/js/texts/en/tablet.js')).default")
+            assert texts[found] == name
