@@ -2762,6 +2762,74 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/trust": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["TrustView"];
+                    };
+                };
+            };
+        };
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/tablets": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["TabletsView"];
+                    };
+                };
+            };
+        };
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/drives/summary": {
         parameters: {
             query?: never;
@@ -4827,6 +4895,12 @@ export interface components {
              */
             kind: "tablet";
         };
+        TabletsView: {
+            url: string | null;
+            qr: string;
+            pages: string;
+            words: string;
+        };
         Timeline: {
             t: (number | null)[];
             x: (number | null)[];
@@ -4905,6 +4979,9 @@ export interface components {
             measures: {
                 [key: string]: unknown;
             } | null;
+        };
+        TrustView: {
+            fingerprint: string;
         };
         Turn: {
             /**
@@ -5122,6 +5199,7 @@ export type StopCount = components['schemas']['StopCount'];
 export type SuggestedVocabulary = components['schemas']['SuggestedVocabulary'];
 export type Summary = components['schemas']['Summary'];
 export type TabletHeadConfig = components['schemas']['TabletHeadConfig'];
+export type TabletsView = components['schemas']['TabletsView'];
 export type Timeline = components['schemas']['Timeline'];
 export type TitleChoice = components['schemas']['TitleChoice'];
 export type TrajectoryView = components['schemas']['TrajectoryView'];
@@ -5129,6 +5207,7 @@ export type TrialDetail = components['schemas']['TrialDetail'];
 export type TrialLine = components['schemas']['TrialLine'];
 export type TrialPlan = components['schemas']['TrialPlan'];
 export type TrialView = components['schemas']['TrialView'];
+export type TrustView = components['schemas']['TrustView'];
 export type Turn = components['schemas']['Turn'];
 export type UdpConfig = components['schemas']['UdpConfig'];
 export type UnusedChannels = components['schemas']['UnusedChannels'];

@@ -18,6 +18,7 @@ COMMANDS = {
     "score": ("app.cli.score", "score"),
     "study": ("app.cli.study", "study"),
     "replay": ("app.cli.replay", "replay"),
+    "service": ("app.cli.service", "service_app"),
     "shirt": ("app.cli.shirt", "shirt_app"),
     "chair": ("app.cli.chair", "chair_app"),
     "people": ("app.cli.people", "people_app"),
@@ -78,3 +79,7 @@ def main() -> None:
     except (typer.Abort, KeyboardInterrupt):
         sys.exit(130)
     sys.exit(code if isinstance(code, int) else 0)
+
+
+if __name__ == "__main__":
+    main()

@@ -122,6 +122,11 @@ def test_a_first_owner_drives_the_pages_over_https(
         assert all(url.startswith(f"wss://{HOSTS[1]}:{lan.port}/") for url in sockets)
         cookies = {cookie["name"]: cookie for cookie in context.cookies()}
         assert cookies["__Host-bodydrive_sign_in"]["secure"]
+        devtools = context.new_cdp_session(page)
+        manifest = devtools.send("Page.getAppManifest")
+        assert manifest["errors"] == []
+        assert manifest["url"].endswith("/bodydrive.webmanifest")
+        assert devtools.send("Page.getInstallabilityErrors") == {"installabilityErrors": []}
         assert page.evaluate("'wakeLock' in navigator && 'mediaDevices' in navigator") is True
 
 

@@ -1,5 +1,6 @@
 """The certificate in use: made once, renewed, following the machine; damage, replacement and wrong clocks are said."""
 
+import contextlib
 import datetime as dt
 import ipaddress
 import ssl
@@ -52,11 +53,27 @@ def test_it_is_made_once_and_only_its_owner_reads_the_keys(place: Place) -> None
     assert {stat.S_IMODE(file.stat().st_mode) for file in files} == {0o600}
 
 
+def handshake(context: ssl.SSLContext) -> x509.Certificate:
+    """Return the certificate that a new connection gets."""
+    to_server, to_client = ssl.MemoryBIO(), ssl.MemoryBIO()
+    asking = ssl.create_default_context()
+    asking.check_hostname, asking.verify_mode = False, ssl.CERT_NONE
+    client = asking.wrap_bio(to_client, to_server)
+    server = context.wrap_bio(to_server, to_client, server_side=True)
+    for side in (client, server, client, server):
+        with contextlib.suppress(ssl.SSLWantReadError):
+            side.do_handshake()
+    return x509.load_der_x509_certificate(client.getpeercert(binary_form=True) or b"")
+
+
 def test_it_follows_the_addresses_without_a_restart(place: Place) -> None:
     certificate = place.open()
     certificate.look()
+    before = handshake(certificate.context)
+    assert before == place.served()
     place.machine = machine_at("10.0.0.9", "127.0.0.1")
     assert certificate.look() == []
+    assert handshake(certificate.context) == place.served() != before
     assert certificate.trust.addresses == ("10.0.0.9", "127.0.0.1")
     place.machine = machine_at("10.0.0.9", "8.8.8.8")
     (outside,) = certificate.look()

@@ -127,6 +127,26 @@ def test_a_link_for_a_further_tablet_is_shown_to_who_is_signed_in(lan: ServedLan
     assert shown["pages"] == f"https://127.0.0.1:{lan.port}/"
 
 
+def test_a_patients_screen_on_another_machine_is_paired_without_a_restart(lan: ServedLan) -> None:
+    with httpx.Client(base_url=lan.local, headers={"Origin": lan.local.rstrip("/")}, timeout=60) as here:
+        here.post("/api/v1/auth/sign-in", json=OWNER)
+        nobody = {"Patient-Session": "none"}
+        patient = here.post("/api/v1/patients", json={"code": "P-1", "pseudonym": "Heron"}, headers=nobody).json()
+        opened = here.post("/api/v1/session", json={"patient_id": patient["id"]}, headers=nobody).json()
+        present = {"Patient-Session": str(opened["session"]["id"])}
+        offered = here.post("/api/v1/patient-screen/pairing", headers=present).json()
+        assert offered["url"] == f"https://{HOSTS[0]}:{lan.port}/patient.html#pair={offered['code']}"
+        assert lan.page in offered["words"]
+        with lan.client(HOSTS[1]) as screen:
+            assert screen.post("/api/v1/patient-screen/pair", json={"code": offered["code"]}).json() == {
+                "state": "paired"
+            }
+            assert "__Host-bodydrive_screen" in screen.cookies
+            assert screen.get("/api/v1/patient-screen/me").json() == {"state": "paired"}
+            assert screen.get("/api/v1/patients").status_code == 401
+        assert here.delete("/api/v1/session", headers=present).is_success
+
+
 @pytest.mark.parametrize(
     ("words", "sentence"),
     [

@@ -35,6 +35,7 @@ ONLY_HERE = (
     "Only this machine can open the link, because the program serves no other. For a screen of its own, end the "
     "program and start it with bodydrive serve --lan."
 )
+STRANGERS = "A screen that warns of the certificate opens {page} first: the page there explains what to do."
 
 
 class ScreenView(Document):
@@ -116,8 +117,15 @@ async def offer(request: Request, who: Clinician, parts: PeopleParts, web: Web) 
         url=url,
         qr=qr_picture(url),
         expires=made.expires.isoformat(),
-        words=ONLY_HERE if address.only_here else "",
+        words=_words(parts, only_here=address.only_here),
     )
+
+
+def _words(parts: People, *, only_here: bool) -> str:
+    network = parts.settings.network
+    if network is None:
+        return ONLY_HERE if only_here else ""
+    return STRANGERS.format(page=network.page_link()) if network.trust.root is not None else ""
 
 
 @router.post("/pair", dependencies=[ForEveryone])

@@ -1,4 +1,4 @@
-/** Pictures of the steps: a screen of the device, drawn in outline, with the row to tap marked. */
+/** Pictures of the steps: a screen of the device, drawn in outline, with the rows to tap marked. */
 import { s } from "../widgets/dom.js";
 
 const WIDTH = 240;
@@ -13,18 +13,19 @@ const TOP = 40;
 /** Draw a screen with a title and rows. @param {string} title @param {Row[]} rows */
 export function screenPicture(title, rows) {
   const height = TOP + rows.length * ROW + 14;
+  const marked = rows.filter((row) => row.mark);
   const words = [title, ...rows.map((row) => (row.mark ? `→ ${row.text}` : row.text))].join(", ");
   return s(
     "svg",
     { viewBox: `0 0 ${WIDTH} ${height}`, role: "img", "aria-label": words },
     s("rect", { x: 1, y: 1, width: WIDTH - 2, height: height - 2, rx: 12, fill: "var(--surface)", stroke: "var(--control-edge)", "stroke-width": 2 }),
-    s("text", { x: WIDTH / 2, y: 25, "text-anchor": "middle", "font-size": title.length > 26 ? 9 : 13, "font-weight": 650, fill: "var(--text)" }, title),
-    ...rows.map((row, index) => drawnRow(row, TOP + index * ROW)),
+    s("text", { x: WIDTH / 2, y: 25, "text-anchor": "middle", "font-size": 13, "font-weight": 650, fill: "var(--text)" }, title),
+    ...rows.map((row, index) => drawnRow(row, row.mark ? marked.indexOf(row) + 1 : 0, TOP + index * ROW)),
   );
 }
 
-/** @param {Row} row @param {number} y */
-function drawnRow(row, y) {
+/** @param {Row} row @param {number} turn  0: not to be tapped @param {number} y */
+function drawnRow(row, turn, y) {
   const middle = y + ROW / 2;
   return s(
     "g",
@@ -40,7 +41,7 @@ function drawnRow(row, y) {
       "stroke-width": row.mark ? 3 : 1,
     }),
     s("text", { x: 22, y: middle + 4, "font-size": 12, fill: "var(--text)" }, row.text),
-    row.toggle ? toggle(middle) : row.mark && hand(middle),
+    row.toggle ? toggle(middle) : turn > 0 && place(turn, middle),
   );
 }
 
@@ -52,17 +53,11 @@ function toggle(y) {
   ];
 }
 
-/** A pointing finger with the ring of a tap. @param {number} y */
-function hand(y) {
+/** The place to tap, with its turn: 1, 2 ... @param {number} turn @param {number} y */
+function place(turn, y) {
   return [
-    s("circle", { cx: WIDTH - 34, cy: y, r: 9, fill: "none", stroke: "var(--action)", "stroke-width": 2 }),
-    s("path", {
-      d: `M${WIDTH - 34} ${y}l0 15m-4 -9v12q0 6 6 6h4q6 0 6 -6v-8q0 -4 -4 -4h-8`,
-      fill: "none",
-      stroke: "var(--action)",
-      "stroke-width": 2.5,
-      "stroke-linecap": "round",
-    }),
+    s("circle", { cx: WIDTH - 32, cy: y, r: 11, fill: "var(--action)" }),
+    s("text", { x: WIDTH - 32, y: y + 4, "text-anchor": "middle", "font-size": 12, "font-weight": 650, fill: "var(--action-text)" }, turn),
   ];
 }
 

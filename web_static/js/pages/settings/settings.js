@@ -5,6 +5,7 @@ import { limitsCard } from "./limits_card.js";
 import { passwordCard } from "./password_card.js";
 import { patientScreenCard } from "../../widgets/patient_screen_card.js";
 import { t } from "../../texts.js";
+import { tabletsCard } from "./tablets_card.js";
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal}} page */
 export async function show(app, root, { signal }) {
@@ -15,6 +16,7 @@ export async function show(app, root, { signal }) {
   const limits = limitsCard(app, clinic, isOwner, signal);
   const right = [
     chairsCard(app, chairs, isOwner, signal),
+    tabletsCard(app, signal),
     role !== "reviewer" && patientScreenCard(app, signal),
     role !== "reviewer" && linkedCard("plans.settings.lead", "plans.settings", "#/plans", "plans.link"),
     isOwner && linkedCard("people.settings.lead", "rail.people", "#/people", "people.settings.go"),

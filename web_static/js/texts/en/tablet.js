@@ -57,7 +57,7 @@ export default {
   "nothing.1": "Then use the screen of the clinic's machine itself. It needs no certificate, because nothing leaves the machine.",
   "nothing.2": "Over the network, bodydrive shows nothing without encryption: what you and your patients do would be readable on the way.",
 
-  "picture.allow": "This website wants to load a configuration profile",
+  "picture.allow": "Load a profile?",
   "picture.Allow": "Allow",
   "picture.Ignore": "Ignore",
   "picture.Settings": "Settings",

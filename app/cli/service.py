@@ -1,0 +1,56 @@
+"""`bodydrive service install`: the machine starts the clinic by itself."""
+
+import getpass
+import os
+import sys
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from app.cli.errors import InputError
+from app.refusals import Refusal
+from app.settings import state_folder
+
+service_app = typer.Typer(help="Let the machine start the clinic by itself.", no_args_is_help=True)
+
+System = Annotated[
+    bool, typer.Option("--system", help="A unit of the system, which starts with the machine; needs sudo.")
+]
+Account = Annotated[str | None, typer.Option(help="With --system: the account that owns the clinic, not root.")]
+OnlyPrint = Annotated[bool, typer.Option("--print", help="Print the unit, and change nothing.")]
+State = Annotated[Path | None, typer.Option(help="The folder of the clinic's database and recordings.")]
+
+
+@service_app.callback()
+def _service() -> None:
+    """Make `install` a command of its own: typer would drop the name of an only one."""
+
+
+@service_app.command("install")
+def install_service(
+    system: System = False, account: Account = None, only_print: OnlyPrint = False, state: State = None
+) -> None:
+    """Install a systemd unit that runs `bodydrive serve --lan`, and start it."""
+    from app.host.systemd_unit import install, unit
+
+    if account is not None and not system:
+        raise InputError("A unit of your own runs as you: leave --account out, or add --system.")
+    owner = (account or os.environ.get("SUDO_USER") or getpass.getuser()) if system else None
+    if owner == "root":
+        raise InputError("The clinic must not run as root: name its account with --account.")
+    if system and state is None:
+        raise InputError("Name the folder of the clinic with --state: a unit of the system has no home folder.")
+    folder = (state or state_folder()).expanduser().resolve()
+    unprintable = next((letter for letter in f"{folder}{owner or ''}" if not letter.isprintable()), None)
+    if unprintable is not None or (owner is not None and not owner.isascii()) or " " in (owner or ""):
+        raise InputError("The folder or the account has a letter that a unit cannot carry: choose another one.")
+    text = unit([sys.executable, "-m", "app.cli.main", "serve", "--lan", "--state", str(folder)], folder, owner)
+    if only_print:
+        typer.echo(text, nl=False)
+        return
+    try:
+        for sentence in install(text, system=system):
+            typer.echo(sentence)
+    except Refusal as refusal:
+        raise InputError(str(refusal)) from refusal
