@@ -20,7 +20,7 @@ from app.settings import Settings, new_code, state_folder
 from app.world.floorplan import FloorPlan, load_floorplan
 
 if TYPE_CHECKING:
-    from app.cli.lan import Lan
+    from app.cli.host.lan import Lan
 
 Port = Annotated[int, typer.Option(min=0, max=65_535, help="The port to listen on; 0 takes any free one.")]
 Host = Annotated[str, typer.Option(help="The address to listen on, one of this machine alone.")]
@@ -77,7 +77,7 @@ def serve(
     name: Name = None,
 ) -> None:
     """Open a clinic; its database and recordings are kept."""
-    from app.cli.lan import Lan, bind_local, own_files
+    from app.cli.host.lan import Lan, bind_local, own_files
 
     if (behind_proxy is None) != (name is None):
         raise InputError("--behind-proxy and --name belong together: give the proxy's address, and its name.")

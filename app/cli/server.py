@@ -17,7 +17,7 @@ from app.api.app import WebApp, create_app, say_goodbye
 from app.api.tablet_page import TabletPage
 from app.api.view.view_keeper import ServedScene
 from app.cli.errors import InputError
-from app.cli.lan import Lan
+from app.cli.host.lan import Lan
 from app.cli.port import PING_LIMIT
 from app.computing_process import ComputingProcess
 from app.process.supervisor import ControlProcess

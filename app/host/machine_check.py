@@ -1,0 +1,118 @@
+"""What this machine grants the control loop and the clinic, measured, and in words."""
+
+import shutil
+import subprocess
+from collections.abc import Sequence
+from dataclasses import dataclass
+from datetime import datetime
+from math import ceil
+from pathlib import Path
+from typing import Literal
+
+from app.clock import Clock
+from app.disk_room import LITTLE_ROOM, ROOM_TO_RECORD
+from app.settings import PACKAGE
+
+PERIOD = 0.01  # s: the loop's, when the shirt sends at 100 Hz
+FEW = 0.001  # share of late ticks that a drive does not feel
+
+Verdict = Literal["good", "attention", "bad"]
+
+
+@dataclass(frozen=True, slots=True)
+class Finding:
+    """What one measurement found."""
+
+    verdict: Verdict
+    words: str
+
+
+def measure_lateness(clock: Clock, seconds: float) -> list[float]:
+    """Wait for absolute deadlines as the control loop does; return by how much each was missed, s."""
+    start = clock.now()
+    lateness = []
+    for tick in range(1, round(seconds / PERIOD) + 1):
+        deadline = start + tick * PERIOD
+        clock.sleep_until(deadline)
+        lateness.append(max(0.0, clock.now() - deadline))
+    return lateness
+
+
+def lateness_finding(lateness: Sequence[float]) -> Finding:
+    """Return whether the loop comes in time; a tick that is late by more than a period is one too many."""
+    ranked = sorted(lateness)
+    late = sum(each > PERIOD for each in ranked)
+    p99 = ranked[ceil(0.99 * len(ranked)) - 1]
+    words = (
+        f"Of {len(ranked)} ticks, {late} came more than {1000 * PERIOD:.0f} ms late; 99 of 100 came within "
+        f"{1000 * p99:.1f} ms, the latest after {1000 * ranked[-1]:.1f} ms."
+    )
+    if late == 0:
+        return Finding("good", words)
+    if late <= FEW * len(ranked):
+        return Finding("attention", f"{words} Close other programs while driving.")
+    return Finding("bad", f"{words} This machine is too busy or too slow to drive a chair.")
+
+
+def real_time_findings(sentences: Sequence[str]) -> list[Finding]:
+    """Return the findings of what `app.realtime.go_real_time` was granted, one for each of its sentences."""
+    return [Finding("attention" if " not " in sentence else "good", sentence) for sentence in sentences]
+
+
+def disk_finding(free: int) -> Finding:
+    """Return whether there is room for recordings; `free` in bytes."""
+    words = f"{free / 1e9:.1f} GB of the disk are free."
+    if free < ROOM_TO_RECORD:
+        return Finding("bad", f"{words} Nothing can be recorded: make room.")
+    return Finding("attention", f"{words} Make room soon.") if free < LITTLE_ROOM else Finding("good", words)
+
+
+def free_room(folder: Path) -> int:
+    """Return the free bytes on the disk of a folder, which need not exist yet."""
+    existing = next(place for place in (folder, *folder.parents) if place.exists())
+    return shutil.disk_usage(existing).free
+
+
+def clock_finding(now: datetime, installed: datetime, *, is_kept: bool | None) -> Finding:
+    """Return whether the clock can be right; certificates and the log depend on it.
+
+    `installed` is when the program was; `is_kept` tells whether a time server keeps the clock, None when unknown.
+    """
+    words = f"The clock shows {now:%Y-%m-%d %H:%M} UTC"
+    if now < installed:
+        return Finding("bad", f"{words}, but the program was installed later: set the clock.")
+    if is_kept is None:
+        return Finding("good", f"{words}.")
+    if is_kept:
+        return Finding("good", f"{words}, and a time server keeps it right.")
+    return Finding("attention", f"{words}, and no time server keeps it right: compare it with a clock now and then.")
+
+
+def clock_is_kept() -> bool | None:
+    """Return whether a time server keeps this machine's clock, None when the system does not tell."""
+    try:
+        told = subprocess.run(
+            ["timedatectl", "show", "--property=NTPSynchronized", "--value"],
+            capture_output=True,
+            text=True,
+            check=False,
+            timeout=5.0,
+        )
+    except (OSError, subprocess.TimeoutExpired):
+        return None
+    return {"yes": True, "no": False}.get(told.stdout.strip())
+
+
+def install_time() -> float:
+    """Return when this file was installed, s since 1970."""
+    return (PACKAGE / "settings.py").stat().st_ctime
+
+
+def summary(findings: Sequence[Finding]) -> Finding:
+    """Return in a sentence whether the machine will do."""
+    verdicts = {finding.verdict for finding in findings}
+    if "bad" in verdicts:
+        return Finding("bad", "This computer will not do as it is: see to what is marked with !!.")
+    if "attention" in verdicts:
+        return Finding("attention", "This computer will do; what is marked with ! could be better.")
+    return Finding("good", "This computer will do.")
