@@ -41,6 +41,7 @@ PARTS = {
     "session": Part("bench.web.session", "measure_session", "the web process's memory after a session, in Chromium"),
     "page": Part("bench.web.page", "measure_page", "from the address to a page that can be used, in Chromium"),
     "viewers": Part("bench.web.viewers", "measure_viewers", "the 3D view for one, four and eight"),
+    "tls": Part("bench.web.tls", "measure_tls", "what https costs viewers, and a first connection"),
     "trajectory": Part("bench.web.long_trajectory", "measure_trajectory", "a long trajectory against a short one"),
 }
 

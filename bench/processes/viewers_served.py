@@ -1,6 +1,7 @@
 """The web process of the viewers' benchmark: the scene behind the bridge, and a chair that drives endlessly.
 
-Prints its port; then, for each line on stdin, the processor time (s) used so far. Ends with stdin.
+With a file (a certificate and its key) as argument, it serves over https. Prints its port; then, for each line on
+stdin, the processor time (s) used so far. Ends with stdin.
 """
 
 import asyncio
@@ -36,8 +37,8 @@ def viewed_app(servers: RoleServers) -> FastAPI:
     return app
 
 
-async def serve() -> None:
-    """Serve until stdin ends."""
+async def serve(certificate: str | None) -> None:
+    """Serve until stdin ends; over https with the file of a certificate and its key."""
     with RoleServers() as servers, bind("127.0.0.1", 0) as listening:
         if hasattr(socket, "TCP_USER_TIMEOUT"):
             listening.setsockopt(socket.IPPROTO_TCP, socket.TCP_USER_TIMEOUT, int(1000 * PING_LIMIT))
@@ -53,6 +54,7 @@ async def serve() -> None:
             ws_per_message_deflate=False,
             ws_ping_interval=PING_EVERY,
             ws_ping_timeout=PING_LIMIT,
+            ssl_certfile=certificate,
         )
         server = uvicorn.Server(config)
         serving = asyncio.create_task(server.serve([listening]))
@@ -71,4 +73,4 @@ def _say(line: str) -> None:
 
 
 if __name__ == "__main__":
-    asyncio.run(serve())
+    asyncio.run(serve(next(iter(sys.argv[1:]), None)))

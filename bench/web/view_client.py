@@ -1,5 +1,6 @@
 """A client of the 3D view without a browser: it receives everything and extracts the poses of the chair."""
 
+import ssl
 from collections.abc import AsyncIterator, Iterator
 from typing import Any, Final
 
@@ -16,10 +17,11 @@ CHAIR: Final = "/world/chair"
 HEADER: Final = 16  # bytes: two lengths before the packed messages
 
 
-async def open_view(port: int, role: Role) -> ClientConnection:
-    """Connect to the 3D view that is served on a port of this machine."""
+async def open_view(port: int, role: Role, trust: ssl.SSLContext | None = None) -> ClientConnection:
+    """Connect to the 3D view that is served on a port of this machine, over https with `trust`."""
     return await connect(
-        f"ws://127.0.0.1:{port}/view/{role}",
+        f"{'ws' if trust is None else 'wss'}://127.0.0.1:{port}/view/{role}",
+        ssl=trust,
         subprotocols=[Subprotocol(SUBPROTOCOL)],
         compression=None,
         max_size=None,
