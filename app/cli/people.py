@@ -12,8 +12,8 @@ import typer
 
 from app.cli.clinic_folder import open_clinic
 from app.cli.errors import InputError
-from app.cli.port import link_to
 from app.cli.qr import terminal_code
+from app.network import link
 from app.refusals import Refusal
 from app.settings import Settings, state_folder
 
@@ -168,10 +168,10 @@ def _change(name: str, state: Path | None, change: Callable[["Transaction", "Per
 
 
 def _print_link(name: str, made: "MadeInvitation", address: str) -> None:
-    base = address or link_to("127.0.0.1", DEFAULT_PORT)
-    link = f"{base.rstrip('/')}/#invite={made.code}"
-    typer.echo(terminal_code(link))
+    base = address or link("http", "127.0.0.1", DEFAULT_PORT)
+    address = f"{base.rstrip('/')}/#invite={made.code}"
+    typer.echo(terminal_code(address))
     typer.echo(f"{name} chooses a password with this link, once, until {made.expires.astimezone():%Y-%m-%d %H:%M}:")
-    typer.echo(link)
+    typer.echo(address)
     if not address:
         typer.echo(NOT_RUNNING)

@@ -94,7 +94,8 @@ def serve(
         if lan:
             listening = stack.enter_context(bind_local(port))
         else:  # a proxy on another machine, the only one that is answered, reaches an address of the network
-            listening = stack.enter_context((bind_here if proxy is None else bind)(first, 8080 if port is None else port))
+            bind_to = bind_here if proxy is None else bind
+            listening = stack.enter_context(bind_to(first, 8080 if port is None else port))
         bound = int(listening.getsockname()[1])
         here = link("http", first, bound)
         stack.enter_context(held(folder, here))

@@ -19,7 +19,7 @@ import pytest
 from browser.conftest import CHROMIUM
 from cryptography import x509
 from playwright.sync_api import BrowserContext, Error, Playwright, sync_playwright
-from processes.served_lan import HOSTS, NAME, OWNER, ServedLan, served_lan
+from processes.host.served_lan import HOSTS, NAME, OWNER, ServedLan, served_lan
 
 from app.clock import utc_now
 from app.host.authority import make_leaf, read_identity

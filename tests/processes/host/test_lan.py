@@ -10,8 +10,8 @@ from urllib.parse import urlsplit
 
 import httpx
 import pytest
+from processes.host.served_lan import HOSTS, NAME, OWNER, ServedLan, served_lan
 from processes.served_demo import bodydrive
-from processes.served_lan import HOSTS, NAME, OWNER, ServedLan, served_lan
 from websockets.exceptions import InvalidStatus
 from websockets.sync.client import connect
 
