@@ -169,9 +169,9 @@ def _change(name: str, state: Path | None, change: Callable[["Transaction", "Per
 
 def _print_link(name: str, made: "MadeInvitation", address: str) -> None:
     base = address or link("http", "127.0.0.1", DEFAULT_PORT)
-    address = f"{base.rstrip('/')}/#invite={made.code}"
-    typer.echo(terminal_code(address))
+    opened = f"{base.rstrip('/')}/#invite={made.code}"
+    typer.echo(terminal_code(opened))
     typer.echo(f"{name} chooses a password with this link, once, until {made.expires.astimezone():%Y-%m-%d %H:%M}:")
-    typer.echo(address)
+    typer.echo(opened)
     if not address:
         typer.echo(NOT_RUNNING)

@@ -128,8 +128,8 @@ def test_no_page_is_served_past_the_proxy_and_the_answer_has_its_headers(behind:
 
 
 def test_sockets_open_through_the_proxy_only(behind: Clinic) -> None:
-    token = behind.client.post("/api/v1/auth/demo", json=CODE, headers=PAGE).cookies["bodydrive_sign_in"]
-    cookie = {"Cookie": f"bodydrive_sign_in={token}"}
+    token = behind.client.post("/api/v1/auth/demo", json=CODE, headers=PAGE).cookies["__Host-bodydrive_sign_in"]
+    cookie = {"Cookie": f"__Host-bodydrive_sign_in={token}"}
     url = "ws://127.0.0.1:8080/api/v1/live"
     with behind.client.websocket_connect(url, headers={**PAGE, **cookie}) as socket:
         assert "control" in socket.receive_json()
