@@ -1,7 +1,7 @@
 """The folder of a clinic: locked while one program serves it, and readable by its owner alone."""
 
 import fcntl
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -40,10 +40,10 @@ class FolderInUseError(InputError):
 
 
 @contextmanager
-def held(folder: Path, address: str = "") -> Iterator[None]:
+def held(folder: Path) -> Iterator[Callable[[str], None]]:
     """Lock a clinic's folder, so that no second program serves it.
 
-    `address` of the pages is written into the locked file, for commands that are given meanwhile.
+    Yield a function that writes the address of the pages into the locked file, for commands that are given meanwhile.
 
     Raises
     ------
@@ -64,10 +64,14 @@ def held(folder: Path, address: str = "") -> Iterator[None]:
             file.seek(0)
             words = f"The clinic in {folder} is open already: end the other program, or choose another with --state."
             raise FolderInUseError(words, file.read(ADDRESS_LIMIT)) from error
-        file.truncate(0)
-        file.write(address)
-        file.flush()
-        yield
+
+        def write_address(address: str) -> None:
+            file.truncate(0)
+            file.write(address)
+            file.flush()
+
+        write_address("")
+        yield write_address
 
 
 @contextmanager

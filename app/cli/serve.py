@@ -98,7 +98,7 @@ def serve(
             listening = stack.enter_context(bind_to(first, 8080 if port is None else port))
         bound = int(listening.getsockname()[1])
         here = link("http", first, bound)
-        stack.enter_context(held(folder, here))
+        write_address = stack.enter_context(held(folder))
         settings = Settings(state=folder)
         warnings = keep_private(settings)
         others = stack.enter_context(Lan(hosts, port, settings.authority, own)) if lan else None
@@ -112,6 +112,7 @@ def serve(
             network=None if others is None else others.service,
         )
         opened = f"https://{reached_by}/" if reached_by else here
+        write_address(opened if others is None else others.service.link())
         words = [f"The clinic in {folder}. Ctrl-C ends it.", *warnings]
         if settings.setup_code is None:
             words.append(opened)

@@ -1,6 +1,7 @@
 """`bodydrive people`: list, invite, disable and enable, with and without a running program."""
 
 import json
+from contextlib import contextmanager
 
 import pytest
 
@@ -28,6 +29,14 @@ def database(tmp_path):
     opened.close()
 
 
+@contextmanager
+def served(folder):
+    """Hold a clinic's folder as a running program does."""
+    with held(folder) as write_address:
+        write_address(ADDRESS)
+        yield
+
+
 def people(bodydrive, *words):
     return bodydrive("people", *words, "--state", "clinic")
 
@@ -52,7 +61,7 @@ def test_a_reviewer_of_one_patient_is_invited_and_listed(bodydrive, database):
 
 
 def test_an_owner_who_is_locked_out_gets_a_new_password_while_the_program_runs(bodydrive, database, tmp_path):
-    with held(tmp_path / "clinic", ADDRESS):
+    with served(tmp_path / "clinic"):
         code, out, _ = people(bodydrive, "invite", "Ada")
     link = next(line for line in out.splitlines() if line.startswith("http"))
     assert (code, link.startswith(f"{ADDRESS}#invite=")) == (0, True)
@@ -67,7 +76,7 @@ def test_an_owner_who_is_locked_out_gets_a_new_password_while_the_program_runs(b
 def test_disabling_ends_sign_ins_while_the_program_runs(bodydrive, database, tmp_path):
     with database.transaction() as db:
         token = sign_in(db, add_person(db, find_clinic(db), "Ben", "clinician", "a hash"), "test")
-    with held(tmp_path / "clinic", ADDRESS):
+    with served(tmp_path / "clinic"):
         code, out, _ = people(bodydrive, "disable", "Ben")
     assert (code, "within 5 seconds" in out) == (0, True)
     with database.transaction() as db:
@@ -111,14 +120,14 @@ def test_without_a_clinic_or_beside_a_program_of_another_version_nothing_is_touc
 ):
     assert "There is no clinic in" in bodydrive("people", "list", "--state", "nowhere")[2]
     monkeypatch.setattr("app.store.schema.revision_of", lambda _file: "0001")
-    with held(tmp_path / "clinic", ADDRESS):
+    with served(tmp_path / "clinic"):
         code, _, err = people(bodydrive, "list")
     assert (code, "another version" in err) == (2, True)
 
 
 def test_a_second_program_leaves_the_address_of_the_first_one_in_the_locked_file(tmp_path):
-    with held(tmp_path, ADDRESS):
-        with pytest.raises(FolderInUseError) as refused, held(tmp_path, "http://127.0.0.1:1/"):
+    with served(tmp_path):
+        with pytest.raises(FolderInUseError) as refused, held(tmp_path):
             pass
         assert refused.value.address == ADDRESS
         assert (tmp_path / clinic_folder.IN_USE).read_text() == ADDRESS
