@@ -25,7 +25,7 @@ ExecStart={command}
 {account}Restart=on-failure
 RestartSec=5
 KillSignal=SIGTERM
-TimeoutStopSec=20
+TimeoutStopSec=30
 UMask=0077
 NoNewPrivileges=yes
 {rights}

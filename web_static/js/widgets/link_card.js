@@ -3,20 +3,14 @@
  * @import { LinkView } from "types/api"
  */
 import { t } from "../texts.js";
+import { copyText } from "./clipboard.js";
 import { h } from "./dom.js";
 import { moment } from "./format.js";
 import { pictureOf } from "./one_time_key.js";
 
 /** @param {import("../main.js").App} app @param {LinkView} link @param {() => void} onDone */
 export function linkCard(app, { person, url, qr, expires, words }, onDone) {
-  const copy = async () => {
-    try {
-      await navigator.clipboard.writeText(url);
-      app.toasts.show(t("screens.copied"));
-    } catch {
-      app.toasts.show(t("screens.copy-failed")); // browsers give the clipboard to encrypted pages only
-    }
-  };
+  const copy = () => copyText(app, url, t("screens.copied"), t("screens.copy-failed"));
   const key = person.state === "invited" ? "people.link.new" : "people.link.password";
   return h(
     "section",

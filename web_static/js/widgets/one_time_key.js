@@ -1,5 +1,6 @@
 /** The key of a chair that was just paired: shown this once, with what to do on the chair. */
 import { t } from "../texts.js";
+import { copyText } from "./clipboard.js";
 import { h } from "./dom.js";
 
 /**
@@ -8,14 +9,7 @@ import { h } from "./dom.js";
  */
 export function pairedCard(app, { key_line: line, qr }, { name, host, port }, onDone) {
   const start = `bodydrive chair receive --key-file chair.key --output ros2 --bind ${host} --port ${port}`;
-  const copy = async () => {
-    try {
-      await navigator.clipboard.writeText(line);
-      app.toasts.show(t("paired.copied"));
-    } catch {
-      app.toasts.show(t("paired.copy-failed")); // browsers give the clipboard to encrypted pages only
-    }
-  };
+  const copy = () => copyText(app, line, t("paired.copied"), t("paired.copy-failed"));
   /** @param {string} words */
   const code = (words) => h("pre", {}, h("code", {}, words));
   return h(

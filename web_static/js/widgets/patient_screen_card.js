@@ -3,6 +3,7 @@
  * @import { OfferView, ScreensView, ScreenView, ScreenSettings } from "types/api"
  */
 import { t } from "../texts.js";
+import { copyText } from "./clipboard.js";
 import { h, put, write } from "./dom.js";
 import { toggle } from "./fields.js";
 import { moment } from "./format.js";
@@ -129,14 +130,7 @@ export function patientScreenCard(app, signal) {
 function codeView(app, { url, qr, words, expires }, { onAgain, onClose }, signal) {
   const about = h("p", { role: "status" });
   const link = h("code", {}, url);
-  const copy = async () => {
-    try {
-      await navigator.clipboard.writeText(url);
-      app.toasts.show(t("screens.copied"));
-    } catch {
-      app.toasts.show(t("screens.copy-failed")); // browsers give the clipboard to encrypted pages only
-    }
-  };
+  const copy = () => copyText(app, url, t("screens.copied"), t("screens.copy-failed"));
   /** @param {string} text @param {() => void} run */
   const button = (text, run) => h("button", { type: "button", class: "btn", onclick: run }, text);
   const picture = h("img", { class: "qr", src: pictureOf(qr), alt: t("screens.qr"), width: 240, height: 240 });
