@@ -5,6 +5,7 @@ page in a browser on this machine could read the scene from these ports. The sec
 program, and only the bridge sends it.
 """
 
+import logging
 import secrets
 import threading
 import weakref
@@ -20,6 +21,7 @@ from viser.infra import _infra
 from websockets.asyncio.server import ServerConnection
 from websockets.http11 import Request, Response
 
+LOGGER: Final = "websockets.server"
 HEADER: Final = "X-Bodydrive-Bridge"
 SECRET: Final = secrets.token_urlsafe(32)
 BRIDGE_HEADERS: Final = {HEADER: SECRET}
@@ -61,4 +63,14 @@ def _serve(*given: Any, process_request: ProcessRequest, **more: Any) -> Any:
         return connection.respond(HTTPStatus.FORBIDDEN, "This port is for the program itself: open its own pages.\n")
 
     _guarded.add(threading.current_thread())
-    return websockets.asyncio.server.serve(*given, process_request=admit, **more)
+    return websockets.asyncio.server.serve(*given, process_request=admit, logger=_own_logger(), **more)
+
+
+def _own_logger() -> logging.Logger:
+    """Return a logger for one server, which passes on to that of the websockets library.
+
+    Each viser server adds a filter to the logger of its connections, and never removes it.
+    """
+    logger = logging.Logger(LOGGER)
+    logger.parent = logging.getLogger(LOGGER)
+    return logger

@@ -1,5 +1,6 @@
 """The 3D servers: where they listen, what each role gets, their page."""
 
+import logging
 import socket
 import threading
 
@@ -44,3 +45,13 @@ def test_the_page_is_visers_own_with_our_head():
     assert page.count("</head>") == 1
     assert "bodydriveView" in page[: page.index("</head>")]
     assert "<title>Viser" not in page
+
+
+def test_servers_that_were_looked_at_leave_no_filter_in_the_log():
+    filters = logging.getLogger("websockets.server").filters
+    before = list(filters)
+    for _ in range(2):
+        with RoleServers() as servers:
+            for role in ROLES:
+                everything(servers.port(role))
+    assert filters == before
