@@ -1,4 +1,7 @@
-"""Requests real-time scheduling and locked memory for the control loop, and reports in words what was granted."""
+"""Requests real-time scheduling and locked memory for the control loop, and reports in words what was granted.
+
+It also frees memory at moments when no chair moves.
+"""
 
 import ctypes
 import gc
@@ -31,6 +34,17 @@ def collect_garbage() -> None:
     """Collect garbage; call this only while the chair stands."""
     gc.collect()
     gc.freeze()
+
+
+def return_memory() -> None:
+    """Free what a session has left, and return it to the system; call this only while the chair stands.
+
+    glibc keeps freed memory for its own use, in an area for each of many threads, and a session's threads are new each
+    time. Other C libraries are left to themselves.
+    """
+    gc.collect()
+    if sys.platform == "linux" and (trim := getattr(ctypes.CDLL(None), "malloc_trim", None)) is not None:
+        trim(0)
 
 
 def take_priority(priority: int) -> bool:

@@ -10,6 +10,7 @@ import numpy as np
 from fastapi import WebSocket
 
 from app.api.sockets import NOT_VISIBLE, OpenSockets
+from app.realtime import return_memory
 from app.scene.role_servers import Role, RoleServers
 from app.scene.scene_thread import SceneThread, start_scene
 from app.scene.session_scene import Scene
@@ -114,9 +115,14 @@ class ViewKeeper:
 
     async def _close(self) -> None:
         served, self._scene, self._shown = self._scene, None, None
-        if served is not None:
-            with suppress(RuntimeError):  # its servers may have ended already
-                await asyncio.to_thread(served.stop)
+        if served is None:
+            return
+        with suppress(RuntimeError):  # its servers may have ended already
+            await asyncio.to_thread(served.stop)
+        # viser's objects refer to each other, so that only a collection frees them, with every message that was sent.
+        # Python itself may let several sessions pass until it does a full one.
+        del served
+        await asyncio.to_thread(return_memory)
 
 
 @asynccontextmanager
