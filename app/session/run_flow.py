@@ -149,10 +149,7 @@ class RunFlow(ABC, Generic[Current]):
         end = "fault"  # also when watching fails: nothing is left open
         try:
             with suppress(RunLost):
-                end = (
-                    await follow_run(self._control, current.run.number, self._end_asked, current.watch.take)
-                    or "by hand"
-                )
+                end = await follow_run(self._control, current.run, self._end_asked, current.watch.take) or "by hand"
             self.last_end = RunEnd(current.id, end)
         finally:
             await self._finish(current, end)

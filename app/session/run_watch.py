@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from app.faults import State
 from app.session.control_link import ControlLink
+from app.session.runs import SessionRun
 
 LOOK_EVERY = 0.04  # s
 # s for which a halted trial or drive waits for Continue: time to help the patient or to change a cable. S27 requires
@@ -60,13 +61,13 @@ class Halt:
 
 
 async def follow_run(
-    control: ControlLink, run: int, asked_to_end: asyncio.Event, take: Callable[[NDArray[np.void]], End | None]
+    control: ControlLink, run: SessionRun, asked_to_end: asyncio.Event, take: Callable[[NDArray[np.void]], End | None]
 ) -> End | None:
-    """Pass the ticks of a run (`run` is its number in the ticks) to `take` until `take` returns how it ended.
+    """Pass the ticks of a run, from its first, to `take` until `take` returns how it ended.
 
     Return None when `asked_to_end` is set; raise RunLost when the control process has ended.
     """
-    last = 0
+    last = run.after
     while True:
         try:
             await asyncio.wait_for(asked_to_end.wait(), LOOK_EVERY)
@@ -79,6 +80,6 @@ async def follow_run(
             raise RunLost
         if len(ticks):
             last = int(ticks["number"][-1])
-            end = take(ticks[ticks["run"] == run])
+            end = take(ticks[ticks["run"] == run.number])
             if end is not None:
                 return end

@@ -22,6 +22,7 @@ class SessionRun:
 
     id: str
     number: int  # of the run in the ticks
+    after: int  # number of the last tick before it; the ring may hold 160 s of older ticks, which nobody needs
     folder: Path
     kind: str
     cues: tuple[Cue, ...]
@@ -54,6 +55,7 @@ class SessionRuns:
     async def _begin(self, session_id: int, kind: str, cues: Sequence[Cue], meta: dict[str, Any]) -> SessionRun:
         run_id = uuid.uuid4().hex
         folder = self.folder_of(run_id)
+        before = self._last_tick()
         answer = await self._control.call(
             "run",
             run_id=run_id,
@@ -68,8 +70,13 @@ class SessionRuns:
             with suppress(Refusal):  # otherwise a run that nobody knows of would never be ended
                 await self._control.call("end_run")
             raise
-        self.open = SessionRun(run_id, int(answer["run"]), folder, kind, tuple(cues))
+        after = min(before, self._last_tick())  # a control process that was replaced meanwhile counts its ticks from 1
+        self.open = SessionRun(run_id, int(answer["run"]), after, folder, kind, tuple(cues))
         return self.open
+
+    def _last_tick(self) -> int:
+        tick = self._control.newest()
+        return 0 if tick is None else int(tick["number"])
 
     async def end(self) -> SessionRun | None:
         """Close the recording and return its run, also when the recording was cut; None when nothing is recorded."""

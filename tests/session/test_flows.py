@@ -4,11 +4,14 @@ import asyncio
 from types import SimpleNamespace
 from typing import Any
 
+import numpy as np
 import pytest
 
+from app.messages import TICK
 from app.refusals import Conflict, Unavailable
 from app.session.calibration import CalibrationFlow
 from app.session.real_drive import RealDriveFlow
+from app.session.run_watch import follow_run
 from app.session.runs import SessionRuns
 from app.session.trial import TrialFlow
 from app.source import UNKNOWN_SOURCE
@@ -27,6 +30,9 @@ class FakeControl:
     async def call(self, do: str, **_fields: Any) -> dict[str, Any]:
         self.commands.append(do)
         return {"run": 1, "source": UNKNOWN_SOURCE.model_dump(), "rows": 0, "dropped": 0}
+
+    def newest(self) -> Any:
+        return None
 
 
 class LostDatabase:
@@ -72,6 +78,40 @@ def test_a_run_whose_end_nobody_answers_is_open_no_more(database: Database, tmp_
     with database.transaction() as db:
         ended = [run.ended is not None for run in db.query(Run).order_by(Run.started)]
     assert ended == [True, False]
+
+
+@pytest.mark.parametrize(
+    ("numbers", "first"),
+    [((20_000, 20_003), 20_000), ((20_000, 3), 3), ((None, 4), 0)],
+    ids=["goes on", "new", "first"],
+)
+def test_a_run_is_followed_from_its_beginning_and_no_tick_before_it_is_read(
+    database: Database, tmp_path: Any, numbers: tuple[int | None, int], first: int
+) -> None:
+    """A control process that was replaced meanwhile numbers its ticks anew."""
+    with database.transaction() as db:
+        clinic = add_clinic(db, "Clinic")
+        session = start_session(db, clinic.id, add_patient(db, clinic.id, "P-1", "Heron", "").id)
+    asked: list[int] = []
+
+    class Ticking(FakeControl):
+        def newest(self) -> Any:
+            number = numbers["run" in self.commands]
+            return None if number is None else {"number": number}
+
+        def since(self, number: int) -> Any:
+            asked.append(number)
+            ticks = np.zeros(1, TICK)
+            ticks["run"] = 1
+            return ticks
+
+    async def story() -> str | None:
+        control: Any = Ticking()
+        run = await SessionRuns(database, control, tmp_path).begin(session.id, "drive", (), {})
+        return await follow_run(control, run, asyncio.Event(), lambda ticks: "seen" if len(ticks) else None)
+
+    assert asyncio.run(story()) == "seen"
+    assert asked == [first]
 
 
 def test_a_drive_is_over_though_the_database_is_gone(tmp_path: Any) -> None:
