@@ -3,6 +3,10 @@
 Each round one clinician opens a patient, pairs two patient's screens, prompts a movement and drives, while the other
 one and a reviewer look on, try what they may not do, and lose the network. The next round the other clinician leads,
 with the other patient.
+
+The memory is all that is resident in the web process. It contains the ring of ticks (13 MB), which it shares with the
+control process and which fills in the first 160 s, and what the C library keeps for its own use: it grows for some
+rounds, and then stays.
 """
 
 import argparse
