@@ -2,6 +2,7 @@
 
 import dataclasses
 import functools
+import gc
 import json
 import os
 import re
@@ -35,6 +36,7 @@ MOST_SESSIONS = 100
 MOST_SEEDS = 1000
 LARGEST_SEED = 2**31 - 1
 MOST_JOBS = 256
+SELDOM = 50_000  # new objects until garbage is looked for: a drive makes many small ones, and few circles
 OF_A_STUDY = re.compile(
     r"(study\.json|trials\.csv|trajectories\.parquet|(trajectories|errors)(-seed-\d+)?\.(png|svg)"
     r"|sessions\.csv|table\.txt|adaptation\.json)"
@@ -78,6 +80,7 @@ def study(
     except ValueError as error:
         raise InputError(f"--out {error}") from error
     plan = find_floorplan(floorplan)
+    gc.set_threshold(SELDOM)
     processes = jobs or len(os.sched_getaffinity(0))
     started = stopwatch()
     try:
