@@ -1,48 +1,33 @@
 /** The large word at the start and at the end of a trial: rest, go, goal reached. */
 import { h, put } from "../widgets/dom.js";
 import { t } from "../texts.js";
+import { momentWords } from "./moment_word.js";
 
-const GO_FOR = 1600; // ms
-const OVER_FOR = 8000; // ms
+/** The look of a word; the others have none of their own. @type {Record<string, string>} */
+const TONES = { go: "go", goal: "good" };
 
 /** @typedef {import("./message.js").PatientMessage} PatientMessage */
 
 export function momentCard() {
   const element = h("div", { class: "moment", "aria-live": "assertive" });
+  const wordOf = momentWords();
   let word = "";
-  let until = 0;
-  /** @type {PatientMessage | null} */
-  let before = null;
-  /** @param {string} name of the word; empty: none */
-  const say = (name, why = "", tone = "") => {
-    if (word === name) return;
-    word = name;
+  /** @param {PatientMessage} now */
+  const show = (now) => {
+    const next = wordOf(now, performance.now());
+    if (next === word) return;
+    word = next;
+    const why = { rest: now.waits.words, goal: t("patient.goal.why"), ended: t("patient.ended.why"), go: "", "": "" }[next];
     put(
       element,
-      name &&
+      next &&
         h(
           "div",
-          { class: `hud ${tone}` },
-          h("div", { class: "word" }, t(`patient.${name}`)),
+          { class: `hud ${TONES[next] ?? ""}` },
+          h("div", { class: "word" }, t(`patient.${next}`)),
           why && h("p", {}, why),
         ),
     );
-  };
-  /** @param {PatientMessage} now */
-  const show = (now) => {
-    const over = before && now.over?.id !== before.over?.id ? now.over : null;
-    const begins = before && now.state === "armed" && before.state !== "armed";
-    before = now;
-    if (now.state === "fault" || now.cue) say("");
-    else if (now.state === "checking") say("rest", now.waits.words);
-    else if (over) {
-      const name = over.end === "goal" ? "goal" : "ended";
-      say(name, t(`patient.${name}.why`), name === "goal" ? "good" : "");
-      until = performance.now() + OVER_FOR;
-    } else if (begins) {
-      say("go", "", "go");
-      until = performance.now() + GO_FOR;
-    } else if (performance.now() > until || word === "rest") say("");
   };
   return { element, show };
 }
