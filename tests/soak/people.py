@@ -121,6 +121,7 @@ def one_round(code: str, leads: Seat, looks_on: Seat, reviewer: Seat, screens: l
     for screen in screens:  # a busy machine may stop the chair at the same time: then the stop stands there
         expect(screen.page.locator(".moment, .band.stopped").filter(has_text=OVER).first).to_be_visible()
     is_measured(leads)
+    go_on_until(leads.page, partial(nobody_is_stopped, screens), "the end of the stop")
     reviews(reviewer, code)
     names_nobody_else(code, leads, looks_on, screens)
     leads.good("DELETE", "/session")
@@ -173,6 +174,11 @@ def is_driven(page: Page) -> bool:
     """Return whether a patient's screen shows a chair that drives, and not one that still rolls after a stop."""
     shown = re.match(r"[\d.]+", page.locator(".patient .speed .big").inner_text())
     return shown is not None and float(shown[0]) >= FAST and page.locator(".band.stopped").is_hidden()
+
+
+def nobody_is_stopped(screens: list[Seat]) -> bool:
+    """Return whether no patient's screen shows a stop any more."""
+    return all(screen.page.locator(".band.stopped").is_hidden() for screen in screens)
 
 
 def nobody_else_controls(looks_on: Seat, reviewer: Seat) -> int:
