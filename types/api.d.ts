@@ -2988,6 +2988,40 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/trials/{trial_id}/verdicts": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["TrialVerdicts"];
+                    };
+                };
+            };
+        };
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/patients/{patient_id}/quality": {
         parameters: {
             query?: never;
@@ -4334,6 +4368,7 @@ export interface components {
             curves: {
                 [key: string]: unknown;
             };
+            verdicts: components["schemas"]["TaskVerdicts"];
             trajectories: components["schemas"]["TrialLine"][];
             path: [
                 number,
@@ -4776,6 +4811,17 @@ export interface components {
             other: string;
             others: number;
         };
+        SessionVerdicts: {
+            earlier: number;
+            later: number;
+            trials: [
+                number,
+                number
+            ];
+            verdicts: {
+                [key: string]: components["schemas"]["Verdict"];
+            };
+        };
         SessionView: {
             id: number;
             number: number;
@@ -4901,6 +4947,12 @@ export interface components {
             pages: string;
             words: string;
         };
+        TaskVerdicts: {
+            sessions: components["schemas"]["SessionVerdicts"][];
+            deterioration: {
+                [key: string]: string;
+            };
+        };
         Timeline: {
             t: (number | null)[];
             x: (number | null)[];
@@ -4963,6 +5015,13 @@ export interface components {
             floorplan: components["schemas"]["FloorPlan"];
             path: string;
         };
+        TrialVerdicts: {
+            earlier: number | null;
+            familiarisation: number[];
+            verdicts: {
+                [key: string]: components["schemas"]["Verdict"];
+            };
+        };
         TrialView: {
             id: number;
             number: number;
@@ -5020,6 +5079,15 @@ export interface components {
             type: string;
             input?: unknown;
             ctx?: Record<string, never>;
+        };
+        Verdict: {
+            /** @enum {string} */
+            word: "better" | "within" | "worse" | "too few";
+            earlier: number | null;
+            later: number | null;
+            low: number | null;
+            high: number | null;
+            trials: number;
         };
         ViewState: {
             /** @enum {string} */
@@ -5184,6 +5252,7 @@ export type ScreenView = components['schemas']['ScreenView'];
 export type ScreensView = components['schemas']['ScreensView'];
 export type SenderChoice = components['schemas']['SenderChoice'];
 export type SendersView = components['schemas']['SendersView'];
+export type SessionVerdicts = components['schemas']['SessionVerdicts'];
 export type SessionView = components['schemas']['SessionView'];
 export type ShirtKind = components['schemas']['ShirtKind'];
 export type ShirtLayout = components['schemas']['ShirtLayout'];
@@ -5200,18 +5269,21 @@ export type SuggestedVocabulary = components['schemas']['SuggestedVocabulary'];
 export type Summary = components['schemas']['Summary'];
 export type TabletHeadConfig = components['schemas']['TabletHeadConfig'];
 export type TabletsView = components['schemas']['TabletsView'];
+export type TaskVerdicts = components['schemas']['TaskVerdicts'];
 export type Timeline = components['schemas']['Timeline'];
 export type TitleChoice = components['schemas']['TitleChoice'];
 export type TrajectoryView = components['schemas']['TrajectoryView'];
 export type TrialDetail = components['schemas']['TrialDetail'];
 export type TrialLine = components['schemas']['TrialLine'];
 export type TrialPlan = components['schemas']['TrialPlan'];
+export type TrialVerdicts = components['schemas']['TrialVerdicts'];
 export type TrialView = components['schemas']['TrialView'];
 export type TrustView = components['schemas']['TrustView'];
 export type Turn = components['schemas']['Turn'];
 export type UdpConfig = components['schemas']['UdpConfig'];
 export type UnusedChannels = components['schemas']['UnusedChannels'];
 export type ValidationError = components['schemas']['ValidationError'];
+export type Verdict = components['schemas']['Verdict'];
 export type ViewState = components['schemas']['ViewState'];
 export type VisitorConfig = components['schemas']['VisitorConfig'];
 export type $defs = Record<string, never>;

@@ -1,12 +1,18 @@
 """The trials of a learning curve, each with its session and the version of the map that it was driven with."""
 
+from collections import Counter
+from collections.abc import Sequence
+from datetime import date
 from typing import Any, NamedTuple
 
-from sqlalchemy import JSON, select
+from sqlalchemy import JSON, ColumnElement, select
 from sqlalchemy.orm import Session
 
 from app.source import SourceGroup, source_words
-from app.store.tables import Parameters, PatientSession, Profile, Trial
+from app.store.tables import Parameters, Patient, PatientSession, Profile, Trial
+
+FAMILIARISATION = 3  # first trials of a task on a day, in which a person gets used to it
+MOST_OTHERS = 5000  # trials of other people, the newest, that the clinic's median is of
 
 
 class CountedTrial(NamedTuple):
@@ -16,6 +22,7 @@ class CountedTrial(NamedTuple):
     session: int  # number of the session: 1, 2, 3 ... per patient
     profile_version: int
     origin: str  # of that version: calibration, adaptation, back
+    familiarisation: bool  # one of the first three of its task and source on its day
 
     @property
     def group(self) -> SourceGroup:
@@ -29,6 +36,7 @@ class CountedTrial(NamedTuple):
             "number": self.trial.number,
             "id": self.trial.id,
             "session": self.session,
+            "familiarisation": self.familiarisation,
             "profile_version": self.profile_version,
             "origin": self.origin,
             "simulated": self.trial.run.simulated,
@@ -43,15 +51,71 @@ def counted_trials(db: Session, clinic_id: int, patient_id: int, floorplan: str,
         .join(PatientSession, PatientSession.id == Trial.session_id)
         .join(Parameters, Parameters.id == Trial.parameters_id)
         .join(Profile, Profile.id == Parameters.profile_id)
-        .where(
-            Trial.clinic_id == clinic_id,
-            Trial.patient_id == patient_id,
-            Trial.floorplan == floorplan,
-            Trial.path == path,
-            Trial.kept.is_(True),
-            Trial.status == "done",
-            Trial.measures != JSON.NULL,
-        )
+        .where(Trial.patient_id == patient_id, *_measured(clinic_id, floorplan, path))
         .order_by(Trial.id)
+    ).all()
+    familiarisation = _familiarisation([trial for trial, *_ in found])
+    return [CountedTrial(*row, row[0].id in familiarisation) for row in found if row[0].kept]
+
+
+def trials_of_others(
+    db: Session, clinic_id: int, patient_id: int, floorplan: str, path: str, group: SourceGroup
+) -> list[list[dict[str, Any]]]:
+    """Return the rows of all other patients on one path, a list for each person, for the clinic's median spread.
+
+    The rows hold numbers only: `id`, `number`, `session`, `familiarisation` and the measures.
+    """
+    found = db.execute(
+        select(Trial, PatientSession.number)
+        .join(PatientSession, PatientSession.id == Trial.session_id)
+        .join(Patient, Patient.id == Trial.patient_id)
+        .where(Trial.patient_id != patient_id, Patient.deleted.is_(None), *_measured(clinic_id, floorplan, path))
+        .order_by(Trial.id.desc())
+        .limit(MOST_OTHERS)
+    ).all()[::-1]
+    people: dict[int, list[tuple[Trial, int]]] = {}
+    for trial, session in found:
+        if trial.run.source.group == group:
+            people.setdefault(trial.patient_id, []).append((trial, session))
+    return [_numbers(trials) for trials in people.values()]
+
+
+def _numbers(trials: list[tuple[Trial, int]]) -> list[dict[str, Any]]:
+    familiarisation = _familiarisation([trial for trial, _ in trials])
+    return [
+        {
+            **(trial.measures or {}),
+            "id": trial.id,
+            "number": trial.number,
+            "session": session,
+            "familiarisation": trial.id in familiarisation,
+        }
+        for trial, session in trials
+        if trial.kept
+    ]
+
+
+def _measured(clinic_id: int, floorplan: str, path: str) -> tuple[ColumnElement[bool], ...]:
+    """Return the conditions of a measured trial on this path; it may have been discarded."""
+    return (
+        Trial.clinic_id == clinic_id,
+        Trial.floorplan == floorplan,
+        Trial.path == path,
+        Trial.status == "done",
+        Trial.measures != JSON.NULL,
     )
-    return [CountedTrial(*row) for row in found]
+
+
+def _familiarisation(trials: Sequence[Trial]) -> set[int]:
+    """Return the ids of the first three trials of each source on each day of this machine's calendar.
+
+    `trials` are one person's on one path, in the order driven. A discarded trial counts: it was practice, too.
+    """
+    driven: Counter[tuple[SourceGroup, date]] = Counter()
+    found = set()
+    for trial in trials:
+        day = (trial.run.source.group, trial.started.astimezone().date())
+        driven[day] += 1
+        if driven[day] <= FAMILIARISATION:
+            found.add(trial.id)
+    return found

@@ -23,6 +23,7 @@ IDS = {  # names of whole numbers that are ids, and of which table
     "patient": "patient",
     "trial_id": "trial",
     "trial": "trial",
+    "against": "trial",
     "chair_id": "chair",
     "screen_id": "patient_screen",
     "person_id": "person",
@@ -148,7 +149,7 @@ def test_another_clinics_ids_do_not_exist_here_and_asking_for_one_is_noted(
             url = path.removeprefix("/api/v1").replace(f"{{{name}}}", str(number))
             more = {other: FILLED[other] for other in needed if other != name}
             body = BODIES.get(f"{method} {path.removeprefix('/api/v1')}")
-            url = url.replace("{person_id}", OWN_PERSON)
+            url = url.replace("{person_id}", OWN_PERSON).replace("{trial_id}", str(number))
             if not in_path and method == "GET":
                 more[name] = str(number)
             elif not in_path:

@@ -73,6 +73,7 @@ FOR_REVIEWERS = {
     "GET /trials",
     "GET /trials/{trial_id}",
     "GET /trials/{trial_id}/timeline",
+    "GET /trials/{trial_id}/verdicts",
     "GET /drives",
     "GET /drives/summary",
     "GET /patients/{patient_id}/learning",

@@ -68,6 +68,7 @@ def test_the_id_of_another_patient_is_answered_like_one_that_does_not_exist(revi
 
             def ask(number: int, method: str = method, path: str = path, name: str = name, needed: Any = needed) -> Any:
                 url = path.removeprefix("/api/v1").replace(f"{{{name}}}", str(number))
+                url = url.replace("{trial_id}", str(number))
                 more = {other: FILLED[other] for other in needed if other != name}
                 body = None
                 if f"{{{name}}}" not in path and method == "GET":

@@ -1,19 +1,24 @@
-"""The learning curves of a patient."""
+"""The learning curves of a patient, and what is better than noise."""
 
 from collections import Counter
 from typing import Annotated, Any
 
 from fastapi import APIRouter, Query
 
-from app.api.deps import Anyone, PeopleParts, RowId
+from app.api.deps import Anyone, People, PeopleParts, RowId
 from app.api.parts import Web
 from app.api.routes.source_view import RequestedGroup
 from app.quantities import Document
+from app.refusals import Conflict
 from app.scoring.learning import learning_curves
+from app.scoring.verdict.verdicts import TaskVerdicts, TrialVerdicts, task_verdicts, trial_verdicts
 from app.source import SourceGroup
-from app.store.learning_trials import counted_trials
+from app.store.access.visible_patients import every_patient
+from app.store.learning_trials import counted_trials, trials_of_others
 from app.store.log import write_log
 from app.store.patients import find_patient
+from app.store.runs import find_trial
+from app.store.tables import Trial
 
 router = APIRouter(tags=["review"])
 
@@ -35,6 +40,7 @@ class LearningView(Document):
     others: dict[SourceGroup, int]  # how many kept trials there are of the other sources
     trials: list[dict[str, Any]]
     curves: dict[str, Any]
+    verdicts: TaskVerdicts
     trajectories: list[TrialLine]
     path: list[tuple[float, float]]
 
@@ -54,6 +60,7 @@ def learning(
         find_patient(db, who.clinic_id, patient_id)
         every = counted_trials(db, who.clinic_id, patient_id, floorplan, path)
         write_log(db, who.name, "patient viewed", patient=patient_id)
+    others = _others(parts, who.clinic_id, patient_id, floorplan, path, source)
     counted = [one for one in every if one.group == source]
     rows = [one.row() for one in counted]
     lines = []
@@ -66,6 +73,43 @@ def learning(
         others=dict(Counter(one.group for one in every if one.group != source)),
         trials=rows,
         curves=web.computing.ask(learning_curves, rows, every_model=True),
+        verdicts=web.computing.ask(task_verdicts, rows, others),
         trajectories=lines,
         path=[(x, y) for x, y in counted[-1].trial.path_points] if counted else [],
     )
+
+
+@router.get("/trials/{trial_id}/verdicts")
+def verdicts_of_trial(
+    trial_id: RowId,
+    who: Anyone,
+    parts: PeopleParts,
+    web: Web,
+    against: Annotated[int | None, Query(ge=1, le=2**31)] = None,
+) -> TrialVerdicts:
+    """Tell in which measures a trial is better than noise against another one; by default the one before that counts.
+
+    409 when the two are not of one patient, task and source.
+    """
+    with parts.database.transaction() as db:
+        trial = find_trial(db, who.clinic_id, trial_id)
+        other = trial if against is None else find_trial(db, who.clinic_id, against)
+        if _task_of(trial) != _task_of(other):
+            raise Conflict("These two trials differ in their patient, task or source, so neither is called better.")
+        counted = counted_trials(db, who.clinic_id, trial.patient_id, trial.floorplan, trial.path)
+    group = trial.run.source.group
+    others = _others(parts, who.clinic_id, trial.patient_id, trial.floorplan, trial.path, group)
+    rows = [one.row() for one in counted if one.group == group]
+    return web.computing.ask(trial_verdicts, rows, others, trial_id, against)
+
+
+def _task_of(trial: Trial) -> tuple[int, str, str, SourceGroup]:
+    return trial.patient_id, trial.floorplan, trial.path, trial.run.source.group
+
+
+def _others(
+    parts: People, clinic_id: int, patient_id: int, floorplan: str, path: str, group: SourceGroup
+) -> list[list[dict[str, Any]]]:
+    """Return what the other patients of the clinic drove in this task, for the clinic's median only."""
+    with every_patient(), parts.database.transaction() as db:
+        return trials_of_others(db, clinic_id, patient_id, floorplan, path, group)

@@ -5,6 +5,8 @@ the request is restricted here. So a route needs no rule of its own, and a new o
 chosen patients, other patients do not exist.
 """
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from contextvars import ContextVar
 
 from sqlalchemy import ColumnElement, event, inspect, select
@@ -16,6 +18,20 @@ VisiblePatients = frozenset[int] | None
 """Ids of the patients that exist for somebody; None: all of them."""
 
 VISIBLE_PATIENTS: ContextVar[VisiblePatients] = ContextVar("VISIBLE_PATIENTS", default=None)
+
+
+@contextmanager
+def every_patient() -> Iterator[None]:
+    """Let transactions that begin in here see every patient of the clinic.
+
+    For figures of the whole clinic only, in which nobody can be recognised: such a figure must be the same for
+    everybody, because a verdict is derived from it. Nothing else that was read in here may be answered.
+    """
+    before = VISIBLE_PATIENTS.set(None)
+    try:
+        yield
+    finally:
+        VISIBLE_PATIENTS.reset(before)
 
 
 def restrict(db: Session) -> None:

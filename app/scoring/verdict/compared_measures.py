@@ -1,0 +1,95 @@
+"""How each measure of a trial is compared: the scale on which its noise is even, its direction, and when it counts."""
+
+from collections.abc import Mapping
+from typing import Any, Literal, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+Numbers = NDArray[np.float64]
+Scale = Literal["log", "root", "count", "plain"]
+
+LARGEST = 1e100  # larger values are left out, as in a learning curve
+SMALLEST = 1e-9  # on the log scale; smaller values count as this one
+COUNT_SHIFT = 3 / 8  # Anscombe, Biometrika 35 (1948)
+POISSON_SPREAD = 0.5  # of a count on its scale
+LEAST_SPREAD = 0.01  # of the level: below it, trials are no closer than the drawing of a path
+
+
+class ComparedMeasure(NamedTuple):
+    """How one measure is compared."""
+
+    scale: Scale
+    better: Literal["low", "high"] | None  # None: neither way is better, so there is no verdict
+    needs_goal: bool = True  # a trial that did not reach the goal does not count
+
+
+COMPARED: dict[str, ComparedMeasure] = {
+    "dist": ComparedMeasure("log", "low"),
+    "dist_ratio": ComparedMeasure("log", "low"),
+    "e_diff": ComparedMeasure("log", "low"),
+    "time": ComparedMeasure("log", "low"),
+    "cross_track_rms": ComparedMeasure("log", "low"),
+    "cross_track_max": ComparedMeasure("log", "low"),
+    "mean_speed": ComparedMeasure("log", None),  # the person, the limits and the leader choose it
+    "stops": ComparedMeasure("count", "low"),
+    "collisions": ComparedMeasure("count", "low"),
+    "contact_time": ComparedMeasure("root", "low"),
+    "stages_done": ComparedMeasure("count", "high", needs_goal=False),
+    "follow_error_rms": ComparedMeasure("log", "low", needs_goal=False),
+    "follow_error_max": ComparedMeasure("log", "low", needs_goal=False),
+    "follow_near": ComparedMeasure("plain", "high", needs_goal=False),
+    "heading_error_deg": ComparedMeasure("root", "low"),
+    "turn_drift": ComparedMeasure("root", "low"),
+    "cones_touched": ComparedMeasure("count", "low"),
+    "gap_clearance": ComparedMeasure("plain", "high"),
+    "door_contacts": ComparedMeasure("count", "low"),
+    "turn_reversals": ComparedMeasure("count", "low"),
+    "pulses_per_metre": ComparedMeasure("log", "low"),
+    "sparc": ComparedMeasure("plain", "high"),
+    "ldlj": ComparedMeasure("plain", "high"),
+}
+
+
+def value_of(trial: Mapping[str, Any], name: str) -> float | None:
+    """Return a trial's measure where it counts; None where it was not measured or the goal was not reached."""
+    value = trial.get(name)
+    if value is None or not abs(value) < LARGEST:
+        return None
+    if COMPARED[name].needs_goal and not trial.get("reached", True):
+        return None
+    return float(value)
+
+
+def to_scale(name: str, values: Numbers) -> Numbers:
+    """Return values (n,) on the scale on which their noise does not depend on their level."""
+    scale = COMPARED[name].scale
+    if scale == "log":
+        return np.log(np.maximum(values, SMALLEST))
+    if scale == "root":
+        return np.sqrt(np.maximum(values, 0.0))
+    if scale == "count":
+        return np.sqrt(np.maximum(values, 0.0) + COUNT_SHIFT)
+    return values
+
+
+def from_scale(name: str, value: float) -> float:
+    """Return a value of the scale in the unit of the measure."""
+    scale = COMPARED[name].scale
+    if scale == "log":
+        return float(np.exp(min(value, np.log(LARGEST))))
+    if scale == "root":
+        return max(value, 0.0) ** 2
+    if scale == "count":
+        return max(max(value, 0.0) ** 2 - COUNT_SHIFT, 0.0)
+    return value
+
+
+def least_spread(name: str, scaled: Numbers) -> float:
+    """Return the smallest spread between trials that is believed, on the measure's scale."""
+    scale = COMPARED[name].scale
+    if scale == "count":
+        return POISSON_SPREAD
+    if scale == "log":
+        return LEAST_SPREAD
+    return LEAST_SPREAD * float(np.median(np.abs(scaled)))

@@ -1,0 +1,79 @@
+"""Whether a person's sessions have become worse than their learning curve foretells: a cumulative sum (CUSUM)."""
+
+import math
+from collections.abc import Mapping
+
+import numpy as np
+
+from app.scoring.verdict.compared_measures import COMPARED, least_spread
+from app.scoring.verdict.measure_verdict import Rows, series_of
+from app.scoring.verdict.spread import Series, Spread, fit_curve, own_spread, pooled, weighted_sum
+
+ALLOWANCE = 0.5  # standard deviations of a session that are not counted
+LIMIT = 3.0  # standard deviations, added up
+MOST_OF_ONE = 3.0  # standard deviations that one session adds at most: one bad day is no deterioration
+EARLIER_SESSIONS = 2  # before the first session that is judged
+EARLIER_TRIALS = 5
+
+ADVICE = (
+    "What to do: check the fit of the shirt and the warnings of control quality, ask about pain, sleep and medication, "
+    "and calibrate again. If the next two sessions are as bad, talk to the physician."
+)
+
+
+def worse_since(series: Series, clinic: Spread | None, better: str, least: float = 0.0) -> list[int | None]:
+    """Return, for each session, the first session of a deterioration that goes on in it; None when there is none.
+
+    Each session's mean is compared with the end of the learning curve of the sessions before. The difference is divided
+    by its standard deviation, as Student's t, and expressed as a standard normal one. These are added up (Page,
+    Biometrika 41 (1954); self-starting: Hawkins, The Statistician 36 (1987)). From the session in which the sum passes
+    the limit until it is 0 again, the sessions that made it rise do not count for the learning curve: a lasting
+    deterioration does not become the person's normal level.
+    """
+    total, since, is_worse = 0.0, None, False
+    found: list[int | None] = []
+    for session in np.unique(series.session).tolist():
+        before = series.where(series.session < (since if is_worse and since is not None else session))
+        worse = _surprise(before, series.where(series.session == session), clinic, least)
+        if worse is not None:
+            worse = worse if better == "low" else -worse
+            total = min(max(0.0, total + min(worse, MOST_OF_ONE) - ALLOWANCE), 2 * LIMIT)
+            since = None if total == 0.0 else since or session
+            is_worse = total > LIMIT or (is_worse and total > 0.0)
+        found.append(since if is_worse else None)
+    return found
+
+
+def _surprise(before: Series, session: Series, clinic: Spread | None, least: float) -> float | None:
+    """Return how far a session lies above what was foretold, in standard deviations; None with too few trials."""
+    from scipy.stats import norm, t
+
+    earlier = len(np.unique(before.session))
+    if earlier < EARLIER_SESSIONS or len(before.value) < EARLIER_TRIALS:
+        return None
+    own, share = own_spread(before, session, least)
+    spread = pooled(own, share, clinic)
+    foretold, parameters = fit_curve(before.number, before.value, before.number[-1:])
+    total = weighted_sum(
+        (1 / len(session.value) + parameters / len(before.value), spread.trial),
+        (1 + parameters / earlier, spread.session),
+    )
+    if total.df <= 0:
+        return None
+    return float(norm.ppf(t.cdf(float(session.value.mean() - foretold[0]) / math.sqrt(total.value), total.df)))
+
+
+def deteriorations(rows: Rows, clinic: Mapping[str, Spread]) -> dict[str, str]:
+    """Return, for each measure that has become worse, a sentence that says since when, and what to do.
+
+    `rows` are a person's trials in one task, `clinic` the median spread of each measure.
+    """
+    found = {}
+    for name, measure in COMPARED.items():
+        series, _ = series_of(rows, name)
+        if measure.better is None or not len(series.value):
+            continue
+        *_, since = worse_since(series, clinic.get(name), measure.better, least_spread(name, series.value))
+        if since is not None:
+            found[name] = f"Worse than this person's own noise since session {since}. {ADVICE}"
+    return found

@@ -1,0 +1,207 @@
+"""How far a person's trials differ without a change: within a session, and from one session to the next.
+
+All values are on the scale of their measure (`compared_measures.py`).
+"""
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.scoring.learning_fit import exponential
+
+Numbers = NDArray[np.float64]
+Sessions = NDArray[np.int64]
+
+CURVE_TRIALS = 8  # with fewer trials there is no curve, only a level
+TAUS = 12  # learning constants that are tried
+CLINIC_WEIGHT = 2.0  # degrees of freedom of the clinic's median (docs/decisions/0023)
+CLINIC_PEOPLE = 3  # with fewer other people the clinic has no median
+
+
+class Variance(NamedTuple):
+    """An estimated variance."""
+
+    value: float
+    df: float  # degrees of freedom; 0: nothing is known
+
+
+def weighted_sum(*parts: tuple[float, Variance]) -> Variance:
+    """Return the sum of weighted variances with Satterthwaite's degrees of freedom; 0 where one part has none.
+
+    Source: Satterthwaite, Biometrics Bulletin 2 (1946).
+    """
+    value = sum(weight * part.value for weight, part in parts)
+    if value <= 0 or any(part.df <= 0 for _, part in parts):
+        return Variance(value, 0.0)
+    return Variance(value, 1 / sum((weight * part.value / value) ** 2 / part.df for weight, part in parts))
+
+
+class Series(NamedTuple):
+    """One measure over trials, in the order driven, on its scale."""
+
+    number: Numbers  # (n,) trial numbers, rising
+    session: Sessions  # (n,) rising
+    value: Numbers  # (n,)
+
+    def where(self, chosen: NDArray[np.bool_]) -> "Series":
+        """Return the chosen trials (n,)."""
+        return Series(self.number[chosen], self.session[chosen], self.value[chosen])
+
+
+class Spread(NamedTuple):
+    """The variances of one person, or of a clinic, in one task and measure."""
+
+    trial: Variance  # within a session
+    session: Variance  # between sessions
+
+
+def fit_curve(number: Numbers, value: Numbers, at: Numbers) -> tuple[Numbers, int]:
+    """Return the learning curve through `value` (n,) at the trial numbers `at` (m,), and how many parameters it has.
+
+    It is a level line, or a + b exp(-n / tau) where that has the smaller AICc. tau is the best of a row of values: the
+    curve is subtracted here, never shown. A curve that is shown is fitted by `learning_fit.py`.
+    """
+    level = float(np.mean(value))
+    count, span = len(value), float(number[-1] - number[0])
+    if count < CURVE_TRIALS or span <= 0:
+        return np.full(len(at), level), 1
+    centred = value - level
+    squares = float(centred @ centred)
+    best = (_aicc(squares, count, 2), np.full(len(at), level), 1)
+    for log_tau in np.linspace(0.0, math.log(2 * span), TAUS).tolist():
+        shape = exponential(number - number[0], log_tau)[0]
+        middle = float(np.mean(shape))
+        shape = shape - middle
+        b = float(shape @ centred) / float(shape @ shape)
+        aicc = _aicc(squares - b * float(shape @ centred), count, 4)
+        if aicc < best[0]:
+            best = (aicc, level + b * (exponential(at - number[0], log_tau)[0] - middle), 3)
+    return best[1], best[2]
+
+
+def _aicc(squares: float, count: int, parameters: int) -> float:
+    """Return AICc of a least-squares fit; `parameters` includes the variance."""
+    correction = 2 * parameters * count / (count - parameters - 1)
+    return count * math.log(max(squares, 1e-24) / count) + correction
+
+
+def own_spread(before: Series, later: Series | None = None, least: float = 0.0) -> tuple[Spread, float]:
+    """Return a person's spread, and the mean of 1 / trials over the sessions that the session's variance is of.
+
+    Parameters
+    ----------
+    before
+        All trials before the later ones of a comparison. From these both variances are estimated.
+    later
+        The later trials, of one session. Only their spread within it is used: a change of their level does not count
+        as noise. The session's trials in `before` do not count for the variance between sessions either.
+    least
+        The smallest standard deviation within a session.
+
+    Notes
+    -----
+    Within a session: around the learning curve, the mean of each session, and a slope that all sessions share. Between
+    sessions: means of the residuals of the learning curve. The variance of these means contains the variance within a
+    session over its trials; `session` is not freed of it (see `pooled`).
+    """
+    parts = [before] if later is None or len(later.value) < 2 else [before, later]
+    centred, within, sessions = [], [], 0
+    for part in parts:
+        residual = part.value - fit_curve(part.number, part.value, part.number)[0] if len(part.value) else part.value
+        for session in np.unique(part.session):
+            chosen = part.session == session
+            sessions += 1
+            place = np.arange(int(chosen.sum()), dtype=np.float64)
+            centred.append(place - place.mean())
+            within.append(residual[chosen] - residual[chosen].mean())
+    trial = _around_slope(centred, within, sessions)
+    trial = Variance(max(trial.value, least**2), trial.df)
+    earlier = before if later is None else before.where(before.session != later.session[0])
+    session, share = _between_sessions(earlier)
+    return Spread(trial, session), share
+
+
+def _around_slope(place: Sequence[Numbers], value: Sequence[Numbers], groups: int) -> Variance:
+    """Return the variance around the slope that all sessions share, with one degree of freedom less for it."""
+    if not value:
+        return Variance(0.0, 0.0)
+    x, y = np.concatenate(place), np.concatenate(value)
+    df = len(y) - groups
+    steep = float(x @ x)
+    if df < 2 or steep == 0:
+        return Variance(float(y @ y) / df, df) if df > 0 else Variance(0.0, 0.0)
+    slope = float(x @ y) / steep
+    rest = y - slope * x
+    return Variance(float(rest @ rest) / (df - 1), df - 1)
+
+
+def _between_sessions(series: Series) -> tuple[Variance, float]:
+    """Return the variance of the session means around the learning curve, and the mean of 1 / trials of a session."""
+    if not len(series.value):
+        return Variance(0.0, 0.0), 1.0
+    curve, parameters = fit_curve(series.number, series.value, series.number)
+    residual = series.value - curve
+    _, place, count = np.unique(series.session, return_inverse=True, return_counts=True)
+    share = float(np.mean(1.0 / count))
+    df = len(count) - parameters
+    if df < 1:
+        return Variance(0.0, 0.0), share
+    means = np.bincount(place, residual) / count
+    if parameters == 1:
+        means = means - means.mean()
+    return Variance(float(means @ means) / df, float(df)), share
+
+
+def pooled(own: Spread, share: float, clinic: Spread | None) -> Spread:
+    """Return a person's spread, drawn towards the clinic's median as far as little is known of the person.
+
+    Both are weighted by their degrees of freedom. Those of the variance between sessions are Satterthwaite's for a
+    difference of two variances, taken at the clinic's median. Without a clinic's median the variance of the session
+    means stands for the variance between sessions: that errs on the side of more noise.
+    """
+    if clinic is None:
+        return own
+    trial = _weighted(own.trial, clinic.trial)
+    noise = share * trial.value
+    total, df = clinic.session.value + noise, 0.0
+    if own.session.df > 0 and total > 0:
+        error = 1 / own.session.df + (noise / total) ** 2 / trial.df
+        df = (clinic.session.value / total) ** 2 / error
+    between = Variance(max(own.session.value - noise, 0.0), df)
+    return Spread(trial, _weighted(between, clinic.session))
+
+
+def _weighted(own: Variance, clinic: Variance) -> Variance:
+    df = own.df + clinic.df
+    return Variance((own.df * own.value + clinic.df * clinic.value) / df, df)
+
+
+def clinic_spread(people: Sequence[Series], least: float = 0.0) -> Spread | None:
+    """Return the medians of other people's variances; None when fewer than 3 people have enough trials.
+
+    A variance with few degrees of freedom is more often too small than too large, so each is divided by the median of
+    chi-squared over its degrees of freedom (Wilson and Hilferty, PNAS 17 (1931)).
+    """
+    trial, session = [], []
+    for series in people:
+        own, share = own_spread(series, None, least)
+        if own.trial.df >= 2:
+            within = own.trial.value / _median_share(own.trial.df)
+            trial.append(max(within, least**2))
+            if own.session.df >= 1:
+                between = own.session.value / _median_share(own.session.df)
+                session.append(max(between - share * own.trial.value, 0.0))
+    if len(trial) < CLINIC_PEOPLE or len(session) < CLINIC_PEOPLE:
+        return None
+    return Spread(
+        Variance(float(np.median(trial)), CLINIC_WEIGHT),
+        Variance(float(np.median(session)), CLINIC_WEIGHT),
+    )
+
+
+def _median_share(df: float) -> float:
+    """Return the median of chi-squared over its degrees of freedom."""
+    return float((1 - 2 / (9 * df)) ** 3)

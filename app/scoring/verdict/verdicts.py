@@ -1,0 +1,86 @@
+"""The verdicts of a person's trials in one task: one trial against an earlier one, a session against earlier ones."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from app.quantities import Document
+from app.scoring.verdict.compared_measures import COMPARED
+from app.scoring.verdict.deterioration import deteriorations
+from app.scoring.verdict.measure_verdict import Rows, Verdict, clinic_spreads, compare, series_of
+
+
+class TrialVerdicts(Document):
+    """The verdicts on one trial against an earlier one of the same person, task and source."""
+
+    earlier: int | None  # id of the earlier trial; None: there is none that counts
+    familiarisation: list[int]  # ids of those of the two in which the person got used to the task: not compared
+    verdicts: dict[str, Verdict]  # measure -> verdict; without the measures that cannot be compared
+
+
+class SessionVerdicts(Document):
+    """The verdicts on the newest session against an earlier one."""
+
+    earlier: int  # number of the session
+    later: int
+    trials: tuple[int, int]  # how many of the two sessions are compared
+    verdicts: dict[str, Verdict]
+
+
+class TaskVerdicts(Document):
+    """What a person's trials in one task say about change."""
+
+    sessions: list[SessionVerdicts]  # the newest session against the one before, and against the first
+    deterioration: dict[str, str]  # measure -> sentence with what to do; only of measures that have become worse
+
+
+def trial_verdicts(rows: Rows, others: Sequence[Rows], later: int, earlier: int | None) -> TrialVerdicts:
+    """Compare the trial with the id `later` with the trial `earlier`; None: the newest before it that is compared.
+
+    `rows` are the person's trials of one task and source, in the order driven, and `others` those of other people. Each
+    row has `id`, `number`, `session`, `familiarisation` and its measures by name. Two trials in the wrong order are
+    compared in the order in which they were driven.
+    """
+    ids = [row["id"] for row in rows]
+    if earlier is not None and earlier in ids and later in ids and ids.index(earlier) > ids.index(later):
+        earlier, later = later, earlier
+    warming = {row["id"] for row in rows if row["familiarisation"]}
+    if earlier is None and later in ids:
+        before = [one for one in ids[: ids.index(later)] if one not in warming]
+        earlier = before[-1] if before and later not in warming else None
+    clinic = clinic_spreads(others)
+    verdicts = {}
+    for name in COMPARED:
+        series, driven = series_of(rows, name)
+        verdict = compare(name, series, driven == earlier, driven == later, clinic.get(name))
+        if verdict is not None:
+            verdicts[name] = verdict
+    pair = [one for one in (earlier, later) if one in warming]
+    return TrialVerdicts(earlier=earlier, familiarisation=pair, verdicts=verdicts)
+
+
+def task_verdicts(rows: Rows, others: Sequence[Rows]) -> TaskVerdicts:
+    """Compare the newest session with the one before and the first, and look for a deterioration.
+
+    `rows` and `others` as for `trial_verdicts`. Sessions without a trial that is compared do not count.
+    """
+    sessions = list(dict.fromkeys(row["session"] for row in rows if not row["familiarisation"]))
+    if len(sessions) < 2:
+        return TaskVerdicts(sessions=[], deterioration={})
+    clinic = clinic_spreads(others)
+    all_series = {name: series_of(rows, name)[0] for name in COMPARED}
+    compared = []
+    for earlier in dict.fromkeys((sessions[-2], sessions[0])):
+        verdicts = {}
+        for name, series in all_series.items():
+            first, second = series.session == earlier, series.session == sessions[-1]
+            verdict = compare(name, series, first, second, clinic.get(name))
+            if verdict is not None:
+                verdicts[name] = verdict
+        counts = [
+            int(np.sum([row["session"] == one and not row["familiarisation"] for row in rows]))
+            for one in (earlier, sessions[-1])
+        ]
+        pair = (counts[0], counts[1])
+        compared.append(SessionVerdicts(earlier=earlier, later=sessions[-1], trials=pair, verdicts=verdicts))
+    return TaskVerdicts(sessions=compared, deterioration=deteriorations(rows, clinic))

@@ -1,0 +1,160 @@
+"""Verdicts on a person's trials: which trials count, what they are compared with, and the word."""
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.stats import t
+
+from app.scoring.learning import MEASURES
+from app.scoring.verdict.compared_measures import COMPARED, from_scale, to_scale, value_of
+from app.scoring.verdict.measure_verdict import clinic_spreads, noise_of
+from app.scoring.verdict.spread import Spread, Variance
+from app.scoring.verdict.verdicts import task_verdicts, trial_verdicts
+
+RNG = np.random.default_rng(4)
+OTHERS = [
+    [
+        {"id": i, "number": i, "session": 1 + i // 4, "familiarisation": False, "reached": True}
+        | {"e_diff": float(np.exp(RNG.normal(1.0, 0.1))), "sparc": float(RNG.normal(-2.4, 0.1)), "stops": int(i % 3)}
+        for i in range(16)
+    ]
+    for _ in range(5)
+]
+
+
+def rows_of(*sessions: list[float], measure: str = "e_diff", familiarisation: int = 0, **more: Any) -> list[Any]:
+    """Return trials with this measure; in each session the first `familiarisation` ones are for getting used to it."""
+    rows: list[Any] = []
+    for session, values in enumerate(sessions, start=1):
+        for place, value in enumerate(values):
+            number = len(rows) + 1
+            row = {"id": 100 + number, "number": number, "session": session, "reached": True, measure: value}
+            rows.append(row | {"familiarisation": place < familiarisation} | more)
+    return rows
+
+
+def word(rows: list[Any], measure: str = "e_diff", others: list[Any] = OTHERS) -> str:
+    return task_verdicts(rows, others).sessions[0].verdicts[measure].word
+
+
+def test_every_measure_of_the_learning_curve_says_how_it_is_compared() -> None:
+    assert list(COMPARED) == list(MEASURES)
+
+
+def test_a_difference_below_what_the_eye_can_see_is_noise() -> None:
+    """-2.42 after -2.40 was called worse."""
+    rows = rows_of([-2.39, -2.41, -2.38, -2.40, -2.42], measure="sparc")
+    verdict = trial_verdicts(rows, [], 105, None).verdicts["sparc"]
+    assert verdict.word == "within"
+    assert (verdict.earlier, verdict.later) == pytest.approx((-2.40, -2.42))
+
+
+@pytest.mark.parametrize(
+    ("measure", "last", "expected"),
+    [
+        ("e_diff", [1.0, 1.1, 0.9], "better"),
+        ("e_diff", [9.0, 9.5, 8.5], "worse"),
+        ("e_diff", [3.2, 2.9, 3.0], "within"),
+        ("sparc", [-1.0, -1.1, -1.05], "better"),
+        ("sparc", [-5.0, -5.1, -4.9], "worse"),
+    ],
+)
+def test_the_word_follows_the_direction_of_the_measure(measure: str, last: list[float], expected: str) -> None:
+    usual = [3.0, 3.2, 2.8, 3.1] if measure == "e_diff" else [-2.4, -2.5, -2.3, -2.45]
+    assert word(rows_of(usual, usual[::-1], last, measure=measure), measure) == expected
+
+
+def test_below_five_trials_there_are_too_few() -> None:
+    rows = rows_of([3.0, 3.2], [1.0, 1.1])
+    verdict = task_verdicts(rows, OTHERS).sessions[0].verdicts["e_diff"]
+    assert (verdict.word, verdict.trials, verdict.low, verdict.high) == ("too few", 4, None, None)
+    assert word(rows_of([3.0, 3.2, 3.1], [1.0, 1.1])) != "too few"
+
+
+def test_without_a_clinics_median_two_sessions_say_nothing_about_sessions() -> None:
+    two, others = rows_of([3.0, 3.2, 3.1, 2.9, 3.0], [1.0, 1.1, 0.9]), OTHERS[:2]
+    assert clinic_spreads(others) == {}
+    assert word(two, others=others) == "too few"
+    many = rows_of(*[[3.0, 3.2, 3.1], [2.9, 3.1, 3.0]] * 3, [1.0, 1.1, 0.9])
+    assert word(many, others=[]) == "better"
+
+
+def test_trials_for_getting_used_to_the_task_are_not_compared() -> None:
+    usual = [9.0, 9.0, 9.0, 3.0, 3.2, 2.8]
+    rows = rows_of(usual, usual, [9.0, 9.0, 9.0, 3.1, 2.9], familiarisation=3)
+    found = task_verdicts(rows, OTHERS).sessions[0]
+    assert (found.earlier, found.later, found.trials) == (2, 3, (3, 2))
+    assert found.verdicts["e_diff"].later == pytest.approx(math.sqrt(3.1 * 2.9))
+    early = trial_verdicts(rows, OTHERS, rows[14]["id"], None)
+    assert (early.earlier, early.familiarisation, early.verdicts) == (None, [rows[14]["id"]], {})
+    # The trial before the fourth one of the day is the last of the day before, and the two can be compared.
+    assert trial_verdicts(rows, OTHERS, rows[15]["id"], None).earlier == rows[11]["id"]
+    chosen = trial_verdicts(rows, OTHERS, rows[15]["id"], rows[12]["id"])
+    assert (chosen.familiarisation, chosen.verdicts) == ([rows[12]["id"]], {})
+
+
+def test_the_order_in_which_two_trials_are_named_does_not_matter() -> None:
+    rows = rows_of([3.0, 3.2, 2.8, 3.1], [3.0, 1.0])
+    assert trial_verdicts(rows, OTHERS, 106, 104) == trial_verdicts(rows, OTHERS, 104, 106)
+
+
+def test_what_is_driven_later_does_not_change_a_verdict() -> None:
+    rows = rows_of([3.0, 3.2, 2.8], [3.1, 2.9, 3.3], [2.0, 2.1], [9.0, 0.1, 4.0])
+    assert trial_verdicts(rows, OTHERS, 107, 106) == trial_verdicts(rows[:8], OTHERS, 107, 106)
+
+
+def test_a_trial_that_missed_the_goal_is_not_compared_in_its_area_but_in_its_stages() -> None:
+    rows = rows_of([3.0, 3.2, 2.8, 3.1, 3.0], stages_done=3)
+    rows[-1]["reached"] = False
+    verdicts = trial_verdicts(rows, OTHERS, 105, None).verdicts
+    assert "e_diff" not in verdicts
+    assert verdicts["stages_done"].word == "within"
+    assert value_of(rows[-1], "e_diff") is None
+
+
+def test_a_measure_without_a_direction_has_no_verdict() -> None:
+    rows = rows_of([0.3, 0.31, 0.3], [0.6, 0.61, 0.6], measure="mean_speed")
+    assert "mean_speed" not in task_verdicts(rows, []).sessions[0].verdicts
+
+
+def test_equal_counts_do_not_make_one_contact_a_change() -> None:
+    rows = rows_of([0.0] * 5, [0.0] * 5, [0.0] * 5, [0.0] * 4 + [1.0], measure="collisions")
+    assert word(rows, "collisions", []) == "within"
+
+
+def test_the_mdc_is_the_formula_with_students_t() -> None:
+    spread = Spread(Variance(0.04, 8.0), Variance(0.01, 4.0))
+    noise = noise_of(spread, 5, 5, same_session=False)
+    assert noise is not None
+    parts = 2 * 0.01, 0.04 * 2 / 5
+    df = sum(parts) ** 2 / (parts[0] ** 2 / 4 + parts[1] ** 2 / 8)
+    assert noise.df == pytest.approx(df)
+    assert noise.mdc == pytest.approx(t.ppf(0.975, df) * math.sqrt(2 * (0.01 + 0.04 / 5)))
+    alone = noise_of(spread, 1, 1, same_session=True)
+    assert alone is not None
+    assert alone.mdc == pytest.approx(t.ppf(0.975, 8) * math.sqrt(2 * 0.04))
+
+
+@given(st.sampled_from(list(COMPARED)), st.floats(1e-6, 1e6))
+def test_a_value_comes_back_from_its_scale(name: str, value: float) -> None:
+    signed = -value if COMPARED[name].scale == "plain" else value
+    assert from_scale(name, float(to_scale(name, np.array([signed]))[0])) == pytest.approx(signed, rel=1e-6, abs=1e-9)
+
+
+@settings(max_examples=60, deadline=None)
+@given(
+    st.sampled_from([name for name, measure in COMPARED.items() if measure.better]),
+    st.lists(st.lists(st.floats(-1e99, 1e99), min_size=1, max_size=4), min_size=1, max_size=5),
+)
+def test_any_numbers_have_a_finite_verdict(name: str, sessions: list[list[float]]) -> None:
+    rows = rows_of(*sessions, measure=name)
+    for found in (*task_verdicts(rows, OTHERS).sessions, trial_verdicts(rows, OTHERS, rows[-1]["id"], None)):
+        for verdict in found.verdicts.values():
+            given_numbers = [verdict.earlier, verdict.later, verdict.low, verdict.high]
+            assert all(math.isfinite(one) for one in given_numbers if one is not None)
+            if verdict.low is not None and verdict.high is not None:
+                assert verdict.low <= verdict.high
