@@ -130,6 +130,8 @@ export type LearningTrial = {
   number: number;
   id: number;
   session: number;
+  /** One of the first three trials of the task on its day: not compared. */
+  familiarisation: boolean;
   profile_version: number;
   origin: string;
   simulated: boolean | null;

@@ -1,5 +1,6 @@
 """The trials of a learning curve, and the map that each was driven with."""
 
+from datetime import timedelta
 from typing import Any
 
 import pytest
@@ -7,11 +8,12 @@ from sqlalchemy.orm import Session
 
 from app.calibration.profile import CalibrationProfile
 from app.clock import utc_now
-from app.store.learning_trials import counted_trials
+from app.source import UNKNOWN_SOURCE, Source
+from app.store.learning_trials import counted_trials, trials_of_others
 from app.store.parameters import current_parameters, save_profile
 from app.store.patients import add_patient
 from app.store.runs import add_run, add_trial, finish_trial, keep_trial
-from app.store.tables import Clinic, Patient, PatientSession
+from app.store.tables import Clinic, Patient, PatientSession, Trial
 
 
 @pytest.fixture
@@ -36,11 +38,18 @@ def add_session(db: Session, patient: Patient, number: int) -> PatientSession:
     return row
 
 
-def drive(db: Session, patient: Patient, session: PatientSession, run: str, measures: dict[str, Any] | None) -> int:
+def drive(
+    db: Session,
+    patient: Patient,
+    session: PatientSession,
+    run: str,
+    measures: dict[str, Any] | None,
+    source: Source = UNKNOWN_SOURCE,
+) -> int:
     """Make a trial with the newest map."""
     trial = add_trial(
         db,
-        run=add_run(db, run, session.id, "drive", run),
+        run=add_run(db, run, session.id, "drive", run, source),
         clinic_id=patient.clinic_id,
         patient_id=patient.id,
         parameters_id=current_parameters(db, patient.id)[0].id,
@@ -85,3 +94,37 @@ def test_only_measured_and_kept_trials_of_this_path_count(
     assert [one.trial.id for one in found] == [kept]
     assert counted_trials(db, patient.clinic_id, patient.id, "clinic", "other") == []
     assert counted_trials(db, patient.clinic_id + 1, patient.id, "clinic", "corridor") == []
+
+
+def test_the_first_three_of_a_day_and_source_are_for_getting_used_to_the_task(
+    db: Session, patient: Patient, profile: CalibrationProfile
+) -> None:
+    session = add_session(db, patient, 1)
+    save_profile(db, patient.id, session.id, profile)
+    worn = Source(shirt="udp", body=None, chair="virtual", simulated=False)
+    noon = utc_now().astimezone().replace(hour=12)
+    ids = []
+    for place in range(10):
+        source = worn if place == 2 else UNKNOWN_SOURCE
+        trial = db.get_one(Trial, drive(db, patient, session, f"run{place}", {"dist": 10.0}, source))
+        trial.started = noon - timedelta(days=1 if place < 6 else 0)
+        ids.append(trial.id)
+    keep_trial(db, patient.clinic_id, ids[0], "tired")  # it was practice all the same
+    found = counted_trials(db, patient.clinic_id, patient.id, "clinic", "corridor")
+    used = [one.trial.id for one in found if one.familiarisation]
+    assert used == [ids[1], ids[2], ids[3], ids[6], ids[7], ids[8]]
+
+
+def test_the_others_are_every_patient_but_this_one_and_the_deleted_with_numbers_only(
+    db: Session, patient: Patient, profile: CalibrationProfile
+) -> None:
+    people = [patient, *(add_patient(db, patient.clinic_id, f"P-{i}", "Otter", "") for i in (2, 3))]
+    for place, person in enumerate(people):
+        session = add_session(db, person, 4)
+        save_profile(db, person.id, session.id, profile)
+        drive(db, person, session, f"run{place}", {"dist": 10.0 + place})
+    people[2].deleted = utc_now()
+    db.flush()
+    ((row,),) = trials_of_others(db, patient.clinic_id, patient.id, "clinic", "corridor", "unknown")
+    assert row == {"id": 2, "number": 1, "session": 4, "familiarisation": True, "dist": 11.0}
+    assert trials_of_others(db, patient.clinic_id, patient.id, "clinic", "corridor", "worn") == []

@@ -22,6 +22,7 @@ import shell from "./texts/en/shell.js";
 import shirt from "./texts/en/shirt.js";
 import stereo from "./texts/en/stereo.js";
 import uploads from "./texts/en/uploads.js";
+import verdict from "./texts/en/verdict.js";
 
 export const LANGUAGE = "en";
 
@@ -49,6 +50,7 @@ const CATALOGUE = Object.freeze({
   ...people,
   ...stereo,
   ...uploads,
+  ...verdict,
 });
 const PLURALS = new Intl.PluralRules(LANGUAGE);
 

@@ -89,6 +89,7 @@ function trialTraces(rows, measure, colours) {
     ...more,
   });
   const other = rows.filter((row) => !comparable(measure, row));
+  const used = rows.filter((row) => row.familiarisation && comparable(measure, row));
   const traces = [
     trace(
       rows.filter((row) => comparable(measure, row)),
@@ -96,10 +97,14 @@ function trialTraces(rows, measure, colours) {
         mode: "lines+markers",
         showlegend: false,
         line: { color: faint(colours.text, 0.35), width: 1.5 },
-        marker: { color: colours.text, size: 9 },
+        marker: { color: colours.text, size: rows.flatMap((row) => (comparable(measure, row) ? [row.familiarisation ? 0 : 9] : [])) },
       },
     ),
   ];
+  if (used.length) {
+    const marker = { color: colours.text, size: 9, symbol: "x-thin-open", line: { width: 2 } };
+    traces.push(trace(used, { mode: "markers", name: t("review.used"), marker }));
+  }
   if (other.length) {
     const marker = { color: faint(colours.text, 0.5), size: 9, symbol: "circle-open" };
     traces.push(trace(other, { mode: "markers", name: t("review.not-reached"), marker }));

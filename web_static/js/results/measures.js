@@ -1,35 +1,35 @@
 /**
- * The measures of all tasks: unit, digits, which way is better, and how two trials compare.
+ * The measures of all tasks: unit, digits, which way is better, and in which trials they can stand beside others.
  * @typedef {{readonly [name: string]: unknown}} Measures of a trial, as the server answers them: most are numbers
  */
 import { t } from "../texts.js";
-import { number, signed } from "../widgets/format.js";
+import { number } from "../widgets/format.js";
 
-/** of: the measure that says how many there are. @type {Record<string, {unit: string, digits: number, better: "low" | "high", needsGoal: boolean, of?: string}>} */
+/** Directions and needsGoal are those of app/scoring/verdict/compared_measures.py. of: the measure that says how many there are. @type {Record<string, {unit: string, digits: number, better: "low" | "high" | null, needsGoal: boolean, of?: string}>} */
 export const MEASURES = {
   stages_done: { unit: "", digits: 0, better: "high", needsGoal: false, of: "stages" },
   follow_error_rms: { unit: "m", digits: 2, better: "low", needsGoal: false },
   follow_error_max: { unit: "m", digits: 2, better: "low", needsGoal: false },
   follow_near: { unit: "", digits: 2, better: "high", needsGoal: false },
   heading_error_deg: { unit: "°", digits: 0, better: "low", needsGoal: true },
-  turn_drift: { unit: "m", digits: 2, better: "low", needsGoal: false },
-  cones_touched: { unit: "", digits: 0, better: "low", needsGoal: false, of: "cones" },
-  gap_clearance: { unit: "m", digits: 2, better: "high", needsGoal: false },
-  door_contacts: { unit: "", digits: 0, better: "low", needsGoal: false },
+  turn_drift: { unit: "m", digits: 2, better: "low", needsGoal: true },
+  cones_touched: { unit: "", digits: 0, better: "low", needsGoal: true, of: "cones" },
+  gap_clearance: { unit: "m", digits: 2, better: "high", needsGoal: true },
+  door_contacts: { unit: "", digits: 0, better: "low", needsGoal: true },
   dist: { unit: "m", digits: 2, better: "low", needsGoal: true },
   e_diff: { unit: "m²", digits: 2, better: "low", needsGoal: true },
   time: { unit: "s", digits: 1, better: "low", needsGoal: true },
   dist_ratio: { unit: "", digits: 2, better: "low", needsGoal: true },
-  cross_track_rms: { unit: "m", digits: 2, better: "low", needsGoal: false },
-  cross_track_max: { unit: "m", digits: 2, better: "low", needsGoal: false },
-  mean_speed: { unit: "m/s", digits: 2, better: "high", needsGoal: false },
-  stops: { unit: "", digits: 0, better: "low", needsGoal: false },
-  collisions: { unit: "", digits: 0, better: "low", needsGoal: false },
-  contact_time: { unit: "s", digits: 1, better: "low", needsGoal: false },
-  turn_reversals: { unit: "", digits: 0, better: "low", needsGoal: false },
-  pulses_per_metre: { unit: "/m", digits: 1, better: "low", needsGoal: false },
-  sparc: { unit: "", digits: 2, better: "high", needsGoal: false },
-  ldlj: { unit: "", digits: 2, better: "high", needsGoal: false },
+  cross_track_rms: { unit: "m", digits: 2, better: "low", needsGoal: true },
+  cross_track_max: { unit: "m", digits: 2, better: "low", needsGoal: true },
+  mean_speed: { unit: "m/s", digits: 2, better: null, needsGoal: true },
+  stops: { unit: "", digits: 0, better: "low", needsGoal: true },
+  collisions: { unit: "", digits: 0, better: "low", needsGoal: true },
+  contact_time: { unit: "s", digits: 1, better: "low", needsGoal: true },
+  turn_reversals: { unit: "", digits: 0, better: "low", needsGoal: true },
+  pulses_per_metre: { unit: "/m", digits: 1, better: "low", needsGoal: true },
+  sparc: { unit: "", digits: 2, better: "high", needsGoal: true },
+  ldlj: { unit: "", digits: 2, better: "high", needsGoal: true },
 };
 
 /** What leads, by what a trial has: the first whose named measures are all there. */
@@ -59,7 +59,7 @@ export function withUnit(name, value) {
 }
 
 /** A degree sign stands close to its figure. @param {string} figure @param {string} unit */
-function joined(figure, unit) {
+export function joined(figure, unit) {
   return unit === "°" ? `${figure}${unit}` : `${figure} ${unit}`.trim();
 }
 
@@ -80,29 +80,10 @@ function comparison(name, measures) {
   return measures?.reached || !MEASURES[name].needsGoal ? measured(measures, name) : null;
 }
 
-/**
- * How one trial stands against another in one measure; null when they cannot be compared.
- * @param {string} name @param {Measures | null} measures @param {Measures | null} before
- * @returns {{words: string, amount: string, arrow: string, tone: "good" | "bad" | ""} | null}
- */
-export function change(name, measures, before) {
-  const [now, then] = [comparison(name, measures), comparison(name, before)];
-  if (now === null || then === null) return null;
-  const { unit, digits, better } = MEASURES[name];
-  const difference = Number((now - then).toFixed(digits));
-  if (difference === 0) return { words: t("over.same"), amount: "", arrow: "=", tone: "" };
-  const isBetter = difference < 0 === (better === "low");
-  return {
-    words: t(isBetter ? "over.better" : "over.worse"),
-    amount: joined(signed(difference, digits), unit),
-    arrow: difference < 0 ? "↓" : "↑",
-    tone: isBetter ? "good" : "bad",
-  };
-}
-
 /** The best of several trials in one measure; null when there is none. @param {string} name @param {{measures: Measures | null}[]} trials */
 export function best(name, trials) {
+  const { better } = MEASURES[name];
   const values = trials.flatMap(({ measures }) => comparison(name, measures) ?? []);
-  if (!values.length) return null;
-  return MEASURES[name].better === "low" ? Math.min(...values) : Math.max(...values);
+  if (!values.length || !better) return null;
+  return better === "low" ? Math.min(...values) : Math.max(...values);
 }

@@ -18,11 +18,15 @@ import { trialSummary } from "./trial_summary.js";
  */
 export async function readTrial(api, id) {
   const trial = await api.get(`/trials/${id}`);
-  const [trials, plans] = await Promise.all([api.get(`/trials?patient=${trial.patient_id}`), api.get("/floorplans")]);
+  const [trials, plans, verdicts] = await Promise.all([
+    api.get(`/trials?patient=${trial.patient_id}`),
+    api.get("/floorplans"),
+    trial.kept && trial.measures ? api.get(`/trials/${trial.id}/verdicts`).catch(() => null) : null, // figures stand without
+  ]);
   const plan = plans.some(({ name }) => name === trial.floorplan)
     ? await api.get(`/floorplans/${trial.floorplan}`)
     : null;
-  return { trial, trials, plan };
+  return { trial, trials, plan, verdicts };
 }
 
 /**
@@ -31,7 +35,7 @@ export async function readTrial(api, id) {
  * @param {Node} [above] what stands before the figures; without it, a link leads to the replay
  */
 export function showTrialOver(app, root, read, actions, above) {
-  const { trial, trials, plan } = read;
+  const { trial, trials, plan, verdicts } = read;
   const place = h("div", {});
   const path = plan?.paths.find(({ name }) => name === trial.path_name)?.title ?? trial.path_name;
   const again = async () => showTrialOver(app, root, await readTrial(app.api, trial.id), actions, above);
@@ -74,7 +78,7 @@ export function showTrialOver(app, root, read, actions, above) {
       ),
       h("p", { class: "quiet small" }, groupMark(groupOf(trial)), " ", t("over.source", { source: trial.source.words })),
       above,
-      trialSummary(trial, trials, plan),
+      trialSummary(trial, trials, plan, verdicts),
       qualityCard(trial),
       place,
     ),

@@ -1,16 +1,21 @@
 /**
  * What a trial came to: the large figures, the driven line, and a table beside the trials before.
- * @import { FloorPlan, TrialDetail, TrialView } from "types/api"
+ * @import { FloorPlan, TrialDetail, TrialVerdicts, TrialView } from "types/api"
  * @import { Measures } from "./measures.js"
  * @typedef {{title: string, reached: boolean, time: number | null, [name: string]: unknown}} StageResult one of a course
  */
 import { t } from "../texts.js";
 import { h } from "../widgets/dom.js";
 import { number } from "../widgets/format.js";
-import { best, change, measured, MEASURES, leadingMeasures, unitOf, withUnit } from "./measures.js";
+import { best, comparable, measured, MEASURES, leadingMeasures, unitOf, withUnit } from "./measures.js";
 import { planPicture } from "../plan/plan_svg.js";
 import { scrollTable } from "../widgets/scroll_table.js";
 import { groupOf } from "./source_group.js";
+import { isFamiliarisation, noiseNote, verdictLine, verdictWords } from "./verdict_words.js";
+import { wayDone } from "./way_done.js";
+
+/** Of the whole path or task: in an unfinished trial they say nothing. */
+const OF_WHOLE = ["dist", "dist_ratio", "e_diff", "time", "heading_error_deg"];
 
 /** The trials before this one of the same source, on the same path, that count and were measured. @param {TrialDetail} trial @param {TrialView[]} trials */
 export function earlierTrials(trial, trials) {
@@ -21,31 +26,35 @@ export function earlierTrials(trial, trials) {
   );
 }
 
-/** @param {TrialDetail} trial @param {TrialView[]} trials the patient's @param {FloorPlan | null} plan */
-export function trialSummary(trial, trials, plan) {
+/** @param {TrialDetail} trial @param {TrialView[]} trials the patient's @param {FloorPlan | null} plan @param {TrialVerdicts | null} found */
+export function trialSummary(trial, trials, plan, found) {
   const earlier = earlierTrials(trial, trials);
-  const previous = earlier.at(-1) ?? null;
   const { measures } = trial;
+  const large = measures ? leadingMeasures(measures).filter((name) => comparable(name, measures)) : [];
   return h(
     "div",
     { class: "stack" },
     !trial.kept && h("p", { class: "problem" }, t("over.discarded", { reason: trial.discard_reason ?? "" })),
     !measures && h("p", { class: "problem" }, t("over.no-measures")),
-    measures && !measures.reached && h("p", { class: "card quiet" }, t("e_diff" in measures ? "over.not-reached" : "over.not-done")),
-    measures &&
-      h(
-        "div",
-        { class: "large-figures" },
-        leadingMeasures(measures).map((name) => largeFigure(name, measures, previous)),
-      ),
+    measures && !measures.reached && h("p", { class: "card" }, unfinishedWords(trial, measures)),
+    isFamiliarisation(found, trial.id) && h("p", { class: "card quiet" }, t("verdict.used.long")),
+    measures && large.length > 0 && h("div", { class: "large-figures" }, large.map((name) => largeFigure(name, measures, found))),
     measures?.parts ? stagesCard(/** @type {StageResult[]} */ (measures.parts)) : null,
-    h("div", { class: "summary-columns" }, drivenCard(trial, plan), measures && tableCard(measures, previous, earlier)),
+    h("div", { class: "summary-columns" }, drivenCard(trial, plan), measures && tableCard(measures, earlier, found)),
   );
 }
 
-/** @param {string} name @param {Measures} measures @param {TrialView | null} previous */
-function largeFigure(name, measures, previous) {
-  const difference = previous && change(name, measures, previous.measures);
+/** How far an unfinished trial came, and that it is not compared. @param {TrialDetail} trial @param {Measures} measures */
+function unfinishedWords(trial, measures) {
+  if (!("e_diff" in measures)) return t("over.not-done");
+  const way = wayDone(trial);
+  const far = way && t("over.way", { done: number(way.done, 1), length: number(way.length, 1) });
+  return [far && h("b", {}, far), " ", t("over.not-reached")];
+}
+
+/** @param {string} name @param {Measures} measures @param {TrialVerdicts | null} found */
+function largeFigure(name, measures, found) {
+  const said = verdictWords(name, found?.verdicts[name]);
   return h(
     "section",
     { class: "card" },
@@ -53,12 +62,12 @@ function largeFigure(name, measures, previous) {
     h("div", { class: "big" }, figureOf(name, measures)),
     h(
       "p",
-      { class: `change ${difference?.tone ?? ""}` },
-      difference
-        ? `${difference.arrow} ${difference.amount} ${difference.words}`
+      { class: `change ${said?.tone ?? ""}` },
+      said
+        ? verdictLine(said)
         : name === "dist"
           ? t("over.path-length", { length: number(measured(measures, "path_length"), 2) })
-          : " ",
+          : "\u00a0",
     ),
   );
 }
@@ -112,12 +121,13 @@ function drivenCard(trial, plan) {
   return h("section", { class: "card driven-card" }, h("h2", {}, t("over.driven")), picture.element);
 }
 
-/** @param {Measures} measures @param {TrialView | null} previous @param {TrialView[]} earlier */
-function tableCard(measures, previous, earlier) {
+/** @param {Measures} measures @param {TrialView[]} earlier @param {TrialVerdicts | null} found */
+function tableCard(measures, earlier, found) {
+  const previous = earlier.find(({ id }) => id === found?.earlier) ?? null;
   const rows = Object.keys(MEASURES)
-    .filter((name) => measured(measures, name) !== null)
+    .filter((name) => measured(measures, name) !== null && (measures.reached || !OF_WHOLE.includes(name)))
     .map((name) => {
-      const difference = previous && change(name, measures, previous.measures);
+      const said = verdictWords(name, found?.verdicts[name]);
       return h(
         "tr",
         {},
@@ -125,11 +135,8 @@ function tableCard(measures, previous, earlier) {
         h("td", { class: "own" }, withUnit(name, measured(measures, name))),
         previous && [
           h("td", {}, withUnit(name, measured(previous.measures, name))),
-          h(
-            "td",
-            { class: `change ${difference?.tone ?? ""}` },
-            difference ? `${difference.arrow} ${difference.words}` : "–",
-          ),
+          h("td", { class: `change ${said?.tone ?? ""}` }, said ? `${said.arrow} ${said.words}` : "–"),
+          h("td", {}, said?.noise ?? "–"),
           h("td", {}, withUnit(name, best(name, earlier))),
         ],
       );
@@ -137,13 +144,13 @@ function tableCard(measures, previous, earlier) {
   const head = [
     t("over.measure"),
     t("over.this"),
-    ...(previous ? [t("over.previous", { number: previous.number }), t("over.change"), t("over.best")] : []),
+    ...(previous ? [t("over.previous", { number: previous.number }), t("verdict.column"), t("verdict.noise"), t("over.best")] : []),
   ];
   return h(
     "section",
     { class: "card" },
     h("h2", {}, t("over.table")),
-    !previous && h("p", { class: "quiet small" }, t("over.first")),
+    !earlier.length && h("p", { class: "quiet small" }, t("over.first")),
     scrollTable(
       t("over.table"),
       "measures",
@@ -158,5 +165,6 @@ function tableCard(measures, previous, earlier) {
       ),
       h("tbody", {}, rows),
     ),
+    previous && noiseNote(),
   );
 }

@@ -15,7 +15,9 @@ import { t } from "../../texts.js";
 export async function show(app, root, { signal, rest: [patient, , ...ids] }) {
   if (ids.length < 2) throw new Error(t("compare.pairs"));
   const trials = await Promise.all(ids.slice(0, 2).map((id) => app.api.get(`/trials/${id}`)));
+  trials.sort((a, b) => a.id - b.id);
   if (signal.aborted) return;
+  const found = await verdicts(app, trials);
   const above = await pictures(app, root, trials, signal);
   if (signal.aborted) return;
   /** @param {TrialDetail} trial */
@@ -31,7 +33,7 @@ export async function show(app, root, { signal, rest: [patient, , ...ids] }) {
       h("h1", { tabindex: "-1" }, t("compare.title")),
       h("p", { class: "lead compare-lead" }, trials[0].floorplan_title, ": ", named(trials[0]), " · ", named(trials[1])),
       above,
-      compareTable(trials),
+      compareTable(trials, found),
     ),
     h(
       "div",
@@ -43,12 +45,26 @@ export async function show(app, root, { signal, rest: [patient, , ...ids] }) {
 }
 
 /**
+ * What is better than noise in the later trial; null where the two cannot be compared.
+ * @param {App} app @param {TrialDetail[]} trials two, the earlier first
+ */
+async function verdicts(app, [first, second]) {
+  const isSame = isSameTask(first, second) && groupOf(first) === groupOf(second);
+  return isSame && first.id !== second.id ? app.api.get(`/trials/${second.id}/verdicts?against=${first.id}`) : null;
+}
+
+/** @param {TrialDetail} first @param {TrialDetail} second */
+function isSameTask(first, second) {
+  return first.patient_id === second.patient_id && first.floorplan === second.floorplan && first.path_name === second.path_name;
+}
+
+/**
  * What can be shown of both together, or why nothing can.
  * @param {App} app @param {HTMLElement} root @param {TrialDetail[]} trials two @param {AbortSignal} signal
  */
 async function pictures(app, root, trials, signal) {
   const [first, second] = trials;
-  if (first.floorplan !== second.floorplan || first.path_name !== second.path_name)
+  if (!isSameTask(first, second))
     return h("p", { class: "card quiet" }, t("compare.other-path"));
   try {
     const lines = await Promise.all(trials.map(({ id }) => app.api.get(`/trials/${id}/timeline`)));

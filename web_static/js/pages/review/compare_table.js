@@ -1,28 +1,34 @@
 /**
- * All measures of two trials, what lies between them, and which is better.
- * @import { TrialDetail } from "types/api"
+ * All measures of two trials, what lies between them, and whether that is more than noise.
+ * @import { TrialDetail, TrialVerdicts } from "types/api"
+ * @import { Measures } from "../../results/measures.js"
  */
 import { t } from "../../texts.js";
 import { h } from "../../widgets/dom.js";
 import { scrollTable } from "../../widgets/scroll_table.js";
-import { change, measured, MEASURES, withUnit } from "../../results/measures.js";
+import { comparable, joined, measured, MEASURES, withUnit } from "../../results/measures.js";
+import { signed } from "../../widgets/format.js";
 import { groupOf } from "../../results/source_group.js";
+import { isFamiliarisation, noiseNote, verdictWords } from "../../results/verdict_words.js";
 
-/** @param {TrialDetail[]} trials two of them, as GET /trials/ID answered */
-export function compareTable(trials) {
+/**
+ * @param {TrialDetail[]} trials two of them, as GET /trials/ID answered, the earlier first
+ * @param {TrialVerdicts | null} found on the second against the first; null where they cannot be compared
+ */
+export function compareTable(trials, found) {
   const [first, second] = trials.map(({ measures }) => measures ?? {});
   const isMixed = groupOf(trials[0]) !== groupOf(trials[1]); // then no trial is called the better one
+  const used = trials.filter(({ id }) => isFamiliarisation(found, id)).map((one) => one.number);
   /** @param {string} name */
   const row = (name) => {
-    const difference = isMixed ? null : change(name, second, first);
-    const isBetter = difference?.tone && trials[difference.tone === "good" ? 1 : 0];
+    const said = verdictWords(name, found?.verdicts[name]);
     return h(
       "tr",
       {},
       h("th", { scope: "row" }, t(`measure.${name}`)),
       [first, second].map((measures) => h("td", { class: "own" }, withUnit(name, measured(measures, name)))),
-      h("td", {}, difference?.amount || (difference ? difference.words : "–")),
-      h("td", {}, isBetter ? t("compare.trial", { number: isBetter.number }) : difference ? "=" : "–"),
+      h("td", {}, isMixed || ![first, second].every((one) => comparable(name, one)) ? "–" : difference(name, first, second)),
+      found && [h("td", { class: `change ${said?.tone ?? ""}` }, said ? `${said.arrow} ${said.words}` : "–"), h("td", {}, said?.noise ?? "–")],
     );
   };
   const names = Object.keys(MEASURES).filter((name) => [first, second].some((one) => measured(one, name) !== null));
@@ -30,13 +36,14 @@ export function compareTable(trials) {
     t("over.measure"),
     ...trials.map((one) => t("compare.trial", { number: one.number })),
     t("compare.difference"),
-    t("compare.better"),
+    ...(found ? [t("compare.verdict", { number: trials[1].number }), t("verdict.noise")] : []),
   ];
   return h(
     "section",
     { class: "card" },
     h("h2", {}, t("compare.measures")),
     isMixed && h("p", { class: "quiet" }, t("compare.mixed")),
+    used.length > 0 && h("p", { class: "quiet" }, t("compare.used", { numbers: used.join(", ") })),
     names.length === 0 && h("p", { class: "quiet" }, t("compare.no-measures")),
     names.length > 0 &&
       scrollTable(
@@ -45,5 +52,12 @@ export function compareTable(trials) {
         h("thead", {}, h("tr", {}, head.map((words) => h("th", { scope: "col" }, words)))),
         h("tbody", {}, names.map(row)),
       ),
+    found && noiseNote(),
   );
+}
+
+/** @param {string} name @param {Measures} first @param {Measures} second */
+function difference(name, first, second) {
+  const { unit, digits } = MEASURES[name];
+  return joined(signed(Number(measured(second, name)) - Number(measured(first, name)), digits), unit);
 }

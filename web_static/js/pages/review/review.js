@@ -12,6 +12,7 @@ import { measured, MEASURES, leadingMeasures } from "../../results/measures.js";
 import { emptyPage } from "../../shell/nobody.js";
 import { groupChoice, groupMark } from "../../results/source_group.js";
 import { qualitySection } from "./quality_section.js";
+import { sessionVerdicts } from "./session_verdicts.js";
 import { trajectoriesChart } from "../../charts/trajectories_chart.js";
 import { trialList } from "./trial_list.js";
 import { t } from "../../texts.js";
@@ -86,10 +87,12 @@ export async function show(app, root, { signal, rest }) {
           h("section", { class: "card" }, h("h2", {}, t("review.trajectories"), " ", groupMark(learning.source)), charts[1]),
         ),
       !counts && h("p", { class: "card quiet" }, t(Object.keys(learning.others).length ? "review.other-source" : "review.no-kept")),
+      counts && sessionVerdicts(learning, measure),
       quality,
       trialList(
         patient,
         trials.filter((trial) => keyOf(trial) === path.key),
+        new Set(learning.trials.filter(({ familiarisation }) => familiarisation).map(({ id }) => id)),
       ),
     );
   };

@@ -10,8 +10,11 @@ import { scrollTable } from "../../widgets/scroll_table.js";
 import { measured, leadingMeasures, withUnit } from "../../results/measures.js";
 import { groupMark, groupOf } from "../../results/source_group.js";
 
-/** @param {{id: number}} patient @param {TrialView[]} trials the newest last */
-export function trialList(patient, trials) {
+/**
+ * @param {{id: number}} patient @param {TrialView[]} trials the newest last
+ * @param {Set<number>} used ids of the trials in which the patient got used to the task on their day
+ */
+export function trialList(patient, trials, used) {
   const listed = leadingMeasures(trials.findLast(({ measures }) => measures)?.measures ?? {});
   const compare = compareChoice(patient.id);
   /** @param {TrialView} trial */
@@ -36,7 +39,7 @@ export function trialList(patient, trials) {
       h("td", {}, t(`review.end.${trial.end}`)),
       listed.map((name) => h("td", {}, trial.measures ? withUnit(name, measured(trial.measures, name)) : "–")),
       h("td", { title: trial.source.words }, groupMark(groupOf(trial)) ?? t("source.group.worn")),
-      h("td", {}, trial.kept ? t("review.kept") : trial.discard_reason),
+      h("td", {}, trial.kept ? t(used.has(trial.id) ? "review.used" : "review.kept") : trial.discard_reason),
       h("td", {}, compare.box(trial)),
     );
   const head = [

@@ -49,6 +49,7 @@ export default {
   "review.column.end": "End",
   "review.column.kept": "Counts",
   "review.kept": "yes",
+  "review.used": "getting used to it",
   "review.open": "Open trial {number}",
   "review.end.goal": "goal",
   "review.end.time-out": "time-out",

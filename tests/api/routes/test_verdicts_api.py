@@ -1,0 +1,98 @@
+"""Verdicts in the answers of the API: the same word for everybody, and none where trials cannot be compared."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+from fake_clinic import Clinic
+from people_of_clinic import as_person
+from store.course_of_sessions import store_course
+
+from app.source import Source
+from app.store.patients import add_patient
+from app.store.people import add_person, sign_in, the_clinic
+from app.world.floorplan import FloorPlan
+from app.world.scene import find_place
+
+PLAN = "apartment"
+WORN = Source(shirt="udp", body=None, chair="virtual", simulated=False)
+
+
+def measures(area: float, **more: Any) -> dict[str, Any]:
+    return {"e_diff": area, "time": 60.0, "path_length": 13.6, "reached": True} | more
+
+
+@pytest.fixture
+def course(signed_in: Clinic) -> Clinic:
+    """A clinic with five people; the trials of the first fall from 3 m2 to 1 m2 in the last of four sessions."""
+    rng = np.random.default_rng(2)
+    plan = find_place(PLAN)
+    assert isinstance(plan, FloorPlan)
+    clinic = signed_in
+    with clinic.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
+        named = the_clinic(db)
+        assert named is not None
+        for number in range(5):
+            patient = add_patient(db, named.id, f"P-{number}", "Heron", "")
+            levels = (3.0, 3.0, 3.0, 1.0 if number == 0 else 3.0)
+            sessions = [[measures(level * float(np.exp(rng.normal(0, 0.1)))) for _ in range(7)] for level in levels]
+            ids = store_course(db, named.id, patient.id, plan, sessions)
+            if number == 0:
+                clinic.course, clinic.heron = ids, patient.id  # type: ignore[attr-defined]
+                clinic.worn = store_course_of_one(db, named.id, add_patient(db, named.id, "W", "Otter", "").id, plan)  # type: ignore[attr-defined]
+    return clinic
+
+
+def store_course_of_one(db: Any, clinic: int, patient: int, plan: FloorPlan) -> int:
+    return store_course(db, clinic, patient, plan, [[measures(3.0)]], WORN)[0]
+
+
+def task(clinic: Any) -> Any:
+    plan = find_place(PLAN)
+    assert isinstance(plan, FloorPlan)
+    query = {"floorplan": PLAN, "path": plan.paths[0].name}
+    return clinic.good("GET", f"/patients/{clinic.heron}/learning", params=query)
+
+
+def test_the_newest_session_is_better_than_noise_and_the_first_trials_of_a_day_do_not_count(course: Any) -> None:
+    answer = task(course)
+    assert [row["familiarisation"] for row in answer["trials"]] == ([True] * 3 + [False] * 4) * 4
+    before, first = answer["verdicts"]["sessions"]
+    assert (before["earlier"], first["earlier"], before["later"], before["trials"]) == (3, 1, 4, [4, 4])
+    assert before["verdicts"]["e_diff"]["word"] == first["verdicts"]["e_diff"]["word"] == "better"
+    assert before["verdicts"]["time"]["word"] == "within"
+    assert answer["verdicts"]["deterioration"] == {}
+
+
+def test_a_trial_has_its_verdict_against_the_one_before_and_against_a_chosen_one(course: Any) -> None:
+    ids = course.course
+    plain = course.good("GET", f"/trials/{ids[-1]}/verdicts")
+    assert (plain["earlier"], plain["verdicts"]["e_diff"]["word"]) == (ids[-2], "within")
+    chosen = course.good("GET", f"/trials/{ids[-1]}/verdicts", params={"against": ids[-8]})
+    assert (chosen["earlier"], chosen["verdicts"]["e_diff"]["word"]) == (ids[-8], "better")
+    used = course.good("GET", f"/trials/{ids[-7]}/verdicts")
+    assert (used["earlier"], used["familiarisation"], used["verdicts"]) == (None, [ids[-7]], {})
+
+
+def test_a_discarded_trial_has_no_verdict_and_the_others_keep_their_place_on_the_day(course: Any) -> None:
+    ids = course.course
+    course.good("POST", f"/trials/{ids[-7]}/discard", json={"reason": "practice"})
+    assert course.good("GET", f"/trials/{ids[-7]}/verdicts")["verdicts"] == {}
+    assert course.good("GET", f"/trials/{ids[-4]}/verdicts")["familiarisation"] == []
+
+
+def test_trials_of_different_people_or_sources_are_refused_in_one_sentence(course: Any) -> None:
+    refused = course("GET", f"/trials/{course.course[-1]}/verdicts", params={"against": course.worn})
+    assert refused.status_code == 409
+    assert refused.json()["detail"].startswith("These two trials differ")
+    assert course("GET", f"/trials/{course.course[-1]}/verdicts", params={"against": 10**6}).status_code == 404
+
+
+def test_a_reviewer_of_this_patient_alone_reads_the_same_verdicts(course: Any) -> None:
+    owner = task(course)["verdicts"]
+    with course.client.app.state.people.database.transaction() as db:
+        person = add_person(db, the_clinic(db), "Rita", "reviewer", None, patients=[course.heron])
+        cookies = {"bodydrive_sign_in": sign_in(db, person, "test")}
+    with as_person(course, cookies):
+        assert task(course)["verdicts"] == owner
+        assert [patient["code"] for patient in course.good("GET", "/patients")] == ["P-0"]

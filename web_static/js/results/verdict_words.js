@@ -1,0 +1,47 @@
+/**
+ * The verdict on a measure in words: better than noise, within noise, worse than noise, too few trials.
+ * @import { TrialVerdicts, Verdict } from "types/api"
+ * @typedef {{words: string, arrow: string, amount: string, noise: string, tone: "good" | "bad" | ""}} VerdictWords
+ */
+import { t } from "../texts.js";
+import { h } from "../widgets/dom.js";
+import { joined, MEASURES } from "./measures.js";
+import { number, signed } from "../widgets/format.js";
+
+/** @type {Record<Verdict["word"], VerdictWords["tone"]>} */
+const TONES = { better: "good", within: "", worse: "bad", "too few": "" };
+
+/**
+ * A change within noise has neither an arrow nor an amount: there is nothing to be seen in it.
+ * @param {string} name of the measure @param {Verdict | undefined} verdict none where a measure cannot be compared
+ * @returns {VerdictWords | null}
+ */
+export function verdictWords(name, verdict) {
+  if (!verdict) return null;
+  const { word, earlier, later, low, high } = verdict;
+  const { unit, digits } = MEASURES[name];
+  const difference = (later ?? NaN) - (earlier ?? NaN);
+  const isChange = TONES[word] !== "";
+  return {
+    words: t(`verdict.${word}`),
+    arrow: isChange ? (difference < 0 ? "↓" : "↑") : "",
+    amount: isChange ? joined(signed(difference, digits), unit) : "",
+    noise: low === null ? "–" : joined(t("verdict.range", { low: number(low, digits), high: number(high, digits) }), unit),
+    tone: TONES[word],
+  };
+}
+
+/** A verdict in one line: "↓ −1.20 m² better than noise". @param {VerdictWords} said */
+export function verdictLine({ arrow, amount, words }) {
+  return [arrow, amount, words].filter(Boolean).join(" ");
+}
+
+/** Whether a person got used to the task in this trial. @param {TrialVerdicts | null} found @param {number} trial id */
+export function isFamiliarisation(found, trial) {
+  return !!found?.familiarisation.includes(trial);
+}
+
+/** What noise is, and that nobody has published a limit for it. */
+export function noiseNote() {
+  return h("p", { class: "quiet small" }, t("verdict.means"), " ", t("verdict.unpublished"));
+}
