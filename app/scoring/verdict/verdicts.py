@@ -2,8 +2,6 @@
 
 from collections.abc import Sequence
 
-import numpy as np
-
 from app.quantities import Document
 from app.scoring.verdict.compared_measures import COMPARED
 from app.scoring.verdict.deterioration import deteriorations
@@ -23,7 +21,7 @@ class SessionVerdicts(Document):
 
     earlier: int  # number of the session
     later: int
-    trials: tuple[int, int]  # how many of the two sessions are compared
+    trials: tuple[int, int]  # of the two sessions, that reached the goal and are compared
     verdicts: dict[str, Verdict]
 
 
@@ -77,10 +75,11 @@ def task_verdicts(rows: Rows, others: Sequence[Rows]) -> TaskVerdicts:
             verdict = compare(name, series, first, second, clinic.get(name))
             if verdict is not None:
                 verdicts[name] = verdict
-        counts = [
-            int(np.sum([row["session"] == one and not row["familiarisation"] for row in rows]))
-            for one in (earlier, sessions[-1])
-        ]
-        pair = (counts[0], counts[1])
+        pair = _count(rows, earlier), _count(rows, sessions[-1])
         compared.append(SessionVerdicts(earlier=earlier, later=sessions[-1], trials=pair, verdicts=verdicts))
     return TaskVerdicts(sessions=compared, deterioration=deteriorations(rows, clinic))
+
+
+def _count(rows: Rows, session: int) -> int:
+    """Return how many trials of a session reached the goal and were not for getting used to the task."""
+    return sum(row["session"] == session and row.get("reached", True) and not row["familiarisation"] for row in rows)

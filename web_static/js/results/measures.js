@@ -55,7 +55,8 @@ export function leadingMeasures(measures) {
 
 /** @param {string} name @param {number | null | undefined} value */
 export function withUnit(name, value) {
-  return joined(number(value, MEASURES[name].digits), MEASURES[name].unit);
+  const figure = number(value, MEASURES[name].digits);
+  return Number.isFinite(value) ? joined(figure, MEASURES[name].unit) : figure;
 }
 
 /** A degree sign stands close to its figure. @param {string} figure @param {string} unit */

@@ -43,5 +43,5 @@ export function isFamiliarisation(found, trial) {
 
 /** What noise is, and that nobody has published a limit for it. */
 export function noiseNote() {
-  return h("p", { class: "quiet small" }, t("verdict.means"), " ", t("verdict.unpublished"));
+  return h("p", { class: "quiet small noise-note" }, t("verdict.means"), " ", t("verdict.unpublished"));
 }

@@ -79,6 +79,7 @@ export async function show(app, root, { signal, rest }) {
     if (counts) qualitySection(app, patient, where, until).then((one) => put(quality, one), fail);
     put(
       place,
+      counts && sessionVerdicts(learning, measure),
       counts &&
         h(
           "div",
@@ -87,7 +88,6 @@ export async function show(app, root, { signal, rest }) {
           h("section", { class: "card" }, h("h2", {}, t("review.trajectories"), " ", groupMark(learning.source)), charts[1]),
         ),
       !counts && h("p", { class: "card quiet" }, t(Object.keys(learning.others).length ? "review.other-source" : "review.no-kept")),
-      counts && sessionVerdicts(learning, measure),
       quality,
       trialList(
         patient,

@@ -57,17 +57,17 @@ function table({ earlier, later, verdicts }, title) {
       "tr",
       {},
       h("th", { scope: "row" }, t(`measure.${name}`)),
+      h("td", { class: `change ${said?.tone ?? ""}` }, said ? `${said.arrow} ${said.words}` : "–"),
       h("td", {}, withUnit(name, verdicts[name].earlier)),
       h("td", { class: "own" }, withUnit(name, verdicts[name].later)),
-      h("td", { class: `change ${said?.tone ?? ""}` }, said ? `${said.arrow} ${said.words}` : "–"),
       h("td", {}, said?.noise ?? "–"),
     );
   };
   const head = [
     t("over.measure"),
+    t("verdict.column"),
     t("verdict.session", { number: earlier }),
     t("verdict.session", { number: later }),
-    t("verdict.column"),
     t("verdict.noise"),
   ];
   return scrollTable(

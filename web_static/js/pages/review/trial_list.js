@@ -7,7 +7,7 @@ import { compareChoice } from "./compare_choice.js";
 import { h } from "../../widgets/dom.js";
 import { moment } from "../../widgets/format.js";
 import { scrollTable } from "../../widgets/scroll_table.js";
-import { measured, leadingMeasures, withUnit } from "../../results/measures.js";
+import { comparable, measured, leadingMeasures, withUnit } from "../../results/measures.js";
 import { groupMark, groupOf } from "../../results/source_group.js";
 
 /**
@@ -37,7 +37,7 @@ export function trialList(patient, trials, used) {
       ),
       h("td", {}, moment(trial.started)),
       h("td", {}, t(`review.end.${trial.end}`)),
-      listed.map((name) => h("td", {}, trial.measures ? withUnit(name, measured(trial.measures, name)) : "–")),
+      listed.map((name) => h("td", {}, comparable(name, trial.measures) ? withUnit(name, measured(trial.measures, name)) : "–")),
       h("td", { title: trial.source.words }, groupMark(groupOf(trial)) ?? t("source.group.worn")),
       h("td", {}, trial.kept ? t(used.has(trial.id) ? "review.used" : "review.kept") : trial.discard_reason),
       h("td", {}, compare.box(trial)),

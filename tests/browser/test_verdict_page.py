@@ -1,0 +1,76 @@
+"""The same verdict on the trial page, in review and in the comparison, in a real browser."""
+
+import re
+
+import pytest
+from browser.served.course_app import CourseApp
+from playwright.sync_api import expect
+
+from folders import SCREENSHOTS
+
+pytestmark = [pytest.mark.browser, pytest.mark.timeout(240)]
+
+SIZES = {"768x1024": (768, 1024), "1280x800": (1280, 800), "390x844": (390, 844)}
+TOO_WIDE = "document.querySelector('main').scrollWidth > document.querySelector('main').clientWidth"
+PATIENCE = 30_000  # ms
+
+
+@pytest.fixture(scope="module")
+def served(tmp_path_factory):
+    app = CourseApp(tmp_path_factory.mktemp("course"))
+    app.start()
+    yield app
+    app.stop()
+
+
+def test_a_change_has_one_word_on_every_page(served, browser, page_log):
+    SCREENSHOTS.mkdir(parents=True, exist_ok=True)
+    log = page_log(served.address)
+    page = log.watch(browser.new_context(viewport={"width": 768, "height": 1024}).new_page())
+    page.set_default_timeout(PATIENCE)
+    expect.set_options(timeout=PATIENCE)
+
+    def keep(name):
+        for size, (width, height) in SIZES.items():
+            page.set_viewport_size({"width": width, "height": height})
+            page.wait_for_function(f"() => !({TOO_WIDE})")  # charts follow the new size
+            page.screenshot(path=SCREENSHOTS / f"{size}-verdict-{name}.png")
+
+    ids, review = served.trials, f"{served.address}/#/review/1"
+    page.goto(served.link)
+    expect(page.get_by_role("heading", level=1)).to_be_visible()
+
+    page.goto(f"{review}/trial/{ids[-2]}")  # the last one that reached the goal; 1.0 m2 on that day as before
+    area = page.locator(".large-figures section").filter(has=page.locator(".change")).nth(1)
+    expect(area.locator(".change")).to_have_text("within noise")
+    expect(page.get_by_text("No minimal detectable change has been published")).to_be_visible()
+    keep("trial")
+
+    page.goto(f"{review}/trial/{ids[-1]}")  # 65 m2, and the goal was not reached
+    expect(page.get_by_text("The goal was not reached")).to_be_visible()
+    expect(page.locator(".large-figures")).to_have_count(0)
+    expect(page.locator("main")).not_to_contain_text(re.compile(r"\b65\.|E_diff|Area off"))
+    keep("unfinished")
+
+    page.goto(f"{review}/trial/{ids[-7]}")
+    expect(page.get_by_text("one of the first three trials")).to_be_visible()
+
+    page.goto(f"{review}/compare/{ids[-2]}/{ids[-9]}")  # of two sessions, named in the wrong order
+    row = page.locator("main tbody tr").nth(1)
+    expect(row).to_contain_text("↓ better than noise")
+    expect(page.locator("main tbody tr").filter(has_text="Mean speed")).to_contain_text("–")
+    keep("compare")
+
+    page.goto(review)
+    card = page.locator(".session-verdicts")
+    expect(card.get_by_role("heading", name=re.compile("^Session 4 .* against session 3"))).to_be_visible()
+    expect(card.locator("b.change.good").first).to_contain_text("better than noise")
+    expect(page.locator(".trials tbody tr").filter(has_text="getting used to it")).to_have_count(12)
+    expect(page.locator(".trials")).not_to_contain_text(re.compile(r"\b65\."))
+    card.locator("summary").first.click()
+    expect(card.locator("tbody tr").filter(has_text="Time")).to_contain_text("within noise")
+    keep("review")
+    log.errors = [error for error in log.errors if "404" not in error]  # these trials have no recordings
+    log.assert_clean()
+    page.context.close()
+    expect.set_options(timeout=5000)
