@@ -13,10 +13,10 @@ import numpy as np
 import typer
 from numpy.typing import NDArray
 
-from app.scoring.verdict.compared_measures import least_spread
 from app.scoring.verdict.deterioration import worse_since
+from app.scoring.verdict.measure_comparison import least_spread
 from app.scoring.verdict.measure_verdict import compare, noise_of, series_of
-from app.scoring.verdict.spread import Spread, clinic_spread, own_spread, pooled
+from app.scoring.verdict.spread import Spread, clinic_spread, own_spread, pool_spreads
 
 MEASURE = "e_diff"
 LEVEL = 3.0  # m2
@@ -106,7 +106,9 @@ def judge(rng: np.random.Generator, person: Person, layout: Sequence[int], clini
         later, earlier = series.session == len(layout), series.session == len(layout) - 1
     plain = compare(MEASURE, series, earlier, later, clinic)
     counts = int(earlier.sum()), int(later.sum())
-    spread = pooled(*own_spread(series.where(~later), series.where(later), least_spread(MEASURE, series.value)), clinic)
+    spread = pool_spreads(
+        *own_spread(series.where(~later), series.where(later), least_spread(MEASURE, series.value)), clinic
+    )
     noise = noise_of(spread, *counts, same_session=len(layout) == 1)
     if plain is None or noise is None:
         raise RuntimeError("a verdict is missing")

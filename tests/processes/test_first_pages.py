@@ -27,6 +27,7 @@ SIMULATED = Source(shirt="simulator", body="person", chair="virtual", simulated=
 TRIALS = 12  # enough for curves
 PAGES = (
     "/trials/1",
+    "/trials/1/verdicts",
     f"/patients/1/learning?floorplan={PLAN.name}&path={PLAN.paths[0].name}&source=simulated",
     "/patients/1/quality?source=simulated",
     "/patients/1/maps",

@@ -5,9 +5,9 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from app.scoring.verdict.compared_measures import COMPARED, least_spread
+from app.scoring.verdict.measure_comparison import COMPARISONS, least_spread
 from app.scoring.verdict.measure_verdict import Rows, series_of
-from app.scoring.verdict.spread import Series, Spread, fit_curve, own_spread, pooled, weighted_sum
+from app.scoring.verdict.spread import Series, Spread, fit_curve, own_spread, pool_spreads, weighted_sum
 
 ALLOWANCE = 0.5  # standard deviations of a session that are not counted
 LIMIT = 3.0  # standard deviations, added up
@@ -52,7 +52,7 @@ def _surprise(before: Series, session: Series, clinic: Spread | None, least: flo
     if earlier < EARLIER_SESSIONS or len(before.value) < EARLIER_TRIALS:
         return None
     own, share = own_spread(before, session, least)
-    spread = pooled(own, share, clinic)
+    spread = pool_spreads(own, share, clinic)
     foretold, parameters = fit_curve(before.number, before.value, before.number[-1:])
     total = weighted_sum(
         (1 / len(session.value) + parameters / len(before.value), spread.trial),
@@ -69,7 +69,7 @@ def deteriorations(rows: Rows, clinic: Mapping[str, Spread]) -> dict[str, str]:
     `rows` are a person's trials in one task, `clinic` the median spread of each measure.
     """
     found = {}
-    for name, measure in COMPARED.items():
+    for name, measure in COMPARISONS.items():
         series, _ = series_of(rows, name)
         if measure.better is None or not len(series.value):
             continue

@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.quantities import Document
-from app.scoring.verdict.compared_measures import COMPARED, from_scale, least_spread, to_scale, value_of
-from app.scoring.verdict.spread import Series, Spread, clinic_spread, own_spread, pooled, weighted_sum
+from app.scoring.verdict.measure_comparison import COMPARISONS, from_scale, least_spread, to_scale, value_of
+from app.scoring.verdict.spread import Series, Spread, clinic_spread, own_spread, pool_spreads, weighted_sum
 
 FEWEST = 5  # trials up to and with the later ones
 LEAST_DF = 2.0  # degrees of freedom that a spread needs; without a clinic's median, one session has none
@@ -88,7 +88,7 @@ def compare(
     clinic
         The clinic's median spread in this task.
     """
-    direction = COMPARED[name].better
+    direction = COMPARISONS[name].better
     if direction is None or not earlier.any() or not later.any():
         return None
     before = np.arange(len(later)) < np.flatnonzero(later)[0]
@@ -99,7 +99,7 @@ def compare(
     noise = None
     if count >= FEWEST:
         own, share = own_spread(series.where(before), second, least_spread(name, series.value[before | later]))
-        spread = pooled(own, share, clinic)
+        spread = pool_spreads(own, share, clinic)
         same = first.session[0] == second.session[0]
         noise = noise_of(spread, len(first.value), len(second.value), same_session=bool(same))
     if noise is None:
@@ -117,7 +117,7 @@ def _word(change: float, mdc: float, better: Literal["low", "high"]) -> Word:
 def clinic_spreads(people: Sequence[Rows]) -> dict[str, Spread]:
     """Return the median spread of other people in one task, for each measure that enough of them have."""
     found = {}
-    for name in COMPARED:
+    for name in COMPARISONS:
         series = [series_of(rows, name)[0] for rows in people]
         counted = [one for one in series if len(one.value)]
         if counted:

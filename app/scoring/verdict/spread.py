@@ -1,6 +1,6 @@
 """How far a person's trials differ without a change: within a session, and from one session to the next.
 
-All values are on the scale of their measure (`compared_measures.py`).
+All values are on the scale of their measure (`measure_comparison.py`).
 """
 
 import math
@@ -105,7 +105,7 @@ def own_spread(before: Series, later: Series | None = None, least: float = 0.0) 
     -----
     Within a session: around the learning curve, the mean of each session, and a slope that all sessions share. Between
     sessions: means of the residuals of the learning curve. The variance of these means contains the variance within a
-    session over its trials; `session` is not freed of it (see `pooled`).
+    session over its trials; `session` is not freed of it (see `pool_spreads`).
     """
     parts = [before] if later is None or len(later.value) < 2 else [before, later]
     centred, within, sessions = [], [], 0
@@ -155,7 +155,7 @@ def _between_sessions(series: Series) -> tuple[Variance, float]:
     return Variance(float(means @ means) / df, float(df)), share
 
 
-def pooled(own: Spread, share: float, clinic: Spread | None) -> Spread:
+def pool_spreads(own: Spread, share: float, clinic: Spread | None) -> Spread:
     """Return a person's spread, drawn towards the clinic's median as far as little is known of the person.
 
     Both are weighted by their degrees of freedom. Those of the variance between sessions are Satterthwaite's for a

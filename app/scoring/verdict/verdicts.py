@@ -3,8 +3,8 @@
 from collections.abc import Sequence
 
 from app.quantities import Document
-from app.scoring.verdict.compared_measures import COMPARED
 from app.scoring.verdict.deterioration import deteriorations
+from app.scoring.verdict.measure_comparison import COMPARISONS
 from app.scoring.verdict.measure_verdict import Rows, Verdict, clinic_spreads, compare, series_of
 
 
@@ -48,7 +48,7 @@ def trial_verdicts(rows: Rows, others: Sequence[Rows], later: int, earlier: int 
         earlier = before[-1] if before and later not in warming else None
     clinic = clinic_spreads(others)
     verdicts = {}
-    for name in COMPARED:
+    for name in COMPARISONS:
         series, driven = series_of(rows, name)
         verdict = compare(name, series, driven == earlier, driven == later, clinic.get(name))
         if verdict is not None:
@@ -66,7 +66,7 @@ def task_verdicts(rows: Rows, others: Sequence[Rows]) -> TaskVerdicts:
     if len(sessions) < 2:
         return TaskVerdicts(sessions=[], deterioration={})
     clinic = clinic_spreads(others)
-    all_series = {name: series_of(rows, name)[0] for name in COMPARED}
+    all_series = {name: series_of(rows, name)[0] for name in COMPARISONS}
     compared = []
     for earlier in dict.fromkeys((sessions[-2], sessions[0])):
         verdicts = {}

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from scipy.stats import t
 
 from app.scoring.learning import MEASURES
-from app.scoring.verdict.compared_measures import COMPARED, from_scale, to_scale, value_of
+from app.scoring.verdict.measure_comparison import COMPARISONS, from_scale, to_scale, value_of
 from app.scoring.verdict.measure_verdict import clinic_spreads, noise_of
 from app.scoring.verdict.spread import Spread, Variance
 from app.scoring.verdict.verdicts import task_verdicts, trial_verdicts
@@ -42,7 +42,7 @@ def word(rows: list[Any], measure: str = "e_diff", others: list[Any] = OTHERS) -
 
 
 def test_every_measure_of_the_learning_curve_says_how_it_is_compared() -> None:
-    assert list(COMPARED) == list(MEASURES)
+    assert list(COMPARISONS) == list(MEASURES)
 
 
 def test_a_difference_below_what_the_eye_can_see_is_noise() -> None:
@@ -139,15 +139,15 @@ def test_the_mdc_is_the_formula_with_students_t() -> None:
     assert alone.mdc == pytest.approx(t.ppf(0.975, 8) * math.sqrt(2 * 0.04))
 
 
-@given(st.sampled_from(list(COMPARED)), st.floats(1e-6, 1e6))
+@given(st.sampled_from(list(COMPARISONS)), st.floats(1e-6, 1e6))
 def test_a_value_comes_back_from_its_scale(name: str, value: float) -> None:
-    signed = -value if COMPARED[name].scale == "plain" else value
+    signed = -value if COMPARISONS[name].scale == "plain" else value
     assert from_scale(name, float(to_scale(name, np.array([signed]))[0])) == pytest.approx(signed, rel=1e-6, abs=1e-9)
 
 
 @settings(max_examples=60, deadline=None)
 @given(
-    st.sampled_from([name for name, measure in COMPARED.items() if measure.better]),
+    st.sampled_from([name for name, measure in COMPARISONS.items() if measure.better]),
     st.lists(st.lists(st.floats(-1e99, 1e99), min_size=1, max_size=4), min_size=1, max_size=5),
 )
 def test_any_numbers_have_a_finite_verdict(name: str, sessions: list[list[float]]) -> None:

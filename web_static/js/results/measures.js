@@ -5,7 +5,7 @@
 import { t } from "../texts.js";
 import { number } from "../widgets/format.js";
 
-/** Directions and needsGoal are those of app/scoring/verdict/compared_measures.py. of: the measure that says how many there are. @type {Record<string, {unit: string, digits: number, better: "low" | "high" | null, needsGoal: boolean, of?: string}>} */
+/** Directions and needsGoal are those of app/scoring/verdict/measure_comparison.py. of: the measure that says how many there are. @type {Record<string, {unit: string, digits: number, better: "low" | "high" | null, needsGoal: boolean, of?: string}>} */
 export const MEASURES = {
   stages_done: { unit: "", digits: 0, better: "high", needsGoal: false, of: "stages" },
   follow_error_rms: { unit: "m", digits: 2, better: "low", needsGoal: false },

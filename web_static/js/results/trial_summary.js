@@ -37,7 +37,7 @@ export function trialSummary(trial, trials, plan, found) {
     !trial.kept && h("p", { class: "problem" }, t("over.discarded", { reason: trial.discard_reason ?? "" })),
     !measures && h("p", { class: "problem" }, t("over.no-measures")),
     measures && !measures.reached && h("p", { class: "card" }, unfinishedWords(trial, measures)),
-    isFamiliarisation(found, trial.id) && h("p", { class: "card quiet" }, t("verdict.used.long")),
+    isFamiliarisation(found, trial.id) && h("p", { class: "card quiet" }, t("verdict.familiarisation")),
     measures && large.length > 0 && h("div", { class: "large-figures" }, large.map((name) => largeFigure(name, measures, found))),
     measures?.parts ? stagesCard(/** @type {StageResult[]} */ (measures.parts)) : null,
     h("div", { class: "summary-columns" }, drivenCard(trial, plan), measures && tableCard(measures, earlier, found)),

@@ -43,5 +43,6 @@ export function isFamiliarisation(found, trial) {
 
 /** What noise is, and that nobody has published a limit for it. */
 export function noiseNote() {
-  return h("p", { class: "quiet small noise-note" }, t("verdict.means"), " ", t("verdict.unpublished"));
+  const sentences = ["means", "chance", "unpublished"].map((name) => t(`verdict.${name}`));
+  return h("p", { class: "quiet small noise-note" }, sentences.join(" "));
 }

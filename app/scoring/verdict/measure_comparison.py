@@ -13,10 +13,10 @@ LARGEST = 1e100  # larger values are left out, as in a learning curve
 SMALLEST = 1e-9  # on the log scale; smaller values count as this one
 COUNT_SHIFT = 3 / 8  # Anscombe, Biometrika 35 (1948)
 POISSON_SPREAD = 0.5  # of a count on its scale
-LEAST_SPREAD = 0.01  # of the level: below it, trials are no closer than the drawing of a path
+LEAST_SPREAD = 0.01  # of the level: nobody repeats a trial more closely; equal trials would make any change count
 
 
-class ComparedMeasure(NamedTuple):
+class MeasureComparison(NamedTuple):
     """How one measure is compared."""
 
     scale: Scale
@@ -24,30 +24,30 @@ class ComparedMeasure(NamedTuple):
     needs_goal: bool = True  # a trial that did not reach the goal does not count
 
 
-COMPARED: dict[str, ComparedMeasure] = {
-    "dist": ComparedMeasure("log", "low"),
-    "dist_ratio": ComparedMeasure("log", "low"),
-    "e_diff": ComparedMeasure("log", "low"),
-    "time": ComparedMeasure("log", "low"),
-    "cross_track_rms": ComparedMeasure("log", "low"),
-    "cross_track_max": ComparedMeasure("log", "low"),
-    "mean_speed": ComparedMeasure("log", None),  # the person, the limits and the leader choose it
-    "stops": ComparedMeasure("count", "low"),
-    "collisions": ComparedMeasure("count", "low"),
-    "contact_time": ComparedMeasure("root", "low"),
-    "stages_done": ComparedMeasure("count", "high", needs_goal=False),
-    "follow_error_rms": ComparedMeasure("log", "low", needs_goal=False),
-    "follow_error_max": ComparedMeasure("log", "low", needs_goal=False),
-    "follow_near": ComparedMeasure("plain", "high", needs_goal=False),
-    "heading_error_deg": ComparedMeasure("root", "low"),
-    "turn_drift": ComparedMeasure("root", "low"),
-    "cones_touched": ComparedMeasure("count", "low"),
-    "gap_clearance": ComparedMeasure("plain", "high"),
-    "door_contacts": ComparedMeasure("count", "low"),
-    "turn_reversals": ComparedMeasure("count", "low"),
-    "pulses_per_metre": ComparedMeasure("log", "low"),
-    "sparc": ComparedMeasure("plain", "high"),
-    "ldlj": ComparedMeasure("plain", "high"),
+COMPARISONS: dict[str, MeasureComparison] = {
+    "dist": MeasureComparison("log", "low"),
+    "dist_ratio": MeasureComparison("log", "low"),
+    "e_diff": MeasureComparison("log", "low"),
+    "time": MeasureComparison("log", "low"),
+    "cross_track_rms": MeasureComparison("log", "low"),
+    "cross_track_max": MeasureComparison("log", "low"),
+    "mean_speed": MeasureComparison("log", None),  # the person, the limits and the leader choose it
+    "stops": MeasureComparison("count", "low"),
+    "collisions": MeasureComparison("count", "low"),
+    "contact_time": MeasureComparison("root", "low"),
+    "stages_done": MeasureComparison("count", "high", needs_goal=False),
+    "follow_error_rms": MeasureComparison("log", "low", needs_goal=False),
+    "follow_error_max": MeasureComparison("log", "low", needs_goal=False),
+    "follow_near": MeasureComparison("plain", "high", needs_goal=False),
+    "heading_error_deg": MeasureComparison("root", "low"),
+    "turn_drift": MeasureComparison("root", "low"),
+    "cones_touched": MeasureComparison("count", "low"),
+    "gap_clearance": MeasureComparison("plain", "high"),
+    "door_contacts": MeasureComparison("count", "low"),
+    "turn_reversals": MeasureComparison("count", "low"),
+    "pulses_per_metre": MeasureComparison("log", "low"),
+    "sparc": MeasureComparison("plain", "high"),
+    "ldlj": MeasureComparison("plain", "high"),
 }
 
 
@@ -56,14 +56,14 @@ def value_of(trial: Mapping[str, Any], name: str) -> float | None:
     value = trial.get(name)
     if value is None or not abs(value) < LARGEST:
         return None
-    if COMPARED[name].needs_goal and not trial.get("reached", True):
+    if COMPARISONS[name].needs_goal and not trial.get("reached", True):
         return None
     return float(value)
 
 
 def to_scale(name: str, values: Numbers) -> Numbers:
     """Return values (n,) on the scale on which their noise does not depend on their level."""
-    scale = COMPARED[name].scale
+    scale = COMPARISONS[name].scale
     if scale == "log":
         return np.log(np.maximum(values, SMALLEST))
     if scale == "root":
@@ -75,7 +75,7 @@ def to_scale(name: str, values: Numbers) -> Numbers:
 
 def from_scale(name: str, value: float) -> float:
     """Return a value of the scale in the unit of the measure."""
-    scale = COMPARED[name].scale
+    scale = COMPARISONS[name].scale
     if scale == "log":
         return float(np.exp(min(value, np.log(LARGEST))))
     if scale == "root":
@@ -87,7 +87,7 @@ def from_scale(name: str, value: float) -> float:
 
 def least_spread(name: str, scaled: Numbers) -> float:
     """Return the smallest spread between trials that is believed, on the measure's scale."""
-    scale = COMPARED[name].scale
+    scale = COMPARISONS[name].scale
     if scale == "count":
         return POISSON_SPREAD
     if scale == "log":
