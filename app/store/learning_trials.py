@@ -9,10 +9,11 @@ from sqlalchemy import JSON, ColumnElement, select
 from sqlalchemy.orm import Session
 
 from app.source import SourceGroup, source_words
-from app.store.tables import Parameters, Patient, PatientSession, Profile, Trial
+from app.store.tables import Parameters, Patient, PatientSession, Profile, Run, Trial
 
 FAMILIARISATION = 3  # first trials of a task on a day, in which a person gets used to it
-MOST_OTHERS = 5000  # trials of other people, the newest, that the clinic's median is of
+SIMULATED: dict[SourceGroup, bool | None] = {"worn": False, "simulated": True, "unknown": None}
+MOST_OTHERS = 2000  # trials of other people, the newest, that the clinic's median is of
 
 
 class CountedTrial(NamedTuple):
@@ -69,14 +70,15 @@ def trials_of_others(
         select(Trial, PatientSession.number)
         .join(PatientSession, PatientSession.id == Trial.session_id)
         .join(Patient, Patient.id == Trial.patient_id)
-        .where(Trial.patient_id != patient_id, Patient.deleted.is_(None), *_measured(clinic_id, floorplan, path))
+        .join(Run, Run.id == Trial.run_id)
+        .where(Trial.patient_id != patient_id, Patient.deleted.is_(None), Run.simulated.is_(SIMULATED[group]))
+        .where(*_measured(clinic_id, floorplan, path))
         .order_by(Trial.id.desc())
         .limit(MOST_OTHERS)
     ).all()[::-1]
     people: dict[int, list[tuple[Trial, int]]] = {}
     for trial, session in found:
-        if trial.run.source.group == group:
-            people.setdefault(trial.patient_id, []).append((trial, session))
+        people.setdefault(trial.patient_id, []).append((trial, session))
     return [_numbers(trials) for trials in people.values()]
 
 

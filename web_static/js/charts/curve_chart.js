@@ -107,7 +107,16 @@ function trialTraces(rows, measure, colours) {
   }
   if (other.length) {
     const marker = { color: faint(colours.text, 0.5), size: 9, symbol: "circle-open" };
-    traces.push(trace(other, { mode: "markers", name: t("review.not-reached"), marker }));
+    const hovertemplate = `${t("review.trial")} %{x}: ${t("review.not-reached")}<extra></extra>`;
+    // Their value is that of a part of the path: they stand below the others, whatever it is.
+    const y = other.map(() => below(rows, measure));
+    traces.push(trace(other, { mode: "markers", name: t("review.not-reached"), marker, hovertemplate, y }));
   }
   return traces;
+}
+
+/** Where the trials stand that cannot be compared: at 0, or at the lowest of the others. @param {LearningTrial[]} rows @param {string} measure */
+function below(rows, measure) {
+  const values = rows.flatMap((row) => (comparable(measure, row) ? Number(row[measure]) : []));
+  return MEASURES[measure].better === "low" || !values.length ? 0 : Math.min(...values);
 }

@@ -88,7 +88,7 @@ function requestOf(trial, plan) {
 function stagesCard(parts) {
   /** @param {StageResult} part @param {number} index */
   const row = ({ title, reached, time, ...own }, index) => {
-    const [first] = leadingMeasures(own).filter((name) => measured(own, name) !== null && name !== "dist");
+    const [first] = leadingMeasures(own).filter((name) => comparable(name, { ...own, reached }) && name !== "dist");
     return h(
       "tr",
       {},
