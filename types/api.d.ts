@@ -366,6 +366,38 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/auth/introduction": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                204: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/people": {
         parameters: {
             query?: never;
@@ -2153,6 +2185,40 @@ export interface paths {
                 };
             };
         };
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/patients/{patient_id}/next-task": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["NextTaskView"];
+                    };
+                };
+            };
+        };
+        put?: never;
+        post?: never;
+        delete?: never;
         options?: never;
         head?: never;
         patch?: never;
@@ -4137,6 +4203,8 @@ export interface components {
             paths: components["schemas"]["PathView"][];
             scene: components["schemas"]["SceneView"] | null;
             level: components["schemas"]["LevelView"] | null;
+            /** @enum {string} */
+            group: "first" | "corridors" | "doors" | "obstacles" | "following" | "outdoors" | "own";
         };
         FollowLeader: {
             /**
@@ -4453,6 +4521,7 @@ export interface components {
             locked: boolean;
             name: string | null;
             role: string | null;
+            introduced: boolean;
             demo: boolean;
             needs_setup: boolean;
             version: string;
@@ -4528,6 +4597,12 @@ export interface components {
             path: string;
             screen: string;
             picture?: ("view" | "plan" | "none") | null;
+        };
+        NextTaskView: {
+            floorplan: string;
+            path: string;
+            /** @enum {string} */
+            reason: "first" | "again" | "next level";
         };
         OfferView: {
             code: string;
@@ -5214,6 +5289,7 @@ export type NewPerson = components['schemas']['NewPerson'];
 export type NewReplay = components['schemas']['NewReplay'];
 export type NewSession = components['schemas']['NewSession'];
 export type NewTrial = components['schemas']['NewTrial'];
+export type NextTaskView = components['schemas']['NextTaskView'];
 export type OfferView = components['schemas']['OfferView'];
 export type OpentrackConfig = components['schemas']['OpentrackConfig'];
 export type OwnPassword = components['schemas']['OwnPassword'];

@@ -10,6 +10,7 @@ from app import __version__
 from app.api import openapi_document
 from app.api.assembly import StartProcess, end_parts, make_parts, start_parts
 from app.api.deps import People, clinician, viewer
+from app.api.driving import places
 from app.api.foreign_files import OneAtATime
 from app.api.guard import Guard
 from app.api.live import live_socket, screen_socket
@@ -43,7 +44,7 @@ from app.api.routes import (
     trial_plan,
     trials,
 )
-from app.api.sign_in import accept_invitation, auth, own_password
+from app.api.sign_in import accept_invitation, auth, introduction, own_password
 from app.api.sign_in.hashing import Hashing
 from app.api.sign_in.set_up import SetUp
 from app.api.sign_in.sign_in_limits import SignInLimits
@@ -66,6 +67,7 @@ ROUTES = (
     auth,
     accept_invitation,
     own_password,
+    introduction,
     people,
     patients,
     equipment,
@@ -74,6 +76,7 @@ ROUTES = (
     calibration,
     controls,
     adaptation,
+    places,
     trials,
     trial_replay,
     replay_view,

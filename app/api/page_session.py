@@ -37,6 +37,7 @@ WITHOUT_SESSION = {
     "POST /auth/invitation": _SIGN_IN,
     "POST /auth/invitation/accept": _SIGN_IN,
     "PUT /auth/password": _SIGN_IN,
+    "POST /auth/introduction": _LOOKS,
     "POST /auth/sign-out": _SIGN_IN,
     "POST /patient-screen/pair": "The code was made for one session; the patient's screen shows no other.",
     "POST /patients": _OWN_NAME,

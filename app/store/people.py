@@ -56,6 +56,7 @@ def add_person(
         password_hash=password_hash,
         created=utc_now(),
         disabled=None,
+        introduced=False,
     )
     db.add(person)
     db.flush()

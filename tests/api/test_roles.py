@@ -61,6 +61,7 @@ FOR_OWNERS = {
 }
 FOR_REVIEWERS = {
     "PUT /auth/password",
+    "POST /auth/introduction",
     "GET /patients",
     "GET /session",
     "GET /equipment",
@@ -77,6 +78,7 @@ FOR_REVIEWERS = {
     "GET /drives",
     "GET /drives/summary",
     "GET /patients/{patient_id}/learning",
+    "GET /patients/{patient_id}/next-task",
     "GET /patients/{patient_id}/quality",
     "GET /patients/{patient_id}/maps",
     "GET /adaptation",

@@ -1,18 +1,19 @@
-"""Floor plans, and trials along their paths."""
+"""Trials along the paths of floor plans."""
 
 import asyncio
 from typing import Annotated, Any, Literal
 
-from fastapi import APIRouter, HTTPException, Query
+from fastapi import APIRouter, Query
 from pydantic import Field
 
 from app.api.answers import Answer, MomentText
 from app.api.deps import Anyone, Clinician, People, PeopleParts, RowId
+from app.api.driving.places import needed_plan
 from app.api.live.screen_pictures import NO_PICTURE, Picture
 from app.api.live.screen_socket import ScreenWord
 from app.api.live.screens import Screen
 from app.api.one_controller import require_controller
-from app.api.parts import Web, WebParts, load_plan
+from app.api.parts import Web
 from app.api.routes.source_view import SourceView
 from app.api.sign_in.identity import SignedInPerson
 from app.quantities import Document, Line, Name
@@ -22,46 +23,8 @@ from app.session.run_watch import Starter
 from app.store.log import write_log
 from app.store.patients import find_patient
 from app.store.runs import find_trial, keep_trial, trials_of
-from app.world.floorplan import FloorPlan
-from app.world.scene import DrivingPlace
 
 router = APIRouter(tags=["trials"])
-
-
-class PathView(Document):
-    """A path to choose, and its task."""
-
-    name: str
-    title: str
-    length: float  # m
-    task: str  # path, follow, turn, back or course
-
-
-class SceneView(Answer):
-    """The scene that a floor plan is a level of."""
-
-    name: str
-    title: str
-    about: str
-
-
-class LevelView(Answer):
-    """A level of difficulty."""
-
-    name: str
-    title: str
-
-
-class FloorPlanView(Document):
-    """A floor plan to choose."""
-
-    name: str
-    title: str
-    width: float  # m
-    height: float  # m
-    paths: list[PathView]
-    scene: SceneView | None  # None: a building by itself
-    level: LevelView | None
 
 
 class NewTrial(Document):
@@ -132,45 +95,6 @@ class TrialDetail(Document):
     quality: ControlQuality | None  # None when the recording cannot be read
 
 
-@router.get("/floorplans")
-def list_floorplans(_who: Anyone, web: Web) -> list[FloorPlanView]:
-    """List the floor plans to drive in: scenes by level, then buildings; unreadable ones are left out."""
-    return [_floorplan_view(offer) for offer in web.places().values()]
-
-
-def _floorplan_view(offer: DrivingPlace) -> FloorPlanView:
-    plan, scene, level = offer
-    x_min, y_min, x_max, y_max = plan.bounds
-    return FloorPlanView(
-        name=plan.name,
-        title=plan.title,
-        width=round(x_max - x_min, 3),
-        height=round(y_max - y_min, 3),
-        paths=[
-            PathView(name=path.name, title=path.title, length=round(path.line.length, 3), task=path.task.kind)
-            for path in plan.paths
-        ],
-        scene=None if scene is None else SceneView.of(scene),
-        level=None if level is None else LevelView.of(level),
-    )
-
-
-def _needed_plan(web: WebParts, name: str) -> FloorPlan:
-    try:
-        plan = load_plan(web, name)
-    except ValueError as error:
-        raise HTTPException(409, f"The floor plan '{name}' cannot be read: import it again.") from error
-    if plan is None:
-        raise NotFound(f"There is no floor plan '{name}': choose one of the list.")
-    return plan
-
-
-@router.get("/floorplans/{name}")
-def one_floorplan(name: Name, _who: Anyone, web: Web) -> FloorPlan:
-    """Return a floor plan."""
-    return _needed_plan(web, name)
-
-
 @router.post("/trials", status_code=201)
 async def start_trial(body: NewTrial, who: Clinician, parts: PeopleParts, web: Web) -> TrialView:
     """Start a trial: the chair is put on the start, the recording begins, and the chair is armed."""
@@ -181,7 +105,7 @@ async def start_trial(body: NewTrial, who: Clinician, parts: PeopleParts, web: W
         refusal = NO_PICTURE if body.picture == "none" else web.pictures.refusal(Screen(who.person_id, body.screen))
         if refusal:
             raise Conflict(refusal)
-        plan = await asyncio.to_thread(_needed_plan, web, body.floorplan)
+        plan = await asyncio.to_thread(needed_plan, web, body.floorplan)
         try:
             path = plan.path_named(body.path)
         except ValueError as error:

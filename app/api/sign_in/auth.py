@@ -66,6 +66,7 @@ class Me(Document):
     locked: bool  # nobody did anything for a while: only the password of this person goes on
     name: str | None
     role: str | None
+    introduced: bool  # this person has put the sentences for a first time away
     demo: bool
     needs_setup: bool
     version: str
@@ -85,11 +86,14 @@ def me_view(parts: PeopleParts, who: SignedInPerson | None) -> Me:
 def _me(parts: PeopleParts, name: str | None, role: str | None, *, locked: bool = False) -> Me:
     with parts.database.transaction() as db:
         needs_setup = not parts.settings.demo and count_people(db) == 0
+        person = None if name is None else find_person(db, name)
+        introduced = person is not None and person.introduced
     return Me(
         signed_in=name is not None,
         locked=locked,
         name=name,
         role=role,
+        introduced=introduced,
         demo=parts.settings.demo,
         needs_setup=needs_setup,
         version=__version__,

@@ -22,6 +22,7 @@ class Person(Table):
     password_hash: Mapped[str | None]  # None: invited, or signs in by the link of a demonstration only
     created: Mapped[datetime]
     disabled: Mapped[datetime | None]
+    introduced: Mapped[bool] = mapped_column(server_default="0")  # has put the sentences for a first time away
 
 
 class SignIn(Table):

@@ -143,3 +143,13 @@ def test_a_path_that_does_not_exist_starts_nothing(ready: Any) -> None:
     assert ready("POST", "/trials", json={**ready.where, "floorplan": "nowhere"}).status_code == 404
     assert ready("POST", "/trials", json={**ready.where, "floorplan": "../../x"}).status_code == 422
     assert "run" not in [do for do, _ in ready.process.calls[-2:]]
+
+
+def test_the_next_task_is_the_first_one_and_then_the_last_one(ready: Any) -> None:
+    next_task = f"/patients/{ready.patient['id']}/next-task"
+    assert ready.good("GET", next_task) == {"floorplan": "clinic", "path": "main", "reason": "first"}
+    ready.good("POST", "/trials", json=ready.where)
+    ready.good("POST", "/trials/current/end", json={"reason": "by hand"})
+    again = {"floorplan": ready.where["floorplan"], "path": ready.where["path"], "reason": "again"}
+    assert ready.good("GET", next_task) == again
+    assert ready("GET", "/patients/99/next-task").status_code == 404

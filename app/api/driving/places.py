@@ -1,0 +1,118 @@
+"""Where to drive: the floor plans with their tasks, and the task that is proposed to a patient."""
+
+from fastapi import APIRouter, HTTPException
+
+from app.api.answers import Answer
+from app.api.deps import Anyone, PeopleParts, RowId
+from app.api.parts import Web, WebParts, load_plan
+from app.api.routes.source_view import RequestedGroup
+from app.quantities import Document, Name
+from app.refusals import NotFound
+from app.scoring.next_task import PastTrial, Reason, next_task, went_well
+from app.store.patients import find_patient
+from app.store.runs import trials_of
+from app.store.tables import Trial
+from app.world.floorplan import FloorPlan
+from app.world.scene import DrivingPlace
+from app.world.task_groups import TaskGroup, group_of
+
+router = APIRouter(tags=["floor plans"])
+
+
+class PathView(Document):
+    """A path to choose, and its task."""
+
+    name: str
+    title: str
+    length: float  # m
+    task: str  # path, follow, turn, back or course
+
+
+class SceneView(Answer):
+    """The scene that a floor plan is a level of."""
+
+    name: str
+    title: str
+    about: str
+
+
+class LevelView(Answer):
+    """A level of difficulty."""
+
+    name: str
+    title: str
+
+
+class FloorPlanView(Document):
+    """A floor plan to choose."""
+
+    name: str
+    title: str
+    width: float  # m
+    height: float  # m
+    paths: list[PathView]
+    scene: SceneView | None  # None: a building by itself
+    level: LevelView | None
+    group: TaskGroup
+
+
+class NextTaskView(Answer):
+    """A proposed task, and why it is proposed: the first one, the last one again, or its next level."""
+
+    floorplan: str
+    path: str
+    reason: Reason
+
+
+@router.get("/floorplans")
+def list_floorplans(_who: Anyone, web: Web) -> list[FloorPlanView]:
+    """List the floor plans to drive in: scenes by level, then buildings; unreadable ones are left out."""
+    return [_floorplan_view(offer) for offer in web.places().values()]
+
+
+def _floorplan_view(offer: DrivingPlace) -> FloorPlanView:
+    plan, scene, level = offer
+    x_min, y_min, x_max, y_max = plan.bounds
+    return FloorPlanView(
+        name=plan.name,
+        title=plan.title,
+        width=round(x_max - x_min, 3),
+        height=round(y_max - y_min, 3),
+        paths=[
+            PathView(name=path.name, title=path.title, length=round(path.line.length, 3), task=path.task.kind)
+            for path in plan.paths
+        ],
+        scene=None if scene is None else SceneView.of(scene),
+        level=None if level is None else LevelView.of(level),
+        group=group_of(offer),
+    )
+
+
+def needed_plan(web: WebParts, name: str) -> FloorPlan:
+    """Return a floor plan; 404 when there is none of this name, 409 when it cannot be read."""
+    try:
+        plan = load_plan(web, name)
+    except ValueError as error:
+        raise HTTPException(409, f"The floor plan '{name}' cannot be read: import it again.") from error
+    if plan is None:
+        raise NotFound(f"There is no floor plan '{name}': choose one of the list.")
+    return plan
+
+
+@router.get("/floorplans/{name}")
+def one_floorplan(name: Name, _who: Anyone, web: Web) -> FloorPlan:
+    """Return a floor plan."""
+    return needed_plan(web, name)
+
+
+@router.get("/patients/{patient_id}/next-task")
+def propose_task(patient_id: RowId, who: Anyone, parts: PeopleParts, web: Web, source: RequestedGroup) -> NextTaskView:
+    """Return the task that is proposed to a patient; only trials of one source lead to the next level."""
+    with parts.database.transaction() as db:
+        find_patient(db, who.clinic_id, patient_id)
+        trials = [_past(trial) for trial in trials_of(db, who.clinic_id, patient_id) if trial.status == "done"]
+    return NextTaskView.of(next_task(trials, source, web.places()))
+
+
+def _past(trial: Trial) -> PastTrial:
+    return PastTrial(trial.floorplan, trial.path, trial.source.group, trial.kept, went_well(trial.end, trial.measures))

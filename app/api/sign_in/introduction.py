@@ -1,0 +1,15 @@
+"""The sentences for a person's first time: put away once, on whatever screen, they never come again."""
+
+from fastapi import APIRouter
+
+from app.api.deps import Anyone, PeopleParts
+from app.store.access.rights import find_person_by_id
+
+router = APIRouter(prefix="/auth", tags=["sign-in"])
+
+
+@router.post("/introduction", status_code=204)
+def put_away(who: Anyone, parts: PeopleParts) -> None:
+    """Store that the person who is signed in has read or skipped the sentences."""
+    with parts.database.transaction() as db:
+        find_person_by_id(db, who.clinic_id, who.person_id).introduced = True

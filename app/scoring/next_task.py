@@ -1,0 +1,83 @@
+"""The task that is proposed to a patient: the last one again, or its next level when the last trials went well."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any, Literal, NamedTuple
+
+from app.source import SourceGroup
+from app.world.scene import DrivingPlace
+
+FIRST = ("clinic", "main")
+"""Floor plan and path of the corridors of the published study: the first task of a new patient."""
+
+TRIALS = 3  # so many must have gone well, one after the other
+
+Reason = Literal["first", "again", "next level"]
+
+
+class PastTrial(NamedTuple):
+    """A trial that is over."""
+
+    floorplan: str
+    path: str
+    group: SourceGroup
+    counts: bool  # it was not discarded
+    went_well: bool
+
+
+class NextTask(NamedTuple):
+    """A proposed task, and why it is proposed."""
+
+    floorplan: str
+    path: str
+    reason: Reason
+
+
+def went_well(end: str | None, measures: Mapping[str, Any] | None) -> bool:
+    """Return whether a trial reached its goal, the task done to its end, without any contact."""
+    return end == "goal" and measures is not None and bool(measures.get("reached")) and measures.get("collisions") == 0
+
+
+def next_task(trials: Sequence[PastTrial], group: SourceGroup, places: Mapping[str, DrivingPlace]) -> NextTask:
+    """Return the task to propose.
+
+    Parameters
+    ----------
+    trials : sequence of PastTrial
+        The patient's trials that are over, the newest last.
+    group : SourceGroup
+        Only trials of this group count for the next level: what a simulated person can do says nothing of a patient.
+    places : mapping of str to DrivingPlace
+        All places that are offered, by the name of the floor plan: a scene's easiest level first.
+    """
+    last = next((trial for trial in reversed(trials) if _is_offered(trial, places)), None)
+    if last is None:
+        return NextTask(*FIRST, "first")
+    counted = [
+        trial
+        for trial in trials
+        if trial.counts and trial.group == group and (trial.floorplan, trial.path) == (last.floorplan, last.path)
+    ]
+    newest = counted[-TRIALS:]
+    if len(newest) == TRIALS and all(trial.went_well for trial in newest):
+        harder = _next_level(last, places)
+        if harder is not None:
+            return NextTask(harder, last.path, "next level")
+    return NextTask(last.floorplan, last.path, "again")
+
+
+def _is_offered(trial: PastTrial, places: Mapping[str, DrivingPlace]) -> bool:
+    return trial.floorplan in places and _has_path(places[trial.floorplan], trial.path)
+
+
+def _has_path(place: DrivingPlace, name: str) -> bool:
+    return any(path.name == name for path in place.plan.paths)
+
+
+def _next_level(last: PastTrial, places: Mapping[str, DrivingPlace]) -> str | None:
+    """Return the floor plan of the next harder level of the same scene with the same path; None when there is none."""
+    scene = places[last.floorplan].scene
+    if scene is None:
+        return None
+    levels = [name for name, place in places.items() if place.scene is not None and place.scene.name == scene.name]
+    harder = levels[levels.index(last.floorplan) + 1 :]
+    return next((name for name in harder if _has_path(places[name], last.path)), None)

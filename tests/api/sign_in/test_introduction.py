@@ -1,0 +1,15 @@
+"""The sentences for a first time: put away once, they stay away for this person, whatever the browser."""
+
+from fake_clinic import Clinic
+from people_of_clinic import accepted, as_person, invited
+
+
+def test_what_one_person_put_away_stays_away_for_this_person_only(owned: Clinic) -> None:
+    ben = accepted(owned, invited(owned, "Ben", "reviewer"))
+    assert owned.good("GET", "/start")["me"]["introduced"] is False
+    assert owned("POST", "/auth/introduction").status_code == 204
+    assert owned.good("GET", "/start")["me"]["introduced"] is True
+    with as_person(owned, ben):
+        assert owned.good("GET", "/auth/me")["introduced"] is False
+    owned("POST", "/auth/sign-out")
+    assert owned.good("GET", "/auth/me")["introduced"] is False  # nobody is signed in
