@@ -39,8 +39,7 @@ def _spend_session(page: Page, address: str) -> None:
     expect(page.get_by_text("When one gesture is made, what else moves")).to_be_visible()
     page.get_by_role("button", name="Use this calibration").click()
     expect(page.get_by_role("heading", name="Which movement does what")).to_be_visible()
-    page.goto(f"{address}#/drive")
-    page.get_by_text("Straight ahead", exact=True).click()
+    page.goto(f"{address}#/drive/task/corridors/straight")
     page.get_by_role("button", name="Start trial").click()
     goal, stopped = page.get_by_role("heading", name="Goal reached"), page.get_by_role("button", name="Continue")
     while not goal.is_visible():

@@ -5,6 +5,9 @@ from contextlib import suppress
 
 from playwright.sync_api import Error, expect
 
+from app.world.scene import bundled_places
+from app.world.task_groups import TaskGroup, group_of
+
 STOPS = 5  # on a machine so busy that the driving page itself is late
 LOOK_EVERY = 250  # ms
 BEND = 700  # ms there, and the same back: the movement is what drives
@@ -16,6 +19,30 @@ SHOW = """() => {
   delete document.visibilityState;
   document.dispatchEvent(new Event("visibilitychange"));
 }"""
+
+
+GROUPS: dict[TaskGroup, str] = {
+    "first": "First steps",
+    "corridors": "Corridors",
+    "doors": "Doors",
+    "obstacles": "Obstacles",
+    "following": "Following",
+    "outdoors": "Outdoors",
+}
+
+
+def choose_task(page, floorplan, path):
+    """Choose a task of a bundled place as a person does: Choose another, its group, its level, the task."""
+    place = bundled_places()[floorplan]
+    title = place.plan.path_named(path).title
+    page.get_by_role("link", name="Choose another").click()
+    page.get_by_role("button", name=GROUPS[group_of(place)], exact=True).click()
+    scene = place.plan.title if place.scene is None else place.scene.title
+    card = page.locator(".plan-card").filter(has=page.get_by_role("heading", name=re.compile(f"^{scene}")))
+    if place.level is not None:
+        card.get_by_text(place.level.title, exact=True).click()
+    card.get_by_role("link", name=title).click()
+    expect(page.locator(".task-card h2")).to_have_text(title)
 
 
 def go_on_until(page, reached, what, *, seconds=60):

@@ -78,7 +78,7 @@ def test_a_suggestion_is_looked_at_applied_and_taken_back(tablet):
     keep("adapt-nothing-yet")
 
     drive_for_a_while(page)
-    page.get_by_role("link", name="A change of the map is suggested").click()
+    page.get_by_role("link", name="A change of the calibration is suggested").click()
     expect(page.get_by_text("Felt change")).to_be_visible()
     expect(page.locator(".adapt-joint").first).to_contain_text("Fits the movement")
     expect(page.locator(".adapt-head")).to_contain_text("a real chair arms only what was practised")
@@ -86,7 +86,7 @@ def test_a_suggestion_is_looked_at_applied_and_taken_back(tablet):
     keep("adapt-suggested")
 
     page.get_by_role("button", name="Apply").click()
-    expect(page.locator(".adapt-head")).to_contain_text("Version 2 of the map is in use.")
+    expect(page.locator(".adapt-head")).to_contain_text("Version 2 of the calibration is in use.")
     expect(page.locator(".adapt-head")).to_contain_text("A real chair does not arm this set yet")
     versions = page.locator(".map-versions tbody tr")
     expect(versions.first).to_contain_text("Adapted from 1")

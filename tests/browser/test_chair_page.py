@@ -12,7 +12,7 @@ from contextlib import closing, contextmanager
 from pathlib import Path
 
 import pytest
-from browser.driving import HIDE, SHOW, bend_until, go_on_until, stops_because
+from browser.driving import HIDE, SHOW, bend_until, choose_task, go_on_until, stops_because
 from paired_shirt import PairedShirt, calibrated_as_worn
 from playwright.sync_api import expect
 from processes.served_demo import running_demo
@@ -131,7 +131,7 @@ def pair(page, keep, port) -> str:
 def practise(page, bend):
     """Drive a moment on the virtual chair, so that the set is one that was practised in this shirt."""
     go_to(page, "drive")
-    page.get_by_text("Straight ahead", exact=True).click()
+    choose_task(page, "corridors", "straight")
     page.get_by_role("button", name="Start trial").click()
     clock = page.locator(".place .big")
     expect(clock).to_be_visible()
@@ -145,7 +145,7 @@ def practise(page, bend):
 
 
 def choose_chair(page):
-    go_to(page, "drive")
+    go_to(page, "drive/chairs")
     page.get_by_role("button", name="Drive “Ward 3”").click()
     expect(page.get_by_role("heading", name="Drive “Ward 3”")).to_be_visible()
 

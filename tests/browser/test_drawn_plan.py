@@ -1,7 +1,7 @@
 """Nobody drives blind: what a browser does that cannot draw in 3D, or loses its picture while somebody drives (S24)."""
 
 import pytest
-from browser.driving import STOPS, go_on_until, stops_because
+from browser.driving import STOPS, choose_task, go_on_until, stops_because
 from browser.tablets import headers_of
 from playwright.sync_api import expect
 from processes.served_demo import running_demo
@@ -70,7 +70,7 @@ def opened(browser, page_log, demo):
 
 def choose_straight_ahead(page):
     expect(page.get_by_role("heading", name="Where to?")).to_be_visible()
-    page.get_by_text("Straight ahead", exact=True).click()
+    choose_task(page, "corridors", "straight")
 
 
 def drives_for(page, seconds):
@@ -194,7 +194,9 @@ def test_the_patients_screen_falls_back_on_the_drawn_plan_once_the_chair_stands(
     def loses_picture(cause):
         stops_because(page, card, "lost the picture", cause, lambda: (opens_anew(), drives_with_the_view()))
 
+    page.get_by_role("link", name="The patient's screen").click()
     expect(page.locator(".patient-screens .tag", has_text="3D view")).to_be_visible()
+    page.get_by_role("link", name="Back to the task").click()
     page.get_by_role("button", name="Start in the drawn plan").click()
     drives_with_the_view()
     loses_picture(lambda: patient.evaluate(LOSE))

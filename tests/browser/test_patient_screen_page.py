@@ -65,6 +65,7 @@ def card_of(clinician):
 
 
 def pair(clinician, patient, keep):
+    clinician.get_by_role("link", name="The patient's screen").click()
     card = card_of(clinician)
     card.get_by_role("button", name="Pair a screen").click()
     expect(card.get_by_text("Only this machine can open the link")).to_be_visible()
@@ -90,6 +91,8 @@ def ask_for_arrow_and_sounds(clinician, patient):
 
 
 def is_shown_the_drive(clinician, patient, keep):
+    clinician.get_by_role("link", name="Back to the task").click()
+    expect(clinician.get_by_role("navigation", name="What else")).to_contain_text("1 paired")
     clinician.get_by_role("button", name="Start trial").click()
     speed = patient.locator(".patient .speed .big")
     go_on_until(clinician, lambda: float(re.match(r"[\d.]+", speed.inner_text())[0]) >= 0.2, "a speed")

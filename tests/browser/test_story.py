@@ -6,7 +6,7 @@ import signal
 
 import psutil
 import pytest
-from browser.driving import bend_until, go_on_until
+from browser.driving import bend_until, choose_task, go_on_until
 from browser.tablets import PATIENCE, go_to, signed_in
 from playwright.sync_api import expect
 from processes.test_demo_process import bodydrive, printed_link
@@ -83,10 +83,10 @@ def test_from_the_shirt_to_a_scored_drive(tablet):
     assert float(page.get_by_role("slider").first.get_attribute("aria-valuenow")) == pytest.approx(before)
 
     go_to(page, "drive")
-    page.get_by_text("Straight ahead", exact=True).click()
+    choose_task(page, "corridors", "straight")
     keep("drive-chosen")
     drives_to_the_goal(page, keep)
-    expect(page.get_by_text("Dist, distance driven").first).to_be_visible()
+    expect(page.get_by_text("Distance driven").first).to_be_visible()
     keep("trial-over-first")
 
     page.get_by_role("button", name="Next trial").click()

@@ -6,7 +6,7 @@ from processes.test_demo_process import bodydrive, printed_link
 
 pytestmark = [pytest.mark.browser, pytest.mark.long, pytest.mark.timeout(300)]
 
-SHORT = {("turning.easy", "left"): "Beside the mark", ("backing.easy", "back"): "Dist, distance driven"}
+SHORT = {("turning.easy", "left"): "Beside the mark", ("backing.easy", "back"): "Distance driven"}
 
 
 def test_a_turn_and_a_way_back_are_driven_and_measured_as_such(browser, page_log):
@@ -15,10 +15,10 @@ def test_a_turn_and_a_way_back_are_driven_and_measured_as_such(browser, page_log
             link = printed_link(process)
             log = page_log(link)
             page = open_drive_page(browser, log, link)
-            for scene, level, plan, path in tasks():
-                measure = SHORT.get((plan, path.name))
+            for floorplan, path in tasks():
+                measure = SHORT.get((floorplan, path.name))
                 if measure:
-                    assert measure in drive(page, scene, level, path)
+                    assert measure in drive(page, floorplan, path)
             log.assert_clean()
         finally:
             process.terminate()

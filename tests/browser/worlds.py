@@ -1,6 +1,6 @@
 """A task chosen on the Drive page and driven by the simulated person, seen in a real browser."""
 
-from browser.driving import go_on_until
+from browser.driving import choose_task, go_on_until
 from playwright.sync_api import expect
 
 from app.world.scene import bundled_places
@@ -9,11 +9,11 @@ PATIENCE = 60_000  # ms: drawing in software on a busy machine is slow
 
 
 def tasks(level="easy"):
-    """Return every task of every scene at one level, as (scene, level's title or None, floor plan, path)."""
+    """Return every task of every scene at one level, as (floor plan, path)."""
     found = []
     for name, (plan, scene, at) in bundled_places().items():
         if scene is not None and (at is None or at.name == level):
-            found += [(scene.title, at and at.title, name, path) for path in plan.paths]
+            found += [(name, path) for path in plan.paths]
     return found
 
 
@@ -27,17 +27,13 @@ def open_drive_page(browser, log, link, size=(1024, 768)):
     return page
 
 
-def drive(page, scene, level, path, meanwhile=None):
+def drive(page, floorplan, path, meanwhile=None):
     """Choose the task, start it, and wait until its page says that the goal was reached; return the measures' text.
 
     `meanwhile` is done once, while it is driven.
     """
     page.goto(page.url.split("#")[0] + "#/drive")
-    card = page.locator(".plan-card").filter(has=page.get_by_role("heading", name=scene, exact=True))
-    if level:
-        card.get_by_text(level, exact=True).click()
-    card.get_by_text(path.title, exact=True).click()
-    expect(page.locator(".foot")).to_contain_text(path.title)
+    choose_task(page, floorplan, path.name)
     page.get_by_role("button", name="Start trial").click()
     if meanwhile is not None:
         page.locator(".view-bar").wait_for()

@@ -6,8 +6,6 @@ import { nameFrom } from "./document.js";
 import { storeDraft } from "./draft_store.js";
 import { workbench } from "./workbench.js";
 
-const PATH_KEY = "bodydrive-path"; // the Drive page reads it
-
 /**
  * @typedef {import("./document.js").Plan} Plan
  * @typedef {import("./draft_store.js").Draft} Draft
@@ -27,7 +25,7 @@ export function showPlan(app, root, { draft: first, plans, models, signal }) {
   const ask = h("div", { class: "card ask", role: "alertdialog", hidden: true, tabindex: "-1" });
   const save = h("button", { type: "button", class: "btn go", onclick: () => saveVersion() }, t("plan.save"));
   const saveNew = h("button", { type: "button", class: "btn", onclick: () => saveAsNew() }, t("plan.save-new"));
-  const drive = h("a", { class: "btn", href: "#/drive", onclick: () => chooseToDrive() }, t("plan.drive"));
+  const drive = h("a", { class: "btn", href: "#/drive" }, t("plan.drive"));
 
   /** @param {Draft} next */
   const keep = (next) => {
@@ -46,6 +44,7 @@ export function showPlan(app, root, { draft: first, plans, models, signal }) {
     save.hidden = draft.name === null;
     saveNew.classList.toggle("go", draft.name === null);
     drive.hidden = draft.dirty || draft.name === null;
+    if (!drive.hidden) drive.href = `#/drive/task/${draft.name}/${draft.document.paths[0].name}`;
   };
   const bench = workbench(app, {
     plan: draft.document,
@@ -78,10 +77,6 @@ export function showPlan(app, root, { draft: first, plans, models, signal }) {
       const named = { ...document, name: nameFrom(document.title, taken) };
       return sendUnderName(app.question, (sameName) => app.api.post(`/floorplans?same_name=${sameName}`, named));
     });
-
-  function chooseToDrive() {
-    localStorage.setItem(PATH_KEY, `${draft.name}/${draft.document.paths[0].name}`);
-  }
 
   /** @param {() => void} leave */
   function discard(leave) {

@@ -1,26 +1,24 @@
 /**
- * Drive: choose a path, drive it, look at what it came to.
+ * Drive: the next task, the trial, what it came to.
  * @import { App } from "../../main.js"
- * @import { EquipmentView, FloorPlan, PatientView, TrialView } from "types/api"
- * @import { Place } from "./plan_chooser.js"
+ * @import { TrialView } from "types/api"
+ * @typedef {{floorplan: string, path: string}} Place where to drive
  */
 import { adaptLink } from "./adapt_link.js";
-import { chairChoice } from "./chair_choice.js";
-import { warningsPlace } from "../../results/control_warnings.js";
-import { h, put } from "../../widgets/dom.js";
+import { h } from "../../widgets/dom.js";
 import { emptyPage, patientHere } from "../../shell/nobody.js";
-import { patientScreenCard } from "../../widgets/patient_screen_card.js";
-import { planChooser } from "./plan_chooser.js";
 import { readTrial, showTrialOver } from "../../results/trial_over.js";
+import { showTask } from "./task_page.js";
 import { showTrial } from "./trial_view.js";
-import { chooseView } from "../../view/view_bar.js";
-import { canDrawIn3d } from "../../view/webgl.js";
 import { t } from "../../texts.js";
+
+const BELOW = new Set(["tasks", "chairs", "screen"]);
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal, rest: string[]}} page */
 export async function show(app, root, { signal, rest }) {
   const here = patientHere(app, root);
   if (!here) return;
+  const names = rest.map(decodeURIComponent);
   const trials = await app.api.get(`/trials?patient=${here.patient.id}`);
   if (signal.aborted) return;
   const running = trials.find(({ status }) => status === "running");
@@ -31,80 +29,16 @@ export async function show(app, root, { signal, rest }) {
   if (!app.session?.has_profile)
     return emptyPage(root, t("drive.none.title"), t("drive.none.lead"), "#/calibrate", t("drive.none.go"));
   if (rest[0] === "chair") return (await import("../chair/chair.js")).show(app, root, { signal, rest });
-  return choose(app, root, here.patient, signal);
+  if (BELOW.has(rest[0])) return showBelow(app, root, names, signal);
+  return showTask(app, root, here.patient, rest[0] === "task" ? names.slice(1) : [], signal);
 }
 
-/** @param {App} app @param {HTMLElement} root @param {PatientView} patient @param {AbortSignal} signal */
-async function choose(app, root, patient, signal) {
-  const [plans, equipment, chairs] = await Promise.all([
-    app.api.get("/floorplans"),
-    app.api.get("/equipment"),
-    app.api.get("/chairs"),
-  ]);
+/** The pages below this one, each loaded when it is opened. @param {App} app @param {HTMLElement} root @param {string[]} rest @param {AbortSignal} signal */
+async function showBelow(app, root, [name, ...task], signal) {
+  const below = await (name === "tasks" ? import("./task_chooser.js") : import("./below.js"));
   if (signal.aborted) return;
-  if (chairs.chosen !== null) return location.replace("#/drive/chair");
-  /** @type {Map<string, Promise<FloorPlan>>} */
-  const documents = new Map();
-  /** @param {string} name */
-  const read = (name) => {
-    const document = documents.get(name) ?? app.api.get(`/floorplans/${name}`);
-    documents.set(name, document);
-    return document;
-  };
-  const chosenWords = h("button", { type: "button", class: "btn bare chosen-words", title: t("drive.chosen"), onclick: () => chooser.show() });
-  const chooser = planChooser(plans, read, (words) => put(chosenWords, words));
-  const has3d = canDrawIn3d();
-  const start = () => {
-    if (!has3d) chooseView("plan");
-    app.requestTrial(chooser.chosen());
-  };
-  const button = h(
-    "button",
-    { type: "button", class: "btn go large", onclick: start },
-    t(has3d ? "drive.start" : "drive.start.plan"),
-  );
-  app.live.addEventListener("changed", ({ detail }) => detail === "trial" && app.show(), { signal });
-  put(
-    root,
-    h(
-      "div",
-      { class: "body" },
-      h("h1", { tabindex: "-1" }, t("drive.title")),
-      h(
-        "p",
-        { class: "lead" },
-        t("drive.lead"),
-        " ",
-        app.me?.role !== "reviewer" && h("a", { class: "btn bare small", href: "#/plans" }, t("plans.link")),
-      ),
-      !has3d && h("p", { class: "card no-view", role: "status" }, t("picture.choose")),
-      chairChoice(app, chairs),
-      warningsPlace(app, patient.id, signal),
-      chooser.element,
-      app.me?.role !== "reviewer" && patientScreenCard(app, signal),
-    ),
-    h(
-      "div",
-      { class: "foot" },
-      h(
-        "span",
-        { class: "grow" },
-        bodyNote(equipment),
-        " ",
-        (!equipment.shirt || equipment.shirt.kind === "simulator") &&
-          h("a", { class: "btn bare small", href: "#/shirt" }, t("drive.body.change")),
-      ),
-      chosenWords,
-      button,
-    ),
-  );
-}
-
-/** @param {EquipmentView} equipment */
-function bodyNote({ shirt, body }) {
-  if (!shirt) return t("lamp.shirt.none");
-  if (shirt.kind !== "simulator" || !body) return t("drive.body.patient");
-  return t(body.kind === "person" ? `drive.body.person.${body.skill}` : `drive.body.${body.kind}`);
+  if ("showChooser" in below) return below.showChooser(app, root, task, signal);
+  return name === "chairs" ? below.showChairs(app, root, task, signal) : below.showScreen(app, root, task, signal);
 }
 
 /**
@@ -144,18 +78,17 @@ async function drive(app, root, running, where, signal) {
 /** @param {App} app @param {HTMLElement} root @param {string} id of the trial @param {AbortSignal} signal */
 async function over(app, root, id, signal) {
   const read = await readTrial(app.api, id);
+  const source = read.trial.source.simulated ? "simulated" : "worn";
+  const next = await app.api.get(`/patients/${read.trial.patient_id}/next-task?source=${source}`);
   if (signal.aborted) return;
+  /** @param {Place} where @param {boolean} isMain @param {string} words */
+  const button = (where, isMain, words) =>
+    h("button", { type: "button", class: isMain ? "btn go" : "btn", onclick: () => app.requestTrial(where) }, words);
+  const isHarder = next.reason === "next level";
   showTrialOver(app, root, read, (trial) => [
     adaptLink(app, trial, signal),
     h("a", { class: "btn", href: "#/drive" }, t("over.other")),
-    h(
-      "button",
-      {
-        type: "button",
-        class: "btn go",
-        onclick: () => app.requestTrial({ floorplan: trial.floorplan, path: trial.path_name }),
-      },
-      t("over.next"),
-    ),
+    button({ floorplan: trial.floorplan, path: trial.path_name }, !isHarder, t("over.next")),
+    isHarder && button({ floorplan: next.floorplan, path: next.path }, true, t("over.harder")),
   ]);
 }

@@ -1,0 +1,120 @@
+/**
+ * The Drive page before a trial: one task with its button; everything else has a page of its own.
+ * @import { App } from "../../main.js"
+ * @import { EquipmentView, PatientView, ScreensView } from "types/api"
+ * @import { Task } from "./task_words.js"
+ */
+import { warningsPlace } from "../../results/control_warnings.js";
+import { h, put, write } from "../../widgets/dom.js";
+import { planPicture } from "../../plan/plan_svg.js";
+import { findTask, taskLink, taskWords } from "./task_words.js";
+import { chooseView } from "../../view/view_bar.js";
+import { canDrawIn3d } from "../../view/webgl.js";
+import { t } from "../../texts.js";
+
+/**
+ * @param {App} app @param {HTMLElement} root @param {PatientView} patient @param {string[]} named floor plan and path
+ * that a person has chosen; without them, a task is proposed @param {AbortSignal} signal
+ */
+export async function showTask(app, root, patient, [floorplan, path], signal) {
+  const mayDrive = app.me?.role !== "reviewer";
+  const source = app.practice ? "simulated" : "worn";
+  const [plans, proposal, equipment, chairs, screens] = await Promise.all([
+    app.api.get("/floorplans"),
+    app.api.get(`/patients/${patient.id}/next-task?source=${source}`),
+    app.api.get("/equipment"),
+    app.api.get("/chairs"),
+    mayDrive ? app.api.get("/patient-screen").catch(() => null) : null,
+  ]);
+  if (signal.aborted) return;
+  if (chairs.chosen !== null) return location.replace("#/drive/chair");
+  const chosen = findTask(plans, floorplan, path);
+  const task = chosen ?? findTask(plans, proposal.floorplan, proposal.path);
+  if (!task) throw new Error(t("drive.no-path", { path: proposal.path }));
+  const has3d = canDrawIn3d();
+  const start = () => {
+    if (!has3d) chooseView("plan");
+    app.requestTrial({ floorplan: task.plan.name, path: task.path.name });
+  };
+  app.live.addEventListener("changed", ({ detail }) => detail === "trial" && app.show(), { signal });
+  put(
+    root,
+    h(
+      "div",
+      { class: "body" },
+      h("h1", { tabindex: "-1" }, t("drive.title")),
+      h("p", { class: "lead" }, t(`drive.why.${chosen ? "chosen" : proposal.reason}`)),
+      !has3d && h("p", { class: "card no-view", role: "status" }, t("picture.choose")),
+      taskCard(app, task, signal),
+      warningsPlace(app, patient.id, signal),
+      h(
+        "nav",
+        { class: "drive-places", "aria-label": t("drive.places") },
+        placeLink("chair", taskLink("chairs", task), h("span", {}, t(`drive.place.chair.${chairs.dynamics}`))),
+        screens && placeLink("screen", taskLink("screen", task), screenState(app, screens, signal)),
+        mayDrive && placeLink("plans", "#/plans", h("span", {}, t("drive.place.plans.state"))),
+      ),
+    ),
+    h(
+      "div",
+      { class: "foot" },
+      h(
+        "span",
+        { class: "grow" },
+        bodyWords(equipment),
+        " ",
+        (!equipment.shirt || equipment.shirt.kind === "simulator") &&
+          h("a", { class: "btn bare small", href: "#/shirt" }, t("drive.body.change")),
+      ),
+      h("a", { class: "btn", href: taskLink("tasks", task) }, t("drive.choose")),
+      h("button", { type: "button", class: "btn go large", onclick: start }, t(has3d ? "drive.start" : "drive.start.plan")),
+    ),
+  );
+}
+
+/** The task: its name, where it is, and its way over the plan. @param {App} app @param {Task} task @param {AbortSignal} signal */
+function taskCard(app, task, signal) {
+  const picture = h("div", { class: "plan-place" });
+  app.api
+    .get(`/floorplans/${task.plan.name}`)
+    .then((plan) => {
+      const request = plan.paths.find(({ name }) => name === task.path.name);
+      if (signal.aborted || !request) return;
+      const label = t("drive.plan.label", { plan: plan.title, path: request.title });
+      put(picture, planPicture(plan, request.points, { label, request }).element);
+    })
+    .catch(() => {}); // the start of the trial says what is wrong with the plan
+  return h(
+    "section",
+    { class: "card task-card" },
+    h("div", { class: "words" }, h("h2", {}, task.path.title), h("p", { class: "quiet" }, taskWords(task))),
+    picture,
+  );
+}
+
+/** @param {"chair" | "screen" | "plans"} name @param {string} href @param {HTMLElement} state */
+function placeLink(name, href, state) {
+  return h("a", { class: "card", href }, h("b", {}, t(`drive.place.${name}`)), state);
+}
+
+/** How many screens the patient has, and whether each has a picture to drive by. @param {App} app @param {ScreensView} read @param {AbortSignal} signal */
+function screenState(app, read, signal) {
+  const state = h("span", {});
+  /** @param {ScreensView} now */
+  const show = ({ screens }) => {
+    const isBad = screens.some(({ connected, picture }) => !connected || picture === "none");
+    state.className = isBad ? "att" : "";
+    write(state, screens.length ? t(isBad ? "drive.screens.bad" : "drive.screens", { count: screens.length }) : t("drive.screens.none"));
+  };
+  show(read);
+  const again = () => app.api.get("/patient-screen").then(show, () => {});
+  app.live.addEventListener("changed", ({ detail }) => ["screens", "everything"].includes(detail) && again(), { signal });
+  return state;
+}
+
+/** @param {EquipmentView} equipment */
+function bodyWords({ shirt, body }) {
+  if (!shirt) return t("lamp.shirt.none");
+  if (shirt.kind !== "simulator" || !body) return t("drive.body.patient");
+  return t(body.kind === "person" ? `drive.body.person.${body.skill}` : `drive.body.${body.kind}`);
+}
