@@ -54,7 +54,7 @@ EXPLANATIONS: dict[Fault, Explanation] = {
     Fault.STOP_KEY: Explanation("Stop was pressed on the keyboard.", "Look around, then tap Continue."),
     Fault.NOT_NEUTRAL: Explanation(
         "The body was not at rest within 5 seconds.",
-        "Ask the patient to rest, or raise the dead-zone of the gesture that is still active, then tap Continue.",
+        "Ask the patient to rest, or raise in Controls from where the active movement counts, then tap Continue.",
     ),
     Fault.SHIRT_SILENT: Explanation(
         "The shirt stopped sending.", "Check its battery and cable on the Shirt page, then tap Continue."

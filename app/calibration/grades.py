@@ -34,6 +34,18 @@ class JointMeasurements:
     had_rest: bool
 
 
+def signal_word(signal_to_noise: float) -> str:
+    """Return how strong a signal is, in a word."""
+    fair, weak = SIGNAL_TO_NOISE_LIMITS
+    return "strong" if signal_to_noise >= fair else "fair" if signal_to_noise >= weak else "weak"
+
+
+def repeats_word(spread: float) -> str:
+    """Return how well a movement repeats, in a word, from the spread of its repetitions' peaks."""
+    fair, poor = SPREAD_LIMITS
+    return "well" if spread <= fair else "fairly" if spread <= poor else "poorly"
+
+
 def grade(found: JointMeasurements) -> tuple[Grade, str]:
     """Return the worst grade over all criteria, and the sentences for them, the worst first."""
     sentences = [*_of_movement(found), *_of_prompts(found), *_of_channels(found)]
@@ -64,8 +76,7 @@ def _of_movement(found: JointMeasurements) -> list[tuple[Grade, str]]:
         findings.append(
             (
                 "repeat" if bad else "usable",
-                f"One direction explains {math.floor(100 * found.evr)}% of the free movement, "
-                f"below the usual 80%: {advice}.",
+                f"The main movement is clear to {math.floor(100 * found.evr)} % only, below the usual 80 %: {advice}.",
             )
         )
     if not found.had_rest:
@@ -111,8 +122,7 @@ def _of_channels(found: JointMeasurements) -> list[tuple[Grade, str]]:
 
 
 def _good_sentence(found: JointMeasurements) -> str:
-    times = f"{found.signal_to_noise:.0f}" if found.signal_to_noise < 100 else "more than 100"
-    words = f"One direction explains {found.evr:.0%}, and it moves {times} times above the noise."
+    words = f"Clear main movement: {found.evr:.0%}. Signal: {signal_word(found.signal_to_noise)}."
     if found.repeatability is not None:
-        words += f" The repetitions agree within {found.repeatability:.0%}."
+        words += f" Repeats {repeats_word(found.repeatability)}."
     return words

@@ -20,6 +20,7 @@ from app.cli.map_choice import MapChoice, checks, choose, comparison
 from app.cli.output import dialect_summary, print_dialect, warn, write_output
 from app.signals.signals import Signals, read_layout, read_signals
 
+KINDS = {"pca": "standard", "guided": "cues"}
 PRINTED = ("evr", "span", "sign", "grade", "reason", "dead_zone", "full")
 
 
@@ -40,7 +41,8 @@ def calibrate(
     chosen: Annotated[
         MapChoice,
         typer.Option(
-            "--map", help="Which map decodes: the paper's, the guided one, or the better on held-out prompts."
+            "--map",
+            help="Which calibration drives: the standard one, the one learnt from the cues, or the better.",
         ),
     ] = "pca",
     gestures: Annotated[
@@ -48,7 +50,7 @@ def calibrate(
     ] = False,
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")] = False,
 ) -> None:
-    """Fit a calibration profile to a file of signals: per joint EVR, span, sign, grade, dead-zone and full."""
+    """Fit a calibration profile to a file of signals: per joint its main movement, span, sign, grade and thresholds."""
     try:
         shirt = read_layout(layout)
         recorded = read_signals(signals, shirt)
@@ -93,6 +95,11 @@ def calibrate(
             typer.echo(f"\n{gesture_table(found)}")
 
 
+def _rate(share: float) -> str:
+    """Return a threshold as a share of the full movement per second."""
+    return f"{100 * share:.0f} % / s"
+
+
 def window(
     signals: Path, recorded: Signals, start_word: str, start: float | None, end_word: str, end: float | None
 ) -> slice:
@@ -130,14 +137,20 @@ def report(profile: CalibrationProfile, reasons: dict[str, str], out: Path) -> s
     """Return a table for people: one line per joint, then the reasons, then the file of the profile."""
     without = joints_without_map(profile)
     width = max(len(name) for name in ("joint", *profile.layout.joint_names))
-    lines = [f"{'joint':{width}}  {'EVR':>6}  {'span':>10}  sign  {'grade':6}  {'dead-zone':>9}  {'full':>6}  map"]
+    head = f"{'clear':>6}  {'span':>10}  sign  {'grade':6}  {'counts from':>11}  {'full at':>9}  calibration"
+    lines = [f"{'joint':{width}}  {head}"]
     lines += [
         f"{joint.name:{width}}  {joint.evr:6.1%}  {joint.span:10.4g}  {'+' if joint.sign > 0 else '-':>4}  "
-        f"{joint.grade:6}  {joint.thresholds[0]:9.2f}  {joint.thresholds[1]:6.2f}  {joint.map}"
+        f"{joint.grade:6}  {_rate(joint.thresholds[0]):>11}  {_rate(joint.thresholds[1]):>9}  {KINDS[joint.map]}"
         for joint in profile.joints
     ]
-    lines += [f"{name:{width}}  {'-':>6}  {'-':>10}  {'-':>4}  {'repeat':6}  {'-':>9}  {'-':>6}  -" for name in without]
-    lines += ["", "Dead-zone and full are in FS/s; span, which is 1 FS, in the signals' own unit.", ""]
+    nothing = f"{'-':>6}  {'-':>10}  {'-':>4}  {'repeat':6}  {'-':>11}  {'-':>9}  -"
+    lines += [f"{name:{width}}  {nothing}" for name in without]
+    lines += [
+        "",
+        "Clear: share of the main movement. Span: of the full movement, in the signals' own unit.",
+        "",
+    ]
     lines += [f"{joint.name}: {joint.reason}" for joint in profile.joints]
     lines += [f"{name}: {reason}" for name, reason in without.items()]
     lines += [f"Channel {name} is left out: {why}." for name, why in profile.left_out.items()]

@@ -29,8 +29,10 @@ def decode(
     signals: Annotated[Path, typer.Argument(metavar="SIGNALS", help="CSV or Parquet, or the folder of a recording.")],
     profile: Annotated[Path, typer.Option(help="What `bodydrive calibrate` wrote, or a saved parameter set.")],
     out: Annotated[Path, typer.Option(help="Where the commands go: .parquet or .csv.")],
-    dead_zone: Annotated[float | None, typer.Option(help="Dead-zone of all gestures, FS/s.")] = None,
-    cutoff: Annotated[float | None, typer.Option(help="Cutoff of the low-pass, Hz.")] = None,
+    dead_zone: Annotated[
+        float | None, typer.Option(help="From where every gesture counts, full movements per second.")
+    ] = None,
+    cutoff: Annotated[float | None, typer.Option(help="Tremor damping, Hz: lower damps more.")] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")] = False,
 ) -> None:
     """Decode a file of signals with the very chain of the live loop."""
@@ -103,7 +105,7 @@ def overridden(parameters: DriveParameters, dead_zone: float | None, cutoff: flo
     Where the new dead-zone would reach a gesture's `full`, `full` is moved by as much, up to LARGEST_THRESHOLD.
     """
     for word, unit, given, least, most in (
-        ("--dead-zone", "FS/s", dead_zone, 0.0, LARGEST_THRESHOLD - 1.0),
+        ("--dead-zone", "full movements per second", dead_zone, 0.0, LARGEST_THRESHOLD - 1.0),
         ("--cutoff", "Hz", cutoff, LOWEST_CUTOFF, HIGHEST_CUTOFF),
     ):
         if given is not None and not least <= given <= most:

@@ -2,8 +2,12 @@
 
 from app.calibration.gestures.discovery import Discovery
 from app.calibration.gestures.numbers import FoundGesture
+from app.calibration.grades import repeats_word, signal_word
 
-HEAD = ("score", "S/N", "spread", "x-talk", "effort", "false/min", "hits")
+HEAD = ("score", "signal", "repeats", "along", "effort", "false/min", "answered")
+
+
+CONTROLS = {"u1+": "faster", "u1-": "slower", "u2+": "turn left", "u2-": "turn right", "stop": "stop"}
 
 
 def gesture_table(found: Discovery) -> str:
@@ -13,7 +17,7 @@ def gesture_table(found: Discovery) -> str:
     lines += [
         f"{gesture.name:{width}}  {'  '.join(f'{cell:>9}' for cell in _cells(gesture))}" for gesture in found.gestures
     ]
-    bound = [f"{binding.control} {' + '.join(binding.gestures)}" for binding in found.suggestion.bindings]
+    bound = [f"{CONTROLS[binding.control]}: {' + '.join(binding.gestures)}" for binding in found.suggestion.bindings]
     return "\n".join([*lines, "", found.suggestion.reason, ", ".join(bound)])
 
 
@@ -21,8 +25,8 @@ def _cells(gesture: FoundGesture) -> list[str]:
     forecast = gesture.prediction
     return [
         f"{gesture.score:.2f}",
-        f"{gesture.signal_to_noise:.0f}",
-        _share(gesture.repeatability),
+        signal_word(gesture.signal_to_noise),
+        "-" if gesture.repeatability is None else repeats_word(gesture.repeatability),
         _share(gesture.cross_talk),
         _share(gesture.effort),
         "-" if forecast is None or forecast.false_per_minute is None else f"{forecast.false_per_minute:.1f}",

@@ -19,11 +19,11 @@ def choose(
     for joint in profile.joints:
         guided = joint.guided
         if chosen == "guided" and guided is None:
-            words.append(f"{joint.name}: {reasons[joint.name]} It keeps the map of the paper.")
+            words.append(f"{joint.name}: {reasons[joint.name]} It keeps the standard calibration.")
         elif chosen == "guided" and guided is not None and not guided.is_better:
             words.append(
-                f"{joint.name}: its guided map is not better on the held-out repetitions. Use --map best to keep the "
-                f"map of the paper there."
+                f"{joint.name}: what was learnt from the cues is not better on the held-out repetitions. Use --map "
+                f"best to keep the standard calibration there."
             )
         takes = guided is not None and (chosen == "guided" or (chosen == "best" and guided.is_better))
         joints.append(joint.model_copy(update={"map": "guided" if takes else "pca"}))
@@ -53,14 +53,14 @@ def comparison(profile: CalibrationProfile, reasons: dict[str, str], width: int)
     lines = []
     if both:
         lines += [
-            "On prompted repetitions that they had not seen, the map of the paper (PCA) and the guided map:",
-            f"{'':{width}}  {'in phase':>14}  {'hit rate':>14}  {'false per min':>14}",
-            f"{'joint':{width}}" + f"  {'PCA':>6}  {'guided':>6}" * 3 + "  offered",
+            "On prompted repetitions that were kept apart, the standard calibration and the one learnt from the cues:",
+            f"{'':{width}}  {'in phase':>16}  {'hit rate':>16}  {'false per min':>16}",
+            f"{'joint':{width}}" + f"  {'standard':>8}  {'cues':>6}" * 3 + "  offered",
         ]
         lines += [
             f"{name:{width}}  "
             + "  ".join(
-                f"{one:>6}  {other:>6}"
+                f"{one:>8}  {other:>6}"
                 for one, other in zip(_figures(guided.pca_check), _figures(guided.guided_check), strict=True)
             )
             + f"  {'yes' if guided.is_better else 'no'}"

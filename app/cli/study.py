@@ -57,7 +57,7 @@ def study(
     no_learning: Annotated[bool, typer.Option("--no-learning", help="Nothing that is practised stays.")] = False,
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace what the folder holds.")] = False,
     adapt: Annotated[
-        Mode | None, typer.Option(help="Over sessions: let the map follow the person, against the fixed map.")
+        Mode | None, typer.Option(help="Over sessions: let the calibration follow the person, against a fixed one.")
     ] = None,
     person: Annotated[PersonKind, typer.Option(help="Over sessions: what happens to body or shirt.")] = "deteriorating",
     sessions: Annotated[int, typer.Option(min=1, max=MOST_SESSIONS, help="How many, with --adapt.")] = 10,
@@ -160,8 +160,8 @@ class _Progress:
         measures: dict[str, Any] = trial.measures
         reached = "" if measures["reached"] else ", goal not reached"
         sys.stderr.write(
-            f"trial {trial.number} of {self._trials}: Dist {measures['dist']:.1f} m, "
-            f"E_diff {measures['e_diff']:.2f} m², {measures['time']:.0f} s{reached}\n"
+            f"trial {trial.number} of {self._trials}: distance driven {measures['dist']:.1f} m, "
+            f"area off the path {measures['e_diff']:.2f} m², {measures['time']:.0f} s{reached}\n"
         )
 
 

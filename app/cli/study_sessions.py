@@ -86,5 +86,7 @@ def _say(rows: Sequence[SessionTrial]) -> None:
         words: dict[str, Any] = asdict(row)
         words["ending"] = "" if row.reached else ", goal not reached"
         sys.stderr.write(
-            "seed {seed}, {mode}, session {session}, trial {trial}: E_diff {e_diff:.2f} m²{ending}\n".format(**words)
+            "seed {seed}, {mode}, session {session}, trial {trial}: area off the path {e_diff:.2f} m²{ending}\n".format(
+                **words
+            )
         )

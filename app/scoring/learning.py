@@ -24,18 +24,18 @@ class Measure(NamedTuple):
 
 
 MEASURES: dict[str, Measure] = {
-    "dist": Measure("Dist, the distance driven,", "m"),
+    "dist": Measure("The distance driven", "m"),
     "dist_ratio": Measure("The distance driven over the length of the path", ""),
-    "e_diff": Measure("E_diff, the area between trajectory and path,", "m²"),
+    "e_diff": Measure("The area off the path", "m²"),
     "time": Measure("The time for a trial", "s"),
-    "cross_track_rms": Measure("The distance from the path (rms)", "m"),
+    "cross_track_rms": Measure("The usual distance from the path", "m"),
     "cross_track_max": Measure("The largest distance from the path", "m"),
     "mean_speed": Measure("The mean speed", "m/s"),
     "stops": Measure("The number of stops", ""),
     "collisions": Measure("The number of contacts with walls and obstacles", ""),
     "contact_time": Measure("The time in contact with walls and obstacles", "s"),
     "stages_done": Measure("The number of stages done", ""),
-    "follow_error_rms": Measure("The error of the distance to the leader (rms)", "m"),
+    "follow_error_rms": Measure("The usual error of the distance to the leader", "m"),
     "follow_error_max": Measure("The largest error of the distance to the leader", "m"),
     "follow_near": Measure("The share of time near the asked distance", ""),
     "heading_error_deg": Measure("The angle beside the mark", "°"),
@@ -45,8 +45,8 @@ MEASURES: dict[str, Measure] = {
     "door_contacts": Measure("The number of contacts with a door or gap", ""),
     "turn_reversals": Measure("The number of changes between left and right turns", ""),
     "pulses_per_metre": Measure("The number of commands per metre", "/m"),
-    "sparc": Measure("The smoothness of the speed (SPARC, higher is smoother)", ""),
-    "ldlj": Measure("The smoothness of the speed (log dimensionless jerk, higher is smoother)", ""),
+    "sparc": Measure("The smoothness of the speed (higher is smoother)", ""),
+    "ldlj": Measure("Another measure of the smoothness of the speed (higher is smoother)", ""),
 }
 
 

@@ -49,7 +49,7 @@ def _sensor_warning(trial: TrialAssessment, channel: BadChannel, label: str) -> 
         words=f"{label}: sensor {channel.name} {fault} for {channel.share:.0%} of trial {trial.number}; meanwhile this "
         "joint's gestures did nothing.",
         advice="Look at it on the Shirt page, set the shirt straight and press the plug home. If it stays so, mark "
-        "the sensor as unused and calibrate again: the map is then built without it.",
+        "the sensor as unused and calibrate again: the sensor is then left out.",
     )
 
 
@@ -59,20 +59,24 @@ def fit_warnings(rows: Sequence[JointInTrial]) -> list[ControlWarning]:
     if len(rows) < FEWEST:
         return []
     now, label = rows[-min(EDGE, len(rows)) :], rows[-1].joint.label
-    guided = " A guided map decodes this joint: look whether it still does as meant." if rows[-1].joint.guided else ""
+    guided = (
+        " What was learnt from the cues drives this joint: look whether it is still right."
+        if rows[-1].joint.guided
+        else ""
+    )
     angle, evr = median_of(now, "map_angle_deg"), median_of(now, "evr")
     turn = _turn(rows)
     if turn > LARGEST_TURN:
-        words = f"{label}: the movement has turned by {turn:.0f}° against the first trials with this map."
+        words = f"{label}: the movement has turned by {turn:.0f}° against the first trials with this calibration."
         advice = "Was the shirt put on again, or has it slipped? Set it straight, or calibrate again."
     elif angle > LARGEST_ANGLE and evr >= EVR_LIMITS[0]:
         words = (
-            f"{label}: the movement lies {angle:.0f}° beside the map, and {median_of(now, 'null_space_share'):.0%} of "
-            "it never reaches the control."
+            f"{label}: the movement lies {angle:.0f}° beside the calibration, and "
+            f"{median_of(now, 'null_space_share'):.0%} of it never reaches the control."
         )
         advice = "Repeat this joint's free movement and prompts as the person moves it while driving."
     elif evr < EVR_LIMITS[0] and evr < median_of(rows[:EDGE], "evr") - EVR_FALL:
-        words = f"{label}: one direction explains only {evr:.0%} of the movement, less than in the first trials."
+        words = f"{label}: the main movement is clear to only {evr:.0%}, less than in the first trials."
         advice = "Ask the person to move this joint one way only; if that does not help, calibrate again."
     else:
         return []

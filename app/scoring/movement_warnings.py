@@ -29,10 +29,10 @@ def noise_warnings(of_map: Sequence[JointInTrial], every: Sequence[JointInTrial]
                 ControlWarning(
                     kind="noise",
                     joint=label,
-                    words=f"{label}: at rest the noise is {now:.2f} FS/s, too near the dead-zone of "
-                    f"{dead_zone:.2f} FS/s, so that the gesture may activate by itself: it needs {4 * now:.2f} FS/s.",
-                    advice="Look for tremor, a tired patient or a loose plug. Then raise the dead-zone on the Controls "
-                    "page, or lower the cutoff of the tremor damping.",
+                    words=f"{label}: at rest it trembles with {now:.0%} / s of the full movement, and it counts from "
+                    f"{dead_zone:.0%} / s, so that it may act by itself: let it count from {4 * now:.0%} / s.",
+                    advice="Look for tremor, a tired patient or a loose plug. Then raise in Controls from where the "
+                    "movement counts, or let the tremor damping damp more.",
                 )
             ]
     rows = [row for row in every if row.joint.rest_rate is not None]
@@ -49,7 +49,7 @@ def noise_warnings(of_map: Sequence[JointInTrial], every: Sequence[JointInTrial]
             joint=label,
             words=f"{label}: the noise at rest has grown to {last / first:.1f} times that of the first trials.",
             advice="Look for tremor, a tired patient or a loose plug on the Shirt page. When it stays, repeat the rest "
-            "of the calibration, so that the dead-zone is set by it.",
+            "of the calibration, so that the movement counts from above it.",
         )
     ]
 

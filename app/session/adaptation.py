@@ -32,14 +32,14 @@ Mode = Literal["off", "suggest", "auto"]
 STANDSTILL = 0.01  # m/s and rad/s
 
 NOT_ASKED: dict[str, str] = {
-    "off": "This patient's map stays as it is: look now, or choose that changes are suggested.",
+    "off": "This patient's calibration stays as it is: look now, or choose that changes are suggested.",
     "suggest": "What would change is shown here after the next trial on the virtual chair.",
     "auto": "What changes is shown here after the next trial on the virtual chair.",
 }
 NOT_NOW = "You left it as it is: it is looked at again after the next trial."
-NO_TRIALS = "Nothing was driven with this map yet: drive a trial on the virtual chair, then look again."
+NO_TRIALS = "Nothing was driven with this calibration yet: drive a trial on the virtual chair, then look again."
 LEFT_OFF = "Somebody drives: it is looked at again after the trial."
-SWITCHED = "It is no longer wanted that the map adapts by itself: look, then decide."
+SWITCHED = "It is no longer wanted that the calibration adapts by itself: look, then decide."
 STALE = "The controls or the trials were changed since this was proposed: look again, then decide."
 GONE = "This proposal is there no more: look again, then decide."
 REAL_CHAIR = "A real chair is chosen, and nothing is adapted there: choose the virtual one first."
@@ -135,7 +135,7 @@ class AdaptationFlow:
 
     async def apply(self, clinic_id: int, proposal: str, person: str | None) -> int:
         """Make a proposal the patient's next map, and return the version; `person` None: it applies by itself."""
-        async with self._session.undisturbed("apply the adapted map"):
+        async with self._session.undisturbed("apply the adapted calibration"):
             self._require_standstill()
             session = await self._session.needed_session(clinic_id)
             version = await asyncio.to_thread(self._save, session, proposal, person)

@@ -111,7 +111,7 @@ class CalibrationFlow:
         """Skip a prompted movement that this patient cannot make; the map is fitted from the others."""
         step = self._find(await self.progress(session_id), step_id)
         if step.kind != "prompt":
-            raise Conflict("Rest and free movement cannot be skipped: the map is fitted from them.")
+            raise Conflict("Rest and free movement cannot be skipped: the calibration is made of them.")
         if self._running is not None:
             raise Conflict("A step is being recorded: wait for its end, or cancel it first.")
         await asyncio.to_thread(self._set, session_id, step.id, "skipped", "", None, None)
@@ -209,7 +209,7 @@ class CalibrationFlow:
     async def _fit_now(self, session_id: int) -> None:
         """Fit the map from the recordings, and show the status of the fit as that of the result step."""
         self._running = RESULT
-        await asyncio.to_thread(self._set, session_id, RESULT, "running", "The map is being fitted.", None, None)
+        await asyncio.to_thread(self._set, session_id, RESULT, "running", "It is being worked out.", None, None)
         self._tell("calibration")
         status, words = "failed", "The fit was interrupted: repeat any step, and it is done again."
         try:

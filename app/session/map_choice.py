@@ -18,10 +18,10 @@ def choose_map(database: Database, session_id: int, joint: str, kind: MapKind) -
         profile = CalibrationProfile.model_validate(session.result)
         names = [one.name for one in profile.joints]
         if joint not in names:
-            raise NotFound(f"There is no map for '{joint}': choose one of {', '.join(names)}.")
+            raise NotFound(f"There is no calibration for '{joint}': choose one of {', '.join(names)}.")
         chosen = profile.joints[names.index(joint)]
         if kind == "guided" and (chosen.guided is None or not chosen.guided.is_better):
-            raise Conflict("The guided map is not better for this joint, so it is not offered: keep the study's map.")
+            raise Conflict("The calibration learnt from the cues is not better for this joint: keep the standard one.")
         if chosen.map == kind:
             return
         joints = tuple(one.model_copy(update={"map": kind}) if one.name == joint else one for one in profile.joints)

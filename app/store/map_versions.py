@@ -15,7 +15,7 @@ from app.store.tables import Parameters, Profile, Trial
 
 BACK_TO = "back_to"  # in `Profile.difference` of a version that goes back: the version whose map it has
 
-NOTHING_BEFORE = "This map comes straight from a calibration: there is no version before it to go back to."
+NOTHING_BEFORE = "This version comes straight from a calibration: there is no version before it to go back to."
 
 
 class MapVersion(NamedTuple):

@@ -74,7 +74,10 @@ def compare(fixed: Sequence[SessionTrial], other: Sequence[SessionTrial]) -> dic
 
 def table(comparison: dict[str, Any]) -> str:
     """Return the comparison as text: the sessions, the seeds of the last session, and a sentence."""
-    lines = ["session  E_diff fixed  adapted  reached fixed  adapted  both drove  relative there  95 %"]
+    lines = [
+        "Area off the path, m²",
+        "session         fixed  adapted  reached fixed  adapted  both drove  relative there  95 %",
+    ]
     lines += [
         f"{one['session']:7d}  {one['fixed']:12.2f}  {one['adapted']:7.2f}  {one['reached_fixed']:13.0%}  "
         f"{one['reached_adapted']:7.0%}  {one['seeds_that_always_drove']:10d}  {_percent(one['relative'], 14)}  "

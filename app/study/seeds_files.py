@@ -26,7 +26,7 @@ from app.study.study_files import (
 if TYPE_CHECKING:
     import pyarrow as pa
 
-WORDS = {"dist": ("Dist", "m"), "e_diff": ("E_diff", "m²")}
+WORDS = {"dist": ("Distance driven", "m"), "e_diff": ("Area off the path", "m²")}
 
 
 def write_seeds(results: Sequence[StudyResult], folder: Path, draw: Draw, overwrite: bool = False) -> None:

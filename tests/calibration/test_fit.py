@@ -201,7 +201,7 @@ def test_a_joint_that_moves_in_many_ways_has_a_low_evr_which_is_reported():
     assert len(low) >= 2
     for joint in low:
         assert joint.grade != "good"
-        assert "below the usual 80%" in joint.reason
+        assert "below the usual 80 %" in joint.reason
 
 
 def test_dead_zone_is_four_times_the_noise_at_rest_where_that_is_more():

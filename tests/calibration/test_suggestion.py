@@ -28,7 +28,7 @@ def test_the_papers_four_joints_give_the_papers_vocabulary():
     suggestion = suggested(calibrated(JOINTS))
     expected = {control: (name,) for name, control in PAPER_VOCABULARY.items()}
     assert bound(suggestion) == {**expected, "stop": ("right_elbow", "left_elbow")}
-    assert "times above its noise" in suggestion.reason
+    assert "has a strong signal" in suggestion.reason
     assert "%" in suggestion.reason
 
 

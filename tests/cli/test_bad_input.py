@@ -157,9 +157,9 @@ def test_what_was_read_and_what_is_no_file_is_never_replaced(bodydrive, shirt, t
 @pytest.mark.parametrize(
     ("option", "value", "words"),
     [
-        ("--dead-zone", "-1", "--dead-zone -1: give FS/s from 0 to 99"),
-        ("--dead-zone", "nan", "--dead-zone nan: give FS/s"),
-        ("--dead-zone", "100", "--dead-zone 100: give FS/s"),
+        ("--dead-zone", "-1", "--dead-zone -1: give full movements per second from 0 to 99"),
+        ("--dead-zone", "nan", "--dead-zone nan: give full movements per second"),
+        ("--dead-zone", "100", "--dead-zone 100: give full movements per second"),
         ("--cutoff", "9", "--cutoff 9: give Hz from 1 to 8"),
         ("--cutoff", "1e999", "--cutoff inf: give Hz"),
     ],

@@ -4,6 +4,7 @@ import json
 
 import numpy as np
 import pytest
+from cli.symbols import symbols_in
 from typer.testing import CliRunner
 
 from app.calibration.profile import CalibrationProfile, GuidedMap, MapCheck
@@ -16,7 +17,7 @@ from building import make_profile
 
 GOOD = MapCheck(in_phase=0.97, hit_rate=0.8, false_per_minute=0.0, false_count=0)
 POOR = MapCheck(in_phase=0.85, hit_rate=0.8, false_per_minute=3.0, false_count=1)
-REASON = "No guided map from 1 prompted repetition: prompt at least 3."
+REASON = "Nothing is learnt from 1 prompted repetition: prompt at least 3."
 
 
 def guided(pca, own):
@@ -58,12 +59,12 @@ def test_each_joint_gets_what_was_asked_for_where_it_can_be_had(profile, chosen,
     assert [joint.map for joint in taken.joints] == maps
     assert len(words) == sentences
     for sentence in words:
-        assert "not better" in sentence or "keeps the map of the paper" in sentence
+        assert "not better" in sentence or "keeps the standard calibration" in sentence
 
 
 def test_without_any_guided_map_guided_is_refused(profile):
     plain = make_profile(n_channels=8)
-    with pytest.raises(InputError, match=r"--map guided, right_elbow: No guided map"):
+    with pytest.raises(InputError, match=r"--map guided, right_elbow: Nothing is learnt from"):
         choose(plain, "guided", {"right_elbow": REASON})
 
 
@@ -73,6 +74,7 @@ def test_both_figures_are_shown(profile):
     table = "\n".join(comparison(profile, REASONS, 14))
     for words in ("85.0%", "97.0%", "3.0", "yes", "no", f"left_shoulder: {REASON}"):
         assert words in table
+    assert symbols_in(table) == []
 
 
 @pytest.fixture

@@ -3,6 +3,7 @@ import json
 import ezdxf
 import numpy as np
 import pytest
+from cli.symbols import symbols_in
 from PIL import Image
 
 from app.world.floorplan import load_floorplan
@@ -48,7 +49,8 @@ def test_the_goals_radius_can_be_set(bodydrive, tables):
 def test_score_in_words(bodydrive, tables):
     code, out, _ = bodydrive("score", "driven.csv", "path.csv")
     assert code == 0
-    assert "E_diff, area between them                    5.000 m²" in out
+    assert "area off the path                            5.000 m²" in out
+    assert symbols_in(out) == []
 
 
 def test_columns_of_controls_and_contacts_give_more(bodydrive, tables):

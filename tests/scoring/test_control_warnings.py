@@ -116,7 +116,7 @@ def test_a_new_map_begins_anew():
 def test_a_map_that_never_fitted():
     trials = [trial(n, joint(map_angle_deg=41.0, null_space_share=0.43)) for n in range(3)]
     (warning,) = control_warnings(trials).warnings
-    assert "41° beside the map" in warning.words
+    assert "41° beside the calibration" in warning.words
     assert "43%" in warning.words
 
 
@@ -128,7 +128,7 @@ def test_a_movement_with_a_falling_evr():
 
 def test_a_guided_joint_is_called_one():
     trials = [trial(n, joint(map_angle_deg=41.0, guided=True, dead_zone=None)) for n in range(3)]
-    assert "guided map decodes" in control_warnings(trials).warnings[0].advice
+    assert "learnt from the cues drives" in control_warnings(trials).warnings[0].advice
 
 
 def test_noise_near_the_dead_zone_and_noise_that_grows():

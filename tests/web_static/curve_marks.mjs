@@ -40,12 +40,12 @@ const maps = mapTraces(rows, colours);
 assert.deepEqual(
   maps.map(({ name, x, text }) => [name, x, text]),
   [
-    ["map calibrated", [1], ["1"]],
-    ["map adapted", [5], ["2"]],
-    ["map taken back", [6], ["3"]],
+    ["calibrated", [1], ["1"]],
+    ["calibration adapted", [5], ["2"]],
+    ["calibration taken back", [6], ["3"]],
   ],
 );
-assert.match(maps[1].hovertemplate[0], /^Map 2, adapted: from trial 5 on/);
+assert.match(maps[1].hovertemplate[0], /^Calibration 2, adapted: from trial 5 on/);
 // Where numbers would stand on one another only the last of them is written; the marks are all there.
 const crowded = Array.from({ length: 60 }, (_, i) => row(i + 1, 1, i + 1, i ? "adaptation" : "calibration"));
 const [, adapted] = mapTraces(crowded, colours);

@@ -205,10 +205,10 @@ async def begin_anew(who: Clinician, web: Web) -> CalibrationView:
 @router.post("/map")
 async def choose(body: MapChoice, who: Clinician, parts: PeopleParts, web: Web) -> CalibrationView:
     """Choose the study's map or the guided map of a joint; the result must then be accepted again."""
-    async with web.session.undisturbed("choose a map"):
+    async with web.session.undisturbed("choose a calibration"):
         session = await web.session.needed_session(who.clinic_id)
         if web.calibration.running:
-            raise Conflict("A step is being recorded, or the map is being fitted: wait for its end.")
+            raise Conflict("A step is being recorded, or the calibration is being worked out: wait for its end.")
         await asyncio.to_thread(choose_map, parts.database, session.id, body.joint, body.map)
     web.live.tell("calibration")
     return await _view(web, session)

@@ -96,9 +96,12 @@ def assess_joint(evidence: AdaptationInput, joint: JointMap, gesture: Gesture) -
 def _reason_to_skip(evidence: AdaptationInput, joint: JointMap) -> tuple[Status, str] | None:
     """Return status and reason of a joint that is not to be adapted, None for one that is."""
     if not evidence.trials or not evidence.fresh:
-        return "unchanged", "No trial was driven since the map last changed."
+        return "unchanged", "No trial was driven since the calibration last changed."
     if joint.map == "guided":
-        return "unchanged", "A guided map drives it, which is not adapted: calibrate again to renew it."
+        return (
+            "unchanged",
+            "What was learnt from the cues drives it, and is not adapted: calibrate again to renew it.",
+        )
     weighed = {channel for channel, weight in zip(joint.channels, joint.weights, strict=True) if weight != 0.0}
     broken = sorted(weighed - set(sound_channels(evidence.parameters.profile, joint, evidence.movements)))
     if broken:
@@ -151,7 +154,7 @@ def _turn(evidence: AdaptationInput, joint: JointMap, moved: Numbers) -> _Turn:
     if np.array_equal(weights, old):
         pass
     elif found.share < limits.least_evr:
-        refusal = f"One direction explains only {found.share:.0%} of its movement, less than {limits.least_evr:.0%}."
+        refusal = f"Its main movement is clear to only {found.share:.0%}, less than {limits.least_evr:.0%}."
     elif away > limits.largest_angle_deg:
         refusal = f"It would be {away:.0f} degrees away from the calibration: calibrate this joint again."
     elif talk[0] is not None and talk[1] is not None and talk[1] > talk[0] + limits.cross_talk_slack:
@@ -203,11 +206,11 @@ def _reason(change: JointChange, refusal: str) -> str:
         part = "" if asked - change.angle_applied_deg < 0.05 else f" of the {asked:.1f} that its movements ask for"
         words.append(f"turned by {change.angle_applied_deg:.1f} degrees{part}")
     for what, before, after in (
-        ("dead-zone", change.dead_zone_before, change.dead_zone_after),
-        ("full", change.full_before, change.full_after),
+        ("counts from", change.dead_zone_before, change.dead_zone_after),
+        ("full at", change.full_before, change.full_after),
     ):
         if before is not None and after is not None and before != after:
-            words.append(f"{what} from {before:.2f} to {after:.2f} FS/s")
+            words.append(f"{what} {after:.0%} / s instead of {before:.0%} / s")
     unturned = f"; the direction stays: {refusal[0].lower()}{refusal[1:-1]}" if refusal else ""
     text = f"{'; '.join(words)}{unturned}."
     return text[:1].upper() + text[1:]

@@ -131,4 +131,4 @@ def _sentence(changes: Sequence[JointChange], trials: int) -> str:
         return f"{words}; {', '.join(refused)} may not." if refused else f"{words}."
     if refused:
         return f"After {after}, nothing changes: what {', '.join(refused)} would need may not be done."
-    return f"After {after}, the map fits: nothing changes." if trials else "No trial was driven yet."
+    return f"After {after}, the calibration fits: nothing changes." if trials else "No trial was driven yet."

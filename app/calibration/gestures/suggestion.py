@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from itertools import combinations
 
 from app.calibration.gestures.numbers import WORST_RATIO, FoundGesture, ratios
-from app.calibration.grades import CROSS_TALK_LIMIT
+from app.calibration.grades import CROSS_TALK_LIMIT, signal_word
 from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import Binding, Control, Gesture
 from app.messages import MAX_GESTURES
@@ -147,9 +147,9 @@ def _gestures(found: Sequence[FoundGesture], chosen: Sequence[FoundGesture]) -> 
 def _reason_of(chosen: Sequence[FoundGesture], cross_talk: float | None) -> str:
     names = ", ".join(one.joint if one.direction == 1 else f"{one.joint} going back" for one in chosen)
     weakest = min(one.signal_to_noise for one in chosen)
-    words = f"Suggested: {names}. The weakest of them stands {weakest:.0f} times above its noise"
+    words = f"Suggested: {names}. The weakest of them has a {signal_word(weakest)} signal"
     if cross_talk is None:
-        words += "; nothing was prompted, so cross-talk is not known."
+        words += "; nothing was prompted, so it is not known what moves along."
     else:
         words += f"; on average {cross_talk:.0%} of another's activation appears while one moves."
     return words + _forecast(chosen)

@@ -95,11 +95,13 @@ def _guided_map(joint: JointMap, stretches: Sequence[Stretch], rest: Array | Non
     pieces = [_piece(joint, one, sample_rate) for one in stretches]
     count = sum(len(piece.cued) for piece in pieces)
     if not joint.prompted or count == 0:
-        raise GuidedMapError("No guided map, because its movement was never prompted: prompt it at least three times.")
+        raise GuidedMapError(
+            "Nothing is learnt from cues, because its movement was never prompted: prompt it three times."
+        )
     if count < FEWEST:
         raise GuidedMapError(
-            f"No guided map from {count} prompted repetition{'s' if count > 1 else ''}: prompt at least {FEWEST}, so "
-            f"that it can be judged on one that it has not seen."
+            f"Nothing is learnt from {count} prompted repetition{'s' if count > 1 else ''}: prompt at least {FEWEST}, "
+            f"so that it can be judged on one that it has not seen."
         )
     pieces = [piece for piece in pieces if piece.cued]
     lags = [lags_of(piece.pca, piece.cued, sample_rate) for piece in pieces]
@@ -112,8 +114,8 @@ def _guided_map(joint: JointMap, stretches: Sequence[Stretch], rest: Array | Non
     )
     if (data.label == 0).sum() < SHORTEST_REST * sample_rate:
         raise GuidedMapError(
-            f"No guided map, because it is nowhere at rest for {SHORTEST_REST:g} s in all: record a rest, or leave "
-            f"pauses between the prompted movements."
+            f"Nothing is learnt from cues, because it is nowhere at rest for {SHORTEST_REST:g} s in all: record a "
+            f"rest, or leave pauses between the prompted movements."
         )
     pca_check = check(data.pca, data.label, data.repetition, joint.dead_zone, joint.full, sample_rate)
     candidates = [_candidate(data, level, joint, pca_check, sample_rate) for level in LEVEL_RIDGES]
@@ -122,7 +124,9 @@ def _guided_map(joint: JointMap, stretches: Sequence[Stretch], rest: Array | Non
     k = len(joint.channels)
     weights = chosen.weights
     if np.abs(weights).max() > LARGEST_WEIGHT:
-        raise GuidedMapError("No guided map, because the signals are too small for it: give them in a smaller unit.")
+        raise GuidedMapError(
+            "Nothing is learnt from cues, because the signals are too small: give them in a smaller unit."
+        )
     return GuidedMap(
         rate=tuple(map(float, weights[:k])),
         short=tuple(map(float, weights[k : 2 * k])),
@@ -232,7 +236,9 @@ def _candidate(
     moving = held_out[data.label > 0]
     strong = float(np.percentile(moving, 90))
     if strong <= 0.0:
-        raise GuidedMapError("No guided map, because the repetitions have nothing in common: repeat the prompts.")
+        raise GuidedMapError(
+            "Nothing is learnt from cues: the repetitions have nothing in common, so repeat the prompts."
+        )
     scale = joint.full / strong
     held_out = held_out * scale
     resting = held_out[data.repetition < 0]

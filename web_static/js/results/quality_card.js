@@ -4,7 +4,7 @@
  */
 import { t } from "../texts.js";
 import { h } from "../widgets/dom.js";
-import { number, percent } from "../widgets/format.js";
+import { number, ofFull, percent } from "../widgets/format.js";
 import { scrollTable } from "../widgets/scroll_table.js";
 
 /** How each figure is written. @type {Record<string, (value: number | null | undefined) => string>} */
@@ -16,7 +16,7 @@ export const QUALITIES = {
   activations: (value) => number(value, 0),
   activations_per_metre: (value) => (Number.isFinite(value) ? `${number(value, 1)} /m` : number(value, 1)),
   span_share: percent,
-  rest_rate: (value) => (Number.isFinite(value) ? `${number(value, 3)} FS/s` : number(value, 3)),
+  rest_rate: (value) => ofFull(value, t("unit.rate")),
 };
 
 const OF_TRIAL = /** @type {const} */ (["activations_per_metre", "cross_talk"]);
@@ -31,9 +31,9 @@ export function qualityCard({ quality }) {
     .filter(({ share }) => share >= 0.005) // less is shown as 0 %
     .map(({ name, share }) => t("quality.bad.one", { name, share: percent(share) }));
   return h(
-    "section",
+    "details",
     { class: "card quality-card" },
-    title,
+    h("summary", {}, h("h2", {}, t("quality.details"))),
     h("p", { class: "quiet small" }, t("quality.lead")),
     h(
       "dl",

@@ -166,5 +166,6 @@ function tableCard(measures, earlier, found) {
       h("tbody", {}, rows),
     ),
     previous && noiseNote(),
+    h("details", { class: "small" }, h("summary", {}, t("measure.details")), h("p", {}, t("measure.details.words"))),
   );
 }

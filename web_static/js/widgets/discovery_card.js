@@ -8,6 +8,7 @@ import { t } from "../texts.js";
 import { h, put } from "./dom.js";
 import { number, percent } from "./format.js";
 import { gestureWords, withLabels } from "./gestures.js";
+import { repeatsWord, signalWord } from "./grade_words.js";
 import { scrollTable } from "./scroll_table.js";
 
 const NUMBERS = /** @type {const} */ (["signal_to_noise", "repeatability", "cross_talk", "effort"]);
@@ -15,8 +16,8 @@ const LEAST_SAID = 0.1; // false activations a minute: a forecast is no finer th
 
 /** How each number is written. @type {Record<NumberName, (value: number | null) => string>} */
 const WRITTEN = {
-  signal_to_noise: (value) => number(value, 0),
-  repeatability: percent,
+  signal_to_noise: (value) => (value === null ? number(value, 0) : signalWord(value)),
+  repeatability: (value) => (value === null ? percent(value) : repeatsWord(value)),
   cross_talk: percent,
   effort: percent,
 };
@@ -61,6 +62,7 @@ function content(found, labels, onTake) {
     ),
     h("p", { class: "quiet small" }, t("found.lead")),
     table(found.gestures, controls, words),
+    numbers(found.gestures, words),
     Object.entries(found.not_found).map(([joint, reason]) =>
       h("p", { class: "small reason" }, `${labels[joint] ?? joint.replaceAll("_", " ")}: ${reason}`),
     ),
@@ -103,6 +105,14 @@ function table(gestures, controls, words) {
     ),
     h("tbody", {}, gestures.map(row)),
   );
+}
+
+/** The numbers behind the words of the table. @param {FoundGesture[]} gestures @param {Words} words */
+function numbers(gestures, words) {
+  /** @param {FoundGesture} gesture */
+  const line = (gesture) =>
+    t("found.details.one", { gesture: words(gesture), signal: number(gesture.signal_to_noise, 0), repeats: percent(gesture.repeatability) });
+  return h("details", {}, h("summary", {}, t("found.details")), h("ul", { class: "small" }, gestures.map((one) => h("li", {}, line(one)))));
 }
 
 /** @param {FoundGesture} gesture @param {NumberName} name */

@@ -60,3 +60,8 @@ export function minuteOfDay(iso) {
 export function size(bytes) {
   return bytes < 1e6 ? `${Math.max(1, Math.round(bytes / 1e3))} kB` : `${(bytes / 1e6).toFixed(1)} MB`;
 }
+
+/** A share of the full movement, as people read it. @param {number | null | undefined} share 0..1 @param {string} unit "% / s" or "%" */
+export function ofFull(share, unit) {
+  return typeof share === "number" && Number.isFinite(share) ? `${number(100 * share, share !== 0 && Math.abs(share) < 0.1 ? 1 : 0)} ${unit}` : NONE;
+}

@@ -4,7 +4,7 @@
  */
 import { hasText, t } from "../texts.js";
 import { h, write } from "./dom.js";
-import { setting, stepper } from "./fields.js";
+import { segments, setting, stepper } from "./fields.js";
 import { number } from "./format.js";
 
 const DEGREES = 180 / Math.PI; // people read degrees, the chair radians
@@ -13,7 +13,10 @@ const DEGREES = 180 / Math.PI; // people read degrees, the chair radians
  * In the order of wheelchair programming. `range` is what anybody may choose from, in SI units, where the server names
  * no other: that of app/calibration/speeds.py.
  */
-/** @type {{name: keyof Speeds, unit: string, step: number, digits: number, factor: number, range: [number, number]}[]} */
+/**
+ * `soft`: what Soft, Medium and Brisk are, in SI units, where people choose a word and only an owner the number.
+ * @type {{name: keyof Speeds, unit: string, step: number, digits: number, factor: number, range: [number, number], soft?: [number, number, number]}[]}
+ */
 export const SPEEDS = [
   { name: "forward", unit: "speed", step: 0.05, digits: 2, factor: 1, range: [0.05, 1.5] },
   { name: "reverse", unit: "speed", step: 0.05, digits: 2, factor: 1, range: [0.05, 1.5] },
@@ -21,24 +24,33 @@ export const SPEEDS = [
   { name: "acceleration", unit: "acceleration", step: 0.1, digits: 1, factor: 1, range: [0.1, 3] },
   { name: "deceleration", unit: "acceleration", step: 0.1, digits: 1, factor: 1, range: [0.1, 3] },
   { name: "turn_acceleration", unit: "turn_acceleration", step: 20, digits: 0, factor: DEGREES, range: [0.1, 20] },
-  { name: "jerk", unit: "jerk", step: 0.5, digits: 1, factor: 1, range: [0.5, 20] },
-  { name: "turn_jerk", unit: "turn_jerk", step: 100, digits: 0, factor: DEGREES, range: [1, 400] },
+  { name: "jerk", unit: "details.jerk", step: 0.5, digits: 1, factor: 1, range: [0.5, 20], soft: [2, 8, 20] },
+  { name: "turn_jerk", unit: "details.turn_jerk", step: 100, digits: 0, factor: DEGREES, range: [1, 400], soft: [15, 60, 240] },
 ];
 
-/** A limit with its unit. @param {typeof SPEEDS[number]} speed @param {number} value in SI units */
-export function speedWords({ unit, digits, factor }, value) {
+const SOFTNESS = /** @type {const} */ (["soft", "medium", "brisk"]);
+
+/** Which of three values is the nearest, as a ratio. @param {[number, number, number]} soft @param {number} value */
+function softness(soft, value) {
+  const ratios = soft.map((one) => Math.abs(Math.log(one / value)));
+  return SOFTNESS[ratios.indexOf(Math.min(...ratios))];
+}
+
+/** A limit with its unit, or in a word. @param {typeof SPEEDS[number]} speed @param {number} value in SI units */
+export function speedWords({ unit, digits, factor, soft }, value) {
+  if (soft) return t(`softness.${softness(soft, value)}`);
   return `${number(value * factor, digits)} ${t(`unit.${unit}`)}`;
 }
 
 /**
- * A stepper for each limit; `note` writes a remark below one.
+ * A stepper for each limit, or three words where only an owner sets the number; `note` writes a remark below one.
  * @param {Speeds} speeds in SI units @param {Partial<Record<string, [number, number]>>} limits
- * @param {(name: keyof Speeds, value: number) => void} onChange
+ * @param {(name: keyof Speeds, value: number) => void} onChange @param {{hasNumbers: boolean}} options
  */
-export function speedRows(speeds, limits, onChange) {
+export function speedRows(speeds, limits, onChange, { hasNumbers }) {
   /** @type {Map<string, HTMLElement>} */
   const notes = new Map();
-  const elements = SPEEDS.map(({ name, unit, step, digits, factor, range }) => {
+  const elements = SPEEDS.map(({ name, unit, step, digits, factor, range, soft }) => {
     const [low, high] = limits[name] ?? range;
     const label = t(`speed.${name}`);
     const hint = `speed.${name}.hint`;
@@ -47,6 +59,11 @@ export function speedRows(speeds, limits, onChange) {
     // The steps are whole in the unit that people read; the result is kept within the chair's limits.
     /** @param {number} value as people read it */
     const change = (value) => onChange(name, Math.min(high, Math.max(low, value / factor)));
+    if (soft && !hasNumbers) {
+      const options = SOFTNESS.map((value) => ({ value, label: t(`softness.${value}`) }));
+      const words = segments(label, options, softness(soft, speeds[name]), (word) => change(soft[SOFTNESS.indexOf(word)] * factor));
+      return setting(label, [hasText(hint) && t(hint), note], words);
+    }
     const control = stepper({
       label,
       value: speeds[name] * factor,

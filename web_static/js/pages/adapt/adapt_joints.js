@@ -4,7 +4,7 @@
  */
 import { t } from "../../texts.js";
 import { h } from "../../widgets/dom.js";
-import { number, percent } from "../../widgets/format.js";
+import { number, ofFull, percent } from "../../widgets/format.js";
 import { withLabels } from "../../widgets/gestures.js";
 
 const TONES = { applied: "", shown: "calm", refused: "bad", unchanged: "plain" };
@@ -76,5 +76,5 @@ function sign(before, after) {
 
 /** @param {number | null} value */
 function rate(value) {
-  return number(value, 2);
+  return ofFull(value, t("unit.rate"));
 }

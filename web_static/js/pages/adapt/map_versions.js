@@ -4,7 +4,7 @@
  */
 import { t } from "../../texts.js";
 import { h } from "../../widgets/dom.js";
-import { moment, number, percent } from "../../widgets/format.js";
+import { moment, number, ofFull, percent } from "../../widgets/format.js";
 import { scrollTable } from "../../widgets/scroll_table.js";
 
 /** @param {MapVersion[]} maps of GET /patients/ID/maps @param {Record<string, string>} labels of the joints */
@@ -60,7 +60,7 @@ function ofJoint(joint) {
   if (joint.angle_applied_deg) found.push(t("adapt.difference.turn", { angle: number(joint.angle_applied_deg, 1) }));
   for (const name of /** @type {const} */ (["dead_zone", "full"])) {
     const [before, after] = [joint[`${name}_before`], joint[`${name}_after`]];
-    if (before !== after) found.push(t(`adapt.difference.${name}`, { value: number(after, 2) }));
+    if (before !== after) found.push(t(`adapt.difference.${name}`, { value: ofFull(after, t("unit.rate")) }));
   }
   if (joint.range_moved) found.push(t("adapt.difference.range"));
   return found;

@@ -8,8 +8,9 @@ import { t } from "../../texts.js";
 import { h } from "../../widgets/dom.js";
 import { number, percent } from "../../widgets/format.js";
 import { withLabels } from "../../widgets/gestures.js";
+import { repeatsWord, signalWord } from "../../widgets/grade_words.js";
 import { scrollTable } from "../../widgets/scroll_table.js";
-import { mapChoice } from "./map_choice.js";
+import { checkTable, mapChoice } from "./map_choice.js";
 
 const STUDY = { low: 0.8, high: 0.9 }; // the paper's explained variance of PC1
 const OWN = 0.75; // from here a cell is painted in full, with the text in the other colour
@@ -50,14 +51,29 @@ function jointCard(joint, reason, onRepeat, onMap) {
         "div",
         { class: "row quiet small figures" },
         h("span", {}, t("result.evr", { percent: evr })),
-        joint.signal_to_noise !== null && h("span", {}, t("result.noise", { value: number(joint.signal_to_noise, 0) })),
-        joint.repeatability !== null && h("span", {}, t("result.spread", { percent: percent(joint.repeatability) })),
+        joint.signal_to_noise !== null && h("span", {}, t("result.signal", { word: signalWord(joint.signal_to_noise) })),
+        joint.repeatability !== null && h("span", {}, t("result.repeats", { word: repeatsWord(joint.repeatability) })),
       ),
     joint.grade !== "good" && h("p", { class: "small reason" }, reason),
     joint.grade !== "good" &&
       step &&
       h("button", { type: "button", class: "btn small", onclick: () => onRepeat(step) }, t("result.again")),
-    guided && mapChoice(joint, guided, onMap),
+    guided?.offered && mapChoice(joint, guided, onMap),
+    joint.evr !== null && details(joint),
+  );
+}
+
+/** The numbers behind the words. @param {JointResult} joint */
+function details({ evr, signal_to_noise: signal, repeatability, guided }) {
+  return h(
+    "details",
+    { class: "maps" },
+    h("summary", {}, t("result.details")),
+    h("p", { class: "small" }, t("result.details.evr", { percent: percent(evr) })),
+    signal !== null && h("p", { class: "small" }, t("result.details.signal", { value: number(signal, 0) })),
+    repeatability !== null && h("p", { class: "small" }, t("result.details.repeats", { percent: percent(repeatability) })),
+    guided && !guided.offered && [h("p", { class: "small" }, t("result.maps.kept")), checkTable(guided)],
+    guided && h("p", { class: "small" }, t("result.maps.details")),
   );
 }
 

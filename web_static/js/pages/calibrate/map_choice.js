@@ -17,48 +17,37 @@ const ROWS = [
 const MAPS = /** @type {const} */ (["pca", "guided"]);
 const WORDS = { in_phase: "result.maps.in-phase", hit_rate: "result.maps.hit", false_per_minute: "result.maps.false" };
 
-/** @param {JointResult} joint @param {GuidedMapResult} guided the joint's @param {OnMap} onMap */
+/** The choice of a joint whose calibration learnt from the cues is the better one. @param {JointResult} joint @param {GuidedMapResult} guided the joint's @param {OnMap} onMap */
 export function mapChoice({ name, label, map }, guided, onMap) {
-  const { offered, repetitions, pca_check: pca, guided_check: own } = guided;
-  const summary = map === "guided" ? "result.maps.in-use" : offered ? "result.maps.better" : "result.maps.worse";
   return h(
     "details",
-    { class: "maps", open: offered },
-    h("summary", {}, t(summary)),
+    { class: "maps", open: true },
+    h("summary", {}, t(map === "guided" ? "result.maps.in-use" : "result.maps.better")),
+    checkTable(guided),
+    segments(
+      t("result.maps.choose", { joint: label }),
+      MAPS.map((value) => ({ value, label: t(`result.maps.${value}`) })),
+      map,
+      (chosen) => onMap(name, chosen),
+    ),
+  );
+}
+
+/** Both side by side. @param {GuidedMapResult} guided */
+export function checkTable({ repetitions, pca_check: pca, guided_check: own }) {
+  return [
     h("p", { class: "quiet small" }, t("result.maps.lead", { count: repetitions })),
     h(
       "table",
       { class: "small" },
-      h(
-        "thead",
-        {},
-        h(
-          "tr",
-          {},
-          h("td", {}),
-          ["result.maps.pca", "result.maps.guided"].map((key) => h("th", { scope: "col" }, t(key))),
-        ),
-      ),
+      h("thead", {}, h("tr", {}, h("td", {}), ["result.maps.pca", "result.maps.guided"].map((key) => h("th", { scope: "col" }, t(key))))),
       h(
         "tbody",
         {},
         ROWS.map(([key, shown]) =>
-          h(
-            "tr",
-            {},
-            h("th", { scope: "row" }, t(WORDS[key])),
-            [pca, own].map((check) => h("td", {}, shown(check[key]))),
-          ),
+          h("tr", {}, h("th", { scope: "row" }, t(WORDS[key])), [pca, own].map((check) => h("td", {}, shown(check[key])))),
         ),
       ),
     ),
-    offered
-      ? segments(
-          t("result.maps.choose", { joint: label }),
-          MAPS.map((value) => ({ value, label: t(`result.maps.${value}`) })),
-          map,
-          (chosen) => onMap(name, chosen),
-        )
-      : h("p", { class: "small" }, t("result.maps.kept")),
-  );
+  ];
 }

@@ -47,7 +47,7 @@ function gestureWords({ gesture, feature, name, before, now }) {
   const label = named(gesture);
   if (name === "feature") return change(label, lowered(t(featureKey(before))), lowered(t(featureKey(now))));
   if (name !== "dead_zone" && name !== "full") return t(`differs.gesture.${name}`, { gesture: label });
-  const [old, fresh] = distinct(Number(before), Number(now), 2);
+  const [old, fresh] = distinct(100 * Number(before), 100 * Number(now), 0);
   const what = t(name === "full" ? "handle.full" : "handle.from");
   return change(`${label} ${what}`, old, t(`handle.${feature}`, { value: fresh }));
 }

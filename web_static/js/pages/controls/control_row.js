@@ -14,7 +14,7 @@ import { icon } from "../../widgets/icons.js";
 
 /** @type {Gesture["feature"][]} */
 const FEATURES = ["rate", "displacement"];
-const THRESHOLD = { step: 0.01, digits: 2 };
+const THRESHOLD = { step: 1, digits: 0 }; // % of the full movement
 const GAIN = { step: 0.1, digits: 1 };
 
 /**
@@ -72,7 +72,7 @@ export function controlRow(control, draft, isOpen, onToggle) {
   const follow = (changed) => {
     for (const { gesture, bar } of bars)
       if (gesture.name === changed.name) bar.setHandles(changed.dead_zone, changed.full);
-    for (const { name, which, stepper: one } of steppers) if (name === changed.name) one.setValue(changed[which]);
+    for (const { name, which, stepper: one } of steppers) if (name === changed.name) one.setValue(100 * changed[which]);
   };
   return { element, showLive, follow };
 }
@@ -120,12 +120,12 @@ function fineTune(control, binding, gestures, words, labels, draft, steppers) {
 
 /** @param {Gesture} gesture @param {string} words @param {ControlsDraft} draft @param {Threshold[]} steppers to add to */
 function oneGesture(gesture, words, draft, steppers) {
-  const unit = gesture.feature === "rate" ? "FS/s" : "FS";
-  const high = draft.limits.threshold[1];
+  const unit = t(`unit.${gesture.feature}`);
+  const high = 100 * draft.limits.threshold[1];
   /** @param {"from" | "full"} place @param {Threshold["which"]} which @param {(value: number) => void} onChange */
   const threshold = (place, which, onChange) => {
     const label = t(`handle.${place}.label`, { gesture: words });
-    const one = stepper({ label, value: gesture[which], low: 0, high, ...THRESHOLD, unit, onChange });
+    const one = stepper({ label, value: 100 * gesture[which], low: 0, high, ...THRESHOLD, unit, onChange: (share) => onChange(share / 100) });
     steppers.push({ name: gesture.name, which, stepper: one });
     return setting(t(`tune.${place}`), words, one);
   };

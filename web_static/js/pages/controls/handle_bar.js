@@ -48,7 +48,7 @@ export function handleBar(gesture, name, onChange) {
   const show = () => {
     const isCrowded = share(at.full) - share(at.from) < CROWDED;
     for (const which of HANDLES) {
-      const value = t(`handle.${gesture.feature}`, { value: number(at[which], 2) });
+      const value = t(`handle.${gesture.feature}`, { value: number(100 * at[which], 0) });
       handles[which].style.left = words[which].style.left = `${share(at[which])}%`;
       write(words[which], `${t(`handle.${which}`)} ${value}`);
       words[which].dataset.turn = turnOf(which, isCrowded, share(at[which]));

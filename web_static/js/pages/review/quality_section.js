@@ -14,7 +14,7 @@ import { OF_JOINT, QUALITIES } from "../../results/quality_card.js";
 const OF_ALL = ["map_angle_deg", "evr", "null_space_share", "cross_talk", "activations_per_metre", "activations"];
 const SHARES = new Set(["evr", "null_space_share", "cross_talk", "span_share"]);
 /** @type {Record<string, string>} */
-const UNITS = { map_angle_deg: "°", rest_rate: "FS/s", activations_per_metre: "/m" };
+const UNITS = { map_angle_deg: "°", rest_rate: t("replay.unit.rate"), activations_per_metre: "/m" };
 const ALL = "";
 
 /**

@@ -9,6 +9,7 @@ import { gestureWords } from "../../widgets/gestures.js";
 import { palette } from "../../shell/theme.js";
 import { timeChart } from "../../charts/time_chart.js";
 
+const DEGREES = 180 / Math.PI;
 const COLOURS = /** @type {const} */ (["action", "path-driven", "path-prescribed", "good", "attention", "bad"]);
 
 /**
@@ -33,20 +34,20 @@ export function replayCharts(line, head, signal) {
   const gestures = (column) =>
     line.gestures.map((one) => ({ name: gestureWords(one, labels), values: one[column] }));
   const fixed = [
-    make(t("replay.chair"), "m/s · rad/s", [
+    make(t("replay.chair"), "m/s · °/s", [
       { name: t("replay.v"), values: line.v },
-      { name: t("replay.omega"), values: line.omega },
+      { name: t("replay.omega"), values: line.omega.map((omega) => (omega === null ? null : omega * DEGREES)) },
     ]),
     make(t("replay.commands"), "", [
-      { name: "u1", values: line.u1 },
-      { name: "u2", values: line.u2 },
+      { name: t("replay.command.speed"), values: line.u1 },
+      { name: t("replay.command.turning"), values: line.u2 },
     ], { range: [-1, 1] }),
   ];
   if (line.gestures.length)
     fixed.push(
       make(t("replay.activations"), "", gestures("activation"), { range: [0, 1] }),
       make(t("replay.rates"), rateUnit(line.gestures), gestures("rate")),
-      make(t("replay.scores"), "FS", gestures("score")),
+      make(t("replay.scores"), t("replay.unit.share"), gestures("score")),
     );
   /** @type {ReturnType<typeof timeChart> | null} */
   let signals = null;
@@ -90,5 +91,5 @@ export function replayCharts(line, head, signal) {
 
 /** @param {GestureLine[]} gestures */
 function rateUnit(gestures) {
-  return gestures.every(({ feature }) => feature === "rate") ? "FS/s" : "FS/s · FS";
+  return gestures.every(({ feature }) => feature === "rate") ? t("replay.unit.rate") : `${t("replay.unit.rate")} · ${t("replay.unit.share")}`;
 }

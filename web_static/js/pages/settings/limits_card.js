@@ -18,7 +18,7 @@ export function limitsCard(app, clinic, isOwner, signal) {
   let kept = clinic;
   let wanted = { ...clinic };
   let timer = 0;
-  const draw = () => put(place, isOwner ? speedRows(wanted, {}, change).elements : inWords(kept));
+  const draw = () => put(place, isOwner ? speedRows(wanted, {}, change, { hasNumbers: true }).elements : inWords(kept));
   /** @param {keyof Speeds} name @param {number} value */
   const change = (name, value) => {
     wanted[name] = value;

@@ -62,7 +62,7 @@ export function pairForm(app, { onPaired, onClose }) {
       {},
       h("summary", {}, t("pair.speeds")),
       h("p", { class: "quiet small" }, t("pair.speeds.hint")),
-      speedRows(speeds, {}, (which, value) => (speeds[which] = value)).elements,
+      speedRows(speeds, {}, (which, value) => (speeds[which] = value), { hasNumbers: true }).elements,
     ),
     problem,
     h("div", { class: "spread" }, go, h("button", { type: "button", class: "btn", onclick: onClose }, t("cancel"))),

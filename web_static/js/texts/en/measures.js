@@ -1,10 +1,10 @@
 /** Names of the measures. */
 export default {
-  "measure.dist": "Dist, distance driven",
-  "measure.e_diff": "E_diff, area beside the path",
+  "measure.dist": "Distance driven",
+  "measure.e_diff": "Area off the path",
   "measure.time": "Time",
   "measure.dist_ratio": "Distance over path length",
-  "measure.cross_track_rms": "Distance from the path (rms)",
+  "measure.cross_track_rms": "Usual distance from the path",
   "measure.cross_track_max": "Largest distance from the path",
   "measure.mean_speed": "Mean speed",
   "measure.stops": "Stops",
@@ -12,9 +12,9 @@ export default {
   "measure.contact_time": "Time in contact",
   "measure.turn_reversals": "Changes of turning",
   "measure.pulses_per_metre": "Commands per metre",
-  "measure.sparc": "Smoothness (SPARC)",
-  "measure.follow_error_rms": "Distance to the leader, error (rms)",
-  "measure.follow_error_max": "Distance to the leader, largest error",
+  "measure.sparc": "Smoothness",
+  "measure.follow_error_rms": "Usual error of the distance to the leader",
+  "measure.follow_error_max": "Largest error of the distance to the leader",
   "measure.follow_near": "Share of time near the asked distance",
   "measure.cones_touched": "Cones touched",
   "measure.gap_clearance": "Narrowest clearance in a gap",
@@ -23,5 +23,8 @@ export default {
   "measure.turn_drift": "Moved off the spot",
   "measure.stages_done": "Stages done",
   "measure.of": "of {count}",
-  "measure.ldlj": "Smoothness (log jerk)",
+  "measure.details": "Details: what these are called in publications",
+  "measure.details.words":
+    "The distance driven is Dist of the 2008 study, the area off the path its E_diff. Smoothness is the spectral arc length (SPARC), the other measure of it the log dimensionless jerk: nearer to zero is smoother. A usual distance or error is the root of the mean square (rms).",
+  "measure.ldlj": "Smoothness, another measure",
 };

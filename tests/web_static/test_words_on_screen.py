@@ -1,0 +1,48 @@
+"""People read plain words; the symbols of publications stand behind "Details" only."""
+
+import ast
+import json
+
+from cli.symbols import symbols_in
+
+from folders import ROOT
+
+# Texts about the picture of a floor plan that a robot has drawn: a ROS map.
+FLOOR_PLANS = ("editor.js: import", "uploads.js")
+# Sentences for people come from these; messages on fields of a document name the field as the document does.
+SENTENCES = ("app/faults.py", "app/scoring", "app/calibration", "app/session", "app/store", "app/api", "app/source.py")
+ROWS_OF_THE_LOG = {"map adapted", "map taken back"}  # they are never changed, so that older rows have the same names
+DOCUMENTS = {"profile.py", "vocabulary.py", "prompts_file.py", "plan_files.py"}
+
+
+def test_no_text_of_the_pages_has_a_symbol(run_script):
+    texts = json.loads(run_script("texts.mjs"))
+    assert len(texts) > 800
+    shown = {key: text for key, text in texts.items() if "details" not in key and not key.startswith(FLOOR_PLANS)}
+    assert {key: text for key, text in shown.items() if symbols_in(text)} == {}
+
+
+def sentences(tree):
+    """Yield the texts of a module with more than one word, without docstrings and descriptions of fields."""
+    docstrings = {
+        id(node.body[0].value)
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef | ast.AsyncFunctionDef)
+        and node.body
+        and isinstance(node.body[0], ast.Expr)
+    }
+    for node in ast.walk(tree):
+        is_text = isinstance(node, ast.Constant) and isinstance(node.value, str) and id(node) not in docstrings
+        if is_text and " " in node.value.strip():
+            yield node.value
+
+
+def test_no_sentence_that_a_page_shows_has_a_symbol():
+    files = [ROOT / place for place in SENTENCES if place.endswith(".py")]
+    files += [file for place in SENTENCES for file in (ROOT / place).rglob("*.py") if file.name not in DOCUMENTS]
+    found = {}
+    for file in files:
+        for text in sentences(ast.parse(file.read_text(encoding="utf-8"))):
+            if symbols_in(text) and text not in ROWS_OF_THE_LOG:
+                found.setdefault(str(file.relative_to(ROOT)), []).append(text)
+    assert found == {}
