@@ -8,7 +8,7 @@ import { h, put } from "./widgets/dom.js";
 import { Lock } from "./shell/lock.js";
 import { header } from "./shell/header.js";
 import { DEMO_LINK, INVITATION_LINK, takeCode } from "./shell/link_codes.js";
-import { notices } from "./shell/notices.js";
+import { firstTimePlace, notices } from "./shell/notices.js";
 import { PAGES, rail } from "./shell/rail.js";
 import { stopOnSpace } from "./shell/stop.js";
 import { followSystem } from "./shell/theme.js";
@@ -63,7 +63,7 @@ export class App extends TypedEvents {
 
   root = h("main", { class: "page", tabindex: "-1" });
   rail = rail(this);
-  frame = h("div", { class: "app alone" }, header(this), this.rail, notices(this), this.root);
+  frame = h("div", { class: "app alone" }, header(this), this.rail, h("div", { class: "above-page" }, notices(this), firstTimePlace(this)), this.root);
 
   async start() {
     document.body.replaceChildren(this.frame, this.question, this.toasts.element, this.toasts.voice, this.toasts.urgent);

@@ -19,6 +19,19 @@ export function header(app) {
   const chair = h("span", { class: "lamp" });
   const lamps = h("div", { class: "lamps" }, shirt, chair);
   const theme = themeButton(app);
+  /** @type {HTMLButtonElement} */
+  const help = h(
+    "button",
+    {
+      type: "button",
+      class: "icon-button",
+      title: t("help.open"),
+      "aria-label": t("help.open"),
+      "aria-expanded": "false",
+      onclick: async () => (await import("../help/page_help.js")).openPageHelp(app, help),
+    },
+    icon("question", 22),
+  );
   const leave = h(
     "button",
     {
@@ -38,7 +51,7 @@ export function header(app) {
     practice.element,
     who,
     lamps,
-    h("div", { class: "tools" }, theme, leave),
+    h("div", { class: "tools" }, help, theme, leave),
     stopButton(app),
   );
 
@@ -46,6 +59,7 @@ export function header(app) {
     const { patient, session } = app.session ?? {};
     const signedIn = Boolean(app.me?.signed_in);
     demo.hidden = !app.me?.demo;
+    help.hidden = !signedIn;
     leave.hidden = !signedIn || Boolean(app.me?.demo);
     lamps.style.visibility = signedIn ? "" : "hidden";
     who.hidden = !signedIn;

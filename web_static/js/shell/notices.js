@@ -1,5 +1,6 @@
 /**
- * The strip under the header: connection lost, control process lost, a stop or fault that waits for Continue, a full disk.
+ * The strips under the header: connection lost, control process lost, a stop or fault that waits for Continue, a full
+ * disk; and for a person's first time the sentences on how to find one's way.
  * @import { Child } from "types/dom"
  * @import { App } from "../main.js"
  */
@@ -23,6 +24,20 @@ export function notices(app) {
   app.live.addEventListener("tick", show);
   app.live.addEventListener("connection", show);
   for (const event of /** @type {const} */ (["route", "me", "trial-view", "disk"])) app.addEventListener(event, show);
+  return element;
+}
+
+/** The sentences for a first time, until the person puts them away; a trial has the page for itself. @param {App} app */
+export function firstTimePlace(app) {
+  const element = h("div", { class: "first-time-place" });
+  const show = async () => {
+    if (!app.me?.signed_in || app.me.introduced || app.me.locked) {
+      app.frame.classList.remove("first-time");
+      put(element);
+    } else if (!element.hasChildNodes()) (await import("../help/first_time.js")).showFirstTime(app, element);
+  };
+  app.addEventListener("me", show);
+  app.addEventListener("trial-view", () => (element.hidden = app.showsTrial));
   return element;
 }
 

@@ -29,6 +29,7 @@ export default {
   "theme.dark": "dark",
   "theme.contrast": "high contrast",
   "theme.now": "Colours: {theme}.",
+  "help.open": "What is this page for?",
   "sign-out": "Sign out",
   "rail.label": "The steps of a session, and settings",
   "rail.done": "done",

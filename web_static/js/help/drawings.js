@@ -1,0 +1,43 @@
+/** One small drawing for each page, in lines: `quiet` lies behind, `main` is what the page is about. */
+import { s } from "../widgets/dom.js";
+
+/** @type {Record<string, {quiet: string, main: string}>} */
+const LINES = {
+  patients: {
+    quiet: "M20 70h60M20 84h40M120 70h60M120 84h40",
+    main: "M50 40a12 12 0 1 0 0-24 12 12 0 0 0 0 24ZM30 60c2-12 10-16 20-16s18 4 20 16M150 40a12 12 0 1 0 0-24 12 12 0 0 0 0 24ZM130 60c2-12 10-16 20-16s18 4 20 16",
+  },
+  shirt: {
+    quiet: "M82 10 54 24l10 24 12-5v47h48V43l12 5 10-24-28-14c-4 8-10 11-18 11s-14-3-18-11Z",
+    main: "M86 40h.1M100 36h.1M114 40h.1M88 54h.1M112 54h.1M90 70h.1M110 70h.1M70 32h.1M130 32h.1",
+  },
+  calibrate: {
+    quiet: "M20 88h160M28 88v-6M60 88v-6M92 88v-6M124 88v-6M156 88v-6",
+    main: "M100 72a28 28 0 1 0 0-56 28 28 0 0 0 0 56ZM100 16v28l18 12",
+  },
+  controls: { quiet: "M30 30h140M30 52h140M30 74h140", main: "M74 22v16M74 30h40M114 22v16M56 44v16M92 44v16M92 66v16M148 66v16M92 74h56" },
+  drive: { quiet: "M20 14h160v72H20ZM84 14v34M130 86V56", main: "M40 72V60h66V34h40M40 80l-7-12h14ZM152 34a6 6 0 1 0-12 0 6 6 0 0 0 12 0Z" },
+  review: { quiet: "M28 12v74h152", main: "M36 24c18 38 40 48 140 52M50 34h.1M74 58h.1M98 64h.1M122 72h.1M146 72h.1M170 78h.1" },
+  settings: {
+    quiet: "M26 24h60M26 48h60M26 72h60",
+    main: "M120 16h40a8 8 0 0 1 0 16h-40a8 8 0 0 1 0-16ZM158 24h.1M120 40h40a8 8 0 0 1 0 16h-40a8 8 0 0 1 0-16ZM122 48h.1M120 64h40a8 8 0 0 1 0 16h-40a8 8 0 0 1 0-16ZM158 72h.1",
+  },
+  plans: { quiet: "M24 86V14h152v72h-60M88 14v30", main: "M24 86h52M150 20l14 14-46 46-18 4 4-18Z" },
+  adapt: { quiet: "M30 84 150 24", main: "M30 84 168 44M150 34a70 70 0 0 1 8 14M158 48l-12 1M158 48l3-12" },
+  people: {
+    quiet: "M24 86c2-16 12-22 26-22M176 86c-2-16-12-22-26-22M50 54a10 10 0 1 0 0-20 10 10 0 0 0 0 20ZM150 54a10 10 0 1 0 0-20 10 10 0 0 0 0 20Z",
+    main: "M100 46a14 14 0 1 0 0-28 14 14 0 0 0 0 28ZM70 86c3-20 14-28 30-28s27 8 30 28",
+  },
+  log: { quiet: "M60 20h116M60 42h116M60 64h80M60 86h100", main: "m24 18 6 6 12-12M24 40l6 6 12-12M24 62l6 6 12-12M24 84l6 6 12-12" },
+};
+
+/** The drawing of a page, which says nothing that its sentences do not say. @param {string} page */
+export function drawing(page) {
+  const { quiet, main } = LINES[page];
+  return s("svg", { viewBox: "0 0 200 100", "aria-hidden": "true" }, s("path", { class: "quiet-lines", d: quiet }), s("path", { class: "main-lines", d: main }));
+}
+
+/** Tell whether there is a drawing of a page. @param {string} page */
+export function hasDrawing(page) {
+  return page in LINES;
+}

@@ -1,0 +1,27 @@
+/** The texts of the help, which is loaded when somebody asks for it. */
+import texts from "../texts/en/help.js";
+
+/** @typedef {keyof typeof texts} HelpKey */
+
+/** @param {HelpKey} key */
+export function words(key) {
+  return texts[key];
+}
+
+/** The title and the three sentences of a page; null for a page without help. @param {string} page */
+export function pageWords(page) {
+  const keys = /** @type {HelpKey[]} */ (["title", "1", "2", "3"].map((part) => `${page}.${part}`));
+  if (!keys.every((key) => key in texts)) return null;
+  const [title, ...sentences] = keys.map(words);
+  return { title, sentences };
+}
+
+/** Load the styles of the help, once. */
+export function loadStyles() {
+  if (document.querySelector("#help-styles")) return;
+  const link = document.createElement("link");
+  link.id = "help-styles";
+  link.rel = "stylesheet";
+  link.href = "css/shell/help.css";
+  document.head.append(link);
+}

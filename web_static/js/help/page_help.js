@@ -1,0 +1,40 @@
+/** What a page is for: three sentences and a drawing, beside the page, so that STOP and the page can be used meanwhile. */
+import { h } from "../widgets/dom.js";
+import { drawing } from "./drawings.js";
+import { loadStyles, pageWords, words } from "./help_words.js";
+
+/** Address of the pages for clinicians; null while there are none. @type {string | null} */
+const MORE = null;
+
+/**
+ * Open the help of the page that is shown; it closes by its button, by Escape, and with the page.
+ * @param {import("../main.js").App} app @param {HTMLButtonElement} opener the button that gets the focus back
+ */
+export function openPageHelp(app, opener) {
+  const found = pageWords(app.route.page);
+  if (!found) return;
+  loadStyles();
+  const done = new AbortController();
+  const { signal } = done;
+  const title = h("h2", { id: "page-help-title", tabindex: "-1" }, found.title);
+  const panel = h(
+    "section",
+    { class: "page-help", role: "dialog", "aria-labelledby": "page-help-title" },
+    h("div", { class: "spread" }, title, h("button", { type: "button", class: "btn small", onclick: () => close() }, words("help.close"))),
+    drawing(app.route.page),
+    found.sentences.map((sentence) => h("p", {}, sentence)),
+    MORE && h("p", {}, h("a", { href: MORE }, words("help.more"))),
+  );
+  const close = (hasFocus = true) => {
+    done.abort();
+    panel.remove();
+    opener.setAttribute("aria-expanded", "false");
+    if (hasFocus) opener.focus();
+  };
+  opener.setAttribute("aria-expanded", "true");
+  opener.addEventListener("click", (event) => (event.stopImmediatePropagation(), close()), { capture: true, signal });
+  window.addEventListener("keydown", (event) => event.key === "Escape" && close(), { signal });
+  for (const event of /** @type {const} */ (["route", "me"])) app.addEventListener(event, () => close(false), { signal });
+  app.root.before(panel);
+  title.focus();
+}
