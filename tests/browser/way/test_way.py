@@ -1,0 +1,151 @@
+"""Finding one's way: the first screen, the taps to a drive, the sentences for a first time, the help of each page."""
+
+import re
+
+import pytest
+from browser.driving import choose_task, go_on_until
+from browser.tablets import PATIENCE, go_to
+from playwright.sync_api import expect
+from processes.served_demo import running_demo
+
+pytestmark = [pytest.mark.browser, pytest.mark.timeout(420)]
+
+MOST_NEW, MOST_KNOWN = 8, 3  # taps, from sign-in and from the patient's card until the chair may drive
+CALIBRATION = 240_000  # ms
+COUNT = """window.taps ??= 0;
+document.addEventListener("click", (event) => { if (event.isTrusted && event.detail > 0) window.taps += 1; }, true)"""
+FITS = "() => { const page = document.querySelector('main'); return page.scrollHeight <= page.clientHeight; }"
+
+
+@pytest.fixture(scope="module")
+def demo():
+    """Yield the link of a running demonstration."""
+    with running_demo() as link:
+        yield link
+
+
+@pytest.fixture
+def opened(browser, page_log, demo):
+    """Return what opens the demonstration on a tablet of its own."""
+    log, contexts = page_log(demo), []
+
+    def open_page():
+        contexts.append(browser.new_context(viewport={"width": 768, "height": 1024}))
+        page = log.watch(contexts[-1].new_page())
+        page.set_default_timeout(PATIENCE)
+        page.goto(demo)
+        expect(page.locator("main h1")).to_be_visible(timeout=PATIENCE)
+        return page
+
+    yield open_page
+    log.assert_clean()
+    for context in contexts:
+        context.close()
+
+
+def drives(page):
+    """Wait until the trial's clock goes, then end the trial."""
+    clock = page.locator(".place .big")
+    go_on_until(page, lambda: clock.is_visible() and re.match(r"0:0[1-9]", clock.inner_text()), "a second of the trial")
+
+
+def ends(page):
+    page.get_by_role("button", name="End trial").first.click()
+    expect(page.get_by_role("link", name="Another task")).to_be_visible(timeout=PATIENCE)
+
+
+def test_the_sentences_of_a_first_time_come_until_they_are_put_away(opened):
+    page = opened()
+    first = page.get_by_role("region", name="Four things, the first time")
+    expect(first.get_by_role("listitem")).to_have_count(4)
+    for words in ("STOP", "repeat one joint", "turning slower", "last week was better"):
+        expect(first).to_contain_text(words)
+    go_to(page, "review")
+    expect(first).to_be_visible()
+    first.get_by_role("button", name="Got it").click()
+    expect(first).to_have_count(0)
+    expect(page.locator("h1")).to_be_focused()
+    again = opened()
+    expect(again.get_by_role("heading", name="Where to?")).to_be_visible()
+    expect(again.locator(".first-sentences")).to_have_count(0)
+
+
+def test_the_drive_page_fits_on_the_first_screen_and_leads_to_all_else(opened):
+    page = opened()
+    expect(page.locator(".task-card svg")).to_be_visible()
+    away = page.get_by_role("button", name="Got it")
+    if away.count():
+        away.click()
+    assert page.evaluate(FITS)
+    expect(page.get_by_role("button", name="Start trial")).to_be_in_viewport(ratio=1)
+    for link, heading in (("Chair", "Chair"), ("The patient's screen", "The patient's screen")):
+        page.get_by_role("navigation", name="What else").get_by_role("link", name=link).click()
+        expect(page.get_by_role("heading", level=1, name=heading)).to_be_focused()
+        page.get_by_role("link", name="Back to the task").click()
+    choose_task(page, "door.hard", "aside")
+    page.reload()
+    expect(page.locator(".task-card")).to_contain_text("A door · Hard")
+    page.get_by_role("link", name="Choose another").click()
+    page.get_by_role("button", name="Own plans").click()
+    expect(page.get_by_role("link", name="Draw or import a floor plan")).to_be_visible()
+    page.get_by_role("button", name="Doors", exact=True).click()
+    expect(page.get_by_role("link", name="Round the corner and through")).to_have_attribute("aria-current", "true")
+
+
+def test_a_question_mark_says_what_the_page_is_for_and_gives_the_focus_back(opened):
+    page = opened()
+    question = page.get_by_role("button", name="What is this page for?")
+    panel = page.locator(".page-help")
+    for place in ("drive", "controls"):
+        go_to(page, place)
+        expect(page.locator("h1")).to_be_focused()
+        question.focus()
+        page.keyboard.press("Enter")
+        expect(panel.get_by_role("heading")).to_be_focused()
+        expect(panel.locator("p")).to_have_count(3)
+        page.keyboard.press("Escape")
+        expect(panel).to_have_count(0)
+        expect(question).to_be_focused()
+    question.click()
+    expect(panel).to_be_visible()
+    go_to(page, "review")
+    expect(panel).to_have_count(0)
+
+
+def test_a_known_patient_drives_after_few_taps(opened):
+    page = opened()
+    go_to(page, "patients")
+    page.get_by_role("button", name="End session").click()
+    start = page.get_by_role("listitem").filter(has_text="DEMO-1").get_by_role("button", name="Start session")
+    expect(start).to_be_visible()
+    page.evaluate(COUNT)
+    start.click()
+    page.get_by_role("button", name="Start trial").click()
+    taps = page.evaluate("window.taps")
+    drives(page)
+    ends(page)
+    assert taps <= MOST_KNOWN
+
+
+@pytest.mark.long
+def test_a_new_patient_drives_after_few_taps(opened):
+    """The demonstration is signed in by its link: the tap on Patient stands for the one on Sign in."""
+    page = opened()
+    expect(page.get_by_role("heading", name="Where to?")).to_be_visible()
+    page.evaluate(COUNT)
+    page.get_by_role("link", name="Patient").first.click()
+    page.get_by_role("button", name="New patient").click()
+    page.keyboard.type("P-900")
+    page.keyboard.press("Tab")
+    page.keyboard.type("Wren")
+    page.get_by_role("button", name="Add and start the session").click()
+    page.locator(".foot").get_by_role("link", name="Calibrate").click()
+    page.get_by_role("button", name="Start").click()
+    page.get_by_role("button", name="Use this calibration").click(timeout=CALIBRATION)
+    page.get_by_role("link", name="Drive with these").click()
+    page.get_by_role("button", name="Start trial").click()
+    taps = page.evaluate("window.taps")
+    drives(page)
+    assert page.get_by_text("P-900").first.is_visible()
+    ends(page)
+    assert taps <= MOST_NEW
