@@ -23,7 +23,7 @@ export function openPageHelp(app, opener) {
     h("div", { class: "spread" }, title, h("button", { type: "button", class: "btn small", onclick: () => close() }, words("help.close"))),
     drawing(app.route.page),
     found.sentences.map((sentence) => h("p", {}, sentence)),
-    MORE && h("p", {}, h("a", { href: MORE }, words("help.more"))),
+    MORE && h("p", {}, h("a", { href: MORE, target: "_blank" }, words("help.more"))),
   );
   const close = (hasFocus = true) => {
     done.abort();

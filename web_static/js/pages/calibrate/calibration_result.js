@@ -55,9 +55,12 @@ function jointCard(joint, reason, onRepeat, onMap) {
         joint.repeatability !== null && h("span", {}, t("result.repeats", { word: repeatsWord(joint.repeatability) })),
       ),
     joint.grade !== "good" && h("p", { class: "small reason" }, reason),
-    joint.grade !== "good" &&
-      step &&
-      h("button", { type: "button", class: "btn small", onclick: () => onRepeat(step) }, t("result.again")),
+    step &&
+      h(
+        "button",
+        { type: "button", class: `btn small${joint.grade === "good" ? " bare" : ""}`, "aria-label": t("result.again.label", { joint: joint.label }), onclick: () => onRepeat(step) },
+        t("result.again"),
+      ),
     guided?.offered && mapChoice(joint, guided, onMap),
     joint.evr !== null && details(joint),
   );

@@ -56,6 +56,7 @@ export default {
   "result.details.repeats": "The peaks of the repetitions lie within {percent} of each other.",
   "result.details.evr": "Share of the signal in one direction (explained variance ratio, EVR): {percent}.",
   "result.again": "Repeat this joint",
+  "result.again.label": "Repeat this joint: {joint}",
   "result.maps.pca": "Standard",
   "result.maps.guided": "Learnt from the cues",
   "result.maps.choose": "{joint}: which calibration drives",

@@ -1,0 +1,7 @@
+/** Print the word of each signal and of each spread in a file, as JSON. */
+import { readFileSync } from "node:fs";
+
+const [folder, file] = process.argv.slice(2);
+const { repeatsWord, signalWord } = await import(`${folder}/widgets/grade_words.js`);
+const { signals, spreads } = JSON.parse(readFileSync(file, "utf8"));
+console.log(JSON.stringify([signals.map(signalWord), spreads.map(repeatsWord)]));
