@@ -11,8 +11,8 @@ export async function showChairs(app, root, task, signal) {
 }
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {string[]} task to go back to @param {AbortSignal} signal */
-export function showScreen(app, root, task, signal) {
-  showBelow(root, "screen", patientScreenCard(app, signal), task);
+export async function showScreen(app, root, task, signal) {
+  if (!signal.aborted) showBelow(root, "screen", patientScreenCard(app, signal), task);
 }
 
 /** @param {HTMLElement} root @param {"chair" | "screen"} name @param {HTMLElement} card @param {string[]} task */

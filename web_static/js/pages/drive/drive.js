@@ -12,13 +12,20 @@ import { showTask } from "./task_page.js";
 import { showTrial } from "./trial_view.js";
 import { t } from "../../texts.js";
 
-const BELOW = new Set(["tasks", "chairs", "screen"]);
+/**
+ * The pages below this one, each loaded when it is opened; each gets the task to go back to.
+ * @type {Record<string, (...given: [App, HTMLElement, string[], AbortSignal]) => Promise<unknown>>}
+ */
+const BELOW = {
+  tasks: async (...given) => (await import("./task_chooser.js")).showChooser(...given),
+  chairs: async (...given) => (await import("./below.js")).showChairs(...given),
+  screen: async (...given) => (await import("./below.js")).showScreen(...given),
+};
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal, rest: string[]}} page */
 export async function show(app, root, { signal, rest }) {
   const here = patientHere(app, root);
   if (!here) return;
-  const names = rest.map(decodeURIComponent);
   const trials = await app.api.get(`/trials?patient=${here.patient.id}`);
   if (signal.aborted) return;
   const running = trials.find(({ status }) => status === "running");
@@ -29,16 +36,9 @@ export async function show(app, root, { signal, rest }) {
   if (!app.session?.has_profile)
     return emptyPage(root, t("drive.none.title"), t("drive.none.lead"), "#/calibrate", t("drive.none.go"));
   if (rest[0] === "chair") return (await import("../chair/chair.js")).show(app, root, { signal, rest });
-  if (BELOW.has(rest[0])) return showBelow(app, root, names, signal);
-  return showTask(app, root, here.patient, rest[0] === "task" ? names.slice(1) : [], signal);
-}
-
-/** The pages below this one, each loaded when it is opened. @param {App} app @param {HTMLElement} root @param {string[]} rest @param {AbortSignal} signal */
-async function showBelow(app, root, [name, ...task], signal) {
-  const below = await (name === "tasks" ? import("./task_chooser.js") : import("./below.js"));
-  if (signal.aborted) return;
-  if ("showChooser" in below) return below.showChooser(app, root, task, signal);
-  return name === "chairs" ? below.showChairs(app, root, task, signal) : below.showScreen(app, root, task, signal);
+  const [name, ...task] = rest;
+  if (Object.hasOwn(BELOW, name ?? "")) return BELOW[name](app, root, task, signal);
+  return showTask(app, root, here.patient, name === "task" ? task : [], signal);
 }
 
 /**
@@ -71,7 +71,7 @@ async function drive(app, root, running, where, signal) {
       await lookWhetherOver();
       return true;
     });
-    if (!hasBegun) app.go("#/drive");
+    if (!hasBegun) app.go(`#/drive/task/${where.floorplan}/${where.path}`);
   });
 }
 

@@ -67,7 +67,7 @@ export async function showTask(app, root, patient, [floorplan, path], signal) {
           h("a", { class: "btn bare small", href: "#/shirt" }, t("drive.body.change")),
       ),
       h("a", { class: "btn", href: taskLink("tasks", task) }, t("drive.choose")),
-      h("button", { type: "button", class: "btn go large", onclick: start }, t(has3d ? "drive.start" : "drive.start.plan")),
+      mayDrive && h("button", { type: "button", class: "btn go large", onclick: start }, t(has3d ? "drive.start" : "drive.start.plan")),
     ),
   );
 }

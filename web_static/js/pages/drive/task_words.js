@@ -17,7 +17,7 @@ export function findTask(plans, floorplan, name) {
 
 /** The address of the Drive page with a task, or of a page below it that leads back there. @param {string} page @param {Task} task */
 export function taskLink(page, { plan, path }) {
-  return `#/drive/${page}/${encodeURIComponent(plan.name)}/${encodeURIComponent(path.name)}`;
+  return `#/drive/${page}/${plan.name}/${path.name}`;
 }
 
 /** What is asked, and how far it is. @param {PathView} path */

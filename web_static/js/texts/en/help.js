@@ -3,7 +3,7 @@ export default {
   "first.title": "Four things, the first time",
   "first.stop": "STOP, on every page, stops the chair at once; so does the space bar while somebody drives.",
   "first.calibrate": "Calibrate: to repeat one joint, tap its step in the row of steps, or Repeat on its card of the result.",
-  "first.controls": "Controls: a lower Turn speed makes turning slower; Undo takes a change back.",
+  "first.controls": "Controls: a lower Turn speed, further down, makes turning slower; Undo takes it back.",
   "first.review": "Review: whether last week was better, told apart from chance.",
   "first.done": "Got it",
   "help.close": "Close",
