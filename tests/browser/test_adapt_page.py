@@ -69,7 +69,7 @@ def test_a_suggestion_is_looked_at_applied_and_taken_back(tablet):
     page.get_by_role("link", name="What would change?").click()
     expect(page.get_by_role("heading", name=TITLE)).to_be_visible()
     page.get_by_role("button", name="Look now").click()
-    expect(page.get_by_text("Nothing was driven with this map yet")).to_be_visible()
+    expect(page.get_by_text("Nothing was driven with this calibration yet")).to_be_visible()
     suggest = page.get_by_role("radio", name="Suggest")
     suggest.focus()
     page.keyboard.press("Space")

@@ -9,7 +9,7 @@ from adapting import EFFECT, UP, apply, choose, drive, proposed, settled, versio
 def test_it_is_off_until_somebody_chooses_otherwise_and_may_be_looked_at_all_the_same(ready: Any) -> None:
     view = ready.good("GET", "/adaptation")
     assert (view["mode"], view["version"], view["back_to"], view["proposal"]) == ("off", 1, None, None)
-    assert "Nothing was driven with this map yet" in proposed(ready)["why"]
+    assert "Nothing was driven with this calibration yet" in proposed(ready)["why"]
     drive(ready)
     view = settled(ready)
     assert (view["proposal"], ready.asked) == (None, [])
@@ -40,7 +40,7 @@ def test_what_is_applied_is_the_next_version_loaded_and_logged(ready: Any) -> No
     assert newest["difference"]["turned"] == {"right_elbow": 2.0}
     assert (newest["difference"]["felt_change"], newest["difference"]["by_itself"]) == (0.03, False)
     assert apply(ready, view).status_code == 404  # once
-    assert "Nothing was driven with this map yet" in proposed(ready)["why"]
+    assert "Nothing was driven with this calibration yet" in proposed(ready)["why"]
 
 
 def test_a_suggestion_waits_and_by_itself_does_not(ready: Any) -> None:
@@ -92,7 +92,7 @@ def test_a_trial_that_is_discarded_no_longer_speaks_for_a_change(ready: Any) -> 
     view = proposed(ready)
     ready.good("POST", f"/trials/{trial['id']}/discard", json={"reason": "somebody moved the arm"})
     assert apply(ready, view).status_code == 409
-    assert "Nothing was driven with this map yet" in proposed(ready)["why"]
+    assert "Nothing was driven with this calibration yet" in proposed(ready)["why"]
 
 
 def test_bad_wishes_are_refused_in_a_sentence(ready: Any) -> None:

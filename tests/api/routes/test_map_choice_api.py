@@ -85,7 +85,7 @@ def test_choosing_what_is_chosen_changes_nothing(fitted: Any) -> None:
     [
         ("left_elbow", "guided", 409, "not better"),
         ("left_shoulder", "guided", 409, "not better"),
-        ("tail", "guided", 404, "no map for 'tail'"),
+        ("tail", "guided", 404, "no calibration for 'tail'"),
         ("right_elbow", "best", 422, "map"),
     ],
 )
