@@ -7,6 +7,7 @@ from contextlib import ExitStack
 
 import pytest
 from browser.driving import go_on_until
+from browser.tablets import put_first_sentences_away
 from playwright.sync_api import expect
 from processes.served_demo import bodydrive, printed_link
 
@@ -40,6 +41,7 @@ def pages(browser, page_log):
         driven, shirt = (log.watch(context.new_page()) for _ in range(2))
         driven.goto(link)
         expect(driven.get_by_role("heading", name="Where to?")).to_be_visible()
+        put_first_sentences_away(driven)
         driven.get_by_role("button", name="Start trial").click()
         clock = driven.locator(".place .big")
         go_on_until(driven, lambda: re.match(r"0:0[1-9]", clock.inner_text()), "a second of the trial")

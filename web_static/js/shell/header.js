@@ -97,7 +97,7 @@ export function header(app) {
   app.live.addEventListener("connection", () => {
     showShirt();
     showChair();
-    leave.disabled = !app.live.connected; // signing out needs the server
+    help.disabled = leave.disabled = !app.live.connected; // signing out needs the server, and the help is loaded from it
   });
   showWho();
   showShirt();

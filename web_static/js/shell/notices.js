@@ -38,6 +38,7 @@ export function firstTimePlace(app) {
   };
   app.addEventListener("me", show);
   app.addEventListener("trial-view", () => (element.hidden = app.showsTrial));
+  app.live.addEventListener("connection", () => (element.inert = !app.live.connected)); // putting them away is stored
   return element;
 }
 
