@@ -35,7 +35,7 @@ export default {
   "adapt.joint.unchanged": "stays",
   "adapt.row.turn": "Turns by",
   "adapt.row.turn.asked": "{applied}° of {asked}°",
-  "adapt.row.evr": "Clear main movement",
+  "adapt.row.evr": "Fits the movement",
   "adapt.row.cross_talk": "Moves along with it",
   "adapt.row.dead_zone": "Counts from",
   "adapt.row.full": "Full at",
