@@ -160,19 +160,24 @@ def one_trial(trial_id: RowId, who: Anyone, parts: PeopleParts, web: Web) -> Tri
 
 
 @router.post("/trials/{trial_id}/discard")
-def discard_trial(trial_id: RowId, body: Discard, who: Clinician, parts: PeopleParts) -> TrialView:
+async def discard_trial(trial_id: RowId, body: Discard, who: Clinician, parts: PeopleParts, web: Web) -> TrialView:
     """Discard a trial: it counts in no curve or figure; it can be kept again."""
-    return _keep(parts, who, trial_id, body.reason)
+    return await _keep(parts, web, who, trial_id, body.reason)
 
 
 @router.post("/trials/{trial_id}/keep")
-def keep_again(trial_id: RowId, who: Clinician, parts: PeopleParts) -> TrialView:
+async def keep_again(trial_id: RowId, who: Clinician, parts: PeopleParts, web: Web) -> TrialView:
     """Let a discarded trial count again."""
-    return _keep(parts, who, trial_id, None)
+    return await _keep(parts, web, who, trial_id, None)
 
 
-def _keep(parts: People, who: SignedInPerson, trial_id: int, reason: str | None) -> TrialView:
-    with parts.database.transaction() as db:
-        trial = keep_trial(db, who.clinic_id, trial_id, reason)
-        write_log(db, who.name, "trial kept" if reason is None else "trial discarded", trial=trial_id)
-        return TrialView.of(trial)
+async def _keep(parts: People, web: WebParts, who: SignedInPerson, trial_id: int, reason: str | None) -> TrialView:
+    def _write() -> TrialView:
+        with parts.database.transaction() as db:
+            trial = keep_trial(db, who.clinic_id, trial_id, reason)
+            write_log(db, who.name, "trial kept" if reason is None else "trial discarded", trial=trial_id)
+            return TrialView.of(trial)
+
+    kept = await asyncio.to_thread(_write)
+    web.live.tell("trial")
+    return kept

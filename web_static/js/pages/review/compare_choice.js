@@ -28,7 +28,7 @@ export function compareChoice(patient) {
   };
   /** @param {TrialView} trial @param {HTMLInputElement} input */
   const change = (trial, input) => {
-    chosen = chosen.filter((one) => one.input !== input);
+    chosen = chosen.filter((one) => one.trial.id !== trial.id);
     if (input.checked) chosen.push({ trial, input });
     if (chosen.length > 2) {
       chosen[0].input.checked = false;
@@ -39,6 +39,9 @@ export function compareChoice(patient) {
   /** @param {TrialView} trial */
   const box = (trial) => {
     const input = h("input", { type: "checkbox", "aria-label": t("compare.pick", { number: trial.number }) });
+    const before = chosen.find((one) => one.trial.id === trial.id); // the list was drawn anew
+    if (before) before.input = input;
+    input.checked = before !== undefined;
     input.addEventListener("change", () => change(trial, input));
     return h("label", { class: "pick" }, input);
   };

@@ -4,7 +4,9 @@
  * @import { SourceGroup } from "../../results/source_group.js"
  */
 import { failureWords } from "../../api.js";
+import { compareChoice } from "./compare_choice.js";
 import { curveCard } from "./curve_card.js";
+import { followTrials } from "./follow_trials.js";
 import { h, put } from "../../widgets/dom.js";
 import { inOrder, keyOf, pathsOf, pathWords } from "./path_choice.js";
 import { field, selection } from "../../widgets/fields.js";
@@ -32,8 +34,10 @@ export async function show(app, root, { signal, rest }) {
     patients[0];
   if (signal.aborted) return;
   if (!patient) return emptyPage(root, t("review.none.title"), t("review.nobody.lead"), "#/patients", t("nobody.go"));
-  const trials = await app.api.get(`/trials?patient=${patient.id}`);
+  let trials = await app.api.get(`/trials?patient=${patient.id}`);
   if (signal.aborted) return;
+  let redraw = () => app.show();
+  followTrials(app, patient.id, trials, (now) => ((trials = now), redraw()), signal);
   const who = field(
     t("review.patient"),
     selection(
@@ -43,22 +47,26 @@ export async function show(app, root, { signal, rest }) {
     ),
   );
   if (!trials.length) return noTrials(root, patients.length > 1 ? who : null);
-  const [plans, paths] = [await app.api.get("/floorplans"), pathsOf(trials)];
+  const plans = await app.api.get("/floorplans");
   if (signal.aborted) return;
+  const paths = pathsOf(trials);
   let path = paths.find(({ key }) => key === decodeURIComponent(rest.slice(1, 3).join("/"))) ?? paths[paths.length - 1];
   /** @param {number} trial id */
   const opens = (trial) => app.go(`#/review/${patient.id}/trial/${trial}`);
   let measure = sessionStorage.getItem(MEASURE_PLACE) ?? "e_diff";
   const place = h("div", { class: "stack" });
+  const pathPlace = h("div", {});
   const measurePlace = h("div", {});
   const groupPlace = h("div", {});
   /** @type {SourceGroup} */
   let group = app.me?.demo ? "simulated" : "worn";
+  let compare = compareChoice(patient.id);
   let drawn = new AbortController();
   const draw = async () => {
     drawn.abort();
     const until = (drawn = new AbortController()).signal;
     signal.addEventListener("abort", () => drawn.abort(), { signal: until });
+    choosePath();
     chooseMeasure();
     const where = `floorplan=${encodeURIComponent(path.floorplan)}&path=${encodeURIComponent(path.name)}&source=${group}`;
     chooseGroup();
@@ -93,17 +101,24 @@ export async function show(app, root, { signal, rest }) {
         patient,
         trials.filter((trial) => keyOf(trial) === path.key),
         new Set(learning.trials.filter(({ familiarisation }) => familiarisation).map(({ id }) => id)),
+        compare,
       ),
     );
   };
-  const choosePath = selection(
-    inOrder(paths, plans).map((one) => ({ value: one.key, ...pathWords(one, plans) })),
-    path.key,
-    (key) => {
+  let offered = "";
+  /** Offer the paths of the trials; a choice that somebody has open stays while it is the same. */
+  const choosePath = () => {
+    const paths = pathsOf(trials);
+    const choices = inOrder(paths, plans).map((one) => ({ value: one.key, ...pathWords(one, plans) }));
+    if (offered === JSON.stringify(choices)) return;
+    offered = JSON.stringify(choices);
+    const choice = selection(choices, path.key, (key) => {
       path = paths.find((one) => one.key === key) ?? path;
+      compare = compareChoice(patient.id);
       app.toasts.attempt(draw);
-    },
-  );
+    });
+    put(pathPlace, field(t("review.path"), choice));
+  };
   const chooseGroup = () => {
     const choice = groupChoice(trials.filter((trial) => keyOf(trial) === path.key), group, (chosen) => {
       group = chosen;
@@ -138,13 +153,14 @@ export async function show(app, root, { signal, rest }) {
         "div",
         { class: "columns filters" },
         patients.length > 1 && who,
-        field(t("review.path"), choosePath),
+        pathPlace,
         measurePlace,
         groupPlace,
       ),
       place,
     ),
   );
+  redraw = async () => void (await app.toasts.attempt(draw));
   await draw();
 }
 

@@ -4,6 +4,7 @@
  * @import { Timeline } from "types/api"
  * @import { TrialReading } from "../../results/trial_over.js"
  */
+import { emptyPage } from "../../shell/nobody.js";
 import { failureWords } from "../../api.js";
 import { h } from "../../widgets/dom.js";
 import { PlayHead } from "./play_head.js";
@@ -18,6 +19,11 @@ import { t } from "../../texts.js";
 export async function show(app, root, { signal, rest: [patient, , id] }) {
   const read = await readTrial(app.api, id);
   if (signal.aborted) return;
+  if (read.trial.status === "running") {
+    app.live.addEventListener("changed", ({ detail }) => ["trial", "everything"].includes(detail) && app.show(), { signal });
+    const title = t("review.running.title", { number: read.trial.number });
+    return emptyPage(root, title, t("review.running.lead"), `#/review/${patient}`, t("review.back"));
+  }
   let why = "";
   const line = await app.api.get(`/trials/${id}/timeline`).catch((error) => void (why = failureWords(error)));
   if (signal.aborted) return;

@@ -3,7 +3,6 @@
  * @import { TrialView } from "types/api"
  */
 import { t } from "../../texts.js";
-import { compareChoice } from "./compare_choice.js";
 import { h } from "../../widgets/dom.js";
 import { moment } from "../../widgets/format.js";
 import { scrollTable } from "../../widgets/scroll_table.js";
@@ -13,10 +12,10 @@ import { groupMark, groupOf } from "../../results/source_group.js";
 /**
  * @param {{id: number}} patient @param {TrialView[]} trials the newest last
  * @param {Set<number>} used ids of the trials in which the patient got used to the task on their day
+ * @param {ReturnType<typeof import("./compare_choice.js").compareChoice>} compare which two are to be compared
  */
-export function trialList(patient, trials, used) {
+export function trialList(patient, trials, used, compare) {
   const listed = leadingMeasures(trials.findLast(({ measures }) => measures)?.measures ?? {});
-  const compare = compareChoice(patient.id);
   /** @param {TrialView} trial */
   const row = (trial) =>
     h(

@@ -16,6 +16,8 @@ export default {
   "review.none.title": "No trials yet",
   "review.none.lead": "When trials have been driven, their learning curve and trajectories stand here.",
   "review.none.go": "Drive the first one",
+  "review.running.title": "Trial {number} is running",
+  "review.running.lead": "Its replay and its measures come here when it is over.",
   "review.nobody.lead": "There are no patients yet: add one, then come back.",
   "review.curve": "Learning curve",
   "review.trajectories": "All trajectories over the path",
