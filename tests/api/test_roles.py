@@ -137,8 +137,8 @@ def test_stop_asks_nobodys_name_before_it_stops(signed_in: Clinic, monkeypatch: 
     monkeypatch.setattr("app.api.who_asks.find_sign_in", fail)
     assert signed_in("POST", "/control/stop").status_code == 200
     assert signed_in.process.stops == 1
-    row = signed_in.log()[-1]
-    assert (row.person, row.what) == ("Demo clinician", "stop requested")
+    rows = [(row.person, row.what) for row in signed_in.log()]  # that of the gate may come before or after it
+    assert ("Demo clinician", "stop requested") in rows
 
 
 def requested(clinic: Clinic, name: str, view: str = "clinician") -> Any:

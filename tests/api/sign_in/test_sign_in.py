@@ -19,6 +19,7 @@ def test_the_code_of_the_link_signs_in_as_often_as_it_is_opened(clinic: Any) -> 
         "name": None,
         "role": None,
         "demo": True,
+        "introduced": False,
         "needs_setup": False,
         "version": "0.1.0",
     }
