@@ -8,7 +8,7 @@ INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check --co
 # A module is compiled once, and not by each of the many processes that the tests start.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: demo test browser check lint python-types javascript-types api-types demo-profile icons safety compiled drills soak people-soak promises worlds bench verdicts bench-compare clean
+.PHONY: demo test browser check lint python-types javascript-types api-types demo-profile icons safety compiled drills soak people-soak pictures promises worlds bench verdicts bench-compare clean
 
 $(VENV)/.installed: pyproject.toml constraints.txt
 	@echo "Installing into $(VENV), once; this takes a minute or two ..."
@@ -87,6 +87,9 @@ soak: $(VENV)/.installed-test
 
 people-soak: $(VENV)/.installed-test
 	PYTHONPATH=tests $(BIN)/python -m soak.people --minutes $(or $(MINUTES),30)
+
+pictures: $(VENV)/.installed-test
+	PYTHONPATH=tests $(BIN)/python -m pictures
 
 promises: $(VENV)/.installed-test
 	PYTHONPATH=tests $(BIN)/python -m promises

@@ -32,6 +32,11 @@ def data_folder() -> Path:
     return _bundled_folder("data")
 
 
+def docs_folder() -> Path:
+    """Return the folder of the pages for people: clinicians, administrators, developers."""
+    return _bundled_folder("docs")
+
+
 def state_folder() -> Path:
     """Return the folder of a clinic's database and recordings: BODYDRIVE_STATE, else the system's usual folder."""
     chosen = os.environ.get("BODYDRIVE_STATE")

@@ -57,6 +57,7 @@ HOME = {
     "fastapi": {"api"},
     "starlette": {"api"},
     "uvicorn": {"cli"},
+    "markdown_it": {"api"},
     "viser": {"scene"},
     "trimesh": {"scene"},
     "sqlalchemy": {"store"},

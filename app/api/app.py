@@ -10,6 +10,7 @@ from app import __version__
 from app.api import openapi_document
 from app.api.assembly import StartProcess, end_parts, make_parts, start_parts
 from app.api.deps import People, clinician, viewer
+from app.api.docs_pages import docs_router
 from app.api.driving import places
 from app.api.foreign_files import OneAtATime
 from app.api.guard import Guard
@@ -55,7 +56,7 @@ from app.api.view.view_keeper import OpenScene, may_view
 from app.computing_process import ComputingProcess
 from app.scene.role_servers import Role
 from app.scene.session_scene import Scene
-from app.settings import Settings, static_folder
+from app.settings import Settings, docs_folder, static_folder
 from app.store.database import Database
 from app.store.files.plans import OwnPlans
 from app.store.files.replacements import replaced_files
@@ -158,7 +159,9 @@ def create_app(
     app.include_router(api)
     app.include_router(replay_view.page_router)
     app.include_router(view_router(port_of, may_view, viewer))
-    app.mount("/", Pages(static_folder()), name="pages")
+    pages = Pages(static_folder())
+    app.include_router(docs_router(docs_folder(), pages.text("docs.html")))
+    app.mount("/", pages, name="pages")
     app.add_middleware(Guard, settings=settings)
     app.add_middleware(BehindProxy, settings=settings)  # before all others, which see what the browser sent
     return app

@@ -86,6 +86,10 @@ class Pages:
         is_present = version is not None and version[1] == self.version
         await self._answer(file, Headers(scope=scope), is_present=is_present)(scope, receive, send)
 
+    def text(self, name: str) -> str:
+        """Return a file as it is sent."""
+        return self._files[name].content.decode()
+
     async def _file(self, name: str) -> PageFile:
         if name == PLOTLY and name not in self._files:
             self._files[name] = await run_in_threadpool(self._read_plotly)

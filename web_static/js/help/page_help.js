@@ -3,8 +3,7 @@ import { h } from "../widgets/dom.js";
 import { drawing } from "./drawings.js";
 import { loadStyles, pageWords, words } from "./help_words.js";
 
-/** Address of the pages for clinicians; null while there are none. @type {string | null} */
-const MORE = null;
+const MORE = "/docs/clinicians";
 
 /**
  * Open the help of the page that is shown; it closes by its button, by Escape, and with the page.
@@ -23,7 +22,7 @@ export function openPageHelp(app, opener) {
     h("div", { class: "spread" }, title, h("button", { type: "button", class: "btn small", onclick: () => close() }, words("help.close"))),
     drawing(app.route.page),
     found.sentences.map((sentence) => h("p", {}, sentence)),
-    MORE && h("p", {}, h("a", { href: MORE, target: "_blank" }, words("help.more"))),
+    h("p", {}, h("a", { href: MORE, target: "_blank" }, words("help.more"))),
   );
   const close = (hasFocus = true) => {
     done.abort();

@@ -1,0 +1,115 @@
+"""`python -m pictures`: takes the pictures of docs/pictures anew, of a demonstration in Chromium; `make pictures`.
+
+The simulated person drives. What is shown is the program as it is: nothing is drawn by hand.
+"""
+
+import io
+import shutil
+import sys
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from itertools import pairwise
+
+from browser.conftest import CHROMIUM
+from browser.driving import choose_task, go_on_until
+from browser.tablets import PATIENCE, go_to
+from PIL import Image
+from playwright.sync_api import Page, expect, sync_playwright
+from processes.served_demo import bodydrive, printed_link
+
+from folders import ROOT
+
+PICTURES = ROOT / "docs" / "pictures"
+TABLET = {"width": 1024, "height": 768}
+MOVING = (640, 480)
+SECONDS = 14.0  # of the moving picture
+ALL_TOGETHER = 2_000_000  # bytes
+TASK = ("corridors", "straight")
+
+
+@dataclass
+class Camera:
+    """Takes the pictures of one page."""
+
+    page: Page
+
+    def still(self, name: str) -> None:
+        """Keep what the page shows now."""
+        self.page.wait_for_timeout(1500)
+        self._image().save(PICTURES / f"{name}.webp", quality=80, method=6)
+
+    def moving(self, name: str, seconds: float) -> None:
+        """Keep what the page shows in the next seconds, as fast as it happened."""
+        images, times = [], []
+        begin = time.monotonic()
+        while not times or times[-1] < seconds:
+            times.append(time.monotonic() - begin)
+            images.append(self._image().resize(MOVING, Image.Resampling.LANCZOS))
+        lasts = [round(1000 * (after - before)) for before, after in pairwise(times)]
+        images[0].save(
+            PICTURES / f"{name}.webp",
+            save_all=True,
+            append_images=images[1:-1],
+            duration=lasts,
+            loop=0,
+            quality=50,
+            method=6,
+        )
+
+    def _image(self) -> Image.Image:
+        return Image.open(io.BytesIO(self.page.screenshot())).convert("RGB")
+
+
+def take() -> None:
+    """Take all pictures, in the order of a first session."""
+    PICTURES.mkdir(exist_ok=True)
+    with demonstration() as page:
+        camera = Camera(page)
+        for name in ("patients", "shirt", "calibrate", "controls", "drive"):
+            go_to(page, name)
+            camera.still(name)
+        drives(page, camera)
+        camera.still("trial-over")
+        go_to(page, "review")
+        expect(page.locator(".js-plotly-plot").first).to_be_visible(timeout=PATIENCE)
+        camera.still("review")
+
+
+def drives(page: Page, camera: Camera) -> None:
+    """Drive one trial, and keep the middle of it."""
+    choose_task(page, *TASK)
+    page.get_by_role("button", name="Start trial").click()
+    expect(page.frame_locator("iframe").locator("canvas").first).to_be_visible(timeout=PATIENCE)
+    clock = page.locator(".place .big")
+    go_on_until(page, lambda: clock.inner_text() >= "0:02", "two seconds of the trial")
+    camera.still("trial")
+    camera.moving("moving", SECONDS)
+    goal = page.get_by_role("heading", name="Goal reached")
+    go_on_until(page, goal.is_visible, "the goal", seconds=150)
+
+
+@contextmanager
+def demonstration() -> Iterator[Page]:
+    """Give a page of a demonstration, signed in."""
+    process = bodydrive("demo", "--port", "0")
+    try:
+        link = printed_link(process)
+        with sync_playwright() as playwright:
+            browser = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=list(CHROMIUM))
+            page = browser.new_page(viewport=TABLET, has_touch=True)
+            page.set_default_timeout(PATIENCE)
+            page.goto(link)
+            expect(page.locator(".who")).to_contain_text("session")
+            yield page
+            browser.close()
+    finally:
+        process.terminate()
+        process.wait(20)
+
+
+if __name__ == "__main__":
+    take()
+    size = sum(picture.stat().st_size for picture in PICTURES.iterdir())
+    sys.exit(0 if size < ALL_TOGETHER else f"docs/pictures has {size} bytes, more than {ALL_TOGETHER}")
