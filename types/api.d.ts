@@ -2896,6 +2896,44 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/computer/measurement": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/json": components["schemas"]["Measure"];
+                };
+            };
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["ComputerView"];
+                    };
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/drives/summary": {
         parameters: {
             query?: never;
@@ -3880,6 +3918,10 @@ export interface components {
             joint: string;
             share: number;
         };
+        ComputerView: {
+            machine: components["schemas"]["MachineView"];
+            screens: components["schemas"]["FindingView"][];
+        };
         Cone: {
             position: [
                 number,
@@ -4132,6 +4174,11 @@ export interface components {
             /** @enum {string} */
             kind: "signals" | "body" | "head" | "recording";
             size: number;
+        };
+        FindingView: {
+            /** @enum {string} */
+            verdict: "good" | "attention" | "bad";
+            words: string;
         };
         FirstOwner: {
             code: string;
@@ -4495,6 +4542,12 @@ export interface components {
             has_more: boolean;
             people: string[];
         };
+        MachineView: {
+            /** @enum {string} */
+            verdict: "good" | "attention" | "bad";
+            words: string;
+            findings: components["schemas"]["FindingView"][];
+        };
         MapCheck: {
             in_phase: number;
             hit_rate: number;
@@ -4525,6 +4578,9 @@ export interface components {
             demo: boolean;
             needs_setup: boolean;
             version: string;
+        };
+        Measure: {
+            seconds: number;
         };
         ModelView: {
             name: string;
@@ -5213,6 +5269,7 @@ export type CheckView = components['schemas']['CheckView'];
 export type Choice = components['schemas']['Choice'];
 export type Code = components['schemas']['Code'];
 export type Companion = components['schemas']['Companion'];
+export type ComputerView = components['schemas']['ComputerView'];
 export type Cone = components['schemas']['Cone'];
 export type ControlQuality = components['schemas']['ControlQuality'];
 export type ControlSettings = components['schemas']['ControlSettings'];
@@ -5240,6 +5297,7 @@ export type EquipmentView = components['schemas']['EquipmentView'];
 export type Event = components['schemas']['Event'];
 export type FieldDifference = components['schemas']['FieldDifference'];
 export type FileView = components['schemas']['FileView'];
+export type FindingView = components['schemas']['FindingView'];
 export type FirstOwner = components['schemas']['FirstOwner'];
 export type FlockOfBirdsConfig = components['schemas']['FlockOfBirdsConfig'];
 export type FloorPlan = components['schemas']['FloorPlan'];
@@ -5274,10 +5332,12 @@ export type LinkView = components['schemas']['LinkView'];
 export type LogCheckView = components['schemas']['LogCheckView'];
 export type LogEntryView = components['schemas']['LogEntryView'];
 export type LogView = components['schemas']['LogView'];
+export type MachineView = components['schemas']['MachineView'];
 export type MapCheck = components['schemas']['MapCheck'];
 export type MapChoice = components['schemas']['MapChoice'];
 export type MapView = components['schemas']['MapView'];
 export type Me = components['schemas']['Me'];
+export type Measure = components['schemas']['Measure'];
 export type ModelView = components['schemas']['ModelView'];
 export type Mover = components['schemas']['Mover'];
 export type MoverLine = components['schemas']['MoverLine'];

@@ -9,6 +9,7 @@ from fastapi import APIRouter, FastAPI
 from app import __version__
 from app.api import openapi_document
 from app.api.assembly import StartProcess, end_parts, make_parts, start_parts
+from app.api.computer import this_computer
 from app.api.deps import People, clinician, viewer
 from app.api.docs_pages import docs_router
 from app.api.driving import places
@@ -85,6 +86,7 @@ ROUTES = (
     models,
     replacements,
     tablets,
+    this_computer,
     drives,
     review,
     control_quality,

@@ -3,6 +3,8 @@
 import asyncio
 from collections.abc import Awaitable, Callable
 
+from app.api.computer.graphics import Graphics
+from app.api.computer.measurement import Measurement
 from app.api.live.hub import LiveHub
 from app.api.live.live_picture import LivePicture
 from app.api.live.screen_pictures import ScreenPictures
@@ -67,6 +69,7 @@ def make_parts(
     live_picture = LivePicture(control, equipment, chairs, runs, trials, drives, session)
     hub = LiveHub(live_picture.picture, live_picture.quality, without_patient)
     patient = PatientPicture(live_picture, equipment, runs, trials)
+    patient_hub = LiveHub(patient.picture, dict)
 
     def current_drive() -> dict[str, int]:
         trial, drive = trials.current, drives.current
@@ -99,7 +102,9 @@ def make_parts(
         live=hub,
         pairing=PairingCodes(),
         patient=patient,
-        patient_live=LiveHub(patient.picture, dict),
+        patient_live=patient_hub,
+        graphics=Graphics(hub, patient_hub),
+        measurement=Measurement(settings.state, lambda: session.recording),
         trajectories=Trajectories(computing),
         timelines=Timelines(computing),
         qualities=TrialQualities(database, runs.folder_of, computing),

@@ -60,6 +60,7 @@ WITHOUT_SESSION = {
     "POST /chairs": _CLINIC,
     "DELETE /chairs/{chair_id}": _CLINIC,
     "PUT /limits": _CLINIC,
+    "POST /computer/measurement": _CLINIC,
     "POST /people": _CLINIC,
     "PUT /people/{person_id}": _CLINIC,
     "POST /people/{person_id}/link": _CLINIC,

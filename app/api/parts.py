@@ -9,6 +9,8 @@ from typing import Annotated
 from fastapi import Depends, FastAPI
 from starlette.requests import HTTPConnection
 
+from app.api.computer.graphics import Graphics
+from app.api.computer.measurement import Measurement
 from app.api.live.hub import LiveHub
 from app.api.live.screen_pictures import ScreenPictures
 from app.api.live.screens import SILENCE_LIMIT, VIRTUAL_SILENCE_LIMIT, PageSign, Screen, Screens
@@ -64,6 +66,8 @@ class WebParts:
     pairing: PairingCodes
     patient: PatientPicture
     patient_live: LiveHub
+    graphics: Graphics
+    measurement: Measurement
     trajectories: Trajectories
     timelines: Timelines
     qualities: TrialQualities

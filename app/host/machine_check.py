@@ -1,6 +1,8 @@
 """What this machine grants the control loop and the clinic, measured, and in words."""
 
+import errno
 import shutil
+import socket
 import subprocess
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -15,6 +17,8 @@ from app.settings import PACKAGE
 
 PERIOD = 0.01  # s: the loop's, when the shirt sends at 100 Hz
 FEW = 0.001  # share of late ticks that a drive does not feel
+PORTS = (8080, 8443)  # of the clinic, when nobody chooses others
+FLUENT, TOO_FEW = 20.0, 10.0  # pictures a second; with fewer than the latter the 3D view is drawn coarser
 
 Verdict = Literal["good", "attention", "bad"]
 
@@ -44,8 +48,8 @@ def lateness_finding(lateness: Sequence[float]) -> Finding:
     late = sum(each > PERIOD for each in ranked)
     p99 = ranked[ceil(0.99 * len(ranked)) - 1]
     words = (
-        f"Of {len(ranked)} ticks, {late} came more than {1000 * PERIOD:.0f} ms late; 99 of 100 came within "
-        f"{1000 * p99:.1f} ms, the latest after {1000 * ranked[-1]:.1f} ms."
+        f"Of {len(ranked)} ticks of the control loop, {late} came more than {1000 * PERIOD:.0f} ms late; "
+        f"99 of 100 came within {1000 * p99:.1f} ms, the latest after {1000 * ranked[-1]:.1f} ms."
     )
     if late == 0:
         return Finding("good", words)
@@ -103,6 +107,40 @@ def clock_is_kept() -> bool | None:
     return {"yes": True, "no": False}.get(told.stdout.strip())
 
 
+def port_finding(port: int, *, is_own: bool) -> Finding:
+    """Return whether a clinic on this machine can listen on a port; `is_own`: the clinic that asks does so now."""
+    if is_own:
+        return Finding("good", f"Port {port} is the one of this clinic.")
+    try:
+        socket.create_server(("127.0.0.1", port)).close()
+    except OSError as error:
+        if error.errno == errno.EACCES:
+            return Finding("attention", f"Port {port} is for the system: this account may not use it.")
+        return Finding("attention", f"Port {port} is in use, perhaps by the clinic itself.")
+    return Finding("good", f"Port {port} is free.")
+
+
+def program_finding(*, is_compiled: bool) -> Finding:
+    """Return whether the control loop's calculations run compiled."""
+    if is_compiled:
+        return Finding("good", "The control loop's calculations run compiled.")
+    return Finding("attention", "The control loop's calculations run as plain Python: the same results, but slower.")
+
+
+def screen_finding(name: str, rate: float | None) -> Finding:
+    """Return whether a screen draws fast enough for the 3D view.
+
+    `name` says whose screen it is; `rate` in pictures a second, None when the screen did not answer.
+    """
+    if rate is None:
+        return Finding("attention", f"{name} did not answer: it is out of view, locked or asleep.")
+    words = f"{name} draws {rate:.0f} pictures a second."
+    if rate >= FLUENT:
+        return Finding("good", words)
+    advice = "Close other programs there, or choose the drawn plan."
+    return Finding("attention" if rate >= TOO_FEW else "bad", f"{words} {advice}")
+
+
 def install_time() -> float:
     """Return when this file was installed, s since 1970."""
     return (PACKAGE / "settings.py").stat().st_ctime
@@ -112,7 +150,7 @@ def summary(findings: Sequence[Finding]) -> Finding:
     """Return in a sentence whether the machine will do."""
     verdicts = {finding.verdict for finding in findings}
     if "bad" in verdicts:
-        return Finding("bad", "This computer will not do as it is: see to what is marked with !!.")
+        return Finding("bad", "This computer will not do as it is.")
     if "attention" in verdicts:
-        return Finding("attention", "This computer will do; what is marked with ! could be better.")
+        return Finding("attention", "This computer will do, and something could be better.")
     return Finding("good", "This computer will do.")

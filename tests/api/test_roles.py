@@ -48,6 +48,7 @@ FOR_OWNERS = {
     "POST /chairs",
     "DELETE /chairs/{chair_id}",
     "PUT /limits",
+    "POST /computer/measurement",
     "GET /log",
     "GET /log/export",
     "GET /log/check",

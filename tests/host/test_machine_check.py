@@ -1,6 +1,7 @@
 """What `bodydrive check` makes of its measurements."""
 
 import datetime as dt
+import socket
 from pathlib import Path
 
 import pytest
@@ -17,7 +18,9 @@ from app.host.machine_check import (
     free_room,
     lateness_finding,
     measure_lateness,
+    port_finding,
     real_time_findings,
+    screen_finding,
     summary,
 )
 
@@ -65,6 +68,21 @@ def test_room_clock_and_rights_in_words(tmp_path: Path) -> None:
     ]
     sentences = ["The control loop has real-time scheduling.", "Memory is not locked: a machine short of memory ..."]
     assert [finding.verdict for finding in real_time_findings(sentences)] == ["good", "attention"]
+
+
+def test_a_port_is_free_taken_or_the_clinics_own() -> None:
+    with socket.create_server(("127.0.0.1", 0)) as taken:
+        port = taken.getsockname()[1]
+        assert port_finding(port, is_own=False).words == f"Port {port} is in use, perhaps by the clinic itself."
+        assert port_finding(port, is_own=True).verdict == "good"
+    assert port_finding(port, is_own=False).words == f"Port {port} is free."
+
+
+def test_a_screen_is_judged_by_its_pictures_a_second() -> None:
+    rates = (None, 0.0, 9.9, 10.0, 19.9, 20.0, 60.0)
+    verdicts = [screen_finding("The page of Ada", rate).verdict for rate in rates]
+    assert verdicts == ["attention", "bad", "bad", "attention", "attention", "good", "good"]
+    assert screen_finding("The page of Ada", 59.6).words == "The page of Ada draws 60 pictures a second."
 
 
 def test_the_worst_finding_decides() -> None:

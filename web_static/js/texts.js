@@ -5,6 +5,7 @@
 import adapt from "./texts/en/adapt.js";
 import calibrate from "./texts/en/calibrate.js";
 import chair from "./texts/en/chair.js";
+import computer from "./texts/en/computer.js";
 import controls from "./texts/en/controls.js";
 import discovery from "./texts/en/discovery.js";
 import drive from "./texts/en/drive.js";
@@ -34,6 +35,7 @@ const CATALOGUE = Object.freeze({
   ...patients,
   ...shirt,
   ...calibrate,
+  ...computer,
   ...controls,
   ...adapt,
   ...discovery,

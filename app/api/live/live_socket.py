@@ -8,6 +8,7 @@ from fastapi import APIRouter, WebSocket
 from pydantic import Field, ValidationError
 from starlette.websockets import WebSocketDisconnect
 
+from app.api.computer.graphics import PicturesPerSecond
 from app.api.live.hub import Viewer
 from app.api.parts import WebParts
 from app.layout import MAX_JOINTS
@@ -31,12 +32,14 @@ class PageMessage(Document):
     """A message of a page: targets of the simulated body's joints, the direction of a tablet, or Stop.
 
     `acted`: the person has just touched the page or pressed a key; otherwise the sign-in is locked after a while.
+    `pictures`: how many pictures a second the page draws, when the event "graphics" asked for it.
     """
 
     move: Annotated[dict[Name, Fraction], Field(max_length=MAX_JOINTS)] | None = None
     look: HeadDirection | None = None
     stop: bool = False
     acted: bool = False
+    pictures: PicturesPerSecond | None = None
 
 
 @router.websocket("/live")
@@ -50,6 +53,7 @@ async def live(websocket: WebSocket) -> None:
     web: WebParts = websocket.app.state.web
     viewer = Viewer(websocket, lambda: sockets.may_see(websocket, web.session.patient_id))
     async with sockets.guarded(websocket, who):
+        web.graphics.opened(websocket, f"The page of {who.name}")
         sending = asyncio.create_task(web.live.serve(viewer))
         try:
             while True:
@@ -60,6 +64,7 @@ async def live(websocket: WebSocket) -> None:
             await websocket.close(NOT_TEXT)  # otherwise the page would wait for ever
         finally:
             web.live.forget(viewer)
+            web.graphics.forget(websocket)
             sending.cancel()
             await asyncio.gather(sending, return_exceptions=True)
 
@@ -80,6 +85,8 @@ async def _take(text: str, websocket: WebSocket, web: WebParts) -> None:
         await sockets.acted(websocket)
     if sockets.is_locked(websocket):
         return
+    if message.pictures is not None:
+        web.graphics.take(websocket, message.pictures)
     if message.move is not None:
         web.control.move(message.move)
     if message.look is not None:

@@ -8,6 +8,7 @@ from fastapi import APIRouter, WebSocket
 from fastapi.concurrency import run_in_threadpool
 from pydantic import ValidationError
 
+from app.api.computer.graphics import PicturesPerSecond
 from app.api.deps import People
 from app.api.live.hub import Viewer
 from app.api.live.screen_pictures import Picture
@@ -26,9 +27,10 @@ TOO_MANY_MESSAGES = 1008  # close code: our own page never sends so many
 
 
 class PictureReport(Document):
-    """The picture that the patient's screen shows to drive by."""
+    """The picture that the patient's screen shows to drive by, or how many a second it draws when that was asked."""
 
-    picture: Picture
+    picture: Picture | None = None
+    pictures: PicturesPerSecond | None = None
 
 
 @router.websocket("/patient/live")
@@ -49,6 +51,7 @@ async def patient_live(websocket: WebSocket) -> None:
     await websocket.accept()
     viewer = Viewer(websocket)
     async with parts.sockets.guarded(websocket, who):
+        web.graphics.opened(websocket, "A patient's screen")
         web.live.tell("screens")
         sending = asyncio.create_task(web.patient_live.serve(viewer))
         try:
@@ -58,6 +61,7 @@ async def patient_live(websocket: WebSocket) -> None:
         finally:
             web.patient_live.forget(viewer)
             web.pictures.forget(websocket)
+            web.graphics.forget(websocket)
             sending.cancel()
             await asyncio.gather(sending, return_exceptions=True)
     web.live.tell("screens")
@@ -89,6 +93,10 @@ async def _take(websocket: WebSocket, screen_id: int, web: WebParts) -> None:
             return
         report = _read(message)
         if report is None:
+            continue
+        if report.pictures is not None:
+            web.graphics.take(websocket, report.pictures)
+        if report.picture is None:
             continue
         limit = SILENCE
         if web.pictures.of_patient(screen_id, report.picture, websocket):

@@ -1,13 +1,13 @@
 """`bodydrive check`: measure what this computer grants, and say whether it will do."""
 
+import json
+from dataclasses import asdict
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from app.cli.errors import InputError
-from app.cli.port import bind
 from app.settings import state_folder
 
 if TYPE_CHECKING:
@@ -19,40 +19,42 @@ MARKS = {"good": "  ", "attention": "! ", "bad": "!!"}
 def check(
     seconds: Annotated[int, typer.Option(min=1, max=600, help="How long to measure the loop.")] = 10,
     state: Annotated[Path | None, typer.Option(help="The folder of the clinic's database and recordings.")] = None,
+    own_ports: Annotated[
+        list[int] | None,
+        typer.Option("--own-port", min=1, max=65_535, help="A port of the clinic that runs, instead of the usual two."),
+    ] = None,
+    as_json: Annotated[bool, typer.Option("--json", help="Print the findings as one JSON document.")] = False,
 ) -> None:
     """Measure what this computer grants, and say whether it will do; exit code 1 when it will not."""
+    from app.host.machine_check import summary
+
+    if not as_json:
+        typer.echo(f"Measuring for {seconds} s, as the control loop would run ...")
+    findings = _findings(seconds, (state or state_folder()).expanduser().resolve(), own_ports or [])
+    last = summary(findings)
+    if as_json:
+        typer.echo(json.dumps({**asdict(last), "findings": [asdict(finding) for finding in findings]}))
+    else:
+        for finding in findings:
+            typer.echo(f"{MARKS[finding.verdict]} {finding.words}")
+        typer.echo(last.words)
+    if last.verdict == "bad":
+        raise typer.Exit(1)
+
+
+def _findings(seconds: int, folder: Path, own_ports: list[int]) -> list["Finding"]:
     from app.clock import MonotonicClock, utc_now
     from app.host import machine_check as measured
     from app.pipeline.compiled import IS_COMPILED
     from app.realtime import go_real_time
 
-    typer.echo(f"Measuring for {seconds} s, as the control loop would run ...")
-    folder = (state or state_folder()).expanduser().resolve()
     real_time = measured.real_time_findings(go_real_time())
     installed = datetime.fromtimestamp(measured.install_time(), UTC)
-    findings = [
+    return [
         measured.lateness_finding(measured.measure_lateness(MonotonicClock(), seconds)),
         *real_time,
         measured.disk_finding(measured.free_room(folder)),
         measured.clock_finding(utc_now(), installed, is_kept=measured.clock_is_kept()),
-        *(_port_finding(port) for port in (8080, 8443)),
-        measured.Finding("good", "The middle of the program runs compiled.")
-        if IS_COMPILED
-        else measured.Finding("attention", "The middle of the program runs as plain Python: the same, but slower."),
+        *(measured.port_finding(port, is_own=bool(own_ports)) for port in own_ports or measured.PORTS),
+        measured.program_finding(is_compiled=IS_COMPILED),
     ]
-    last = measured.summary(findings)
-    for finding in findings:
-        typer.echo(f"{MARKS[finding.verdict]} {finding.words}")
-    typer.echo(last.words)
-    if last.verdict == "bad":
-        raise typer.Exit(1)
-
-
-def _port_finding(port: int) -> "Finding":
-    from app.host.machine_check import Finding
-
-    try:
-        bind("127.0.0.1", port).close()
-    except InputError:
-        return Finding("attention", f"Port {port} is in use, perhaps by the clinic itself.")
-    return Finding("good", f"Port {port} is free.")

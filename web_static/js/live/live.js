@@ -1,5 +1,6 @@
 /** The live websocket: one per page, opened again by itself; the messages that it delivers. */
 import { TypedEvents } from "./typed_events.js";
+import { pagePictures } from "../view/frame_rate.js";
 
 const FIRST_PAUSE = 250; // ms before trying again; doubled with each failure, up to ...
 const LONGEST_PAUSE = 4000; // ms
@@ -208,7 +209,13 @@ export class Live extends TypedEvents {
       this.noise = message.noise ?? [];
       this.dispatchEvent(new Event("quality"));
     }
-    if (message.event) this.dispatchEvent(new CustomEvent("changed", { detail: message.event }));
+    if (message.event === "graphics") this.#countPictures();
+    else if (message.event) this.dispatchEvent(new CustomEvent("changed", { detail: message.event }));
+  }
+
+  /** The server asks how many pictures a second this page draws, for the page "This computer". */
+  async #countPictures() {
+    this.send({ pictures: await pagePictures() });
   }
 
   /** @param {boolean} is */

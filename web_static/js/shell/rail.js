@@ -6,7 +6,7 @@ import { icon } from "../widgets/icons.js";
 const STEPS = /** @type {const} */ (["patients", "shirt", "calibrate", "controls", "drive", "review"]);
 const RAIL = /** @type {const} */ ([...STEPS, "settings"]);
 /** @type {string[]} */
-export const PAGES = [...RAIL, "plans", "adapt", "people", "log"]; // those that have an address of their own
+export const PAGES = [...RAIL, "plans", "adapt", "people", "log", "computer"]; // those that have an address of their own
 
 /** The steps that are done in the open session. @param {import("../main.js").App} app @returns {Set<string>} */
 export function stepsDone(app) {

@@ -1,4 +1,4 @@
-/** Counts the pictures that a frame draws, over two seconds. */
+/** Counts the pictures that a frame draws, or the whole page, over two seconds. */
 
 const WINDOW = 2000; // ms
 
@@ -27,4 +27,26 @@ export function frameCounter() {
       return rate;
     },
   };
+}
+
+/**
+ * Count the pictures that this page draws, its 3D view among them: a browser draws a page and its frames together.
+ * @returns {Promise<number | null>} a second; null: the page is out of view and draws none
+ */
+export function pagePictures() {
+  let pictures = 0;
+  let isCounting = true;
+  const since = performance.now();
+  const count = () => {
+    pictures += 1;
+    if (isCounting) requestAnimationFrame(count);
+  };
+  requestAnimationFrame(count);
+  return new Promise((resolve) =>
+    setTimeout(() => {
+      isCounting = false;
+      const rate = (1000 * pictures) / (performance.now() - since);
+      resolve(document.visibilityState === "visible" ? Number(rate.toFixed(1)) : null);
+    }, WINDOW),
+  );
 }

@@ -21,6 +21,7 @@ export async function show(app, root, { signal }) {
     role !== "reviewer" && linkedCard("plans.settings.lead", "plans.settings", "#/plans", "plans.link"),
     isOwner && linkedCard("people.settings.lead", "rail.people", "#/people", "people.settings.go"),
     isOwner && linkedCard("log.lead", "rail.log", "#/log", "log.settings.go"),
+    isOwner && linkedCard("computer.lead", "rail.computer", "#/computer", "computer.settings.go"),
     !app.me?.demo && passwordCard(app),
   ];
   put(

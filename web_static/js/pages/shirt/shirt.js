@@ -190,7 +190,7 @@ export async function show(app, root, { signal }) {
     h(
       "div",
       { class: "foot" },
-      h("span", { class: "grow" }, equipment.status.realtime.join(" ")),
+      h("span", { class: "grow" }),
       h("a", { class: "btn go", href: onwards[0] }, t(onwards[1])),
     ),
   );

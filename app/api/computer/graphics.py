@@ -1,0 +1,43 @@
+"""How many pictures a second each screen draws that is open now, counted by the screens when somebody asks."""
+
+import asyncio
+from typing import Annotated
+
+from pydantic import Field
+
+from app.api.live.hub import LiveHub
+
+EVENT = "graphics"  # on the live sockets: count your pictures, and answer
+ANSWER_LIMIT = 4.0  # s; the pages count for two seconds
+
+PicturesPerSecond = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0, le=1000)]
+
+
+class Graphics:
+    """Asks the screens, and keeps the answer of each, by its live socket."""
+
+    def __init__(self, *hubs: LiveHub) -> None:
+        self._hubs = hubs
+        self._names: dict[object, str] = {}
+        self._rates: dict[object, float] = {}
+
+    def opened(self, socket: object, name: str) -> None:
+        """Store whose screen has opened a live socket."""
+        self._names[socket] = name
+
+    def forget(self, socket: object) -> None:
+        """Forget a screen whose socket has ended."""
+        self._names.pop(socket, None)
+        self._rates.pop(socket, None)
+
+    def take(self, socket: object, rate: float) -> None:
+        """Store the pictures a second of a screen."""
+        self._rates[socket] = rate
+
+    async def ask(self) -> list[tuple[str, float | None]]:
+        """Return the name of each open screen and its pictures a second, None for one that did not answer."""
+        self._rates.clear()
+        for hub in self._hubs:
+            hub.tell(EVENT)
+        await asyncio.sleep(ANSWER_LIMIT)
+        return [(name, self._rates.get(socket)) for socket, name in self._names.items()]

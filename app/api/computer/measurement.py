@@ -1,0 +1,98 @@
+"""Measures what this computer grants, by `bodydrive check` in a process of its own: page and command say the same."""
+
+import asyncio
+import sys
+from asyncio.subprocess import DEVNULL, PIPE, Process
+from collections.abc import Callable, Sequence
+from contextlib import suppress
+from pathlib import Path
+from typing import Final
+
+from pydantic import ValidationError
+
+from app.api.answers import Answer
+from app.host.machine_check import Verdict
+from app.refusals import Conflict, Unavailable
+
+LOOK_EVERY: Final = 0.05  # s between two looks whether a chair is armed
+START_LIMIT: Final = 30.0  # s for the process to start, beside the time that it measures
+
+BUSY = (
+    "A chair is armed or something is recorded, and measuring takes time from the control loop: "
+    "measure when that is over."
+)
+INTERRUPTED = (
+    "A chair was armed or a recording began, so the measuring ended, because it takes time from the control loop: "
+    "measure again when that is over."
+)
+UNDER_WAY = "This computer is being measured already: wait until that is over."
+FAILED = "This computer could not be measured: try again, or run 'bodydrive check' on it to see why."
+
+
+class FindingView(Answer):
+    """What one measurement found, in words."""
+
+    verdict: Verdict
+    words: str
+
+
+class MachineView(FindingView):
+    """Whether this computer will do, and why."""
+
+    findings: list[FindingView]
+
+
+class Measurement:
+    """Measures once at a time, and never while `is_busy`: then a chair may be armed."""
+
+    def __init__(self, folder: Path, is_busy: Callable[[], bool]) -> None:
+        self._folder = folder
+        self._is_busy = is_busy
+        self._alone = asyncio.Lock()
+
+    def refuse_while_busy(self) -> None:
+        """Raise Conflict while a chair is armed, something is recorded, or another measurement is under way."""
+        if self._is_busy():
+            raise Conflict(BUSY)
+        if self._alone.locked():
+            raise Conflict(UNDER_WAY)
+
+    async def measure(self, seconds: int, own_ports: Sequence[int]) -> MachineView:
+        """Measure for `seconds`; `own_ports` are those of the clinic that runs.
+
+        Raises
+        ------
+        Conflict
+            In one sentence, as `refuse_while_busy` does; also when a chair is armed or a recording begins meanwhile.
+        Unavailable
+            In one sentence, when the process could not measure.
+        """
+        self.refuse_while_busy()
+        async with self._alone:
+            ports = [word for port in own_ports for word in ("--own-port", str(port))]
+            words = ["check", "--json", "--seconds", str(seconds), "--state", str(self._folder), *ports]
+            try:
+                process = await asyncio.create_subprocess_exec(
+                    *(sys.executable, "-m", "app.cli.main", *words), stdin=DEVNULL, stdout=PIPE
+                )
+            except OSError as error:
+                raise Unavailable(FAILED) from error
+            return await self._answer(process, seconds + START_LIMIT)
+
+    async def _answer(self, process: Process, limit: float) -> MachineView:
+        """Return what the process found; end it when a chair is armed meanwhile, or when nobody waits any more."""
+        reading = asyncio.create_task(process.communicate())
+        try:
+            async with asyncio.timeout(limit):
+                while not reading.done():
+                    if self._is_busy():
+                        raise Conflict(INTERRUPTED)
+                    await asyncio.wait([reading], timeout=LOOK_EVERY)
+            printed, _ = await reading
+            return MachineView.model_validate_json(printed)
+        except (TimeoutError, ValidationError) as error:
+            raise Unavailable(FAILED) from error
+        finally:
+            with suppress(ProcessLookupError):
+                process.kill()
+            await asyncio.gather(reading, return_exceptions=True)

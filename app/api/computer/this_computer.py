@@ -1,0 +1,47 @@
+"""The owner's page "This computer": whether this machine and the screens that are open will do."""
+
+import asyncio
+from typing import Annotated
+
+from fastapi import APIRouter
+from pydantic import Field
+
+from app.api.computer.measurement import FindingView, MachineView
+from app.api.deps import Owner, PeopleParts
+from app.api.parts import Web
+from app.host.machine_check import screen_finding
+from app.quantities import Document
+from app.settings import Settings
+
+router = APIRouter(prefix="/computer", tags=["this computer"])
+
+
+class Measure(Document):
+    """How long to measure the loop."""
+
+    seconds: Annotated[int, Field(strict=True, ge=1, le=60)]
+
+
+class ComputerView(Document):
+    """What was found of this computer, and of each screen that is open."""
+
+    machine: MachineView
+    screens: list[FindingView]
+
+
+@router.post("/measurement")
+async def measure(body: Measure, _who: Owner, parts: PeopleParts, web: Web) -> ComputerView:
+    """Measure this computer; answered afterwards. Refused while a chair is armed or something is recorded."""
+    web.measurement.refuse_while_busy()
+    asking = asyncio.create_task(web.graphics.ask())
+    try:
+        machine = await web.measurement.measure(body.seconds, _own_ports(parts.settings))
+        answers = await asking
+    finally:
+        asking.cancel()
+    return ComputerView(machine=machine, screens=[FindingView.of(screen_finding(name, rate)) for name, rate in answers])
+
+
+def _own_ports(settings: Settings) -> list[int]:
+    network = settings.network
+    return [settings.port] if network is None else [settings.port, network.https_port]

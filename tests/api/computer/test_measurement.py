@@ -1,0 +1,131 @@
+"""The measurement of "This computer": a real process of its own, and the answers of the open screens."""
+
+import asyncio
+import sys
+import threading
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any
+
+import pytest
+from fake_clinic import BASE, WORD, Clinic
+
+from app.api.computer import graphics
+from app.api.computer.measurement import BUSY, FAILED, INTERRUPTED, UNDER_WAY
+
+ORIGIN = {"Origin": BASE}
+SOCKETS = f"{BASE.replace('http', 'ws')}/api/v1"
+
+
+class Asked:
+    """A measurement that is asked for in another thread."""
+
+    def __init__(self, clinic: Clinic, seconds: int) -> None:
+        self._answer: Any = None
+
+        def ask() -> None:
+            self._answer = clinic("POST", "/computer/measurement", json={"seconds": seconds})
+
+        self._thread = threading.Thread(target=ask)
+        self._thread.start()
+
+    def answer(self) -> Any:
+        self._thread.join(50)
+        return self._answer
+
+
+@pytest.fixture
+def started(monkeypatch: pytest.MonkeyPatch) -> Iterator[Callable[[], asyncio.subprocess.Process]]:
+    """Return what waits until a process measures, and returns it."""
+    found: list[asyncio.subprocess.Process] = []
+    is_there = threading.Event()
+    start = asyncio.create_subprocess_exec
+
+    async def remembered(*words: Any, **more: Any) -> asyncio.subprocess.Process:
+        found.append(await start(*words, **more))
+        is_there.set()
+        return found[-1]
+
+    monkeypatch.setattr(asyncio, "create_subprocess_exec", remembered)
+
+    def wait() -> asyncio.subprocess.Process:
+        assert is_there.wait(50)
+        return found[-1]
+
+    yield wait
+    assert all(process.returncode is not None for process in found)
+
+
+@contextmanager
+def open_socket(clinic: Clinic, path: str) -> Iterator[Any]:
+    with clinic.client.websocket_connect(f"{SOCKETS}{path}", headers=ORIGIN) as socket:
+        socket.receive_json()
+        yield socket
+
+
+def until_asked(socket: Any) -> None:
+    while socket.receive_json().get("event") != "graphics":
+        pass
+
+
+def test_it_says_what_the_command_says_and_what_each_screen_draws(
+    paired: Clinic, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(graphics, "ANSWER_LIMIT", 2.0)
+    with (
+        open_socket(paired, "/live") as page,
+        open_socket(paired, "/live"),  # answers nothing, as a page that is out of view
+        open_socket(paired, "/patient/live") as screen,
+    ):
+        asked = Asked(paired, 1)
+        until_asked(page)
+        until_asked(screen)
+        page.send_json({"pictures": -1.0})  # nonsense changes nothing
+        page.send_json({"pictures": 58.4})
+        screen.send_json({"pictures": 12})
+        answer = asked.answer()
+    assert answer.status_code == 200, answer.text
+    machine, screens = answer.json()["machine"], answer.json()["screens"]
+    words = " ".join(finding["words"] for finding in machine["findings"])
+    assert "Of 100 ticks of the control loop" in words
+    assert "Port 8080 is the one of this clinic" in words
+    assert all(word in words for word in ("eal-time", "emory", "GB of the disk", "The clock shows"))
+    assert machine["words"].startswith("This computer will")
+    verdicts = {finding["verdict"] for finding in machine["findings"]}
+    assert machine["verdict"] == next(one for one in ("bad", "attention", "good") if one in verdicts)
+    assert [one["verdict"] for one in screens] == ["good", "attention", "attention"]
+    assert screens[0]["words"] == "The page of Demo clinician draws 58 pictures a second."
+    assert "did not answer" in screens[1]["words"]
+    assert screens[2]["words"].startswith("A patient's screen draws 12 pictures a second. ")
+
+
+def begin_trial(clinic: Clinic) -> None:
+    plan = clinic.good("GET", "/floorplans/apartment")
+    clinic.good("POST", "/trials", json={"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD})
+
+
+def test_it_ends_when_a_chair_is_armed_and_does_not_begin_before_the_end_of_that(
+    calibrated: Clinic, started: Callable[[], asyncio.subprocess.Process]
+) -> None:
+    asked = Asked(calibrated, 60)
+    process = started()
+    second = calibrated("POST", "/computer/measurement", json={"seconds": 1})
+    assert (second.status_code, second.json()["detail"]) == (409, UNDER_WAY)
+    begin_trial(calibrated)
+    first = asked.answer()
+    assert (first.status_code, first.json()["detail"]) == (409, INTERRUPTED)
+    assert process.returncode is not None
+    third = calibrated("POST", "/computer/measurement", json={"seconds": 1})
+    assert (third.status_code, third.json()["detail"]) == (409, BUSY)
+
+
+def test_a_process_that_cannot_measure_is_one_sentence(signed_in: Clinic, monkeypatch: pytest.MonkeyPatch) -> None:
+    for program in ("/bin/false", "/nowhere/python"):
+        monkeypatch.setattr(sys, "executable", program)
+        answer = signed_in("POST", "/computer/measurement", json={"seconds": 1})
+        assert (answer.status_code, answer.json()["detail"]) == (503, FAILED)
+
+
+@pytest.mark.parametrize("seconds", [0, 61, 1.5, "10", None])
+def test_how_long_is_bounded(signed_in: Clinic, seconds: Any) -> None:
+    assert signed_in("POST", "/computer/measurement", json={"seconds": seconds}).status_code == 422
