@@ -233,4 +233,4 @@ def test_a_drawing_and_a_bundled_plan_are_opened_as_copies(tablet):
     assert json.dumps(document(page)).count("Copy of") == 1
     page.get_by_role("button", name="Nearer").tap()
     page.get_by_role("button", name="Look left").tap()
-    page.get_by_role("button", name="Show everything").tap()
+    page.get_by_role("button", name="All of the plan").tap()

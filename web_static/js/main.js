@@ -6,6 +6,7 @@ import { Api, failureWords } from "./api.js";
 import { Live } from "./live/live.js";
 import { h, put } from "./widgets/dom.js";
 import { Lock } from "./shell/lock.js";
+import { keepFocus } from "./shell/focus_keeper.js";
 import { header } from "./shell/header.js";
 import { DEMO_LINK, INVITATION_LINK, takeCode } from "./shell/link_codes.js";
 import { firstTimePlace, notices } from "./shell/notices.js";
@@ -69,6 +70,7 @@ export class App extends TypedEvents {
     document.body.replaceChildren(this.frame, this.question, this.toasts.element, this.toasts.voice, this.toasts.urgent);
     stopOnSpace(this, window);
     this.lock.watch();
+    keepFocus();
     this.live.addEventListener("changed", (event) => this.#changed(event.detail));
     this.live.addEventListener("connection", () => this.#connectionChanged());
     this.addEventListener("route", () => this.#showWhetherOffline());
@@ -178,7 +180,7 @@ export class App extends TypedEvents {
       const page = await import(`./pages/${name}/${name}.js`);
       if (leave.signal.aborted) return;
       this.root.className = "page";
-      this.root.scrollTop = 0;
+      this.root.scrollTop = this.frame.scrollTop = 0; // where there is little height, the frame scrolls
       put(this.root, h("p", { class: "quiet" }, t("loading")));
       document.title = t("app.title", { page: t(`rail.${name}`) });
       await page.show(this, this.root, { signal: leave.signal, rest: this.route.rest });
@@ -258,12 +260,20 @@ export class App extends TypedEvents {
     this.#whoAmI();
   }
 
+  get #isOffline() {
+    return Boolean(this.me?.signed_in) && !this.live.connected;
+  }
+
+  /** Whether the page needs the server, which does not answer. */
+  get isPageOff() {
+    return this.#isOffline && !WITHOUT_PROGRAM.has(this.route.page);
+  }
+
   /** While the server does not answer, mark the frame as offline and disable all pages but those that work without it. */
   #showWhetherOffline() {
-    const isOffline = Boolean(this.me?.signed_in) && !this.live.connected;
-    this.frame.classList.toggle("offline", isOffline);
-    this.rail.inert = isOffline;
-    this.root.inert = isOffline && !WITHOUT_PROGRAM.has(this.route.page);
+    this.frame.classList.toggle("offline", this.#isOffline);
+    this.rail.inert = this.#isOffline;
+    this.root.inert = this.isPageOff;
   }
 
   async #whoAmI() {

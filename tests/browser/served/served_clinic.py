@@ -2,6 +2,7 @@
 
 import threading
 import time
+from collections.abc import Callable
 
 import uvicorn
 from api.fake_clinic import FakeProcess
@@ -13,13 +14,13 @@ from app.settings import Settings
 
 
 class ServedClinic:
-    """Serves from `start` to `stop`."""
+    """Serves from `start` to `stop`; `process` is the newest one that stands for the control process."""
 
-    def __init__(self, settings: Settings, port: int = 0) -> None:
+    def __init__(self, settings: Settings, port: int = 0, stand_in: Callable[[], FakeProcess] = FakeProcess) -> None:
         self._processes: list[FakeProcess] = []
 
         async def start_process() -> FakeProcess:
-            self._processes.append(FakeProcess())
+            self._processes.append(stand_in())
             return self._processes[-1]
 
         self._socket = bind("127.0.0.1", port)
@@ -28,6 +29,11 @@ class ServedClinic:
         self._server = uvicorn.Server(config)
         self._thread = threading.Thread(target=self._server.run, args=([self._socket],), daemon=True)
         self.address = f"http://127.0.0.1:{self._socket.getsockname()[1]}"
+
+    @property
+    def process(self) -> FakeProcess:
+        """Return what answers as the control process."""
+        return self._processes[-1]
 
     def start(self) -> None:
         """Return when it serves."""

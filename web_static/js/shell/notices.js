@@ -5,7 +5,7 @@
  * @import { App } from "../main.js"
  */
 import { t } from "../texts.js";
-import { h, put } from "../widgets/dom.js";
+import { h, put, set } from "../widgets/dom.js";
 import { timeOfDay } from "../widgets/format.js";
 import { icon } from "../widgets/icons.js";
 
@@ -13,12 +13,15 @@ const SEEN_AFTER = 400; // ms: a tap that comes sooner was meant for what stood 
 
 /** @param {import("../main.js").App} app */
 export function notices(app) {
-  const element = h("div", { class: "notes", "aria-live": "assertive" });
+  const element = h("div", { class: "notes", "aria-live": "polite" });
   let shown = "";
   const show = () => {
     const kind = app.me?.signed_in ? noticeKind(app) : "";
     if (kind === shown) return;
     shown = kind;
+    // A screen reader does not find a page that is off: then the notice is all there is to read.
+    set(element, { role: kind === "lost, page off" ? "main" : null });
+    set(element, { "aria-live": urgency(app.live.latest?.fault) });
     put(element, kind && note(app, kind));
   };
   app.live.addEventListener("tick", show);
@@ -44,7 +47,7 @@ export function firstTimePlace(app) {
 
 /** The kind of the one notice that is needed most; empty when all is well. @param {App} app */
 function noticeKind(app) {
-  if (!app.live.connected) return "lost";
+  if (!app.live.connected) return app.isPageOff ? "lost, page off" : "lost";
   const now = app.live.latest;
   if (!now) return "";
   if (now.control !== "alive") return "control";
@@ -54,6 +57,11 @@ function noticeKind(app) {
   return app.diskWords && !app.showsTrial ? `disk ${app.diskWords}` : "";
 }
 
+/** How a screen reader says a fault: a stop at once, anything else after what it is saying. @param {{name: string} | null | undefined} fault */
+export function urgency(fault) {
+  return fault?.name.toLowerCase().startsWith("stop") ? "assertive" : "polite";
+}
+
 /** The key of a fault's notice: it changes with each further stop, so that the notice is read out again. @param {{name: string}} fault @param {number} stops */
 export function faultKey(fault, stops) {
   return `fault ${fault.name} ${stops}`;
@@ -61,15 +69,18 @@ export function faultKey(fault, stops) {
 
 /** @param {App} app @param {string} kind @returns {Child} */
 function note(app, kind) {
-  if (kind === "lost") return strip("bad", t("note.lost", { time: timeOfDay(app.live.receivedAt) }), t("note.lost.why"));
-  if (kind === "control") return strip("bad", t("note.control"), t("note.control.why"));
+  if (kind.startsWith("lost")) {
+    const words = t("note.lost", { time: timeOfDay(app.live.receivedAt) });
+    return strip("bad", app.isPageOff ? h("h1", {}, words) : h("b", {}, words), t("note.lost.why"));
+  }
+  if (kind === "control") return strip("bad", h("b", {}, t("note.control")), t("note.control.why"));
   if (kind === "driving")
-    return strip("", t("note.driving"), "", h("a", { class: "btn go", href: "#/drive/chair" }, t("note.driving.go")));
-  if (kind.startsWith("disk")) return strip("", app.diskWords, "");
+    return strip("", h("b", {}, t("note.driving")), "", h("a", { class: "btn go", href: "#/drive/chair" }, t("note.driving.go")));
+  if (kind.startsWith("disk")) return strip("", h("b", {}, app.diskWords), "");
   const fault = app.live.latest?.fault;
   if (!fault) return null;
   const { happened, next_step: next } = fault;
-  return strip("", happened, next, continueButton(app));
+  return strip("", h("b", {}, happened), next, continueButton(app));
 }
 
 /** The Continue button: it clears the stops that are shown beside it, and none that came later. @param {import("../main.js").App} app */
@@ -89,13 +100,13 @@ export function continueButton(app) {
   return button;
 }
 
-/** @param {string} tone @param {string} happened @param {string} why @param {Node | null} [button] */
+/** @param {string} tone @param {HTMLElement} happened @param {string} why @param {Node | null} [button] */
 function strip(tone, happened, why, button = null) {
   return h(
     "div",
     { class: `note ${tone}` },
     icon("warning"),
-    h("div", { class: "grow" }, h("b", {}, happened), why && ` ${why}`),
+    h("div", { class: "grow" }, happened, why && ` ${why}`),
     button,
   );
 }

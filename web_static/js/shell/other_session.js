@@ -32,11 +32,11 @@ export function otherSession(before, now, drafts, { onGo }) {
     : t("session.ended", { code: codeBefore });
   const title = h("h1", { id: "other-session", tabindex: "-1" }, t("session.other"));
   const element = h(
-    "section",
-    { class: "other-session", role: "alertdialog", "aria-labelledby": "other-session", "aria-describedby": "other-session-why" },
+    "main", // the page beneath is off
+    { class: "other-session" },
     h(
       "div",
-      { class: "card" },
+      { class: "card", role: "alertdialog", "aria-labelledby": "other-session", "aria-describedby": "other-session-why" },
       icon("warning", 32),
       title,
       h("p", { class: "lead", id: "other-session-why" }, `${sentence} ${belongs}`),

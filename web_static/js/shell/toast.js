@@ -4,6 +4,8 @@ import { h } from "../widgets/dom.js";
 
 const SHOWN_FOR = 8000; // ms: long enough to read it, reach for the tablet and tap Undo
 
+const SAID_FOR = 1000; // ms: then the same words are news again
+
 /** Where toasts and announcements appear. */
 export class Toasts {
   constructor() {
@@ -47,9 +49,11 @@ export class Toasts {
     for (const place of [this.element, this.voice, this.urgent]) place.replaceChildren();
   }
 
-  /** Say something to screen readers only. @param {string} words @param {boolean} [urgent] */
+  /** Say something to screen readers only; the same words within a second are said once. @param {string} words @param {boolean} [urgent] */
   announce(words, urgent = false) {
     const place = urgent ? this.urgent : this.voice;
-    if (place.textContent !== words) place.textContent = words;
+    if (place.textContent === words) return;
+    place.textContent = words;
+    setTimeout(() => place.textContent === words && place.replaceChildren(), SAID_FOR);
   }
 }

@@ -36,14 +36,16 @@ export function put(element, ...children) {
 }
 
 /**
- * Set attributes of an element; `on*` adds a listener.
+ * Set attributes of an element; `on*` adds a listener. A state of `aria-*` that is false is written as "false": without
+ * the attribute, a screen reader would take the element for one that has no such state.
  * @template {Element} E @param {E} element @param {Attributes} attributes
  */
 export function set(element, attributes) {
   for (const [name, value] of Object.entries(attributes)) {
     if (name.startsWith("on") && typeof value === "function") {
       element.addEventListener(name.slice(2), /** @type {EventListener} */ (value));
-    } else if (value === false || value === null || value === undefined) element.removeAttribute(name);
+    } else if (name.startsWith("aria-") && typeof value === "boolean") element.setAttribute(name, String(value));
+    else if (value === false || value === null || value === undefined) element.removeAttribute(name);
     else element.setAttribute(name, value === true ? "" : String(value));
   }
   return element;

@@ -8,6 +8,7 @@ import { h, put, write } from "./dom.js";
 import { toggle } from "./fields.js";
 import { moment } from "./format.js";
 import { icon } from "./icons.js";
+import { rowList } from "./list.js";
 import { pictureOf } from "./one_time_key.js";
 
 const WISHES = /** @type {const} */ (["arrow", "sounds", "large", "plan"]);
@@ -16,7 +17,7 @@ const MINUTE = 60_000; // ms
 
 /** @param {import("../main.js").App} app @param {AbortSignal} signal */
 export function patientScreenCard(app, signal) {
-  const list = h("div", { class: "paired-chairs", role: "list" });
+  const list = rowList("paired-chairs");
   const wishes = h("div", { class: "spread" });
   const below = h("div", {});
   const element = h(
@@ -40,7 +41,7 @@ export function patientScreenCard(app, signal) {
       offer();
     }
     shown = read;
-    put(list, read.screens.map(row));
+    list.show(read.screens.map(row));
     const hadFocus = wishes.contains(document.activeElement);
     const at = [...wishes.querySelectorAll("input")].findIndex((input) => input === document.activeElement);
     put(
@@ -58,7 +59,7 @@ export function patientScreenCard(app, signal) {
   const read = () => {
     if (app.session?.patient) return call(app.api.get("/patient-screen"));
     shown = null;
-    put(list);
+    list.show([]);
     put(wishes);
     put(below, h("p", { class: "quiet" }, t("screens.nobody")));
   };
@@ -83,7 +84,7 @@ export function patientScreenCard(app, signal) {
     const action = { type: "button", class: "btn", "aria-label": label, onclick: () => unpair(screen) };
     return h(
       "div",
-      { class: "paired-chair row", role: "listitem" },
+      { class: "paired-chair row" },
       h("b", {}, t("screens.name", { number: screen.number })),
       h("span", { class: `tag ${screen.connected ? "" : "att"}` }, t(`screens.${screen.connected ? "connected" : "away"}`)),
       screen.picture &&

@@ -4,10 +4,10 @@
  * @import { FaultWords, LiveMessage } from "../live/live.js"
  */
 import { t } from "../texts.js";
-import { h, put, write } from "./dom.js";
+import { h, put, set, write } from "./dom.js";
 import { clock } from "./format.js";
 import { icon } from "./icons.js";
-import { continueButton, faultKey } from "../shell/notices.js";
+import { continueButton, faultKey, urgency } from "../shell/notices.js";
 
 const LONG = 6; // letters; longer words are written smaller
 const GO_SHOWN = 1600; // ms
@@ -17,7 +17,7 @@ const GO_SHOWN = 1600; // ms
  * @param {() => Promise<void>} onEnd @param {() => void} onPlan show the drawn plan
  */
 export function trialCue(app, picture, onEnd, onPlan) {
-  const element = h("div", { class: "over-view", "aria-live": "assertive" });
+  const element = h("div", { class: "over-view", "aria-live": "polite" });
   const waits = waitWords("trial.paused");
   let shown = "";
   let isBegun = false;
@@ -45,6 +45,7 @@ export function trialCue(app, picture, onEnd, onPlan) {
     const key = fault ? `${phase} ${missing()}` : phase;
     if (key === shown) return;
     shown = key;
+    set(element, { "aria-live": urgency(fault) });
     if (fault) {
       clearTimeout(timer);
       return put(element, overView(app, fault, missing(), waits.element, onEnd, onPlan));
@@ -88,7 +89,7 @@ function planButton(words, onPlan) {
  * @param {string} key of the words
  */
 export function waitWords(key) {
-  const left = h("b", { class: "number", role: "timer" });
+  const left = h("b", { class: "number", role: "timer", "aria-live": "off" });
   const element = h("p", { class: "waits" }, t(key), " ", left);
   /** @param {number | null | undefined} seconds */
   const show = (seconds) => write(left, clock(seconds ?? 0));

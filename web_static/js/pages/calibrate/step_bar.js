@@ -23,7 +23,7 @@ export function stepBar(steps, current, onGo, onRestart) {
           {
             type: "button",
             class: step.status,
-            "aria-label": label,
+            "aria-label": typeof mark === "string" ? `${mark} ${label}` : label, // what is written is a part of the name
             title: label,
             "aria-current": step.id === current ? "step" : null,
             onclick: () => onGo(step.id),

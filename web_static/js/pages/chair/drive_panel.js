@@ -9,11 +9,11 @@ import { isSimulated } from "./arming.js";
 import { chairCard } from "../../widgets/chair_card.js";
 import { cross } from "../../widgets/control_cross.js";
 import { speedDial } from "../../widgets/dial.js";
-import { h, put, write } from "../../widgets/dom.js";
+import { h, put, set, write } from "../../widgets/dom.js";
 import { clock, number } from "../../widgets/format.js";
 import { gestureLevels } from "./gesture_levels.js";
 import { stopWords } from "./neutral_card.js";
-import { faultKey } from "../../shell/notices.js";
+import { faultKey, urgency } from "../../shell/notices.js";
 import { pads } from "../../widgets/pads.js";
 import { faultCard, waitWords } from "../../widgets/trial_cue.js";
 
@@ -88,7 +88,7 @@ export function showDrivePanel(app, root, read, id, signal) {
  * @param {App} app @param {Node} about @param {() => void} onEnd
  */
 function stateCard(app, about, onEnd) {
-  const place = h("div", { class: "grow", "aria-live": "assertive" });
+  const place = h("div", { class: "grow", "aria-live": "polite" });
   const element = h("section", { class: "card drive-state" }, place, about);
   const waits = waitWords("driving.paused");
   let shown = "";
@@ -99,6 +99,7 @@ function stateCard(app, about, onEnd) {
     if (key === shown) return;
     shown = key;
     element.dataset.state = now.state;
+    set(place, { "aria-live": urgency(now.fault) });
     app.root.scrollTop = 0; // the fault and Continue must be in view
     if (now.fault) {
       const end = h("button", { type: "button", class: "btn", onclick: onEnd }, t("driving.end"));

@@ -23,7 +23,7 @@ export function missingList() {
     element.classList.toggle("ready", !reasons.length);
     put(
       element,
-      h("h3", {}, reasons.length ? t("arm.missing", { count: reasons.length }) : t("arm.ready")),
+      h("h2", {}, reasons.length ? t("arm.missing", { count: reasons.length }) : t("arm.ready")),
       reasons.length > 0 &&
         h(
           "ul",

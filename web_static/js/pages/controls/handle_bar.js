@@ -106,6 +106,7 @@ export function handleBar(gesture, name, onChange) {
 function handle(which, name) {
   return h("div", {
     class: "handle",
+    "data-handle": which,
     role: "slider",
     tabindex: "0",
     "aria-label": t(`handle.${which}.label`, { gesture: name }),

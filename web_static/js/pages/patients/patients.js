@@ -6,6 +6,7 @@
 import { h, put } from "../../widgets/dom.js";
 import { day } from "../../widgets/format.js";
 import { icon } from "../../widgets/icons.js";
+import { rowList } from "../../widgets/list.js";
 import { newPatientForm } from "./patient_form.js";
 import { t } from "../../texts.js";
 
@@ -13,7 +14,7 @@ import { t } from "../../texts.js";
 export async function show(app, root, { signal }) {
   let patients = await app.api.get("/patients");
   if (signal.aborted) return;
-  const list = h("div", { class: "people", role: "list" });
+  const list = rowList("people");
   const search = h("input", { type: "search", "aria-label": t("patients.search"), placeholder: t("patients.search") });
   const form = h("div", { hidden: true });
 
@@ -48,15 +49,10 @@ export async function show(app, root, { signal }) {
   const showList = () => {
     const words = search.value.trim().toLowerCase();
     const found = patients.filter((patient) => `${patient.code} ${patient.pseudonym}`.toLowerCase().includes(words));
-    put(
-      list,
+    const none = words ? t("patients.none-found", { words: search.value.trim() }) : t("patients.empty");
+    list.show(
       found.map((patient) => row(app, patient, { open, remove, end, goOn })),
-      !found.length &&
-        h(
-          "p",
-          { class: "card quiet" },
-          words ? t("patients.none-found", { words: search.value.trim() }) : t("patients.empty"),
-        ),
+      h("p", { class: "card quiet" }, none),
     );
   };
   const showForm = () => {
@@ -100,7 +96,7 @@ function row(app, patient, { open, remove, end, goOn }) {
   ].join(" · ");
   return h(
     "div",
-    { class: `person card${isHere ? " here" : ""}`, role: "listitem" },
+    { class: `person card${isHere ? " here" : ""}` },
     h("span", { class: "badge", "aria-hidden": "true" }, patient.pseudonym.slice(0, 1).toUpperCase()),
     h(
       "div",

@@ -7,13 +7,14 @@ import { h, put } from "../../widgets/dom.js";
 import { moment } from "../../widgets/format.js";
 import { icon } from "../../widgets/icons.js";
 import { linkCard } from "../../widgets/link_card.js";
+import { rowList } from "../../widgets/list.js";
 import { rightsForm } from "./rights_form.js";
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal}} page */
 export async function show(app, root, { signal }) {
   let [people, patients] = await Promise.all([app.api.get("/people"), app.api.get("/patients")]);
   if (signal.aborted) return;
-  const list = h("div", { class: "people", role: "list" });
+  const list = rowList("people");
   const above = h("div", {});
 
   const read = async () => {
@@ -56,10 +57,7 @@ export async function show(app, root, { signal }) {
     enable: (person) => attempt(() => app.api.post(`/people/${person.id}/enable`)),
   };
   const draw = () =>
-    put(
-      list,
-      people.map((person) => row(person, patients, actions)),
-    );
+    list.show(people.map((person) => row(person, patients, actions)));
   draw();
   close();
   put(
@@ -82,16 +80,15 @@ export async function show(app, root, { signal }) {
  */
 function row(person, patients, actions) {
   /** @param {"change" | "link" | "disable" | "enable"} what */
-  const button = (what) =>
-    h(
-      "button",
-      { type: "button", class: "btn small", "aria-label": t(`people.${what}.label`, { name: person.name }), onclick: () => actions[what](person) },
-      t(what === "link" && person.state === "invited" ? "people.link.again" : `people.${what}`),
-    );
+  const button = (what) => {
+    const key = what === "link" && person.state === "invited" ? "people.link.again" : `people.${what}`;
+    const label = t(`${key}.label`, { name: person.name });
+    return h("button", { type: "button", class: "btn small", "aria-label": label, onclick: () => actions[what](person) }, t(key));
+  };
   const isDisabled = person.state === "disabled";
   return h(
     "div",
-    { class: `card person member ${person.state}`, role: "listitem" },
+    { class: `card person member ${person.state}` },
     h(
       "div",
       { class: "grow" },

@@ -7,20 +7,20 @@ import { t } from "../../texts.js";
 import { h, put } from "../../widgets/dom.js";
 import { day, number } from "../../widgets/format.js";
 import { icon } from "../../widgets/icons.js";
+import { rowList } from "../../widgets/list.js";
 import { pairForm } from "./pair_form.js";
 import { pairedCard } from "../../widgets/one_time_key.js";
 
 /** @param {import("../../main.js").App} app @param {ChairsView} chairs @param {boolean} isOwner @param {AbortSignal} signal */
 export function chairsCard(app, chairs, isOwner, signal) {
-  const list = h("div", { class: "paired-chairs", role: "list" });
+  const list = rowList("paired-chairs");
   const below = h("div", {});
   /** @type {number | null} id of the chair that somebody is about to unpair */
   let unpairing = null;
   const draw = () =>
-    put(
-      list,
+    list.show(
       chairs.chairs.map((chair) => row(chair)),
-      !chairs.chairs.length && h("p", { class: "quiet" }, t("chairs.none")),
+      h("p", { class: "quiet" }, t("chairs.none")),
     );
   /** @param {CustomEvent<string>} event */
   const readAgain = async ({ detail }) => {
@@ -47,7 +47,7 @@ export function chairsCard(app, chairs, isOwner, signal) {
   const row = (chair) =>
     h(
       "div",
-      { class: "paired-chair", role: "listitem" },
+      { class: "paired-chair" },
       h(
         "div",
         { class: "row" },

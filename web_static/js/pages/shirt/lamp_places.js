@@ -7,6 +7,8 @@ const ELSEWHERE = [0.5, 0.5];
 const APART = [0.05, 0.04]; // between two lamps of one joint
 const COLUMNS = 3;
 
+const ROUNDS = 80; // more than enough for 52 lamps
+
 /** @typedef {import("types/api").Channel} Channel */
 
 /**
@@ -31,4 +33,30 @@ function nearJoint(joint, number) {
   const column = (number % COLUMNS) - 1;
   const row = Math.floor(number / COLUMNS);
   return [(side === "left" ? 1 - x : x) + column * APART[0], y + row * APART[1]];
+}
+
+/**
+ * Move points apart, in place, until any two have `least` between them where there is room; each goes as little as it can.
+ * @param {[number, number][]} points @param {number} least @param {[number, number]} box width and height that they stay in
+ */
+export function spread(points, least, [width, height]) {
+  const rim = least / 2;
+  for (let round = 0; round < ROUNDS; round++) {
+    let moved = false;
+    points.forEach((a, i) => {
+      for (const b of points.slice(i + 1)) {
+        const [dx, dy] = [b[0] - a[0], b[1] - a[1]];
+        const far = Math.hypot(dx, dy);
+        if (far >= least - 1e-6) continue;
+        const push = (least - far) / 2;
+        const [x, y] = far ? [dx / far, dy / far] : [1, 0];
+        a[0] = Math.min(width - rim, Math.max(rim, a[0] - x * push));
+        a[1] = Math.min(height - rim, Math.max(rim, a[1] - y * push));
+        b[0] = Math.min(width - rim, Math.max(rim, b[0] + x * push));
+        b[1] = Math.min(height - rim, Math.max(rim, b[1] + y * push));
+        moved = true;
+      }
+    });
+    if (!moved) return;
+  }
 }

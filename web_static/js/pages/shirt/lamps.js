@@ -2,9 +2,10 @@
 import { t } from "../../texts.js";
 import { HEIGHT, LAYOUT_HEIGHT, outline, WIDTH } from "./body_outline.js";
 import { h, s, set } from "../../widgets/dom.js";
-import { lampPlaces } from "./lamp_places.js";
+import { lampPlaces, spread } from "./lamp_places.js";
 
-const SIZE = 4.6; // half the width of a lamp, in units of the outline
+const SIZE = 8.7; // half the width of a lamp, in units of the outline: 24 px on a figure of 280 px
+const APART = 17.8; // between the middles of two lamps, at least
 /** @type {Record<string, SVGElement>} */
 const SHAPES = {
   circle: s("circle", { r: SIZE }),
@@ -24,6 +25,7 @@ export const QUALITIES = {
   silent: { shape: "circle", sign: "?" },
 };
 
+const SIDES = /** @type {const} */ (["front", "back"]);
 /** What a key moves the choice by. @type {Record<string, number | undefined>} */
 const STEPS = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 };
 
@@ -41,7 +43,7 @@ export function sensorName({ name }) {
 /** The sign of one quality, as it stands on the body and in the legend. @param {string} quality */
 export function lampSign(quality) {
   const { shape, sign } = QUALITIES[quality] ?? QUALITIES.silent;
-  return [SHAPES[shape].cloneNode(true), s("text", { y: 2.6, "text-anchor": "middle" }, sign)];
+  return [SHAPES[shape].cloneNode(true), s("text", { y: 3.9, "text-anchor": "middle" }, sign)];
 }
 
 /**
@@ -51,14 +53,16 @@ export function lampSign(quality) {
  */
 export function bodyLamps(layout, onPick) {
   const labels = Object.fromEntries(layout.joints.map(({ name, label }) => [name, label]));
-  const lamps = lampPlaces(layout.channels).map(makeLamp);
+  const places = lampPlaces(layout.channels).map((place) => ({ ...place, at: inDrawing(place.position) }));
+  for (const side of SIDES) spread(places.filter((place) => place.side === side).map(({ at }) => at), APART, [WIDTH, HEIGHT]);
+  const lamps = places.map(makeLamp);
   let picked = "";
   /** @param {Lamp} lamp @param {boolean} focus */
   const pick = (lamp, focus) => {
     onPick(lamp.channel.name);
     if (focus) lamp.element.focus();
   };
-  const sides = /** @type {const} */ (["front", "back"]).map((side) => {
+  const sides = SIDES.map((side) => {
     const here = lamps.filter((lamp) => lamp.side === side);
     const group = s("g", {});
     for (const lamp of here) {
@@ -108,9 +112,9 @@ export function bodyLamps(layout, onPick) {
   };
 }
 
-/** A lamp without a quality yet. @param {ReturnType<typeof lampPlaces>[number]} place */
+/** A lamp without a quality yet. @param {ReturnType<typeof lampPlaces>[number] & {at: [number, number]}} place */
 function makeLamp(place) {
-  const [x, y] = inDrawing(place);
+  const [x, y] = place.at;
   const element = s("g", {
     class: "sensor",
     transform: `translate(${x} ${y})`,
@@ -121,8 +125,8 @@ function makeLamp(place) {
   return { ...place, quality: "", element };
 }
 
-/** @param {{position: [number, number]}} lamp */
-function inDrawing({ position }) {
+/** @param {[number, number]} position of a layout @returns {[number, number]} in units of the outline */
+function inDrawing(position) {
   return [position[0] * WIDTH, position[1] * LAYOUT_HEIGHT];
 }
 
@@ -131,8 +135,7 @@ function nearestLamp(picture, lamps, event) {
   const at = new DOMPoint(event.clientX, event.clientY).matrixTransform(picture.getScreenCTM()?.inverse());
   /** @param {Lamp} lamp */
   const distance = (lamp) => {
-    const [x, y] = inDrawing(lamp);
-    return Math.hypot(x - at.x, y - at.y);
+    return Math.hypot(lamp.at[0] - at.x, lamp.at[1] - at.y);
   };
   const [first = null, ...others] = lamps;
   return others.reduce((best, lamp) => (best && distance(lamp) < distance(best) ? lamp : best), first);

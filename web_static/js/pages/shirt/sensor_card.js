@@ -16,7 +16,7 @@ export function sensorCard(app, { channel, index, joint, isUnused, signal }, onU
   const canvas = new TraceCanvas({ label: t("sensor.trace", { name: sensorName(channel) }), height: 96 });
   const lamp = s("svg", { viewBox: "-8 -8 16 16", width: 26, height: 26, "aria-hidden": "true" });
   const quality = h("b", {});
-  const words = h("p", { class: "small" });
+  const words = h("p", { class: "small", "aria-live": "polite" }); // figures are not live: they change all the time
   const noise = h("span", {});
   const value = h("span", { class: "number" });
   const showQuality = () => {
@@ -41,7 +41,7 @@ export function sensorCard(app, { channel, index, joint, isUnused, signal }, onU
   set(canvas.element, { class: "trace large" });
   return h(
     "section",
-    { class: "card sensor-card", "aria-live": "polite" },
+    { class: "card sensor-card" },
     h(
       "div",
       { class: "spread" },

@@ -26,7 +26,9 @@ const NO_LAYOUT = { name: "", channels: [], joints: [] }; // before a shirt was 
 export async function show(app, root, { signal }) {
   let equipment = /** @type {Equipment} */ (await app.api.get("/equipment"));
   if (signal.aborted) return;
-  const lead = h("p", { class: "lead", "aria-live": "polite" });
+  const state = h("span", { "aria-live": "polite" });
+  const counts = h("span", {});
+  const lead = h("p", { class: "lead" }, state, " ", counts);
   const left = h("div", { class: "stack" });
   const right = h("div", { class: "stack" });
   const below = h("div", {});
@@ -161,12 +163,9 @@ export async function show(app, root, { signal }) {
     const good = app.live.quality.filter((quality) => quality === "good").length;
     const lost = app.live.latest?.shirt.lost ?? 0;
     const words = equipment.layout ? equipment.status.words : equipment.status.words || t("shirt.none");
-    write(
-      lead,
-      [words, all ? t("shirt.words.count", { good, all }) : "", lost ? t("shirt.lost", { count: lost }) : ""]
-        .filter(Boolean)
-        .join(" "),
-    );
+    write(state, words);
+    const figures = [all ? t("shirt.words.count", { good, all }) : "", lost ? t("shirt.lost", { count: lost }) : ""];
+    write(counts, figures.filter(Boolean).join(" "));
   };
   /** @param {CustomEvent<string>} event */
   const readAgain = async ({ detail }) => {
@@ -226,7 +225,7 @@ function summary(title, words, isOpen, onToggle, makeForm) {
 function legend() {
   return h(
     "details",
-    { class: "legend" },
+    { class: "lamp-legend" },
     h("summary", {}, t("shirt.legend")),
     h(
       "dl",

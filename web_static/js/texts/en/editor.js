@@ -98,7 +98,7 @@ export default {
   "editor.right": "Look right",
   "editor.up": "Look up",
   "editor.down": "Look down",
-  "editor.all": "Show everything",
+  "editor.all": "All of the plan",
   "editor.all.short": "All",
   "editor.m": "{value} m",
   "editor.radius.m": "r {value} m",

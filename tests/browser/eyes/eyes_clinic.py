@@ -1,0 +1,112 @@
+"""A clinic with something on every page: the shirt of 52 sensors, recorded trials, people, and a control process that
+the tests make say what they need.
+"""
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from api.fake_clinic import FakeProcess, profile_for
+from browser.served.review_app import furnish
+from browser.served.served_clinic import ServedClinic
+from processes.served_demo import SessionClient
+
+from app.calibration.vocabulary import standard_parameters
+from app.faults import Fault, State
+from app.hardware.shirt.standard import standard_layout
+from app.settings import Settings
+from app.store.database import Database
+from app.store.parameters import save_parameters, save_profile
+from app.store.patients import start_session
+from app.store.tables import PatientSession
+
+OWNER = {"code": "the-set-up-code-of-the-tests", "name": "Ada", "password": "correct horse battery"}
+LAYOUT = standard_layout()
+
+
+class StandIn(FakeProcess):
+    """A control process whose shirt has the 52 sensors of the standard one."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.says |= {"n_channels": len(LAYOUT.channels), "n_gestures": 8}
+
+    async def call(self, do: str, **fields: Any) -> dict[str, Any]:
+        """Answer, with the standard layout for a shirt."""
+        answer = await super().call(do, **fields)
+        return {**answer, "layout": LAYOUT.model_dump(mode="json")} if do == "shirt" else answer
+
+    def since(self, number: int) -> Any:
+        """Return one tick in which every channel has a value, so that most lamps are lit."""
+        ticks = super().since(number)
+        ticks["values"][0, : len(LAYOUT.channels)] = 0.5 + 0.1 * np.sin(self.number / 9)
+        return ticks
+
+
+class EyesClinic(ServedClinic):
+    """The application of this clinic; `client` is its owner's own browser, `trials` are the recorded ones."""
+
+    def __init__(self, folder: Path) -> None:
+        self._settings = settings = Settings(state=folder, setup_code=OWNER["code"])
+        self.trials = furnish(settings)
+        database = Database(settings.database)
+        with database.transaction() as db:
+            profile = profile_for(LAYOUT)
+            session = start_session(db, 1, 1)
+            save_parameters(db, save_profile(db, 1, session.id, profile), standard_parameters(profile))
+        database.close()
+        super().__init__(settings, stand_in=StandIn)
+        self.client = SessionClient(self.address)
+
+    def start(self) -> None:
+        """Return when it serves, its owner is signed in, and its patient wears a simulated shirt."""
+        super().start()
+        self.good("POST", "/auth/setup", OWNER)
+        self.good("POST", "/patients", {"code": "P-2", "pseudonym": "Otter"})
+        self.good("POST", "/people", {"name": "Ben", "role": "clinician", "patients": None})
+        self.good("PUT", "/equipment/shirt", {"kind": "simulator", "seed": 1})
+        self.be_here()
+
+    def stop(self) -> None:
+        """End it and wait for that."""
+        self.client.close()
+        super().stop()
+
+    def good(self, method: str, path: str, body: Any = None) -> Any:
+        """Send a request that must be answered well, from the owner's own browser."""
+        answer = self.client.request(method, path, json=body)
+        assert answer.is_success, (path, answer.text)
+        return answer.json() if answer.content else None
+
+    def be_here(self, patient: int = 1) -> None:
+        """Open a patient's session."""
+        self.good("POST", "/session", {"patient_id": patient})
+
+    def set_calibration(self, step: str) -> None:
+        """Let the open session's calibration be at a step; at "result" it has one."""
+        session_id = self.good("GET", "/session")["session"]["id"]
+        database = Database(self._settings.database)
+        with database.transaction() as db:
+            session = db.get_one(PatientSession, session_id)
+            session.current_step, session.accepted = step, False
+            session.result = profile_for(LAYOUT).model_dump(mode="json") if step == "result" else None
+        database.close()
+
+    def fault(self, fault: Fault) -> None:
+        """Let the control process stop the chair for a reason."""
+        self.process.stops += 1
+        self.process.state, self.process.fault = State.FAULT, fault
+
+    def clear(self) -> None:
+        """Take the reason back."""
+        self.process.state = State.ARMED if self.process.run else State.DISARMED
+        self.process.fault = Fault.NONE
+
+    def storage(self) -> Any:
+        """Return what makes a browser the owner's: the cookies of a sign-in."""
+        host = self.address.removeprefix("http://").split(":")[0]
+        cookies = [
+            {"name": name, "value": value, "domain": host, "path": "/"} for name, value in self.client.cookies.items()
+        ]
+        return json.loads(json.dumps({"cookies": cookies, "origins": []}))

@@ -1,0 +1,319 @@
+"""Every page in every state that a person meets, each opened from nothing by `PLACES[name](page, clinic)`."""
+
+from collections.abc import Callable
+from typing import Any
+
+from browser.eyes.eyes_clinic import OWNER, EyesClinic
+from playwright.sync_api import expect
+
+from app.faults import Fault
+
+Open = Callable[[Any, EyesClinic], None]
+TRIAL = {"floorplan": "follow_me.easy", "path": "main"}
+
+
+def go(page: Any, clinic: EyesClinic, where: str) -> None:
+    """Load a page of the application anew, and wait for its heading."""
+    page.unroute_all()
+    page.goto("about:blank")
+    page.goto(f"{clinic.address}/#/{where}")
+    expect(page.locator("main h1")).to_be_attached()
+
+
+def tap(page: Any, name: str) -> None:
+    """Press the first button, link or summary of this name."""
+    button, link = page.get_by_role("button", name=name), page.get_by_role("link", name=name)
+    button.or_(link).or_(page.locator("summary", has_text=name)).first.click()
+
+
+def at(where: str, *taps: str) -> Open:
+    """Return what opens a page and taps what has these names."""
+
+    def open_place(page: Any, clinic: EyesClinic) -> None:
+        go(page, clinic, where)
+        for name in taps:
+            tap(page, name)
+
+    return open_place
+
+
+def opened(where: str) -> Open:
+    """Return what opens a page, and on it everything that opens."""
+
+    def open_place(page: Any, clinic: EyesClinic) -> None:
+        go(page, clinic, where)
+        for _ in range(2):  # what opens may hold what opens
+            page.evaluate("() => document.querySelectorAll('main details').forEach((one) => (one.open = true))")
+            page.wait_for_timeout(200)
+
+    return open_place
+
+
+def answered(path: str, where: str, change: Callable[[Any], Any]) -> Open:
+    """Return what opens a page whose request gets another answer."""
+
+    def answer(route: Any) -> None:
+        real = route.fetch()
+        route.fulfill(response=real, json=change(real.json()))
+
+    def open_place(page: Any, clinic: EyesClinic) -> None:
+        page.goto("about:blank")
+        page.unroute_all()
+        page.route(f"**/api/v1{path}", answer)
+        page.goto(f"{clinic.address}/#/{where}")
+        expect(page.locator("main h1")).to_be_attached()
+
+    return open_place
+
+
+def start_with(**changes: Any) -> Open:
+    """Return what opens the application for somebody else than its owner."""
+    return answered("/start", "patients", lambda start: {**start, "me": {**start["me"], **changes}})
+
+
+def refused_sign_in(page: Any, clinic: EyesClinic) -> None:
+    start_with(signed_in=False)(page, clinic)
+    page.get_by_label("Name").fill("Ada")
+    page.get_by_label("Password").fill("not this one")
+    tap(page, "Sign in")
+    expect(page.locator(".problem")).not_to_be_empty()
+
+
+def invitation(page: Any, clinic: EyesClinic) -> None:
+    ben = next(one for one in clinic.good("GET", "/people") if one["name"] == "Ben")
+    link = clinic.good("POST", f"/people/{ben['id']}/link")["url"]
+    page.unroute_all()
+    page.goto("about:blank")
+    page.goto(f"{clinic.address}/#{link.partition('#')[2]}")
+    expect(page.get_by_role("heading", name="Welcome")).to_be_visible()
+
+
+def without_patients(page: Any, clinic: EyesClinic) -> None:
+    answered("/patients", "patients", lambda _: [])(page, clinic)
+
+
+def patient_is_deleted(page: Any, clinic: EyesClinic) -> None:
+    go(page, clinic, "patients")
+    tap(page, "Delete")
+    expect(page.locator(".toast")).to_be_visible()
+
+
+def refused_patient(page: Any, clinic: EyesClinic) -> None:
+    at("patients", "New patient")(page, clinic)
+    page.get_by_label("Code").fill("P-1")
+    page.get_by_label("Pseudonym").fill("Again")
+    tap(page, "Add")
+    expect(page.locator(".problem")).not_to_be_empty()
+
+
+def link_of_somebody(page: Any, clinic: EyesClinic) -> None:
+    at("people", "New link for Ben")(page, clinic)
+    expect(page.locator("img.qr")).to_be_visible()
+
+
+def paired_chair(page: Any, clinic: EyesClinic) -> None:
+    at("settings", "Pair a chair")(page, clinic)
+    page.get_by_label("Name").fill("Ward 3")
+    page.get_by_label("Address").fill("127.0.0.1")
+    tap(page, "Make the key")
+    expect(page.locator("img.qr").first).to_be_visible()
+
+
+def one_chair(clinic: EyesClinic) -> int:
+    """Return the id of a paired chair."""
+    chairs = clinic.good("GET", "/chairs")["chairs"]
+    if not chairs:
+        clinic.good("POST", "/chairs", {"name": "Ward 3", "host": "127.0.0.1", "port": 5354, "speeds": {}})
+        chairs = clinic.good("GET", "/chairs")["chairs"]
+    return int(chairs[0]["id"])
+
+
+def picked_lamp(page: Any, clinic: EyesClinic) -> None:
+    go(page, clinic, "shirt")
+    page.locator(".bodies .sensor").nth(20).click()
+
+
+def first_step(page: Any, clinic: EyesClinic) -> None:
+    at("calibrate", "Start")(page, clinic)
+    page.wait_for_timeout(300)
+
+
+def calibrated(page: Any, clinic: EyesClinic) -> None:
+    clinic.set_calibration("result")
+    opened("calibrate")(page, clinic)
+    expect(page.get_by_role("heading", name="What this body can do")).to_be_visible()
+
+
+def plan_editor(page: Any, clinic: EyesClinic) -> None:
+    at("plans", "New plan")(page, clinic)
+    expect(page.locator(".sheet")).to_be_visible()
+
+
+def trial_runs(page: Any, clinic: EyesClinic) -> None:
+    go(page, clinic, "drive")
+    page.evaluate("() => sessionStorage.setItem('bodydrive-view', 'plan')")
+    tap(page, "Start trial")
+    expect(page.get_by_role("button", name="End trial").first).to_be_enabled(timeout=60_000)
+
+
+def trial_stopped(page: Any, clinic: EyesClinic) -> None:
+    trial_runs(page, clinic)
+    clinic.fault(Fault.STOP_TABLET)
+    expect(page.get_by_role("button", name="Continue")).to_be_visible()
+
+
+def trial_over(page: Any, clinic: EyesClinic) -> None:
+    go(page, clinic, f"drive/over/{clinic.trials[0]}")
+    expect(page.locator("main h2").first).to_be_visible()
+
+
+def patient_screen(page: Any, clinic: EyesClinic) -> None:
+    link = clinic.good("POST", "/patient-screen/pairing")["url"]
+    page.goto("about:blank")
+    page.goto(f"{clinic.address}/{link[link.index('patient.html') :]}")
+    expect(page.get_by_text("We wait for your clinician")).to_be_visible()
+
+
+def patient_stopped(page: Any, clinic: EyesClinic) -> None:
+    clinic.fault(Fault.STOP_TABLET)
+    patient_screen(page, clinic)
+    expect(page.locator(".band.stopped")).to_be_visible()
+
+
+def document(name: str) -> Open:
+    """Return what opens a page of its own."""
+
+    def open_place(page: Any, clinic: EyesClinic) -> None:
+        page.unroute_all()
+        page.goto("about:blank")
+        page.goto(f"{clinic.address}/{name}")
+        page.wait_for_timeout(700)
+
+    return open_place
+
+
+# Where the address says so, no socket is ever opened.
+CUT = """if (location.search === "?cut") {
+  window.WebSocket = class extends EventTarget {
+    readyState = 3;
+    constructor() {
+      super();
+      setTimeout(() => this.dispatchEvent(new Event("close")), 50);
+    }
+    send() {}
+    close() {}
+  };
+}"""
+
+
+def no_connection(page: Any, clinic: EyesClinic) -> None:
+    page.unroute_all()
+    page.add_init_script(CUT)
+    page.goto(f"{clinic.address}/?cut#/patients")
+    expect(page.locator(".note")).to_be_visible()
+
+
+def other_session(page: Any, clinic: EyesClinic) -> None:
+    go(page, clinic, "controls")
+    clinic.be_here(2)
+    expect(page.locator(".other-session")).to_be_visible()
+
+
+def same_name(page: Any, clinic: EyesClinic) -> None:
+    opened("shirt")(page, clinic)
+    page.get_by_text("Replay of a file").click()
+    file = {"name": "walk.csv", "mimeType": "text/csv", "buffer": b"t,a\n0.0,1\n0.01,1\n0.02,1\n"}
+    for word in ("1", "2"):
+        file["buffer"] = b"t,a\n" + b"".join(b"%.2f,%s\n" % (i / 100, word.encode()) for i in range(20))
+        page.locator("input[type=file][accept='.csv,.parquet']").first.set_input_files(file)
+        page.wait_for_timeout(500)
+    expect(page.get_by_role("alertdialog")).to_be_visible()
+
+
+def with_fault(page: Any, clinic: EyesClinic) -> None:
+    clinic.fault(Fault.SHIRT_SILENT)
+    go(page, clinic, "patients")
+    expect(page.get_by_role("button", name="Continue")).to_be_visible()
+
+
+def review(where: str) -> Open:
+    """Return what opens a page of the review, when its charts are drawn."""
+
+    def open_place(page: Any, clinic: EyesClinic) -> None:
+        first, second = clinic.trials
+        opened(f"review/1{where.format(first=first, second=second)}")(page, clinic)
+        page.wait_for_timeout(1500)
+
+    return open_place
+
+
+def chair_page(page: Any, clinic: EyesClinic) -> None:
+    clinic.good("PUT", "/chairs/chosen", {"id": one_chair(clinic), "dynamics": "unicycle"})
+    opened("drive/chair")(page, clinic)
+
+
+PLACES: dict[str, Open] = {
+    "sign_in": start_with(signed_in=False),
+    "sign_in, refused": refused_sign_in,
+    "set_up": start_with(signed_in=False, needs_setup=True),
+    "invitation": invitation,
+    "lock": start_with(locked=True),
+    "patients": at("patients"),
+    "patients, none": without_patients,
+    "patients, new": at("patients", "New patient"),
+    "patients, deleted": patient_is_deleted,
+    "patients, fault": with_fault,
+    "shirt": at("shirt"),
+    "shirt, lamp": picked_lamp,
+    "shirt, open": opened("shirt"),
+    "shirt, same name": same_name,
+    "calibrate": opened("calibrate"),
+    "calibrate, runs": first_step,
+    "calibrate, result": calibrated,
+    "controls": at("controls"),
+    "controls, open": opened("controls"),
+    "adapt": opened("adapt"),
+    "review": review(""),
+    "review, trial": review("/trial/{first}"),
+    "review, compare": review("/compare/{first}/{second}"),
+    "settings": at("settings"),
+    "settings, pair": at("settings", "Pair a chair"),
+    "settings, paired": paired_chair,
+    "plans": opened("plans"),
+    "plans, edit": plan_editor,
+    "people": at("people"),
+    "people, invite": at("people", "Invite somebody"),
+    "people, link": link_of_somebody,
+    "log": at("log"),
+    "drive": opened("drive"),
+    "drive, over": trial_over,
+    "drive, runs": trial_runs,
+    "drive, stopped": trial_stopped,
+    "chair": chair_page,
+    "patient's screen, not paired": document("patient.html"),
+    "patient's screen": patient_screen,
+    "patient's screen, stopped": patient_stopped,
+    "stereo": document("stereo.html"),
+    "tablet": document("tablet.html"),
+    "other session": other_session,
+    "no connection": no_connection,
+}
+
+
+def put_back(clinic: EyesClinic) -> None:
+    """Undo what a place has left behind, so that the next one starts from the same clinic."""
+    clinic.clear()
+    clinic.client.request("POST", "/patients/2/restore")
+    if clinic.good("GET", "/session")["patient"]["id"] != 1:
+        clinic.be_here()
+    clinic.set_calibration("rest")
+    running = clinic.good("GET", "/calibration")["running"]
+    if running:
+        clinic.good("POST", f"/calibration/steps/{running['step']}/cancel")
+    if clinic.process.run:
+        clinic.good("POST", "/trials/current/end", {"reason": "by hand"})
+    if clinic.good("GET", "/chairs")["chosen"]:
+        clinic.good("PUT", "/chairs/chosen", {"id": None, "dynamics": "unicycle"})
+
+
+__all__ = ["OWNER", "PLACES", "put_back"]

@@ -1,0 +1,27 @@
+"""What looks at the pages finds what it shall find: a test of the tests."""
+
+import pytest
+from browser.eyes.axe import findings
+
+pytestmark = [pytest.mark.browser, pytest.mark.timeout(120)]
+
+BROKEN = """<!doctype html><html lang="en"><title>A page</title><main><h1>A page</h1>
+<p style="color:#999;background:#fff">Grey on white</p>
+<p style="background:linear-gradient(#fff,#eee)">On a gradient</p>
+<button style="width:44px;height:44px"></button>
+<svg width="200" height="120"><rect width="200" height="120" fill="#eee"/>
+<text id="faint" x="20" y="40" fill="#bbb">faint</text><text id="clear" x="20" y="80" fill="#222">clear</text></svg>
+</main></html>"""
+
+
+def test_what_is_wrong_is_found_and_what_is_right_is_not(browser):
+    page = browser.new_page()
+    page.set_content(BROKEN)
+    found = {(one.kind, one.rule, one.target) for one in findings(page)}
+    assert found == {
+        ("violation", "color-contrast", "p:nth-child(2)"),
+        ("undecided", "color-contrast", "p:nth-child(3)"),
+        ("violation", "button-name", "button"),
+        ("violation", "color-contrast", "#faint"),
+    }
+    page.context.close()

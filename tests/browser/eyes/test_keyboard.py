@@ -1,0 +1,240 @@
+"""Each page by keyboard alone: Tab comes to each control; what opens takes the focus, and gives it back."""
+
+import re
+
+import pytest
+from browser.eyes.axe import look_as
+from browser.eyes.eyes_clinic import OWNER
+from browser.eyes.places import PLACES, go, put_back, start_with
+from playwright.sync_api import expect
+
+pytestmark = [pytest.mark.browser, pytest.mark.timeout(180)]
+
+MOST_TABS = 120
+# What has the focus, as a screen reader calls it: its own label, its field's label, or its words.
+FOCUSED = """() => {
+  const one = document.activeElement;
+  if (!one || one === document.body) return "";
+  const words = one.getAttribute("aria-label") ?? one.labels?.[0]?.textContent ?? one.textContent;
+  return words.trim().replaceAll(/\\s+/g, " ");
+}"""
+SEEN = """() => {
+  const one = document.activeElement.closest("label") ?? document.activeElement;
+  const style = getComputedStyle(one);
+  const box = one.getBoundingClientRect();
+  return box.bottom > 0 && box.top < innerHeight && (style.outlineStyle !== "none" || one.localName === "g"
+    || getComputedStyle(document.activeElement).outlineStyle !== "none");
+}"""
+
+
+@pytest.fixture(autouse=True)
+def whole_clinic(page, clinic):
+    """Give each test the same window, and the same clinic."""
+    look_as(page, ("1280x800", "light"))
+    yield
+    put_back(clinic)
+
+
+def focused(page):
+    return page.evaluate(FOCUSED)
+
+
+def tab_to(page, name, key="Tab"):
+    """Press Tab until the control of this name has the focus, which then is seen."""
+    passed = []
+    for _ in range(MOST_TABS):
+        page.keyboard.press(key)
+        passed.append(focused(page))
+        if name in passed[-1]:
+            assert page.evaluate(SEEN), f"the focus on {name} is not seen"
+            return
+    raise AssertionError(f"Tab does not come to {name!r}, but to {passed}")
+
+
+def press(page, name, key="Enter"):
+    tab_to(page, name)
+    page.keyboard.press(key)
+
+
+def heading(page, name):
+    return expect(page.get_by_role("heading", name=name).first)
+
+
+def test_sign_in(page, clinic):
+    start_with(signed_in=False)(page, clinic)
+    tab_to(page, "Name")
+    page.keyboard.type(OWNER["name"])
+    tab_to(page, "Password")
+    page.keyboard.type(OWNER["password"])
+    page.unroute_all()
+    page.keyboard.press("Enter")
+    heading(page, "Who has come?").to_be_visible()
+    assert focused(page) == "Who has come?"
+
+
+def test_patients(page, clinic):
+    go(page, clinic, "patients")
+    press(page, "New patient")
+    assert "Code" in focused(page)
+    press(page, "Cancel")
+    assert focused(page) == "New patient"
+    page.keyboard.press("Enter")
+    page.keyboard.type("P-9")
+    page.keyboard.press("Tab")
+    page.keyboard.type("Wren")
+    page.keyboard.press("Enter")
+    heading(page, "The shirt").to_be_visible()
+    clinic.be_here()
+    go(page, clinic, "patients")
+    press(page, "Delete P-9")
+    expect(page.get_by_text("P-9 was deleted")).to_be_visible()
+    press(page, "Undo")
+    expect(page.get_by_text("P-9")).to_be_visible()
+    assert focused(page)
+
+
+def test_shirt(page, clinic):
+    go(page, clinic, "shirt")
+    tab_to(page, "Right shoulder 1")
+    page.keyboard.press("ArrowRight")
+    heading(page, "Right shoulder 2").to_be_visible()
+    assert "Right shoulder 2" in focused(page)
+    press(page, "Change")
+    tab_to(page, "Simulated shirt")
+    page.keyboard.press("ArrowUp")
+    expect(page.get_by_label("Port")).to_be_visible()
+
+
+def test_calibrate(page, clinic):
+    go(page, clinic, "calibrate")
+    press(page, "Start")
+    press(page, "Cancel")
+    tab_to(page, "Start")
+
+
+def test_controls(page, clinic):
+    go(page, clinic, "controls")
+    slider = page.get_by_role("slider").first
+    tab_to(page, slider.get_attribute("aria-label"))
+    before = float(slider.get_attribute("aria-valuenow"))
+    page.keyboard.press("ArrowRight")
+    assert float(slider.get_attribute("aria-valuenow")) > before
+    expect(page.get_by_role("status").filter(has_text="Saved")).to_be_visible()
+    press(page, "Undo")
+    expect(slider).to_have_attribute("aria-valuenow", str(before))
+    assert focused(page)
+
+
+def test_drive(page, clinic):
+    go(page, clinic, "drive")
+    page.evaluate("() => sessionStorage.setItem('bodydrive-view', 'plan')")
+    press(page, "Start trial")
+    expect(page.get_by_role("button", name="End trial").first).to_be_enabled()
+    press(page, "Stop the chair now")
+    heading(page, "Stop was pressed").to_be_visible()
+    page.wait_for_timeout(600)  # a Continue that comes too soon was meant for something else
+    press(page, "Continue")
+    heading(page, "Stop was pressed").to_be_hidden()
+    press(page, "End trial")
+    expect(page).to_have_url(re.compile("drive/over"))
+
+
+def test_chair(page, clinic):
+    PLACES["chair"](page, clinic)
+    tab_to(page, "Practise it now")
+    press(page, "Stop the chair now")
+    expect(page.get_by_text("Stop was pressed on the screen")).to_be_visible()
+    page.wait_for_timeout(600)
+    press(page, "Continue")
+    expect(page.get_by_text("Stop was pressed on the screen")).to_be_hidden()
+
+
+def test_adapt(page, clinic):
+    go(page, clinic, "adapt")
+    page.get_by_role("radio", name="Suggest").wait_for()
+    tab_to(
+        page, page.locator("main label.choice:has(:checked), main .segments label:has(:checked)").first.inner_text()[:4]
+    )
+    page.keyboard.press("ArrowDown")
+    press(page, "Look now")
+
+
+def test_review(page, clinic):
+    go(page, clinic, "review/1")
+    tab_to(page, "Compare trial 1")
+    page.keyboard.press("Space")
+    tab_to(page, "Compare trial 2")
+    page.keyboard.press("Space")
+    press(page, "Compare two trials")
+    heading(page, "Two trials side by side").to_be_visible()
+    tab_to(page, "Moment of the trial")
+    before = page.get_by_label("Moment of the trial").input_value()
+    page.keyboard.press("ArrowRight")
+    assert page.get_by_label("Moment of the trial").input_value() != before
+
+
+def test_settings(page, clinic):
+    go(page, clinic, "settings")
+    press(page, "Pair a chair")
+    assert "Name" in focused(page)
+    press(page, "Cancel")
+    assert focused(page) == "Pair a chair"
+    press(page, "Pair a screen")
+    heading(page, "Pair a screen").to_be_visible()
+    assert focused(page) == "Pair a screen"
+    press(page, "Close")
+    assert focused(page) == "Pair a screen"
+
+
+def test_people(page, clinic):
+    go(page, clinic, "people")
+    press(page, "Invite somebody")
+    assert "Name" in focused(page)
+    press(page, "Cancel")
+    assert focused(page) == "Invite somebody"
+    page.keyboard.press("Enter")
+    page.keyboard.type("Cleo")
+    page.keyboard.press("Tab")
+    page.keyboard.press("ArrowDown")
+    press(page, "Make the invitation")
+    heading(page, "The invitation of Cleo").to_be_visible()
+    assert "The invitation of Cleo" in focused(page)
+    press(page, "Done")
+    assert focused(page) == "Invite somebody"
+
+
+def test_log(page, clinic):
+    go(page, clinic, "log")
+    tab_to(page, "Person")
+    page.keyboard.type("Ada")
+    expect(page.locator(".log-table tbody tr").first).to_contain_text("Ada")
+
+
+def test_plans(page, clinic):
+    go(page, clinic, "plans")
+    press(page, "New plan")
+    expect(page.locator(".sheet")).to_be_visible()
+    press(page, "Wall")
+    expect(page.get_by_role("button", name="Wall", exact=True)).to_have_attribute("aria-pressed", "true")
+
+
+def test_a_taken_name_is_asked_about_and_the_focus_comes_back(page, clinic):
+    PLACES["shirt, same name"](page, clinic)
+    assert page.evaluate("() => document.activeElement.getAttribute('role')") == "alertdialog"
+    page.keyboard.press("Escape")
+    expect(page.get_by_role("alertdialog")).to_be_hidden()
+    assert focused(page)
+
+
+def test_the_other_pages(page, clinic):
+    PLACES["lock"](page, clinic)
+    assert "Password of" in focused(page)
+    PLACES["stereo"](page, clinic)
+    tab_to(page, "Swap left and right")
+    page.keyboard.press("Space")
+    PLACES["tablet"](page, clinic)
+    press(page, "Android")
+    assert focused(page) == "Android"
+    PLACES["other session"](page, clinic)
+    assert "patient" in focused(page).lower()
+    tab_to(page, "Go on with P-2")

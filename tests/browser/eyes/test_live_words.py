@@ -1,0 +1,101 @@
+"""What a screen reader says during a drive: each state once and politely, Stop at once, and no figure that changes."""
+
+import pytest
+from browser.eyes.axe import look_as
+from browser.eyes.places import PLACES, put_back
+from playwright.sync_api import expect
+
+from app.faults import Fault, State
+
+pytestmark = [pytest.mark.browser, pytest.mark.timeout(180)]
+
+# Collects what live regions say: the text that is added to one, with how urgently. A region within another one that is
+# "off" is silent.
+LISTEN = """() => {
+  const LIVE = { status: "polite", alert: "assertive", log: "polite", timer: "off", output: "polite" };
+  const urgency = (node) => {
+    for (let one = node.nodeType === 1 ? node : node.parentElement; one; one = one.parentElement) {
+      const live = one.getAttribute("aria-live") ?? LIVE[one.getAttribute("role") ?? one.localName];
+      if (live) return live;
+    }
+    return "off";
+  };
+  window.said = [];
+  const collect = (node) => {
+    const words = node.textContent.trim().replaceAll(/\\s+/g, " ");
+    const live = urgency(node);
+    const element = node.nodeType === 1 ? node : node.parentElement;
+    if (words && live !== "off" && element?.closest("[hidden], [inert]") === null) window.said.push([live, words]);
+  };
+  new MutationObserver((changes) => {
+    for (const { type, target, addedNodes } of changes) {
+      if (type === "characterData") collect(target);
+      else for (const node of addedNodes) collect(node);
+    }
+  }).observe(document.body, { childList: true, subtree: true, characterData: true });
+}"""
+A_WHILE = 2500  # ms
+
+
+def said(page):
+    """Return what was said since the last look, with its urgency."""
+    return page.evaluate("() => window.said.splice(0)")
+
+
+def with_words(rows, words):
+    return [live for live, row in rows if words in row]
+
+
+def test_each_state_of_a_drive_is_said_once(page, clinic):
+    look_as(page, ("1280x800", "light"))
+    PLACES["drive, runs"](page, clinic)
+    page.evaluate(LISTEN)
+    page.wait_for_timeout(A_WHILE)
+    assert said(page) == []  # nothing has happened, though figures change twenty times a second
+
+    clinic.process.state = State.CHECKING
+    page.wait_for_timeout(A_WHILE)
+    rows = said(page)
+    assert with_words(rows, "Rest") == ["polite"], rows
+
+    clinic.process.state = State.ARMED
+    page.wait_for_timeout(A_WHILE)
+    rows = said(page)
+    assert len(rows) == 1, rows
+    assert rows[0][0] == "polite"
+
+    clinic.fault(Fault.SHIRT_SILENT)
+    page.wait_for_timeout(A_WHILE)
+    rows = said(page)
+    assert with_words(rows, "The shirt stopped sending") == ["polite"], rows
+
+    clinic.clear()
+    page.wait_for_timeout(A_WHILE)
+    said(page)
+    for _ in range(2):  # each press is said, also the second one
+        page.locator("#stop").focus()
+        page.keyboard.press("Enter")
+        expect(page.get_by_role("heading", name="Stop was pressed")).to_be_visible()
+        page.wait_for_timeout(A_WHILE)
+        rows = said(page)
+        assert with_words(rows, "Stop was pressed") == ["assertive"], rows
+        assert [live for live, _ in rows] == ["assertive"] * len(rows), rows
+        clinic.clear()
+        page.wait_for_timeout(A_WHILE)
+        said(page)
+    put_back(clinic)
+
+
+def test_no_page_says_figures_that_change(page, clinic):
+    look_as(page, ("1280x800", "light"))
+    spoken = {}
+    for name in ("patients", "shirt, lamp", "controls", "drive", "chair", "settings"):
+        PLACES[name](page, clinic)
+        page.wait_for_timeout(800)
+        page.evaluate(LISTEN)
+        page.wait_for_timeout(1500)
+        rows = said(page)
+        if rows:
+            spoken[name] = rows
+        put_back(clinic)
+    assert spoken == {}

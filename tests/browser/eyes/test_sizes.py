@@ -1,0 +1,83 @@
+"""What is touched is large enough: 44 px for everything, 24 px and a place of its own for each lamp and each handle."""
+
+import math
+
+import pytest
+from browser.eyes.axe import look_as
+from browser.eyes.places import PLACES, put_back
+
+pytestmark = [pytest.mark.browser, pytest.mark.timeout(600)]
+
+CELLS = [("1280x800", "light"), ("768x1024", "light"), ("390x844", "light")]
+SHORT = (
+    "sign_in", "patients, new", "shirt, open", "calibrate", "controls, open", "drive", "drive, stopped", "drive, over",
+    "review", "review, trial", "settings, paired", "plans", "plans, edit", "people, invite", "log", "chair",
+)  # fmt: skip
+# A link within a sentence is a part of the text; a box beside words is touched by its words too.
+SMALL = """() => {
+  const targets = "button, a[href], input:not([type=file]), select, textarea, summary, [role=slider]";
+  const name = (one) => `${one.tagName.toLowerCase()}.${one.getAttribute("class") ?? ""} "${
+    (one.getAttribute("aria-label") ?? one.textContent).trim().slice(0, 40)}"`;
+  const isShown = (one) => one.checkVisibility({ visibilityProperty: true, opacityProperty: true });
+  return [...document.querySelectorAll(targets)]
+    .filter((one) => isShown(one) && !one.closest(".unseen"))
+    .map((one) => one.closest("label") ?? one)
+    .filter((one) => !(one.matches("a:not(.btn)") && one.closest("p, li, td")))
+    .map((one) => [one, one.getBoundingClientRect()])
+    .filter(([one, { width, height }]) => width && (height < 43.5 || (width < 43.5 && !one.matches("[role=slider]"))))
+    .map(([one, { width, height }]) => `${Math.round(width)} x ${Math.round(height)} ${name(one)}`);
+}"""
+LAMPS = """() => [...document.querySelectorAll(".bodies .sensor")].map((one) => {
+  const { left, top, width, height } = one.firstElementChild.getBoundingClientRect();
+  return { side: one.closest("figure").textContent, x: left + width / 2, y: top + height / 2, width, height };
+})"""
+HANDLES = """() => [...document.querySelectorAll(".handle")].map((one) => {
+  one.scrollIntoView({ block: "center", behavior: "instant" });
+  const { left, top, width, height } = one.getBoundingClientRect();
+  const [x, y] = [left + width / 2, top + height / 2];
+  const hits = [-22, 22].map((away) => document.elementFromPoint(x + away, y)?.closest(".handle, .handles"));
+  return { width, height, isHit: hits.every(Boolean) };
+})"""
+
+
+@pytest.mark.parametrize("cell", CELLS, ids=lambda cell: cell[0])
+def test_everything_that_is_touched_is_large_enough(page, clinic, cell):
+    look_as(page, cell)
+    small = {}
+    for name in SHORT:
+        PLACES[name](page, clinic)
+        found = page.evaluate(SMALL)
+        if found:
+            small[name] = found
+        put_back(clinic)
+    assert small == {}
+
+
+@pytest.mark.parametrize("cell", CELLS, ids=lambda cell: cell[0])
+def test_a_lamp_is_24_px_wide_and_has_a_place_of_its_own(page, clinic, cell):
+    look_as(page, cell)
+    PLACES["shirt"](page, clinic)
+    lamps = page.evaluate(LAMPS)
+    assert len(lamps) == 52
+    assert min(min(one["width"], one["height"]) for one in lamps) >= 24
+    for number, one in enumerate(lamps):
+        for other in lamps[:number]:
+            if other["side"] == one["side"]:
+                assert math.hypot(one["x"] - other["x"], one["y"] - other["y"]) >= 24
+    # 22 px beside the outermost lamp: a finger of 44 px still picks it.
+    outermost = min((one for one in lamps if one["side"] == lamps[0]["side"]), key=lambda one: one["x"])
+    page.locator(".bodies").scroll_into_view_if_needed()
+    moved = page.evaluate(LAMPS)[lamps.index(outermost)]
+    page.mouse.click(moved["x"] - 22, moved["y"])
+    assert page.locator(".bodies .sensor").nth(lamps.index(outermost)).get_attribute("aria-checked") == "true"
+
+
+@pytest.mark.parametrize("cell", CELLS, ids=lambda cell: cell[0])
+def test_a_handle_is_24_px_wide_and_taken_from_22_px_beside_it(page, clinic, cell):
+    look_as(page, cell)
+    PLACES["controls"](page, clinic)
+    handles = page.evaluate(HANDLES)
+    assert len(handles) >= 8
+    assert min(one["width"] for one in handles) >= 24
+    assert min(one["height"] for one in handles) >= 44
+    assert all(one["isHit"] for one in handles)

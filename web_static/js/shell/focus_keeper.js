@@ -1,0 +1,58 @@
+/**
+ * Keeps the focus where a person can go on with the keyboard: when what has it disappears, it goes to what was drawn in
+ * its place, otherwise to what opened it, otherwise to the heading of the page. A page that moves the focus itself comes
+ * first: this looks only after the page has done what it does at once.
+ */
+
+const LONGEST = 12; // controls that were used last
+const TEXT = "input:not([type=radio], [type=checkbox], [type=range], [type=button]), textarea";
+
+/** What a control is called. @param {Element} element */
+const nameOf = (element) => element.getAttribute("aria-label") ?? element.textContent?.trim() ?? "";
+
+/** @param {Element} element */
+const canHaveFocus = (element) =>
+  element.isConnected && !element.closest("[inert]") && !element.matches(":disabled") && element.checkVisibility();
+
+/** The one control of the same kind and name, as it was drawn again; null when there is none, or more than one. @param {Element} lost */
+function drawnAgain(lost) {
+  const name = nameOf(lost);
+  if (!name) return null;
+  const same = [...document.querySelectorAll(lost.tagName)].filter((one) => nameOf(one) === name && canHaveFocus(one));
+  return same.length === 1 ? same[0] : null;
+}
+
+/** Keep the focus from now on. */
+export function keepFocus() {
+  /** @type {Element | null} */
+  let last = null;
+  /** @type {Element[]} the newest last */
+  let used = [];
+  let byKey = false;
+  document.addEventListener("focusin", ({ target }) => (last = target instanceof Element ? target : null));
+  document.addEventListener("keydown", () => (byKey = true), true);
+  document.addEventListener("pointerdown", () => (byKey = false), true);
+  document.addEventListener(
+    "click",
+    () => {
+      const { activeElement: now } = document;
+      if (now && now !== document.body) used = [...used.filter((one) => one !== now), now].slice(-LONGEST);
+    },
+    true,
+  );
+  window.addEventListener("hashchange", () => (used = [])); // what was used on the page before
+  const look = () => {
+    if (document.activeElement !== document.body || !last || canHaveFocus(last)) return;
+    const opener = used.filter((one) => one !== last && canHaveFocus(one)).pop();
+    const next = drawnAgain(last) ?? opener ?? [...document.querySelectorAll("main h1")].find(canHaveFocus);
+    last = null;
+    // Without a keyboard, a field would open the one on the screen.
+    if (next instanceof HTMLElement && (byKey || !next.matches(TEXT))) next.focus({ preventScroll: true });
+  };
+  new MutationObserver(look).observe(document.body, {
+    childList: true,
+    subtree: true,
+    attributes: true,
+    attributeFilter: ["hidden", "disabled", "inert", "open"],
+  });
+}
