@@ -18,7 +18,7 @@ from app.hardware.shirt.standard import standard_layout
 from app.settings import Settings
 from app.store.database import Database
 from app.store.parameters import save_parameters, save_profile
-from app.store.patients import start_session
+from app.store.patients import end_session, start_session
 from app.store.tables import PatientSession
 
 OWNER = {"code": "the-set-up-code-of-the-tests", "name": "Ada", "password": "correct horse battery"}
@@ -55,6 +55,7 @@ class EyesClinic(ServedClinic):
             profile = profile_for(LAYOUT)
             session = start_session(db, 1, 1)
             save_parameters(db, save_profile(db, 1, session.id, profile), standard_parameters(profile))
+            end_session(db, 1)
         database.close()
         super().__init__(settings, stand_in=StandIn)
         self.client = SessionClient(self.address)

@@ -9,7 +9,6 @@ from playwright.sync_api import expect
 from app.faults import Fault
 
 Open = Callable[[Any, EyesClinic], None]
-TRIAL = {"floorplan": "follow_me.easy", "path": "main"}
 
 
 def go(page: Any, clinic: EyesClinic, where: str) -> None:

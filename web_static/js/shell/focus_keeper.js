@@ -42,9 +42,12 @@ export function keepFocus() {
   );
   window.addEventListener("hashchange", () => (used = [])); // what was used on the page before
   const look = () => {
-    if (document.activeElement !== document.body || !last || canHaveFocus(last)) return;
-    const opener = used.filter((one) => one !== last && canHaveFocus(one)).pop();
-    const next = drawnAgain(last) ?? opener ?? [...document.querySelectorAll("main h1")].find(canHaveFocus);
+    const { activeElement: now } = document; // until the next picture, it may be something that has disappeared
+    const lost = now === document.body ? last : now;
+    if (!lost || canHaveFocus(lost)) return;
+    const openers = used.filter((one) => one !== lost).map((one) => (canHaveFocus(one) ? one : drawnAgain(one)));
+    const next =
+      drawnAgain(lost) ?? openers.filter(Boolean).pop() ?? [...document.querySelectorAll("main h1")].find(canHaveFocus);
     last = null;
     // Without a keyboard, a field would open the one on the screen.
     if (next instanceof HTMLElement && (byKey || !next.matches(TEXT))) next.focus({ preventScroll: true });

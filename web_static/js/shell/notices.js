@@ -14,9 +14,10 @@ const SEEN_AFTER = 400; // ms: a tap that comes sooner was meant for what stood 
 /** @param {import("../main.js").App} app */
 export function notices(app) {
   const element = h("div", { class: "notes", "aria-live": "polite" });
+  const faultKey = faultKeys();
   let shown = "";
   const show = () => {
-    const kind = app.me?.signed_in ? noticeKind(app) : "";
+    const kind = app.me?.signed_in ? noticeKind(app, faultKey) : "";
     if (kind === shown) return;
     shown = kind;
     // A screen reader does not find a page that is off: then the notice is all there is to read.
@@ -45,8 +46,8 @@ export function firstTimePlace(app) {
   return element;
 }
 
-/** The kind of the one notice that is needed most; empty when all is well. @param {App} app */
-function noticeKind(app) {
+/** The kind of the one notice that is needed most; empty when all is well. @param {App} app @param {ReturnType<typeof faultKeys>} faultKey */
+function noticeKind(app, faultKey) {
   if (!app.live.connected) return app.isPageOff ? "lost, page off" : "lost";
   const now = app.live.latest;
   if (!now) return "";
@@ -62,9 +63,19 @@ export function urgency(fault) {
   return fault?.name.toLowerCase().startsWith("stop") ? "assertive" : "polite";
 }
 
-/** The key of a fault's notice: it changes with each further stop, so that the notice is read out again. @param {{name: string}} fault @param {number} stops */
-export function faultKey(fault, stops) {
-  return `fault ${fault.name} ${stops}`;
+/**
+ * Return what gives the key of a fault's notice: it changes with each further press of Stop, so that the notice is read
+ * out again, and not with the second stop of one press, which is sent in two ways.
+ * @returns {(fault: {name: string}, stops: number) => string}
+ */
+export function faultKeys() {
+  let [counted, presses, since] = [-1, 0, -Infinity];
+  return ({ name }, stops) => {
+    const now = performance.now();
+    if (stops !== counted && now - since > SEEN_AFTER) [presses, since] = [presses + 1, now];
+    counted = stops;
+    return `fault ${name} ${presses}`;
+  };
 }
 
 /** @param {App} app @param {string} kind @returns {Child} */
@@ -83,14 +94,17 @@ function note(app, kind) {
   return strip("", h("b", {}, happened), next, continueButton(app));
 }
 
-/** The Continue button: it clears the stops that are shown beside it, and none that came later. @param {import("../main.js").App} app */
+/** The Continue button: it clears the stops that had come when it could first be pressed, and none that came later. @param {import("../main.js").App} app */
 export function continueButton(app) {
-  const stops = app.live.latest?.stops ?? 0;
+  let stops = 0;
   /** @param {boolean} off */
   const isOff = (off) => button.setAttribute("aria-disabled", String(off));
   const button = h("button", { type: "button", class: "btn go continue" }, t("note.fault.continue"));
   isOff(true);
-  setTimeout(() => isOff(false), SEEN_AFTER);
+  setTimeout(() => {
+    stops = app.live.latest?.stops ?? 0;
+    isOff(false);
+  }, SEEN_AFTER);
   button.addEventListener("click", async () => {
     if (button.getAttribute("aria-disabled") === "true") return;
     isOff(true);

@@ -7,7 +7,7 @@ import { t } from "../texts.js";
 import { h, put, set, write } from "./dom.js";
 import { clock } from "./format.js";
 import { icon } from "./icons.js";
-import { continueButton, faultKey, urgency } from "../shell/notices.js";
+import { continueButton, faultKeys, urgency } from "../shell/notices.js";
 
 const LONG = 6; // letters; longer words are written smaller
 const GO_SHOWN = 1600; // ms
@@ -19,6 +19,7 @@ const GO_SHOWN = 1600; // ms
 export function trialCue(app, picture, onEnd, onPlan) {
   const element = h("div", { class: "over-view", "aria-live": "polite" });
   const waits = waitWords("trial.paused");
+  const faultKey = faultKeys();
   let shown = "";
   let isBegun = false;
   let timer = 0;

@@ -13,7 +13,7 @@ import { h, put, set, write } from "../../widgets/dom.js";
 import { clock, number } from "../../widgets/format.js";
 import { gestureLevels } from "./gesture_levels.js";
 import { stopWords } from "./neutral_card.js";
-import { faultKey, urgency } from "../../shell/notices.js";
+import { faultKeys, urgency } from "../../shell/notices.js";
 import { pads } from "../../widgets/pads.js";
 import { faultCard, waitWords } from "../../widgets/trial_cue.js";
 
@@ -91,6 +91,7 @@ function stateCard(app, about, onEnd) {
   const place = h("div", { class: "grow", "aria-live": "polite" });
   const element = h("section", { class: "card drive-state" }, place, about);
   const waits = waitWords("driving.paused");
+  const faultKey = faultKeys();
   let shown = "";
   /** @param {LiveMessage} now */
   const show = (now) => {
