@@ -15,6 +15,8 @@ THEMES = {
     "forced": {"color_scheme": "dark", "contrast": "more", "forced_colors": "active"},
 }
 CELLS = [(size, theme) for theme in THEMES for size in SIZES]
+# Nobody drives by, or draws a plan on, a screen as small as a telephone's.
+NOT_ON_TELEPHONES = {"drive, runs", "drive, stopped", "plans, edit"}
 # The 3D picture in a frame is another page. One character is text too, and a sign is text: their contrast is decided
 # like any other's; the other options are axe's own.
 RUN = """(context) => {
@@ -90,6 +92,11 @@ def findings(page: Any) -> list[Finding]:
         left += [one for one in again if one.target == target]
     faint = too_faint(page, drawn)
     return left + [replace(open_ones[target], kind="violation", why=why) for target, why in faint.items()]
+
+
+def cells_of(name: str) -> list[tuple[str, str]]:
+    """Return the sizes and themes in which a place is looked at."""
+    return [cell for cell in CELLS if cell[0] != "390x844" or name not in NOT_ON_TELEPHONES]
 
 
 def look_as(page: Any, cell: tuple[str, str]) -> None:
