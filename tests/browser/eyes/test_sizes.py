@@ -8,7 +8,7 @@ from browser.eyes.places import PLACES, put_back
 
 pytestmark = [pytest.mark.browser, pytest.mark.timeout(600)]
 
-CELLS = [("1280x800", "light"), ("768x1024", "light"), ("390x844", "light")]
+SIZES = ["768x1024", pytest.param("1280x800", marks=pytest.mark.long), pytest.param("390x844", marks=pytest.mark.long)]
 SHORT = (
     "sign_in", "patients, new", "shirt, open", "calibrate", "controls, open", "drive", "drive, stopped", "drive, over",
     "review", "review, trial", "settings, paired", "plans", "plans, edit", "people, invite", "log", "chair",
@@ -40,9 +40,9 @@ HANDLES = """() => [...document.querySelectorAll(".handle")].map((one) => {
 })"""
 
 
-@pytest.mark.parametrize("cell", CELLS, ids=lambda cell: cell[0])
-def test_everything_that_is_touched_is_large_enough(page, clinic, cell):
-    look_as(page, cell)
+@pytest.mark.parametrize("size", SIZES)
+def test_everything_that_is_touched_is_large_enough(page, clinic, size):
+    look_as(page, (size, "light"))
     small = {}
     for name in SHORT:
         PLACES[name](page, clinic)
@@ -53,9 +53,9 @@ def test_everything_that_is_touched_is_large_enough(page, clinic, cell):
     assert small == {}
 
 
-@pytest.mark.parametrize("cell", CELLS, ids=lambda cell: cell[0])
-def test_a_lamp_is_24_px_wide_and_has_a_place_of_its_own(page, clinic, cell):
-    look_as(page, cell)
+@pytest.mark.parametrize("size", SIZES)
+def test_a_lamp_is_24_px_wide_and_has_a_place_of_its_own(page, clinic, size):
+    look_as(page, (size, "light"))
     PLACES["shirt"](page, clinic)
     lamps = page.evaluate(LAMPS)
     assert len(lamps) == 52
@@ -72,9 +72,9 @@ def test_a_lamp_is_24_px_wide_and_has_a_place_of_its_own(page, clinic, cell):
     assert page.locator(".bodies .sensor").nth(lamps.index(outermost)).get_attribute("aria-checked") == "true"
 
 
-@pytest.mark.parametrize("cell", CELLS, ids=lambda cell: cell[0])
-def test_a_handle_is_24_px_wide_and_taken_from_22_px_beside_it(page, clinic, cell):
-    look_as(page, cell)
+@pytest.mark.parametrize("size", SIZES)
+def test_a_handle_is_24_px_wide_and_taken_from_22_px_beside_it(page, clinic, size):
+    look_as(page, (size, "light"))
     PLACES["controls"](page, clinic)
     handles = page.evaluate(HANDLES)
     assert len(handles) >= 8

@@ -44,7 +44,7 @@ LOST = """() => {
 }"""
 
 
-@pytest.fixture(params=ZOOMS)
+@pytest.fixture(params=[pytest.param("200 %", marks=pytest.mark.long), "400 %"])
 def enlarged(request, browser, clinic):
     """Yield the owner's page, enlarged."""
     width, height, factor = ZOOMS[request.param]
@@ -81,6 +81,7 @@ def test_nothing_is_lost_in_any_state(enlarged, clinic):
     assert losses(enlarged, clinic, PLACES) == {}
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("cell", [("768x1024", "light"), ("1280x800", "light"), ("390x844", "light")])
 def test_no_state_scrolls_sideways(page, clinic, cell):
     look_as(page, cell)

@@ -2,7 +2,8 @@
 import { failureWords } from "../api.js";
 import { h } from "../widgets/dom.js";
 
-const SHOWN_FOR = 8000; // ms: long enough to read it, reach for the tablet and tap Undo
+const SHOWN_FOR = 8000; // ms: long enough to read it
+const OFFERED_FOR = 20_000; // ms: long enough to reach for the tablet, or to come there with the keyboard
 
 const SAID_FOR = 1000; // ms: then the same words are news again
 
@@ -20,7 +21,12 @@ export class Toasts {
    */
   show(words, offer = {}) {
     const toast = h("div", { class: "toast" }, h("span", { class: "grow" }, words));
-    const timer = setTimeout(() => toast.remove(), SHOWN_FOR);
+    let timer = 0;
+    // Whoever is on its button is given the time to press it.
+    const end = () => (toast.contains(document.activeElement) ? wait(SHOWN_FOR) : toast.remove());
+    /** @param {number} pause */
+    const wait = (pause) => (timer = setTimeout(end, pause));
+    wait(offer.action ? OFFERED_FOR : SHOWN_FOR);
     if (offer.action) {
       const run = () => {
         clearTimeout(timer);

@@ -5,6 +5,8 @@ import { h, s, set } from "../../widgets/dom.js";
 import { lampPlaces, spread } from "./lamp_places.js";
 
 const SIZE = 8.7; // half the width of a lamp, in units of the outline: 24 px on a figure of 280 px
+/** The view box of a picture of one lamp. */
+export const LAMP_BOX = "-12 -12 24 24";
 const APART = 17.8; // between the middles of two lamps, at least
 /** @type {Record<string, SVGElement>} */
 const SHAPES = {

@@ -4,7 +4,7 @@ import { h, put, s, set, write } from "../../widgets/dom.js";
 import { toggle } from "../../widgets/fields.js";
 import { number } from "../../widgets/format.js";
 import { drawTraces, QUIET_SPAN } from "../../charts/joint_strips.js";
-import { lampSign, sensorName } from "./lamps.js";
+import { LAMP_BOX, lampSign, sensorName } from "./lamps.js";
 import { TraceCanvas } from "../../charts/traces.js";
 
 /**
@@ -14,7 +14,7 @@ import { TraceCanvas } from "../../charts/traces.js";
  */
 export function sensorCard(app, { channel, index, joint, isUnused, signal }, onUnused) {
   const canvas = new TraceCanvas({ label: t("sensor.trace", { name: sensorName(channel) }), height: 96 });
-  const lamp = s("svg", { viewBox: "-8 -8 16 16", width: 26, height: 26, "aria-hidden": "true" });
+  const lamp = s("svg", { viewBox: LAMP_BOX, width: 26, height: 26, "aria-hidden": "true" });
   const quality = h("b", {});
   const words = h("p", { class: "small", "aria-live": "polite" }); // figures are not live: they change all the time
   const noise = h("span", {});

@@ -11,7 +11,7 @@ import { bodyForm, bodyWords } from "./body_form.js";
 import { h, put, s, write } from "../../widgets/dom.js";
 import { headActions, headForm, headWords } from "./head_card.js";
 import { jointStrips } from "../../charts/joint_strips.js";
-import { bodyLamps, lampSign, QUALITIES } from "./lamps.js";
+import { bodyLamps, LAMP_BOX, lampSign, QUALITIES } from "./lamps.js";
 import { pads } from "../../widgets/pads.js";
 import { replacedList } from "../../widgets/replaced_list.js";
 import { sensorCard } from "./sensor_card.js";
@@ -236,7 +236,7 @@ function legend() {
           {},
           s(
             "svg",
-            { viewBox: "-8 -8 16 16", width: 22, height: 22, "aria-hidden": "true" },
+            { viewBox: LAMP_BOX, width: 22, height: 22, "aria-hidden": "true" },
             s("g", { class: "sensor", "data-quality": quality }, lampSign(quality)),
           ),
           t(`quality.${quality}`),
