@@ -16,6 +16,7 @@ from app.calibration.vocabulary import standard_parameters
 from app.faults import Fault, State
 from app.hardware.shirt.standard import standard_layout
 from app.settings import Settings
+from app.store.calibrations import calibration_steps
 from app.store.database import Database
 from app.store.parameters import save_parameters, save_profile
 from app.store.patients import end_session, start_session
@@ -85,12 +86,15 @@ class EyesClinic(ServedClinic):
         self.good("POST", "/session", {"patient_id": patient})
 
     def set_calibration(self, step: str) -> None:
-        """Let the open session's calibration be at a step; at "result" it has one."""
+        """Let the open session's calibration be at a step; at "result" every step is done, and there is one."""
+        self.good("GET", "/calibration")  # it has begun
         session_id = self.good("GET", "/session")["session"]["id"]
         database = Database(self._settings.database)
         with database.transaction() as db:
             session = db.get_one(PatientSession, session_id)
             session.current_step, session.accepted = step, False
+            for row in calibration_steps(db, session_id).values():
+                row.status = "done" if step == "result" else "waiting"
             session.result = profile_for(LAYOUT).model_dump(mode="json") if step == "result" else None
         database.close()
 

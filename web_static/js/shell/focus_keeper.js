@@ -50,7 +50,7 @@ export function keepFocus() {
       drawnAgain(lost) ?? openers.filter(Boolean).pop() ?? [...document.querySelectorAll("main h1")].find(canHaveFocus);
     last = null;
     // Without a keyboard, a field would open the one on the screen.
-    if (next instanceof HTMLElement && (byKey || !next.matches(TEXT))) next.focus({ preventScroll: true });
+    if (next && (byKey || !next.matches(TEXT))) /** @type {HTMLElement | SVGElement} */ (next).focus({ preventScroll: true });
   };
   new MutationObserver(look).observe(document.body, {
     childList: true,
