@@ -52,7 +52,7 @@ def enlarged(request, browser, clinic):
         storage_state=clinic.storage(), viewport={"width": width, "height": height}, device_scale_factor=factor
     )
     page = context.new_page()
-    page.set_default_timeout(20_000)
+    page.set_default_timeout(60_000)
     yield page
     context.close()
 
