@@ -40,6 +40,7 @@ HANDLES = """() => [...document.querySelectorAll(".handle")].map((one) => {
 })"""
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("size", SIZES)
 def test_everything_that_is_touched_is_large_enough(page, clinic, size):
     look_as(page, (size, "light"))

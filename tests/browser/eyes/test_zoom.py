@@ -7,7 +7,7 @@ import pytest
 from browser.eyes.axe import look_as
 from browser.eyes.places import PLACES, put_back
 
-pytestmark = [pytest.mark.browser, pytest.mark.timeout(600)]
+pytestmark = [pytest.mark.browser, pytest.mark.long, pytest.mark.timeout(600)]
 
 ZOOMS = {"200 %": (640, 400, 2), "400 %": (320, 256, 4)}
 SHORT = (  # one place of each kind of page
@@ -44,7 +44,7 @@ LOST = """() => {
 }"""
 
 
-@pytest.fixture(params=[pytest.param("200 %", marks=pytest.mark.long), "400 %"])
+@pytest.fixture(params=ZOOMS)
 def enlarged(request, browser, clinic):
     """Yield the owner's page, enlarged."""
     width, height, factor = ZOOMS[request.param]
@@ -76,12 +76,10 @@ def test_nothing_is_lost(enlarged, clinic):
     assert losses(enlarged, clinic, SHORT) == {}
 
 
-@pytest.mark.long
 def test_nothing_is_lost_in_any_state(enlarged, clinic):
     assert losses(enlarged, clinic, PLACES) == {}
 
 
-@pytest.mark.long
 @pytest.mark.parametrize("cell", [("768x1024", "light"), ("1280x800", "light"), ("390x844", "light")])
 def test_no_state_scrolls_sideways(page, clinic, cell):
     look_as(page, cell)
