@@ -10,6 +10,7 @@ import { keepFocus } from "./shell/focus_keeper.js";
 import { header } from "./shell/header.js";
 import { DEMO_LINK, INVITATION_LINK, takeCode } from "./shell/link_codes.js";
 import { firstTimePlace, notices } from "./shell/notices.js";
+import { showWhetherOffline } from "./shell/offline.js";
 import { PAGES, rail } from "./shell/rail.js";
 import { stopOnSpace } from "./shell/stop.js";
 import { followSystem } from "./shell/theme.js";
@@ -21,7 +22,6 @@ import { PageSession } from "./live/page_session.js";
 import { t } from "./texts.js";
 
 const LOOK_AT_DISK_EVERY = 60_000; // ms
-const WITHOUT_PROGRAM = new Set(["plans"]); // pages that work without the program: drawings are kept in this browser
 
 /**
  * What happens in the frame. `drafts`: the detail is a list to which a page adds what was entered and not sent;
@@ -73,7 +73,7 @@ export class App extends TypedEvents {
     keepFocus();
     this.live.addEventListener("changed", (event) => this.#changed(event.detail));
     this.live.addEventListener("connection", () => this.#connectionChanged());
-    this.addEventListener("route", () => this.#showWhetherOffline());
+    this.addEventListener("route", () => showWhetherOffline(this));
     this.live.addEventListener("tick", ({ detail }) => {
       this.#setPractice(detail.practice);
       this.lock.follow(detail.hidden);
@@ -253,27 +253,11 @@ export class App extends TypedEvents {
   }
 
   #connectionChanged() {
-    this.#showWhetherOffline();
+    showWhetherOffline(this);
     // A page without the live socket does not see the chair, so its screen socket must not keep the chair driving.
     if (this.live.connected) return this.screen.open();
     this.screen.close();
     this.#whoAmI();
-  }
-
-  get #isOffline() {
-    return Boolean(this.me?.signed_in) && !this.live.connected;
-  }
-
-  /** Whether the page needs the server, which does not answer. */
-  get isPageOff() {
-    return this.#isOffline && !WITHOUT_PROGRAM.has(this.route.page);
-  }
-
-  /** While the server does not answer, mark the frame as offline and disable all pages but those that work without it. */
-  #showWhetherOffline() {
-    this.frame.classList.toggle("offline", this.#isOffline);
-    this.rail.inert = this.#isOffline;
-    this.root.inert = this.isPageOff;
   }
 
   async #whoAmI() {

@@ -1,73 +1,12 @@
 """Every page in every state that a person meets, each opened from nothing by `PLACES[name](page, clinic)`."""
 
-from collections.abc import Callable
 from typing import Any
 
-from browser.eyes.eyes_clinic import OWNER, EyesClinic
+from browser.eyes.eyes_clinic import EyesClinic
+from browser.eyes.opening import Open, answered, at, go, opened, start_with, tap
 from playwright.sync_api import expect
 
 from app.faults import Fault
-
-Open = Callable[[Any, EyesClinic], None]
-
-
-def go(page: Any, clinic: EyesClinic, where: str) -> None:
-    """Load a page of the application anew, and wait for its heading."""
-    page.unroute_all()
-    page.goto("about:blank")
-    page.goto(f"{clinic.address}/#/{where}")
-    expect(page.locator("main h1")).to_be_attached()
-
-
-def tap(page: Any, name: str) -> None:
-    """Press the first button, link or summary of this name."""
-    button, link = page.get_by_role("button", name=name), page.get_by_role("link", name=name)
-    button.or_(link).or_(page.locator("summary", has_text=name)).first.click()
-
-
-def at(where: str, *taps: str) -> Open:
-    """Return what opens a page and taps what has these names."""
-
-    def open_place(page: Any, clinic: EyesClinic) -> None:
-        go(page, clinic, where)
-        for name in taps:
-            tap(page, name)
-
-    return open_place
-
-
-def opened(where: str) -> Open:
-    """Return what opens a page, and on it everything that opens."""
-
-    def open_place(page: Any, clinic: EyesClinic) -> None:
-        go(page, clinic, where)
-        for _ in range(2):  # what opens may hold what opens
-            page.evaluate("() => document.querySelectorAll('main details').forEach((one) => (one.open = true))")
-            page.wait_for_timeout(200)
-
-    return open_place
-
-
-def answered(path: str, where: str, change: Callable[[Any], Any]) -> Open:
-    """Return what opens a page whose request gets another answer."""
-
-    def answer(route: Any) -> None:
-        real = route.fetch()
-        route.fulfill(response=real, json=change(real.json()))
-
-    def open_place(page: Any, clinic: EyesClinic) -> None:
-        page.goto("about:blank")
-        page.unroute_all()
-        page.route(f"**/api/v1{path}", answer)
-        page.goto(f"{clinic.address}/#/{where}")
-        expect(page.locator("main h1")).to_be_attached()
-
-    return open_place
-
-
-def start_with(**changes: Any) -> Open:
-    """Return what opens the application for somebody else than its owner."""
-    return answered("/start", "patients", lambda start: {**start, "me": {**start["me"], **changes}})
 
 
 def refused_sign_in(page: Any, clinic: EyesClinic) -> None:
@@ -313,6 +252,3 @@ def put_back(clinic: EyesClinic) -> None:
         clinic.good("POST", "/trials/current/end", {"reason": "by hand"})
     if clinic.good("GET", "/chairs")["chosen"]:
         clinic.good("PUT", "/chairs/chosen", {"id": None, "dynamics": "unicycle"})
-
-
-__all__ = ["OWNER", "PLACES", "put_back"]

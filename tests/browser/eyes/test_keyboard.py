@@ -5,7 +5,8 @@ import re
 import pytest
 from browser.eyes.axe import look_as
 from browser.eyes.eyes_clinic import OWNER
-from browser.eyes.places import PLACES, go, put_back
+from browser.eyes.opening import go
+from browser.eyes.places import PLACES, put_back
 from playwright.sync_api import expect
 
 pytestmark = [pytest.mark.browser, pytest.mark.timeout(180)]

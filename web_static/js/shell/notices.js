@@ -8,6 +8,7 @@ import { t } from "../texts.js";
 import { h, put, set } from "../widgets/dom.js";
 import { timeOfDay } from "../widgets/format.js";
 import { icon } from "../widgets/icons.js";
+import { isPageOff } from "./offline.js";
 
 const SEEN_AFTER = 400; // ms: a tap that comes sooner was meant for what stood there before
 
@@ -48,7 +49,7 @@ export function firstTimePlace(app) {
 
 /** The kind of the one notice that is needed most; empty when all is well. @param {App} app @param {ReturnType<typeof faultKeys>} faultKey */
 function noticeKind(app, faultKey) {
-  if (!app.live.connected) return app.isPageOff ? "lost, page off" : "lost";
+  if (!app.live.connected) return isPageOff(app) ? "lost, page off" : "lost";
   const now = app.live.latest;
   if (!now) return "";
   if (now.control !== "alive") return "control";
@@ -82,7 +83,7 @@ export function faultKeys() {
 function note(app, kind) {
   if (kind.startsWith("lost")) {
     const words = t("note.lost", { time: timeOfDay(app.live.receivedAt) });
-    return strip("bad", app.isPageOff ? h("h1", {}, words) : h("b", {}, words), t("note.lost.why"));
+    return strip("bad", isPageOff(app) ? h("h1", {}, words) : h("b", {}, words), t("note.lost.why"));
   }
   if (kind === "control") return strip("bad", h("b", {}, t("note.control")), t("note.control.why"));
   if (kind === "driving")
