@@ -13,7 +13,7 @@ from app.api.live.screen_pictures import NO_PICTURE, Picture
 from app.api.live.screen_socket import ScreenWord
 from app.api.live.screens import Screen
 from app.api.one_controller import require_controller
-from app.api.parts import Web
+from app.api.parts import Web, WebParts
 from app.api.routes.source_view import SourceView
 from app.api.sign_in.identity import SignedInPerson
 from app.quantities import Document, Line, Name
