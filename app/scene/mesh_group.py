@@ -7,8 +7,10 @@ import viser
 
 from app.scene.cameras import Placement
 from app.scene.meshes.bodies import Part
+from app.scene.meshes.paint import PaintedPart
+from app.scene.unlit_glb import unlit_glb
 
-MeshNode = viser.MeshHandle
+MeshNode = viser.MeshHandle | viser.GlbHandle
 
 
 class MeshGroup:
@@ -18,7 +20,7 @@ class MeshGroup:
         self._server = server
         self._under = under
         self._nodes: dict[str, MeshNode] = {}
-        self._shown: Mapping[str, Part] = {}
+        self._shown: Mapping[str, Part | PaintedPart] = {}
 
     def __contains__(self, name: str) -> bool:
         """Return whether the group has a mesh of this name."""
@@ -36,7 +38,7 @@ class MeshGroup:
         """Return the meshes."""
         return self._nodes.values()
 
-    def show(self, parts: Mapping[str, Part]) -> bool:
+    def show(self, parts: Mapping[str, Part | PaintedPart]) -> bool:
         """Replace the meshes by `parts`; return whether `parts` is another object than the one shown before.
 
         When names, colours and faces are equal, only the vertices of the existing meshes are changed: a new mesh would
@@ -44,24 +46,39 @@ class MeshGroup:
         """
         if parts is self._shown:
             return False
-        if self._differ_in_vertices_only(parts):
-            for name, part in parts.items():
-                self._nodes[name].vertices = part.mesh.vertices.astype(np.float32)
-        else:
+        moved = self._moved_meshes(parts)
+        if moved is None:
             for node in self._nodes.values():
                 node.remove()
             self._nodes = {name: self._add(f"{self._under}/{name}", part) for name, part in parts.items()}
+        else:
+            for node, part in moved:
+                node.vertices = part.mesh.vertices.astype(np.float32)
         self._shown = parts
         return True
 
-    def _differ_in_vertices_only(self, parts: Mapping[str, Part]) -> bool:
-        return self._shown.keys() == parts.keys() and all(
-            part.colour == self._shown[name].colour and np.array_equal(part.mesh.faces, self._shown[name].mesh.faces)
-            for name, part in parts.items()
-        )
+    def _moved_meshes(self, parts: Mapping[str, Part | PaintedPart]) -> list[tuple[viser.MeshHandle, Part]] | None:
+        """Return the meshes on the server with the parts that replace them, when these differ in their vertices only.
 
-    def _add(self, name: str, part: Part) -> MeshNode:
-        return self._server.scene.add_mesh_simple(
+        Returns None when anything else differs.
+        """
+        if self._shown.keys() != parts.keys():
+            return None
+        moved = []
+        for name, part in parts.items():
+            before, node = self._shown[name], self._nodes[name]
+            if not (isinstance(part, Part) and isinstance(before, Part) and isinstance(node, viser.MeshHandle)):
+                return None
+            if part.colour != before.colour or not np.array_equal(part.mesh.faces, before.mesh.faces):
+                return None
+            moved.append((node, part))
+        return moved
+
+    def _add(self, name: str, part: Part | PaintedPart) -> MeshNode:
+        scene = self._server.scene
+        if isinstance(part, PaintedPart):
+            return scene.add_glb(name, unlit_glb(part), cast_shadow=False, receive_shadow=False)
+        return scene.add_mesh_simple(
             name, part.mesh.vertices, part.mesh.faces, color=part.colour, cast_shadow=False, receive_shadow=False
         )
 

@@ -28,7 +28,7 @@ from app.scene.head_view import AHEAD, Angles, HeadView
 from app.scene.lighting import Lighting
 from app.scene.mesh_group import MeshGroup, numbered, place_node
 from app.scene.meshes.bodies import Part
-from app.scene.meshes.building import FURNITURE, WALLS
+from app.scene.meshes.building import FURNITURE, OVERHEAD, WALLS, BuildingParts
 from app.scene.meshes.wheelchair import chair_parts, person_parts
 from app.scene.scene_state import SceneState
 from app.world.scenery import Lights
@@ -37,7 +37,6 @@ WALL_CUT_HEIGHT: Final[dict[View, float]] = {"eye": math.inf, "chase": 1.1, "top
 """Height (m) at which walls are cut, so that they hide less."""
 FURNITURE_HEIGHT_SHARE: Final[dict[View, float]] = {"eye": 1.0, "chase": 1.0, "top": 0.25, "free": 1.0}
 """Share of the furniture's height that is drawn; in the view from the top, tall furniture would lean outwards."""
-OVERHEAD: Final = ("door_frames", "lintels")  # shown to the eye only: from above they hide the way
 UPRIGHT: Final = ("flag", "mark")  # of a task; not shown in the view from the top
 EMPTY: Final[Bounds] = (-5.0, -5.0, 5.0, 5.0)  # without a floor plan
 LANDSCAPE = 4 / 3  # width over height of a picture whose size is not known yet
@@ -49,7 +48,7 @@ DEFAULT_LIGHTS: Final = Lights()
 class Drawing:
     """The drawing of a plan, made once for all roles."""
 
-    building: dict[str, Part]
+    building: BuildingParts
     movers: Sequence[list[Part]]
     bounds: Bounds = EMPTY
     wall_height: float = 0.0
@@ -122,11 +121,11 @@ class WorldView:
         with self._server.atomic():
             shown = min(WALL_CUT_HEIGHT[view] / height, 1.0) if height else 1.0
             for name, node in self._building.items():
-                if name in WALLS:
+                if name == WALLS:
                     node.scale = (1.0, 1.0, shown)
                 elif name.startswith(FURNITURE):
                     node.scale = (1.0, 1.0, FURNITURE_HEIGHT_SHARE[view])
-                elif name in OVERHEAD:
+                elif name == OVERHEAD:
                     node.visible = view == "eye"
             for body in self._bodies.values():
                 body.visible = view != "eye"

@@ -9,6 +9,7 @@ from browser.served.view_app import running
 from PIL import Image
 
 from app.scene.cameras import VIEWS
+from app.scene.meshes import palette
 from app.world.floorplan import bundled_floorplans, load_floorplan
 
 PANEL = "document.querySelector('[data-floating-window]:has(.uplot)')"
@@ -99,6 +100,22 @@ def test_the_plan_fills_the_picture_from_above(app, page, until):
     shot = picture(page)
     background = np.abs(shot[240] - shot[2].mean(axis=0)).max(axis=1) < 12
     assert background.mean() < 0.1
+
+
+def test_a_room_has_its_own_colours_and_a_ceiling_for_the_eye_only(app, page, until):
+    app.ride.held_at = 4.0
+
+    def share(colour):
+        return float((np.abs(picture(page) - colour).max(axis=2) <= 3).mean())
+
+    for view, fov in (("eye", 68), ("top", 30)):
+        app.scene_thread.scene.set_view("clinician", view)
+        until(page, f"Math.abs(window.__viserMutable.camera.fov - {fov}) < 0.5")
+        page.wait_for_timeout(800)
+        assert share(palette.FLOOR) > 0.02, view
+        assert share(palette.FLOOR_TILE) > 0.02, view
+        assert (share(palette.CEILING) > 0.02) == (view == "eye")
+        assert (share(palette.DOOR) > 0.0005) == (view == "eye")
 
 
 def test_nothing_of_visers_own_panel_can_be_seen(page):

@@ -1,5 +1,6 @@
 """The scene of a session: the plan, the chair, what moves, each role's camera."""
 
+import numpy as np
 import pytest
 from scene_messages import everything, of_node, tick
 
@@ -36,15 +37,36 @@ def test_roles_look_from_where_they_want(servers):
         assert scene.view("patient") == "eye"
 
 
+def drawn(port):
+    return {message["name"] for message in everything(port) if message["type"] in ("MeshMessage", "GlbMessage")}
+
+
+@pytest.mark.parametrize("role", ROLES)
+def test_ceiling_and_door_frames_are_shown_to_the_eye_only(servers, role):
+    scene = Scene(servers)
+    scene.set_floorplan(load_floorplan(bundled_floorplans()["clinic"]), "main")
+    for view in VIEWS:
+        scene.set_view(role, view)
+        shown = of_node(everything(servers.port(role)), "SetSceneNodeVisibilityMessage", "/world/overhead")
+        assert shown[-1]["visible"] == (view == "eye"), view
+        (walls,) = [node for name, node in scene._views[role]._building.items() if name == "walls"]
+        assert np.all(np.asarray(walls.scale)[:2] == 1)
+        assert (np.asarray(walls.scale)[2] < 1) == (view != "eye"), view
+
+
 def test_another_plan_replaces_the_first_and_none_leaves_nothing(servers):
     scene = Scene(servers)
     scene.set_floorplan(load_floorplan(bundled_floorplans()["clinic"]), "main")
     scene.set_floorplan(PLAN, "straight")
-    names = {message["name"] for message in everything(servers.port("clinician")) if message["type"] == "MeshMessage"}
-    assert {"/world/floor", "/world/wall_sides", "/world/path", "/world/goal"} <= names
-    assert "/world/door_frames" not in names  # this plan has no doors
+    names = drawn(servers.port("clinician"))
+    assert {"/world/floor", "/world/walls", "/world/overhead", "/world/path", "/world/goal"} <= names
+    assert not any(name.startswith("/world/gap_marks") for name in names)
+    scene.set_floorplan(OPEN, "course")
+    names = drawn(servers.port("clinician"))
+    assert "/world/ground" in names
+    assert not {"/world/floor", "/world/walls", "/world/overhead"} & names  # a meadow has neither walls nor a ceiling
     scene.set_floorplan(None, None)
-    names = {message["name"] for message in everything(servers.port("clinician")) if message["type"] == "MeshMessage"}
+    names = drawn(servers.port("clinician"))
     assert all(name.startswith("/world/chair/") for name in names)
 
 
@@ -54,7 +76,7 @@ def test_an_unknown_path_changes_nothing(servers):
     with pytest.raises(ValueError, match="has no path 'nowhere'"):
         scene.set_floorplan(load_floorplan(bundled_floorplans()["clinic"]), "nowhere")
     found = everything(servers.port("patient"))
-    assert not of_node(found, "MeshMessage", "/world/door_frames")
+    assert len(of_node(found, "GlbMessage", "/world/walls")) == 1
     assert of_node(found, "MeshMessage", "/world/path")
 
 

@@ -1,4 +1,4 @@
-"""The ground of a floor plan: the driven surface, and the land around it up to the horizon."""
+"""The open ground of a floor plan: the driven surface, and the land around it up to the horizon."""
 
 import math
 from itertools import pairwise
@@ -17,9 +17,7 @@ Bounds = tuple[float, float, float, float]
 
 MARGIN: Final = 0.6  # m of floor outside the outer walls
 AROUND: Final = 3.0  # m of open ground around the plan, when the plan gives no area
-TILE: Final = 1.0  # m; tiles, as ripples, tufts and seams, make speed visible
-MOST_TILES: Final = 5000
-SEAM: Final = 2.5  # m between the seams of asphalt
+SEAM: Final = 2.5  # m between the seams of asphalt; seams, as ripples and tufts, make speed visible
 RIPPLE: Final = 0.6  # m between the crests of sand
 TUFTS: Final = 1.0  # per square metre
 MOST_TUFTS: Final = 1500
@@ -33,14 +31,25 @@ TILES_AT: Final = 0.006
 EDGE_AT: Final = 0.01
 
 
+def ground_bounds(plan: FloorPlan) -> Bounds:
+    """Return the bounds of the driven surface, m; a hall's floor reaches a little out of its walls."""
+    if plan.ground.kind == "hall":
+        return _grown(plan.ground.area or plan.bounds, MARGIN)
+    return plan.ground.area or _grown(plan.bounds, AROUND)
+
+
 def ground_parts(plan: FloorPlan) -> dict[str, Part]:
-    """Return the parts of the ground, the largest last: parts that may hide them are drawn before."""
-    kind = plan.ground.kind
-    bounds = plan.ground.area or _grown(plan.bounds, 0.0 if kind == "hall" else AROUND)
-    match kind:
+    """Return the parts of open ground, the largest last: parts that may hide them are drawn before.
+
+    Raises
+    ------
+    ValueError
+        For the floor of a hall, which `interior.floor_part` returns.
+    """
+    bounds = ground_bounds(plan)
+    match plan.ground.kind:
         case "hall":
-            floor = rectangle(*_grown(bounds, MARGIN), 0.0)
-            return {"tiles": Part(_tiles(bounds), palette.FLOOR_TILE), "floor": Part(floor, palette.FLOOR)}
+            raise ValueError("a hall has a floor, and no open ground")
         case "sand":
             detail, near, land = Part(_ripples(bounds), palette.SAND_RIPPLE), palette.SAND, palette.SAND
         case "grass":
@@ -55,17 +64,6 @@ def ground_parts(plan: FloorPlan) -> dict[str, Part]:
     edge = Part(_frame(bounds, -EDGE, 0.0).moved(z=EDGE_AT), detail.colour)
     floor = rectangle(*bounds, 0.0)
     return dunes | {"ground_detail": detail, "ground_edge": edge, "ground": Part(floor, near)} | outside
-
-
-def _tiles(bounds: Bounds) -> Mesh:
-    """Return every second square of a chequered floor."""
-    x_min, y_min, x_max, y_max = bounds
-    tile = max(TILE, math.sqrt((x_max - x_min) * (y_max - y_min) / (2 * MOST_TILES)))
-    columns, rows = math.ceil((x_max - x_min) / tile), math.ceil((y_max - y_min) / tile)
-    column, row = np.meshgrid(np.arange(columns), np.arange(rows), indexing="ij")
-    chosen = (column + row) % 2 == 0
-    x, y = x_min + tile * column[chosen], y_min + tile * row[chosen]
-    return _flat(x, y, np.minimum(x + tile, x_max), np.minimum(y + tile, y_max))
 
 
 def _seams(bounds: Bounds) -> Mesh:

@@ -1,15 +1,20 @@
-"""The colours of the drawn world: light walls, calm floors, the chair in the product's teal."""
+"""The colours of the drawn world: light walls, calm floors, the chair in the product's teal.
+
+The colours from FLOOR to DOOR are those on the screen (sRGB); all others are lit by sun and sky.
+"""
 
 from typing import Final
 
 Colour = tuple[int, int, int]
 
-FLOOR: Final[Colour] = (172, 179, 173)
-FLOOR_TILE: Final[Colour] = (182, 189, 182)
-WALL: Final[Colour] = (226, 231, 235)
+FLOOR: Final[Colour] = (146, 154, 149)
+FLOOR_TILE: Final[Colour] = (166, 173, 167)
+WALL: Final[Colour] = (220, 221, 217)
 WALL_TOP: Final[Colour] = (106, 122, 137)
-SKIRTING: Final[Colour] = (128, 143, 155)
-DOOR: Final[Colour] = (178, 142, 104)
+CEILING: Final[Colour] = (184, 190, 194)
+LAMP: Final[Colour] = (226, 226, 226)
+SKIRTING: Final[Colour] = (66, 78, 90)
+DOOR: Final[Colour] = (116, 74, 44)
 PATH: Final[Colour] = (255, 255, 255)
 PATH_EDGE: Final[Colour] = (92, 114, 132)
 GOAL: Final[Colour] = (11, 107, 107)

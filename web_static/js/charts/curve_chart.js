@@ -2,6 +2,7 @@
 import { t } from "../texts.js";
 import { ABOVE, mapAxis, mapTraces, sessionShapes, sessionWords } from "./curve_marks.js";
 import { comparable, measured, MEASURES } from "../results/measures.js";
+import { extent } from "./extent.js";
 import { chart, faint } from "./plotly.js";
 
 /**
@@ -18,6 +19,12 @@ export function curveChart(learning, measure, fit, open, signal) {
   const rows = learning.trials.filter((row) => measured(row, measure) !== null);
   const { unit, better } = MEASURES[measure];
   const title = [t(`measure.${measure}`), unit && `(${unit})`].filter(Boolean).join(" ");
+  // The fitted band may be far wider than all that was measured: it does not count.
+  const values = [
+    ...rows.map((row) => Number(row[measure])),
+    ...(fit?.value ?? []),
+    ...(measure === "dist" && rows.length ? [Number(rows[rows.length - 1].path_length)] : []),
+  ];
   /** @param {Colours} colours */
   const make = (colours) => {
     const last = rows.at(-1);
@@ -31,7 +38,7 @@ export function curveChart(learning, measure, fit, open, signal) {
       ],
       layout: {
         xaxis: { title: { text: t("review.trial") }, dtick: rows.length > 12 ? undefined : 1, range },
-        yaxis: { title: { text: title }, rangemode: better === "low" ? "tozero" : "normal", domain: [0, ABOVE] },
+        yaxis: { title: { text: title }, range: extent(values, better === "low"), domain: [0, ABOVE] },
         yaxis2: mapAxis(),
         shapes: sessionShapes(rows, colours),
         annotations: sessionWords(rows),

@@ -83,6 +83,7 @@ export function showTrial(app, root, { plan, path, isVisitor }, signal) {
       bar.element,
     ),
   );
+  endAbove(picture.element, bar.element, signal);
   app.setShowsTrial(true);
   tell();
   /** @param {TrialView} started */
@@ -94,6 +95,16 @@ export function showTrial(app, root, { plan, path, isVisitor }, signal) {
     place.name(words);
   };
   return { picture, begin };
+}
+
+/**
+ * Let the picture end above the bar at the bottom, which would hide the path right before the chair.
+ * @param {HTMLElement} picture @param {HTMLElement} bar @param {AbortSignal} signal
+ */
+function endAbove(picture, bar, signal) {
+  const size = new ResizeObserver(() => picture.style.setProperty("--below", `${bar.offsetHeight}px`));
+  size.observe(bar);
+  signal.addEventListener("abort", () => size.disconnect());
 }
 
 /**
