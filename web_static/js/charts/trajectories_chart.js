@@ -2,7 +2,7 @@
 import { t } from "../texts.js";
 import { chart, faint } from "./plotly.js";
 
-const AROUND = 1.5; // m of the building shown around what was driven
+const AROUND = 0.8; // m of the building shown around what was driven
 
 /**
  * @typedef {import("../plan/floor_plan.js").Point} Point
