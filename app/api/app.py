@@ -11,7 +11,7 @@ from app.api import openapi_document
 from app.api.assembly import StartProcess, end_parts, make_parts, start_parts
 from app.api.computer import this_computer
 from app.api.deps import People, clinician, viewer
-from app.api.docs_pages import docs_router
+from app.api.docs_pages import docs_pages
 from app.api.driving import places
 from app.api.foreign_files import OneAtATime
 from app.api.guard import Guard
@@ -162,7 +162,7 @@ def create_app(
     app.include_router(replay_view.page_router)
     app.include_router(view_router(port_of, may_view, viewer))
     pages = Pages(static_folder())
-    app.include_router(docs_router(docs_folder(), pages.text("docs.html")))
+    app.mount("/docs/", docs_pages(docs_folder(), pages.text("docs.html")), name="docs")
     app.mount("/", pages, name="pages")
     app.add_middleware(Guard, settings=settings)
     app.add_middleware(BehindProxy, settings=settings)  # before all others, which see what the browser sent

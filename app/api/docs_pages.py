@@ -7,9 +7,11 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Final
 
-from fastapi import APIRouter, HTTPException
-from fastapi.responses import FileResponse, HTMLResponse, RedirectResponse, Response
+from fastapi import HTTPException
 from markdown_it import MarkdownIt
+from starlette.requests import Request
+from starlette.responses import FileResponse, HTMLResponse, Response
+from starlette.routing import Route, Router
 
 LIST: Final = "README"  # the page that lists all others
 TEXT: Final = ".md"
@@ -17,9 +19,8 @@ KINDS: Final = {".webp": "image/webp"}  # all others are plain text
 NO_PAGE: Final = "There is no page of this name: the list of all pages is at /docs/."
 
 
-def docs_router(folder: Path, frame: str) -> APIRouter:
-    """Return the requests for the pages of a folder; `frame` is the HTML around each, with an empty title and main."""
-    router = APIRouter(prefix="/docs", include_in_schema=False)
+def docs_pages(folder: Path, frame: str) -> Router:
+    """Return the application for the pages of a folder; `frame` is the HTML around each, with an empty main."""
     files = {file.relative_to(folder).as_posix(): file for file in folder.rglob("*") if file.is_file()}
 
     @lru_cache
@@ -28,21 +29,16 @@ def docs_router(folder: Path, frame: str) -> APIRouter:
         framed = frame.replace("<title>", f"<title>{html.escape(title)} · ")
         return framed.replace("<main></main>", f"<main>{content}</main>")
 
-    @router.get("")
-    def without_slash() -> RedirectResponse:
-        """Lead to the list: the links on it stand for names in its own folder."""
-        return RedirectResponse("/docs/")
-
-    @router.get("/{name:path}")
-    def docs_page(name: str) -> Response:
+    def answer(request: Request) -> Response:
         """Return a page as HTML, or a file that one leads to as it is."""
+        name = request.path_params["name"]
         if (text := f"{name or LIST}{TEXT}") in files:
             return HTMLResponse(page(text))
         if name not in files:
             raise HTTPException(404, NO_PAGE)
         return FileResponse(files[name], media_type=KINDS.get(files[name].suffix, "text/plain; charset=utf-8"))
 
-    return router
+    return Router([Route("/{name:path}", answer)])
 
 
 def to_html(text: str) -> tuple[str, str]:

@@ -57,7 +57,6 @@ def test_a_page_has_its_title_the_frame_and_our_policy(clinic: Any) -> None:
     assert "<title>For clinicians · bodydrive</title>" in answer.text
     assert 'href="/docs/"' in answer.text
     assert "default-src 'none'" in answer.headers["Content-Security-Policy"]
-    assert clinic.client.get("/docs", follow_redirects=False).headers["Location"] == "/docs/"
 
 
 @pytest.mark.parametrize("name", ["../pyproject", "%2e%2e/README", "..%2fREADME", "nobody", "README.md/", "pictures/"])

@@ -30,7 +30,8 @@ IDS = {  # names of whole numbers that are ids, and of which table
     "patients": "patient",
     "PUT /chairs/chosen id": "chair",
 }
-NUMBERS = {"stops", "port", "seed", "baud", "address", "version", "direction", "before"}  # whole numbers that are none
+# Whole numbers that are no ids.
+NUMBERS = {"stops", "port", "seed", "baud", "address", "version", "direction", "before", "seconds"}
 FILLED = {"reason": "by hand", "dynamics": "unicycle", "floorplan": "apartment", "path": "main"}
 LISTS = {"patients"}
 OWN_PERSON = "1"  # the person who asks, where a path needs an id besides the one that is tried

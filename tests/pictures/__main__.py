@@ -102,6 +102,7 @@ def demonstration() -> Iterator[Page]:
             page.set_default_timeout(PATIENCE)
             page.goto(link)
             expect(page.locator(".who")).to_contain_text("session")
+            page.get_by_role("button", name="Got it").click()
             yield page
             browser.close()
     finally:

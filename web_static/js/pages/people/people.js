@@ -6,7 +6,7 @@ import { t } from "../../texts.js";
 import { h, put } from "../../widgets/dom.js";
 import { moment } from "../../widgets/format.js";
 import { icon } from "../../widgets/icons.js";
-import { linkCard } from "../../widgets/link_card.js";
+import { linkCard } from "./link_card.js";
 import { rowList } from "../../widgets/list.js";
 import { rightsForm } from "./rights_form.js";
 

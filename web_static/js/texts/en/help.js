@@ -52,4 +52,8 @@ export default {
   "log.1": "Each row says who did what, and when.",
   "log.2": "Choose a person or a patient to see only their rows.",
   "log.3": "Rows are never changed, and the check above shows whether somebody tried.",
+  "computer.title": "This computer",
+  "computer.1": "See here whether this computer, and the screens that are open, will do for driving.",
+  "computer.2": "It measures for ten seconds; nobody may drive meanwhile.",
+  "computer.3": "Where something could be better, a sentence says what to do.",
 };

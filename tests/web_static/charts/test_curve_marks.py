@@ -2,4 +2,4 @@
 
 
 def test_sessions_and_maps_stand_where_they_belong(run_script):
-    assert " holds" in run_script("curve_marks.mjs")
+    assert " holds" in run_script("charts/curve_marks.mjs")

@@ -2,13 +2,13 @@
  * A link that is shown once, as a QR code and as text to copy, with how long it holds.
  * @import { LinkView } from "types/api"
  */
-import { t } from "../texts.js";
-import { copyText } from "./clipboard.js";
-import { h } from "./dom.js";
-import { moment } from "./format.js";
-import { pictureOf } from "./one_time_key.js";
+import { t } from "../../texts.js";
+import { copyText } from "../../widgets/clipboard.js";
+import { h } from "../../widgets/dom.js";
+import { moment } from "../../widgets/format.js";
+import { pictureOf } from "../../widgets/one_time_key.js";
 
-/** @param {import("../main.js").App} app @param {LinkView} link @param {() => void} onDone */
+/** @param {import("../../main.js").App} app @param {LinkView} link @param {() => void} onDone */
 export function linkCard(app, { person, url, qr, expires, words }, onDone) {
   const copy = () => copyText(app, url, t("screens.copied"), t("screens.copy-failed"));
   const key = person.state === "invited" ? "people.link.new" : "people.link.password";

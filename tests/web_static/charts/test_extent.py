@@ -2,4 +2,4 @@
 
 
 def test_few_values_fill_the_axis(run_script):
-    assert " holds" in run_script("extent.mjs")
+    assert " holds" in run_script("charts/extent.mjs")
