@@ -24,6 +24,7 @@ from folders import ROOT
 PICTURES = ROOT / "docs" / "pictures"
 TABLET = {"width": 1024, "height": 768}
 MOVING = (640, 480)
+PAUSE = 250  # ms between two pictures: a page that is photographed all the time is too slow to drive by
 SECONDS = 14.0  # of the moving picture
 ALL_TOGETHER = 2_000_000  # bytes
 TASK = ("corridors", "straight")
@@ -47,6 +48,7 @@ class Camera:
         while not times or times[-1] < seconds:
             times.append(time.monotonic() - begin)
             images.append(self._image().resize(MOVING, Image.Resampling.LANCZOS))
+            self.page.wait_for_timeout(PAUSE)
         lasts = [round(1000 * (after - before)) for before, after in pairwise(times)]
         images[0].save(
             PICTURES / f"{name}.webp",

@@ -21,7 +21,7 @@ def modules(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="session")
 def run_script(modules: Path) -> Callable[..., str]:
-    """Run a script of this folder, or of one below, with the folder of the modules and further arguments, and return what it prints."""
+    """Run a script of this folder, or of one below, with the folder of the modules, and return what it prints."""
 
     def run(name: str, *arguments: Path) -> str:
         command = [NODE, Path(__file__).parent / name, modules, *arguments]
