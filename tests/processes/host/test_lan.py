@@ -82,7 +82,10 @@ def test_over_http_there_is_the_page_that_explains_and_nothing_else(lan: ServedL
                 answered.add(path)
         assert plain.get("/").text == (static / "tablet.html").read_text()
     page = {path for path in answered if not path.startswith(("/js/tablet", "/css/t", "/css/base"))}
-    assert page == {"/tablet.html", "/icon.svg", "/js/widgets/dom.js", "/js/texts/en/tablet.js"}
+    assert page == {"/tablet.html", "/icon.svg", "/css/shell/forced_colors.css"} | {
+        "/js/widgets/dom.js",
+        "/js/texts/en/tablet.js",
+    }
     for path in ("/api/v1/live", "/view/clinician/"):
         with pytest.raises(InvalidStatus):
             connect(f"{lan.page.replace('http', 'ws').rstrip('/')}{path}", additional_headers={"Cookie": cookie})
