@@ -102,7 +102,8 @@ def test_a_question_mark_says_what_the_page_is_for_and_gives_the_focus_back(open
         question.focus()
         page.keyboard.press("Enter")
         expect(panel.get_by_role("heading")).to_be_focused()
-        expect(panel.locator("p")).to_have_count(3)
+        expect(panel.locator("p")).to_have_count(4)  # three sentences, and the way to the page for clinicians
+        expect(panel.get_by_role("link")).to_have_count(1)
         page.keyboard.press("Escape")
         expect(panel).to_have_count(0)
         expect(question).to_be_focused()

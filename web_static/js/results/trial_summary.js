@@ -123,7 +123,9 @@ function drivenCard(trial, plan) {
 
 /** @param {Measures} measures @param {TrialView[]} earlier @param {TrialVerdicts | null} found */
 function tableCard(measures, earlier, found) {
-  const previous = earlier.find(({ id }) => id === found?.earlier) ?? null;
+  const compares = Object.keys(MEASURES).some((name) => comparable(name, measures));
+  const previous = (compares && earlier.find(({ id }) => id === found?.earlier)) || null;
+  const title = t(previous ? "over.table" : "over.measures");
   const rows = Object.keys(MEASURES)
     .filter((name) => measured(measures, name) !== null && (measures.reached || !OF_WHOLE.includes(name)))
     .map((name) => {
@@ -134,10 +136,10 @@ function tableCard(measures, earlier, found) {
         h("th", { scope: "row" }, t(`measure.${name}`)),
         h("td", { class: "own" }, withUnit(name, measured(measures, name))),
         previous && [
-          h("td", {}, withUnit(name, measured(previous.measures, name))),
+          h("td", {}, comparable(name, measures) ? withUnit(name, measured(previous.measures, name)) : "–"),
           h("td", { class: `change ${said?.tone ?? ""}` }, said ? `${said.arrow} ${said.words}` : "–"),
           h("td", {}, said?.noise ?? "–"),
-          h("td", {}, withUnit(name, best(name, earlier))),
+          h("td", {}, comparable(name, measures) ? withUnit(name, best(name, earlier)) : "–"),
         ],
       );
     });
@@ -149,10 +151,9 @@ function tableCard(measures, earlier, found) {
   return h(
     "section",
     { class: "card" },
-    h("h2", {}, t("over.table")),
-    !earlier.length && h("p", { class: "quiet small" }, t("over.first")),
+    h("h2", {}, title),
     scrollTable(
-      t("over.table"),
+      title,
       "measures",
       h(
         "thead",
