@@ -18,38 +18,31 @@ def keep_new_files_private() -> None:
 def restrict(paths: Iterable[Path]) -> list[Path]:
     """Remove the rights of group and others from files and from folders with all their content.
 
-    Links among `paths` are followed, links inside a folder are not.
+    Links among `paths` are followed, links inside a folder are not. A folder that others cannot enter is not searched:
+    nobody else reaches its content, and a clinic of some years has 200,000 files in it. A folder is closed after its
+    content, so that a search that was interrupted is done again.
 
     Returns
     -------
     list of Path
         Files and folders that others can still read, because they have another owner or their file system has no modes.
     """
-    readable = []
-    for place in {place for path in paths for place in _with_content(path.resolve())}:
-        try:
-            if _mode(place) & OTHERS:
-                place.chmod(_mode(place) & ~OTHERS)
-            if _mode(place) & OTHERS:
-                readable.append(place)
-        except FileNotFoundError:
-            continue  # removed meanwhile
-        except OSError:
-            readable.append(place)
-    return sorted(readable)
+    return sorted({place for path in paths for place in _still_readable(path.resolve())})
 
 
-def _mode(place: Path) -> int:
-    return stat.S_IMODE(place.stat().st_mode)
-
-
-def _with_content(path: Path) -> Iterator[Path]:
-    """Yield a path and, if it is a folder, everything below it except links."""
-    if not path.exists():
-        return
-    yield path
-    for folder, folders, files in os.walk(path):
-        for name in (*folders, *files):
-            place = Path(folder, name)
-            if not place.is_symlink():
-                yield place
+def _still_readable(place: Path) -> Iterator[Path]:
+    try:
+        mode = stat.S_IMODE(place.stat().st_mode)
+        if not mode & OTHERS:
+            return
+        if place.is_dir():
+            for inner in place.iterdir():
+                if not inner.is_symlink():
+                    yield from _still_readable(inner)
+        place.chmod(mode & ~OTHERS)
+        if place.stat().st_mode & OTHERS:
+            yield place
+    except FileNotFoundError:
+        return  # removed meanwhile
+    except OSError:
+        yield place

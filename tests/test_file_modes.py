@@ -83,3 +83,25 @@ def test_what_cannot_be_tightened_is_said_in_a_sentence(state, monkeypatch):
 def test_the_state_of_nobody_yet_is_no_place(tmp_path):
     assert keep_private(Settings(state=tmp_path / "nowhere")) == []
     assert not (tmp_path / "nowhere").exists()
+
+
+def test_a_folder_that_others_cannot_enter_is_not_searched(state, monkeypatch):
+    keep_private(Settings(state=state))
+    monkeypatch.setattr(Path, "iterdir", lambda folder: pytest.fail(f"{folder} was searched"))
+    assert keep_private(Settings(state=state)) == []
+
+
+def test_a_search_that_was_interrupted_is_done_again(state, monkeypatch):
+    chmod = Path.chmod
+
+    def interrupted(place, mode):
+        if place.name == "run.json":
+            raise KeyboardInterrupt
+        chmod(place, mode)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(Path, "chmod", interrupted)
+        with pytest.raises(KeyboardInterrupt):
+            keep_private(Settings(state=state))
+    keep_private(Settings(state=state))
+    assert readable_by_others(state) == []
