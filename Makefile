@@ -8,7 +8,7 @@ INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check --co
 # A module is compiled once, and not by each of the many processes that the tests start.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: demo test browser check lint python-types javascript-types api-types demo-profile icons safety compiled drills soak people-soak pictures promises worlds bench verdicts bench-compare clean
+.PHONY: demo test browser check lint python-types javascript-types api-types demo-profile icons safety compiled drills soak people-soak large-clinic pictures promises worlds bench verdicts bench-compare clean
 
 $(VENV)/.installed: pyproject.toml constraints.txt
 	@echo "Installing into $(VENV), once; this takes a minute or two ..."
@@ -87,6 +87,10 @@ soak: $(VENV)/.installed-test
 
 people-soak: $(VENV)/.installed-test
 	PYTHONPATH=tests $(BIN)/python -m soak.people --minutes $(or $(MINUTES),30)
+
+# A clinic of 200 patients, 4,000 sessions and 60,000 trials, made in a minute: how quickly it starts and answers.
+large-clinic: $(VENV)/.installed-test
+	PYTHONPATH=.:tests $(BIN)/python -m large_clinic
 
 pictures: $(VENV)/.installed-test
 	PYTHONPATH=tests $(BIN)/python -m pictures

@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 
 from app.scoring.verdict.deterioration import worse_since
 from app.scoring.verdict.measure_comparison import least_spread
-from app.scoring.verdict.measure_verdict import compare, noise_of, series_of
-from app.scoring.verdict.spread import Spread, clinic_spread, own_spread, pool_spreads
+from app.scoring.verdict.measure_verdict import clinic_spreads, compare, noise_of, people_variances, series_of
+from app.scoring.verdict.spread import Spread, own_spread, pool_spreads
 
 MEASURE = "e_diff"
 LEVEL = 3.0  # m2
@@ -90,9 +90,7 @@ def clinics(rng: np.random.Generator, shape: str = "log", count: int = CLINICS) 
             drive(rng, draw_person(rng), [int(rng.choice([2, 3, 5]))] * int(rng.integers(2, 9)), shape=shape)
             for _ in range(PEOPLE_OF_CLINIC)
         ]
-        spread = clinic_spread([series_of(rows, MEASURE)[0] for rows in people])
-        if spread is not None:
-            found.append(spread)
+        found.append(clinic_spreads(people_variances(dict(enumerate(people))))[MEASURE])
     return found
 
 

@@ -19,6 +19,7 @@ from app.api.view.view_keeper import OpenScene, ViewKeeper
 from app.computing_process import ComputingProcess
 from app.session.adaptation import AdaptationFlow
 from app.session.calibration import CalibrationFlow
+from app.session.clinic_spread import ClinicSpread
 from app.session.control_link import ControlLink, LinkedProcess
 from app.session.equipment.chairs import Chairs
 from app.session.equipment.head import HeadChoice
@@ -108,6 +109,7 @@ def make_parts(
         trajectories=Trajectories(computing),
         timelines=Timelines(computing),
         qualities=TrialQualities(database, runs.folder_of, computing),
+        spread=ClinicSpread(database, computing),
         replays=Replays(),
         view=ViewKeeper(open_scene, control.newest),
         own_floorplans=settings.floorplans,

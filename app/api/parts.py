@@ -23,6 +23,7 @@ from app.clock import monotonic
 from app.computing_process import ComputingProcess
 from app.session.adaptation import AdaptationFlow
 from app.session.calibration import CalibrationFlow
+from app.session.clinic_spread import ClinicSpread
 from app.session.control_link import ControlLink, ScreenSign
 from app.session.equipment.chairs import Chairs
 from app.session.equipment.head import HeadChoice
@@ -71,6 +72,7 @@ class WebParts:
     trajectories: Trajectories
     timelines: Timelines
     qualities: TrialQualities
+    spread: ClinicSpread
     replays: Replays
     view: ViewKeeper
     own_floorplans: Path

@@ -59,10 +59,11 @@ class Run:
         return {name: column[chosen] for name, column in self.columns.items()}
 
 
-def read_run(folder: str | Path) -> Run:
+def read_run(folder: str | Path, *, scalars_only: bool = False) -> Run:
     """Return the run in `folder`; of a damaged one, the rows before the first damaged byte.
 
-    `Run.damage` describes missing and changed bytes; they raise no error.
+    `Run.damage` describes missing and changed bytes; they raise no error. With `scalars_only`, the columns of channels
+    and gestures of a closed run are neither read nor checked, which are nine tenths of it, and are empty.
 
     Raises
     ------
@@ -80,7 +81,7 @@ def read_run(folder: str | Path) -> Run:
     words = ""
     tables: list[pa.Table] = []
     if parquet.exists() and (end is not None or not segments):
-        tables, words = _read_parquet(parquet, end)
+        tables, words = _read_parquet(parquet, end, scalars_only)
     if not tables and segments:
         tables, words = _read_segments(segments)
     copy = _copied_meta(tables)
@@ -92,21 +93,24 @@ def read_run(folder: str | Path) -> Run:
     return Run(meta, _columns(tables, meta), end["dropped"] if end else 0, damage or words)
 
 
-def _read_parquet(file: Path, end: dict[str, Any] | None) -> tuple[list["pa.Table"], str]:
+def _read_parquet(file: Path, end: dict[str, Any] | None, scalars_only: bool) -> tuple[list["pa.Table"], str]:
     import pyarrow as pa
     import pyarrow.parquet as pa_parquet
 
     try:
-        table = pa_parquet.read_table(file, page_checksum_verification=True)
+        with pa_parquet.ParquetFile(file, page_checksum_verification=True) as opened:
+            schema = opened.schema_arrow
+            names = [name for name in schema.names if name in (*SCALARS, *ADDED_SCALARS)] if scalars_only else None
+            table = opened.read(names)
         table.validate(full=True)
     except (pa.ArrowException, OSError):
         return [], f"{file}: this file was cut or changed and cannot be read: restore it from a backup."
     words = ""
     if end is None:
         words = f"{file.parent / END_FILE}: this file was cut or changed, so the recording cannot be checked."
-    elif end["checksums"][PARQUET_FILE] != _file_checksum(file):
+    elif not scalars_only and end["checksums"][PARQUET_FILE] != _file_checksum(file):
         words = f"{file}: this file was changed, do not rely on it: restore it from a backup."
-    return ([table] if _has_all_columns(table.schema) else []), words
+    return ([table] if _has_all_columns(schema) else []), words
 
 
 def _read_segments(segments: list[Path]) -> tuple[list["pa.Table"], str]:

@@ -100,7 +100,7 @@ def quality_of_recording(folder: Path) -> ControlQuality:
 
 def read_trajectory(folder: Path) -> RecordedTrajectory:
     """Return where the chair was in a trial, from when motion was first permitted."""
-    rows = _since_armed(read_run(folder).columns)
+    rows = _since_armed(read_run(folder, scalars_only=True).columns)
     return RecordedTrajectory(rows["t"] - rows["t"][0], rows["x"], rows["y"])
 
 

@@ -2,10 +2,10 @@
 
 from collections import Counter
 from collections.abc import Sequence
-from datetime import date
+from datetime import date, datetime
 from typing import Any, NamedTuple
 
-from sqlalchemy import JSON, ColumnElement, select
+from sqlalchemy import JSON, ColumnElement, func, select
 from sqlalchemy.orm import Session
 
 from app.source import SourceGroup, source_words
@@ -13,7 +13,7 @@ from app.store.tables import Parameters, Patient, PatientSession, Profile, Run, 
 
 FAMILIARISATION = 3  # first trials of a task on a day, in which a person gets used to it
 SIMULATED: dict[SourceGroup, bool | None] = {"worn": False, "simulated": True, "unknown": None}
-MOST_OTHERS = 2000  # trials of other people, the newest, that the clinic's median is of
+MOST_TRIALS = 2000  # the newest, that the clinic's median is of
 
 
 class CountedTrial(NamedTuple):
@@ -55,45 +55,52 @@ def counted_trials(db: Session, clinic_id: int, patient_id: int, floorplan: str,
         .where(Trial.patient_id == patient_id, *_measured(clinic_id, floorplan, path))
         .order_by(Trial.id)
     ).all()
-    familiarisation = _familiarisation([trial for trial, *_ in found])
+    familiarisation = _familiarisation([(trial.id, trial.started, trial.run.source.group) for trial, *_ in found])
     return [CountedTrial(*row, row[0].id in familiarisation) for row in found if row[0].kept]
 
 
-def trials_of_others(
-    db: Session, clinic_id: int, patient_id: int, floorplan: str, path: str, group: SourceGroup
-) -> list[list[dict[str, Any]]]:
-    """Return the rows of all other patients on one path, a list for each person, for the clinic's median spread.
+def trials_of_everybody(
+    db: Session, clinic_id: int, floorplan: str, path: str, group: SourceGroup
+) -> dict[int, list[dict[str, Any]]]:
+    """Return the rows of each patient's trials on one path, the newest 2000, for the clinic's median spread.
 
     The rows hold numbers only: `id`, `number`, `session`, `familiarisation` and the measures.
     """
+    columns = (Trial.patient_id, Trial.id, Trial.number, Trial.started, Trial.kept, Trial.measures)
     found = db.execute(
-        select(Trial, PatientSession.number)
+        select(*columns, PatientSession.number.label("session"))
         .join(PatientSession, PatientSession.id == Trial.session_id)
         .join(Patient, Patient.id == Trial.patient_id)
         .join(Run, Run.id == Trial.run_id)
-        .where(Trial.patient_id != patient_id, Patient.deleted.is_(None), Run.simulated.is_(SIMULATED[group]))
+        .where(Patient.deleted.is_(None), Run.simulated.is_(SIMULATED[group]))
         .where(*_measured(clinic_id, floorplan, path))
         .order_by(Trial.id.desc())
-        .limit(MOST_OTHERS)
+        .limit(MOST_TRIALS)
     ).all()[::-1]
-    people: dict[int, list[tuple[Trial, int]]] = {}
-    for trial, session in found:
-        people.setdefault(trial.patient_id, []).append((trial, session))
-    return [_numbers(trials) for trials in people.values()]
+    people: dict[int, list[Any]] = {}
+    for row in found:
+        people.setdefault(row.patient_id, []).append(row)
+    return {person: _numbers(rows, group) for person, rows in people.items()}
 
 
-def _numbers(trials: list[tuple[Trial, int]]) -> list[dict[str, Any]]:
-    familiarisation = _familiarisation([trial for trial, _ in trials])
+def count_of_everybody(db: Session, floorplan: str, path: str) -> int:
+    """Return how many trials on one path were ended, of every patient and source; the index alone tells it."""
+    ended = (Trial.floorplan == floorplan, Trial.path == path, Trial.status == "done")
+    return db.scalar(select(func.count()).select_from(Trial).where(*ended)) or 0
+
+
+def _numbers(rows: Sequence[Any], group: SourceGroup) -> list[dict[str, Any]]:
+    familiarisation = _familiarisation([(row.id, row.started, group) for row in rows])
     return [
         {
-            **(trial.measures or {}),
-            "id": trial.id,
-            "number": trial.number,
-            "session": session,
-            "familiarisation": trial.id in familiarisation,
+            **(row.measures or {}),
+            "id": row.id,
+            "number": row.number,
+            "session": row.session,
+            "familiarisation": row.id in familiarisation,
         }
-        for trial, session in trials
-        if trial.kept
+        for row in rows
+        if row.kept
     ]
 
 
@@ -108,16 +115,16 @@ def _measured(clinic_id: int, floorplan: str, path: str) -> tuple[ColumnElement[
     )
 
 
-def _familiarisation(trials: Sequence[Trial]) -> set[int]:
+def _familiarisation(trials: Sequence[tuple[int, datetime, SourceGroup]]) -> set[int]:
     """Return the ids of the first three trials of each source on each day of this machine's calendar.
 
     `trials` are one person's on one path, in the order driven. A discarded trial counts: it was practice, too.
     """
     driven: Counter[tuple[SourceGroup, date]] = Counter()
     found = set()
-    for trial in trials:
-        day = (trial.run.source.group, trial.started.astimezone().date())
+    for own, started, group in trials:
+        day = (group, started.astimezone().date())
         driven[day] += 1
         if driven[day] <= FAMILIARISATION:
-            found.add(trial.id)
+            found.add(own)
     return found

@@ -179,7 +179,10 @@ class Trial(Table):
     """One attempt along a path."""
 
     __tablename__ = "trial"
-    __table_args__ = (UniqueConstraint("patient_id", "floorplan", "path", "number"),)
+    __table_args__ = (
+        UniqueConstraint("patient_id", "floorplan", "path", "number"),
+        Index(None, "floorplan", "path", "status"),
+    )
     id: Mapped[int] = mapped_column(primary_key=True)
     clinic_id: Mapped[int] = mapped_column(ForeignKey("clinic.id"))
     patient_id: Mapped[int] = mapped_column(ForeignKey("patient.id"))

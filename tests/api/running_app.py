@@ -9,23 +9,21 @@ from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 from fake_clinic import BASE, Clinic, FakeProcess, TestClient, profile_for
 from session.same_process import SameProcess
 
 from app.api.app import create_app
+from app.api.replay.trajectories import Trajectory, shown_trajectories
 from app.calibration.profile import CalibrationProfile
 from app.calibration.script import Step
 from app.layout import ShirtLayout
 from app.scoring.control_quality import ControlQuality
 from app.session.adaptation_reading import adapt_from_recordings
 from app.session.recordings import (
-    RecordedTrajectory,
     check_recording,
     fit_recordings,
     measure_recording,
     quality_of_recording,
-    read_trajectory,
 )
 from app.settings import Settings
 
@@ -37,12 +35,12 @@ class RunningApp:
         self._settings = Settings(state=Path("given-at-the-start"))
         self._processes: list[FakeProcess] = []
         self._answers: dict[str, Any] = {}
-        line = np.linspace(0.0, 1.0, 101)
+        line = Trajectory([0.0, 1.0], [0.0, 1.0], [0.0, 0.0])
         stand_ins: dict[Callable[..., Any], Callable[..., Any]] = {
             check_recording: lambda _folder, _duration: self._answers["judge"],
             fit_recordings: self._fit,
             measure_recording: lambda _folder, _plan, _path: self._answers["measures"],
-            read_trajectory: lambda _folder: RecordedTrajectory(line, line, 0 * line),
+            shown_trajectories: lambda folders: [line for _ in folders],
             quality_of_recording: lambda _folder: self._quality(),
             adapt_from_recordings: lambda *given: self._answers["adapt"](*given) if "adapt" in self._answers else None,
         }

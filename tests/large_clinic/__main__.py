@@ -7,7 +7,6 @@ import time
 from pathlib import Path
 
 import numpy as np
-
 from large_clinic.furnished import Size, furnish_years
 from large_clinic.measured import measure
 

@@ -12,11 +12,13 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
+from recorded_trial import plan_of, record_trial
 from sqlalchemy import insert
 from sqlalchemy.orm import Session
 
 from app.calibration.vocabulary import DriveParameters
 from app.clock import utc_now
+from app.file_modes import keep_new_files_private
 from app.session.recordings import measure_recording, quality_of_recording
 from app.settings import Settings, data_folder
 from app.source import Source
@@ -26,7 +28,6 @@ from app.store.people import add_clinic, add_person, sign_in
 from app.store.tables import LogEntry, Parameters, Patient, PatientSession, Profile, Run, Trial
 from app.world.floorplan import FloorPlan, load_floorplan
 from building import make_parameters
-from recorded_trial import plan_of, record_trial
 
 PLANS = ("apartment", "clinic")
 RECORDINGS = 12  # driven ones
@@ -54,6 +55,7 @@ class Recorded(NamedTuple):
 
 def furnish_years(state: Path, size: Size) -> str:
     """Make the clinic in an empty folder and return the token of its owner's sign-in."""
+    keep_new_files_private()
     settings = Settings(state=state)
     database = Database(settings.database)
     parameters = make_parameters()
@@ -130,8 +132,11 @@ class _Rows:
         self._hash = parameters.hash
         self._random = np.random.default_rng(1)
         self._session_ids, self._trial_ids = count(1), count(1)
-        for patient in range(1, size.patients + 1):
-            self._add_patient(patient)
+        self._set_of: dict[int, int] = {}  # patient -> their newest parameter set
+        begin = {patient: self._add_patient(patient) for patient in range(1, size.patients + 1)}
+        for number in range(1, size.sessions + 1):  # as the clinic drove them: a week after the other
+            for patient, first in begin.items():
+                self._add_session(patient, number, first + timedelta(weeks=number - 1))
 
     def all(self) -> dict[Any, list[dict[str, Any]]]:
         """Return the documents of each table, in the order in which they refer to one another."""
@@ -144,25 +149,39 @@ class _Rows:
             Trial: self.trials,
         }
 
-    def _add_patient(self, patient: int) -> None:
+    def _add_patient(self, patient: int) -> datetime:
         begin = utc_now() - timedelta(weeks=self._size.sessions, hours=patient)
         self.patients.append(
             {
-                **{"id": patient, "clinic_id": self._clinic, "code": f"P-{patient:04d}", "note": "", "created": begin},
-                **{"pseudonym": f"Patient {patient:04d}", "adaptation": "off", "deleted": None},
+                "id": patient,
+                "clinic_id": self._clinic,
+                "code": f"P-{patient:04d}",
+                "note": "",
+                "created": begin,
+                "pseudonym": f"Patient {patient:04d}",
+                "adaptation": "off",
+                "deleted": None,
             }
         )
         self.log.append((begin, "patient added", {"patient": patient}))
-        for number in range(1, self._size.sessions + 1):
-            self._add_session(patient, number, begin + timedelta(weeks=number - 1))
+        return begin
 
     def _add_session(self, patient: int, number: int, started: datetime) -> None:
         session = next(self._session_ids)
         self.sessions.append(
             {
-                **{"id": session, "clinic_id": self._clinic, "patient_id": patient, "number": number},
-                **{"started": started, "opened_by": "Ada", "ended": started + timedelta(hours=1)},
-                **{"accepted": True, "current_step": None, "script": None, "result": None, "screen": None},
+                "id": session,
+                "clinic_id": self._clinic,
+                "patient_id": patient,
+                "number": number,
+                "started": started,
+                "opened_by": "Ada",
+                "ended": started + timedelta(hours=1),
+                "accepted": True,
+                "current_step": None,
+                "script": None,
+                "result": None,
+                "screen": None,
             }
         )
         self.log.append((started, "session opened", {"patient": patient, "session": session}))
@@ -173,18 +192,31 @@ class _Rows:
             self._add_trial(patient, session, (number - 1) * self._size.trials + place, moment)
 
     def _add_profile(self, patient: int, session: int, version: int, moment: datetime) -> None:
-        own = len(self.profiles) + 1
+        own = self._set_of[patient] = len(self.profiles) + 1
         self.profiles.append(
             {
-                **{"id": own, "patient_id": patient, "session_id": session, "version": version, "parent": None},
-                **{"origin": "calibration", "difference": None, "document": self._profile, "created": moment},
+                "id": own,
+                "patient_id": patient,
+                "session_id": session,
+                "version": version,
+                "parent": None,
+                "origin": "calibration",
+                "difference": None,
+                "document": self._profile,
+                "created": moment,
                 "simulated": False,
             }
         )
         self.sets.append(
             {
-                **{"id": own, "profile_id": own, "title": "Standard", "settings": self._settings, "hash": self._hash},
-                **{"created": moment, "current": True, "abandoned": False},
+                "id": own,
+                "profile_id": own,
+                "title": "Standard",
+                "settings": self._settings,
+                "hash": self._hash,
+                "created": moment,
+                "current": True,
+                "abandoned": False,
             }
         )
         self.log.append((moment, "calibration accepted", {"patient": patient, "version": version}))
@@ -200,19 +232,37 @@ class _Rows:
         }
         self.runs.append(
             {
-                **{"id": run, "session_id": session, "kind": "drive", "folder": run, "started": started},
-                **{"ended": started + timedelta(seconds=SECONDS), "rows": int(100 * SECONDS), "dropped": 0},
+                "id": run,
+                "session_id": session,
+                "kind": "drive",
+                "folder": run,
+                "started": started,
+                "ended": started + timedelta(seconds=SECONDS),
+                "rows": int(100 * SECONDS),
+                "dropped": 0,
                 **SOURCE.model_dump(),
             }
         )
         self.trials.append(
             {
-                **{"id": own, "clinic_id": self._clinic, "patient_id": patient, "session_id": session},
-                **{"parameters_id": len(self.sets), "run_id": run, "number": place // len(self._tasks) + 1},
-                **{"floorplan": plan.name, "floorplan_title": plan.title, "path": path.name},
-                **{"path_points": [[x, y] for x, y in path.points], "started": started, "status": "done"},
-                **{"end": "goal", "kept": True, "discard_reason": None},
-                **{"measures": measures, "quality": recorded.quality},
+                "id": own,
+                "clinic_id": self._clinic,
+                "patient_id": patient,
+                "session_id": session,
+                "parameters_id": self._set_of[patient],
+                "run_id": run,
+                "number": place // len(self._tasks) + 1,
+                "floorplan": plan.name,
+                "floorplan_title": plan.title,
+                "path": path.name,
+                "path_points": [[x, y] for x, y in path.points],
+                "started": started,
+                "status": "done",
+                "end": "goal",
+                "kept": True,
+                "discard_reason": None,
+                "measures": measures,
+                "quality": recorded.quality,
             }
         )
         self.log.append((started, "trial started", {"trial": own}))

@@ -9,10 +9,10 @@ from typing import NamedTuple
 
 import httpx
 import psutil
+from large_clinic.furnished import Size
 from processes.served_demo import bodydrive, printed_link
 
 from app.api.sign_in.identity import COOKIE
-from large_clinic.furnished import Size
 
 PAGES = {  # what a page asks for; of another patient each time
     "patients' list": ("/patients",),

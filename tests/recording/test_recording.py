@@ -238,6 +238,23 @@ def test_a_changed_byte_of_a_closed_run_is_reported(ring, tmp_path, name):
         content[place] ^= 0x01
 
 
+def test_scalars_alone_are_those_of_the_whole_run_or_damaged(ring, tmp_path):
+    folder = record(ring, tmp_path / "run", 400)
+    whole, file = read_run(folder), folder / "run.parquet"
+    content = bytearray(file.read_bytes())
+    assert read_run(folder, scalars_only=True).columns["values"].size == 0 < whole.columns["values"].size
+    for place in range(0, len(content), max(1, len(content) // 40)):
+        content[place] ^= 0x01
+        file.write_bytes(content)
+        scalars = read_run(folder, scalars_only=True)
+        for name in (*SCALARS, *ADDED_SCALARS):
+            assert scalars.damage or np.array_equal(scalars.columns[name], whole.columns[name], equal_nan=True)
+        content[place] ^= 0x01
+    file.write_bytes(content)
+    scalars = read_run(folder, scalars_only=True)
+    assert (scalars.meta, scalars.rows, scalars.damage) == (whole.meta, whole.rows, "")
+
+
 @pytest.mark.parametrize("failing", ["write", "fsync"])
 def test_a_failing_disk_is_reported_once_and_not_tried_again(ring, tmp_path, monkeypatch, failing):
     writer = RunWriter(tmp_path / "run", META, CHANNELS, GESTURES)

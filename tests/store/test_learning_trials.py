@@ -9,7 +9,7 @@ from sqlalchemy.orm import Session
 from app.calibration.profile import CalibrationProfile
 from app.clock import utc_now
 from app.source import UNKNOWN_SOURCE, Source
-from app.store.learning_trials import counted_trials, trials_of_others
+from app.store.learning_trials import count_of_everybody, counted_trials, trials_of_everybody
 from app.store.parameters import current_parameters, save_profile
 from app.store.patients import add_patient
 from app.store.runs import add_run, add_trial, finish_trial, keep_trial
@@ -115,7 +115,7 @@ def test_the_first_three_of_a_day_and_source_are_for_getting_used_to_the_task(
     assert used == [ids[1], ids[2], ids[3], ids[6], ids[7], ids[8]]
 
 
-def test_the_others_are_every_patient_but_this_one_and_the_deleted_with_numbers_only(
+def test_everybody_is_every_patient_but_the_deleted_with_numbers_only(
     db: Session, patient: Patient, profile: CalibrationProfile
 ) -> None:
     people = [patient, *(add_patient(db, patient.clinic_id, f"P-{i}", "Otter", "") for i in (2, 3))]
@@ -125,6 +125,10 @@ def test_the_others_are_every_patient_but_this_one_and_the_deleted_with_numbers_
         drive(db, person, session, f"run{place}", {"dist": 10.0 + place})
     people[2].deleted = utc_now()
     db.flush()
-    ((row,),) = trials_of_others(db, patient.clinic_id, patient.id, "clinic", "corridor", "unknown")
-    assert row == {"id": 2, "number": 1, "session": 4, "familiarisation": True, "dist": 11.0}
-    assert trials_of_others(db, patient.clinic_id, patient.id, "clinic", "corridor", "worn") == []
+    found = trials_of_everybody(db, patient.clinic_id, "clinic", "corridor", "unknown")
+    assert found == {
+        person.id: [{"id": own, "number": 1, "session": 4, "familiarisation": True, "dist": 9.0 + own}]
+        for own, person in enumerate(people[:2], start=1)
+    }
+    assert trials_of_everybody(db, patient.clinic_id, "clinic", "corridor", "worn") == {}
+    assert count_of_everybody(db, "clinic", "corridor") == 3

@@ -1,5 +1,6 @@
 """Trajectories for the screen: read from recordings, thinned to one point every 5 cm."""
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
@@ -30,16 +31,34 @@ class Trajectories:
 
     def of(self, folder: Path) -> Trajectory | None:
         """Return the trajectory of an ended trial, None when its recording cannot be read."""
-        if folder not in self._trajectories:
-            try:
-                rows = self._computing.ask(read_trajectory, folder)
-            except (ValueError, OSError):
-                return None
-            kept = thinned(rows.x, rows.y)
-            if len(self._trajectories) >= KEPT:
-                self._trajectories.pop(next(iter(self._trajectories)), None)
-            self._trajectories[folder] = Trajectory(*(np.round(column[kept], 3).tolist() for column in rows[:3]))
-        return self._trajectories.get(folder)
+        return self.all([folder])[0]
+
+    def all(self, folders: Sequence[Path]) -> list[Trajectory | None]:
+        """Return the trajectory of each ended trial; those that are not known yet are read in one go."""
+        known = self._trajectories
+        unread = [folder for folder in folders if folder not in known]
+        read = dict(zip(unread, self._computing.ask(shown_trajectories, unread) if unread else [], strict=True))
+        for folder, trajectory in read.items():
+            if trajectory is not None:
+                known[folder] = trajectory
+        found = [known.get(folder) for folder in folders]
+        while len(known) > KEPT:
+            known.pop(next(iter(known)), None)
+        return found
+
+
+def shown_trajectories(folders: Sequence[Path]) -> list[Trajectory | None]:
+    """Read the trajectories of these recordings, thinned; None for one that cannot be read."""
+    found: list[Trajectory | None] = []
+    for folder in folders:
+        try:
+            rows = read_trajectory(folder)
+        except (ValueError, OSError):
+            found.append(None)
+            continue
+        kept = thinned(rows.x, rows.y)
+        found.append(Trajectory(*(np.round(column[kept], 3).tolist() for column in rows)))
+    return found
 
 
 def thinned(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.intp]:

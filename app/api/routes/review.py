@@ -5,16 +5,16 @@ from typing import Annotated, Any
 
 from fastapi import APIRouter, Query
 
-from app.api.deps import Anyone, People, PeopleParts, RowId
+from app.api.deps import Anyone, PeopleParts, RowId
 from app.api.parts import Web
 from app.api.routes.source_view import RequestedGroup
 from app.quantities import Document
 from app.refusals import Conflict
 from app.scoring.learning import learning_curves
 from app.scoring.verdict.verdicts import TaskVerdicts, TrialVerdicts, task_verdicts, trial_verdicts
+from app.session.clinic_spread import Task
 from app.source import SourceGroup
-from app.store.access.visible_patients import every_patient
-from app.store.learning_trials import counted_trials, trials_of_others
+from app.store.learning_trials import counted_trials
 from app.store.log import write_log
 from app.store.patients import find_patient
 from app.store.runs import find_trial
@@ -60,20 +60,22 @@ def learning(
         find_patient(db, who.clinic_id, patient_id)
         every = counted_trials(db, who.clinic_id, patient_id, floorplan, path)
         write_log(db, who.name, "patient viewed", patient=patient_id)
-    others = _others(parts, who.clinic_id, patient_id, floorplan, path, source)
+    clinic = web.spread.of_others(Task(who.clinic_id, floorplan, path, source), patient_id)
     counted = [one for one in every if one.group == source]
     rows = [one.row() for one in counted]
-    lines = []
-    for trial, *_ in counted[-MOST_TRAJECTORIES:]:
-        found = web.trajectories.of(web.runs.folder_of(trial.run_id))
-        if found is not None:
-            lines.append(TrialLine(number=trial.number, x=found.x, y=found.y))
+    newest = [one.trial for one in counted[-MOST_TRAJECTORIES:]]
+    found = web.trajectories.all([web.runs.folder_of(trial.run_id) for trial in newest])
+    lines = [
+        TrialLine(number=trial.number, x=line.x, y=line.y)
+        for trial, line in zip(newest, found, strict=True)
+        if line is not None
+    ]
     return LearningView(
         source=source,
         others=dict(Counter(one.group for one in every if one.group != source)),
         trials=rows,
         curves=web.computing.ask(learning_curves, rows, every_model=True),
-        verdicts=web.computing.ask(task_verdicts, rows, others),
+        verdicts=web.computing.ask(task_verdicts, rows, clinic),
         trajectories=lines,
         path=[(x, y) for x, y in counted[-1].trial.path_points] if counted else [],
     )
@@ -98,18 +100,10 @@ def verdicts_of_trial(
             raise Conflict("These two trials differ in their patient, task or source, so neither is called better.")
         counted = counted_trials(db, who.clinic_id, trial.patient_id, trial.floorplan, trial.path)
     group = trial.run.source.group
-    others = _others(parts, who.clinic_id, trial.patient_id, trial.floorplan, trial.path, group)
+    clinic = web.spread.of_others(Task(who.clinic_id, trial.floorplan, trial.path, group), trial.patient_id)
     rows = [one.row() for one in counted if one.group == group]
-    return web.computing.ask(trial_verdicts, rows, others, trial_id, against)
+    return web.computing.ask(trial_verdicts, rows, clinic, trial_id, against)
 
 
 def _task_of(trial: Trial) -> tuple[int, str, str, SourceGroup]:
     return trial.patient_id, trial.floorplan, trial.path, trial.run.source.group
-
-
-def _others(
-    parts: People, clinic_id: int, patient_id: int, floorplan: str, path: str, group: SourceGroup
-) -> list[list[dict[str, Any]]]:
-    """Return what the other patients of the clinic drove in this task, for the clinic's median only."""
-    with every_patient(), parts.database.transaction() as db:
-        return trials_of_others(db, clinic_id, patient_id, floorplan, path, group)

@@ -46,7 +46,7 @@ def worse_since(series: Series, clinic: Spread | None, better: str, least: float
 
 def _surprise(before: Series, session: Series, clinic: Spread | None, least: float) -> float | None:
     """Return how far a session lies above what was foretold, in standard deviations; None with too few trials."""
-    from scipy.stats import norm, t
+    from scipy.special import ndtri, stdtr
 
     earlier = len(np.unique(before.session))
     if earlier < EARLIER_SESSIONS or len(before.value) < EARLIER_TRIALS:
@@ -60,7 +60,8 @@ def _surprise(before: Series, session: Series, clinic: Spread | None, least: flo
     )
     if total.df <= 0:
         return None
-    return float(norm.ppf(t.cdf(float(session.value.mean() - foretold[0]) / math.sqrt(total.value), total.df)))
+    surprise = float(session.value.mean() - foretold[0]) / math.sqrt(total.value)
+    return float(ndtri(stdtr(total.df, surprise)))
 
 
 def deteriorations(rows: Rows, clinic: Mapping[str, Spread]) -> dict[str, str]:

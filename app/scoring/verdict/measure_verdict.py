@@ -9,7 +9,16 @@ from numpy.typing import NDArray
 
 from app.quantities import Document
 from app.scoring.verdict.measure_comparison import COMPARISONS, from_scale, least_spread, to_scale, value_of
-from app.scoring.verdict.spread import Series, Spread, clinic_spread, own_spread, pool_spreads, weighted_sum
+from app.scoring.verdict.spread import (
+    PersonVariances,
+    Series,
+    Spread,
+    median_spread,
+    own_spread,
+    person_variances,
+    pool_spreads,
+    weighted_sum,
+)
 
 FEWEST = 5  # trials up to and with the later ones
 LEAST_DF = 2.0  # degrees of freedom that a spread needs; without a clinic's median, one session has none
@@ -17,6 +26,8 @@ CONFIDENCE = 0.95
 
 Word = Literal["better", "within", "worse", "too few"]
 Rows = Sequence[Mapping[str, Any]]
+ClinicSpreads = Mapping[str, Spread]
+PeopleVariances = dict[str, dict[int, PersonVariances]]
 
 
 class Verdict(Document):
@@ -43,7 +54,7 @@ def noise_of(spread: Spread, earlier: int, later: int, *, same_session: bool) ->
     It is t sqrt(2 s_session^2 + s_trial^2 (1 / earlier + 1 / later)), without the first term within one session. t is
     the quantile of Student's t at the degrees of freedom of the sum. None where these are fewer than 2.
     """
-    from scipy.stats import t
+    from scipy.special import stdtrit
 
     parts = [(1 / earlier + 1 / later, spread.trial)]
     if not same_session:
@@ -51,7 +62,7 @@ def noise_of(spread: Spread, earlier: int, later: int, *, same_session: bool) ->
     total = weighted_sum(*parts)
     if total.df < LEAST_DF:
         return None
-    return Noise(float(t.ppf((1 + CONFIDENCE) / 2, total.df)) * math.sqrt(total.value), total.df)
+    return Noise(float(stdtrit(total.df, (1 + CONFIDENCE) / 2)) * math.sqrt(total.value), total.df)
 
 
 def series_of(rows: Rows, name: str) -> tuple[Series, NDArray[np.int64]]:
@@ -114,15 +125,26 @@ def _word(change: float, mdc: float, better: Literal["low", "high"]) -> Word:
     return "better" if (change < 0) == (better == "low") else "worse"
 
 
-def clinic_spreads(people: Sequence[Rows]) -> dict[str, Spread]:
-    """Return the median spread of other people in one task, for each measure that enough of them have."""
-    found = {}
+def people_variances(people: Mapping[int, Rows]) -> PeopleVariances:
+    """Return the variances of each person in one task: {measure: {id of the person: variances}}.
+
+    `people` are the rows of each person, as for `series_of`; who has too few trials is left out.
+    """
+    found: PeopleVariances = {}
     for name in COMPARISONS:
-        series = [series_of(rows, name)[0] for rows in people]
-        counted = [one for one in series if len(one.value)]
-        if counted:
-            values = np.concatenate([one.value for one in counted])
-            spread = clinic_spread(counted, least_spread(name, values))
-            if spread is not None:
-                found[name] = spread
+        series = {person: one for person, rows in people.items() if len((one := series_of(rows, name)[0]).value)}
+        if not series:
+            continue
+        least = least_spread(name, np.concatenate([one.value for one in series.values()]))
+        variances = {person: person_variances(one, least) for person, one in series.items()}
+        found[name] = {person: one for person, one in variances.items() if one is not None}
     return found
+
+
+def clinic_spreads(variances: PeopleVariances, person: int | None = None) -> dict[str, Spread]:
+    """Return the median spread of everybody but `person`, for each measure that enough people have."""
+    medians = {
+        name: median_spread([one for other, one in people.items() if other != person])
+        for name, people in variances.items()
+    }
+    return {name: spread for name, spread in medians.items() if spread is not None}

@@ -70,16 +70,18 @@ def fit_curve(number: Numbers, value: Numbers, at: Numbers) -> tuple[Numbers, in
         return np.full(len(at), level), 1
     centred = value - level
     squares = float(centred @ centred)
-    best = (_aicc(squares, count, 2), np.full(len(at), level), 1)
-    for log_tau in np.linspace(0.0, math.log(2 * span), TAUS).tolist():
-        shape = exponential(number - number[0], log_tau)[0]
-        middle = float(np.mean(shape))
-        shape = shape - middle
-        b = float(shape @ centred) / float(shape @ shape)
-        aicc = _aicc(squares - b * float(shape @ centred), count, 4)
-        if aicc < best[0]:
-            best = (aicc, level + b * (exponential(at - number[0], log_tau)[0] - middle), 3)
-    return best[1], best[2]
+    log_taus = np.linspace(0.0, math.log(2 * span), TAUS)
+    shapes = np.exp(-(number - number[0]) / np.exp(log_taus)[:, None])  # (TAUS, n)
+    middles = shapes.mean(axis=1)
+    shapes -= middles[:, None]
+    along = shapes @ centred
+    steep = np.einsum("ij,ij->i", shapes, shapes)
+    rest = np.maximum(squares - along**2 / steep, 0.0)
+    best = int(rest.argmin())
+    if _aicc(float(rest[best]), count, 4) >= _aicc(squares, count, 2):
+        return np.full(len(at), level), 1
+    b = float(along[best] / steep[best])
+    return level + b * (exponential(at - number[0], float(log_taus[best]))[0] - float(middles[best])), 3
 
 
 def _aicc(squares: float, count: int, parameters: int) -> float:
@@ -179,22 +181,34 @@ def _weighted(own: Variance, clinic: Variance) -> Variance:
     return Variance((own.df * own.value + clinic.df * clinic.value) / df, df)
 
 
-def clinic_spread(people: Sequence[Series], least: float = 0.0) -> Spread | None:
-    """Return the medians of other people's variances; None when fewer than 3 people have enough trials.
+class PersonVariances(NamedTuple):
+    """The variances of one person in one task and measure, each freed of its bias."""
+
+    trial: float  # within a session
+    session: float | None  # between sessions; None: of one session
+
+
+def person_variances(series: Series, least: float = 0.0) -> PersonVariances | None:
+    """Return a person's variances for the clinic's median; None with too few trials.
 
     A variance with few degrees of freedom is more often too small than too large, so each is divided by the median of
     chi-squared over its degrees of freedom (Wilson and Hilferty, PNAS 17 (1931)).
     """
-    trial, session = [], []
-    for series in people:
-        own, share = own_spread(series, None, least)
-        if own.trial.df >= 2:
-            within = own.trial.value / _median_share(own.trial.df)
-            trial.append(max(within, least**2))
-            if own.session.df >= 1:
-                between = own.session.value / _median_share(own.session.df)
-                session.append(max(between - share * own.trial.value, 0.0))
-    if len(trial) < CLINIC_PEOPLE or len(session) < CLINIC_PEOPLE:
+    own, share = own_spread(series, None, least)
+    if own.trial.df < 2:
+        return None
+    within = max(own.trial.value / _median_share(own.trial.df), least**2)
+    if own.session.df < 1:
+        return PersonVariances(within, None)
+    between = own.session.value / _median_share(own.session.df)
+    return PersonVariances(within, max(between - share * own.trial.value, 0.0))
+
+
+def median_spread(people: Sequence[PersonVariances]) -> Spread | None:
+    """Return the medians of people's variances; None when fewer than 3 people have enough trials."""
+    trial = [one.trial for one in people]
+    session = [one.session for one in people if one.session is not None]
+    if len(session) < CLINIC_PEOPLE:
         return None
     return Spread(
         Variance(float(np.median(trial)), CLINIC_WEIGHT),

@@ -1,11 +1,9 @@
 """The verdicts of a person's trials in one task: one trial against an earlier one, a session against earlier ones."""
 
-from collections.abc import Sequence
-
 from app.quantities import Document
 from app.scoring.verdict.deterioration import deteriorations
 from app.scoring.verdict.measure_comparison import COMPARISONS
-from app.scoring.verdict.measure_verdict import Rows, Verdict, clinic_spreads, compare, series_of
+from app.scoring.verdict.measure_verdict import ClinicSpreads, Rows, Verdict, compare, series_of
 
 
 class TrialVerdicts(Document):
@@ -32,12 +30,12 @@ class TaskVerdicts(Document):
     deterioration: dict[str, str]  # measure -> sentence with what to do; only of measures that have become worse
 
 
-def trial_verdicts(rows: Rows, others: Sequence[Rows], later: int, earlier: int | None) -> TrialVerdicts:
+def trial_verdicts(rows: Rows, clinic: ClinicSpreads, later: int, earlier: int | None) -> TrialVerdicts:
     """Compare the trial with the id `later` with the trial `earlier`; None: the newest before it that is compared.
 
-    `rows` are the person's trials of one task and source, in the order driven, and `others` those of other people. Each
-    row has `id`, `number`, `session`, `familiarisation` and its measures by name. Two trials in the wrong order are
-    compared in the order in which they were driven.
+    `rows` are the person's trials of one task and source, in the order driven. Each has `id`, `number`, `session`,
+    `familiarisation` and its measures by name. `clinic` are the median spreads of other people in this task. Two trials
+    in the wrong order are compared in the order in which they were driven.
     """
     ids = [row["id"] for row in rows]
     if earlier is not None and earlier in ids and later in ids and ids.index(earlier) > ids.index(later):
@@ -46,7 +44,6 @@ def trial_verdicts(rows: Rows, others: Sequence[Rows], later: int, earlier: int 
     if earlier is None and later in ids:
         before = [one for one in ids[: ids.index(later)] if one not in warming]
         earlier = before[-1] if before and later not in warming else None
-    clinic = clinic_spreads(others)
     verdicts = {}
     for name in COMPARISONS:
         series, driven = series_of(rows, name)
@@ -57,15 +54,14 @@ def trial_verdicts(rows: Rows, others: Sequence[Rows], later: int, earlier: int 
     return TrialVerdicts(earlier=earlier, familiarisation=pair, verdicts=verdicts)
 
 
-def task_verdicts(rows: Rows, others: Sequence[Rows]) -> TaskVerdicts:
+def task_verdicts(rows: Rows, clinic: ClinicSpreads) -> TaskVerdicts:
     """Compare the newest session with the one before and the first, and look for a deterioration.
 
-    `rows` and `others` as for `trial_verdicts`. Sessions without a trial that is compared do not count.
+    `rows` and `clinic` as for `trial_verdicts`. Sessions without a trial that is compared do not count.
     """
     sessions = list(dict.fromkeys(row["session"] for row in rows if not row["familiarisation"]))
     if len(sessions) < 2:
         return TaskVerdicts(sessions=[], deterioration={})
-    clinic = clinic_spreads(others)
     all_series = {name: series_of(rows, name)[0] for name in COMPARISONS}
     compared = []
     for earlier in dict.fromkeys((sessions[-2], sessions[0])):

@@ -11,7 +11,7 @@ from scipy.stats import t
 
 from app.scoring.learning import MEASURES
 from app.scoring.verdict.measure_comparison import COMPARISONS, from_scale, to_scale, value_of
-from app.scoring.verdict.measure_verdict import clinic_spreads, noise_of
+from app.scoring.verdict.measure_verdict import clinic_spreads, noise_of, people_variances
 from app.scoring.verdict.spread import Spread, Variance
 from app.scoring.verdict.verdicts import task_verdicts, trial_verdicts
 
@@ -24,6 +24,7 @@ OTHERS = [
     ]
     for _ in range(5)
 ]
+CLINIC = clinic_spreads(people_variances(dict(enumerate(OTHERS))))
 
 
 def rows_of(*sessions: list[float], measure: str = "e_diff", familiarisation: int = 0, **more: Any) -> list[Any]:
@@ -37,8 +38,14 @@ def rows_of(*sessions: list[float], measure: str = "e_diff", familiarisation: in
     return rows
 
 
-def word(rows: list[Any], measure: str = "e_diff", others: list[Any] = OTHERS) -> str:
-    return task_verdicts(rows, others).sessions[0].verdicts[measure].word
+def test_a_person_does_not_enter_the_median_that_their_own_verdict_is_drawn_towards() -> None:
+    variances = people_variances(dict(enumerate(OTHERS)))
+    without = clinic_spreads(people_variances(dict(enumerate(OTHERS[1:]))))
+    assert clinic_spreads(variances, 0)["e_diff"] == without["e_diff"] != clinic_spreads(variances)["e_diff"]
+
+
+def word(rows: list[Any], measure: str = "e_diff", clinic: Any = CLINIC) -> str:
+    return task_verdicts(rows, clinic).sessions[0].verdicts[measure].word
 
 
 def test_every_measure_of_the_learning_curve_says_how_it_is_compared() -> None:
@@ -48,7 +55,7 @@ def test_every_measure_of_the_learning_curve_says_how_it_is_compared() -> None:
 def test_a_difference_below_what_the_eye_can_see_is_noise() -> None:
     """-2.42 after -2.40 was called worse."""
     rows = rows_of([-2.39, -2.41, -2.38, -2.40, -2.42], measure="sparc")
-    verdict = trial_verdicts(rows, [], 105, None).verdicts["sparc"]
+    verdict = trial_verdicts(rows, {}, 105, None).verdicts["sparc"]
     assert verdict.word == "within"
     assert (verdict.earlier, verdict.later) == pytest.approx((-2.40, -2.42))
 
@@ -70,47 +77,48 @@ def test_the_word_follows_the_direction_of_the_measure(measure: str, last: list[
 
 def test_below_five_trials_there_are_too_few() -> None:
     rows = rows_of([3.0, 3.2], [1.0, 1.1])
-    verdict = task_verdicts(rows, OTHERS).sessions[0].verdicts["e_diff"]
+    verdict = task_verdicts(rows, CLINIC).sessions[0].verdicts["e_diff"]
     assert (verdict.word, verdict.trials, verdict.low, verdict.high) == ("too few", 4, None, None)
     assert word(rows_of([3.0, 3.2, 3.1], [1.0, 1.1])) != "too few"
 
 
 def test_without_a_clinics_median_two_sessions_say_nothing_about_sessions() -> None:
-    two, others = rows_of([3.0, 3.2, 3.1, 2.9, 3.0], [1.0, 1.1, 0.9]), OTHERS[:2]
-    assert clinic_spreads(others) == {}
-    assert word(two, others=others) == "too few"
+    two = rows_of([3.0, 3.2, 3.1, 2.9, 3.0], [1.0, 1.1, 0.9])
+    of_two = clinic_spreads(people_variances(dict(enumerate(OTHERS[:2]))))
+    assert of_two == {}
+    assert word(two, clinic=of_two) == "too few"
     many = rows_of(*[[3.0, 3.2, 3.1], [2.9, 3.1, 3.0]] * 3, [1.0, 1.1, 0.9])
-    assert word(many, others=[]) == "better"
+    assert word(many, clinic={}) == "better"
 
 
 def test_trials_for_getting_used_to_the_task_are_not_compared() -> None:
     usual = [9.0, 9.0, 9.0, 3.0, 3.2, 2.8]
     rows = rows_of(usual, usual, [9.0, 9.0, 9.0, 3.1, 2.9], familiarisation=3)
-    found = task_verdicts(rows, OTHERS).sessions[0]
+    found = task_verdicts(rows, CLINIC).sessions[0]
     assert (found.earlier, found.later, found.trials) == (2, 3, (3, 2))
     assert found.verdicts["e_diff"].later == pytest.approx(math.sqrt(3.1 * 2.9))
-    early = trial_verdicts(rows, OTHERS, rows[14]["id"], None)
+    early = trial_verdicts(rows, CLINIC, rows[14]["id"], None)
     assert (early.earlier, early.familiarisation, early.verdicts) == (None, [rows[14]["id"]], {})
     # The trial before the fourth one of the day is the last of the day before, and the two can be compared.
-    assert trial_verdicts(rows, OTHERS, rows[15]["id"], None).earlier == rows[11]["id"]
-    chosen = trial_verdicts(rows, OTHERS, rows[15]["id"], rows[12]["id"])
+    assert trial_verdicts(rows, CLINIC, rows[15]["id"], None).earlier == rows[11]["id"]
+    chosen = trial_verdicts(rows, CLINIC, rows[15]["id"], rows[12]["id"])
     assert (chosen.familiarisation, chosen.verdicts) == ([rows[12]["id"]], {})
 
 
 def test_the_order_in_which_two_trials_are_named_does_not_matter() -> None:
     rows = rows_of([3.0, 3.2, 2.8, 3.1], [3.0, 1.0])
-    assert trial_verdicts(rows, OTHERS, 106, 104) == trial_verdicts(rows, OTHERS, 104, 106)
+    assert trial_verdicts(rows, CLINIC, 106, 104) == trial_verdicts(rows, CLINIC, 104, 106)
 
 
 def test_what_is_driven_later_does_not_change_a_verdict() -> None:
     rows = rows_of([3.0, 3.2, 2.8], [3.1, 2.9, 3.3], [2.0, 2.1], [9.0, 0.1, 4.0])
-    assert trial_verdicts(rows, OTHERS, 107, 106) == trial_verdicts(rows[:8], OTHERS, 107, 106)
+    assert trial_verdicts(rows, CLINIC, 107, 106) == trial_verdicts(rows[:8], CLINIC, 107, 106)
 
 
 def test_a_trial_that_missed_the_goal_is_not_compared_in_its_area_but_in_its_stages() -> None:
     rows = rows_of([3.0, 3.2, 2.8, 3.1, 3.0], stages_done=3)
     rows[-1]["reached"] = False
-    verdicts = trial_verdicts(rows, OTHERS, 105, None).verdicts
+    verdicts = trial_verdicts(rows, CLINIC, 105, None).verdicts
     assert "e_diff" not in verdicts
     assert verdicts["stages_done"].word == "within"
     assert value_of(rows[-1], "e_diff") is None
@@ -118,12 +126,12 @@ def test_a_trial_that_missed_the_goal_is_not_compared_in_its_area_but_in_its_sta
 
 def test_a_measure_without_a_direction_has_no_verdict() -> None:
     rows = rows_of([0.3, 0.31, 0.3], [0.6, 0.61, 0.6], measure="mean_speed")
-    assert "mean_speed" not in task_verdicts(rows, []).sessions[0].verdicts
+    assert "mean_speed" not in task_verdicts(rows, {}).sessions[0].verdicts
 
 
 def test_equal_counts_do_not_make_one_contact_a_change() -> None:
     rows = rows_of([0.0] * 5, [0.0] * 5, [0.0] * 5, [0.0] * 4 + [1.0], measure="collisions")
-    assert word(rows, "collisions", []) == "within"
+    assert word(rows, "collisions", {}) == "within"
 
 
 def test_the_mdc_is_the_formula_with_students_t() -> None:
@@ -152,7 +160,7 @@ def test_a_value_comes_back_from_its_scale(name: str, value: float) -> None:
 )
 def test_any_numbers_have_a_finite_verdict(name: str, sessions: list[list[float]]) -> None:
     rows = rows_of(*sessions, measure=name)
-    for found in (*task_verdicts(rows, OTHERS).sessions, trial_verdicts(rows, OTHERS, rows[-1]["id"], None)):
+    for found in (*task_verdicts(rows, CLINIC).sessions, trial_verdicts(rows, CLINIC, rows[-1]["id"], None)):
         for verdict in found.verdicts.values():
             given_numbers = [verdict.earlier, verdict.later, verdict.low, verdict.high]
             assert all(math.isfinite(one) for one in given_numbers if one is not None)

@@ -1,0 +1,48 @@
+"""The clinic's median spread in each task, that a verdict is drawn towards (docs/decisions/0023)."""
+
+from typing import NamedTuple
+
+from app.computing_process import ComputingProcess
+from app.scoring.verdict.measure_verdict import PeopleVariances, clinic_spreads, people_variances
+from app.scoring.verdict.spread import Spread
+from app.source import SourceGroup
+from app.store.access.visible_patients import every_patient
+from app.store.database import Database
+from app.store.learning_trials import count_of_everybody, trials_of_everybody
+
+MORE = 0.05  # of the trials, driven or gone since, after which the variances are estimated again
+
+
+class Task(NamedTuple):
+    """One path of a floor plan in one clinic, driven with one kind of source."""
+
+    clinic_id: int
+    floorplan: str
+    path: str
+    group: SourceGroup
+
+
+class ClinicSpread:
+    """Estimates everybody's variances in a task, and again when the clinic has driven a twentieth more of it.
+
+    A clinic of 60,000 trials needs about a second for that, so the variances stay in memory.
+    """
+
+    def __init__(self, database: Database, computing: ComputingProcess) -> None:
+        self._database, self._computing = database, computing
+        self._known: dict[Task, tuple[int, PeopleVariances]] = {}
+
+    def of_others(self, task: Task, patient_id: int) -> dict[str, Spread]:
+        """Return the median spread of all patients but this one, for each measure that enough of them have."""
+        return clinic_spreads(self._variances(task), patient_id)
+
+    def _variances(self, task: Task) -> PeopleVariances:
+        with every_patient(), self._database.transaction() as db:
+            count = count_of_everybody(db, task.floorplan, task.path)
+            then, known = self._known.get(task, (0, None))
+            if known is not None and abs(count - then) <= MORE * then:
+                return known
+            people = trials_of_everybody(db, *task)
+        found = self._computing.ask(people_variances, people)
+        self._known[task] = count, found
+        return found
