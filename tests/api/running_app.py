@@ -9,6 +9,7 @@ from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 from fake_clinic import BASE, Clinic, FakeProcess, TestClient, profile_for
 from session.same_process import SameProcess
 
@@ -20,10 +21,12 @@ from app.layout import ShirtLayout
 from app.scoring.control_quality import ControlQuality
 from app.session.adaptation_reading import adapt_from_recordings
 from app.session.recordings import (
+    RecordedTrajectory,
     check_recording,
     fit_recordings,
     measure_recording,
     quality_of_recording,
+    read_trajectory,
 )
 from app.settings import Settings
 
@@ -40,6 +43,7 @@ class RunningApp:
             check_recording: lambda _folder, _duration: self._answers["judge"],
             fit_recordings: self._fit,
             measure_recording: lambda _folder, _plan, _path: self._answers["measures"],
+            read_trajectory: lambda _folder: RecordedTrajectory(*(np.array(column) for column in line)),
             shown_trajectories: lambda folders: [line for _ in folders],
             quality_of_recording: lambda _folder: self._quality(),
             adapt_from_recordings: lambda *given: self._answers["adapt"](*given) if "adapt" in self._answers else None,

@@ -19,7 +19,7 @@ def main() -> int:
     parser.add_argument("--patients", type=int, default=Size().patients)
     parser.add_argument("--sessions", type=int, default=Size().sessions, help="Of each patient.")
     parser.add_argument("--trials", type=int, default=Size().trials, help="Of each session.")
-    parser.add_argument("--rounds", type=int, default=60, help="How often each page is asked for.")
+    parser.add_argument("--rounds", type=int, default=100, help="How often each page is asked for.")
     parser.add_argument("--folder", type=Path, help="Keep the clinic in this new folder.")
     given = parser.parse_args()
     size = Size(given.patients, given.sessions, given.trials)

@@ -22,7 +22,7 @@ from app.store.tables import Trial
 
 router = APIRouter(tags=["review"])
 
-MOST_TRAJECTORIES = 40  # the newest; more could not be told apart
+MOST_TRAJECTORIES = 30  # the newest; more could not be told apart
 
 
 class TrialLine(Document):
