@@ -8,7 +8,7 @@ INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check --co
 # A module is compiled once, and not by each of the many processes that the tests start.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: demo test browser check lint python-types javascript-types api-types demo-profile icons safety compiled drills soak people-soak large-clinic pictures promises worlds bench verdicts bench-compare clean
+.PHONY: demo test browser check lint python-types javascript-types api-types demo-profile icons safety compiled drills soak long-recording people-soak large-clinic pictures promises worlds bench verdicts bench-compare clean
 
 $(VENV)/.installed: pyproject.toml constraints.txt
 	@echo "Installing into $(VENV), once; this takes a minute or two ..."
@@ -84,6 +84,9 @@ drills: $(VENV)/.installed-test
 
 soak: $(VENV)/.installed-test
 	PYTHONPATH=tests $(BIN)/python -m soak --out docs/viewers.md
+
+long-recording: $(VENV)/.installed-test
+	PYTHONPATH=.:tests $(BIN)/python -m soak.recording
 
 people-soak: $(VENV)/.installed-test
 	PYTHONPATH=tests $(BIN)/python -m soak.people --minutes $(or $(MINUTES),30)

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from app.messages import TICK
 from app.recording.format import ADDED_SCALARS, META_KEY, PER_CHANNEL, PER_GESTURE, SCALARS, rows_to_columns
 
-ROW_GROUP = 20_000  # rows in memory while the segments become a Parquet file
+ROW_GROUP = 4_000  # rows in memory while the segments become a Parquet file
 CHUNK = 1 << 20  # bytes read at once for a checksum
 
 
@@ -54,7 +54,10 @@ def compact(segments: Sequence[Path], target: Path) -> int:
         writer = None
         for rows in _row_groups(segments):
             if writer is None:
-                writer = pa_parquet.ParquetWriter(part, rows.schema, compression="zstd", write_page_checksum=True)
+                # Hardly a number of a signal comes twice: dictionaries made the file larger, and took the most time.
+                writer = pa_parquet.ParquetWriter(
+                    part, rows.schema, compression="zstd", use_dictionary=False, write_page_checksum=True
+                )
             writer.write_table(rows)
         if writer is not None:
             writer.close()
