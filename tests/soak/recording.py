@@ -1,4 +1,4 @@
-"""`python -m soak.recording`: a recording of 8 h in a few minutes, then one of 20 min in real time; `make long-recording`.
+"""`python -m soak.recording`: 8 h recorded in a few minutes, then 20 min in real time; `make long-recording`.
 
 The first one writes the ticks of 8 h at 100 Hz with 52 channels as quickly as the recorder takes them, in a process of
 its own. The second one is made by a real control process with the simulated shirt.
