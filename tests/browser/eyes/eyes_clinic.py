@@ -65,6 +65,7 @@ class EyesClinic(ServedClinic):
         """Return when it serves, its owner is signed in, and its patient wears a simulated shirt."""
         super().start()
         self.good("POST", "/auth/setup", OWNER)
+        self.good("POST", "/auth/introduction")  # the sentences of a first time do not stand above every page
         self.good("POST", "/patients", {"code": "P-2", "pseudonym": "Otter"})
         self.good("POST", "/people", {"name": "Ben", "role": "clinician", "patients": None})
         self.good("PUT", "/equipment/shirt", {"kind": "simulator", "seed": 1})

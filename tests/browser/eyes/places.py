@@ -118,6 +118,17 @@ def patient_stopped(page: Any, clinic: EyesClinic) -> None:
     expect(page.locator(".band.stopped")).to_be_visible()
 
 
+def computer_measured(page: Any, clinic: EyesClinic) -> None:
+    go(page, clinic, "computer")
+    words = {"good": "The clock is set by the network.", "attention": "Free disk: 4 GB.", "bad": "Port 8443 is taken."}
+    findings = [{"verdict": verdict, "words": sentence} for verdict, sentence in words.items()]
+    machine = {"verdict": "bad", "words": "This computer will not do.", "findings": findings}
+    found = {"machine": machine, "screens": findings[:2]}
+    page.route("**/computer/measurement", lambda route: route.fulfill(json=found))
+    tap(page, "Measure for")
+    expect(page.get_by_role("heading", name="Screens that are open now")).to_be_visible()
+
+
 def document(name: str) -> Open:
     """Return what opens a page of its own."""
 
@@ -223,7 +234,15 @@ PLACES: dict[str, Open] = {
     "people, invite": at("people", "Invite somebody"),
     "people, link": link_of_somebody,
     "log": at("log"),
+    "first time": start_with(introduced=False),
+    "help": at("calibrate", "What is this page for?"),
+    "computer": at("computer"),
+    "computer, measured": computer_measured,
     "drive": opened("drive"),
+    "drive, tasks": opened("drive/tasks"),
+    "drive, chairs": opened("drive/chairs"),
+    "drive, screen": opened("drive/screen"),
+    "drive, pair a screen": at("drive/screen", "Pair a screen"),
     "drive, over": trial_over,
     "drive, runs": trial_runs,
     "drive, stopped": trial_stopped,
@@ -233,6 +252,8 @@ PLACES: dict[str, Open] = {
     "patient's screen, stopped": patient_stopped,
     "stereo": document("stereo.html"),
     "tablet": document("tablet.html"),
+    "docs": document("docs/"),
+    "docs, clinicians": document("docs/clinicians"),
     "other session": other_session,
     "no connection": no_connection,
 }

@@ -3,15 +3,41 @@
 Each place is looked at in one size and theme here, and in all of them by `make browser`.
 """
 
+from urllib.parse import urlsplit
+
 import pytest
 from browser.eyes.axe import cells_of, findings, look_as
 from browser.eyes.places import PLACES, put_back
 
+from folders import ROOT
+
 pytestmark = [pytest.mark.browser, pytest.mark.timeout(600)]
+
+PAGES = "web_static"
+# The addresses that the application itself knows: pages, and those below Drive and Review.
+KNOWN = """async () => {
+  const [{ PAGES }, { BELOW }, { OWN_PAGES }] = await Promise.all(
+    ["shell/rail", "pages/drive/drive", "pages/review/review"].map((name) => import(`/js/${name}.js`)));
+  return [...PAGES, ...Object.keys(BELOW).map((one) => `drive/${one}`), ...OWN_PAGES.map((one) => `review/${one}`)];
+}"""
+
+
+def address_of(url):
+    """Return the address of a page without the numbers in it."""
+    return "/".join(part for part in urlsplit(url).fragment.split("/") if part and not part.isdigit())
+
+
+def modules():
+    """Return the paths of all modules and documents of the pages."""
+    folder = ROOT / PAGES
+    files = [*folder.glob("*.html"), *folder.glob("js/**/*.js")]
+    return {f"/{file.relative_to(folder).as_posix()}" for file in files}
 
 
 def test_one_size_and_theme_of_every_page(page, clinic):
     found = {}
+    addresses, loaded = set(), {"/index.html", "/docs.html"}  # the frames of "/" and of "/docs/"
+    page.on("request", lambda request: loaded.add(urlsplit(request.url).path))
     for number, (name, open_place) in enumerate(PLACES.items()):
         cells = cells_of(name)
         cell = cells[number % len(cells)]
@@ -19,9 +45,12 @@ def test_one_size_and_theme_of_every_page(page, clinic):
         open_place(page, clinic)
         page.wait_for_timeout(200)
         found[name, *cell] = [str(one) for one in findings(page)]
+        addresses.add(address_of(page.url))
         put_back(clinic)
-    assert len(found) >= 40
     assert {cell: words for cell, words in found.items() if words} == {}
+    PLACES["patients"](page, clinic)
+    assert set(page.evaluate(KNOWN)) <= addresses  # else: a line in PLACES is missing
+    assert modules() <= loaded  # else: there is a page, or a part of one, that no place opens
 
 
 @pytest.mark.long

@@ -16,7 +16,7 @@ import { t } from "../../texts.js";
  * The pages below this one, each loaded when it is opened; each gets the task to go back to.
  * @type {Record<string, (...given: [App, HTMLElement, string[], AbortSignal]) => Promise<unknown>>}
  */
-const BELOW = {
+export const BELOW = {
   tasks: async (...given) => (await import("./task_chooser.js")).showChooser(...given),
   chairs: async (...given) => (await import("./below.js")).showChairs(...given),
   screen: async (...given) => (await import("./below.js")).showScreen(...given),

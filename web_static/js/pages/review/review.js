@@ -21,7 +21,7 @@ import { t } from "../../texts.js";
 
 const MEASURE_PLACE = "bodydrive-measure";
 const WIDE = 24; // trials: more have the whole width
-const OWN_PAGES = ["trial", "compare"]; // #/review/PATIENT/trial/ID, #/review/PATIENT/compare/ID/ID
+export const OWN_PAGES = ["trial", "compare"]; // #/review/PATIENT/trial/ID, #/review/PATIENT/compare/ID/ID
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal, rest: string[]}} page */
 export async function show(app, root, { signal, rest }) {

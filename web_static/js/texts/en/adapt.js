@@ -30,7 +30,7 @@ export default {
   },
   "adapt.joint.applied": "changes",
   "adapt.joint.changed": "changed",
-  "adapt.joint.shown": "only shown",
+  "adapt.joint.shown": "shown, not applied",
   "adapt.joint.refused": "refused",
   "adapt.joint.unchanged": "stays",
   "adapt.row.turn": "Turns by",

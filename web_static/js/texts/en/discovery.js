@@ -28,7 +28,7 @@ export default {
   "found.check.lead":
     "Each forecast was made from one part of the recordings and checked on the rest. So few data prove little: the last numbers say how little.",
   "found.check.rest":
-    "{predicted} false activations a minute predicted from the first rest, {counted} counted in another {seconds} s. All {all} s together prove fewer than {bound} a minute (95 %).",
+    "Forecast from the first rest: {predicted} false activations a minute. Counted in another {seconds} s: {counted}. All {all} s together prove fewer than {bound} a minute (95 %).",
   "found.check.hits":
-    "{predicted} answered predicted, {counted} of {all} counted, each left out in turn: at least {bound} (95 %).",
+    "Forecast: {predicted} of the movements answered. Counted, each left out in turn: {counted} of {all}, so at least {bound} (95 %).",
 };

@@ -89,7 +89,7 @@ export default {
   "trial.view.head": "Head tracker",
   "trial.view.head.why": "Look where the head looks.",
   "trial.view.head.on": "Follow",
-  "trial.view.pace": "{rate} pictures/s · {age} ms",
+  "trial.view.pace": "{rate} pictures/s · {age} ms old",
   "trial.view.slow": "The picture is slow on this screen: close other pages, or use a smaller window.",
   "trial.plots": "Plots",
   "trial.end": "End trial",

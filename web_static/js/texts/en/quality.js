@@ -2,7 +2,7 @@
 export default {
   "quality.title": "Quality of control",
   "quality.details": "Details: quality of control",
-  "quality.none": "The recording of this trial does not tell how well the calibration fitted.",
+  "quality.none": "The recording of this trial does not show how well the calibration fitted.",
   "quality.lead": "How well the calibration fitted what was moved in this trial.",
   "quality.joint": "Joint",
   "quality.map_angle_deg": "Angle to the calibration",
@@ -30,7 +30,7 @@ export default {
   "quality.choose.joint": "Joint",
   "quality.all-joints": "All joints: the one that fits worst",
   "quality.trial": "trial",
-  "quality.empty": "No trial here tells how well the calibration fitted.",
+  "quality.empty": "No trial here shows how well the calibration fitted.",
   "quality.session": "session {number}",
   "quality.map": "calibration {number}",
   "quality.warnings": { one: "One thing to look at", other: "{count} things to look at" },

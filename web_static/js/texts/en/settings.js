@@ -5,7 +5,7 @@ export default {
   "settings.read-only": "Only an owner changes these.",
   "limits.title": "The clinic's limits",
   "limits.lead":
-    "Clinicians move inside these. A set with higher numbers keeps them, and drives with these.",
+    "Nobody drives faster than these. A set with higher numbers keeps them, but drives within these.",
   "limits.saving": "saving…",
   "limits.saved": "saved",
   "log.lead": "Who signed in, looked, changed something, drove and stopped, and when. Rows are only ever added.",
@@ -36,7 +36,7 @@ export default {
   "pair.port": "Port",
   "pair.port.hint": "Its receiver listens there; 5354 unless it was told otherwise.",
   "pair.speeds": "What this chair may do",
-  "pair.speeds.hint": "The smallest of set, clinic and chair holds.",
+  "pair.speeds.hint": "The smallest limit of the set, the clinic and the chair applies.",
   "pair.go": "Make the key",
   "paired.title": "The key of “{name}”, shown this once",
   "paired.lead":

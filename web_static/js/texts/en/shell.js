@@ -19,7 +19,7 @@ export default {
   "lamp.armed": "Chair: armed",
   "lamp.real": "Real chair: {state}",
   "lamp.real.disarmed": "stands",
-  "lamp.real.checking": "resting",
+  "lamp.real.checking": "waits for rest",
   "lamp.real.armed": "armed",
   "lamp.real.fault": "not ready",
   "lamp.real.silent": "silent",
