@@ -26,8 +26,8 @@ NOT_CALIBRATED = "Nothing is calibrated yet: go to Calibrate and accept a result
 NO_CHAIR = "The virtual chair is chosen: choose a real one first."
 NOT_PRACTISED = "This set was never practised on the virtual chair: finish a trial with it, and keep it, first."
 SHOW_THE_SWITCH = (
-    "In acceleration mode a chair cruises by itself: press and release its stop switch once to show that it works, "
-    "or choose velocity mode."
+    "With “Keeps its speed” or “Keeps turning” a chair goes on by itself: press and release its stop switch once to "
+    "show that it works, or choose “Follows the movement” on the Controls page."
 )
 
 

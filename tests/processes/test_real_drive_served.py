@@ -80,7 +80,7 @@ def test_the_story_of_a_real_chair(demo: Demo, tmp_path: Path) -> None:
             until(live, lambda m: m["chair"] is not None and (m["chair"]["age"] or 9.0) < 0.3)
             summary = good(demo, "GET", "/drives/summary")
             assert (summary["practised"]["trials"], summary["speeds"]["forward"]) == (1, 0.5)
-            assert [sentence[:20] for sentence in summary["refusals"]] == ["In acceleration mode"]
+            assert [sentence[:20] for sentence in summary["refusals"]] == ["With “Keeps its spee"]
             receiver.press(True)
             until(live, lambda m: m["chair"]["stop_input"])
             receiver.press(False)

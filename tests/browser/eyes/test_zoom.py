@@ -40,6 +40,10 @@ LOST = """() => {
   }
   const stop = document.getElementById("stop");
   if (stop && !inside(stop.firstElementChild.getBoundingClientRect())) lost.push("Stop is out of view");
+  const head = document.querySelector(".head");
+  const corner = stop?.getBoundingClientRect();
+  if (corner && (corner.top > 1 || corner.right < innerWidth - 1)) lost.push("Stop is not in its corner");
+  if (head && head.scrollHeight > head.clientHeight + 1) lost.push("the header stands over the page");
   return [stop ? "" : "there is no Stop", ...lost].filter(Boolean);
 }"""
 

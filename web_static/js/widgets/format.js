@@ -30,6 +30,11 @@ export function percent(share) {
   return typeof share === "number" && Number.isFinite(share) ? `${Math.round(share * 100)} %` : NONE;
 }
 
+/** With its sign, also when it is positive. @param {number | null | undefined} share -1..1 */
+export function signedPercent(share) {
+  return typeof share === "number" && Number.isFinite(share) ? `${signed(100 * share, 0)} %` : NONE;
+}
+
 /** Minutes and seconds. @param {number} seconds */
 export function clock(seconds) {
   const whole = Math.max(0, Math.floor(seconds || 0));

@@ -11,7 +11,7 @@ import { ControlsDraft } from "./controls_draft.js";
 import { cross } from "../../widgets/control_cross.js";
 import { discoveryCard } from "../../widgets/discovery_card.js";
 import { h, put, write } from "../../widgets/dom.js";
-import { signed } from "../../widgets/format.js";
+import { signedPercent } from "../../widgets/format.js";
 import { jointLabels, withLabels } from "../../widgets/gestures.js";
 import { icon } from "../../widgets/icons.js";
 import { emptyPage, patientHere } from "../../shell/nobody.js";
@@ -148,8 +148,8 @@ function tryCard(app, draft, signal) {
   /** @param {CustomEvent<LiveMessage>} event */
   const showLive = ({ detail: now }) => {
     square.show(now.u1 ?? 0, now.u2 ?? 0);
-    write(u1, signed(now.u1, 2));
-    write(u2, signed(now.u2, 2));
+    write(u1, signedPercent(now.u1));
+    write(u2, signedPercent(now.u2));
     write(u1Words, t(draft.settings.mode_u1 === "acceleration" ? "try.u1.acceleration" : "try.u1"));
   };
   app.live.addEventListener("tick", showLive, { signal });

@@ -63,7 +63,7 @@ export default {
   "lock.other": "I am somebody else",
   "lock.other.lead": "You sign in, {name} is signed out, and what {name} typed is not kept.",
   "log.settings.go": "Open the log",
-  "log.whole": "Is the log complete?",
+  "log.whole": "Is the log whole?",
   "log.whole.lead": "Each row is chained to the one before, so that a row that was edited or removed is noticed.",
   "log.person": "Person",
   "log.patient": "Patient",
