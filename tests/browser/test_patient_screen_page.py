@@ -61,7 +61,7 @@ def screens(request, browser, page_log, demo):
 
 
 def card_of(clinician):
-    return clinician.locator("section.card", has=clinician.get_by_role("heading", name="What it shows"))
+    return clinician.locator("section.card", has=clinician.get_by_role("heading", name="Patient's screen"))
 
 
 def pair(clinician, patient, keep):

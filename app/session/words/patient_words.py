@@ -48,7 +48,7 @@ _HAPPENED: dict[Fault, str] = {
 }
 _STOPPED = "The chair was stopped."
 _AFTER_STOP = {
-    Actor.CLINICIAN: "We wait for your clinician, who looks and goes on.",
+    Actor.CLINICIAN: "We wait for your clinician to look and to go on.",
     Actor.PROGRAM: "We wait for the program: it starts again by itself.",
     Actor.SHIRT: "We wait for the shirt: your clinician looks after it.",
 }
@@ -79,4 +79,4 @@ def _actor_without_stop(state: State, drives: bool, shirt_alive: bool) -> tuple[
         return Actor.PROGRAM, "We wait for the program: it needs a moment."
     if not shirt_alive:
         return Actor.SHIRT, _AFTER_STOP[Actor.SHIRT]
-    return Actor.CLINICIAN, "We wait for your clinician, who begins."
+    return Actor.CLINICIAN, "We wait for your clinician to begin."

@@ -43,7 +43,7 @@ def test_a_trial_is_shown_with_what_to_do_and_how_it_ended(paired: Clinic) -> No
         }
         assert message["waits"] == {
             "for": "clinician",
-            "words": "We wait for your clinician, who looks and goes on.",
+            "words": "We wait for your clinician to look and to go on.",
         }
         paired.good("POST", "/trials/current/end", json={})
         while (message := socket.receive_json())["trial"] is not None:

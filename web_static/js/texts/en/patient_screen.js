@@ -40,8 +40,9 @@ export default {
   "patient.none.lead": "This screen does not know yet which session it belongs to.",
   "patient.none.next":
     "On the clinician's page, choose Drive, then “The patient's screen” and “Pair a screen”. Scan the code there with the camera of this screen.",
-  "screens.title": "What it shows",
-  "screens.lead": "The view, large cues and the speed, and what is switched on here. Nothing can be changed on the screen itself.",
+  "screens.title": "Patient's screen",
+  "screens.lead":
+    "A second screen for the patient: the view, large cues and the speed. Nothing on it can be changed.",
   "screens.nobody": "A screen is paired with a session: choose a patient first.",
   "screens.pair": "Pair a screen",
   "screens.scan": "Scan this with the camera of the patient's screen, or open the link there. It works once, for {minutes}.",
