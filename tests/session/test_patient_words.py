@@ -10,7 +10,7 @@ from app.session.words.patient_words import Actor, patient_words
 
 TECHNICAL = re.compile(r"process|tablet|recording|disk|loop|telemetry|control|network|command|number", re.IGNORECASE)
 NAMES = {
-    Actor.CLINICIAN: "We wait for your clinician,",
+    Actor.CLINICIAN: "We wait for your clinician ",
     Actor.PROGRAM: "We wait for the program:",
     Actor.SHIRT: "We wait for the shirt:",
     Actor.PATIENT: "the chair waits",
