@@ -107,7 +107,7 @@ def is_shown_the_stop(clinician, patient, keep):
     clinician.locator("#stop").dispatch_event("pointerdown")
     band = patient.locator(".band.stopped")
     expect(band).to_contain_text("Stopped")
-    expect(band).to_contain_text("Stop was pressed on a clinician's page.We wait for your clinician, who looks")
+    expect(band).to_contain_text("Stop was pressed on a clinician's page.We wait for your clinician to look")
     box = band.bounding_box()
     assert (box["x"], box["width"]) == (0, patient.viewport_size["width"])
     keep(patient, "patient-stopped")
