@@ -38,14 +38,14 @@ export function replayCharts(line, head, signal) {
       { name: t("replay.v"), values: line.v },
       { name: t("replay.omega"), values: line.omega.map((omega) => (omega === null ? null : omega * DEGREES)) },
     ]),
-    make(t("replay.commands"), "", [
+    make(t("replay.commands"), t("replay.unit.full"), [
       { name: t("replay.command.speed"), values: line.u1 },
       { name: t("replay.command.turning"), values: line.u2 },
     ], { range: [-1, 1] }),
   ];
   if (line.gestures.length)
     fixed.push(
-      make(t("replay.activations"), "", gestures("activation"), { range: [0, 1] }),
+      make(t("replay.activations"), t("replay.unit.full"), gestures("activation"), { range: [0, 1] }),
       make(t("replay.rates"), rateUnit(line.gestures), gestures("rate")),
       make(t("replay.scores"), t("replay.unit.share"), gestures("score")),
     );

@@ -45,6 +45,7 @@ export default {
   "replay.scores": "Extent of the movement",
   "replay.command.speed": "Speed",
   "replay.command.turning": "Turning",
+  "replay.unit.full": "1 is full",
   "replay.unit.rate": "share of the full movement per second",
   "replay.unit.share": "share of the full movement",
   "replay.signals": "Signals: {shown} of {of} sensors",
