@@ -3,6 +3,8 @@
 from dataclasses import dataclass
 from datetime import datetime
 
+FIRST = "A device that warns of the certificate opens {page} first: the page there explains what to do."
+
 
 @dataclass(frozen=True, slots=True)
 class Trust:
@@ -41,6 +43,11 @@ class NetworkService:
         if self.page_port is None or self.trust.root is None:
             return self.link(host)
         return link("http", host or self.best_host, self.page_port)
+
+    @property
+    def first_words(self) -> str:
+        """Return what a device that does not know the clinic's authority needs first; empty when there is none."""
+        return "" if self.trust.root is None else FIRST.format(page=self.page_link())
 
     @property
     def best_host(self) -> str:

@@ -35,7 +35,6 @@ ONLY_HERE = (
     "Only this machine can open the link, because the program serves no other. For a screen of its own, end the "
     "program and start it with bodydrive serve --lan."
 )
-STRANGERS = "A screen that warns of the certificate opens {page} first: the page there explains what to do."
 
 
 class ScreenView(Document):
@@ -125,7 +124,7 @@ def _words(parts: People, *, only_here: bool) -> str:
     network = parts.settings.network
     if network is None:
         return ONLY_HERE if only_here else ""
-    return STRANGERS.format(page=network.page_link()) if network.trust.root is not None else ""
+    return network.first_words
 
 
 @router.post("/pair", dependencies=[ForEveryone])

@@ -89,13 +89,14 @@ def _view(db: Transaction, person: Person, own_id: int) -> PersonView:
 
 async def _link(parts: People, request: Request, person: PersonView, made: MadeInvitation) -> LinkView:
     address = await asyncio.to_thread(own_address, parts.settings, request)
+    network = parts.settings.network
     url = f"{address.base}#invite={made.code}"  # the part behind # is not sent to a server, so it appears in no log
     return LinkView(
         person=person,
         url=url,
         qr=qr_picture(url),
         expires=made.expires.isoformat(),
-        words=ONLY_HERE if address.only_here else "",
+        words=" ".join(filter(None, (ONLY_HERE if address.only_here else "", network.first_words if network else ""))),
     )
 
 

@@ -1,6 +1,7 @@
 """Invitations: a link is valid once and for 24 hours, and only its hash is stored; a new password ends sign-ins."""
 
 import hashlib
+from dataclasses import replace
 from datetime import timedelta
 
 import pytest
@@ -8,6 +9,7 @@ from fake_clinic import Clinic
 from people_of_clinic import PASSWORD, accepted, as_person, code_of, invited
 
 from app.clock import utc_now
+from app.network import NetworkService, Trust
 from app.store.access import invitations
 from app.store.access.person_tables import Invitation
 
@@ -91,3 +93,15 @@ def test_an_invitation_that_cannot_be_made_adds_nobody(
     assert answer.status_code == status
     assert words in str(answer.json()["detail"])
     assert [person["name"] for person in owned.good("GET", "/people")] == ["Ada"]
+
+
+def test_an_invitation_names_the_page_that_a_new_device_opens_first(owned: Clinic) -> None:
+    parts = owned.client.app.state.people  # type: ignore[attr-defined]
+    now = utc_now()
+    network = NetworkService(8443, 8081, Trust((), ("10.1.2.3",), now, now, "00", b"root"))
+    owned.client.app.state.people = replace(parts, settings=replace(parts.settings, network=network))  # type: ignore[attr-defined]
+    link = invited(owned, "Ben", "clinician")
+    assert link["url"].startswith("https://10.1.2.3:8443/#invite=")
+    assert "http://10.1.2.3:8081/ first" in link["words"]
+    network.trust = Trust((), ("10.1.2.3",), now, now, "00", None)  # a certificate of the clinic's own
+    assert owned.good("POST", f"/people/{link['person']['id']}/link")["words"] == ""
