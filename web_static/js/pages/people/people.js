@@ -10,6 +10,8 @@ import { linkCard } from "./link_card.js";
 import { rowList } from "../../widgets/list.js";
 import { rightsForm } from "./rights_form.js";
 
+const LOOK_EVERY = 10_000; // ms
+
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal}} page */
 export async function show(app, root, { signal }) {
   let [people, patients] = await Promise.all([app.api.get("/people"), app.api.get("/patients")]);
@@ -18,7 +20,9 @@ export async function show(app, root, { signal }) {
   const above = h("div", {});
 
   const read = async () => {
-    people = await app.api.get("/people");
+    const found = await Promise.all([app.api.get("/people"), app.api.get("/patients")]);
+    if (signal.aborted || JSON.stringify(found) === JSON.stringify([people, patients])) return;
+    [people, patients] = found;
     draw();
   };
   const close = () => put(above, h("button", { type: "button", class: "btn go", onclick: openForm }, icon("plus", 20), t("people.invite")));
@@ -29,19 +33,21 @@ export async function show(app, root, { signal }) {
     above.scrollIntoView({ block: "nearest" });
     await read();
   };
-  const openForm = () => {
+  const openForm = async () => {
+    await app.toasts.attempt(read); // a patient may have been added at another screen since
     put(above, rightsForm(patients, null, { send: async (rights) => showLink(await app.api.post("/people", rights)), onClose: close }));
     above.querySelector("input")?.focus();
   };
   /** @param {PersonView} person */
-  const change = (person) => {
+  const change = async (person) => {
+    await app.toasts.attempt(read);
     /** @param {{role: PersonView["role"], patients: number[] | null}} rights */
     const send = async ({ role, patients: shown }) => {
       await app.api.put(`/people/${person.id}`, { role, patients: shown });
       close();
       await read();
     };
-    put(above, rightsForm(patients, person, { send, onClose: close }));
+    put(above, rightsForm(patients, people.find(({ id }) => id === person.id) ?? person, { send, onClose: close }));
     above.scrollIntoView({ block: "nearest" });
     above.querySelector("input")?.focus();
   };
@@ -60,6 +66,8 @@ export async function show(app, root, { signal }) {
     list.show(people.map((person) => row(person, patients, actions)));
   draw();
   close();
+  const timer = setInterval(() => read().catch(() => null), LOOK_EVERY); // others accept invitations meanwhile
+  signal.addEventListener("abort", () => clearInterval(timer));
   put(
     root,
     h(
