@@ -128,6 +128,15 @@ def test_two_are_invited_accept_elsewhere_and_one_is_disabled(opened, served, ow
     photograph(rita, "invitation")
     accept(ben, "Ben")
     accept(rita, "Rita")
+    expect(owner.get_by_text("has not chosen a password yet")).to_have_count(0, timeout=15_000)  # without a reload
+    # A reviewer is offered nothing that is refused, and Stop stays in the first row of a telephone.
+    for name in ("New patient", "Start session", "Delete P-72"):
+        expect(rita.get_by_role("button", name=name)).to_have_count(0)
+    assert rita.locator(".stop").bounding_box()["y"] == 0
+    rita.get_by_role("link", name="Review").first.click()
+    expect(rita.get_by_role("heading", name="No trials yet")).to_be_visible()
+    assert rita.get_by_role("link", name="Drive the first one").count() == 0
+    go_to(rita, "patients")
     expect(ben.get_by_text("Kingfisher")).to_be_visible()
     expect(rita.get_by_text("Otter")).to_be_visible()
     assert rita.get_by_text("Kingfisher").count() == 0

@@ -2,7 +2,7 @@
 import { t } from "../texts.js";
 import { h, put } from "../widgets/dom.js";
 
-/** @param {HTMLElement} root @param {string} title @param {string} lead @param {string} hash @param {string} action */
+/** @param {HTMLElement} root @param {string} title @param {string} lead @param {string} hash @param {string} [action] none: there is nothing to do */
 export function emptyPage(root, title, lead, hash, action) {
   put(
     root,
@@ -11,7 +11,7 @@ export function emptyPage(root, title, lead, hash, action) {
       { class: "body empty" },
       h("h1", { tabindex: "-1" }, title),
       h("p", { class: "lead" }, lead),
-      h("a", { class: "btn go large", href: hash }, action),
+      action && h("a", { class: "btn go large", href: hash }, action),
     ),
   );
 }

@@ -74,13 +74,16 @@ export async function show(app, root, { signal }) {
         "div",
         { class: "spread above-list" },
         h("div", { class: "grow" }, search),
-        h("button", { type: "button", class: "btn", onclick: showForm }, icon("plus", 20), t("patients.new")),
+        mayChange(app) && h("button", { type: "button", class: "btn", onclick: showForm }, icon("plus", 20), t("patients.new")),
       ),
       form,
       list,
     ),
   );
 }
+
+/** A reviewer looks, and changes nothing. @param {App} app */
+const mayChange = (app) => app.me?.role !== "reviewer";
 
 /**
  * @param {App} app @param {PatientView} patient
@@ -94,20 +97,7 @@ function row(app, patient, { open, remove, end, goOn }) {
     t("patients.trials", { count: patient.trials }),
     patient.last_seen ? t("patients.last", { day: day(patient.last_seen) }) : t("patients.never"),
   ].join(" · ");
-  return h(
-    "div",
-    { class: `person card${isHere ? " here" : ""}` },
-    h("span", { class: "badge", "aria-hidden": "true" }, patient.pseudonym.slice(0, 1).toUpperCase()),
-    h(
-      "div",
-      { class: "grow" },
-      h("b", {}, patient.code),
-      " ",
-      patient.pseudonym,
-      " ",
-      isHere && h("span", { class: "tag" }, t("patients.here")),
-      h("div", { class: "quiet small" }, figures, patient.note && ` · ${patient.note}`),
-    ),
+  const changes = () =>
     isHere
       ? [
           h("button", { type: "button", class: "btn", onclick: end }, t("patients.end")),
@@ -137,6 +127,21 @@ function row(app, patient, { open, remove, end, goOn }) {
             },
             t("patients.start"),
           ),
-        ],
+        ];
+  return h(
+    "div",
+    { class: `person card${isHere ? " here" : ""}` },
+    h("span", { class: "badge", "aria-hidden": "true" }, patient.pseudonym.slice(0, 1).toUpperCase()),
+    h(
+      "div",
+      { class: "grow" },
+      h("b", {}, patient.code),
+      " ",
+      patient.pseudonym,
+      " ",
+      isHere && h("span", { class: "tag" }, t("patients.here")),
+      h("div", { class: "quiet small" }, figures, patient.note && ` · ${patient.note}`),
+    ),
+    mayChange(app) ? changes() : h("a", { class: "btn go", href: `#/review/${patient.id}` }, t("rail.review")),
   );
 }

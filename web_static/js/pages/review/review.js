@@ -46,7 +46,7 @@ export async function show(app, root, { signal, rest }) {
       (id) => app.go(`#/review/${id}`),
     ),
   );
-  if (!trials.length) return noTrials(root, patients.length > 1 ? who : null);
+  if (!trials.length) return noTrials(app, root, patients.length > 1 ? who : null);
   const plans = await app.api.get("/floorplans");
   if (signal.aborted) return;
   const paths = pathsOf(trials);
@@ -164,8 +164,9 @@ export async function show(app, root, { signal, rest }) {
   await draw();
 }
 
-/** @param {HTMLElement} root @param {Node | null} who to choose another patient by */
-function noTrials(root, who) {
-  emptyPage(root, t("review.none.title"), t("review.none.lead"), "#/drive", t("review.none.go"));
+/** @param {import("../../main.js").App} app @param {HTMLElement} root @param {Node | null} who to choose another patient by */
+function noTrials(app, root, who) {
+  const action = app.me?.role === "reviewer" ? undefined : t("review.none.go"); // a reviewer starts no trial
+  emptyPage(root, t("review.none.title"), t("review.none.lead"), "#/drive", action);
   if (who) root.firstElementChild?.append(h("div", { class: "other-patient" }, who));
 }
