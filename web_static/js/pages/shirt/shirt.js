@@ -32,6 +32,8 @@ export async function show(app, root, { signal }) {
   const left = h("div", { class: "stack" });
   const right = h("div", { class: "stack" });
   const below = h("div", {});
+  const [next, nextKey] = app.session?.has_profile ? ["#/drive", "shirt.drive"] : ["#/calibrate", "shirt.calibrate"];
+  const onward = h("a", { class: "btn go", href: next }, t(nextKey));
   let drawn = new AbortController(); // aborted when the equipment is drawn again
   let picked = "";
   /** @type {Map<CardName, string>} cards whose form is open, with the choice it shows */
@@ -53,6 +55,7 @@ export async function show(app, root, { signal }) {
     );
     drawRight();
     showWords();
+    onward.hidden = !equipment.shirt; // the one thing to do is to choose a shirt
   };
   /** Forms are drawn again only where something differs: what is typed in them would be lost. @param {EquipmentView} answer */
   const take = (answer) => {
@@ -75,7 +78,7 @@ export async function show(app, root, { signal }) {
     return h(
       "section",
       { class: "card" },
-      h("h2", {}, t("shirt.sensors"), h("span", { class: "quiet small" }, t("shirt.sensors.hint"))),
+      h("h2", {}, t("shirt.sensors"), layout.channels.length > 0 && h("span", { class: "quiet small" }, t("shirt.sensors.hint"))),
       lamps.element,
       legend(),
     );
@@ -162,8 +165,7 @@ export async function show(app, root, { signal }) {
     const all = app.live.quality.length;
     const good = app.live.quality.filter((quality) => quality === "good").length;
     const lost = app.live.latest?.shirt.lost ?? 0;
-    const words = equipment.layout ? equipment.status.words : equipment.status.words || t("shirt.none");
-    write(state, words);
+    write(state, equipment.shirt ? equipment.status.words : t("shirt.none"));
     const figures = [all ? t("shirt.words.count", { good, all }) : "", lost ? t("shirt.lost", { count: lost }) : ""];
     write(counts, figures.filter(Boolean).join(" "));
   };
@@ -175,7 +177,6 @@ export async function show(app, root, { signal }) {
   app.live.addEventListener("changed", readAgain, { signal });
   app.addEventListener("equipment", ({ detail }) => take(detail), { signal });
 
-  const onwards = app.session?.has_profile ? ["#/drive", "shirt.drive"] : ["#/calibrate", "shirt.calibrate"];
   put(
     root,
     h(
@@ -190,7 +191,7 @@ export async function show(app, root, { signal }) {
       "div",
       { class: "foot" },
       h("span", { class: "grow" }),
-      h("a", { class: "btn go", href: onwards[0] }, t(onwards[1])),
+      onward,
     ),
   );
   draw();
