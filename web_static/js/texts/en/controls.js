@@ -66,7 +66,7 @@ export default {
   "speed.deceleration": "Deceleration",
   "speed.turn_acceleration": "Turn acceleration",
   "speed.jerk": "Softness",
-  "speed.jerk.hint": "How quickly it gathers way. A stop is not delayed by it.",
+  "speed.jerk.hint": "How quickly the acceleration may grow. A stop is not delayed by it.",
   "speed.turn_jerk": "Turn softness",
   "speed.turn_jerk.hint": "The same for turning.",
   "speed.held": "{value} applies: the clinic or the chair has a smaller limit.",

@@ -4,7 +4,7 @@ export default {
   lead: "Your clinic's machine encrypts all it sends. This device first has to learn that it may trust this machine: once, in a few minutes.",
   checking: "Checking this device …",
   trusted: "This device trusts the clinic's machine.",
-  "trusted.lead": "Nothing more is needed here. On the next page you can put bodydrive on the home screen.",
+  "trusted.lead": "Nothing more is needed here. In the menu of the browser, on the next page, you can add bodydrive to the home screen.",
   go: "Go on to bodydrive",
   "not-yet": "This device does not trust the clinic's machine yet.",
   "not-yet.lead": "Follow the steps below. This page checks by itself and shows a green tick when they are done.",
