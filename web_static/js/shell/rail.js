@@ -5,8 +5,9 @@ import { icon } from "../widgets/icons.js";
 
 const STEPS = /** @type {const} */ (["patients", "shirt", "calibrate", "controls", "drive", "review"]);
 const RAIL = /** @type {const} */ ([...STEPS, "settings"]);
+const IN_SETTINGS = ["plans", "people", "log", "computer"]; // opened from there: the rail marks the settings
 /** @type {string[]} */
-export const PAGES = [...RAIL, "plans", "adapt", "people", "log", "computer"]; // those that have an address of their own
+export const PAGES = [...RAIL, "adapt", ...IN_SETTINGS]; // those that have an address of their own
 
 /** The steps that are done in the open session. @param {import("../main.js").App} app @returns {Set<string>} */
 export function stepsDone(app) {
@@ -36,7 +37,8 @@ export function rail(app) {
     const done = stepsDone(app);
     for (const { step, link, mark } of links) {
       mark.hidden = !done.has(step);
-      set(link, { "aria-current": step === app.route.page ? "page" : null });
+      const isAbove = step === "settings" && IN_SETTINGS.includes(app.route.page);
+      set(link, { "aria-current": step === app.route.page ? "page" : isAbove ? "true" : null });
     }
   };
   for (const event of /** @type {const} */ (["session", "route"])) app.addEventListener(event, show);
