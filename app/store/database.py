@@ -18,6 +18,7 @@ from app.store.access.visible_patients import restrict
 from app.store.files.ballast import Ballast
 from app.store.log import HAS_NEW_ROWS, write_log
 from app.store.log_chain import HEAD_BEGUN, Head, HeadFile, advance
+from app.store.records.sign_off import lock_signed
 from app.store.schema import bring_up_to_date
 
 # Error codes that SQLite may also report on a full disk: a file cannot grow or be created, a quota is used up.
@@ -95,6 +96,7 @@ class Database:
         with self._as_refusals(), self._one_at_a_time:
             with Session(self._engine, expire_on_commit=False) as db, db.begin():
                 restrict(db)
+                lock_signed(db)
                 yield db
                 head = self._head_file.after(db) if HAS_NEW_ROWS in db.info else None
             if head is not None:

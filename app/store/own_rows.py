@@ -6,9 +6,9 @@ from sqlalchemy.orm import Session
 
 from app.refusals import NotFound, OtherClinicRow
 from app.store.access.person_tables import Person
-from app.store.tables import Chair, Drive, Patient, PatientScreen, Trial
+from app.store.tables import Chair, Drive, Patient, PatientScreen, PatientSession, Trial
 
-Row = TypeVar("Row", Chair, Drive, Patient, PatientScreen, Person, Trial)
+Row = TypeVar("Row", Chair, Drive, Patient, PatientScreen, PatientSession, Person, Trial)
 
 
 def own_row(db: Session, kind: type[Row], clinic_id: int, row_id: int, missing: str) -> Row:

@@ -3,6 +3,7 @@
 from sqlalchemy import func, select
 from sqlalchemy.orm import Session
 
+from app import __version__
 from app.clock import utc_now
 from app.refusals import Conflict, NotFound
 from app.store.own_rows import own_row
@@ -93,6 +94,7 @@ def start_session(db: Session, clinic_id: int, patient_id: int, person: str | No
         result=None,
         accepted=False,
         screen=None,
+        version=__version__,
     )
     db.add(session)
     db.flush()

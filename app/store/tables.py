@@ -93,6 +93,9 @@ class PatientSession(Table):
     result: Mapped[dict[str, Any] | None]  # the fitted profile before it is accepted
     accepted: Mapped[bool]
     screen: Mapped[dict[str, Any] | None]  # settings of the patient's screens; None: the standard ones
+    goal: Mapped[str] = mapped_column(String(1000), default="", server_default="")  # in the patient's words
+    # Of the software that it began with; "": not recorded.
+    version: Mapped[str] = mapped_column(String(40), default="", server_default="")
 
 
 class PatientScreen(Table):
