@@ -22,6 +22,7 @@ from app.api.parts import web_parts_of
 from app.api.patient_screen import patient_socket
 from app.api.patient_screen import routes as patient_screen
 from app.api.proxy import BehindProxy
+from app.api.records import consents, session_comparisons, session_records, sign_offs
 from app.api.refusals import install_refusals
 from app.api.replay import replay_view, trial_replay
 from app.api.routes import (
@@ -98,6 +99,10 @@ ROUTES = (
     patient_socket,
     openapi_document,
     trial_plan,
+    session_records,
+    sign_offs,
+    session_comparisons,
+    consents,
 )
 
 WebApp = FastAPI

@@ -59,8 +59,8 @@ def make_parts(
         hub.tell(event)
 
     control = ControlLink(start_process)
-    runs = SessionRuns(database, control, settings.runs)
     equipment = Equipment(database, control, settings.files, settings.keys, tell, demonstration=settings.demo)
+    runs = SessionRuns(database, control, settings.runs, lambda: equipment.simulated)
     chairs = Chairs(database, control, settings.keys, tell)
     limits = ClinicLimits(database, control, tell)
     calibration = CalibrationFlow(database, control, equipment, runs, tell, computing)

@@ -8,7 +8,7 @@ from app.scoring.verdict.spread import Spread
 from app.source import SourceGroup
 from app.store.access.visible_patients import every_patient
 from app.store.database import Database
-from app.store.learning_trials import count_of_everybody, trials_of_everybody
+from app.store.learning_trials import count_of_everybody, prior_consents, trials_of_everybody
 
 MORE = 0.05  # of the trials, driven or gone since, after which the variances are estimated again
 
@@ -25,12 +25,14 @@ class Task(NamedTuple):
 class ClinicSpread:
     """Estimates everybody's variances in a task, and again when the clinic has driven a twentieth more of it.
 
+    When a patient gives or withdraws the consent to it, it estimates them at once.
+
     A clinic of 60,000 trials needs about a second for that, so the variances stay in memory.
     """
 
     def __init__(self, database: Database, computing: ComputingProcess) -> None:
         self._database, self._computing = database, computing
-        self._known: dict[Task, tuple[int, PeopleVariances]] = {}
+        self._known: dict[Task, tuple[int, frozenset[int], PeopleVariances]] = {}
 
     def of_others(self, task: Task, patient_id: int) -> dict[str, Spread]:
         """Return the median spread of all patients but this one, for each measure that enough of them have."""
@@ -39,10 +41,11 @@ class ClinicSpread:
     def _variances(self, task: Task) -> PeopleVariances:
         with every_patient(), self._database.transaction() as db:
             count = count_of_everybody(db, task.floorplan, task.path)
-            then, known = self._known.get(task, (0, None))
-            if known is not None and abs(count - then) <= MORE * then:
+            consents = prior_consents(db, task.group)
+            then, then_consents, known = self._known.get(task, (0, consents, None))
+            if known is not None and consents == then_consents and abs(count - then) <= MORE * then:
                 return known
             people = trials_of_everybody(db, *task)
         found = self._computing.ask(people_variances, people)
-        self._known[task] = count, found
+        self._known[task] = count, consents, found
         return found

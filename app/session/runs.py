@@ -2,7 +2,7 @@
 
 import asyncio
 import uuid
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
@@ -13,7 +13,9 @@ from app.refusals import Conflict, Refusal
 from app.session.control_link import ControlLink
 from app.source import Source
 from app.store.database import Database
+from app.store.records.consents import require_consent
 from app.store.runs import add_run, close_run
+from app.store.tables import PatientSession
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,10 +33,13 @@ class SessionRun:
 class SessionRuns:
     """Begins and ends runs; a run's folder is named by its random id, never by a patient."""
 
-    def __init__(self, database: Database, control: ControlLink, folder: Path) -> None:
+    def __init__(
+        self, database: Database, control: ControlLink, folder: Path, is_simulated: Callable[[], bool | None]
+    ) -> None:
         self._database = database
         self._control = control
         self._folder = folder
+        self._is_simulated = is_simulated  # whether nobody wears the shirt in use; None: there is none
         self.open: SessionRun | None = None
         self._beginning = False
 
@@ -43,11 +48,16 @@ class SessionRuns:
         return self._folder / run
 
     async def begin(self, session_id: int, kind: str, cues: Sequence[Cue], meta: dict[str, Any]) -> SessionRun:
-        """Start recording; store the run in the database once the control process has begun it."""
+        """Start recording; store the run in the database once the control process has begun it.
+
+        Conflict when somebody wears the shirt and the patient has not consented to recording.
+        """
         if self.open is not None or self._beginning:
             raise Conflict("Something is being recorded already: wait for its end, or stop it first.")
         self._beginning = True
         try:
+            if self._is_simulated() is False:
+                await asyncio.to_thread(self._require_consent, session_id)
             return await self._begin(session_id, kind, cues, meta)
         finally:
             self._beginning = False
@@ -92,6 +102,10 @@ class SessionRuns:
         self.open = None
         await asyncio.to_thread(self._close, run.id, rows, dropped)
         return run
+
+    def _require_consent(self, session_id: int) -> None:
+        with self._database.transaction() as db:
+            require_consent(db, db.get_one(PatientSession, session_id).patient_id, "recording")
 
     def _note(self, run_id: str, session_id: int, kind: str, source: Source) -> None:
         with self._database.transaction() as db:

@@ -5,10 +5,11 @@ from collections.abc import Sequence
 from datetime import date, datetime
 from typing import Any, NamedTuple
 
-from sqlalchemy import JSON, ColumnElement, func, select
+from sqlalchemy import JSON, ColumnElement, func, select, true
 from sqlalchemy.orm import Session
 
 from app.source import SourceGroup, source_words
+from app.store.records.consents import has_consented
 from app.store.tables import Parameters, Patient, PatientSession, Profile, Run, Trial
 
 FAMILIARISATION = 3  # first trials of a task on a day, in which a person gets used to it
@@ -64,6 +65,8 @@ def trials_of_everybody(
 ) -> dict[int, list[dict[str, Any]]]:
     """Return the rows of each patient's trials on one path, the newest 2000, for the clinic's median spread.
 
+    Trials that a person drove are those of patients who have consented to it; nobody drove the simulated ones.
+
     The rows hold numbers only: `id`, `number`, `session`, `familiarisation` and the measures.
     """
     columns = (Trial.patient_id, Trial.id, Trial.number, Trial.started, Trial.kept, Trial.measures)
@@ -72,7 +75,7 @@ def trials_of_everybody(
         .join(PatientSession, PatientSession.id == Trial.session_id)
         .join(Patient, Patient.id == Trial.patient_id)
         .join(Run, Run.id == Trial.run_id)
-        .where(Patient.deleted.is_(None), Run.simulated.is_(SIMULATED[group]))
+        .where(Patient.deleted.is_(None), Run.simulated.is_(SIMULATED[group]), _may_be_used(group))
         .where(*_measured(clinic_id, floorplan, path))
         .order_by(Trial.id.desc())
         .limit(MOST_TRIALS)
@@ -87,6 +90,17 @@ def count_of_everybody(db: Session, floorplan: str, path: str) -> int:
     """Return how many trials on one path were ended, of every patient and source; the index alone tells it."""
     ended = (Trial.floorplan == floorplan, Trial.path == path, Trial.status == "done")
     return db.scalar(select(func.count()).select_from(Trial).where(*ended)) or 0
+
+
+def prior_consents(db: Session, group: SourceGroup) -> frozenset[int]:
+    """Return the patients who have consented to the use of their trials; none where no consent is needed."""
+    if group == "simulated":
+        return frozenset()
+    return frozenset(db.scalars(select(Patient.id).where(_may_be_used(group))))
+
+
+def _may_be_used(group: SourceGroup) -> ColumnElement[bool]:
+    return true() if group == "simulated" else has_consented("clinic_prior")
 
 
 def _numbers(rows: Sequence[Any], group: SourceGroup) -> list[dict[str, Any]]:

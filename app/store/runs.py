@@ -10,6 +10,7 @@ from app.clock import utc_now
 from app.refusals import Conflict
 from app.source import UNKNOWN_SOURCE, Source
 from app.store.own_rows import own_row
+from app.store.records.sign_off import require_unsigned
 from app.store.tables import Run, Trial
 
 
@@ -116,6 +117,7 @@ def keep_trial(db: Session, clinic_id: int, trial_id: int, discard_reason: str |
     trial = find_trial(db, clinic_id, trial_id)
     if trial.status != "done":
         raise Conflict("This trial is still running: end it first.")
+    require_unsigned(db, trial.session_id)
     trial.kept, trial.discard_reason = discard_reason is None, discard_reason
     return trial
 

@@ -28,11 +28,15 @@ IDS = {  # names of whole numbers that are ids, and of which table
     "screen_id": "patient_screen",
     "person_id": "person",
     "patients": "patient",
+    "session_id": "session",
+    "note_id": "session",  # a note and a scale are those of the session that the path names
+    "scale_id": "session",
+    "other": "session",
     "PUT /chairs/chosen id": "chair",
 }
 # Whole numbers that are no ids.
 NUMBERS = {"stops", "port", "seed", "baud", "address", "version", "direction", "before", "seconds"}
-FILLED = {"reason": "by hand", "dynamics": "unicycle", "floorplan": "apartment", "path": "main"}
+FILLED = {"other": "1", "reason": "by hand", "dynamics": "unicycle", "floorplan": "apartment", "path": "main"}
 LISTS = {"patients"}
 OWN_PERSON = "1"  # the person who asks, where a path needs an id besides the one that is tried
 BODIES: dict[str, dict[str, Any]] = {  # what has to be sent along with an id
@@ -40,6 +44,12 @@ BODIES: dict[str, dict[str, Any]] = {  # what has to be sent along with an id
     "PUT /chairs/chosen": {"dynamics": "unicycle"},
     "POST /people": {"name": "Ben", "role": "reviewer"},
     "PUT /people/{person_id}": {"role": "reviewer"},
+    "PUT /sessions/{session_id}/goal": {"goal": "x"},
+    "POST /sessions/{session_id}/notes": {"text": "x"},
+    "PUT /sessions/{session_id}/notes/{note_id}": {"text": "x"},
+    "POST /sessions/{session_id}/scales": {"name": "SCIM III", "total": 41.0, "day": "2026-03-01"},
+    "POST /sessions/{session_id}/unlock": {"reason": "x"},
+    "PUT /patients/{patient_id}/consents/{consent}": {"given": "2026-03-01"},
 }
 MISSING = 2**31 - 1  # an id that nothing has
 
@@ -122,6 +132,7 @@ def theirs(signed_in: Clinic) -> dict[str, int]:
             "person": person.id,
             "patient": patient.id,
             "trial": trial.id,
+            "session": session.id,
             "chair": chair.id,
             "patient_screen": screen.id,
         }
@@ -151,6 +162,9 @@ def test_another_clinics_ids_do_not_exist_here_and_asking_for_one_is_noted(
             more = {other: FILLED[other] for other in needed if other != name}
             body = BODIES.get(f"{method} {path.removeprefix('/api/v1')}")
             url = url.replace("{person_id}", OWN_PERSON).replace("{trial_id}", str(number))
+            for own in ("{session_id}", "{note_id}", "{scale_id}"):
+                url = url.replace(own, str(number))
+            url = url.replace("{consent}", "sharing")
             if not in_path and method == "GET":
                 more[name] = str(number)
             elif not in_path:

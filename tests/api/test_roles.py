@@ -48,6 +48,7 @@ FOR_OWNERS = {
     "POST /chairs",
     "DELETE /chairs/{chair_id}",
     "PUT /limits",
+    "POST /sessions/{session_id}/unlock",
     "POST /computer/measurement",
     "GET /log",
     "GET /log/export",
@@ -72,6 +73,10 @@ FOR_REVIEWERS = {
     "GET /tablets",
     "GET /floorplans",
     "GET /floorplans/{name}",
+    "GET /patients/{patient_id}/sessions",
+    "GET /patients/{patient_id}/consents",
+    "GET /sessions/{session_id}",
+    "GET /sessions/{session_id}/comparison",
     "GET /trials",
     "GET /trials/{trial_id}",
     "GET /trials/{trial_id}/timeline",
@@ -145,8 +150,9 @@ def test_stop_asks_nobodys_name_before_it_stops(signed_in: Clinic, monkeypatch: 
 def requested(clinic: Clinic, name: str, view: str = "clinician") -> Any:
     """Request a route by its method and path as in the table, without content; return the answer."""
     method, path = name.split()
-    for placeholder in ("{chair_id}", "{patient_id}", "{trial_id}", "{screen_id}", "{person_id}"):
+    for placeholder in ("{chair_id}", "{patient_id}", "{trial_id}", "{screen_id}", "{person_id}", "{session_id}"):
         path = path.replace(placeholder, "1")
+    path = path.replace("{note_id}", "1").replace("{scale_id}", "1").replace("{consent}", "sharing")
     path = path.replace("{name}", "nowhere").replace("{step}", "rest").replace("{role}", view)
     path = path.replace("{word}", "no-such-word").replace("{kind}", "floorplan")
     path = path.replace("{identity}", "20260101T000000Z--nowhere")

@@ -58,7 +58,7 @@ def live_picture(clinic: Clinic) -> Any:
 def test_the_id_of_another_patient_is_answered_like_one_that_does_not_exist(reviewed: Clinic) -> None:
     document = reviewed.good("GET", "/openapi.json")
     trial = reviewed.good("GET", "/trials", params={"patient": reviewed.patient["id"]})[0]["id"]
-    hidden = {"patient": reviewed.patient["id"], "trial": trial}
+    hidden = {"patient": reviewed.patient["id"], "trial": trial, "session": int(reviewed.session)}
     tried = []
     with as_person(reviewed, reviewer(reviewed, reviewed.shown)):  # type: ignore[attr-defined]
         for method, path, name, needed in places(document):
@@ -68,7 +68,7 @@ def test_the_id_of_another_patient_is_answered_like_one_that_does_not_exist(revi
 
             def ask(number: int, method: str = method, path: str = path, name: str = name, needed: Any = needed) -> Any:
                 url = path.removeprefix("/api/v1").replace(f"{{{name}}}", str(number))
-                url = url.replace("{trial_id}", str(number))
+                url = url.replace("{trial_id}", str(number)).replace("{session_id}", str(number))
                 more = {other: FILLED[other] for other in needed if other != name}
                 body = None
                 if f"{{{name}}}" not in path and method == "GET":

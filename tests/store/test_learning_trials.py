@@ -9,9 +9,10 @@ from sqlalchemy.orm import Session
 from app.calibration.profile import CalibrationProfile
 from app.clock import utc_now
 from app.source import UNKNOWN_SOURCE, Source
-from app.store.learning_trials import count_of_everybody, counted_trials, trials_of_everybody
+from app.store.learning_trials import count_of_everybody, counted_trials, prior_consents, trials_of_everybody
 from app.store.parameters import current_parameters, save_profile
 from app.store.patients import add_patient
+from app.store.records.consents import give_consent
 from app.store.runs import add_run, add_trial, finish_trial, keep_trial
 from app.store.tables import Clinic, Patient, PatientSession, Trial
 
@@ -125,6 +126,11 @@ def test_everybody_is_every_patient_but_the_deleted_with_numbers_only(
         drive(db, person, session, f"run{place}", {"dist": 10.0 + place})
     people[2].deleted = utc_now()
     db.flush()
+    assert trials_of_everybody(db, patient.clinic_id, "clinic", "corridor", "unknown") == {}  # nobody has consented
+    assert prior_consents(db, "unknown") == frozenset()
+    for person in people:
+        give_consent(db, person.id, "clinic_prior", utc_now().date(), "Ada")
+    assert prior_consents(db, "unknown") == {person.id for person in people}
     found = trials_of_everybody(db, patient.clinic_id, "clinic", "corridor", "unknown")
     assert found == {
         person.id: [{"id": own, "number": 1, "session": 4, "familiarisation": True, "dist": 9.0 + own}]

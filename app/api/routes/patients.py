@@ -24,6 +24,7 @@ from app.store.patients import (
     session_progress,
     start_session,
 )
+from app.store.records.consents import consents_of
 from app.store.tables import Patient
 
 router = APIRouter(tags=["patients"])
@@ -71,6 +72,7 @@ class CurrentSession(Document):
     patient: PatientView | None
     session: SessionView | None
     has_profile: bool
+    consents_to_recording: bool  # otherwise nothing is recorded with a worn shirt
     steps_done: list[str]
 
 
@@ -127,12 +129,15 @@ def current_session(parts: PeopleParts, clinic_id: int) -> CurrentSession:
     with parts.database.transaction() as db:
         session = open_session(db, clinic_id)
         if session is None:
-            return CurrentSession(patient=None, session=None, has_profile=False, steps_done=[])
+            return CurrentSession(
+                patient=None, session=None, has_profile=False, consents_to_recording=False, steps_done=[]
+            )
         has_profile, done = session_progress(db, session)
         return CurrentSession(
             patient=_view(db, find_patient(db, clinic_id, session.patient_id)),
             session=SessionView.of(session),
             has_profile=has_profile,
+            consents_to_recording=consents_of(db, session.patient_id).recording is not None,
             steps_done=done,
         )
 

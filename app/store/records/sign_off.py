@@ -23,7 +23,7 @@ SIGNED = (
 OF_A_SESSION = (PatientSession, CalibrationStep, Run, Profile, Trial, Drive, SessionNote, NoteRevision, OutcomeScale)
 """Tables whose rows belong to one session; the parameters of a map are the patient's, and go on after a session."""
 
-DERIVED = {Trial: {"quality"}}
+DERIVED: dict[type[Table], set[str]] = {Trial: {"quality"}}
 """Columns that are computed from the recording whenever somebody looks, and hold nothing of their own."""
 
 
@@ -47,9 +47,14 @@ def sign_off_history(db: Session, session_id: int) -> list[SessionSignOff]:
     return list(db.scalars(query.order_by(SessionSignOff.id)))
 
 
+def require_unsigned(db: Session, session_id: int) -> None:
+    """Raise Conflict when a session is signed off: for functions that may also find that nothing changes."""
+    _require_unsigned(db, {session_id})
+
+
 def sign_off(db: Session, session: PatientSession, person: str) -> SignOff:
     """Sign a session off; one that is open is ended with it."""
-    _require_unsigned(db, {session.id})
+    require_unsigned(db, session.id)
     trial = select(Trial.id).where(Trial.session_id == session.id, Trial.status == "running").limit(1)
     drive = select(Drive.id).where(Drive.session_id == session.id, Drive.ended.is_(None)).limit(1)
     if db.scalar(trial) is not None or db.scalar(drive) is not None:

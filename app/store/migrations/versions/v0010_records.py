@@ -38,6 +38,10 @@ def _table(name: str, parent: str, *columns: sa.Column[object]) -> None:
     op.create_index(f"ix_{name}_{key}", name, [key])
 
 
+def _one_in_force(table: str, columns: list[str], condition: str) -> None:
+    op.create_index(f"uq_{table}_in_force", table, columns, unique=True, sqlite_where=sa.text(condition))
+
+
 def upgrade() -> None:
     """Add the tables and the columns of the session."""
     op.add_column("session", sa.Column("goal", sa.String(length=1000), nullable=False, server_default=""))
@@ -66,8 +70,7 @@ def upgrade() -> None:
         sa.Column("unlocked_by", sa.String(length=80), nullable=True),
         sa.Column("reason", sa.String(length=200), nullable=True),
     )
-    in_force = {"unique": True, "sqlite_where": sa.text("unlocked IS NULL")}
-    op.create_index("uq_session_sign_off_in_force", "session_sign_off", ["session_id"], **in_force)
+    _one_in_force("session_sign_off", ["session_id"], "unlocked IS NULL")
     _table(
         "patient_consent",
         "patient",
@@ -78,8 +81,7 @@ def upgrade() -> None:
         _moment("withdrawn", nullable=True),
         sa.Column("withdrawn_by", sa.String(length=80), nullable=True),
     )
-    in_force = {"unique": True, "sqlite_where": sa.text("withdrawn IS NULL")}
-    op.create_index("uq_patient_consent_in_force", "patient_consent", ["patient_id", "consent"], **in_force)
+    _one_in_force("patient_consent", ["patient_id", "consent"], "withdrawn IS NULL")
     op.execute(CARRY_OVER)
 
 

@@ -1,0 +1,108 @@
+"""The consents of a patient: recording, use for the clinic's prior, sharing outside."""
+
+from datetime import date
+
+from fastapi import APIRouter
+
+from app.api.answers import Answer, MomentText
+from app.api.deps import Anyone, Clinician, PeopleParts, RowId
+from app.api.parts import Web
+from app.quantities import Document
+from app.store.database import Transaction
+from app.store.log import write_log
+from app.store.patients import find_patient
+from app.store.records.consents import (
+    CONSENTS,
+    Consent,
+    consent_history,
+    give_consent,
+    withdraw_consent,
+)
+
+router = APIRouter(tags=["records"])
+
+
+class GivenConsent(Document):
+    """The day on which a patient consented."""
+
+    given: date
+
+
+class ConsentRow(Answer):
+    """A consent of a patient, in force while `withdrawn` is null."""
+
+    given: date
+    person: str | None  # who entered it; None: carried over from before consents were kept, to be confirmed
+    written: MomentText
+    withdrawn: MomentText | None
+    withdrawn_by: str | None
+
+
+class ConsentView(Document):
+    """One kind of consent, with its history, the newest first."""
+
+    consent: Consent
+    given: date | None
+    is_confirmed: bool  # a person has entered it
+    history: list[ConsentRow]
+
+
+class ConsentsView(Document):
+    """The consents of a patient."""
+
+    patient_id: int
+    code: str
+    consents: list[ConsentView]
+
+
+@router.get("/patients/{patient_id}/consents")
+def consents(patient_id: RowId, who: Anyone, parts: PeopleParts) -> ConsentsView:
+    """Return the consents of a patient."""
+    with parts.database.transaction(closing=True) as db:
+        find_patient(db, who.clinic_id, patient_id)
+        write_log(db, who.name, "patient viewed", patient=patient_id)
+        return _view(db, who.clinic_id, patient_id)
+
+
+@router.put("/patients/{patient_id}/consents/{consent}")
+def give(
+    patient_id: RowId, consent: Consent, body: GivenConsent, who: Clinician, parts: PeopleParts, web: Web
+) -> ConsentsView:
+    """Enter the day on which a patient consented; another day replaces the one before."""
+    with parts.database.transaction() as db:
+        find_patient(db, who.clinic_id, patient_id)
+        if give_consent(db, patient_id, consent, body.given, who.name):
+            given = body.given.isoformat()
+            write_log(db, who.name, "consent given", patient=patient_id, consent=consent, given=given)
+        answer = _view(db, who.clinic_id, patient_id)
+    web.live.tell("session")
+    return answer
+
+
+@router.delete("/patients/{patient_id}/consents/{consent}")
+def withdraw(patient_id: RowId, consent: Consent, who: Clinician, parts: PeopleParts, web: Web) -> ConsentsView:
+    """Enter that a patient has withdrawn a consent."""
+    with parts.database.transaction() as db:
+        find_patient(db, who.clinic_id, patient_id)
+        if withdraw_consent(db, patient_id, consent, who.name):
+            write_log(db, who.name, "consent withdrawn", patient=patient_id, consent=consent)
+        answer = _view(db, who.clinic_id, patient_id)
+    web.live.tell("session")
+    return answer
+
+
+def _view(db: Transaction, clinic_id: int, patient_id: int) -> ConsentsView:
+    rows = consent_history(db, patient_id)[::-1]
+    kinds = []
+    for consent in CONSENTS:
+        own = [row for row in rows if row.consent == consent]
+        now = next((row for row in own if row.withdrawn is None), None)
+        kinds.append(
+            ConsentView(
+                consent=consent,
+                given=None if now is None else now.given,
+                is_confirmed=now is not None and now.person is not None,
+                history=[ConsentRow.of(row) for row in own],
+            )
+        )
+    return ConsentsView(patient_id=patient_id, code=find_patient(db, clinic_id, patient_id).code, consents=kinds)

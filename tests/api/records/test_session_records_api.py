@@ -1,0 +1,167 @@
+"""The record of a session at the API: written, logged, signed off; then every route that would change it refuses."""
+
+from typing import Any
+
+import pytest
+from fake_clinic import Clinic
+from fastapi.routing import APIRoute
+from people_of_clinic import as_person
+from test_roles import contexts
+
+from app import __version__
+from app.api.who_asks import READS
+from app.store.people import add_person, sign_in, the_clinic
+
+SCALE = {"name": "SCIM III", "total": 41.0, "day": "2026-03-01"}
+BODIES: dict[str, dict[str, Any]] = {  # what each route that changes something of a session is sent
+    "POST /trials/{trial_id}/discard": {"reason": "x"},
+    "POST /trials/{trial_id}/keep": {},
+    "PUT /sessions/{session_id}/goal": {"goal": "other"},
+    "POST /sessions/{session_id}/notes": {"text": "x"},
+    "PUT /sessions/{session_id}/notes/{note_id}": {"text": "other"},
+    "POST /sessions/{session_id}/scales": SCALE,
+    "DELETE /sessions/{session_id}/scales/{scale_id}": {},
+    "POST /sessions/{session_id}/sign-off": {},
+}
+UNLOCKS = "POST /sessions/{session_id}/unlock"
+
+
+def drive_trial(clinic: Clinic) -> int:
+    """Drive one trial, and return its id."""
+    plan = clinic.good("GET", "/floorplans")[0]
+    where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": "screen-of-the-test"}
+    with clinic.screen("screen-of-the-test"):
+        clinic.good("POST", "/trials", json=where)
+        return int(clinic.good("POST", "/trials/current/end", json={})["id"])
+
+
+def write_record(clinic: Clinic, session: int) -> dict[str, Any]:
+    clinic.good("PUT", f"/sessions/{session}/goal", json={"goal": "To the kitchen."})
+    clinic.good("POST", f"/sessions/{session}/notes", json={"text": "Tired."})
+    return clinic.good("POST", f"/sessions/{session}/scales", json=SCALE)  # type: ignore[no-any-return]
+
+
+def test_what_is_written_is_answered_and_logged_without_its_words(calibrated: Clinic) -> None:
+    trial = drive_trial(calibrated)
+    session = int(calibrated.session)
+    found = write_record(calibrated, session)
+    note, scale = found["notes"][0]["id"], found["scales"][0]["id"]
+    found = calibrated.good("PUT", f"/sessions/{session}/notes/{note}", json={"text": "Tired after lunch."})
+    assert [one["text"] for one in found["notes"][0]["revisions"]] == ["Tired after lunch.", "Tired."]
+    assert (found["goal"], found["version"], found["sign_off"]) == ("To the kitchen.", __version__, None)
+    assert found["scales"] == [{"id": scale, **SCALE}]
+    assert [one["id"] for one in found["trials"]] == [trial]
+    assert [one["version"] for one in found["sets"]] == [1]
+    assert calibrated.good("DELETE", f"/sessions/{session}/scales/{scale}")["scales"] == []
+    assert calibrated.good("GET", f"/sessions/{session}")["notes"] == found["notes"]
+    (row,) = calibrated.good("GET", f"/patients/{calibrated.patient['id']}/sessions")
+    assert (row["id"], row["trials"], row["sign_off"]) == (session, 1, None)
+    rows = [one for one in calibrated.log() if one.what.startswith(("goal", "note", "scale"))]
+    assert [one.what for one in rows] == ["goal written", "note added", "scale added", "note revised", "scale removed"]
+    assert all(one.details["session"] == session and one.person for one in rows)
+    assert "Tired" not in str([one.details for one in rows])
+
+
+@pytest.mark.parametrize(
+    ("method", "path", "body"),
+    [
+        ("PUT", "goal", {"goal": "x" * 1001}),
+        ("POST", "notes", {"text": " \n"}),
+        ("POST", "scales", {**SCALE, "name": ""}),
+        ("POST", "scales", {**SCALE, "total": "41"}),
+        ("POST", "scales", {**SCALE, "total": 1e13}),
+        ("POST", "scales", {**SCALE, "day": "yesterday"}),
+    ],
+)
+def test_what_is_not_a_goal_note_or_scale_is_refused_and_nothing_is_kept(
+    in_session: Clinic, method: str, path: str, body: dict[str, Any]
+) -> None:
+    session = in_session.session
+    assert in_session(method, f"/sessions/{session}/{path}", json=body).status_code == 422
+    found = in_session.good("GET", f"/sessions/{session}")
+    assert (found["goal"], found["notes"], found["scales"]) == ("", [], [])
+
+
+def test_every_route_that_changes_something_of_a_session_refuses_a_signed_one(calibrated: Clinic) -> None:
+    trial, session = drive_trial(calibrated), int(calibrated.session)
+    found = write_record(calibrated, session)
+    values = {
+        "trial_id": trial,
+        "session_id": session,
+        "note_id": found["notes"][0]["id"],
+        "scale_id": found["scales"][0]["id"],
+    }
+    signed = calibrated.good("POST", f"/sessions/{session}/sign-off")
+    assert signed["ended"] is not None
+    assert calibrated.session == "none"  # it ended with the sign-off
+    routes = {
+        f"{method} {context.path.removeprefix('/api/v1')}"
+        for context in contexts(calibrated.client.app, APIRoute)  # type: ignore[arg-type]
+        for method in context.methods - READS
+        if "{session_id}" in context.path or "{trial_id}" in context.path
+    }
+    assert routes - {UNLOCKS} == {*BODIES}
+    before = calibrated.good("GET", f"/sessions/{session}")
+    for route, body in BODIES.items():
+        method, path = route.split()
+        answer = calibrated(method, path.format(**values), json=body)
+        assert answer.status_code == 409, (route, answer.text)
+        words = answer.json()["detail"]
+        assert words.startswith("Session 1 was signed off by Demo clinician on "), route
+        assert words.count(". ") == 0
+    assert calibrated.good("GET", f"/sessions/{session}") == before
+
+
+def test_an_owner_unlocks_for_a_reason_and_the_history_stays(calibrated: Clinic) -> None:
+    session = int(calibrated.session)
+    unlock = f"/sessions/{session}/unlock"
+    assert calibrated("POST", unlock, json={"reason": "x"}).status_code == 409
+    calibrated.good("POST", f"/sessions/{session}/sign-off")
+    assert calibrated("POST", unlock, json={"reason": " "}).status_code == 422
+    with calibrated.client.app.state.people.database.transaction() as db:  # type: ignore[attr-defined]
+        cookies = {"bodydrive_sign_in": sign_in(db, add_person(db, the_clinic(db), "Cleo", "clinician", None), "test")}  # type: ignore[arg-type]
+    with as_person(calibrated, cookies):
+        assert calibrated("POST", unlock, json={"reason": "a wrong scale"}).status_code == 403
+    found = calibrated.good("POST", unlock, json={"reason": "a wrong scale"})
+    assert found["sign_off"] is None
+    assert [(one["person"], one["reason"]) for one in found["sign_offs"]] == [("Demo clinician", "a wrong scale")]
+    calibrated.good("PUT", f"/sessions/{session}/goal", json={"goal": "To the garden."})
+    rows = [(one.what, one.details.get("reason")) for one in calibrated.log()]
+    assert ("session unlocked", "a wrong scale") in rows
+
+
+def test_an_open_session_is_not_signed_off_while_something_is_recorded(calibrated: Clinic) -> None:
+    session = calibrated.session
+    step = calibrated.good("GET", "/calibration")["steps"][0]["id"]
+    calibrated.good("POST", f"/calibration/steps/{step}/start")
+    refused = calibrated("POST", f"/sessions/{session}/sign-off")
+    assert refused.status_code == 409
+    assert "then sign off." in refused.json()["detail"]
+    assert calibrated.session == session
+    calibrated.good("POST", f"/calibration/steps/{step}/cancel")
+    calibrated.good("POST", f"/sessions/{session}/sign-off")
+
+
+def test_two_sessions_are_compared_by_task_and_by_what_changed(calibrated: Clinic) -> None:
+    patient, first = calibrated.patient["id"], int(calibrated.session)
+    for _ in range(4):
+        drive_trial(calibrated)
+    calibrated.good("POST", f"/sessions/{first}/sign-off")
+    calibrated.good("POST", "/session", json={"patient_id": patient})
+    second = int(calibrated.session)
+    drive_trial(calibrated)
+    found = calibrated.good("GET", f"/sessions/{second}/comparison", params={"other": first})
+    assert (found["earlier"]["id"], found["later"]["id"]) == (first, second)
+    (task,) = found["tasks"]
+    assert (task["trials"], task["counted"], task["source"]) == ([4, 1], [4, 1], "simulated")
+    e_diff = task["measures"]["e_diff"]
+    assert e_diff["earlier"] == {"median": 1.5, "low": 1.5, "high": 1.5, "trials": 1}  # three to get used to it
+    assert e_diff["verdict"]["word"] == "too few"
+    assert found["changes"] == []
+    assert [one["version"] for one in found["sets"]] == [1, 1]
+    again = calibrated("GET", f"/sessions/{first}/comparison", params={"other": first})
+    assert (again.status_code, "choose two" in again.text) == (409, True)
+    other = calibrated.good("POST", "/patients", json={"code": "B-1", "pseudonym": "Otter"})
+    calibrated.good("POST", "/session", json={"patient_id": other["id"]})
+    two = calibrated("GET", f"/sessions/{first}/comparison", params={"other": int(calibrated.session)})
+    assert (two.status_code, "not of one patient" in two.text) == (409, True)
