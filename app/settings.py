@@ -106,6 +106,21 @@ class Settings:
         return self.state / "authority"
 
     @property
+    def signing(self) -> Path:
+        """Return the folder of the key that signs the clinic's archives."""
+        return self.state / "signing"
+
+    @property
+    def backup(self) -> Path:
+        """Return the folder of a backup that is being made, and of the key of the backups of every night."""
+        return self.state / "backup"
+
+    @property
+    def erased(self) -> Path:
+        """Return the file of the tombstones: which patients were erased."""
+        return self.state / "erased-patients.json"
+
+    @property
     def database(self) -> Path:
         """Return the database's file."""
         return self.state / "bodydrive.sqlite"
@@ -115,7 +130,8 @@ class Settings:
         """Return the program's files in the state folder, and that folder itself when it holds nothing else."""
         beside = sorted(self.state.glob(f"*{self.database.name}*"))  # the database, its log head, ballast and copies
         folders = [self.files, self.runs, self.models, self.keys, self.authority, self.floorplans, self.replaced]
-        own = [*beside, *folders, self.state / IN_USE]
+        folders += [self.signing, self.backup]
+        own = [*beside, *folders, self.erased, self.state / IN_USE]
         foreign = set(self.state.glob("*")) - set(own)
         return own if foreign or not self.state.exists() else [self.state, *own]
 

@@ -4,6 +4,7 @@ import logging
 import sqlite3
 import threading
 from collections.abc import Iterator
+from contextlib import closing as closing_connection
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -16,6 +17,7 @@ from app.file_modes import OWNER_FILE, OWNER_FOLDER
 from app.refusals import NO_ROOM, DiskFull, Unavailable
 from app.store.access.visible_patients import restrict
 from app.store.files.ballast import Ballast
+from app.store.keeping import last_ids  # noqa: F401  (new rows take no id of an erased one)
 from app.store.log import HAS_NEW_ROWS, write_log
 from app.store.log_chain import HEAD_BEGUN, Head, HeadFile, advance
 from app.store.records.sign_off import lock_signed
@@ -24,6 +26,10 @@ from app.store.schema import bring_up_to_date
 # Error codes that SQLite may also report on a full disk: a file cannot grow or be created, a quota is used up.
 NO_ROOM_PERHAPS = {sqlite3.SQLITE_IOERR, sqlite3.SQLITE_CANTOPEN}
 BUSY_TIMEOUT = 5000  # ms; another program (a backup) may hold the file for a moment
+PRAGMAS = (
+    *("journal_mode=WAL", "synchronous=FULL", "foreign_keys=ON", f"busy_timeout={BUSY_TIMEOUT}"),
+    "secure_delete=ON",  # what is deleted is overwritten: no word of an erased patient stays in the file
+)
 
 
 def make_engine(file: Path) -> Engine:
@@ -34,7 +40,7 @@ def make_engine(file: Path) -> Engine:
     def _prepare(connection: Any, _record: object) -> None:
         connection.isolation_level = None  # we begin transactions ourselves, below
         cursor = connection.cursor()
-        for pragma in ("journal_mode=WAL", "synchronous=FULL", "foreign_keys=ON", f"busy_timeout={BUSY_TIMEOUT}"):
+        for pragma in PRAGMAS:
             cursor.execute(f"PRAGMA {pragma}")
         cursor.close()
 
@@ -101,6 +107,11 @@ class Database:
                 head = self._head_file.after(db) if HAS_NEW_ROWS in db.info else None
             if head is not None:
                 self._write_head(head)
+
+    def empty_write_ahead_log(self) -> None:
+        """Move the write-ahead log into the database, and empty its file, in which deleted rows may still stand."""
+        with self._as_refusals(), self._one_at_a_time, closing_connection(self._engine.raw_connection()) as connection:
+            connection.cursor().execute("PRAGMA wal_checkpoint(TRUNCATE)").fetchall()
 
     def close(self) -> None:
         """Close every connection."""

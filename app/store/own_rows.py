@@ -6,13 +6,14 @@ from sqlalchemy.orm import Session
 
 from app.refusals import NotFound, OtherClinicRow
 from app.store.access.person_tables import Person
+from app.store.access.visible_patients import WITH_DELETED
 from app.store.tables import Chair, Drive, Patient, PatientScreen, PatientSession, Trial
 
 Row = TypeVar("Row", Chair, Drive, Patient, PatientScreen, PatientSession, Person, Trial)
 
 
-def own_row(db: Session, kind: type[Row], clinic_id: int, row_id: int, missing: str) -> Row:
-    """Return a row of this clinic.
+def own_row(db: Session, kind: type[Row], clinic_id: int, row_id: int, missing: str, *, deleted: bool = False) -> Row:
+    """Return a row of this clinic; what belongs to a deleted patient only with `deleted`.
 
     Raises
     ------
@@ -21,7 +22,7 @@ def own_row(db: Session, kind: type[Row], clinic_id: int, row_id: int, missing: 
     OtherClinicRow
         With the same sentence, when it belongs to another clinic; the handler of this error logs it.
     """
-    row = db.get(kind, row_id)
+    row = db.get(kind, row_id, execution_options=WITH_DELETED if deleted else {})
     if row is None:
         raise NotFound(missing)
     if row.clinic_id != clinic_id:

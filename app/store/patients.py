@@ -6,13 +6,16 @@ from sqlalchemy.orm import Session
 from app import __version__
 from app.clock import utc_now
 from app.refusals import Conflict, NotFound
+from app.store.access.visible_patients import WITH_DELETED, look_for_deleted
+from app.store.keeping.retention import require_reason
 from app.store.own_rows import own_row
 from app.store.tables import CalibrationStep, Patient, PatientSession, Profile, Trial
 
 
 def add_patient(db: Session, clinic_id: int, code: str, pseudonym: str, note: str) -> Patient:
     """Add a patient; Conflict when another patient of the clinic has the code."""
-    same = db.scalar(select(Patient).where(Patient.clinic_id == clinic_id, Patient.code == code))
+    query = select(Patient).where(Patient.clinic_id == clinic_id, Patient.code == code)
+    same = db.scalar(query, execution_options=WITH_DELETED)
     if same is not None and same.deleted is None:
         raise Conflict(f"The code '{code}' already belongs to {same.pseudonym}: choose another code.")
     if same is not None:
@@ -20,7 +23,15 @@ def add_patient(db: Session, clinic_id: int, code: str, pseudonym: str, note: st
             f"The code '{code}' belongs to a deleted patient: choose another code, "
             f"or undo the deletion of patient {same.id}."
         )
-    patient = Patient(clinic_id=clinic_id, code=code, pseudonym=pseudonym, note=note, created=utc_now(), deleted=None)
+    patient = Patient(
+        clinic_id=clinic_id,
+        code=code,
+        pseudonym=pseudonym,
+        note=note,
+        created=utc_now(),
+        deleted=None,
+        deletion_reason=None,
+    )
     db.add(patient)
     db.flush()
     return patient
@@ -29,7 +40,7 @@ def add_patient(db: Session, clinic_id: int, code: str, pseudonym: str, note: st
 def find_patient(db: Session, clinic_id: int, patient_id: int, *, deleted: bool = False) -> Patient:
     """Return one of the clinic's patients, a deleted one only with `deleted`."""
     missing = f"There is no patient {patient_id}: choose one from the list of patients."
-    patient = own_row(db, Patient, clinic_id, patient_id, missing)
+    patient = own_row(db, Patient, clinic_id, patient_id, missing, deleted=deleted)
     if patient.deleted is not None and not deleted:
         raise NotFound(missing)
     return patient
@@ -47,20 +58,26 @@ def all_patients(db: Session, clinic_id: int) -> list[Patient]:
     )
 
 
-def delete_patient(db: Session, clinic_id: int, patient_id: int) -> Patient:
-    """Mark a patient as deleted; no data is lost, and it can be undone."""
+def delete_patient(db: Session, clinic_id: int, patient_id: int, reason: str = "") -> Patient:
+    """Hide a patient and everything that belongs to the patient; it can be undone for 30 days.
+
+    Conflict while the patient is here, and when records must be kept for longer and no `reason` is given.
+    """
     patient = find_patient(db, clinic_id, patient_id)
     session = open_session(db, clinic_id)
     if session is not None and session.patient_id == patient_id:
         raise Conflict(f"{patient.pseudonym} is here now: end the session first, then delete.")
-    patient.deleted = utc_now()
+    require_reason(db, patient, reason)
+    patient.deleted, patient.deletion_reason = utc_now(), reason or None
     return patient
 
 
 def restore_patient(db: Session, clinic_id: int, patient_id: int) -> Patient:
     """Undo a deletion."""
     patient = find_patient(db, clinic_id, patient_id, deleted=True)
-    patient.deleted = None
+    patient.deleted = patient.deletion_reason = None
+    db.flush()
+    look_for_deleted(db)
     return patient
 
 

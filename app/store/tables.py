@@ -69,7 +69,8 @@ class Patient(Table):
     note: Mapped[str] = mapped_column(String(2000))
     adaptation: Mapped[str] = mapped_column(String(8), server_default="off")  # of the map: off, suggest, auto
     created: Mapped[datetime]
-    deleted: Mapped[datetime | None]  # the row stays, so that the deletion can be undone
+    deleted: Mapped[datetime | None]  # the row stays for 30 days, so that the deletion can be undone
+    deletion_reason: Mapped[str | None] = mapped_column(String(400))  # given when records must be kept for longer
 
 
 class PatientSession(Table):

@@ -17,6 +17,7 @@ from app.session.control_link import ControlLink
 from app.session.equipment.shirt import shirt_kinds
 from app.store.files.disk_watch import disk_room
 from app.store.files.taken_names import SameName, log_details
+from app.store.keeping.patient_files import add_patient_file
 from app.store.log import write_log
 
 router = APIRouter(prefix="/equipment", tags=["equipment"])
@@ -243,6 +244,12 @@ async def bring_file(
     kept = await parts.uploads.run(
         keep_upload, parts.replaced, web.computing, file.filename or "", file.file, same_name
     )
+
+    def note_patient() -> None:
+        with parts.database.transaction() as db:
+            add_patient_file(db, who.clinic_id, kept.name)
+
+    await asyncio.to_thread(note_patient)
     web.live.tell("equipment")
     return await _logged_view(
         parts, web, who.name, "file added", kind=kept.kind, size=kept.size, **log_details(same_name)

@@ -9,7 +9,7 @@ from pydantic import Field
 from app.api.answers import Answer, MomentText
 from app.api.deps import Anyone, Clinician, PeopleParts, RowId
 from app.api.parts import Web, open_view
-from app.quantities import Count, Document, Name, Note, Title
+from app.quantities import Count, Document, Line, Name, Note, Title
 from app.store.database import Transaction
 from app.store.log import write_log
 from app.store.patients import (
@@ -49,6 +49,12 @@ class PatientView(Document):
     sessions: int
     trials: int
     last_seen: str | None
+
+
+class Deletion(Document):
+    """Why a patient is deleted, needed while the records must be kept."""
+
+    reason: Annotated[Line, Field(max_length=400)] = ""
 
 
 class NewSession(Document):
@@ -107,12 +113,20 @@ def new_patient(body: NewPatient, who: Clinician, parts: PeopleParts) -> Patient
 
 
 @router.delete("/patients/{patient_id}")
-def remove_patient(patient_id: RowId, who: Clinician, parts: PeopleParts) -> PatientView:
-    """Delete a patient from the list; it can be undone."""
+def remove_patient(
+    patient_id: RowId, who: Clinician, parts: PeopleParts, web: Web, body: Deletion | None = None
+) -> PatientView:
+    """Delete a patient: everything of the patient is hidden at once, and erased after 30 days; it can be undone.
+
+    409 without a reason while the owner's setting says that the records must be kept.
+    """
+    reason = "" if body is None else body.reason.strip()
     with parts.database.transaction() as db:
-        patient = delete_patient(db, who.clinic_id, patient_id)
-        write_log(db, who.name, "patient deleted", patient=patient_id)
-        return _view(db, patient)
+        patient = delete_patient(db, who.clinic_id, patient_id, reason)
+        write_log(db, who.name, "patient deleted", patient=patient_id, **({"reason": reason} if reason else {}))
+        view = _view(db, patient)
+    web.replays.close_all()  # an open replay may be one of this patient
+    return view
 
 
 @router.post("/patients/{patient_id}/restore")

@@ -5,17 +5,25 @@ the request is restricted here. So a route needs no rule of its own, and a new o
 chosen patients, other patients do not exist.
 """
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from contextvars import ContextVar
+from functools import lru_cache
+from typing import Any, Final
 
-from sqlalchemy import ColumnElement, event, inspect, select
+from sqlalchemy import ColumnElement, and_, event, inspect, select
 from sqlalchemy.orm import Mapper, ORMExecuteState, Session, with_loader_criteria
+from sqlalchemy.orm.util import LoaderCriteriaOption
 
 from app.store.tables import Patient, Table
 
 VisiblePatients = frozenset[int] | None
 """Ids of the patients that exist for somebody; None: all of them."""
+
+_OPTION, _DELETED = "with_deleted_patients", "deleted_patients"
+_NOBODY: frozenset[int] = frozenset()
+WITH_DELETED: Final[Mapping[str, bool]] = {_OPTION: True}
+"""Execution options of a query that finds deleted patients, too."""
 
 VISIBLE_PATIENTS: ContextVar[VisiblePatients] = ContextVar("VISIBLE_PATIENTS", default=None)
 
@@ -35,33 +43,50 @@ def every_patient() -> Iterator[None]:
 
 
 def restrict(db: Session) -> None:
-    """Leave out of every later query of `db` what belongs to a patient who is not visible in this context."""
+    """Leave out of every later query of `db` what belongs to a patient who is not visible in this context.
+
+    Nor are deleted patients visible, to nobody: only a query with the execution options `WITH_DELETED` finds them.
+    """
     visible = VISIBLE_PATIENTS.get()
-    if visible is None:
-        return
-    options = [
-        with_loader_criteria(kind, condition, include_aliases=True)
-        for kind in _mapped_classes()
-        if (condition := _belongs_to(kind, visible)) is not None
-    ]
+    look_for_deleted(db)
 
     @event.listens_for(db, "do_orm_execute")
     def _leave_out(state: ORMExecuteState) -> None:
-        if state.is_select:
-            state.statement = state.statement.options(*options)
+        deleted = _NOBODY if state.execution_options.get(_OPTION) else db.info[_DELETED]
+        if state.is_select and (deleted or visible is not None):
+            state.statement = state.statement.options(*_loader_criteria(visible, deleted))
+
+
+def look_for_deleted(db: Session) -> None:
+    """Read which patients are deleted; again after a deletion was undone within this transaction."""
+    found = db.connection().exec_driver_sql("SELECT id FROM patient WHERE deleted IS NOT NULL")
+    db.info[_DELETED] = frozenset(row[0] for row in found)
+
+
+@lru_cache(maxsize=32)
+def _loader_criteria(visible: VisiblePatients, deleted: frozenset[int]) -> tuple[LoaderCriteriaOption, ...]:
+    def permits(patient: Any) -> ColumnElement[bool]:
+        conditions = [patient.not_in(deleted)] if deleted else []
+        return and_(*conditions, *([] if visible is None else [patient.in_(visible)]))
+
+    return tuple(
+        with_loader_criteria(kind, condition, include_aliases=True)
+        for kind in _mapped_classes()
+        if (condition := _belongs_to(kind, permits)) is not None
+    )
 
 
 def _mapped_classes() -> list[type[Table]]:
     return [mapper.class_ for mapper in Table.registry.mappers]
 
 
-def _belongs_to(kind: type[Table], visible: frozenset[int]) -> ColumnElement[bool] | None:
-    """Return the condition that a row belongs to one of these patients, None for a table that names no patient.
+def _belongs_to(kind: type[Table], permits: Callable[[Any], ColumnElement[bool]]) -> ColumnElement[bool] | None:
+    """Return the condition that a row belongs to a patient that `permits`, None for a table that names no patient.
 
     A row belongs to the patient whom its required foreign keys name, directly or by another row.
     """
     if kind is Patient:
-        return Patient.id.in_(visible)
+        return permits(Patient.id)
     mapper: Mapper[Table] = inspect(kind)
     by_table = {other.__table__: other for other in _mapped_classes()}
     found: ColumnElement[bool] | None = None
@@ -72,8 +97,8 @@ def _belongs_to(kind: type[Table], visible: frozenset[int]) -> ColumnElement[boo
             owner = by_table[key.column.table]
             attribute = getattr(kind, mapper.get_property_by_column(column).key)  # adapted where the table has an alias
             if owner is Patient:
-                return attribute.in_(visible)  # type: ignore[no-any-return]
-            condition = _belongs_to(owner, visible)
+                return permits(attribute)
+            condition = _belongs_to(owner, permits)
             if condition is not None and found is None:
                 found = attribute.in_(select(key.column).where(condition))
     return found

@@ -1,0 +1,209 @@
+"""Erase a deleted patient for good: all rows, then all files; what stays is a tombstone and the log."""
+
+import shutil
+import sqlite3
+from contextlib import closing
+from dataclasses import dataclass
+from datetime import datetime
+from pathlib import Path
+from typing import Any
+
+from sqlalchemy import select
+from sqlalchemy.orm import Session
+
+from app.clock import utc_now
+from app.refusals import Conflict, NotFound
+from app.settings import Settings
+from app.store.access.visible_patients import WITH_DELETED
+from app.store.database import Database
+from app.store.files.replacements import BETWEEN
+from app.store.keeping.incidents import incident_of
+from app.store.keeping.keeping_tables import ErasedPatient, PatientFile
+from app.store.keeping.last_ids import note_last_ids
+from app.store.keeping.owned_rows import RowIds, erase_rows, forget_in_lists, rows_of_patient
+from app.store.keeping.retention import UNDO_FOR, must_be_kept_until
+from app.store.keeping.tombstones import Tombstone, add_tombstones, tombstone
+from app.store.log import write_log
+from app.store.tables import Patient, Run
+
+AFTER_30_DAYS = "30 days after the deletion"
+
+
+@dataclass(frozen=True, slots=True)
+class DeletedPatient:
+    """A deleted patient, with what goes when the patient is erased."""
+
+    id: int
+    code: str
+    pseudonym: str
+    deleted: datetime
+    until: datetime  # when the patient is erased
+    recordings: int
+    rows: int
+    why_not: str  # why the patient cannot be erased now; empty when nothing is in the way
+
+
+def deleted_patients(db: Session, clinic_id: int) -> list[DeletedPatient]:
+    """Return the clinic's deleted patients, who can still be restored, the latest first."""
+    query = select(Patient).where(Patient.clinic_id == clinic_id, Patient.deleted.is_not(None))
+    found = db.scalars(query.order_by(Patient.deleted.desc()), execution_options=WITH_DELETED)
+    return [_described(db, patient, patient.deleted) for patient in found if patient.deleted is not None]
+
+
+def erase_patient(database: Database, settings: Settings, clinic_id: int, patient_id: int, person: str | None) -> None:
+    """Erase a deleted patient: rows, recordings, uploads. The log says that it was done, by whom and why.
+
+    Raises
+    ------
+    NotFound
+        When no deleted patient has this id.
+    Conflict
+        With the reason, when an incident or the time for which records must be kept stands against it.
+    """
+    with database.transaction(closing=True) as db:
+        patient = _deleted_patient(db, clinic_id, patient_id)
+        why_not = _why_not(db, patient)
+        if why_not:
+            raise Conflict(why_not)
+        reason = patient.deletion_reason or (AFTER_30_DAYS if person is None else "")
+        # First the tombstone: were this to end here, a restored backup would lack the patient, as is wanted.
+        now = utc_now()
+        add_tombstones(settings.erased, [tombstone(patient_id, patient.created, now)])
+        rows = _erase(db, patient, now)
+        counts = {table: len(ids) for table, ids in sorted(rows.items())}
+        write_log(db, person, "patient erased", patient=patient_id, rows=counts, reason=reason)
+    remove_erased_files(database, settings)
+
+
+def erase_due(database: Database, settings: Settings) -> None:
+    """Erase the patients who were deleted 30 days ago, and remove files that an interrupted erasure has left."""
+    with database.transaction() as db:
+        query = select(Patient).where(Patient.deleted <= utc_now() - UNDO_FOR)
+        found = list(db.scalars(query, execution_options=WITH_DELETED))
+        due = [(patient.clinic_id, patient.id) for patient in found if not _why_not(db, patient)]
+    for clinic_id, patient_id in due:
+        erase_patient(database, settings, clinic_id, patient_id, None)
+    remove_erased_files(database, settings)
+
+
+def erase_again(database: Database, settings: Settings, tombstones: frozenset[Tombstone]) -> list[int]:
+    """Erase the patients of these tombstones from a restored clinic, and return their ids."""
+    with database.transaction(closing=True) as db:
+        found = [
+            patient
+            for one in sorted(tombstones)
+            if (patient := db.get(Patient, one.patient, execution_options=WITH_DELETED)) is not None
+            and tombstone(patient.id, patient.created, patient.created).created == one.created
+        ]
+        for patient in found:
+            rows = _erase(db, patient, utc_now())
+            counts = {table: len(ids) for table, ids in sorted(rows.items())}
+            write_log(db, None, "patient erased again", patient=patient.id, rows=counts, reason="restored backup")
+    add_tombstones(settings.erased, tombstones)
+    remove_erased_files(database, settings)
+    return [patient.id for patient in found]
+
+
+def remove_erased_files(database: Database, settings: Settings) -> None:
+    """Remove the files of erased patients, and the bytes that SQLite's write-ahead log still holds of them."""
+    with database.transaction(closing=True) as db:
+        left = {row.id: list(row.files) for row in db.scalars(select(ErasedPatient)) if row.files}
+    if not left:
+        return
+    for patient, files in left.items():
+        for name in files:
+            _remove(settings.state / name)
+        _erase_in_copies(settings, patient)
+    with database.transaction(closing=True) as db:
+        for patient in left:
+            db.get_one(ErasedPatient, patient).files = []
+    database.empty_write_ahead_log()
+
+
+def _described(db: Session, patient: Patient, deleted: datetime) -> DeletedPatient:
+    rows = rows_of_patient(_raw(db), patient.id)
+    return DeletedPatient(
+        id=patient.id,
+        code=patient.code,
+        pseudonym=patient.pseudonym,
+        deleted=deleted,
+        until=deleted + UNDO_FOR,
+        recordings=len(rows.get("run", ())),
+        rows=sum(map(len, rows.values())),
+        why_not=_why_not(db, patient),
+    )
+
+
+def _deleted_patient(db: Session, clinic_id: int, patient_id: int) -> Patient:
+    patient = db.get(Patient, patient_id, execution_options=WITH_DELETED)
+    if patient is None or patient.clinic_id != clinic_id or patient.deleted is None:
+        raise NotFound(f"There is no deleted patient {patient_id}: look at the list.")
+    return patient
+
+
+def _why_not(db: Session, patient: Patient) -> str:
+    incident = incident_of(db, patient.id)
+    if incident is not None:
+        return (
+            f"{patient.code} is part of the incident of {incident.made:%Y-%m-%d} and must not be erased: an owner lifts "
+            "the mark of the incident first."
+        )
+    until = must_be_kept_until(db, patient)
+    if until is not None and not patient.deletion_reason:
+        return (
+            f"The records of {patient.code} must be kept until {until:%Y-%m-%d}: undo the deletion, then delete again "
+            "with a reason."
+        )
+    return ""
+
+
+def _erase(db: Session, patient: Patient, now: datetime) -> RowIds:
+    """Erase the rows of a patient within a transaction, and store which files are to be removed after it."""
+    kept = ErasedPatient(id=patient.id, created=patient.created, erased=now, files=_files_of(db, patient.id))
+    db.flush()
+    connection = _raw(db)
+    rows = rows_of_patient(connection, patient.id)
+    note_last_ids(connection, rows)
+    erase_rows(connection, rows)
+    forget_in_lists(connection, patient.id)
+    db.expunge_all()
+    db.merge(kept)  # a backup of before may know the erasure of another patient of this id
+    db.flush()
+    return rows
+
+
+def _files_of(db: Session, patient_id: int) -> list[str]:
+    """Return recordings and uploads of a patient, with what uploads have replaced, relative to the state folder."""
+    rows = rows_of_patient(_raw(db), patient_id)
+    runs = select(Run.folder).where(Run.session_id.in_(rows.get("session", ())))
+    recordings = [f"runs/{folder}" for folder in db.scalars(runs, execution_options=WITH_DELETED)]
+    uploaded = db.scalars(select(PatientFile).order_by(PatientFile.id), execution_options=WITH_DELETED)
+    newest = {file.name: file.patient_id for file in uploaded}
+    uploads = [name for name, owner in newest.items() if owner == patient_id]
+    return [*recordings, *(f"files/{name}" for name in uploads), *(f"replaced/file/*{BETWEEN}{name}" for name in uploads)]
+
+
+def _remove(place: Path) -> None:
+    """Remove a file, a folder, or all files of a pattern."""
+    for found in place.parent.glob(place.name):
+        if found.is_dir():
+            shutil.rmtree(found)
+        else:
+            found.unlink(missing_ok=True)
+
+
+def _erase_in_copies(settings: Settings, patient: int) -> None:
+    """Erase a patient from the copies of the database that upgrades have made; their schemas may be of any age."""
+    for copy in settings.state.glob(f"{settings.database.name}.*.backup"):
+        with closing(sqlite3.connect(copy, isolation_level=None)) as connection:
+            connection.execute("PRAGMA secure_delete=ON")
+            connection.execute("BEGIN IMMEDIATE")
+            erase_rows(connection, rows_of_patient(connection, patient))
+            forget_in_lists(connection, patient)
+            connection.execute("COMMIT")
+            connection.execute("VACUUM")
+
+
+def _raw(db: Session) -> Any:
+    """Return the connection to SQLite itself, within the transaction of `db`."""
+    return db.connection().connection.driver_connection

@@ -1,0 +1,65 @@
+"""Incidents: an archive was made, and the patients in it must not be erased before an owner lifts the mark."""
+
+from collections.abc import Iterable
+from datetime import datetime
+
+from sqlalchemy import or_, select
+from sqlalchemy.orm import Session
+
+from app.clock import utc_now
+from app.refusals import Conflict, NotFound
+from app.store.access.visible_patients import WITH_DELETED
+from app.store.keeping.keeping_tables import Incident, IncidentPatient
+from app.store.log import write_log
+from app.store.tables import PatientSession, Run
+
+
+def runs_since(db: Session, since: datetime) -> list[tuple[Run, int]]:
+    """Return the runs that were recorded since a moment, each with the id of its patient; also of deleted patients."""
+    recorded = or_(Run.started >= since, Run.ended >= since, Run.ended.is_(None))
+    query = select(Run, PatientSession.patient_id).join(PatientSession, Run.session_id == PatientSession.id)
+    found = db.execute(query.where(recorded).order_by(Run.started), execution_options=WITH_DELETED)
+    return [(run, patient) for run, patient in found]
+
+
+def patients_since(db: Session, since: datetime) -> list[int]:
+    """Return the patients who had a session since a moment."""
+    open_then = or_(PatientSession.started >= since, PatientSession.ended >= since, PatientSession.ended.is_(None))
+    query = select(PatientSession.patient_id).where(open_then).distinct().order_by(PatientSession.patient_id)
+    return list(db.scalars(query, execution_options=WITH_DELETED))
+
+
+def mark_incident(db: Session, since: datetime, digest: str, patients: Iterable[int], person: str | None) -> Incident:
+    """Store that an archive was made, and that these patients must not be erased."""
+    incident = Incident(made=utc_now(), since=since, hash=digest, lifted=None, reason=None)
+    db.add(incident)
+    db.flush()
+    db.add_all(IncidentPatient(incident_id=incident.id, patient_id=patient) for patient in patients)
+    write_log(db, person, "incident archived", incident=incident.id, hash=digest, since=since.isoformat())
+    return incident
+
+
+def all_incidents(db: Session) -> list[tuple[Incident, list[int]]]:
+    """Return the incidents, the newest first, each with the ids of its patients."""
+    query = select(IncidentPatient).order_by(IncidentPatient.patient_id)
+    marked = list(db.scalars(query, execution_options=WITH_DELETED))
+    found = db.scalars(select(Incident).order_by(Incident.id.desc()))
+    return [(one, [mark.patient_id for mark in marked if mark.incident_id == one.id]) for one in found]
+
+
+def incident_of(db: Session, patient_id: int) -> Incident | None:
+    """Return an incident whose mark is not lifted and that this patient is part of, None when there is none."""
+    query = select(Incident).join(IncidentPatient, IncidentPatient.incident_id == Incident.id)
+    query = query.where(IncidentPatient.patient_id == patient_id, Incident.lifted.is_(None))
+    return db.scalar(query.limit(1), execution_options=WITH_DELETED)
+
+
+def lift_incident(db: Session, incident_id: int, reason: str, person: str) -> None:
+    """Permit that the records of an incident are erased."""
+    incident = db.get(Incident, incident_id)
+    if incident is None:
+        raise NotFound(f"There is no incident {incident_id}: look at the list.")
+    if incident.lifted is not None:
+        raise Conflict("The mark of this incident was lifted already.")
+    incident.lifted, incident.reason = utc_now(), reason
+    write_log(db, person, "incident mark lifted", incident=incident_id, reason=reason)

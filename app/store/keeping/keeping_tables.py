@@ -1,0 +1,84 @@
+"""The tables of keeping records: the owner's settings, erased patients, uploads of patients, incidents, backups."""
+
+from datetime import datetime
+from typing import Any
+
+from sqlalchemy import ForeignKey, String
+from sqlalchemy.orm import Mapped, mapped_column
+
+from app.store.tables import Table
+
+
+class RecordKeeping(Table):
+    """What the owner of a clinic has set about backups and about how long records must be kept."""
+
+    __tablename__ = "record_keeping"
+    clinic_id: Mapped[int] = mapped_column(ForeignKey("clinic.id"), primary_key=True)
+    years: Mapped[int | None]  # after the last session of a patient; None: the owner has set nothing
+    folder: Mapped[str | None]  # of the backups of every night; None: there are none
+    hour: Mapped[int] = mapped_column(server_default="2")  # 0 to 23, local time, of the backup of every night
+    with_keys: Mapped[bool] = mapped_column(server_default="0")  # the chairs' and the authority's keys are in it
+
+
+class ErasedPatient(Table):
+    """A patient who was deleted for good: the id, and no word about the person."""
+
+    __tablename__ = "erased_patient"
+    id: Mapped[int] = mapped_column(primary_key=True)  # that the patient had
+    created: Mapped[datetime]  # tells this patient from one to whom an older backup has given the same id
+    erased: Mapped[datetime]
+    files: Mapped[list[Any]]  # still to be removed, relative to the state folder
+
+
+class LastId(Table):
+    """The highest id of a table of which rows were erased: the log names rows by their ids, so none is given twice."""
+
+    __tablename__ = "last_id"
+    name: Mapped[str] = mapped_column(String(64), primary_key=True)  # of the table
+    id: Mapped[int]
+
+
+class PatientFile(Table):
+    """A file of recorded signals that was uploaded while the session of a patient was open."""
+
+    __tablename__ = "patient_file"
+    id: Mapped[int] = mapped_column(primary_key=True)
+    patient_id: Mapped[int] = mapped_column(ForeignKey("patient.id"), index=True)
+    name: Mapped[str] = mapped_column(String(80))
+
+
+class Incident(Table):
+    """An archive that was made after an incident; what it holds must not be deleted before the mark is lifted."""
+
+    __tablename__ = "incident"
+    id: Mapped[int] = mapped_column(primary_key=True)
+    made: Mapped[datetime]
+    since: Mapped[datetime]
+    hash: Mapped[str] = mapped_column(String(64))  # SHA-256 of the archive's manifest
+    lifted: Mapped[datetime | None]
+    reason: Mapped[str | None] = mapped_column(String(400))  # why the mark was lifted
+
+
+class IncidentPatient(Table):
+    """A patient whose records are in the archive of an incident."""
+
+    __tablename__ = "incident_patient"
+    incident_id: Mapped[int] = mapped_column(ForeignKey("incident.id"), primary_key=True)
+    patient_id: Mapped[int] = mapped_column(ForeignKey("patient.id"), primary_key=True)
+
+
+class MadeBackup(Table):
+    """A backup that was made, or that failed."""
+
+    __tablename__ = "made_backup"
+    id: Mapped[int] = mapped_column(primary_key=True)
+    at: Mapped[datetime] = mapped_column(index=True)
+    place: Mapped[str]  # the file, or the folder
+    name: Mapped[str] = mapped_column(String(80))  # of the file
+    in_folder: Mapped[bool]  # one of a folder, which keeps 7 daily, 4 weekly and 6 monthly ones
+    good: Mapped[bool]  # it was read back, and every hash is right
+    words: Mapped[str] = mapped_column(String(400))  # why it is not good, or what was left out
+    files: Mapped[int]
+    bytes: Mapped[int]
+    encrypted: Mapped[bool]
+    with_keys: Mapped[bool]

@@ -1,0 +1,42 @@
+"""No id of an erased row is given again: the log names sessions, trials and patients by their ids, for ever.
+
+SQLite gives the highest id of a table plus one, which may be one that was erased. From the first erasure on, the table
+`last_id` counts on instead.
+"""
+
+import sqlite3
+from typing import Any
+
+from sqlalchemy import Connection, Integer, event
+from sqlalchemy.orm import Mapper
+
+from app.store.keeping.owned_rows import RowIds
+from app.store.tables import Table
+
+
+def note_last_ids(connection: sqlite3.Connection, rows: RowIds) -> None:
+    """Store the highest id of each table of which rows are about to be erased."""
+    for table in rows:
+        keys = [row for row in connection.execute(f'PRAGMA table_info("{table}")') if row[5]]
+        if [(row[1], row[2]) for row in keys] == [("id", "INTEGER")]:
+            (highest,) = connection.execute(f'SELECT MAX(id) FROM "{table}"').fetchone()  # noqa: S608
+            connection.execute(
+                "INSERT INTO last_id (name, id) VALUES (?, ?) ON CONFLICT DO UPDATE SET id = MAX(id, excluded.id)",
+                (table, highest),
+            )
+
+
+@event.listens_for(Table, "before_insert", propagate=True)
+def _give_next_id(mapper: Mapper[Any], connection: Connection, row: Any) -> None:
+    """Give a new row the next id of its table, where rows of this table were erased."""
+    keys = mapper.primary_key
+    if [key.name for key in keys] != ["id"] or not isinstance(keys[0].type, Integer) or row.id is not None:
+        return
+    table = mapper.local_table.name  # type: ignore[attr-defined]
+    following = (
+        f'UPDATE last_id SET id = MAX(id, (SELECT COALESCE(MAX(id), 0) FROM "{table}")) + 1 '  # noqa: S608
+        "WHERE name = ? RETURNING id"
+    )
+    found = connection.exec_driver_sql(following, (table,)).scalar()
+    if found is not None:
+        row.id = found

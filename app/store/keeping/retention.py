@@ -1,0 +1,54 @@
+"""How long records must be kept: the owner's setting, and deletion before that."""
+
+from datetime import datetime, timedelta
+from typing import Final
+
+from sqlalchemy import func, select
+from sqlalchemy.orm import Session
+
+from app.clock import utc_now
+from app.refusals import Conflict
+from app.store.access.visible_patients import WITH_DELETED
+from app.store.keeping.keeping_tables import RecordKeeping
+from app.store.tables import Patient, PatientSession
+
+UNDO_FOR: Final = timedelta(days=30)  # after this a deleted patient is erased
+MOST_YEARS: Final = 100
+
+
+def record_keeping(db: Session, clinic_id: int) -> RecordKeeping:
+    """Return the clinic's settings; made when there are none yet."""
+    found = db.get(RecordKeeping, clinic_id)
+    if found is None:
+        found = RecordKeeping(clinic_id=clinic_id, years=None, folder=None, hour=2, with_keys=False)
+        db.add(found)
+        db.flush()
+    return found
+
+
+def must_be_kept_until(db: Session, patient: Patient) -> datetime | None:
+    """Return until when the records of a patient must be kept; None when that is over, or the owner set nothing."""
+    years = db.scalar(select(RecordKeeping.years).where(RecordKeeping.clinic_id == patient.clinic_id))
+    if not years:
+        return None
+    query = select(func.max(PatientSession.started)).where(PatientSession.patient_id == patient.id)
+    last = db.scalar(query, execution_options=WITH_DELETED) or patient.created
+    until = years_later(last, years)
+    return until if until > utc_now() else None
+
+
+def years_later(moment: datetime, years: int) -> datetime:
+    """Return the same day some years later; 1 March for a 29 February that this year does not have."""
+    try:
+        return moment.replace(year=moment.year + years)
+    except ValueError:
+        return moment.replace(year=moment.year + years, month=3, day=1)
+
+
+def require_reason(db: Session, patient: Patient, reason: str) -> None:
+    """Refuse a deletion without a reason while the records must be kept."""
+    until = must_be_kept_until(db, patient)
+    if until is not None and not reason:
+        raise Conflict(
+            f"The records of {patient.code} must be kept until {until:%Y-%m-%d}: give a reason to delete them earlier."
+        )
