@@ -41,14 +41,15 @@ MAY_IMPORT = {
     ),
     "figures": (LEAVES, "world", "scoring", "study"),
     "host": (LEAVES,),
+    "backup": (LEAVES, "recording", "store"),
     "scene": (LEAVES, "world"),
     "api": (
         *(LEAVES, "process", "signals.csv_dialect", "signals.parquet_names", "world", "calibration", "scoring"),
-        *("store", "session", "host", "scene", "hardware.configs", "hardware.addresses", "hardware.chair.key"),
+        *("store", "session", "host", "backup", "scene", "hardware.configs", "hardware.addresses", "hardware.chair.key"),
     ),
     "cli": (
         *(LEAVES, "process", "recording", "signals", "world", "hardware", "calibration", "pipeline", "scoring"),
-        *("store", "session", "study", "figures", "host", "scene", "api"),
+        *("store", "session", "study", "figures", "host", "backup", "scene", "api"),
     ),
 }
 FITTING = ("calibration.fit", "calibration.guided", "calibration.gestures", "calibration.adaptation")
@@ -73,7 +74,7 @@ HOME = {
     "ezdxf": {"world"},
     "statsmodels": {"scoring"},
     "msgspec": {"scene"},
-    "cryptography": {"host"},
+    "cryptography": {"host", "backup"},
     "psutil": {"host"},
 }
 

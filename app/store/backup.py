@@ -14,6 +14,7 @@ from app.files import sync_folder
 from app.refusals import DiskFull, Unavailable
 
 SLACK = 4_000_000  # bytes that must stay free beside a copy
+PAGES_AT_ONCE = 256  # 1 MB: between two steps others may use the file
 BUSY_LIMIT = 5.0  # s to wait for another program that writes to the database
 
 Counts = dict[str, int]
@@ -51,7 +52,7 @@ def back_up(database: Path, folder: Path, label: str) -> Backup:
         try:
             os.close(os.open(part, os.O_WRONLY | os.O_CREAT | os.O_EXCL, OWNER_FILE))
             with closing(sqlite3.connect(part, isolation_level=None)) as copy:
-                source.backup(copy)
+                source.backup(copy, pages=PAGES_AT_ONCE)
                 copy.execute("PRAGMA journal_mode=DELETE")  # one file, without a write-ahead log beside it
                 complaint, rows = _one(copy, "PRAGMA integrity_check"), _counts(copy)
             if complaint != "ok" or rows != _counts(source):
@@ -70,8 +71,8 @@ def _require_room(folder: Path, size: int) -> None:
     free = shutil.disk_usage(folder).free
     if free < size + SLACK:
         raise DiskFull(
-            f"There is no room for a copy of the database, without which it is not brought up to this version: free "
-            f"{(size + SLACK) / 1e6:.0f} MB on the disk of {folder}, then start again. Nothing was changed."
+            f"There is no room for a copy of the database, which is needed before anything else: free "
+            f"{(size + SLACK) / 1e6:.0f} MB on the disk of {folder}, then try again. Nothing was changed."
         )
 
 

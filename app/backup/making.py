@@ -1,0 +1,109 @@
+"""Make a backup of a clinic, in one file or in a folder of backups, and read it back; also while the clinic is open."""
+
+import fcntl
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+
+from app import __version__
+from app.backup.backup_folder import BackupFolder
+from app.backup.contents import contents_of
+from app.backup.manifest import Manifest, left_out_words
+from app.backup.sealing import Secret
+from app.backup.single_file import read_backup, write_backup
+from app.file_modes import OWNER_FOLDER
+from app.refusals import Conflict, Refusal
+from app.settings import Settings
+from app.store.keeping.tombstones import add_tombstones, read_tombstones
+
+Progress = Callable[[str, int, int], None]
+"""Called with what is being done ("store", "verify"), the bytes that are done, and the bytes of all."""
+
+UNDER_WAY = "Another backup of this clinic is being made: wait until it is done."
+
+
+@dataclass(frozen=True, slots=True)
+class MadeReport:
+    """A good backup, in words and figures."""
+
+    name: str  # of the file
+    words: str  # what was left out; empty when nothing was
+    files: int
+    bytes: int
+    hash: str  # of all
+    encrypted: bool
+    with_keys: bool
+
+
+def make_backup(
+    settings: Settings, target: Path, secret: Secret | None, *, with_keys: bool, progress: Progress
+) -> MadeReport:
+    """Make a backup and read all of it back; `target` is a file that is not there yet, or a folder of backups.
+
+    Raises
+    ------
+    Refusal
+        In one sentence; no backup is left behind.
+    OSError
+        When something cannot be read or written, likewise.
+    """
+    with _one_at_a_time(settings):
+        if target.is_dir():
+            folder = BackupFolder(target, secret)
+            folder.open()
+            add_tombstones(target / settings.erased.name, read_tombstones(settings.erased))
+            with contents_of(settings, with_keys=with_keys) as contents:
+                name, manifest = folder.add(contents, __version__, with_keys=with_keys, progress=progress)
+        else:
+            name, manifest = target.name, _in_one_file(settings, target, secret, with_keys, progress)
+    return _report(name, manifest, secret)
+
+
+def _in_one_file(
+    settings: Settings, target: Path, secret: Secret | None, with_keys: bool, progress: Progress
+) -> Manifest:
+    if target.exists():
+        raise Refusal(f"There is a file {target} already: choose another name.")
+    if not target.absolute().parent.is_dir():
+        raise Refusal(f"There is no folder {target.absolute().parent}: make it, or choose another place.")
+    with contents_of(settings, with_keys=with_keys) as contents:
+        written = write_backup(
+            target,
+            contents,
+            __version__,
+            secret,
+            with_keys=with_keys,
+            progress=lambda done, total: progress("store", done, total),
+        )
+    progress("verify", 0, written.bytes)
+    try:
+        if read_backup(target, secret) != written:
+            raise Refusal("its manifest is another")
+    except (Refusal, OSError) as error:
+        target.unlink(missing_ok=True)
+        raise Refusal(f"The backup {target} reads back wrongly: this disk is damaged, take another.") from error
+    return written
+
+
+@contextmanager
+def _one_at_a_time(settings: Settings) -> Iterator[None]:
+    settings.backup.mkdir(mode=OWNER_FOLDER, parents=True, exist_ok=True)
+    with (settings.backup / "lock").open("a") as file:
+        try:
+            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError as error:
+            raise Conflict(UNDER_WAY) from error
+        yield
+
+
+def _report(name: str, manifest: Manifest, secret: Secret | None) -> MadeReport:
+    return MadeReport(
+        name=name,
+        words=left_out_words(manifest.left_out),
+        files=len(manifest.files),
+        bytes=manifest.bytes,
+        hash=manifest.hash,
+        encrypted=secret is not None,
+        with_keys=manifest.with_keys,
+    )

@@ -1,0 +1,145 @@
+"""Read and write files so that a chair that drives meanwhile does not notice: low priority, little of the page cache.
+
+Written bytes go to the disk in small parts: a large part would delay the recorder, which waits for its own bytes.
+"""
+
+import ctypes
+import os
+import platform
+import sys
+from collections.abc import Iterator
+from contextlib import suppress
+from hashlib import sha256
+from pathlib import Path
+from typing import Final, Protocol
+
+from app.file_modes import OWNER_FILE, OWNER_FOLDER
+from app.files import sync_folder
+
+PART: Final = 1 << 20  # bytes read or written at once
+SYNC_EVERY: Final = 8 << 20  # bytes
+LOWEST_NICENESS: Final = 19
+IDLE_DISK_CLASS: Final = 3 << 13  # of ioprio_set: served when nobody else wants the disk
+IOPRIO_SET: Final = {"x86_64": 251, "aarch64": 30, "armv7l": 314}  # numbers of the system call
+
+
+class Writer(Protocol):
+    """Something that bytes are written to, one part after the other."""
+
+    def write(self, part: bytes, /) -> int:
+        """Write bytes and return how many."""
+        ...
+
+
+class Reader(Protocol):
+    """Something that bytes are read from, one part after the other."""
+
+    def read(self, size: int, /) -> bytes:
+        """Return the next bytes, `size` at most, none at the end."""
+        ...
+
+
+def take_lowest_priority() -> None:
+    """Let this process run, and use the disk, only when no other process wants to."""
+    os.nice(LOWEST_NICENESS)
+    number = IOPRIO_SET.get(platform.machine())
+    if sys.platform == "linux" and number is not None:
+        ctypes.CDLL(None, use_errno=True).syscall(number, 1, 0, IDLE_DISK_CLASS)  # 1: a process, 0: this one
+
+
+class QuietReader:
+    """Reads a file, and lets the system forget its pages."""
+
+    def __init__(self, file: Path) -> None:
+        self._file = file.open("rb", buffering=0)
+        self._forgotten = 0
+
+    def read(self, size: int, /) -> bytes:
+        """Return the next bytes."""
+        part = self._file.read(size)
+        at = self._file.tell()
+        if at - self._forgotten >= SYNC_EVERY or not part:
+            _forget_pages(self._file.fileno(), self._forgotten, at - self._forgotten)
+            self._forgotten = at
+        return part
+
+    def __enter__(self) -> "QuietReader":
+        """Return the reader."""
+        return self
+
+    def __exit__(self, *_error: object) -> None:
+        """Close the file."""
+        self._file.close()
+
+
+class QuietWriter:
+    """Writes a file in parts that are on the disk before the next; it has its name only when `keep` was called."""
+
+    def __init__(self, target: Path) -> None:
+        self._target = target
+        self._part = target.with_name(f".{target.name}.part")
+        target.parent.mkdir(mode=OWNER_FOLDER, parents=True, exist_ok=True)
+        descriptor = os.open(self._part, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, OWNER_FILE)
+        self._file = os.fdopen(descriptor, "wb", buffering=0)
+        self._synced = self._at = 0
+
+    def write(self, part: bytes, /) -> int:
+        """Write bytes; raise OSError when there is no room."""
+        rest = memoryview(part)
+        while rest:
+            rest = rest[self._file.write(rest) :]
+        self._at += len(part)
+        if self._at - self._synced >= SYNC_EVERY:
+            self._sync()
+        return len(part)
+
+    def keep(self) -> None:
+        """Give the file its name; it is on the disk then."""
+        self._sync()
+        self._file.close()
+        self._part.replace(self._target)
+        sync_folder(self._target.parent)
+
+    def __enter__(self) -> "QuietWriter":
+        """Return the writer."""
+        return self
+
+    def __exit__(self, *_error: object) -> None:
+        """Close the file, and remove it when it was not kept."""
+        self._file.close()
+        self._part.unlink(missing_ok=True)
+
+    def _sync(self) -> None:
+        os.fsync(self._file.fileno())
+        _forget_pages(self._file.fileno(), self._synced, self._at - self._synced)
+        self._synced = self._at
+
+
+def parts_of(reader: Reader) -> Iterator[bytes]:
+    """Yield all bytes of a reader in parts."""
+    while part := reader.read(PART):
+        yield part
+
+
+def copy_hashed(reader: Reader, writer: Writer) -> tuple[int, str]:
+    """Copy all bytes; return their number and their SHA-256 (hexadecimal)."""
+    digest, size = sha256(), 0
+    for part in parts_of(reader):
+        digest.update(part)
+        writer.write(part)
+        size += len(part)
+    return size, digest.hexdigest()
+
+
+class Nowhere:
+    """A writer that keeps nothing: what is copied to it is only hashed."""
+
+    def write(self, part: bytes, /) -> int:
+        """Return the number of bytes."""
+        return len(part)
+
+
+def _forget_pages(descriptor: int, start: int, size: int) -> None:
+    if hasattr(os, "posix_fadvise"):
+        with suppress(OSError):  # an advice only
+            os.posix_fadvise(descriptor, start, size, os.POSIX_FADV_DONTNEED)

@@ -1,0 +1,135 @@
+"""Restore a backup into an empty place: every file is read back and equal by hash; erased patients stay erased."""
+
+import os
+import shutil
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final
+
+from app.backup.backup_folder import HEADER, BackupFolder, folder_salt
+from app.backup.manifest import Manifest, StoredFile
+from app.backup.quiet_files import Nowhere, QuietReader, QuietWriter, Reader, copy_hashed
+from app.backup.sealing import Secret
+from app.backup.single_file import read_backup, salt_of_file
+from app.file_modes import OWNER_FOLDER
+from app.file_modes import restrict as keep_private
+from app.refusals import Refusal
+from app.settings import IN_USE, Settings
+from app.store.database import Database
+from app.store.keeping.erasure import erase_again
+from app.store.keeping.tombstones import Tombstone, read_tombstones
+from app.store.log import write_log
+
+WORK: Final = ".restoring"  # within the state folder, so that everything can be moved and nothing is copied again
+
+Unlock = Callable[[bytes], Secret]
+"""Returns the secret of a passphrase for a salt."""
+
+
+@dataclass(frozen=True, slots=True)
+class Restored:
+    """A restored clinic."""
+
+    manifest: Manifest
+    erased_again: int  # patients who were erased after the backup was made
+
+
+def needs_passphrase(backup: Path) -> bytes | None:
+    """Return the passphrase's salt of a backup, None when it is not sealed."""
+    return folder_salt(backup.parent) if _is_in_folder(backup) else salt_of_file(backup)
+
+
+def check_backup(backup: Path, secret: Secret | None) -> Manifest:
+    """Read a whole backup and check every hash; Refusal in one sentence when one is wrong."""
+    if not _is_in_folder(backup):
+        return read_backup(backup, secret)
+    folder = BackupFolder(backup.parent, secret)
+    manifest = folder.manifest(backup.name)
+    folder.check(manifest, lambda *_: None)
+    return manifest
+
+
+def restore(backup: Path, settings: Settings, secret: Secret | None, more: frozenset[Tombstone]) -> Restored:
+    """Restore a backup into the state folder, and erase the patients of all tombstones that are known.
+
+    Tombstones are known from the state folder, from the backup, from the folder that it lies in, and from `more`.
+
+    Raises
+    ------
+    Refusal
+        In one sentence, when the place is not empty or the backup is not right; the place is as it was then.
+    """
+    require_empty(settings)
+    work = Settings(state=settings.state / WORK)
+    shutil.rmtree(work.state, ignore_errors=True)
+    work.state.mkdir(mode=OWNER_FOLDER, parents=True)
+    beside = backup.parent / settings.erased.name
+    try:
+        tombstones = more | read_tombstones(settings.erased) | read_tombstones(beside)
+        manifest = _read_into(work.state, backup, secret)
+        keep_private([work.state])
+        _check_written(work.state, manifest)
+        again = _opened_once(work, tombstones | read_tombstones(work.erased), manifest)
+        settings.erased.unlink(missing_ok=True)
+        for place in sorted(work.state.iterdir(), key=lambda place: place == work.database):  # the database last
+            place.rename(settings.state / place.name)
+    finally:
+        shutil.rmtree(work.state, ignore_errors=True)
+    return Restored(manifest, again)
+
+
+def require_empty(settings: Settings) -> None:
+    """Refuse a state folder that holds anything but tombstones."""
+    if settings.state.exists():
+        foreign = sorted({place.name for place in settings.state.iterdir()} - {WORK, IN_USE, settings.erased.name})
+        if foreign:
+            raise Refusal(
+                f"{settings.state} is not empty, it holds {foreign[0]}: restore into an empty folder. Of a clinic that "
+                f"was there before, leave only {settings.erased.name}."
+            )
+
+
+def _is_in_folder(backup: Path) -> bool:
+    return (backup.parent / HEADER).is_file() and (backup.parent / "objects").is_dir()
+
+
+def _read_into(state: Path, backup: Path, secret: Secret | None) -> Manifest:
+    def store(file: StoredFile, content: Reader) -> tuple[int, str]:
+        with QuietWriter(state / file.path) as out:
+            found = copy_hashed(content, out)
+            out.keep()
+        os.utime(state / file.path, ns=(file.changed, file.changed))
+        return found
+
+    if not _is_in_folder(backup):
+        return read_backup(backup, secret, store)
+    folder = BackupFolder(backup.parent, secret)
+    manifest = folder.manifest(backup.name)
+    for file in manifest.files:
+        try:
+            with QuietWriter(state / file.path) as out:
+                folder.read(file, out)
+                out.keep()
+        except FileNotFoundError as error:
+            raise Refusal(f"This backup is damaged: {file.path} is missing. Take another one.") from error
+        os.utime(state / file.path, ns=(file.changed, file.changed))
+    return manifest
+
+
+def _check_written(state: Path, manifest: Manifest) -> None:
+    for file in manifest.files:
+        with QuietReader(state / file.path) as written:
+            if copy_hashed(written, Nowhere()) != (file.size, file.sha256):
+                raise Refusal(f"{file.path} is not equal to what was backed up: take another backup, or another disk.")
+
+
+def _opened_once(work: Settings, tombstones: frozenset[Tombstone], manifest: Manifest) -> int:
+    """Open the restored clinic once: erase again who was erased since, and write into the log that it was restored."""
+    database = Database(work.database)
+    try:
+        with database.transaction(closing=True) as db:
+            write_log(db, None, "clinic restored", made=manifest.made, hash=manifest.hash)
+        return len(erase_again(database, work, tombstones))
+    finally:
+        database.close()

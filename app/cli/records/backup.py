@@ -1,0 +1,198 @@
+"""`bodydrive backup` and `bodydrive restore`: the whole clinic in one file, or in a folder of backups."""
+
+import json
+import os
+import sys
+from dataclasses import asdict
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from app.cli.clinic_folder import FolderInUseError, held, open_clinic
+from app.cli.errors import InputError
+from app.file_modes import keep_new_files_private
+from app.refusals import Refusal
+from app.settings import Settings, state_folder
+
+if TYPE_CHECKING:
+    from app.backup.making import MadeReport
+    from app.backup.sealing import Secret
+
+COMMAND = "command line"  # who did it, in the log
+PASSPHRASE = "BODYDRIVE_PASSPHRASE"  # noqa: S105  (the name of a variable)
+SHORTEST = 8  # characters
+
+State = Annotated[Path | None, typer.Option(help="The folder of the clinic's database and recordings.")]
+Json = Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")]
+
+
+def backup(
+    target: Annotated[Path, typer.Argument(metavar="FILE", help="The file to make, or a folder of backups.")],
+    encrypt: Annotated[
+        bool, typer.Option("--encrypt", help=f"Encrypt it with a passphrase, asked for or in {PASSPHRASE}.")
+    ] = False,
+    with_keys: Annotated[
+        bool, typer.Option("--with-keys", help="Back the keys of the chairs and of the clinic up, too.")
+    ] = False,
+    check: Annotated[
+        bool, typer.Option("--check", help="Make none: read the backup FILE and check all of it.")
+    ] = False,
+    state: State = None,
+    as_json: Json = False,
+) -> None:
+    """Back up a clinic, also while it is open, and read the backup back; into a folder, only what is new is written."""
+    from app.backup.making import make_backup
+    from app.backup.quiet_files import take_lowest_priority
+
+    if check:
+        _check(target, as_json)
+        return
+    settings = _settings(state)
+    keep_new_files_private()
+    take_lowest_priority()
+    try:
+        report = make_backup(
+            settings, target.absolute(), _secret_to_make(target, encrypt), with_keys=with_keys, progress=_show_progress
+        )
+    except Refusal as refusal:
+        raise InputError(str(refusal)) from refusal
+    unlogged = _log_made(settings, target.absolute(), report)
+    if as_json:
+        typer.echo(json.dumps(asdict(report)))
+        return
+    keys = "with the keys of chairs and clinic" if report.with_keys else "without the keys of chairs and clinic"
+    typer.echo(
+        f"{report.name}: {report.files} files, {report.bytes / 1e6:.1f} MB, {keys}, "
+        f"{'encrypted' if report.encrypted else 'not encrypted'}. It was read back, and every hash is right.\n"
+        f"Hash of all: {report.hash}"
+    )
+    for words in filter(None, (report.words, unlogged)):
+        typer.echo(words)
+
+
+def restore(
+    source: Annotated[Path, typer.Argument(metavar="FILE", help="A backup; in a folder of backups, one of its files.")],
+    erased: Annotated[
+        Path | None, typer.Option("--erased", help="A newer erased-patients.json, so that those patients stay erased.")
+    ] = None,
+    state: State = None,
+    as_json: Json = False,
+) -> None:
+    """Restore a clinic into an empty folder: every file equal by hash, patients who were erased since left out."""
+    from app.backup.restoring import restore as restored_from
+    from app.store.keeping.tombstones import read_tombstones
+
+    settings = _settings(state)
+    if erased is not None and not erased.is_file():
+        raise InputError(f"There is no file {erased}: name the list of erased patients, or leave --erased out.")
+    secret = _secret_to_read(source)
+    try:
+        with held(settings.state):
+            keep_new_files_private()
+            more = read_tombstones(erased) if erased is not None else frozenset()
+            done = restored_from(source.absolute(), settings, secret, more)
+    except FolderInUseError as error:
+        raise InputError(f"The clinic in {settings.state} is open: restore into an empty folder.") from error
+    except Refusal as refusal:
+        raise InputError(str(refusal)) from refusal
+    facts: dict[str, Any] = {
+        "made": done.manifest.made,
+        "files": len(done.manifest.files),
+        "bytes": done.manifest.bytes,
+        "hash": done.manifest.hash,
+        "with_keys": done.manifest.with_keys,
+        "erased_again": done.erased_again,
+    }
+    if as_json:
+        typer.echo(json.dumps(facts))
+        return
+    keys = "The keys of chairs and clinic were in it." if done.manifest.with_keys else "It held no keys: pair chairs anew."
+    typer.echo(
+        f"The clinic of {done.manifest.made[:16]} UTC is in {settings.state}: {facts['files']} files, "
+        f"{done.manifest.bytes / 1e6:.1f} MB, every one equal by hash. {keys}\nHash of all: {done.manifest.hash}"
+    )
+    if done.erased_again:
+        typer.echo(f"{done.erased_again} patients who were erased since stay erased.")
+
+
+def _check(target: Path, as_json: bool) -> None:
+    from app.backup.restoring import check_backup
+
+    try:
+        manifest = check_backup(target.absolute(), _secret_to_read(target))
+    except Refusal as refusal:
+        raise InputError(str(refusal)) from refusal
+    facts = {"made": manifest.made, "files": len(manifest.files), "bytes": manifest.bytes, "hash": manifest.hash}
+    words = f"{target.name} is whole: {len(manifest.files)} files of {manifest.made[:16]} UTC, every hash is right."
+    typer.echo(json.dumps(facts) if as_json else f"{words}\nHash of all: {manifest.hash}")
+
+
+def _settings(state: Path | None) -> Settings:
+    return Settings(state=(state or state_folder()).expanduser().resolve())
+
+
+def _secret_to_make(target: Path, encrypt: bool) -> "Secret | None":
+    """Return the secret of a new backup; a folder that is encrypted already asks for its passphrase by itself."""
+    from app.backup.backup_folder import HEADER, folder_salt
+    from app.backup.sealing import secret_of
+
+    salt = folder_salt(target) if (target / HEADER).is_file() else None
+    if salt is not None:
+        return secret_of(_passphrase(is_new=False), salt)
+    return secret_of(_passphrase(is_new=True)) if encrypt else None
+
+
+def _secret_to_read(source: Path) -> "Secret | None":
+    from app.backup.restoring import needs_passphrase
+    from app.backup.sealing import secret_of
+
+    if not source.is_file():
+        raise InputError(f"There is no backup {source}: name a file.")
+    try:
+        salt = needs_passphrase(source.absolute())
+    except Refusal as refusal:
+        raise InputError(str(refusal)) from refusal
+    return None if salt is None else secret_of(_passphrase(is_new=False), salt)
+
+
+def _passphrase(*, is_new: bool) -> str:
+    given = os.environ.get(PASSPHRASE)
+    if given is None:
+        if not sys.stdin.isatty():
+            raise InputError(f"This needs a passphrase: put it into the environment variable {PASSPHRASE}.")
+        given = typer.prompt("Passphrase", hide_input=True, confirmation_prompt=is_new, err=True)
+    if is_new and len(given) < SHORTEST:
+        raise InputError(f"This passphrase is too short: take {SHORTEST} characters or more.")
+    return str(given)
+
+
+def _show_progress(step: str, done: int, total: int) -> None:
+    if sys.stderr.isatty():
+        word = {"store": "Copying", "verify": "Reading back"}[step]
+        sys.stderr.write(f"\r{word}: {done / 1e6:.0f} of {total / 1e6:.0f} MB \033[K{'' if done < total else chr(10)}")
+
+
+def _log_made(settings: Settings, target: Path, report: "MadeReport") -> str:
+    """Log the backup; return a sentence when the clinic is of another version and so cannot be opened."""
+    from app.store.keeping.made_backups import add_backup
+    from app.store.schema import NEWEST, revision_of
+
+    if revision_of(settings.database) != NEWEST:
+        return "The clinic is of another version than this command, so its log does not name this backup."
+    with open_clinic(settings) as (database, _), database.transaction(closing=True) as db:
+        add_backup(
+            db,
+            COMMAND,
+            place=str(target),
+            name=report.name,
+            in_folder=target.is_dir(),
+            good=True,
+            words=report.words,
+            files=report.files,
+            size=report.bytes,
+            digest=report.hash,
+            encrypted=report.encrypted,
+            with_keys=report.with_keys,
+        )
+    return ""

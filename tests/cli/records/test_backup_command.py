@@ -1,0 +1,91 @@
+"""`bodydrive backup` and `bodydrive restore`, with and without a running program."""
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+from store.keeping.filled_clinic import two_patients
+
+from app.backup import quiet_files, sealing
+from app.cli.clinic_folder import held
+from app.settings import Settings
+from app.store.database import Database
+from app.store.keeping.keeping_tables import MadeBackup
+from app.store.tables import LogEntry
+
+
+@pytest.fixture(autouse=True)
+def _quick(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(quiet_files, "take_lowest_priority", lambda: None)  # this process goes on with other tests
+    monkeypatch.setattr(sealing, "COST", {"n": 2, "r": 1, "p": 1})
+
+
+@pytest.fixture
+def settings(tmp_path: Path) -> Settings:
+    made = Settings(state=tmp_path / "clinic")
+    two_patients(made, "Zebra", "Heron")
+    return made
+
+
+def test_a_disk_died_and_the_clinic_is_there_again(bodydrive: Any, settings: Settings, tmp_path: Path) -> None:
+    with held(settings.state):  # while the program runs
+        code, out, err = bodydrive("backup", "clinic.backup", "--state", "clinic")
+    assert (code, err) == (0, "")
+    assert "every hash is right" in out
+    assert "without the keys" in out
+    code, checked, _ = bodydrive("backup", "clinic.backup", "--check", "--json")
+    assert (code, json.loads(checked)["hash"] in out) == (0, True)
+    code, out, err = bodydrive("restore", "clinic.backup", "--state", "new", "--json")
+    assert (code, err) == (0, "")
+    assert json.loads(out)["hash"] == json.loads(checked)["hash"]
+    database = Database(settings.database)
+    with database.transaction() as db:
+        last = db.query(LogEntry).order_by(LogEntry.id.desc()).first()
+        row = db.query(MadeBackup).order_by(MadeBackup.id.desc()).first()
+        assert (last.person, last.what, last.details["hash"]) == (
+            "command line",
+            "backup made",
+            json.loads(checked)["hash"],
+        )
+        assert (row.name, row.good, row.in_folder) == ("clinic.backup", True, False)
+    database.close()
+    code, out, err = bodydrive("restore", "clinic.backup", "--state", "new")
+    assert code == 2
+    assert "is not empty" in err
+
+
+def test_a_folder_with_a_passphrase(
+    bodydrive: Any, settings: Settings, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "stick").mkdir()
+    monkeypatch.setenv("BODYDRIVE_PASSPHRASE", "short")
+    assert "too short" in bodydrive("backup", "stick", "--encrypt", "--state", "clinic")[2]
+    monkeypatch.setenv("BODYDRIVE_PASSPHRASE", "long enough it is")
+    code, out, _ = bodydrive("backup", "stick", "--encrypt", "--state", "clinic", "--json")
+    assert (code, json.loads(out)["encrypted"]) == (0, True)
+    file = f"stick/{json.loads(out)['name']}"
+    assert bodydrive("backup", "stick", "--state", "clinic")[0] == 0  # the folder says that it is encrypted
+    (file,) = [f"stick/{one.name}" for one in (tmp_path / "stick").glob("*.backup")]
+    assert bodydrive("restore", file, "--state", "new")[0] == 0
+    monkeypatch.setenv("BODYDRIVE_PASSPHRASE", "this is another one")
+    assert "passphrase is wrong" in bodydrive("restore", file, "--state", "newer")[2]
+    monkeypatch.delenv("BODYDRIVE_PASSPHRASE")
+    assert "BODYDRIVE_PASSPHRASE" in bodydrive("restore", file, "--state", "newer")[2]
+
+
+@pytest.mark.parametrize(
+    ("words", "sentence"),
+    [
+        (("backup", "a.backup", "--state", "nothing"), "There is no clinic in"),
+        (("backup", "none/a.backup", "--state", "clinic"), "make it, or choose another place"),
+        (("restore", "a.backup"), "There is no backup a.backup: name a file"),
+        (("restore", "clinic/bodydrive.sqlite", "--state", "new"), "This backup is damaged or was cut off"),
+        (("backup", "clinic/bodydrive.sqlite", "--check"), "This backup is damaged or was cut off"),
+        (("restore", "clinic/bodydrive.sqlite", "--erased", "none.json"), "There is no file none.json"),
+    ],
+)
+def test_bad_input_is_one_sentence(bodydrive: Any, settings: Settings, words: tuple[str, ...], sentence: str) -> None:
+    code, out, err = bodydrive(*words)
+    assert (code, out, err.count("\n")) == (2, "", 1)
+    assert sentence in err
