@@ -114,7 +114,7 @@ def test_a_restored_clinic_is_equal_by_hash(settings: Settings, target: Path, se
     assert readable == []
     places = [target] if target.is_file() else [each for each in target.rglob("*") if each.is_file()]
     if secret is not None:
-        assert not any(list(mentions(each.parent, GOES)) for each in places)
+        assert not any(GOES.encode() in each.read_bytes() for each in places)
 
 
 def test_the_keys_are_in_it_only_on_request_and_it_says_so(settings: Settings, target: Path) -> None:
@@ -343,7 +343,7 @@ def test_sealed_bytes_are_read_back_and_no_cut_is_unnoticed(content: bytes, at: 
         writer.end()
         sealed = out.getvalue()
         assert sealing.OpeningReader(io.BytesIO(sealed), SECRET).read(1000) == content
-        assert content not in sealed or len(content) < 8
+        assert content not in sealed[56:] or len(content) < 8
         if at < len(sealed):
             with pytest.raises(Refusal):
                 sealing.OpeningReader(io.BytesIO(sealed[:at]), SECRET).read(1000)

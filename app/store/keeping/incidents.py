@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 from datetime import datetime
 
-from sqlalchemy import or_, select
+from sqlalchemy import select
 from sqlalchemy.orm import Session
 
 from app.clock import utc_now
@@ -11,22 +11,6 @@ from app.refusals import Conflict, NotFound
 from app.store.access.visible_patients import WITH_DELETED
 from app.store.keeping.keeping_tables import Incident, IncidentPatient
 from app.store.log import write_log
-from app.store.tables import PatientSession, Run
-
-
-def runs_since(db: Session, since: datetime) -> list[tuple[Run, int]]:
-    """Return the runs that were recorded since a moment, each with the id of its patient; also of deleted patients."""
-    recorded = or_(Run.started >= since, Run.ended >= since, Run.ended.is_(None))
-    query = select(Run, PatientSession.patient_id).join(PatientSession, Run.session_id == PatientSession.id)
-    found = db.execute(query.where(recorded).order_by(Run.started), execution_options=WITH_DELETED)
-    return [(run, patient) for run, patient in found]
-
-
-def patients_since(db: Session, since: datetime) -> list[int]:
-    """Return the patients who had a session since a moment."""
-    open_then = or_(PatientSession.started >= since, PatientSession.ended >= since, PatientSession.ended.is_(None))
-    query = select(PatientSession.patient_id).where(open_then).distinct().order_by(PatientSession.patient_id)
-    return list(db.scalars(query, execution_options=WITH_DELETED))
 
 
 def mark_incident(db: Session, since: datetime, digest: str, patients: Iterable[int], person: str | None) -> Incident:

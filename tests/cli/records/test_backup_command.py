@@ -80,8 +80,8 @@ def test_a_folder_with_a_passphrase(
         (("backup", "a.backup", "--state", "nothing"), "There is no clinic in"),
         (("backup", "none/a.backup", "--state", "clinic"), "make it, or choose another place"),
         (("restore", "a.backup"), "There is no backup a.backup: name a file"),
-        (("restore", "clinic/bodydrive.sqlite", "--state", "new"), "This backup is damaged or was cut off"),
-        (("backup", "clinic/bodydrive.sqlite", "--check"), "This backup is damaged or was cut off"),
+        (("restore", "clinic/bodydrive.sqlite", "--state", "new"), "This file is damaged or was cut off"),
+        (("backup", "clinic/bodydrive.sqlite", "--check"), "This file is damaged or was cut off"),
         (("restore", "clinic/bodydrive.sqlite", "--erased", "none.json"), "There is no file none.json"),
     ],
 )

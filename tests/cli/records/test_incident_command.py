@@ -1,0 +1,108 @@
+"""`bodydrive incident`: what the archive holds, how a change is found, and that its patients are kept."""
+
+import json
+import tarfile
+from datetime import timedelta
+from pathlib import Path
+from typing import Any
+
+import pytest
+from sqlalchemy import text
+from store.keeping.filled_clinic import two_patients
+
+from app.cli.clinic_folder import held
+from app.clock import utc_now
+from app.refusals import Conflict
+from app.settings import Settings
+from app.store.database import Database
+from app.store.keeping.erasure import erase_patient
+from app.store.keeping.incidents import all_incidents
+from app.store.log import write_log
+from app.store.patients import delete_patient
+from app.store.tables import PatientSession, Run
+
+
+@pytest.fixture
+def settings(tmp_path: Path) -> Settings:
+    """A clinic where Zebra was here three days ago, and Heron an hour ago, with a recording that is going on."""
+    made = Settings(state=tmp_path / "clinic")
+    two_patients(made, "Zebra", "Heron")
+    database = Database(made.database)
+    with database.transaction() as db:
+        for number, age in ((1, timedelta(days=3)), (2, timedelta(hours=1))):
+            session = db.get_one(PatientSession, number)
+            session.started = session.ended = utc_now() - age
+        db.execute(text("UPDATE incident SET lifted = made"))
+        write_log(db, "Ada", "something happened")
+        newest = db.query(Run).where(Run.session_id == 2).one().folder
+    database.close()
+    (made.runs / newest / "end.json").unlink()
+    (made.runs / newest / "segment-0000.arrows").write_bytes(b"rows of now")
+    return made
+
+
+def contents(file: Path) -> dict[str, bytes]:
+    with tarfile.open(file) as tar:
+        return {member.name: tar.extractfile(member).read() for member in tar}  # type: ignore[union-attr]
+
+
+def test_the_last_24_hours_are_in_it_and_are_kept(bodydrive: Any, settings: Settings, tmp_path: Path) -> None:
+    with held(settings.state):  # while the program runs
+        code, out, err = bodydrive("incident", "a.incident", "--state", "clinic", "--json")
+    assert (code, err) == (0, "")
+    found = contents(tmp_path / "a.incident")
+    recordings = [name for name in found if name.startswith("recordings/")]
+    assert [name.rsplit("/")[-1] for name in recordings] == ["run.parquet", "segment-0000.arrows"]
+    assert b"Heron" in found[recordings[0]]
+    assert not any(b"Zebra" in content for content in found.values())
+    parameters = json.loads(found["parameters.json"])
+    assert [len(parameters[name]) for name in ("session", "trial", "drive", "profile", "parameters")] == [1] * 5
+    log = [json.loads(line) for line in found["log.jsonl"].splitlines()]
+    assert log[-1]["what"] == "something happened"
+    assert json.loads(found["manifest.json"])["log_hash"] == log[-1]["hash"]
+    assert json.loads(found["versions.json"])["packages"]["numpy"]
+    assert json.loads(found["machine.json"])["cores"]
+    said = json.loads(out)
+    assert bodydrive("incident", "a.incident", "--check", "--json")[1] == out
+    database = Database(settings.database)
+    with database.transaction() as db:
+        incident, patients = all_incidents(db)[0]
+        assert (incident.hash, patients) == (said["hash"], [2])
+        delete_patient(db, 1, 2)
+    with pytest.raises(Conflict, match="part of the incident"):
+        erase_patient(database, settings, 1, 2, "Ada")
+    database.close()
+
+
+def test_a_change_of_any_part_is_found(bodydrive: Any, settings: Settings, tmp_path: Path) -> None:
+    bodydrive("incident", "a.incident", "--state", "clinic")
+    whole = (tmp_path / "a.incident").read_bytes()
+    with tarfile.open(tmp_path / "a.incident") as tar:
+        places = {member.name: member.offset_data for member in tar}
+    for name, sentence in (
+        ("log.jsonl", "log.jsonl in this archive was changed"),
+        ("manifest.json", "signature of this archive is wrong"),
+        ("manifest.sig", "signature of this archive is wrong"),
+        ("public-key.pem", "signature of this archive is wrong"),
+    ):
+        at = places[name] + 40
+        (tmp_path / "b.incident").write_bytes(whole[:at] + bytes([whole[at] ^ 1]) + whole[at + 1 :])
+        code, out, err = bodydrive("incident", "b.incident", "--check")
+        assert (code, out) == (2, ""), name
+        assert sentence in err
+    (tmp_path / "b.incident").write_bytes(whole[: len(whole) // 2])
+    assert "damaged or was cut off" in bodydrive("incident", "b.incident", "--check")[2]
+
+
+def test_the_key_of_the_clinic_is_checked_and_another_one_refused(
+    bodydrive: Any, settings: Settings, tmp_path: Path
+) -> None:
+    code, out, _ = bodydrive("incident", "a.incident", "--state", "clinic")
+    own = settings.signing / "clinic-ed25519-public.pem"
+    assert bodydrive("incident", "a.incident", "--check", "--public-key", own)[0] == 0
+    assert bodydrive("incident", "b.incident", "--state", "clinic")[0] == 0  # with the same key
+    assert bodydrive("incident", "b.incident", "--check", "--public-key", own)[0] == 0
+    (tmp_path / "other.pem").write_text("nothing")
+    assert "Another key" in bodydrive("incident", "a.incident", "--check", "--public-key", "other.pem")[2]
+    assert "already: choose another name" in bodydrive("incident", "a.incident", "--state", "clinic")[2]
+    assert {file.stat().st_mode & 0o777 for file in settings.signing.iterdir()} == {0o600}
