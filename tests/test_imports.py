@@ -45,7 +45,16 @@ MAY_IMPORT = {
     "scene": (LEAVES, "world"),
     "api": (
         *(LEAVES, "process", "signals.csv_dialect", "signals.parquet_names", "world", "calibration", "scoring"),
-        *("store", "session", "host", "backup", "scene", "hardware.configs", "hardware.addresses", "hardware.chair.key"),
+        *(
+            "store",
+            "session",
+            "host",
+            "backup",
+            "scene",
+            "hardware.configs",
+            "hardware.addresses",
+            "hardware.chair.key",
+        ),
     ),
     "cli": (
         *(LEAVES, "process", "recording", "signals", "world", "hardware", "calibration", "pipeline", "scoring"),

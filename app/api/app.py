@@ -9,6 +9,7 @@ from fastapi import APIRouter, FastAPI
 from app import __version__
 from app.api import openapi_document
 from app.api.assembly import StartProcess, end_parts, make_parts, start_parts
+from app.api.backup import backups
 from app.api.computer import this_computer
 from app.api.deps import People, clinician, viewer
 from app.api.docs_pages import docs_pages
@@ -88,6 +89,7 @@ ROUTES = (
     replacements,
     tablets,
     this_computer,
+    backups,
     drives,
     review,
     control_quality,

@@ -3,6 +3,7 @@
 import asyncio
 from collections.abc import Awaitable, Callable
 
+from app.api.backup.night_backups import NightBackups
 from app.api.computer.graphics import Graphics
 from app.api.computer.measurement import Measurement
 from app.api.live.hub import LiveHub
@@ -106,6 +107,7 @@ def make_parts(
         patient_live=patient_hub,
         graphics=Graphics(hub, patient_hub),
         measurement=Measurement(settings.state, lambda: session.recording),
+        backups=NightBackups(database, settings, tell),
         trajectories=Trajectories(computing),
         timelines=Timelines(computing),
         qualities=TrialQualities(database, runs.folder_of, computing),
@@ -132,6 +134,7 @@ async def start_parts(database: Database, web: WebParts) -> None:
     web.patient_live.start()
     web.faults.start()
     web.disk.start()
+    web.backups.start()
     if await asyncio.to_thread(_is_session_open, database):
         await open_view(web)
 
@@ -155,6 +158,8 @@ async def end_parts(web: WebParts) -> None:
     await web.calibration.stop()
     await asyncio.gather(web.trials.stop(), web.drives.stop())
     await web.adaptation.stop()
-    await asyncio.gather(web.live.close(), web.patient_live.close(), web.faults.close(), web.disk.close())
+    await asyncio.gather(
+        web.live.close(), web.patient_live.close(), web.faults.close(), web.disk.close(), web.backups.close()
+    )
     await asyncio.gather(web.view.close(), web.control.close(), asyncio.to_thread(web.replays.close_all))
     await asyncio.to_thread(web.computing.close)

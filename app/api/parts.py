@@ -9,6 +9,7 @@ from typing import Annotated
 from fastapi import Depends, FastAPI
 from starlette.requests import HTTPConnection
 
+from app.api.backup.night_backups import NightBackups
 from app.api.computer.graphics import Graphics
 from app.api.computer.measurement import Measurement
 from app.api.live.hub import LiveHub
@@ -69,6 +70,7 @@ class WebParts:
     patient_live: LiveHub
     graphics: Graphics
     measurement: Measurement
+    backups: NightBackups
     trajectories: Trajectories
     timelines: Timelines
     qualities: TrialQualities

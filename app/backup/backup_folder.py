@@ -46,7 +46,9 @@ class BackupFolder:
             raise Refusal(f"The folder {self.folder} is not there: connect the disk it lies on, or choose another.")
         file = self.folder / HEADER
         if not file.exists():
-            known = {"format": 1, "salt": None} if self.secret is None else {"format": 1, "salt": self.secret.salt.hex()}
+            known = (
+                {"format": 1, "salt": None} if self.secret is None else {"format": 1, "salt": self.secret.salt.hex()}
+            )
             if any(self.folder.glob(PATTERN)) or (self.folder / "objects").exists():
                 raise Refusal(f"{self.folder} holds backups, but its file {HEADER} is missing: choose another folder.")
             write_atomically(file, json.dumps(known).encode() + b"\n", OWNER_FILE)

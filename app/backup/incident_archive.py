@@ -119,7 +119,9 @@ def check_incident(file: Path, public: bytes | None = None) -> ArchivedIncident:
         raise Refusal("The signature of this archive is wrong: it was changed after it was made.")
     document: dict[str, Any] = json.loads(own[NAME])
     if document["files"] != hashes:
-        wrong = sorted(name for name in {*hashes, *document["files"]} if hashes.get(name) != document["files"].get(name))
+        wrong = sorted(
+            name for name in {*hashes, *document["files"]} if hashes.get(name) != document["files"].get(name)
+        )
         raise Refusal(f"{wrong[0]} in this archive was changed, or is missing.")
     recordings = {name.split("/")[1] for name in hashes if name.startswith("recordings/")}
     return ArchivedIncident(

@@ -25,9 +25,7 @@ def sign(folder: Path, content: bytes) -> tuple[bytes, bytes]:
         write_atomically(file, made, OWNER_FILE)
     key = serialization.load_pem_private_key(file.read_bytes(), password=None)
     assert isinstance(key, Ed25519PrivateKey)
-    public = key.public_key().public_bytes(
-        serialization.Encoding.PEM, serialization.PublicFormat.SubjectPublicKeyInfo
-    )
+    public = key.public_key().public_bytes(serialization.Encoding.PEM, serialization.PublicFormat.SubjectPublicKeyInfo)
     if not (folder / PUBLIC).exists():
         write_atomically(folder / PUBLIC, public, OWNER_FILE)
     return key.sign(content), public

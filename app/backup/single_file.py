@@ -21,7 +21,6 @@ Store = Callable[[StoredFile, Reader], tuple[int, str]]
 """Reads all of a file's content, and returns its size and its SHA-256."""
 
 
-
 def write_backup(
     target: Path, contents: Contents, version: str, secret: Secret | None, *, with_keys: bool, progress: Progress
 ) -> Manifest:

@@ -77,7 +77,10 @@ def members_of(reader: Reader) -> Iterator[tuple[StoredFile, Reader]]:
                 content: Any = tar.extractfile(member) if member.isfile() else None
                 if content is None or not is_safe(member.name):
                     raise Refusal(DAMAGED)
-                yield StoredFile(member.name, member.size, "", int(float(member.mtime) * NANOSECONDS)), _Content(content)
+                yield (
+                    StoredFile(member.name, member.size, "", int(float(member.mtime) * NANOSECONDS)),
+                    _Content(content),
+                )
         while reader.read(PART):
             pass  # of a sealed archive, the last chunk proves that nothing was cut off
     except (tarfile.TarError, EOFError, ValueError) as error:

@@ -24,9 +24,9 @@ COMMANDS = {
     "chair": ("app.cli.chair", "chair_app"),
     "people": ("app.cli.people", "people_app"),
     "log": ("app.cli.log", "log_app"),
-    "backup": ("app.cli.records.backup", "backup"),
-    "restore": ("app.cli.records.backup", "restore"),
-    "incident": ("app.cli.records.incident", "incident"),
+    "backup": ("app.cli.records.backup_command", "backup"),
+    "restore": ("app.cli.records.backup_command", "restore"),
+    "incident": ("app.cli.records.incident_command", "incident"),
     "floorplan": ("app.cli.floorplan", "floorplan_app"),
     "about": ("app.cli.about", "about"),
 }

@@ -7,7 +7,7 @@ from app import __version__
 from app.clock import utc_now
 from app.refusals import Conflict, NotFound
 from app.store.access.visible_patients import WITH_DELETED, look_for_deleted
-from app.store.keeping.retention import require_reason
+from app.store.keeping.record_time import require_reason
 from app.store.own_rows import own_row
 from app.store.tables import CalibrationStep, Patient, PatientSession, Profile, Trial
 

@@ -12,18 +12,13 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 from store.keeping.filled_clinic import mentions, two_patients
 
-from app.backup import backup_folder, contents, making, sealing
+from app.backup import backup_folder, contents, making
 from app.backup.backup_folder import BackupFolder
-from app.backup.kept_backups import kept_backups
 from app.backup.making import make_backup
-from app.backup.manifest import is_safe
-from app.backup.quiet_files import QuietReader
 from app.backup.restoring import check_backup, needs_passphrase, restore
-from app.backup.sealing import Secret, secret_of
+from app.backup.sealing import Secret
 from app.backup.single_file import read_backup
 from app.refusals import Conflict, Refusal
 from app.settings import Settings
@@ -165,14 +160,6 @@ def test_another_passphrase_is_one_sentence(settings: Settings, target: Path) ->
                 made(settings, target, secret)
 
 
-def test_a_passphrase_makes_the_same_key_again(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(sealing, "COST", {"n": 2, "r": 1, "p": 1})
-    first = secret_of("a long passphrase")
-    assert secret_of("a long passphrase", first.salt) == first
-    assert secret_of("another passphrase", first.salt) != first
-    assert first.key.hex() not in repr(first)
-
-
 def test_a_backup_in_one_file_is_read_by_tar(settings: Settings, tmp_path: Path) -> None:
     file = made(settings, tmp_path / "clinic.tar")
     listed = subprocess.run(["tar", "tf", str(file)], capture_output=True, text=True, check=True).stdout.split("\n")
@@ -182,7 +169,9 @@ def test_a_backup_in_one_file_is_read_by_tar(settings: Settings, tmp_path: Path)
         assert {member.mode for member in tar} == {0o600}
 
 
-def test_content_is_stored_once_and_an_unchanged_clinic_writes_next_to_nothing(settings: Settings, tmp_path: Path) -> None:
+def test_content_is_stored_once_and_an_unchanged_clinic_writes_next_to_nothing(
+    settings: Settings, tmp_path: Path
+) -> None:
     stick = tmp_path / "stick"
     stick.mkdir()
     shutil.copy(settings.floorplans / "ward.json", settings.floorplans / "copy.json")
@@ -206,7 +195,9 @@ def test_a_damaged_object_is_stored_again(settings: Settings, tmp_path: Path) ->
     check_backup(made(settings, stick), None)
 
 
-def test_only_the_backups_to_keep_stay_with_their_contents(settings: Settings, tmp_path: Path, monkeypatch: Any) -> None:
+def test_only_the_backups_to_keep_stay_with_their_contents(
+    settings: Settings, tmp_path: Path, monkeypatch: Any
+) -> None:
     stick = tmp_path / "stick"
     stick.mkdir()
     start = datetime(2026, 1, 1, 2, tzinfo=UTC)
@@ -222,19 +213,9 @@ def test_only_the_backups_to_keep_stay_with_their_contents(settings: Settings, t
     assert stored == {f"day {day}".encode() for day in (3, *range(5, 12))}
 
 
-@given(st.sets(st.datetimes(datetime(2020, 1, 1), datetime(2027, 1, 1)), max_size=60))
-def test_what_is_kept_is_bounded_and_holds_the_newest(moments: set[datetime]) -> None:
-    kept = kept_backups(moments)
-    assert kept <= moments
-    assert len(kept) <= 17
-    if moments:
-        assert max(moments) in kept
-    assert kept_backups(kept) == kept
-    days = sorted({moment.date() for moment in moments}, reverse=True)[:7]
-    assert all(max(moment for moment in moments if moment.date() == day) in kept for day in days)
-
-
-def test_a_recording_that_goes_on_is_left_out_and_said_and_a_broken_one_is_not(settings: Settings, tmp_path: Path) -> None:
+def test_a_recording_that_goes_on_is_left_out_and_said_and_a_broken_one_is_not(
+    settings: Settings, tmp_path: Path
+) -> None:
     for name, age in (("goes-on", 0), ("killed", 3600)):
         folder = settings.runs / name
         folder.mkdir()
@@ -309,45 +290,3 @@ def test_who_was_erased_stays_erased_whatever_is_restored(
         assert list(mentions(restored.state, STAYS))
         assert read_tombstones(restored.erased) == read_tombstones(settings.erased)
         assert verify_log(restored.database).whole
-
-
-@pytest.mark.parametrize(
-    ("path", "safe"),
-    [("runs/a/b", True), ("../a", False), ("/etc/passwd", False), ("a/../../b", False), ("", False), ("a\\b", False)],
-)
-def test_no_path_leads_out_of_the_folder(path: str, safe: bool) -> None:
-    assert is_safe(path) is safe
-
-
-def test_reading_forgets_its_pages(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    file = tmp_path / "large"
-    file.write_bytes(b"x" * 20_000_000)
-    advised: list[tuple[int, int]] = []
-    monkeypatch.setattr(os, "posix_fadvise", lambda _file, start, size, _how: advised.append((start, size)))
-    with QuietReader(file) as opened:
-        while opened.read(1 << 20):
-            pass
-    assert sum(size for _, size in advised) == 20_000_000
-    assert len(advised) == 3
-
-
-@given(st.binary(max_size=300), st.integers(0, 400))
-def test_sealed_bytes_are_read_back_and_no_cut_is_unnoticed(content: bytes, at: int) -> None:
-    import io
-
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(sealing, "PART", 64)
-        out = io.BytesIO()
-        writer = sealing.SealingWriter(out, SECRET)
-        writer.write(content)
-        writer.end()
-        sealed = out.getvalue()
-        assert sealing.OpeningReader(io.BytesIO(sealed), SECRET).read(1000) == content
-        assert content not in sealed[56:] or len(content) < 8
-        if at < len(sealed):
-            with pytest.raises(Refusal):
-                sealing.OpeningReader(io.BytesIO(sealed[:at]), SECRET).read(1000)
-            changed = sealed[:at] + bytes([sealed[at] ^ 4]) + sealed[at + 1 :]
-            if not 8 <= at < 24:  # the passphrase's salt, from which the key is made
-                with pytest.raises(Refusal):
-                    sealing.OpeningReader(io.BytesIO(changed), SECRET).read(1000)

@@ -21,7 +21,7 @@ from app.store.keeping.incidents import incident_of
 from app.store.keeping.keeping_tables import ErasedPatient, PatientFile
 from app.store.keeping.last_ids import note_last_ids
 from app.store.keeping.owned_rows import RowIds, erase_rows, forget_in_lists, rows_of_patient
-from app.store.keeping.retention import UNDO_FOR, must_be_kept_until
+from app.store.keeping.record_time import UNDO_FOR, must_be_kept_until
 from app.store.keeping.tombstones import Tombstone, add_tombstones, tombstone
 from app.store.log import write_log
 from app.store.tables import Patient, Run
@@ -180,7 +180,11 @@ def _files_of(db: Session, patient_id: int) -> list[str]:
     uploaded = db.scalars(select(PatientFile).order_by(PatientFile.id), execution_options=WITH_DELETED)
     newest = {file.name: file.patient_id for file in uploaded}
     uploads = [name for name, owner in newest.items() if owner == patient_id]
-    return [*recordings, *(f"files/{name}" for name in uploads), *(f"replaced/file/*{BETWEEN}{name}" for name in uploads)]
+    return [
+        *recordings,
+        *(f"files/{name}" for name in uploads),
+        *(f"replaced/file/*{BETWEEN}{name}" for name in uploads),
+    ]
 
 
 def _remove(place: Path) -> None:

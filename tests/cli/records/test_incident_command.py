@@ -97,7 +97,7 @@ def test_a_change_of_any_part_is_found(bodydrive: Any, settings: Settings, tmp_p
 def test_the_key_of_the_clinic_is_checked_and_another_one_refused(
     bodydrive: Any, settings: Settings, tmp_path: Path
 ) -> None:
-    code, out, _ = bodydrive("incident", "a.incident", "--state", "clinic")
+    bodydrive("incident", "a.incident", "--state", "clinic")
     own = settings.signing / "clinic-ed25519-public.pem"
     assert bodydrive("incident", "a.incident", "--check", "--public-key", own)[0] == 0
     assert bodydrive("incident", "b.incident", "--state", "clinic")[0] == 0  # with the same key

@@ -4,7 +4,7 @@ import json
 import shutil
 import sqlite3
 from contextlib import closing
-from datetime import datetime, timedelta
+from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from typing import Any
 
@@ -21,7 +21,7 @@ from app.store.keeping.erasure import deleted_patients, erase_again, erase_due, 
 from app.store.keeping.incidents import lift_incident, mark_incident
 from app.store.keeping.keeping_tables import ErasedPatient
 from app.store.keeping.owned_rows import foreign_keys
-from app.store.keeping.retention import record_keeping, years_later
+from app.store.keeping.record_time import record_keeping, years_later
 from app.store.keeping.tombstones import add_tombstones, read_tombstones
 from app.store.log_chain import verify_log
 from app.store.patients import add_patient, delete_patient, restore_patient, start_session
@@ -225,5 +225,6 @@ def test_tombstones_are_only_added_and_a_damaged_list_is_said(tmp_path: Path) ->
 
 
 def test_years_are_counted_also_from_29_february() -> None:
-    assert years_later(datetime(2024, 2, 29), 1) == datetime(2025, 3, 1)
-    assert years_later(datetime(2024, 2, 29), 4) == datetime(2028, 2, 29)
+    leap = datetime(2024, 2, 29, tzinfo=UTC)
+    assert years_later(leap, 1) == datetime(2025, 3, 1, tzinfo=UTC)
+    assert years_later(leap, 4) == datetime(2028, 2, 29, tzinfo=UTC)

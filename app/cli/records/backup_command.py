@@ -107,7 +107,9 @@ def restore(
     if as_json:
         typer.echo(json.dumps(facts))
         return
-    keys = "The keys of chairs and clinic were in it." if done.manifest.with_keys else "It held no keys: pair chairs anew."
+    keys = (
+        "The keys of chairs and clinic were in it." if done.manifest.with_keys else "It held no keys: pair chairs anew."
+    )
     typer.echo(
         f"The clinic of {done.manifest.made[:16]} UTC is in {settings.state}: {facts['files']} files, "
         f"{done.manifest.bytes / 1e6:.1f} MB, every one equal by hash. {keys}\nHash of all: {done.manifest.hash}"

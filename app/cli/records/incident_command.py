@@ -21,7 +21,8 @@ def incident(
         bool, typer.Option("--check", help="Make none: check every hash and the signature of the archive FILE.")
     ] = False,
     public: Annotated[
-        Path | None, typer.Option("--public-key", help="With --check: the clinic's public key (PEM), not the one inside.")
+        Path | None,
+        typer.Option("--public-key", help="With --check: the clinic's public key (PEM), not the one inside."),
     ] = None,
     state: Annotated[Path | None, typer.Option(help="The folder of the clinic's database and recordings.")] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")] = False,

@@ -1,0 +1,1 @@
+"""The owner's page "Backup", and the backup of every night."""

@@ -1,0 +1,220 @@
+"""The owner's page "Backup": folder, passphrase, the backups that were made, deleted patients, incidents."""
+
+import asyncio
+from pathlib import Path
+from typing import Annotated, Literal
+
+from fastapi import APIRouter
+from pydantic import Field, SecretStr
+
+from app.api.answers import Answer, MomentText
+from app.api.deps import Owner, People, PeopleParts, RowId
+from app.api.parts import Web
+from app.backup.night_secret import keep_secret, opened_folder, read_secret
+from app.backup.signing import clinic_fingerprint
+from app.file_modes import OWNER_FOLDER
+from app.quantities import Document, Line
+from app.refusals import Conflict
+from app.store.keeping.erasure import deleted_patients, erase_patient
+from app.store.keeping.incidents import all_incidents, lift_incident
+from app.store.keeping.made_backups import backup_warning, last_good_backup, newest_backups
+from app.store.keeping.record_time import MOST_YEARS, record_keeping
+from app.store.log import write_log
+
+router = APIRouter(tags=["backup"])
+
+Reason = Annotated[Line, Field(min_length=3, max_length=400)]
+NOT_ABSOLUTE = "Give the whole path of the folder, beginning with /."
+INSIDE = "This folder lies in the clinic's own folder, or holds it: choose one on another disk."
+
+
+class BackupSettings(Document):
+    """Where the backups of every night go, when, and what is in them."""
+
+    folder: Annotated[Line, Field(max_length=1000)] | None
+    hour: Annotated[int, Field(strict=True, ge=0, le=23)]
+    with_keys: bool
+    passphrase: Annotated[SecretStr, Field(min_length=8, max_length=200)] | None = None  # None: as before
+    encrypted: bool
+
+
+class RecordTime(Document):
+    """For how many years after the last session records must be kept; None: nothing is set."""
+
+    years: Annotated[int, Field(strict=True, ge=1, le=MOST_YEARS)] | None
+
+
+class Lifting(Document):
+    """Why the mark of an incident is lifted."""
+
+    reason: Reason
+
+
+class MadeBackupView(Answer):
+    """A backup that was made, or that failed."""
+
+    at: MomentText
+    place: str
+    name: str
+    in_folder: bool
+    good: bool
+    words: str
+    files: int
+    bytes: int
+    encrypted: bool
+    with_keys: bool
+
+
+class CourseView(Answer):
+    """How far the backup under way is."""
+
+    step: Literal["store", "verify"]
+    done: int
+    total: int
+
+
+class DeletedPatientView(Answer):
+    """A deleted patient; at `until` the patient is erased."""
+
+    id: int
+    code: str
+    pseudonym: str
+    deleted: MomentText
+    until: MomentText
+    recordings: int
+    rows: int
+    why_not: str
+
+
+class IncidentView(Answer):
+    """An incident's archive, and the ids of its patients, who are not erased before the mark is lifted."""
+
+    id: int
+    made: MomentText
+    since: MomentText
+    hash: str
+    lifted: MomentText | None
+    reason: str | None
+    patients: list[int]
+
+
+class BackupsView(Document):
+    """All of the page."""
+
+    folder: str | None
+    hour: int
+    with_keys: bool
+    encrypted: bool
+    years: int | None
+    warning: str
+    last_good: str | None
+    made: list[MadeBackupView]
+    course: CourseView | None
+    deleted: list[DeletedPatientView]
+    incidents: list[IncidentView]
+    fingerprint: str  # of the public key that signs archives; empty before the first one
+
+
+def _view(parts: People, web: Web, clinic_id: int) -> BackupsView:
+    with parts.database.transaction() as db:
+        kept, good = record_keeping(db, clinic_id), last_good_backup(db)
+        folder_is_there = kept.folder is not None and Path(kept.folder).is_dir()
+        course = web.backups.course
+        return BackupsView(
+            folder=kept.folder,
+            hour=kept.hour,
+            with_keys=kept.with_keys,
+            encrypted=read_secret(parts.settings.backup) is not None,
+            years=kept.years,
+            warning=backup_warning(
+                None if good is None else good.at, has_folder=kept.folder is not None, folder_is_there=folder_is_there
+            ),
+            last_good=None if good is None else good.at.isoformat(),
+            made=[MadeBackupView.of(one) for one in newest_backups(db)],
+            course=None if course is None else CourseView.of(course),
+            deleted=[DeletedPatientView.of(one) for one in deleted_patients(db, clinic_id)],
+            incidents=[
+                IncidentView(
+                    id=one.id,
+                    made=one.made,  # type: ignore[arg-type]
+                    since=one.since,  # type: ignore[arg-type]
+                    hash=one.hash,
+                    lifted=one.lifted,  # type: ignore[arg-type]
+                    reason=one.reason,
+                    patients=patients,
+                )
+                for one, patients in all_incidents(db)
+            ],
+            fingerprint=clinic_fingerprint(parts.settings.signing),
+        )
+
+
+@router.get("/backups")
+def look(who: Owner, parts: PeopleParts, web: Web) -> BackupsView:
+    """Return the settings, the newest backups, how far one is that is being made, deleted patients, incidents."""
+    return _view(parts, web, who.clinic_id)
+
+
+@router.post("/backups", status_code=202)
+async def begin(who: Owner, parts: PeopleParts, web: Web) -> BackupsView:
+    """Begin a backup now; it goes on by itself. 409 without a folder, and while one is being made."""
+    await web.backups.begin(who.name)
+    return await asyncio.to_thread(_view, parts, web, who.clinic_id)
+
+
+@router.put("/backups/settings")
+async def choose(body: BackupSettings, who: Owner, parts: PeopleParts, web: Web) -> BackupsView:
+    """Choose the folder, the hour and the passphrase; 409 in one sentence when the folder cannot be used."""
+    await asyncio.to_thread(_choose, body, who.name, who.clinic_id, parts, web)
+    return await asyncio.to_thread(_view, parts, web, who.clinic_id)
+
+
+def _choose(body: BackupSettings, person: str, clinic_id: int, parts: People, web: Web) -> None:
+    own = parts.settings
+    if web.backups.course is not None:
+        raise Conflict("A backup is being made: wait until it is done.")
+    passphrase = "" if body.passphrase is None else body.passphrase.get_secret_value()
+    kept = read_secret(own.backup) if body.encrypted else None
+    if body.encrypted and not passphrase and kept is None:
+        raise Conflict("Give a passphrase of at least 8 characters.")
+    if body.folder is not None:
+        folder = Path(body.folder)
+        if not folder.is_absolute():
+            raise Conflict(NOT_ABSOLUTE)
+        place = folder.resolve()
+        if place.is_relative_to(own.state.resolve()) or own.state.resolve().is_relative_to(place):
+            raise Conflict(INSIDE)
+        secret, why_not = web.computing.ask(opened_folder, folder, passphrase if body.encrypted else "", kept)
+        if why_not:
+            raise Conflict(why_not)
+        own.backup.mkdir(mode=OWNER_FOLDER, parents=True, exist_ok=True)
+        keep_secret(own.backup, secret)
+    with parts.database.transaction() as db:
+        settings = record_keeping(db, clinic_id)
+        settings.folder, settings.hour, settings.with_keys = body.folder, body.hour, body.with_keys
+        details = {"hour": body.hour, "with_keys": body.with_keys, "encrypted": body.encrypted}
+        write_log(db, person, "backup settings changed", has_folder=body.folder is not None, **details)
+
+
+@router.put("/record-keeping")
+def keep_records(body: RecordTime, who: Owner, parts: PeopleParts, web: Web) -> BackupsView:
+    """Set for how many years after the last session records must be kept."""
+    with parts.database.transaction() as db:
+        record_keeping(db, who.clinic_id).years = body.years
+        write_log(db, who.name, "record time changed", years=body.years)
+    return _view(parts, web, who.clinic_id)
+
+
+@router.post("/deleted-patients/{patient_id}/erasure")
+def erase(patient_id: RowId, who: Owner, parts: PeopleParts, web: Web) -> BackupsView:
+    """Erase a deleted patient for good, now; 409 with the reason when something stands against it."""
+    erase_patient(parts.database, parts.settings, who.clinic_id, patient_id, who.name)
+    return _view(parts, web, who.clinic_id)
+
+
+@router.post("/incidents/{incident_id}/lifting")
+def lift(incident_id: RowId, body: Lifting, who: Owner, parts: PeopleParts, web: Web) -> BackupsView:
+    """Lift the mark of an incident, so that its patients can be erased."""
+    with parts.database.transaction() as db:
+        lift_incident(db, incident_id, body.reason, who.name)
+    return _view(parts, web, who.clinic_id)

@@ -1,0 +1,167 @@
+"""Makes the backups of a running clinic, one at a time, each in a process of its own; erases who is due.
+
+The process has the lowest priority (`app/backup/backup_process.py`), so that a chair that drives does not notice.
+"""
+
+import asyncio
+import json
+import logging
+import sys
+from asyncio.subprocess import PIPE
+from collections.abc import Callable
+from contextlib import suppress
+from pathlib import Path
+from typing import Any, Final, NamedTuple
+
+from app.api.backup.schedule import is_due
+from app.backup.night_secret import read_secret
+from app.clock import utc_now
+from app.refusals import Conflict, Refusal
+from app.settings import Settings
+from app.store.database import Database
+from app.store.keeping.erasure import erase_due
+from app.store.keeping.keeping_tables import RecordKeeping
+from app.store.keeping.made_backups import add_backup, last_good_backup, newest_backups
+from app.store.keeping.record_time import record_keeping
+from app.store.people import the_clinic
+
+LOOK_EVERY: Final = 60.0  # s
+ERASE_EVERY: Final = 60  # looks: once in an hour
+ENDED: Final = "The process that makes the backup has ended: look at the disks, then try again."
+NO_FOLDER: Final = "No folder is chosen: choose one first."
+UNDER_WAY: Final = "A backup is being made already: wait until it is done."
+
+logger = logging.getLogger("bodydrive")
+
+
+class Course(NamedTuple):
+    """How far the backup under way is."""
+
+    step: str  # store or verify
+    done: int  # bytes
+    total: int
+
+
+class NightBackups:
+    """Looks every minute whether a backup is due, and makes one when somebody asks."""
+
+    def __init__(self, database: Database, settings: Settings, tell: Callable[[str], None]) -> None:
+        self._database = database
+        self._settings = settings
+        self._tell = tell
+        self._looking: asyncio.Task[None] | None = None
+        self._making: asyncio.Task[None] | None = None
+        self.course: Course | None = None  # None: no backup is being made
+
+    def start(self) -> None:
+        """Begin to look."""
+        self._looking = asyncio.create_task(self._look())
+
+    async def close(self) -> None:
+        """Stop looking, and end a backup that is being made; nothing of it is left."""
+        tasks = [task for task in (self._looking, self._making) if task is not None]
+        for task in tasks:
+            task.cancel()
+        await asyncio.gather(*tasks, return_exceptions=True)
+
+    async def begin(self, person: str | None) -> None:
+        """Begin a backup into the chosen folder; Conflict when there is none, or while another is being made."""
+        if self.course is not None:
+            raise Conflict(UNDER_WAY)
+        self.course = Course("store", 0, 0)
+        try:
+            job = await asyncio.to_thread(self._job)
+        except BaseException:
+            self.course = None
+            raise
+        self._making = asyncio.create_task(self._make(job, person))
+
+    def _job(self) -> dict[str, Any]:
+        kept = self._kept()
+        if kept is None or kept.folder is None:
+            raise Conflict(NO_FOLDER)
+        secret = read_secret(self._settings.backup)
+        return {
+            "state": str(self._settings.state),
+            "target": kept.folder,
+            "with_keys": kept.with_keys,
+            "salt": None if secret is None else secret.salt.hex(),
+            "key": None if secret is None else secret.key.hex(),
+        }
+
+    async def _make(self, job: dict[str, Any], person: str | None) -> None:
+        try:
+            answer = await self._answer(job)
+            await asyncio.to_thread(self._store, job, answer, person)
+        except Refusal:
+            logger.exception("A backup could not be put into the log")
+        finally:
+            self.course = None
+            self._tell("backups")
+
+    async def _answer(self, job: dict[str, Any]) -> dict[str, Any]:
+        """Return the last line that the process prints."""
+        answer: dict[str, Any] = {"refused": ENDED}
+        try:
+            if not await asyncio.to_thread(Path(job["target"]).is_dir):  # otherwise it would be taken for a file
+                return {"refused": f"The folder {job['target']} is not there: connect the disk it lies on."}
+            process = await asyncio.create_subprocess_exec(
+                *(sys.executable, "-m", "app.backup.backup_process"), stdin=PIPE, stdout=PIPE
+            )
+        except OSError:
+            return answer
+        try:
+            assert process.stdin is not None
+            assert process.stdout is not None
+            process.stdin.write(json.dumps(job).encode() + b"\n")
+            process.stdin.close()
+            async for line in process.stdout:
+                said = json.loads(line)
+                if "step" in said:
+                    self.course = Course(**said)
+                else:
+                    answer = said
+            await process.wait()
+        except (ConnectionError, ValueError):
+            logger.exception("The process that makes a backup said something else")
+        finally:
+            with suppress(ProcessLookupError):
+                process.kill()
+        return answer
+
+    def _store(self, job: dict[str, Any], answer: dict[str, Any], person: str | None) -> None:
+        made = answer.get("made")
+        facts: dict[str, Any] = {"name": "", "good": False, "words": answer.get("refused", ENDED)}
+        if made is not None:
+            same = {name: made[name] for name in ("name", "words", "files", "encrypted", "with_keys")}
+            facts = {**same, "good": True, "size": made["bytes"], "digest": made["hash"]}
+        with self._database.transaction(closing=True) as db:
+            add_backup(db, person, place=job["target"], in_folder=True, **facts)
+
+    async def _look(self) -> None:
+        looks = 0
+        while True:
+            try:
+                if looks % ERASE_EVERY == 0:
+                    await asyncio.to_thread(erase_due, self._database, self._settings)
+                if self.course is None and await asyncio.to_thread(self._is_due):
+                    await self.begin(None)
+            except Exception:  # keep looking: a disk that is gone may come back
+                logger.exception("Backups and erasures could not be looked at")
+            looks += 1
+            await asyncio.sleep(LOOK_EVERY)
+
+    def _kept(self) -> RecordKeeping | None:
+        with self._database.transaction() as db:
+            clinic = the_clinic(db)
+            return None if clinic is None else record_keeping(db, clinic.id)
+
+    def _is_due(self) -> bool:
+        kept = self._kept()
+        if kept is None or kept.folder is None:
+            return False
+        with self._database.transaction() as db:
+            good, tried = last_good_backup(db), newest_backups(db)[:1]
+            last_good = None if good is None or not good.in_folder else good.at.astimezone()
+            last_try = tried[0].at.astimezone() if tried else None
+        return is_due(utc_now().astimezone(), kept.hour, last_good, last_try)

@@ -1,0 +1,48 @@
+"""The key of the backups of every night, kept on the machine; the passphrase itself is not, and neither is backed up."""
+
+import json
+from pathlib import Path
+from typing import Final
+
+from app.backup.backup_folder import HEADER, BackupFolder, folder_salt
+from app.backup.sealing import Secret, secret_of
+from app.file_modes import OWNER_FILE
+from app.files import write_atomically
+from app.refusals import Refusal
+
+FILE: Final = "night-key.json"
+
+
+def read_secret(folder: Path) -> Secret | None:
+    """Return the key that is kept in a folder, None when the backups of every night are not sealed."""
+    try:
+        document = json.loads((folder / FILE).read_bytes())
+    except FileNotFoundError:
+        return None
+    return Secret(bytes.fromhex(document["salt"]), bytes.fromhex(document["key"]))
+
+
+def keep_secret(folder: Path, secret: Secret | None) -> None:
+    """Keep the key in a folder, or remove the one that is there."""
+    if secret is None:
+        (folder / FILE).unlink(missing_ok=True)
+    else:
+        document = {"salt": secret.salt.hex(), "key": secret.key.hex()}
+        write_atomically(folder / FILE, json.dumps(document).encode(), OWNER_FILE)
+
+
+def opened_folder(folder: Path, passphrase: str, kept: Secret | None) -> tuple[Secret | None, str]:
+    """Open a folder for the backups of every night: with a passphrase, or when it is empty with the key that is kept.
+
+    Return the key, and in one sentence why the folder cannot be used, empty when it can; for the computing process,
+    because making the key takes long.
+    """
+    try:
+        salt = folder_salt(folder) if (folder / HEADER).is_file() else None
+        secret = secret_of(passphrase, salt) if passphrase else kept
+        BackupFolder(folder, secret).open()
+    except Refusal as refusal:
+        return None, str(refusal)
+    except OSError as error:
+        return None, f"The folder {folder} cannot be written ({error.strerror}): choose another one."
+    return secret, ""

@@ -1,0 +1,45 @@
+"""Small parts of a backup: which are kept, which paths are safe, which pages the system may forget."""
+
+import os
+from datetime import datetime
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from app.backup.kept_backups import kept_backups
+from app.backup.manifest import is_safe
+from app.backup.quiet_files import QuietReader
+
+
+@given(st.sets(st.datetimes(datetime(2020, 1, 1), datetime(2027, 1, 1)), max_size=60))
+def test_what_is_kept_is_bounded_and_holds_the_newest(moments: set[datetime]) -> None:
+    kept = kept_backups(moments)
+    assert kept <= moments
+    assert len(kept) <= 17
+    if moments:
+        assert max(moments) in kept
+    assert kept_backups(kept) == kept
+    days = sorted({moment.date() for moment in moments}, reverse=True)[:7]
+    assert all(max(moment for moment in moments if moment.date() == day) in kept for day in days)
+
+
+@pytest.mark.parametrize(
+    ("path", "safe"),
+    [("runs/a/b", True), ("../a", False), ("/etc/passwd", False), ("a/../../b", False), ("", False), ("a\\b", False)],
+)
+def test_no_path_leads_out_of_the_folder(path: str, safe: bool) -> None:
+    assert is_safe(path) is safe
+
+
+def test_reading_forgets_its_pages(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    file = tmp_path / "large"
+    file.write_bytes(b"x" * 20_000_000)
+    advised: list[tuple[int, int]] = []
+    monkeypatch.setattr(os, "posix_fadvise", lambda _file, start, size, _how: advised.append((start, size)))
+    with QuietReader(file) as opened:
+        while opened.read(1 << 20):
+            pass
+    assert sum(size for _, size in advised) == 20_000_000
+    assert len(advised) == 3
