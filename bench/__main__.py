@@ -29,6 +29,7 @@ PARTS = {
     "gate": Part("bench.gate", "measure_gate", "a step of the safety gate"),
     "frame": Part("bench.frame", "measure_frame", "a frame to the real chair, encoded and verified"),
     "loop": Part("bench.loop", "measure_loop", "datagram in to datagram out"),
+    "backup": Part("bench.beside_backup", "measure_beside_backup", "the loop beside a backup of 10 GB, and without"),
     "turn": Part("bench.turn", "measure_turn", "the parts of a turn of the loop"),
     "stop": Part("bench.web.stop", "measure_stop", "Stop on the tablet to the frame that stops a real chair"),
     "flood": Part("bench.web.busy", "measure_flood", "Stop on the tablet while 40 people sign in"),

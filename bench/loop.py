@@ -24,7 +24,7 @@ PERCENTILES = {
 
 def measure_loop(runs: int = RUNS, seconds: float = SECONDS) -> list[Row]:
     """Return the time of the loop over that of the echo: median, p99 and p99.9, each the median over the runs."""
-    found = [_measured(seconds) for _ in range(runs)]
+    found = [measured(seconds) for _ in range(runs)]
     armed = min(run["armed"] / run["frames"] for run in found)
     rows = []
     for name, (percentile, reach) in PERCENTILES.items():
@@ -39,7 +39,7 @@ def measure_loop(runs: int = RUNS, seconds: float = SECONDS) -> list[Row]:
     return rows
 
 
-def _measured(seconds: float) -> dict[str, Any]:
+def measured(seconds: float) -> dict[str, Any]:
     """Return the times (s) of the answers in one run."""
     shirt_port, report_port = free_ports(2)
     with (

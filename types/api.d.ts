@@ -667,7 +667,11 @@ export interface paths {
                 path?: never;
                 cookie?: never;
             };
-            requestBody?: never;
+            requestBody?: {
+                content: {
+                    "application/json": components["schemas"]["Deletion"] | null;
+                };
+            };
             responses: {
                 200: {
                     headers: {
@@ -2934,6 +2938,206 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/backups": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["BackupsView"];
+                    };
+                };
+            };
+        };
+        put?: never;
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                202: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["BackupsView"];
+                    };
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/backups/settings": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/json": components["schemas"]["BackupSettings"];
+                };
+            };
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["BackupsView"];
+                    };
+                };
+            };
+        };
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/record-keeping": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/json": components["schemas"]["RecordTime"];
+                };
+            };
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["BackupsView"];
+                    };
+                };
+            };
+        };
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/deleted-patients/{patient_id}/erasure": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["BackupsView"];
+                    };
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/incidents/{incident_id}/lifting": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/json": components["schemas"]["Lifting"];
+                };
+            };
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["BackupsView"];
+                    };
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/drives/summary": {
         parameters: {
             query?: never;
@@ -3761,6 +3965,27 @@ export interface components {
              */
             kind: "back";
         };
+        BackupSettings: {
+            folder: string | null;
+            hour: number;
+            with_keys: boolean;
+            passphrase?: string | null;
+            encrypted: boolean;
+        };
+        BackupsView: {
+            folder: string | null;
+            hour: number;
+            with_keys: boolean;
+            encrypted: boolean;
+            years: number | null;
+            warning: string;
+            last_good: string | null;
+            made: components["schemas"]["MadeBackupView"][];
+            course: components["schemas"]["CourseView"] | null;
+            deleted: components["schemas"]["DeletedPatientView"][];
+            incidents: components["schemas"]["IncidentView"][];
+            fingerprint: string;
+        };
         BadChannel: {
             name: string;
             joint: string;
@@ -3999,6 +4224,12 @@ export interface components {
             kind: "course";
             stages: components["schemas"]["Stage"][];
         };
+        CourseView: {
+            /** @enum {string} */
+            step: "store" | "verify";
+            done: number;
+            total: number;
+        };
         Credentials: {
             name: string;
             password: string;
@@ -4023,6 +4254,20 @@ export interface components {
             radius: number;
             /** @default 0.75 */
             height: number;
+        };
+        DeletedPatientView: {
+            id: number;
+            code: string;
+            pseudonym: string;
+            deleted: string;
+            until: string;
+            recordings: number;
+            rows: number;
+            why_not: string;
+        };
+        Deletion: {
+            /** @default  */
+            reason?: string;
         };
         DemoCode: {
             code: string;
@@ -4401,6 +4646,15 @@ export interface components {
             counted: number;
             repetitions: number;
         };
+        IncidentView: {
+            id: number;
+            made: string;
+            since: string;
+            hash: string;
+            lifted: string | null;
+            reason: string | null;
+            patients: number[];
+        };
         InvitationCode: {
             code: string;
         };
@@ -4494,6 +4748,9 @@ export interface components {
             name: string;
             title: string;
         };
+        Lifting: {
+            reason: string;
+        };
         Lights: {
             /** @default -2.1112 */
             azimuth: number;
@@ -4547,6 +4804,18 @@ export interface components {
             verdict: "good" | "attention" | "bad";
             words: string;
             findings: components["schemas"]["FindingView"][];
+        };
+        MadeBackupView: {
+            at: string;
+            place: string;
+            name: string;
+            in_folder: boolean;
+            good: boolean;
+            words: string;
+            files: number;
+            bytes: number;
+            encrypted: boolean;
+            with_keys: boolean;
         };
         MapCheck: {
             in_phase: number;
@@ -4829,6 +5098,9 @@ export interface components {
             };
             warnings: components["schemas"]["ControlWarning"][];
             note: string;
+        };
+        RecordTime: {
+            years: number | null;
         };
         RecordedConfig: {
             /**
@@ -5248,6 +5520,8 @@ export type AcceptedInvitation = components['schemas']['AcceptedInvitation'];
 export type AdaptationModeChoice = components['schemas']['AdaptationModeChoice'];
 export type AdaptationView = components['schemas']['AdaptationView'];
 export type Back = components['schemas']['Back'];
+export type BackupSettings = components['schemas']['BackupSettings'];
+export type BackupsView = components['schemas']['BackupsView'];
 export type BadChannel = components['schemas']['BadChannel'];
 export type Binding = components['schemas']['Binding'];
 export type BindingDifference = components['schemas']['BindingDifference'];
@@ -5278,9 +5552,12 @@ export type ControlWarning = components['schemas']['ControlWarning'];
 export type ControlsSuggestion = components['schemas']['ControlsSuggestion'];
 export type ControlsView = components['schemas']['ControlsView'];
 export type Course = components['schemas']['Course'];
+export type CourseView = components['schemas']['CourseView'];
 export type Credentials = components['schemas']['Credentials'];
 export type CurrentSession = components['schemas']['CurrentSession'];
 export type Cylinder = components['schemas']['Cylinder'];
+export type DeletedPatientView = components['schemas']['DeletedPatientView'];
+export type Deletion = components['schemas']['Deletion'];
 export type DemoCode = components['schemas']['DemoCode'];
 export type Dial = components['schemas']['Dial'];
 export type Discard = components['schemas']['Discard'];
@@ -5317,6 +5594,7 @@ export type HttpValidationError = components['schemas']['HTTPValidationError'];
 export type HeadTrackerChoice = components['schemas']['HeadTrackerChoice'];
 export type HeadView = components['schemas']['HeadView'];
 export type HitCheck = components['schemas']['HitCheck'];
+export type IncidentView = components['schemas']['IncidentView'];
 export type InvitationCode = components['schemas']['InvitationCode'];
 export type InvitedView = components['schemas']['InvitedView'];
 export type Joint = components['schemas']['Joint'];
@@ -5327,12 +5605,14 @@ export type JointView = components['schemas']['JointView'];
 export type LatestPractice = components['schemas']['LatestPractice'];
 export type LearningView = components['schemas']['LearningView'];
 export type LevelView = components['schemas']['LevelView'];
+export type Lifting = components['schemas']['Lifting'];
 export type Lights = components['schemas']['Lights'];
 export type LinkView = components['schemas']['LinkView'];
 export type LogCheckView = components['schemas']['LogCheckView'];
 export type LogEntryView = components['schemas']['LogEntryView'];
 export type LogView = components['schemas']['LogView'];
 export type MachineView = components['schemas']['MachineView'];
+export type MadeBackupView = components['schemas']['MadeBackupView'];
 export type MapCheck = components['schemas']['MapCheck'];
 export type MapChoice = components['schemas']['MapChoice'];
 export type MapView = components['schemas']['MapView'];
@@ -5370,6 +5650,7 @@ export type ProposalChoice = components['schemas']['ProposalChoice'];
 export type ProposalView = components['schemas']['ProposalView'];
 export type QualityRow = components['schemas']['QualityRow'];
 export type QualityView = components['schemas']['QualityView'];
+export type RecordTime = components['schemas']['RecordTime'];
 export type RecordedConfig = components['schemas']['RecordedConfig'];
 export type RecordedHeadConfig = components['schemas']['RecordedHeadConfig'];
 export type ReplacedView = components['schemas']['ReplacedView'];

@@ -27,7 +27,7 @@ from app.refusals import Refusal
 HEADER: Final = "bodydrive-backups.json"
 STAMP: Final = "bodydrive-%Y-%m-%dT%H-%M-%S-%fZ.backup"
 PATTERN: Final = "bodydrive-*.backup"
-OTHER_PASSPHRASE: Final = "holds backups with another passphrase, or without one: give that, or choose an empty folder"
+OTHER_KEY: Final = "holds backups with another passphrase, or without one: give that, or choose an empty folder"
 
 Progress = Callable[[str, int, int], None]
 """Called with what is being done ("store", "verify"), the bytes that are done, and the bytes of all."""
@@ -53,7 +53,7 @@ class BackupFolder:
                 raise Refusal(f"{self.folder} holds backups, but its file {HEADER} is missing: choose another folder.")
             write_atomically(file, json.dumps(known).encode() + b"\n", OWNER_FILE)
         if folder_salt(self.folder) != (None if self.secret is None else self.secret.salt):
-            raise Refusal(f"{self.folder} {OTHER_PASSPHRASE}.")
+            raise Refusal(f"{self.folder} {OTHER_KEY}.")
         for name in self.names()[-1:]:  # one that another key has sealed cannot be read
             self.manifest(name)
 

@@ -1,7 +1,7 @@
 """The process that makes a backup for the web process: `python -m app.backup.backup_process`, at the lowest priority.
 
-It reads one line of JSON from stdin, and prints lines of JSON: `{"step", "done", "total"}` as it goes on, and at the end
-`{"made": ...}` or `{"refused": sentence}`.
+It reads one line of JSON from stdin, and prints lines of JSON: `{"step", "done", "total"}` as it goes on, and at the
+end `{"made": ...}` or `{"refused": sentence}`.
 """
 
 import json

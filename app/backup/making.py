@@ -76,7 +76,7 @@ def _in_one_file(
             with_keys=with_keys,
             progress=lambda done, total: progress("store", done, total),
         )
-    progress("verify", 0, written.bytes)
+    progress("verify", 0, written.size)
     try:
         if read_backup(target, secret) != written:
             raise Refusal("its manifest is another")
@@ -102,7 +102,7 @@ def _report(name: str, manifest: Manifest, secret: Secret | None) -> MadeReport:
         name=name,
         words=left_out_words(manifest.left_out),
         files=len(manifest.files),
-        bytes=manifest.bytes,
+        bytes=manifest.size,
         hash=manifest.hash,
         encrypted=secret is not None,
         with_keys=manifest.with_keys,

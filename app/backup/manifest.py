@@ -38,7 +38,7 @@ class Manifest:
     files: tuple[StoredFile, ...]
 
     @property
-    def bytes(self) -> int:
+    def size(self) -> int:
         """Return the size of all files."""
         return sum(file.size for file in self.files)
 

@@ -1,4 +1,4 @@
-"""The key of the backups of every night, kept on the machine; the passphrase itself is not, and neither is backed up."""
+"""The key of the backups of every night: kept on the machine, without the passphrase, and never backed up."""
 
 import json
 from pathlib import Path

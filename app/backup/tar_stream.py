@@ -17,8 +17,10 @@ class TarStream:
     """Writes an archive of files that only their owner can read."""
 
     def __init__(self, out: Writer) -> None:
-        self._out: Any = out
-        self._tar = tarfile.open(fileobj=self._out, mode="w|", format=tarfile.PAX_FORMAT, bufsize=PART)
+        sink: Any = out
+        self._tar: Any = tarfile.open(  # noqa: SIM115  (closed by __exit__)
+            fileobj=sink, mode="w|", format=tarfile.PAX_FORMAT, bufsize=PART
+        )
 
     def add(self, path: str, content: Reader, size: int, changed: int = 0) -> str:
         """Add a file, and return the SHA-256 of its content; Refusal when its size is not `size`."""

@@ -123,7 +123,7 @@ def test_the_keys_are_in_it_only_on_request_and_it_says_so(settings: Settings, t
 def test_a_place_that_is_not_empty_stays_as_it_is(settings: Settings, target: Path) -> None:
     file = made(settings, target)
     before = files_of(settings), rows_of(settings.database)
-    with pytest.raises(Refusal, match="is not empty, it holds .*: restore into an empty folder"):
+    with pytest.raises(Refusal, match=r"is not empty, it holds .*: restore into an empty folder"):
         restore(file, settings, None, NOBODY)
     assert (files_of(settings), rows_of(settings.database)) == before
 
@@ -251,7 +251,7 @@ def test_somebody_may_write_to_the_database_meanwhile(settings: Settings, tmp_pa
 
 
 def test_no_room_or_no_folder_is_a_sentence_and_leaves_nothing(settings: Settings, tmp_path: Path) -> None:
-    with pytest.raises(Refusal, match="no folder .*: make it"):
+    with pytest.raises(Refusal, match=r"no folder .*: make it"):
         made(settings, tmp_path / "missing" / "a.backup")
     file = made(settings, tmp_path / "a.backup")
     with pytest.raises(Refusal, match="already: choose another name"):

@@ -12,8 +12,10 @@ from app.backup.kept_backups import kept_backups
 from app.backup.manifest import is_safe
 from app.backup.quiet_files import QuietReader
 
+FIRST, LAST = datetime(2020, 1, 1), datetime(2027, 1, 1)  # noqa: DTZ001  (hypothesis takes no other bounds)
 
-@given(st.sets(st.datetimes(datetime(2020, 1, 1), datetime(2027, 1, 1)), max_size=60))
+
+@given(st.sets(st.datetimes(FIRST, LAST), max_size=60))
 def test_what_is_kept_is_bounded_and_holds_the_newest(moments: set[datetime]) -> None:
     kept = kept_backups(moments)
     assert kept <= moments

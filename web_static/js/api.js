@@ -80,9 +80,12 @@ export class Api {
     return this.call("PUT", path, body);
   }
 
-  /** @template {string} const P @param {P & Known<"delete", P>} path @returns {Promise<Answer<"delete", P>>} */
-  remove(path) {
-    return this.call("DELETE", path);
+  /**
+   * @template {string} const P
+   * @param {P & Known<"delete", P>} path @param {Body<"delete", P>} [body] @returns {Promise<Answer<"delete", P>>}
+   */
+  remove(path, body) {
+    return this.call("DELETE", path, body);
   }
 
   /**

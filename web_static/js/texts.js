@@ -2,6 +2,7 @@
  * Every text of the pages, by key. A language is a folder beside this file; English is the first and the fall-back.
  * A text may hold {values}; a text of the form {one, other} is chosen by the value `count`.
  */
+import backup from "./texts/en/records/backup.js";
 import adapt from "./texts/en/adapt.js";
 import calibrate from "./texts/en/calibrate.js";
 import chair from "./texts/en/chair.js";
@@ -38,6 +39,7 @@ const CATALOGUE = Object.freeze({
   ...computer,
   ...controls,
   ...adapt,
+  ...backup,
   ...discovery,
   ...drive,
   ...editor,

@@ -136,10 +136,10 @@ def _view(parts: People, web: Web, clinic_id: int) -> BackupsView:
             incidents=[
                 IncidentView(
                     id=one.id,
-                    made=one.made,  # type: ignore[arg-type]
-                    since=one.since,  # type: ignore[arg-type]
+                    made=one.made,
+                    since=one.since,
                     hash=one.hash,
-                    lifted=one.lifted,  # type: ignore[arg-type]
+                    lifted=one.lifted,
                     reason=one.reason,
                     patients=patients,
                 )

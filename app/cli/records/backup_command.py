@@ -99,7 +99,7 @@ def restore(
     facts: dict[str, Any] = {
         "made": done.manifest.made,
         "files": len(done.manifest.files),
-        "bytes": done.manifest.bytes,
+        "bytes": done.manifest.size,
         "hash": done.manifest.hash,
         "with_keys": done.manifest.with_keys,
         "erased_again": done.erased_again,
@@ -112,7 +112,7 @@ def restore(
     )
     typer.echo(
         f"The clinic of {done.manifest.made[:16]} UTC is in {settings.state}: {facts['files']} files, "
-        f"{done.manifest.bytes / 1e6:.1f} MB, every one equal by hash. {keys}\nHash of all: {done.manifest.hash}"
+        f"{done.manifest.size / 1e6:.1f} MB, every one equal by hash. {keys}\nHash of all: {done.manifest.hash}"
     )
     if done.erased_again:
         typer.echo(f"{done.erased_again} patients who were erased since stay erased.")
@@ -125,7 +125,7 @@ def _check(target: Path, as_json: bool) -> None:
         manifest = check_backup(target.absolute(), _secret_to_read(target))
     except Refusal as refusal:
         raise InputError(str(refusal)) from refusal
-    facts = {"made": manifest.made, "files": len(manifest.files), "bytes": manifest.bytes, "hash": manifest.hash}
+    facts = {"made": manifest.made, "files": len(manifest.files), "bytes": manifest.size, "hash": manifest.hash}
     words = f"{target.name} is whole: {len(manifest.files)} files of {manifest.made[:16]} UTC, every hash is right."
     typer.echo(json.dumps(facts) if as_json else f"{words}\nHash of all: {manifest.hash}")
 

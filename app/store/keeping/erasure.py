@@ -145,8 +145,8 @@ def _why_not(db: Session, patient: Patient) -> str:
     incident = incident_of(db, patient.id)
     if incident is not None:
         return (
-            f"{patient.code} is part of the incident of {incident.made:%Y-%m-%d} and must not be erased: an owner lifts "
-            "the mark of the incident first."
+            f"{patient.code} is part of the incident of {incident.made:%Y-%m-%d} and must not be erased: an owner "
+            "lifts the mark of the incident first."
         )
     until = must_be_kept_until(db, patient)
     if until is not None and not patient.deletion_reason:

@@ -238,6 +238,7 @@ PLACES: dict[str, Open] = {
     "help": at("calibrate", "What is this page for?"),
     "computer": at("computer"),
     "computer, measured": computer_measured,
+    "backup": at("backup"),
     "drive": opened("drive"),
     "drive, tasks": opened("drive/tasks"),
     "drive, chairs": opened("drive/chairs"),

@@ -5,7 +5,7 @@ import { icon } from "../widgets/icons.js";
 
 const STEPS = /** @type {const} */ (["patients", "shirt", "calibrate", "controls", "drive", "review"]);
 const RAIL = /** @type {const} */ ([...STEPS, "settings"]);
-const IN_SETTINGS = ["plans", "people", "log", "computer"]; // opened from there: the rail marks the settings
+const IN_SETTINGS = ["plans", "people", "log", "computer", "backup"]; // opened from there: the rail marks the settings
 /** @type {string[]} */
 export const PAGES = [...RAIL, "adapt", ...IN_SETTINGS]; // those that have an address of their own
 

@@ -3,12 +3,16 @@
  * @import { App } from "../../main.js"
  * @import { PatientView } from "types/api"
  */
+import { ApiError } from "../../api.js";
+import { deletionForm } from "./deletion_form.js";
 import { h, put } from "../../widgets/dom.js";
 import { day } from "../../widgets/format.js";
 import { icon } from "../../widgets/icons.js";
 import { rowList } from "../../widgets/list.js";
 import { newPatientForm } from "./patient_form.js";
 import { t } from "../../texts.js";
+
+const CONFLICT = 409;
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal}} page */
 export async function show(app, root, { signal }) {
@@ -32,7 +36,28 @@ export async function show(app, root, { signal }) {
   };
   /** @param {PatientView} patient */
   const remove = async (patient) => {
-    if (!(await app.toasts.attempt(() => app.api.remove(`/patients/${patient.id}`)))) return;
+    try {
+      await app.api.remove(`/patients/${patient.id}`);
+    } catch (error) {
+      if (error instanceof ApiError && error.status === CONFLICT) return askWhy(patient, error.message);
+      return void app.toasts.attempt(() => Promise.reject(error));
+    }
+    await removed(patient);
+  };
+  /** @param {PatientView} patient @param {string} words */
+  const askWhy = (patient, words) => {
+    /** @param {string} reason */
+    const send = async (reason) => {
+      await app.api.remove(`/patients/${patient.id}`, { reason });
+      form.hidden = true;
+      await removed(patient);
+    };
+    form.hidden = false;
+    put(form, deletionForm(patient, words, { send, onClose: () => (form.hidden = true) }));
+    form.querySelector("input")?.focus();
+  };
+  /** @param {PatientView} patient */
+  const removed = async (patient) => {
     await Promise.all([read(), app.readSession()]);
     const restore = async () => {
       await app.toasts.attempt(() => app.api.post(`/patients/${patient.id}/restore`));

@@ -22,6 +22,7 @@ export async function show(app, root, { signal }) {
     isOwner && linkedCard("people.settings.lead", "rail.people", "#/people", "people.settings.go"),
     isOwner && linkedCard("log.lead", "rail.log", "#/log", "log.settings.go"),
     isOwner && linkedCard("computer.lead", "rail.computer", "#/computer", "computer.settings.go"),
+    isOwner && linkedCard("backup.lead", "rail.backup", "#/backup", "backup.settings.go"),
     !app.me?.demo && passwordCard(app),
   ];
   put(
