@@ -2,8 +2,8 @@
  * Every text of the pages, by key. A language is a folder beside this file; English is the first and the fall-back.
  * A text may hold {values}; a text of the form {one, other} is chosen by the value `count`.
  */
-import backup from "./texts/en/records/backup.js";
 import adapt from "./texts/en/adapt.js";
+import backup from "./texts/en/records/backup.js";
 import calibrate from "./texts/en/calibrate.js";
 import chair from "./texts/en/chair.js";
 import computer from "./texts/en/computer.js";

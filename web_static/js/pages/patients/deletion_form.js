@@ -1,17 +1,14 @@
-/**
- * The form that asks why a patient is deleted, while the records must be kept.
- * @import { PatientView } from "types/api"
- */
+/** The form that asks why a patient is deleted, while the records must be kept. */
 import { failureWords } from "../../api.js";
 import { t } from "../../texts.js";
 import { h, write } from "../../widgets/dom.js";
 import { field } from "../../widgets/fields.js";
 
 /**
- * @param {PatientView} patient @param {string} words why a reason is needed
+ * @param {string} words why a reason is needed
  * @param {{send: (reason: string) => Promise<unknown>, onClose: () => void}} then
  */
-export function deletionForm(patient, words, { send, onClose }) {
+export function deletionForm(words, { send, onClose }) {
   const reason = h("input", { type: "text", required: true, minlength: 3, maxlength: 400 });
   const problem = h("p", { class: "problem", role: "alert" });
   /** @param {SubmitEvent} event */
@@ -32,7 +29,7 @@ export function deletionForm(patient, words, { send, onClose }) {
     h(
       "div",
       { class: "spread" },
-      h("button", { class: "btn go" }, t("deleted.reason.go", { code: patient.code })),
+      h("button", { class: "btn go" }, t("deleted.reason.go")),
       h("button", { type: "button", class: "btn", onclick: onClose }, t("cancel")),
     ),
   );

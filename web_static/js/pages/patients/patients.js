@@ -53,7 +53,7 @@ export async function show(app, root, { signal }) {
       await removed(patient);
     };
     form.hidden = false;
-    put(form, deletionForm(patient, words, { send, onClose: () => (form.hidden = true) }));
+    put(form, deletionForm(words, { send, onClose: () => (form.hidden = true) }));
     form.querySelector("input")?.focus();
   };
   /** @param {PatientView} patient */

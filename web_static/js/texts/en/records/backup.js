@@ -52,7 +52,7 @@ export default {
   "deleted.erased": "{code} was erased.",
   "deleted.reason": "Reason",
   "deleted.reason.hint": "It stands in the log. No names.",
-  "deleted.reason.go": "Delete {code}",
+  "deleted.reason.go": "Delete for this reason",
   "records.title": "How long records are kept",
   "records.years": "Years after the last session",
   "records.years.hint": "Ask what the law says where you are. Deleting earlier asks for a reason. Empty: nothing is set.",

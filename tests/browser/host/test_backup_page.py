@@ -1,0 +1,83 @@
+"""The page "Backup" in a real browser: folder, a backup with its course, a deleted patient undone and erased."""
+
+import re
+
+import pytest
+from browser.served.clinic_app import ClinicApp, assert_quiet, go
+from playwright.sync_api import expect
+
+from folders import SCREENSHOTS
+
+pytestmark = [pytest.mark.browser, pytest.mark.timeout(180)]
+
+SIZES = {"768x1024": (768, 1024), "1280x800": (1280, 800), "390x844": (390, 844)}
+SMALL = """[...document.querySelectorAll("main button, main a")]
+  .filter((one) => one.offsetParent && one.getBoundingClientRect().height < 44)
+  .map((one) => one.outerHTML.slice(0, 80))"""
+
+
+@pytest.fixture(scope="module")
+def served(tmp_path_factory):
+    clinic = ClinicApp(tmp_path_factory.mktemp("backup") / "clinic")
+    clinic.start()
+    yield clinic
+    clinic.stop()
+
+
+@pytest.fixture
+def page(browser, page_log, served):
+    log = page_log(served.address)
+    page = log.watch(browser.new_context(viewport={"width": 1280, "height": 800}).new_page())
+    page.set_default_timeout(30_000)
+    served.sign_in(page)
+    expect(page.get_by_role("heading", name="Who has come?")).to_be_visible()
+    yield page
+    page.context.close()
+    assert_quiet(log)
+
+
+def photograph(page, name):
+    SCREENSHOTS.mkdir(parents=True, exist_ok=True)
+    for size, (width, height) in SIZES.items():
+        page.set_viewport_size({"width": width, "height": height})
+        page.wait_for_timeout(200)
+        page.screenshot(path=SCREENSHOTS / f"backup-{name}-{size}.png", full_page=True)
+        assert page.evaluate("() => document.documentElement.scrollWidth <= innerWidth"), f"{name} {size} scrolls"
+        assert page.evaluate(f"() => {SMALL}") == []
+    page.set_viewport_size({"width": 1280, "height": 800})
+
+
+def test_an_owner_backs_up_and_looks_after_deleted_patients(page, served, tmp_path):
+    stick = tmp_path / "stick"
+    stick.mkdir()
+    served.good("PUT", "/record-keeping", {"years": 10})
+    page.get_by_role("button", name="Delete B-12").click()
+    expect(page.get_by_text(re.compile("must be kept until .*: give a reason"))).to_be_visible()
+    page.get_by_label("Reason").fill("The patient's own wish")
+    page.get_by_role("button", name="Delete for this reason").click()
+    expect(page.get_by_text("B-12 was deleted.")).to_be_visible()
+    expect(page.locator(".person")).to_have_count(1)
+    go(page, "settings")
+    page.get_by_role("link", name="Look at the backups").click()
+    expect(page.get_by_role("heading", name="Backup", level=1)).to_be_visible()
+    expect(page.get_by_text("There is no good backup yet: choose a folder")).to_be_visible()
+    expect(page.get_by_role("button", name="Back up now")).to_be_disabled()
+    photograph(page, "first")
+    page.get_by_label("Folder").fill("relative")
+    page.get_by_role("button", name="Save").first.click()
+    expect(page.get_by_text("Give the whole path of the folder")).to_be_visible()
+    page.get_by_label("Folder").fill(str(stick))
+    page.get_by_role("button", name="Save").first.click()
+    expect(page.get_by_text("Saved.")).to_be_visible()
+    page.get_by_role("button", name="Back up now").click()
+    expect(page.locator(".made-backup .tag").first).to_have_text("Good", timeout=60_000)
+    expect(page.get_by_text("The last good backup is of")).to_be_visible()
+    assert len(list(stick.glob("bodydrive-*.backup"))) == 1
+    expect(page.get_by_text("erased in 30 days")).to_be_visible()
+    page.get_by_role("button", name="Erase B-12 for good").click()
+    expect(page.get_by_role("button", name="Cancel")).to_be_focused()
+    photograph(page, "made")
+    page.get_by_role("button", name="Cancel").click()
+    page.get_by_role("button", name="Undo the deletion of B-12").click()
+    expect(page.get_by_text("Nobody was deleted.")).to_be_visible()
+    assert {one["code"] for one in served.good("GET", "/patients")} == {"A-03", "B-12"}
