@@ -91,7 +91,7 @@ def archive_incident(settings: Settings, database: Database, target: Path, perso
         out.keep()
     found = check_incident(target)
     with database.transaction(closing=True) as db:
-        mark_incident(db, since, found.hash, _patients(rows), person)
+        mark_incident(db, rows["clinic"][0]["id"], since, found.hash, _patients(rows), person)
     return found
 
 

@@ -13,11 +13,14 @@ from hashlib import sha256
 from pathlib import Path
 from typing import Final, Protocol
 
+from app.clock import MonotonicClock
 from app.file_modes import OWNER_FILE, OWNER_FOLDER
 from app.files import sync_folder
 
-PART: Final = 1 << 20  # bytes read or written at once
+PART: Final = 1 << 16  # bytes read or written at once: the system call is short, and a core is free again soon
 SYNC_EVERY: Final = 8 << 20  # bytes
+WORKING: Final = 0.3  # share of the time
+SPELL: Final = 0.002  # s of work between two rests, at least
 LOWEST_NICENESS: Final = 19
 IDLE_DISK_CLASS: Final = 3 << 13  # of ioprio_set: served when nobody else wants the disk
 IOPRIO_SET: Final = {"x86_64": 251, "aarch64": 30, "armv7l": 314}  # numbers of the system call
@@ -42,20 +45,31 @@ class Reader(Protocol):
 def take_lowest_priority() -> None:
     """Let this process run, and use the disk, only when no other process wants to."""
     os.nice(LOWEST_NICENESS)
+    if hasattr(os, "SCHED_IDLE"):
+        os.sched_setscheduler(0, os.SCHED_IDLE, os.sched_param(0))
     number = IOPRIO_SET.get(platform.machine())
     if sys.platform == "linux" and number is not None:
         ctypes.CDLL(None, use_errno=True).syscall(number, 1, 0, IDLE_DISK_CLASS)  # 1: a process, 0: this one
 
 
 class QuietReader:
-    """Reads a file, and lets the system forget its pages."""
+    """Reads a file at its leisure, and lets the system forget its pages.
+
+    Between two reads it sleeps, so that all that is done with the bytes takes `WORKING` of the time.
+    """
 
     def __init__(self, file: Path) -> None:
         self._file = file.open("rb", buffering=0)
         self._forgotten = 0
+        self._clock = MonotonicClock()
+        self._rested = self._clock.now()
 
     def read(self, size: int, /) -> bytes:
         """Return the next bytes."""
+        now = self._clock.now()
+        if now - self._rested >= SPELL:
+            self._clock.sleep_until(now + (now - self._rested) * (1 / WORKING - 1))
+            self._rested = self._clock.now()
         part = self._file.read(size)
         at = self._file.tell()
         if at - self._forgotten >= SYNC_EVERY or not part:
@@ -87,7 +101,7 @@ class QuietWriter:
         """Write bytes; raise OSError when there is no room."""
         rest = memoryview(part)
         while rest:
-            rest = rest[self._file.write(rest) :]
+            rest = rest[self._file.write(rest[:PART]) :]
         self._at += len(part)
         if self._at - self._synced >= SYNC_EVERY:
             self._sync()

@@ -10,11 +10,12 @@ import os
 from dataclasses import dataclass, field
 from typing import Final
 
-from app.backup.quiet_files import PART, Reader, Writer
+from app.backup.quiet_files import Reader, Writer
 from app.refusals import Refusal
 
 MAGIC: Final = b"BDSEAL01"
 SALT, STREAM_SALT, TAG = 16, 32, 16  # bytes
+CHUNK: Final = 1 << 20  # bytes
 COST: Final = {"n": 1 << 17, "r": 8, "p": 1}  # scrypt: 128 MB of memory, about half a second
 WRONG: Final = "The passphrase is wrong, or the file was changed: give the passphrase with which it was made."
 
@@ -55,9 +56,9 @@ class SealingWriter:
     def write(self, part: bytes, /) -> int:
         """Seal bytes."""
         self._waiting += part
-        while len(self._waiting) > PART:  # the last chunk may be a full one
-            self._out.write(self._chunks.seal(bytes(self._waiting[:PART]), is_last=False))
-            del self._waiting[:PART]
+        while len(self._waiting) > CHUNK:  # the last chunk may be a full one
+            self._out.write(self._chunks.seal(bytes(self._waiting[:CHUNK]), is_last=False))
+            del self._waiting[:CHUNK]
         return len(part)
 
     def end(self) -> None:
@@ -73,14 +74,14 @@ class OpeningReader:
         if salt_of(head) is None or len(head) < len(MAGIC) + SALT + STREAM_SALT:
             raise WrongPassphrase(WRONG)
         self._sealed, self._chunks = sealed, _Chunks(secret, head[len(MAGIC) + SALT :])
-        self._ahead = _exactly(sealed, PART + TAG)
+        self._ahead = _exactly(sealed, CHUNK + TAG)
         self._ready = bytearray()
         self._is_over = False
 
     def read(self, size: int, /) -> bytes:
         """Return the next bytes."""
         while len(self._ready) < size and not self._is_over:
-            chunk, self._ahead = self._ahead, _exactly(self._sealed, PART + TAG)
+            chunk, self._ahead = self._ahead, _exactly(self._sealed, CHUNK + TAG)
             self._is_over = not self._ahead
             self._ready += self._chunks.open(chunk, is_last=self._is_over)
         part = bytes(self._ready[:size])

@@ -13,6 +13,7 @@ from app.refusals import DiskFull
 from app.speeds import HIGHEST_SPEEDS
 from app.store import tables
 from app.store.chairs import add_chair
+from app.store.keeping.incidents import mark_incident
 from app.store.patient_screens import add_screen
 from app.store.patients import add_patient, start_session
 from app.store.people import add_clinic, add_person
@@ -27,6 +28,7 @@ IDS = {  # names of whole numbers that are ids, and of which table
     "chair_id": "chair",
     "screen_id": "patient_screen",
     "person_id": "person",
+    "incident_id": "incident",
     "patients": "patient",
     "session_id": "session",
     "note_id": "session",  # a note and a scale are those of the session that the path names
@@ -35,13 +37,14 @@ IDS = {  # names of whole numbers that are ids, and of which table
     "PUT /chairs/chosen id": "chair",
 }
 # Whole numbers that are no ids.
-NUMBERS = {"stops", "port", "seed", "baud", "address", "version", "direction", "before", "seconds"}
+NUMBERS = {"stops", "port", "seed", "baud", "address", "version", "direction", "before", "seconds", "hour", "years"}
 FILLED = {"other": "1", "reason": "by hand", "dynamics": "unicycle", "floorplan": "apartment", "path": "main"}
 LISTS = {"patients"}
 OWN_PERSON = "1"  # the person who asks, where a path needs an id besides the one that is tried
 BODIES: dict[str, dict[str, Any]] = {  # what has to be sent along with an id
     "POST /trials/{trial_id}/discard": {"reason": "x"},
     "PUT /chairs/chosen": {"dynamics": "unicycle"},
+    "POST /incidents/{incident_id}/lifting": {"reason": "It is closed"},
     "POST /people": {"name": "Ben", "role": "reviewer"},
     "PUT /people/{person_id}": {"role": "reviewer"},
     "PUT /sessions/{session_id}/goal": {"goal": "x"},
@@ -135,6 +138,7 @@ def theirs(signed_in: Clinic) -> dict[str, int]:
             "session": session.id,
             "chair": chair.id,
             "patient_screen": screen.id,
+            "incident": mark_incident(db, clinic.id, utc_now(), "0" * 64, [patient.id], None).id,
         }
 
 

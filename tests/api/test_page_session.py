@@ -23,6 +23,7 @@ VALUES = {
     "note_id": "1",
     "scale_id": "1",
     "consent": "sharing",
+    "incident_id": "1",
     "screen_id": "1",
     "name": "nowhere",
     "step": "rest",

@@ -24,7 +24,7 @@ def test_a_passphrase_makes_the_same_key_again(monkeypatch: pytest.MonkeyPatch) 
 @given(st.binary(max_size=300), st.integers(0, 400))
 def test_sealed_bytes_are_read_back_and_no_cut_is_unnoticed(content: bytes, at: int) -> None:
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(sealing, "PART", 64)
+        patch.setattr(sealing, "CHUNK", 64)
         out = io.BytesIO()
         writer = sealing.SealingWriter(out, SECRET)
         writer.write(content)

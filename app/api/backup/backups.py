@@ -82,7 +82,6 @@ class DeletedPatientView(Answer):
     deleted: MomentText
     until: MomentText
     recordings: int
-    rows: int
     why_not: str
 
 
@@ -143,7 +142,7 @@ def _view(parts: People, web: Web, clinic_id: int) -> BackupsView:
                     reason=one.reason,
                     patients=patients,
                 )
-                for one, patients in all_incidents(db)
+                for one, patients in all_incidents(db, clinic_id)
             ],
             fingerprint=clinic_fingerprint(parts.settings.signing),
         )
@@ -216,5 +215,5 @@ def erase(patient_id: RowId, who: Owner, parts: PeopleParts, web: Web) -> Backup
 def lift(incident_id: RowId, body: Lifting, who: Owner, parts: PeopleParts, web: Web) -> BackupsView:
     """Lift the mark of an incident, so that its patients can be erased."""
     with parts.database.transaction() as db:
-        lift_incident(db, incident_id, body.reason, who.name)
+        lift_incident(db, who.clinic_id, incident_id, body.reason, who.name)
     return _view(parts, web, who.clinic_id)

@@ -8,7 +8,7 @@ from datetime import datetime
 from pathlib import Path
 from typing import Any
 
-from sqlalchemy import select
+from sqlalchemy import func, select
 from sqlalchemy.orm import Session
 
 from app.clock import utc_now
@@ -24,7 +24,8 @@ from app.store.keeping.owned_rows import RowIds, erase_rows, forget_in_lists, ro
 from app.store.keeping.record_time import UNDO_FOR, must_be_kept_until
 from app.store.keeping.tombstones import Tombstone, add_tombstones, tombstone
 from app.store.log import write_log
-from app.store.tables import Patient, Run
+from app.store.own_rows import own_row
+from app.store.tables import Patient, PatientSession, Run
 
 AFTER_30_DAYS = "30 days after the deletion"
 
@@ -39,7 +40,6 @@ class DeletedPatient:
     deleted: datetime
     until: datetime  # when the patient is erased
     recordings: int
-    rows: int
     why_not: str  # why the patient cannot be erased now; empty when nothing is in the way
 
 
@@ -121,23 +121,24 @@ def remove_erased_files(database: Database, settings: Settings) -> None:
 
 
 def _described(db: Session, patient: Patient, deleted: datetime) -> DeletedPatient:
-    rows = rows_of_patient(_raw(db), patient.id)
+    runs = select(func.count(Run.id)).join(PatientSession, Run.session_id == PatientSession.id)
+    recordings = db.scalar(runs.where(PatientSession.patient_id == patient.id), execution_options=WITH_DELETED)
     return DeletedPatient(
         id=patient.id,
         code=patient.code,
         pseudonym=patient.pseudonym,
         deleted=deleted,
         until=deleted + UNDO_FOR,
-        recordings=len(rows.get("run", ())),
-        rows=sum(map(len, rows.values())),
+        recordings=recordings or 0,
         why_not=_why_not(db, patient),
     )
 
 
 def _deleted_patient(db: Session, clinic_id: int, patient_id: int) -> Patient:
-    patient = db.get(Patient, patient_id, execution_options=WITH_DELETED)
-    if patient is None or patient.clinic_id != clinic_id or patient.deleted is None:
-        raise NotFound(f"There is no deleted patient {patient_id}: look at the list.")
+    missing = f"There is no deleted patient {patient_id}: look at the list."
+    patient = own_row(db, Patient, clinic_id, patient_id, missing, deleted=True)
+    if patient.deleted is None:
+        raise NotFound(missing)
     return patient
 
 

@@ -52,6 +52,7 @@ class Incident(Table):
 
     __tablename__ = "incident"
     id: Mapped[int] = mapped_column(primary_key=True)
+    clinic_id: Mapped[int] = mapped_column(ForeignKey("clinic.id"))
     made: Mapped[datetime]
     since: Mapped[datetime]
     hash: Mapped[str] = mapped_column(String(64))  # SHA-256 of the archive's manifest

@@ -66,7 +66,7 @@ def backup_warning(last_good: datetime | None, *, has_folder: bool, folder_is_th
     if has_folder and not folder_is_there:
         return "The folder of the backups is not there: connect the disk or network drive it lies on."
     if last_good is None:
-        return "There is no good backup yet: choose a folder, or make one now."
+        return "There is no good backup yet: choose a folder on another disk, then make one."
     if utc_now() - last_good > WARN_AFTER:
         days = (utc_now() - last_good).days
         return f"The last good backup is {days} days old: see below why, and make one now."

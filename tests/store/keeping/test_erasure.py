@@ -178,12 +178,12 @@ def test_a_setting_that_came_after_the_deletion_holds_as_well(filled: Filled, mo
 
 def test_who_is_part_of_an_incident_stays_until_the_mark_is_lifted(filled: Filled) -> None:
     with filled.database.transaction() as db:
-        incident = mark_incident(db, utc_now(), "0" * 64, [filled.goes], "Ada").id
+        incident = mark_incident(db, CLINIC, utc_now(), "0" * 64, [filled.goes], "Ada").id
     filled.delete(filled.goes)
     with pytest.raises(Conflict, match="part of the incident of"):
         filled.erase(filled.goes)
     with filled.database.transaction() as db:
-        lift_incident(db, incident, "The report is closed", "Ada")
+        lift_incident(db, CLINIC, incident, "The report is closed", "Ada")
     filled.erase(filled.goes)
     assert filled.whats()[-2:] == ["incident mark lifted", "patient erased"]
 

@@ -48,11 +48,13 @@ def upgrade() -> None:
     op.create_table(
         "incident",
         sa.Column("id", sa.Integer(), nullable=False),
+        sa.Column("clinic_id", sa.Integer(), nullable=False),
         sa.Column("made", sa.DateTime(timezone=True), nullable=False),
         sa.Column("since", sa.DateTime(timezone=True), nullable=False),
         sa.Column("hash", sa.String(64), nullable=False),
         sa.Column("lifted", sa.DateTime(timezone=True), nullable=True),
         sa.Column("reason", sa.String(400), nullable=True),
+        sa.ForeignKeyConstraint(["clinic_id"], ["clinic.id"], name="fk_incident_clinic_id"),
         sa.PrimaryKeyConstraint("id", name="pk_incident"),
     )
     op.create_table(

@@ -29,7 +29,7 @@ export function madeCard(app, first, signal) {
     const isMaking = view.course !== null;
     put(warning, view.warning && [icon("warning", 20), h("b", {}, view.warning)]);
     if (!isMaking && wasMaking) app.toasts.show(t(view.made[0]?.good ? "backup.done" : "backup.failed"));
-    write(last, view.last_good ? t("backup.last", { when: moment(view.last_good) }) : t("backup.never"));
+    write(last, view.last_good ? t("backup.last", { when: moment(view.last_good) }) : "");
     list.show(view.made.slice(0, 8).map(row));
     go.disabled = isMaking || view.folder === null;
     course.hidden = !isMaking;

@@ -6,7 +6,6 @@ export default {
   "backup.owner": "Only an owner looks after the backups: ask one.",
   "backup.state.title": "Backups",
   "backup.last": "The last good backup is of {when}. All of it was read back.",
-  "backup.never": "There is no good backup yet.",
   "backup.now": "Back up now",
   "backup.store": "Copying: {done} of {total}",
   "backup.verify": "Reading back: {done} of {total}",
