@@ -4262,7 +4262,6 @@ export interface components {
             deleted: string;
             until: string;
             recordings: number;
-            rows: number;
             why_not: string;
         };
         Deletion: {
