@@ -31,9 +31,8 @@ def documents_and_pages():
     """Return the paths of all HTML documents, and of the module of each page."""
     folder = ROOT / PAGES
     pages = [place for place in (folder / "js" / "pages").iterdir() if place.is_dir()]
-    return {f"/{file.name}" for file in folder.glob("*.html")} | {
-        f"/js/pages/{one.name}/{one.name}.js" for one in pages
-    }
+    documents = {f"/{file.name}" for file in folder.glob("*.html")}
+    return documents | {f"/js/pages/{one.name}/{one.name}.js" for one in pages}
 
 
 def test_one_size_and_theme_of_every_page(page, clinic):
