@@ -142,31 +142,6 @@ def test_drive(page, clinic):
     expect(page).to_have_url(re.compile("drive/over"))
 
 
-def test_pages_below_drive(page, clinic):
-    go(page, clinic, "drive")
-    press(page, "Choose another")
-    heading(page, "Choose a task").to_be_visible()
-    press(page, "Straight ahead")
-    heading(page, "Straight ahead").to_be_visible()
-    press(page, "The patient's screen")
-    heading(page, "The patient's screen").to_be_visible()
-    press(page, "Pair a screen")
-    tab_to(page, "Copy the link")
-    press(page, "Back to the task")
-    heading(page, "Straight ahead").to_be_visible()  # the task that was chosen
-    tab_to(page, "Start trial")
-
-
-def test_help_and_this_computer(page, clinic):
-    go(page, clinic, "computer")
-    press(page, "What is this page for?")
-    assert focused(page) == "This computer"
-    tab_to(page, "More in the pages for clinicians")
-    page.keyboard.press("Escape")
-    assert focused(page) == "What is this page for?"
-    tab_to(page, "Measure for 10 s")
-
-
 def test_chair(page, clinic):
     PLACES["chair"](page, clinic)
     tab_to(page, "Practise it now")
