@@ -16,6 +16,7 @@ import patient_screen from "./texts/en/patient_screen.js";
 import patients from "./texts/en/patients.js";
 import people from "./texts/en/people.js";
 import picture from "./texts/en/picture.js";
+import records_session from "./texts/en/records/session.js";
 import replay from "./texts/en/replay.js";
 import quality from "./texts/en/quality.js";
 import review from "./texts/en/review.js";
@@ -46,6 +47,7 @@ const CATALOGUE = Object.freeze({
   ...chair,
   ...measures,
   ...quality,
+  ...records_session,
   ...review,
   ...replay,
   ...picture,

@@ -9,7 +9,7 @@ from app.scoring.verdict.measure_comparison import COMPARISONS, from_scale
 from app.scoring.verdict.measure_verdict import ClinicSpreads, Rows, Verdict, compare, series_of
 
 
-class Summary(Document):
+class Quartiles(Document):
     """The trials of a session in one measure."""
 
     median: float
@@ -21,8 +21,8 @@ class Summary(Document):
 class MeasureOfSessions(Document):
     """One measure in two sessions; a session without a trial that is compared has no summary."""
 
-    earlier: Summary | None
-    later: Summary | None
+    earlier: Quartiles | None
+    later: Quartiles | None
     verdict: Verdict | None  # None: neither way is better, or a session has nothing to compare
 
 
@@ -45,9 +45,9 @@ def compare_sessions(rows: Rows, clinic: ClinicSpreads, earlier: int, later: int
     return found
 
 
-def _summary(name: str, values: Any) -> Summary | None:
+def _summary(name: str, values: Any) -> Quartiles | None:
     """Return the quartiles of values on the measure's scale, in the unit of the measure; None where there are none."""
     if not len(values):
         return None
     low, median, high = (from_scale(name, float(one)) for one in np.percentile(values, (25, 50, 75)))
-    return Summary(median=median, low=low, high=high, trials=len(values))
+    return Quartiles(median=median, low=low, high=high, trials=len(values))

@@ -196,6 +196,39 @@ def review(where: str) -> Open:
     return open_place
 
 
+def written_session(clinic: EyesClinic) -> int:
+    """Return the first session of a patient, in which trials were driven and something of everything is written."""
+    session = int(clinic.good("GET", "/patients/1/sessions")[-1]["id"])
+    where = f"/sessions/{session}"
+    if clinic.good("GET", where)["sign_off"]:
+        clinic.good("POST", f"{where}/unlock", {"reason": "a look at the page"})
+    if not clinic.good("GET", where)["notes"]:
+        clinic.good("PUT", f"{where}/goal", {"goal": "To get from my bed to the kitchen table by myself."})
+        note = clinic.good("POST", f"{where}/notes", {"text": "Calm."})["notes"][0]["id"]
+        clinic.good("PUT", f"{where}/notes/{note}", {"text": "Calm, and tired after the second trial."})
+        clinic.good("POST", f"{where}/scales", {"name": "SCIM III", "total": 41.0, "day": "2026-03-01"})
+        clinic.good("PUT", "/patients/1/consents/recording", {"given": "2026-03-01"})
+    return session
+
+
+def session_record(page: Any, clinic: EyesClinic) -> None:
+    opened(f"session/{written_session(clinic)}")(page, clinic)
+    expect(page.get_by_role("button", name="Sign off")).to_be_visible()
+
+
+def signed_session(page: Any, clinic: EyesClinic) -> None:
+    session = written_session(clinic)
+    clinic.good("POST", f"/sessions/{session}/sign-off")
+    opened(f"session/{session}")(page, clinic)
+    tap(page, "Unlock")
+    expect(page.get_by_label("Why it is unlocked")).to_be_visible()
+
+
+def compared_sessions(page: Any, clinic: EyesClinic) -> None:
+    first, second = [one["id"] for one in clinic.good("GET", "/patients/1/sessions")[::-1][:2]]
+    opened(f"session/compare/{first}/{second}")(page, clinic)
+
+
 def chair_page(page: Any, clinic: EyesClinic) -> None:
     clinic.good("PUT", "/chairs/chosen", {"id": one_chair(clinic), "dynamics": "unicycle"})
     opened("drive/chair")(page, clinic)
@@ -225,6 +258,10 @@ PLACES: dict[str, Open] = {
     "review": review(""),
     "review, trial": review("/trial/{first}"),
     "review, compare": review("/compare/{first}/{second}"),
+    "session": session_record,
+    "session, signed": signed_session,
+    "session, patient": opened("session/patient/1"),
+    "session, compare": compared_sessions,
     "settings": at("settings"),
     "settings, pair": at("settings", "Pair a chair"),
     "settings, paired": paired_chair,
@@ -262,6 +299,7 @@ PLACES: dict[str, Open] = {
 
 def put_back(clinic: EyesClinic) -> None:
     """Undo what a place has left behind, so that the next one starts from the same clinic."""
+    written_session(clinic)  # not signed off
     clinic.clear()
     clinic.client.request("POST", "/patients/2/restore")
     if clinic.good("GET", "/session")["patient"]["id"] != 1:

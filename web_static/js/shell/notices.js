@@ -28,7 +28,7 @@ export function notices(app) {
   };
   app.live.addEventListener("tick", show);
   app.live.addEventListener("connection", show);
-  for (const event of /** @type {const} */ (["route", "me", "trial-view", "disk"])) app.addEventListener(event, show);
+  for (const event of /** @type {const} */ (["route", "me", "session", "practice", "trial-view", "disk"])) app.addEventListener(event, show);
   return element;
 }
 
@@ -56,7 +56,15 @@ function noticeKind(app, faultKey) {
   // While driving, the drive page shows faults over the picture itself.
   if (now.fault && !app.showsTrial) return faultKey(now.fault, now.stops);
   if (now.drive && !app.showsTrial) return "driving";
-  return app.diskWords && !app.showsTrial ? `disk ${app.diskWords}` : "";
+  if (app.diskWords && !app.showsTrial) return `disk ${app.diskWords}`;
+  return needsConsent(app) ? `consent ${app.session?.patient?.id}` : "";
+}
+
+/** Whether the patient who is here has to be asked before a worn shirt may record. @param {App} app */
+function needsConsent({ session, practice, showsTrial, route, me }) {
+  const isOnItsPage = route.page === "session" && route.rest[0] === "patient";
+  const mayEnter = me?.role === "owner" || me?.role === "clinician";
+  return mayEnter && !!session?.patient && !session.consents_to_recording && !practice && !showsTrial && !isOnItsPage;
 }
 
 /** How a screen reader says a fault: a stop at once, anything else after what it is saying. @param {{name: string} | null | undefined} fault */
@@ -89,6 +97,11 @@ function note(app, kind) {
   if (kind === "driving")
     return strip("", h("b", {}, t("note.driving")), "", h("a", { class: "btn go", href: "#/drive/chair" }, t("note.driving.go")));
   if (kind.startsWith("disk")) return strip("", h("b", {}, app.diskWords), "");
+  const patient = app.session?.patient;
+  if (kind.startsWith("consent") && patient) {
+    const enter = h("a", { class: "btn", href: `#/session/patient/${patient.id}` }, t("consent.needed.go"));
+    return strip("", h("b", {}, t("consent.needed", { code: patient.code })), t("consent.needed.why"), enter);
+  }
   const fault = app.live.latest?.fault;
   if (!fault) return null;
   const { happened, next_step: next } = fault;

@@ -7,7 +7,7 @@ const STEPS = /** @type {const} */ (["patients", "shirt", "calibrate", "controls
 const RAIL = /** @type {const} */ ([...STEPS, "settings"]);
 const IN_SETTINGS = ["plans", "people", "log", "computer", "backup"]; // opened from there: the rail marks the settings
 /** @type {string[]} */
-export const PAGES = [...RAIL, "adapt", ...IN_SETTINGS]; // those that have an address of their own
+export const PAGES = [...RAIL, "session", "adapt", ...IN_SETTINGS]; // those that have an address of their own
 
 /** The steps that are done in the open session. @param {import("../main.js").App} app @returns {Set<string>} */
 export function stepsDone(app) {

@@ -166,6 +166,11 @@ function row(app, patient, { open, remove, end, goOn }) {
       " ",
       isHere && h("span", { class: "tag" }, t("patients.here")),
       h("div", { class: "quiet small" }, figures, patient.note && ` · ${patient.note}`),
+      h(
+        "a",
+        { class: "row-link", href: `#/session/patient/${patient.id}`, "aria-label": t("record.link.label", { code: patient.code }) },
+        t("record.link"),
+      ),
     ),
     mayChange(app) ? changes() : h("a", { class: "btn go", href: `#/review/${patient.id}` }, t("rail.review")),
   );

@@ -153,6 +153,7 @@ export async function show(app, root, { signal, rest }) {
         "div",
         { class: "columns filters" },
         patients.length > 1 && who,
+        h("a", { class: "btn", href: `#/session/patient/${patient.id}` }, t("record.link")),
         pathPlace,
         measurePlace,
         groupPlace,

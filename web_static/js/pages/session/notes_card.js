@@ -1,0 +1,89 @@
+/**
+ * The notes of a session: each with who wrote it and when, its earlier texts, and a form for another text.
+ * @import { NoteView, SessionRecordView } from "types/api"
+ */
+import { t } from "../../texts.js";
+import { h, put } from "../../widgets/dom.js";
+import { field } from "../../widgets/fields.js";
+import { moment } from "../../widgets/format.js";
+
+/** @param {import("../../main.js").App} app @param {() => SessionRecordView} now @param {import("./session.js").Writing} writing */
+export function notesCard(app, now, { mayChange, change }) {
+  const list = h("div", { class: "stack notes-of-session" });
+  const { id } = now();
+  const draw = () => {
+    const { notes } = now();
+    put(list, notes.length ? notes.map(row) : h("p", { class: "quiet" }, t("record.notes.none")));
+  };
+  /** @param {NoteView} note */
+  const row = (note) => {
+    const [newest, ...earlier] = note.revisions;
+    const by = t(earlier.length ? "record.note.revised" : "record.note.by", { person: newest.person, moment: moment(newest.written) });
+    const element = h("article", { class: "note-of-session" });
+    const label = t("record.note.revise.label", { person: newest.person, moment: moment(newest.written) });
+    const revise = () => {
+      put(element, noteForm(newest.text, t("record.note.save"), async (text) => {
+        if (await change(() => app.api.put(`/sessions/${id}/notes/${note.id}`, { text }))) draw();
+      }, () => draw()));
+      element.querySelector("textarea")?.focus();
+    };
+    return put(
+      element,
+      h("p", { class: "own-words" }, newest.text),
+      h(
+        "div",
+        { class: "spread" },
+        h("span", { class: "quiet small grow" }, by),
+        mayChange && h("button", { type: "button", class: "btn small", "aria-label": label, onclick: revise }, t("record.note.revise")),
+      ),
+      earlier.length > 0 &&
+        h(
+          "details",
+          {},
+          h("summary", {}, t("record.note.history", { count: earlier.length })),
+          earlier.map(({ text, person, written }) =>
+            h("div", { class: "earlier-text" }, h("p", { class: "own-words" }, text), h("p", { class: "quiet small" }, t("record.note.by", { person, moment: moment(written) }))),
+          ),
+        ),
+    );
+  };
+  const place = h("div", {});
+  const newForm = () =>
+    put(
+      place,
+      noteForm("", t("record.note.add"), async (text) => {
+        if (!(await change(() => app.api.post(`/sessions/${id}/notes`, { text })))) return;
+        draw();
+        newForm();
+        place.querySelector("textarea")?.focus();
+      }),
+    );
+  draw();
+  if (mayChange) newForm();
+  return h("section", { class: "card stack" }, h("h2", {}, t("record.notes")), list, place);
+}
+
+/**
+ * @param {string} text before @param {string} action @param {(text: string) => Promise<void>} send
+ * @param {() => void} [onClose] without it the form stays
+ */
+function noteForm(text, action, send, onClose) {
+  const input = h("textarea", { rows: 3, maxlength: 8000, required: true });
+  input.defaultValue = input.value = text;
+  /** @param {SubmitEvent} event */
+  const submit = async (event) => {
+    event.preventDefault();
+    if (input.value.trim()) await send(input.value.trim());
+  };
+  return h(
+    "form",
+    { class: "stack", onsubmit: submit },
+    field(t(text ? "record.note.text" : "record.note.new"), input),
+    h(
+      "div",
+      { class: "spread" },
+      h("button", { class: "btn" }, action),
+      onClose && h("button", { type: "button", class: "btn", onclick: onClose }, t("cancel")),
+    ),
+  );
+}

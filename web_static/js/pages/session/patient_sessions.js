@@ -1,0 +1,83 @@
+/**
+ * The sessions of a patient, of which two can be compared, and the consents.
+ * @import { SessionRow } from "types/api"
+ */
+import { t } from "../../texts.js";
+import { h, put, set, write } from "../../widgets/dom.js";
+import { moment } from "../../widgets/format.js";
+import { rowList } from "../../widgets/list.js";
+import { consentsCard } from "./consents_card.js";
+import { stateTag } from "./session.js";
+
+/** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal, rest: string[]}} page */
+export async function show(app, root, { signal, rest: [, patient] }) {
+  const id = Number(patient);
+  const [sessions, consents] = await Promise.all([app.api.get(`/patients/${id}/sessions`), app.api.get(`/patients/${id}/consents`)]);
+  if (signal.aborted) return;
+  const choice = sessionChoice();
+  const list = rowList("people");
+  list.show(sessions.map((session) => row(session, choice.box(session))), h("p", { class: "card quiet" }, t("record.sessions.none")));
+  put(
+    root,
+    h(
+      "div",
+      { class: "body session-record" },
+      h("h1", { tabindex: "-1" }, t("record.sessions", { code: consents.code })),
+      h("p", { class: "lead" }, t("record.sessions.lead")),
+      consentsCard(app, consents),
+      list,
+      sessions.length > 1 && choice.element,
+    ),
+    h("div", { class: "foot" }, h("span", { class: "grow" }), h("a", { class: "btn", href: `#/review/${id}` }, t("rail.review"))),
+  );
+}
+
+/** @param {SessionRow} session @param {HTMLElement} box */
+function row(session, box) {
+  const { id, number, started, trials, sign_off: signed } = session;
+  return h(
+    "div",
+    { class: "card person" },
+    box,
+    h(
+      "div",
+      { class: "grow" },
+      h("a", { class: "row-link", href: `#/session/${id}` }, t("verdict.session", { number })),
+      " ",
+      stateTag(session),
+      h("div", { class: "quiet small" }, `${moment(started)} · ${t("patients.trials", { count: trials })}`),
+      signed && h("div", { class: "quiet small" }, t("record.signed", { person: signed.person, moment: moment(signed.at) })),
+    ),
+  );
+}
+
+/** A box for each session, and the link that compares the two that are ticked; a third takes the place of the first. */
+function sessionChoice() {
+  /** @type {{id: number, input: HTMLInputElement}[]} */
+  let chosen = [];
+  const link = h("a", { class: "btn", "aria-disabled": "true" }, t("record.compare"));
+  const words = h("span", { class: "quiet", role: "status" }, t("record.compare.choose", { count: 2 }));
+  const draw = () => {
+    const isReady = chosen.length === 2;
+    set(link, {
+      href: isReady ? `#/session/compare/${chosen.map((one) => one.id).sort((a, b) => a - b).join("/")}` : null,
+      "aria-disabled": isReady ? null : "true",
+    });
+    write(words, isReady ? "" : t("record.compare.choose", { count: 2 - chosen.length }));
+  };
+  /** @param {SessionRow} session */
+  const box = ({ id, number }) => {
+    const input = h("input", { type: "checkbox", "aria-label": t("record.compare.pick", { number }) });
+    input.addEventListener("change", () => {
+      chosen = chosen.filter((one) => one.id !== id);
+      if (input.checked) chosen.push({ id, input });
+      if (chosen.length > 2) {
+        chosen[0].input.checked = false;
+        chosen = chosen.slice(1);
+      }
+      draw();
+    });
+    return h("label", { class: "pick" }, input);
+  };
+  return { element: h("div", { class: "spread compare-choice" }, link, words), box };
+}
