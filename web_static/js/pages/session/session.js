@@ -98,7 +98,7 @@ function isChanged(input) {
 /** How a session stands, as a tag. @param {{ended: string | null, sign_off: unknown}} session */
 export function stateTag({ ended, sign_off: signed }) {
   const state = signed ? "signed" : ended ? "ended" : "open";
-  return h("span", { class: `tag${state === "signed" ? " calm" : ""}` }, t(`record.state.${state}`));
+  return h("span", { class: `tag${state === "signed" ? "" : " calm"}` }, t(`record.state.${state}`));
 }
 
 /** @param {SessionRecordView} record */
