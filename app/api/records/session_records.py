@@ -15,7 +15,7 @@ from app.quantities import Document, Finite, Note, Title
 from app.store.database import Transaction
 from app.store.log import write_log
 from app.store.patients import find_patient
-from app.store.records.session_contents import trials_of_session
+from app.store.records.session_contents import counted_by_session
 from app.store.records.session_record import (
     add_note,
     add_scale,
@@ -25,8 +25,7 @@ from app.store.records.session_record import (
     sessions_of,
     write_goal,
 )
-from app.store.records.sign_off import require_unsigned, sign_off_of
-from app.store.tables import PatientSession
+from app.store.records.sign_off import require_unsigned, sign_offs_of
 
 router = APIRouter(tags=["records"])
 
@@ -57,18 +56,18 @@ def list_sessions(patient_id: RowId, who: Anyone, parts: PeopleParts) -> list[Se
     with parts.database.transaction(closing=True) as db:
         find_patient(db, who.clinic_id, patient_id)
         write_log(db, who.name, "patient viewed", patient=patient_id)
-        return [_row(db, session) for session in sessions_of(db, patient_id)]
-
-
-def _row(db: Transaction, session: PatientSession) -> SessionRow:
-    return SessionRow(
-        id=session.id,
-        number=session.number,
-        started=session.started.isoformat(),
-        ended=None if session.ended is None else session.ended.isoformat(),
-        trials=sum(trial.kept and trial.status == "done" for trial in trials_of_session(db, session.id)),
-        sign_off=sign_off_view(sign_off_of(db, session.id)),
-    )
+        counted, signed = counted_by_session(db, patient_id), sign_offs_of(db, patient_id)
+        return [
+            SessionRow(
+                id=session.id,
+                number=session.number,
+                started=session.started.isoformat(),
+                ended=None if session.ended is None else session.ended.isoformat(),
+                trials=counted.get(session.id, 0),
+                sign_off=sign_off_view(signed.get(session.id)),
+            )
+            for session in sessions_of(db, patient_id)
+        ]
 
 
 @router.get("/sessions/{session_id}")

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from datetime import datetime
 
-from sqlalchemy import select
+from sqlalchemy import func, select
 from sqlalchemy.orm import Session
 
 from app.store.tables import Drive, Parameters, Profile, Trial
@@ -23,6 +23,14 @@ class UsedSet:
 def trials_of_session(db: Session, session_id: int) -> list[Trial]:
     """Return the trials of a session in the order driven, also those that do not count."""
     return list(db.scalars(select(Trial).where(Trial.session_id == session_id).order_by(Trial.id)))
+
+
+def counted_by_session(db: Session, patient_id: int) -> dict[int, int]:
+    """Return how many trials count in each session of a patient, by its id; a session without one is missing."""
+    counts = select(Trial.session_id, func.count(Trial.id)).where(
+        Trial.patient_id == patient_id, Trial.status == "done", Trial.kept.is_(True)
+    )
+    return {session: count for session, count in db.execute(counts.group_by(Trial.session_id))}
 
 
 def drives_of_session(db: Session, session_id: int) -> list[Drive]:

@@ -41,6 +41,13 @@ def sign_off_of(db: Session, session_id: int) -> SignOff | None:
     return None if row is None else SignOff(row.person, row.at)
 
 
+def sign_offs_of(db: Session, patient_id: int) -> dict[int, SignOff]:
+    """Return the sign-offs in force of a patient's sessions, by the id of the session."""
+    query = select(SessionSignOff).join(PatientSession, PatientSession.id == SessionSignOff.session_id)
+    rows = db.scalars(query.where(PatientSession.patient_id == patient_id, SessionSignOff.unlocked.is_(None)))
+    return {row.session_id: SignOff(row.person, row.at) for row in rows}
+
+
 def sign_off_history(db: Session, session_id: int) -> list[SessionSignOff]:
     """Return all sign-offs of a session with their unlocking, the oldest first."""
     query = select(SessionSignOff).where(SessionSignOff.session_id == session_id)
