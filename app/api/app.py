@@ -23,7 +23,7 @@ from app.api.parts import web_parts_of
 from app.api.patient_screen import patient_socket
 from app.api.patient_screen import routes as patient_screen
 from app.api.proxy import BehindProxy
-from app.api.records import consents, session_comparisons, session_records, sign_offs
+from app.api.records import patient_consents, session_comparisons, session_records, sign_offs
 from app.api.refusals import install_refusals
 from app.api.replay import replay_view, trial_replay
 from app.api.routes import (
@@ -104,7 +104,7 @@ ROUTES = (
     session_records,
     sign_offs,
     session_comparisons,
-    consents,
+    patient_consents,
 )
 
 WebApp = FastAPI

@@ -43,7 +43,7 @@ class LostDatabase:
 
 
 def runs_with(control: Any, tmp_path: Any) -> SessionRuns:
-    return SessionRuns(LostDatabase(), control, tmp_path)  # type: ignore[arg-type]
+    return SessionRuns(LostDatabase(), control, tmp_path, lambda: True)  # type: ignore[arg-type]
 
 
 def test_a_run_that_cannot_be_noted_is_not_left_running(tmp_path: Any) -> None:
@@ -68,7 +68,7 @@ def test_a_run_whose_end_nobody_answers_is_open_no_more(database: Database, tmp_
             return await super().call(do, **fields)
 
     async def story() -> None:
-        runs = SessionRuns(database, SilentControl(), tmp_path)  # type: ignore[arg-type]
+        runs = SessionRuns(database, SilentControl(), tmp_path, lambda: True)  # type: ignore[arg-type]
         first = await runs.begin(session.id, "rest", (), {})
         assert await runs.end() == first
         assert runs.open is None
@@ -107,7 +107,7 @@ def test_a_run_is_followed_from_its_beginning_and_no_tick_before_it_is_read(
 
     async def story() -> str | None:
         control: Any = Ticking()
-        run = await SessionRuns(database, control, tmp_path).begin(session.id, "drive", (), {})
+        run = await SessionRuns(database, control, tmp_path, lambda: True).begin(session.id, "drive", (), {})
         return await follow_run(control, run, asyncio.Event(), lambda ticks: "seen" if len(ticks) else None)
 
     assert asyncio.run(story()) == "seen"

@@ -30,7 +30,7 @@ def counted_by_session(db: Session, patient_id: int) -> dict[int, int]:
     counts = select(Trial.session_id, func.count(Trial.id)).where(
         Trial.patient_id == patient_id, Trial.status == "done", Trial.kept.is_(True)
     )
-    return {session: count for session, count in db.execute(counts.group_by(Trial.session_id))}
+    return dict(db.execute(counts.group_by(Trial.session_id)).all())
 
 
 def drives_of_session(db: Session, session_id: int) -> list[Drive]:

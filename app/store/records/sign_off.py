@@ -20,11 +20,11 @@ SIGNED = (
     "Session {number} was signed off by {person} on {at:%Y-%m-%d at %H:%M}, so nothing of it can be changed: "
     "an owner can unlock it."
 )
+# Tables whose rows belong to one session. Parameters are the patient's, and go on after a session.
 OF_A_SESSION = (PatientSession, CalibrationStep, Run, Profile, Trial, Drive, SessionNote, NoteRevision, OutcomeScale)
-"""Tables whose rows belong to one session; the parameters of a map are the patient's, and go on after a session."""
 
+# Columns that are computed from the recording whenever somebody looks, and hold nothing of their own.
 DERIVED: dict[type[Table], set[str]] = {Trial: {"quality"}}
-"""Columns that are computed from the recording whenever somebody looks, and hold nothing of their own."""
 
 
 @dataclass(frozen=True, slots=True)

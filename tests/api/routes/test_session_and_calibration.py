@@ -67,6 +67,7 @@ def test_without_a_patient_there_is_nothing_to_calibrate(signed_in: Any) -> None
         "patient": None,
         "session": None,
         "has_profile": False,
+        "consents_to_recording": False,
         "steps_done": [],
     }
     answer = signed_in("GET", "/calibration")

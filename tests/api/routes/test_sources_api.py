@@ -82,9 +82,14 @@ def test_anybody_may_ask_whether_a_page_is_to_be_marked(clinic_for_real: Clinic)
     assert clinic.good("GET", "/equipment/practice") == {"kind": None}
 
 
+def consent(clinic: Clinic, patient: int) -> None:
+    clinic.good("PUT", f"/patients/{patient}/consents/recording", json={"given": "2026-03-01"})
+
+
 def test_trials_say_their_source_and_worn_and_simulated_ones_are_never_mixed(clinic_for_real: Clinic) -> None:
     clinic = clinic_for_real
     patient = clinic.begin_session()["id"]
+    consent(clinic, patient)
     made: dict[str, list[int]] = {}
     for config in (WORN, SIMULATED, WORN):
         clinic.good("PUT", "/equipment/shirt", json=config)
@@ -120,7 +125,7 @@ def test_trials_say_their_source_and_worn_and_simulated_ones_are_never_mixed(cli
 
 def test_a_simulated_calibration_drives_no_worn_shirt_and_no_calibration_mixes_both(clinic_for_real: Clinic) -> None:
     clinic = clinic_for_real
-    clinic.begin_session()
+    consent(clinic, clinic.begin_session()["id"])
     clinic.good("PUT", "/equipment/shirt", json=SIMULATED)
     clinic.calibrate()
     assert clinic.process.parameters is not None
