@@ -17,9 +17,16 @@ from app.session.equipment.pairing import pair_shirt, shirt_key_file
 
 
 def calibrated_as_worn(database):
-    """Let the maps in a database file count as ones of a worn shirt: a calibration takes minutes."""
+    """Let the maps in a database file count as ones of a worn shirt, whose patients consented to recording.
+
+    A calibration takes minutes.
+    """
     with closing(sqlite3.connect(database, timeout=10)) as connection, connection:
         connection.execute("UPDATE profile SET simulated = 0")
+        connection.execute(
+            "INSERT INTO patient_consent (patient_id, consent, given, person, written) "
+            "SELECT id, 'recording', '2026-03-01', 'Ada', '2026-03-01 10:00:00.000000' FROM patient"
+        )
 
 
 class PairedShirt:
