@@ -46,7 +46,7 @@ def test_a_killed_backup_harms_nothing(tmp_path: Path) -> None:
         process = begin(settings, stick)
         time.sleep(chance.uniform(0.2, 1.0) * duration)
         process.kill()
-        process.wait()
+        process.communicate()
         if first in BackupFolder(stick, None).names():  # otherwise one of the same day has taken its place
             check_backup(stick / first, None)
     out, _ = begin(settings, stick).communicate(timeout=60)
