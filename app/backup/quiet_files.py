@@ -92,7 +92,8 @@ class QuietWriter:
     def __init__(self, target: Path) -> None:
         self._target = target
         self._part = target.with_name(f".{target.name}.part")
-        target.parent.mkdir(mode=OWNER_FOLDER, parents=True, exist_ok=True)
+        for folder in reversed([each for each in target.parents if not each.exists()]):
+            folder.mkdir(mode=OWNER_FOLDER, exist_ok=True)  # `parents=True` would give the outer ones other rights
         descriptor = os.open(self._part, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, OWNER_FILE)
         self._file = os.fdopen(descriptor, "wb", buffering=0)
         self._synced = self._at = 0

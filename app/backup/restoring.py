@@ -13,7 +13,6 @@ from app.backup.quiet_files import Nowhere, QuietReader, QuietWriter, Reader, co
 from app.backup.sealing import Secret
 from app.backup.single_file import read_backup, salt_of_file
 from app.file_modes import OWNER_FOLDER
-from app.file_modes import restrict as keep_private
 from app.refusals import Refusal
 from app.settings import IN_USE, Settings
 from app.store.database import Database
@@ -68,10 +67,8 @@ def restore(backup: Path, settings: Settings, secret: Secret | None, more: froze
     try:
         tombstones = more | read_tombstones(settings.erased) | read_tombstones(beside)
         manifest = _read_into(work.state, backup, secret)
-        keep_private([work.state])
         _check_written(work.state, manifest)
         again = _opened_once(work, tombstones | read_tombstones(work.erased), manifest)
-        settings.erased.unlink(missing_ok=True)
         for place in sorted(work.state.iterdir(), key=lambda place: place == work.database):  # the database last
             place.rename(settings.state / place.name)
     finally:

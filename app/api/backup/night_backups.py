@@ -21,7 +21,7 @@ from app.settings import Settings
 from app.store.database import Database
 from app.store.keeping.erasure import erase_due
 from app.store.keeping.keeping_tables import RecordKeeping
-from app.store.keeping.made_backups import add_backup, last_good_backup, newest_backups
+from app.store.keeping.made_backups import add_backup, last_in_folder
 from app.store.keeping.record_time import record_keeping
 from app.store.people import the_clinic
 
@@ -161,7 +161,6 @@ class NightBackups:
         if kept is None or kept.folder is None:
             return False
         with self._database.transaction() as db:
-            good, tried = last_good_backup(db), newest_backups(db)[:1]
-            last_good = None if good is None or not good.in_folder else good.at.astimezone()
-            last_try = tried[0].at.astimezone() if tried else None
-        return is_due(utc_now().astimezone(), kept.hour, last_good, last_try)
+            good, tried = last_in_folder(db, good=True), last_in_folder(db, good=False)
+        local = [None if moment is None else moment.astimezone() for moment in (good, tried)]
+        return is_due(utc_now().astimezone(), kept.hour, *local)

@@ -178,14 +178,10 @@ def _files_of(db: Session, patient_id: int) -> list[str]:
     rows = rows_of_patient(_raw(db), patient_id)
     runs = select(Run.folder).where(Run.session_id.in_(rows.get("session", ())))
     recordings = [f"runs/{folder}" for folder in db.scalars(runs, execution_options=WITH_DELETED)]
-    uploaded = db.scalars(select(PatientFile).order_by(PatientFile.id), execution_options=WITH_DELETED)
-    newest = {file.name: file.patient_id for file in uploaded}
-    uploads = [name for name, owner in newest.items() if owner == patient_id]
-    return [
-        *recordings,
-        *(f"files/{name}" for name in uploads),
-        *(f"replaced/file/*{BETWEEN}{name}" for name in uploads),
-    ]
+    query = select(PatientFile).where(PatientFile.patient_id == patient_id)
+    uploaded = list(db.scalars(query, execution_options=WITH_DELETED))
+    uploads = [f"files/{file.name}" for file in uploaded if file.current]
+    return [*recordings, *uploads, *(f"replaced/file/*{BETWEEN}{file.name}" for file in uploaded)]
 
 
 def _remove(place: Path) -> None:

@@ -45,6 +45,7 @@ class PatientFile(Table):
     id: Mapped[int] = mapped_column(primary_key=True)
     patient_id: Mapped[int] = mapped_column(ForeignKey("patient.id"), index=True)
     name: Mapped[str] = mapped_column(String(80))
+    current: Mapped[bool]  # no later upload has replaced it; otherwise it is on the shelf for 30 days
 
 
 class Incident(Table):

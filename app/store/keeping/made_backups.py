@@ -56,6 +56,12 @@ def newest_backups(db: Session) -> list[MadeBackup]:
     return list(db.scalars(select(MadeBackup).order_by(MadeBackup.id.desc()).limit(SHOWN)))
 
 
+def last_in_folder(db: Session, *, good: bool) -> datetime | None:
+    """Return when the last backup of the folder was made, or only tried; None when there was none."""
+    query = select(MadeBackup.at).where(MadeBackup.in_folder).order_by(MadeBackup.id.desc()).limit(1)
+    return db.scalar(query.where(MadeBackup.good) if good else query)
+
+
 def last_good_backup(db: Session) -> MadeBackup | None:
     """Return the last good backup, None when there was none."""
     return db.scalar(select(MadeBackup).where(MadeBackup.good).order_by(MadeBackup.id.desc()).limit(1))

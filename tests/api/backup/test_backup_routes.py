@@ -144,15 +144,18 @@ def test_an_owner_lifts_the_mark_of_an_incident_with_a_reason(signed_in: Clinic)
 def test_an_upload_goes_with_the_patient_who_was_here(signed_in: Clinic, settings: Settings) -> None:
     def upload(name: str) -> None:
         content = b"t,a\n" + b"".join(b"%.2f,1\n" % (i / 100) for i in range(20))
-        signed_in.good("POST", "/equipment/files", files={"file": (name, content)})
+        signed_in.good("POST", "/equipment/files", files={"file": (name, content)}, params={"same_name": "replace"})
 
     upload("nobodys.csv")
     patient = signed_in.begin_session()["id"]
     upload("theirs.csv")
+    upload("given.csv")
     signed_in.good("DELETE", "/session")
+    upload("given.csv")  # now it is nobody's, and what it was before lies on the shelf
     signed_in.good("DELETE", f"/patients/{patient}")
     signed_in.good("POST", f"/deleted-patients/{patient}/erasure")
-    assert [file.name for file in settings.files.iterdir()] == ["nobodys.csv"]
+    assert sorted(file.name for file in settings.files.iterdir()) == ["given.csv", "nobodys.csv"]
+    assert list(settings.replaced.rglob("*given.csv")) == []
 
 
 NIGHT = datetime(2026, 1, 10, 2, 30, tzinfo=UTC)

@@ -74,7 +74,7 @@ def test_an_owner_backs_up_and_looks_after_deleted_patients(page, served, tmp_pa
     expect(page.get_by_text("The last good backup is of")).to_be_visible()
     assert len(list(stick.glob("bodydrive-*.backup"))) == 1
     expect(page.get_by_text("erased in 30 days")).to_be_visible()
-    page.get_by_role("button", name="Erase B-12 for good").click()
+    page.get_by_role("button", name="Erase now: B-12").click()
     expect(page.get_by_role("button", name="Cancel")).to_be_focused()
     photograph(page, "made")
     page.get_by_role("button", name="Cancel").click()

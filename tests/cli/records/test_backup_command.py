@@ -18,6 +18,7 @@ from app.store.tables import LogEntry
 @pytest.fixture(autouse=True)
 def _quick(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(quiet_files, "take_lowest_priority", lambda: None)  # this process goes on with other tests
+    monkeypatch.setattr(quiet_files, "WORKING", 1.0)
     monkeypatch.setattr(sealing, "COST", {"n": 2, "r": 1, "p": 1})
 
 

@@ -41,6 +41,7 @@ def upgrade() -> None:
         sa.Column("id", sa.Integer(), nullable=False),
         sa.Column("patient_id", sa.Integer(), nullable=False),
         sa.Column("name", sa.String(80), nullable=False),
+        sa.Column("current", sa.Boolean(), nullable=False),
         sa.ForeignKeyConstraint(["patient_id"], ["patient.id"], name="fk_patient_file_patient_id"),
         sa.PrimaryKeyConstraint("id", name="pk_patient_file"),
     )

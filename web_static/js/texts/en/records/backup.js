@@ -44,7 +44,7 @@ export default {
   "deleted.undo.label": "Undo the deletion of {code}",
   "deleted.undone": "{code} is back.",
   "deleted.erase": "Erase now",
-  "deleted.erase.label": "Erase {code} for good",
+  "deleted.erase.label": "Erase now: {code}",
   "deleted.erase.title": "Erase {code} for good?",
   "deleted.erase.lead": "Sessions, calibrations, trials and recordings go at once. This cannot be undone.",
   "deleted.erase.go": "Erase for good",
