@@ -8,7 +8,7 @@ INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check --co
 # A module is compiled once, and not by each of the many processes that the tests start.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: demo test browser check lint python-types javascript-types api-types demo-profile icons safety compiled drills soak long-recording people-soak large-clinic pictures promises worlds bench verdicts bench-compare clean
+.PHONY: demo test browser check lint python-types javascript-types api-types demo-profile icons fonts safety compiled drills soak long-recording people-soak large-clinic pictures promises worlds bench verdicts bench-compare clean
 
 $(VENV)/.installed: pyproject.toml constraints.txt
 	@echo "Installing into $(VENV), once; this takes a minute or two ..."
@@ -64,6 +64,10 @@ demo-profile: $(VENV)/.installed-test
 
 icons: $(VENV)/.installed-test
 	PYTHONPATH=.:tests $(BIN)/python tests/web_static/home_screen_icons.py
+
+# The fonts of reports, of the unpacked packages fonts-noto-core and fonts-noto-cjk in the folder FROM.
+fonts: $(VENV)/.installed-test
+	PYTHONPATH=.:tests $(BIN)/python tests/reports/report_fonts.py $(or $(FROM),$(error name a folder, as in: make fonts FROM=unpacked))
 
 safety: $(VENV)/.installed-test
 	@$(INSTALL) --editable '.[safety]'

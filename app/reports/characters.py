@@ -1,0 +1,58 @@
+"""Which characters of a report its fonts have; the others, and invisible ones, are written as their number.
+
+`data/fonts/coverage.json` lists the characters of the fonts beside it as ranges.
+"""
+
+import json
+import unicodedata
+from bisect import bisect_right
+from collections.abc import Iterable
+from typing import Final
+
+from app.settings import data_folder
+from app.visible_text import INVISIBLE, LINE_BREAKS
+
+COVERAGE: Final = "coverage.json"
+MOST_NAMED: Final = 12  # characters that are named
+
+
+class Coverage:
+    """The characters that the fonts have."""
+
+    def __init__(self) -> None:
+        ranges = json.loads((data_folder() / "fonts" / COVERAGE).read_text())
+        self._first = [first for first, _ in ranges]
+        self._last = [last for _, last in ranges]
+
+    def __contains__(self, character: str) -> bool:
+        place = bisect_right(self._first, ord(character)) - 1
+        return place >= 0 and ord(character) <= self._last[place]
+
+
+def without_invisible(text: str) -> str:
+    """Return a text with each invisible character as its number: it could turn the order of what stands beside it."""
+    text = text.replace("\r\n", "\n").replace("\r", "\n")
+    return "".join(_number(one) if _is_invisible(one) else one for one in text)
+
+
+def printable(text: str, coverage: Coverage) -> str:
+    """Return a visible text with each character that no font has as its number."""
+    return "".join(one if one in LINE_BREAKS or one in coverage else _number(one) for one in text)
+
+
+def missing_words(texts: Iterable[str], coverage: Coverage) -> str:
+    """Return in a sentence which characters of the texts no font has; "" when there are none."""
+    found = dict.fromkeys(one for text in texts for one in text if one not in LINE_BREAKS and one not in coverage)
+    if not found:
+        return ""
+    named = [f"{_number(one)} ({unicodedata.name(one, 'without a name').lower()})" for one in list(found)[:MOST_NAMED]]
+    more = f" and {len(found) - MOST_NAMED} more" if len(found) > MOST_NAMED else ""
+    return f"No font here has these characters, so their numbers stand in their place: {', '.join(named)}{more}."
+
+
+def _is_invisible(character: str) -> bool:
+    return unicodedata.category(character) in INVISIBLE | {"Co", "Cn"} and character not in LINE_BREAKS
+
+
+def _number(character: str) -> str:
+    return f"[U+{ord(character):04X}]"
