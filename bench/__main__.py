@@ -43,6 +43,7 @@ PARTS = {
     "page": Part("bench.web.page", "measure_page", "from the address to a page that can be used, in Chromium"),
     "viewers": Part("bench.web.viewers", "measure_viewers", "the 3D view for one, four and eight"),
     "tls": Part("bench.web.tls", "measure_tls", "what https costs viewers, and a first connection"),
+    "report": Part("bench.report", "measure_reports", "a report of a session and of a course, as a file"),
     "trajectory": Part("bench.web.long_trajectory", "measure_trajectory", "a long trajectory against a short one"),
 }
 

@@ -31,6 +31,7 @@ MAY_IMPORT = {
     "pipeline": (LEAVES, "process", "recording", "signals", "hardware", "world", "calibration"),
     "scoring": (LEAVES, "recording", "signals", "world", "calibration", *PURE_CHAIN),
     "store": (LEAVES, "world", "calibration", "scoring"),
+    "reports": (LEAVES, "recording", "signals", "world", "calibration", "scoring", "store"),
     "session": (
         *(LEAVES, "process", "recording", "signals", "world", "calibration", *PURE_CHAIN, "scoring", "store"),
         *("hardware.chair.key", "hardware.chair.reasons", "hardware.shirt.newest_frame", "hardware.registry"),
@@ -45,20 +46,12 @@ MAY_IMPORT = {
     "scene": (LEAVES, "world"),
     "api": (
         *(LEAVES, "process", "signals.csv_dialect", "signals.parquet_names", "world", "calibration", "scoring"),
-        *(
-            "store",
-            "session",
-            "host",
-            "backup",
-            "scene",
-            "hardware.configs",
-            "hardware.addresses",
-            "hardware.chair.key",
-        ),
+        *("recording.recorded_trajectory", "store", "reports", "session", "host", "backup", "scene"),
+        *("hardware.configs", "hardware.addresses", "hardware.chair.key"),
     ),
     "cli": (
         *(LEAVES, "process", "recording", "signals", "world", "hardware", "calibration", "pipeline", "scoring"),
-        *("store", "session", "study", "figures", "host", "backup", "scene", "api"),
+        *("store", "reports", "session", "study", "figures", "host", "backup", "scene", "api"),
     ),
 }
 FITTING = ("calibration.fit", "calibration.guided", "calibration.gestures", "calibration.adaptation")
@@ -85,6 +78,7 @@ HOME = {
     "msgspec": {"scene"},
     "cryptography": {"host", "backup"},
     "psutil": {"host"},
+    "typst": {"reports"},
 }
 
 

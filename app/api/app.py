@@ -26,6 +26,7 @@ from app.api.proxy import BehindProxy
 from app.api.records import patient_consents, session_comparisons, session_records, sign_offs
 from app.api.refusals import install_refusals
 from app.api.replay import replay_view, trial_replay
+from app.api.reports import report_file
 from app.api.routes import (
     adaptation,
     calibration,
@@ -93,6 +94,7 @@ ROUTES = (
     drives,
     review,
     control_quality,
+    report_file,
     log,
     stop,
     live_socket,

@@ -22,6 +22,7 @@ from app.store.files.replacements import ReplacedFiles
 RowId = Annotated[int, Path(ge=1, le=2**31)]
 
 DRIVERS = frozenset({"owner", "clinician"})
+EXPORTERS = frozenset({"owner", "clinician"})  # may take reports and exports out of the clinic
 LOCKED = "This page is locked: give the password, or let somebody else sign in."
 NOBODY = "You are not signed in, or no longer: sign in again."
 
@@ -80,6 +81,13 @@ async def clinician(who: Annotated[SignedInPerson, Depends(anyone_signed_in)]) -
     return who
 
 
+async def exporter(who: Annotated[SignedInPerson, Depends(anyone_signed_in)]) -> SignedInPerson:
+    """Return the person who is signed in; 403 without the right to take reports and exports out of the clinic."""
+    if who.role not in EXPORTERS:
+        raise HTTPException(403, "You may look at records, not take them out of the clinic: ask a clinician for it.")
+    return who
+
+
 async def owner(who: Annotated[SignedInPerson, Depends(anyone_signed_in)]) -> SignedInPerson:
     """Return the person who is signed in; 403 for those who are no owner of the clinic."""
     if who.role != "owner":
@@ -94,4 +102,5 @@ async def everyone() -> None:
 ForEveryone = Depends(everyone)
 Anyone = Annotated[SignedInPerson, Depends(anyone_signed_in)]
 Clinician = Annotated[SignedInPerson, Depends(clinician)]
+Exporter = Annotated[SignedInPerson, Depends(exporter)]
 Owner = Annotated[SignedInPerson, Depends(owner)]

@@ -23,6 +23,7 @@ COMMANDS = {
     "shirt": ("app.cli.shirt", "shirt_app"),
     "chair": ("app.cli.chair", "chair_app"),
     "people": ("app.cli.people", "people_app"),
+    "report": ("app.cli.records.report_command", "report"),
     "log": ("app.cli.log", "log_app"),
     "backup": ("app.cli.records.backup_command", "backup"),
     "restore": ("app.cli.records.backup_command", "restore"),

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.faults import State
-from app.session.recordings import read_trajectory
+from app.recording.recorded_trajectory import read_trajectory
 from app.session.run_flow import ArmedRun, FlowWords, RunFlow
 from app.session.run_watch import Halt, Starter
 from app.session.runs import SessionRun

@@ -1,7 +1,7 @@
 """Read from recordings what calibration and scoring need. Figures never come from the live picture."""
 
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,18 +15,11 @@ from app.calibration.vocabulary import recorded_parameters
 from app.faults import State
 from app.layout import ShirtLayout
 from app.recording.reader import Columns, read_run
+from app.recording.recorded_trajectory import since_armed
 from app.scoring.control_quality import ControlQuality, control_quality
 from app.scoring.task_measures import task_measures
 from app.session.step_check import check_frames
 from app.world.floorplan import FloorPlan, PrescribedPath
-
-
-class RecordedTrajectory(NamedTuple):
-    """Where the chair was in a trial, from the moment when motion was first permitted."""
-
-    t: NDArray[np.float64]  # (n,) s
-    x: NDArray[np.float64]  # (n,) m
-    y: NDArray[np.float64]
 
 
 def check_recording(folder: Path, duration: float) -> str | None:
@@ -75,7 +68,7 @@ def _during(frames: Columns, step: Step, kind: str) -> NDArray[Any]:
 
 def measure_recording(folder: Path, plan: FloorPlan, path: PrescribedPath) -> dict[str, Any]:
     """Return all measures of a trial, from when motion was first permitted; ValueError when it never was."""
-    rows = _since_armed(read_run(folder).columns)
+    rows = since_armed(read_run(folder).columns)
     # The speed that the chair reported; older recordings hold only the commanded one.
     v = np.where(np.isfinite(rows["driven_v"]), rows["driven_v"], rows["v"])
     return task_measures(plan, path, {**rows, "t": rows["t"] - rows["t"][0], "v": v})
@@ -87,7 +80,7 @@ def quality_of_recording(folder: Path) -> ControlQuality:
     if not run.meta.get("parameters"):
         raise ValueError("The recording does not say with what parameters it was driven: it cannot be judged.")
     rows = run.frames()
-    line = _since_armed(run.columns)
+    line = since_armed(run.columns)
     return control_quality(
         recorded_parameters(run.meta["parameters"]),
         float(run.meta["sample_rate"]),
@@ -96,16 +89,3 @@ def quality_of_recording(folder: Path) -> ControlQuality:
         rows["activation"],
         float(np.hypot(np.diff(line["x"]), np.diff(line["y"])).sum()),
     )
-
-
-def read_trajectory(folder: Path) -> RecordedTrajectory:
-    """Return where the chair was in a trial, from when motion was first permitted."""
-    rows = _since_armed(read_run(folder, scalars_only=True).columns)
-    return RecordedTrajectory(rows["t"] - rows["t"][0], rows["x"], rows["y"])
-
-
-def _since_armed(columns: Columns) -> Columns:
-    armed = np.flatnonzero(columns["state"] == State.ARMED)
-    if len(armed) == 0:
-        raise ValueError("The chair was never permitted to move in this trial: there is nothing to measure.")
-    return {name: column[armed[0] :] for name, column in columns.items()}

@@ -18,15 +18,14 @@ from app.api.replay.trajectories import Trajectory, shown_trajectories
 from app.calibration.profile import CalibrationProfile
 from app.calibration.script import Step
 from app.layout import ShirtLayout
+from app.recording.recorded_trajectory import RecordedTrajectory, read_trajectory
 from app.scoring.control_quality import ControlQuality
 from app.session.adaptation_reading import adapt_from_recordings
 from app.session.recordings import (
-    RecordedTrajectory,
     check_recording,
     fit_recordings,
     measure_recording,
     quality_of_recording,
-    read_trajectory,
 )
 from app.settings import Settings
 

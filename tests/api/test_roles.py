@@ -11,12 +11,12 @@ from fastapi.routing import APIRoute, APIWebSocketRoute, RouteContext, iter_rout
 from pairing import code_of, pair
 from starlette.websockets import WebSocketDisconnect
 
-from app.api.deps import anyone_signed_in, clinician, everyone, owner, viewer
+from app.api.deps import anyone_signed_in, clinician, everyone, exporter, owner, viewer
 from app.api.sign_in.identity import SCREEN_COOKIE
 from app.api.who_asks import who_asks
 from app.store.people import add_person, find_person, sign_in, the_clinic
 
-RIGHTS = {everyone: 0, anyone_signed_in: 1, viewer: 1, clinician: 2, owner: 3}
+RIGHTS = {everyone: 0, anyone_signed_in: 1, viewer: 1, clinician: 2, exporter: 2, owner: 3}
 ROLES = {
     "nobody": 0,
     "patient's screen": 0,

@@ -13,8 +13,9 @@ from app.faults import State
 from app.layout import Channel, Joint, ShirtLayout
 from app.messages import Tick
 from app.process.ring import TickRing
+from app.recording.recorded_trajectory import read_trajectory
 from app.recording.writer import RunWriter
-from app.session.recordings import check_recording, fit_recordings, measure_recording, read_trajectory
+from app.session.recordings import check_recording, fit_recordings, measure_recording
 from app.world.floorplan import FloorPlan, PrescribedPath
 
 RATE = 100.0

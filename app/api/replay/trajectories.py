@@ -5,12 +5,10 @@ from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from app.computing_process import ComputingProcess
-from app.session.recordings import read_trajectory
+from app.recording.recorded_trajectory import read_trajectory, thinned
 
-APART = 0.05  # m between two points that are shown
 KEPT = 200  # trajectories in memory: the recording of an ended trial never changes
 
 
@@ -59,12 +57,3 @@ def shown_trajectories(folders: Sequence[Path]) -> list[Trajectory | None]:
         kept = thinned(rows.x, rows.y)
         found.append(Trajectory(*(np.round(column[kept], 3).tolist() for column in rows)))
     return found
-
-
-def thinned(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.intp]:
-    """Return which points (n,) to show: the first, the last, and about one every 5 cm of the way."""
-    if len(x) == 0:
-        return np.empty(0, dtype=np.intp)
-    along = np.concatenate(([0.0], np.cumsum(np.hypot(np.diff(x), np.diff(y)))))
-    kept = np.flatnonzero(np.concatenate(([True], np.diff(np.floor(along / APART)) > 0)))
-    return kept if kept[-1] == len(x) - 1 else np.append(kept, len(x) - 1)

@@ -10,6 +10,7 @@ import { day } from "../../widgets/format.js";
 import { icon } from "../../widgets/icons.js";
 import { rowList } from "../../widgets/list.js";
 import { newPatientForm } from "./patient_form.js";
+import { mayExport, reportChoice } from "../../results/report_choice.js";
 import { t } from "../../texts.js";
 
 const CONFLICT = 409;
@@ -110,6 +111,16 @@ export async function show(app, root, { signal }) {
 /** A reviewer looks, and changes nothing. @param {App} app */
 const mayChange = (app) => app.me?.role !== "reviewer";
 
+/** The patient's report, made when it is opened: a list has many patients. @param {App} app @param {PatientView} patient */
+function report(app, patient) {
+  if (!mayExport(app) || !patient.sessions) return null;
+  const place = h("div", {});
+  const summary = h("summary", {}, t("report.title"));
+  const details = h("details", { class: "report" }, summary, place);
+  details.addEventListener("toggle", () => place.childElementCount || put(place, reportChoice(app, patient)));
+  return details;
+}
+
 /**
  * @param {App} app @param {PatientView} patient
  * @param {{open: (patient: PatientView, button: HTMLButtonElement) => void, remove: (patient: PatientView) => void,
@@ -171,6 +182,7 @@ function row(app, patient, { open, remove, end, goOn }) {
         { class: "row-link", href: `#/session/patient/${patient.id}`, "aria-label": t("record.link.label", { code: patient.code }) },
         t("record.link"),
       ),
+      report(app, patient),
     ),
     mayChange(app) ? changes() : h("a", { class: "btn go", href: `#/review/${patient.id}` }, t("rail.review")),
   );

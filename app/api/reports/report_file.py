@@ -1,0 +1,38 @@
+"""The report of a session, or of a patient's course of sessions, as a file."""
+
+from typing import Annotated
+
+from fastapi import APIRouter, Query, Response
+
+from app.api.deps import Exporter, PeopleParts, RowId
+from app.api.parts import Web
+from app.reports.document import Form
+from app.reports.making import Subject, exported_material
+from app.reports.rendering import MEDIA_TYPES, file_name, report_file
+from app.scoring.verdict.spread import Spread
+from app.session.clinic_spread import Task
+from app.source import SourceGroup
+
+router = APIRouter(tags=["reports"])
+
+
+@router.get("/patients/{patient_id}/report", response_class=Response)
+def report(
+    patient_id: RowId,
+    who: Exporter,
+    parts: PeopleParts,
+    web: Web,
+    form: Form = "pdf",
+    session: Annotated[int | None, Query(ge=1, le=2**31)] = None,
+    letter: bool = False,
+) -> Response:
+    """Return the report of the session with this number, without one of all sessions, on A4 or Letter paper."""
+
+    def spreads_of(floorplan: str, path: str, group: SourceGroup) -> dict[str, Spread]:
+        return web.spread.of_others(Task(who.clinic_id, floorplan, path, group), patient_id)
+
+    subject = Subject(who.clinic_id, patient_id, session)
+    material = exported_material(parts.database, parts.settings, subject, form, who.name, spreads_of)
+    content = web.computing.ask(report_file, material, form, "us-letter" if letter else "a4")
+    disposition = f'attachment; filename="{file_name(material, form)}"'
+    return Response(content, media_type=MEDIA_TYPES[form], headers={"Content-Disposition": disposition})

@@ -1,0 +1,77 @@
+"""`bodydrive report`: the report of a session, or of a patient's course of sessions, as PDF or HTML."""
+
+from contextlib import closing
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from app.cli.clinic_folder import open_clinic
+from app.cli.errors import InputError
+from app.cli.output import check_new_folder, write_output
+from app.refusals import Refusal
+from app.settings import Settings, state_folder
+from app.source import SourceGroup
+
+if TYPE_CHECKING:
+    from app.reports.document import Form
+    from app.scoring.verdict.spread import Spread
+    from app.store.database import Database
+
+COMMAND = "command line"  # who did it, in the log
+
+
+def report(
+    patient: Annotated[str, typer.Argument(metavar="PATIENT", help="The code of the patient.")],
+    out: Annotated[Path, typer.Option(metavar="FILE", help="The file to write: its suffix is .pdf or .html.")],
+    session: Annotated[
+        int | None, typer.Option(metavar="N", help="The number of one session; without: the course of all sessions.")
+    ] = None,
+    letter: Annotated[bool, typer.Option("--letter", help="Letter paper instead of A4.")] = False,
+    state: Annotated[Path | None, typer.Option(help="The folder of the clinic's database and recordings.")] = None,
+) -> None:
+    """Write the report of a patient's session, or of all sessions; the clinic may be open meanwhile."""
+    from app.computing_process import ComputingProcess
+    from app.reports.making import Subject, exported_material
+    from app.reports.rendering import report_file
+    from app.session.clinic_spread import ClinicSpread, Task
+
+    form = _form_of(out)
+    check_new_folder(out.parent)
+    settings = Settings(state=(state or state_folder()).expanduser().resolve())
+    with open_clinic(settings) as (database, _), closing(ComputingProcess()) as computing:
+        clinic_id, patient_id = _patient_named(database, patient)
+        subject = Subject(clinic_id, patient_id, session)
+        spread = ClinicSpread(database, computing)
+
+        def spreads_of(floorplan: str, path: str, group: SourceGroup) -> "dict[str, Spread]":
+            return spread.of_others(Task(clinic_id, floorplan, path, group), patient_id)
+
+        try:
+            material = exported_material(database, settings, subject, form, COMMAND, spreads_of)
+        except Refusal as refusal:
+            raise InputError(str(refusal)) from refusal
+    write_output(out, report_file(material, form, "us-letter" if letter else "a4"))
+    typer.echo(f"{out} is written.")
+
+
+def _form_of(out: Path) -> "Form":
+    suffix = out.suffix.lower()
+    if suffix == ".pdf":
+        return "pdf"
+    if suffix == ".html":
+        return "html"
+    raise InputError(f"--out {out} ends neither with .pdf nor with .html: give one of these.")
+
+
+def _patient_named(database: "Database", code: str) -> tuple[int, int]:
+    """Return the clinic and the id of the patient with this code."""
+    from app.store.patients import all_patients
+    from app.store.people import the_clinic
+
+    with database.transaction() as db:
+        clinic = the_clinic(db)
+        found = [] if clinic is None else [one for one in all_patients(db, clinic.id) if one.code == code]
+        if not found:
+            raise InputError(f"There is no patient with the code '{code}': see the list of patients.")
+        return found[0].clinic_id, found[0].id

@@ -1,0 +1,204 @@
+"""What the store has for a report: plain values that can be sent to the process that renders it."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from datetime import datetime
+from pathlib import Path
+from typing import Any
+
+from app.clock import utc_now
+from app.refusals import NotFound
+from app.scoring.verdict.spread import Spread
+from app.source import SourceGroup, source_words
+from app.store.database import Database, Transaction
+from app.store.learning_trials import CountedTrial, counted_trials
+from app.store.log_chain import Head
+from app.store.patients import find_patient
+from app.store.records.session_record import SessionRecord, session_record, sessions_of
+from app.store.runs import trials_of
+from app.store.tables import Clinic, Parameters, Patient, PatientSession, Profile, Trial
+
+MOST_TASKS = 12  # in one report, those with the most trials
+
+NO_SESSION = "This patient has no session yet: open one first, then make the report."
+NOT_THIS_SESSION = "This patient has no session {number}: choose one that was opened."
+
+Rows = list[dict[str, Any]]
+SpreadsOf = Callable[[str, str, SourceGroup], dict[str, Spread]]
+"""Returns the median spreads of the clinic's other patients, by floor plan, path and source."""
+
+
+@dataclass(frozen=True, slots=True)
+class SessionMaterial:
+    """One session with its record; its trials are those of any task."""
+
+    id: int
+    number: int
+    started: datetime
+    ended: datetime | None
+    opened_by: str | None
+    record: SessionRecord
+    counted: int  # trials
+    left_out: tuple[tuple[str, int, str], ...]  # floor plan's title, number of the trial, reason
+
+
+@dataclass(frozen=True, slots=True)
+class TaskMaterial:
+    """The counted trials of one task and source, up to the end of what is reported."""
+
+    floorplan: str
+    path_name: str
+    title: str
+    path: tuple[tuple[float, float], ...]
+    group: SourceGroup
+    source: str
+    rows: Rows  # as `CountedTrial.row` returns them
+    folders: tuple[Path, ...]  # of the recordings, one for each row
+    clinic: dict[str, Spread]  # the median spreads of other people
+
+
+@dataclass(frozen=True, slots=True)
+class ParameterMaterial:
+    """The newest parameter set that a reported trial was driven with, and how many others there were."""
+
+    title: str
+    hash: str
+    settings: dict[str, Any]
+    profile: dict[str, Any]
+    version: int
+    origin: str
+    parent: int | None
+    others: int  # sets
+    simulated: bool | None
+
+
+@dataclass(frozen=True, slots=True)
+class ReportMaterial:
+    """Everything of the store that a report is made from."""
+
+    patient_id: int
+    code: str
+    clinic: str
+    made: datetime
+    session: int | None  # number of the session; None: the course of all sessions
+    sessions: tuple[SessionMaterial, ...]  # that are reported, the oldest first
+    tasks: tuple[TaskMaterial, ...]
+    parameters: ParameterMaterial | None  # None: no trial was driven
+    head: Head | None = None  # of the log, when the report was written into it
+
+    @property
+    def session_id(self) -> int | None:
+        """Return the row of the session; None for a course."""
+        return None if self.session is None else self.sessions[0].id
+
+
+def report_material(
+    database: Database, clinic_id: int, patient_id: int, session: int | None, runs: Path, spreads_of: SpreadsOf
+) -> ReportMaterial:
+    """Return what a report of one session, or of a patient's whole course (None), is made from.
+
+    `session` is its number: 1, 2, 3 ... per patient; `runs` is the folder of all recordings; `spreads_of` returns the
+    clinic's median spreads in a task.
+
+    Raises
+    ------
+    NotFound
+        When the clinic has no such patient, or the patient no such session.
+    """
+    with database.transaction() as db:
+        own = _own_material(db, find_patient(db, clinic_id, patient_id), session, runs)
+    tasks = [replace(task, clinic=spreads_of(task.floorplan, task.path_name, task.group)) for task in own.tasks]
+    return replace(own, tasks=tuple(tasks))
+
+
+def _own_material(db: Transaction, patient: Patient, session: int | None, runs: Path) -> ReportMaterial:
+    every = [one for one in reversed(sessions_of(db, patient.id)) if session is None or one.number <= session]
+    reported = [one for one in every if session is None or one.number == session]
+    if not reported:
+        raise NotFound(NO_SESSION if session is None else NOT_THIS_SESSION.format(number=session))
+    ids = {one.id for one in reported}
+    trials = [trial for trial in trials_of(db, patient.clinic_id, patient.id) if trial.session_id in ids]
+    last = every[-1].number
+    return ReportMaterial(
+        patient_id=patient.id,
+        code=patient.code,
+        clinic=db.get_one(Clinic, patient.clinic_id).name,
+        made=utc_now(),
+        session=session,
+        sessions=tuple(_session(db, one, trials) for one in reported),
+        tasks=tuple(_tasks(db, patient, trials, last, runs)),
+        parameters=_parameters(db, trials),
+    )
+
+
+def _session(db: Transaction, row: PatientSession, trials: list[Trial]) -> SessionMaterial:
+    own = [trial for trial in trials if trial.session_id == row.id and trial.status == "done"]
+    left_out = [
+        (trial.floorplan_title, trial.number, trial.discard_reason or "it could not be measured")
+        for trial in own
+        if not _counts(trial)
+    ]
+    return SessionMaterial(
+        id=row.id,
+        number=row.number,
+        started=row.started,
+        ended=row.ended,
+        opened_by=row.opened_by,
+        record=session_record(db, row.id),
+        counted=len(own) - len(left_out),
+        left_out=tuple(left_out),
+    )
+
+
+def _counts(trial: Trial) -> bool:
+    return trial.kept and trial.measures is not None
+
+
+def _tasks(db: Transaction, patient: Patient, trials: list[Trial], last: int, runs: Path) -> list[TaskMaterial]:
+    """Return the tasks and sources that were driven in what is reported, those with the most trials first."""
+    driven: dict[tuple[str, str, SourceGroup], int] = {}
+    for trial in trials:
+        if trial.status == "done" and _counts(trial):
+            key = trial.floorplan, trial.path, trial.run.source.group
+            driven[key] = driven.get(key, 0) + 1
+    most = sorted(driven, key=lambda key: -driven[key])[:MOST_TASKS]
+    return [_task(db, patient, key, last, runs) for key in most]
+
+
+def _task(db: Transaction, patient: Patient, key: tuple[str, str, SourceGroup], last: int, runs: Path) -> TaskMaterial:
+    floorplan, path, group = key
+    counted: list[CountedTrial] = [
+        one
+        for one in counted_trials(db, patient.clinic_id, patient.id, floorplan, path)
+        if one.group == group and one.session <= last
+    ]
+    newest = counted[-1].trial
+    return TaskMaterial(
+        floorplan=floorplan,
+        path_name=path,
+        title=f"{newest.floorplan_title}, path “{path}”",
+        path=tuple((x, y) for x, y in newest.path_points),
+        group=group,
+        source=source_words(newest.run.source),
+        rows=[one.row() for one in counted],
+        folders=tuple(runs / one.trial.run.folder for one in counted),
+        clinic={},
+    )
+
+
+def _parameters(db: Transaction, trials: list[Trial]) -> ParameterMaterial | None:
+    if not trials:
+        return None
+    row = db.get_one(Parameters, trials[-1].parameters_id)
+    profile = db.get_one(Profile, row.profile_id)
+    return ParameterMaterial(
+        title=row.title,
+        hash=row.hash,
+        settings=row.settings,
+        profile=profile.document,
+        version=profile.version,
+        origin=profile.origin,
+        parent=profile.parent,
+        others=len({trial.parameters_id for trial in trials}) - 1,
+        simulated=profile.simulated,
+    )

@@ -1,0 +1,57 @@
+"""`bodydrive report`: the suffix decides about the form; bad input is a sentence, and nothing is written."""
+
+import pytest
+from reports.reported_clinic import CODE, store_reported_course
+from reports.words_of import html_page, pdf_pages
+
+from app.store.database import Database
+from app.store.tables import LogEntry
+
+
+@pytest.fixture
+def clinic(tmp_path):
+    """Return the folder of a clinic with a course of two sessions."""
+    folder = tmp_path / "clinic"
+    database = Database(folder / "bodydrive.sqlite")
+    store_reported_course(database, folder / "runs", 2, recordings=False)
+    database.close()
+    return folder
+
+
+def log_of(clinic):
+    database = Database(clinic / "bodydrive.sqlite")
+    with database.transaction() as db:
+        rows = [(row.person, row.what) for row in db.query(LogEntry)]
+    database.close()
+    return rows
+
+
+def test_both_forms_are_written_and_stand_in_the_log(bodydrive, clinic, tmp_path):
+    code, out, err = bodydrive("report", CODE, "--session", 2, "--out", "two.pdf", "--state", "clinic")
+    assert (code, out, err) == (0, "two.pdf is written.\n", "")
+    assert "Session 2" in "".join(pdf_pages((tmp_path / "two.pdf").read_bytes()))
+    assert bodydrive("report", CODE, "--letter", "--out", "all.HTML", "--state", "clinic")[0] == 0
+    assert "Course of 2 sessions" in html_page((tmp_path / "all.HTML").read_bytes())[0]
+    assert log_of(clinic)[-2:] == [("command line", "report exported")] * 2
+
+
+@pytest.mark.parametrize(
+    ("words", "sentence"),
+    [
+        (("P-9", "--out", "a.pdf"), "There is no patient with the code 'P-9': see the list of patients."),
+        ((CODE, "--out", "a.docx"), "--out a.docx ends neither with .pdf nor with .html: give one of these."),
+        ((CODE, "--session", "7", "--out", "a.pdf"), "This patient has no session 7: choose one that was opened."),
+        ((CODE, "--out", "none/there/a.pdf"), None),
+        ((CODE,), "Missing option '--out'"),
+    ],
+)
+def test_bad_input_is_a_sentence(bodydrive, clinic, tmp_path, words, sentence):
+    if sentence is None:
+        (tmp_path / "none").write_text("a file")
+        sentence = "is a file and not a folder, choose another place"
+    before = log_of(clinic)
+    code, out, err = bodydrive("report", *words, "--state", "clinic")
+    assert (code, out) == (2, "")
+    assert sentence in err
+    assert list(tmp_path.glob("a.*")) == []
+    assert log_of(clinic) == before

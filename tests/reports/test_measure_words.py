@@ -1,0 +1,43 @@
+"""The words of measures on a report are those on the pages."""
+
+import re
+
+from app.reports.measure_words import MEASURE_WORDS, VERDICT_WORDS, leading_measures, with_unit
+from app.scoring.learning import MEASURES
+from folders import ROOT
+
+TEXTS = ROOT / "web_static" / "js"
+
+
+def test_every_measure_has_the_words_and_digits_of_the_pages():
+    texts = (TEXTS / "texts" / "en" / "measures.js").read_text()
+    shown = (TEXTS / "results" / "measures.js").read_text()
+    assert set(MEASURE_WORDS) == set(MEASURES)
+    for name, words in MEASURE_WORDS.items():
+        assert f'"measure.{name}": "{words.name}",' in texts
+        found = re.search(rf'  {name}: {{ unit: "(.*?)", digits: (\d)', shown)
+        assert found
+        assert found.groups() == (MEASURES[name].unit, str(words.digits))
+
+
+def test_the_verdicts_have_the_words_of_the_pages():
+    texts = (TEXTS / "texts" / "en" / "verdict.js").read_text()
+    assert all(f'"verdict.{word}": "{words}",' in texts for word, words in VERDICT_WORDS.items())
+
+
+def test_the_measures_of_a_task_are_chosen_by_what_it_has():
+    assert leading_measures({"e_diff": 1, "dist": 2, "time": 3, "sparc": -4, "collisions": 0}) == [
+        *("e_diff", "dist", "time", "sparc"),
+    ]
+    assert leading_measures({"heading_error_deg": 3, "turn_drift": 0.1, "time": 9, "collisions": 1})[:2] == [
+        *("heading_error_deg", "turn_drift"),
+    ]
+    assert leading_measures({}) == []
+
+
+def test_levels_have_their_unit():
+    assert with_unit("e_diff", 1.234) == "1.23 m²"
+    assert with_unit("heading_error_deg", 12.0) == "12°"
+    assert with_unit("sparc", -3.5) == "\u22123.50"
+    assert with_unit("collisions", 0.4) == "0.4"
+    assert with_unit("dist", None) == ""

@@ -1,0 +1,68 @@
+/**
+ * The report of one session, or of all sessions of a patient, as a file: PDF or HTML, on A4 or Letter paper.
+ * @import { App } from "../main.js"
+ */
+import { h } from "../widgets/dom.js";
+import { field, segments, selection } from "../widgets/fields.js";
+import { t } from "../texts.js";
+
+const PAPER_PLACE = "bodydrive-report-paper";
+const ALL = "all";
+
+/** Whether the person who is signed in may take reports out of the clinic. @param {App} app */
+export function mayExport(app) {
+  return app.me?.role !== "reviewer";
+}
+
+/**
+ * A choice of session and paper with the two files; null without the right to export, or without a session.
+ * @param {App} app @param {{id: number, code: string, sessions: number}} patient sessions: how many there are
+ * @param {number} [session] number of the session that is chosen at first; without: all
+ */
+export function reportChoice(app, patient, session) {
+  if (!mayExport(app) || !patient.sessions) return null;
+  let chosen = session ? String(session) : ALL;
+  let paper = localStorage.getItem(PAPER_PLACE) === "letter" ? "letter" : "a4";
+  const links = ["pdf", "html"].map((form) => ({
+    form,
+    link: h("a", { class: "btn", download: "" }, t(`report.${form}`)),
+  }));
+  const draw = () => {
+    for (const { form, link } of links) {
+      link.setAttribute("href", reportAddress(patient.id, form, chosen, paper));
+      link.setAttribute("aria-label", t(`report.${form}.label`, { what: wordsOf(chosen), code: patient.code }));
+    }
+  };
+  const numbers = Array.from({ length: patient.sessions }, (_, place) => String(patient.sessions - place));
+  const sessions = selection(
+    [ALL, ...numbers].map((value) => ({ value, label: wordsOf(value) })),
+    chosen,
+    (value) => ((chosen = value), draw()),
+  );
+  const papers = segments(
+    t("report.paper"),
+    ["a4", "letter"].map((value) => ({ value, label: t(`report.paper.${value}`) })),
+    paper,
+    (value) => (localStorage.setItem(PAPER_PLACE, (paper = value)), draw()),
+  );
+  draw();
+  return h(
+    "div",
+    { class: "stack report-choice" },
+    h("div", { class: "columns" }, field(t("report.what"), sessions), papers),
+    h("p", { class: "spread" }, h("span", { class: "row" }, links.map(({ link }) => link))),
+    h("p", { class: "quiet small" }, t("report.log")),
+  );
+}
+
+/** @param {number} patient @param {string} form @param {string} chosen @param {string} paper */
+function reportAddress(patient, form, chosen, paper) {
+  const query = new URLSearchParams({ form, letter: String(paper === "letter") });
+  if (chosen !== ALL) query.set("session", chosen);
+  return `/api/v1/patients/${patient}/report?${query}`;
+}
+
+/** @param {string} chosen */
+function wordsOf(chosen) {
+  return chosen === ALL ? t("report.all") : t("report.session", { number: chosen });
+}
