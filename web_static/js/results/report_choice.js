@@ -55,6 +55,15 @@ export function reportChoice(app, patient, session) {
   );
 }
 
+/**
+ * The same choice as a card of a page.
+ * @param {App} app @param {{id: number, code: string, sessions: number}} patient @param {number} [session]
+ */
+export function reportCard(app, patient, session) {
+  const choice = reportChoice(app, patient, session);
+  return choice && h("section", { class: "card" }, h("h2", {}, t("report.title")), choice);
+}
+
 /** @param {number} patient @param {string} form @param {string} chosen @param {string} paper */
 function reportAddress(patient, form, chosen, paper) {
   const query = new URLSearchParams({ form, letter: String(paper === "letter") });

@@ -13,7 +13,7 @@ import { field, selection } from "../../widgets/fields.js";
 import { measured, MEASURES, leadingMeasures } from "../../results/measures.js";
 import { emptyPage } from "../../shell/nobody.js";
 import { groupChoice, groupMark } from "../../results/source_group.js";
-import { reportChoice } from "../../results/report_choice.js";
+import { reportCard } from "../../results/report_choice.js";
 import { qualitySection } from "./quality_section.js";
 import { sessionVerdicts } from "./session_verdicts.js";
 import { trajectoriesChart } from "../../charts/trajectories_chart.js";
@@ -165,12 +165,6 @@ export async function show(app, root, { signal, rest }) {
   );
   redraw = async () => void (await app.toasts.attempt(draw));
   await draw();
-}
-
-/** @param {import("../../main.js").App} app @param {import("types/api").PatientView} patient */
-function reportCard(app, patient) {
-  const choice = reportChoice(app, patient);
-  return choice && h("section", { class: "card" }, h("h2", {}, t("report.title")), choice);
 }
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {Node | null} who to choose another patient by */

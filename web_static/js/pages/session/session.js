@@ -12,6 +12,7 @@ import { goalCard } from "./goal_card.js";
 import { notesCard } from "./notes_card.js";
 import { scalesCard } from "./scales_card.js";
 import { signOffCard } from "./sign_off_card.js";
+import { reportCard } from "../../results/report_choice.js";
 
 const OWN_PAGES = { patient: "patient_sessions", compare: "compare_sessions" };
 
@@ -74,6 +75,7 @@ export async function show(app, root, { signal, rest }) {
       scalesCard(app, now, writing),
       drivenCard(record),
       signOffCard(app, record, { ...writing, mayChange: canWrite }),
+      reportCard(app, { id: record.patient_id, code: record.code, sessions: record.number }, record.number),
     );
   };
   /** @param {CustomEvent<string>} event */
