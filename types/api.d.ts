@@ -3364,6 +3364,38 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/patients/{patient_id}/report": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/log": {
         parameters: {
             query?: never;
@@ -3820,6 +3852,456 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/patients/{patient_id}/sessions": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["SessionRow"][];
+                    };
+                };
+            };
+        };
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/sessions/{session_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["SessionRecordView"];
+                    };
+                };
+            };
+        };
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/sessions/{session_id}/goal": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/json": components["schemas"]["Goal"];
+                };
+            };
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["SessionRecordView"];
+                    };
+                };
+            };
+        };
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/sessions/{session_id}/notes": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/json": components["schemas"]["NoteText"];
+                };
+            };
+            responses: {
+                201: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["SessionRecordView"];
+                    };
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/sessions/{session_id}/notes/{note_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/json": components["schemas"]["NoteText"];
+                };
+            };
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["SessionRecordView"];
+                    };
+                };
+            };
+        };
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/sessions/{session_id}/scales": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/json": components["schemas"]["NewScale"];
+                };
+            };
+            responses: {
+                201: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["SessionRecordView"];
+                    };
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/sessions/{session_id}/scales/{scale_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post?: never;
+        delete: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["SessionRecordView"];
+                    };
+                };
+            };
+        };
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/sessions/{session_id}/sign-off": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                201: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["SessionRecordView"];
+                    };
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/sessions/{session_id}/unlock": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/json": components["schemas"]["Unlock"];
+                };
+            };
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["SessionRecordView"];
+                    };
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/sessions/{session_id}/comparison": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["SessionComparison"];
+                    };
+                };
+            };
+        };
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/patients/{patient_id}/consents": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["ConsentsView"];
+                    };
+                };
+            };
+        };
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/patients/{patient_id}/consents/{consent}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/json": components["schemas"]["GivenConsent"];
+                };
+            };
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["ConsentsView"];
+                    };
+                };
+            };
+        };
+        post?: never;
+        delete: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["ConsentsView"];
+                    };
+                };
+            };
+        };
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/view/{role}/camera": {
         parameters: {
             query?: never;
@@ -4157,6 +4639,26 @@ export interface components {
             /** @default 0.5 */
             height: number;
         };
+        ConsentRow: {
+            /** Format: date */
+            given: string;
+            person: string | null;
+            written: string;
+            withdrawn: string | null;
+            withdrawn_by: string | null;
+        };
+        ConsentView: {
+            /** @enum {string} */
+            consent: "recording" | "clinic_prior" | "sharing";
+            given: string | null;
+            is_confirmed: boolean;
+            history: components["schemas"]["ConsentRow"][];
+        };
+        ConsentsView: {
+            patient_id: number;
+            code: string;
+            consents: components["schemas"]["ConsentView"][];
+        };
         ControlQuality: {
             map_angle_deg: number | null;
             evr: number | null;
@@ -4238,6 +4740,7 @@ export interface components {
             patient: components["schemas"]["PatientView"] | null;
             session: components["schemas"]["SessionView"] | null;
             has_profile: boolean;
+            consents_to_recording: boolean;
             steps_done: string[];
         };
         Cylinder: {
@@ -4602,6 +5105,13 @@ export interface components {
             rate: (number | null)[];
             activation: (number | null)[];
         };
+        GivenConsent: {
+            /** Format: date */
+            given: string;
+        };
+        Goal: {
+            goal: string;
+        };
         Ground: {
             /**
              * @default hall
@@ -4850,6 +5360,11 @@ export interface components {
         Measure: {
             seconds: number;
         };
+        MeasureOfSessions: {
+            earlier: components["schemas"]["Quartiles"] | null;
+            later: components["schemas"]["Quartiles"] | null;
+            verdict: components["schemas"]["Verdict"] | null;
+        };
         ModelView: {
             name: string;
             bytes: number;
@@ -4913,6 +5428,12 @@ export interface components {
         NewReplay: {
             trial: number;
         };
+        NewScale: {
+            name: string;
+            total: number;
+            /** Format: date */
+            day: string;
+        };
         NewSession: {
             patient_id: number;
         };
@@ -4927,6 +5448,13 @@ export interface components {
             path: string;
             /** @enum {string} */
             reason: "first" | "again" | "next level";
+        };
+        NoteText: {
+            text: string;
+        };
+        NoteView: {
+            id: number;
+            revisions: components["schemas"]["RevisionView"][];
         };
         OfferView: {
             code: string;
@@ -4977,6 +5505,13 @@ export interface components {
         PasswordChange: {
             old: string;
             new: string;
+        };
+        PastSignOff: {
+            person: string;
+            at: string;
+            unlocked: string | null;
+            unlocked_by: string | null;
+            reason: string | null;
         };
         PathView: {
             name: string;
@@ -5098,6 +5633,12 @@ export interface components {
             warnings: components["schemas"]["ControlWarning"][];
             note: string;
         };
+        Quartiles: {
+            median: number;
+            low: number;
+            high: number;
+            trials: number;
+        };
         RecordTime: {
             years: number | null;
         };
@@ -5159,6 +5700,11 @@ export interface components {
             kind: "file" | "model" | "floorplan";
             name: string;
         };
+        RevisionView: {
+            text: string;
+            person: string;
+            written: string;
+        };
         Rights: {
             /** @enum {string} */
             role: "owner" | "clinician" | "reviewer";
@@ -5174,6 +5720,13 @@ export interface components {
         RunningStep: {
             step: string;
             started_run: number | null;
+        };
+        ScaleView: {
+            id: number;
+            name: string;
+            total: number;
+            /** Format: date */
+            day: string;
         };
         SceneView: {
             name: string;
@@ -5213,6 +5766,60 @@ export interface components {
             other: string;
             others: number;
         };
+        SessionComparison: {
+            earlier: components["schemas"]["SessionRecordView"];
+            later: components["schemas"]["SessionRecordView"];
+            tasks: components["schemas"]["TaskComparison"][];
+            sets: [
+                components["schemas"]["UsedSetView"] | null,
+                components["schemas"]["UsedSetView"] | null
+            ];
+            changes: (components["schemas"]["FieldDifference"] | components["schemas"]["BindingDifference"] | components["schemas"]["GestureDifference"])[] | null;
+        };
+        SessionDrive: {
+            id: number;
+            started: string;
+            end: string | null;
+            distance: number | null;
+            source: components["schemas"]["SourceView"];
+        };
+        SessionRecordView: {
+            id: number;
+            number: number;
+            patient_id: number;
+            code: string;
+            started: string;
+            opened_by: string | null;
+            ended: string | null;
+            version: string;
+            goal: string;
+            notes: components["schemas"]["NoteView"][];
+            scales: components["schemas"]["ScaleView"][];
+            trials: components["schemas"]["SessionTrial"][];
+            drives: components["schemas"]["SessionDrive"][];
+            sets: components["schemas"]["UsedSetView"][];
+            sign_off: components["schemas"]["SignOffView"] | null;
+            sign_offs: components["schemas"]["PastSignOff"][];
+        };
+        SessionRow: {
+            id: number;
+            number: number;
+            started: string;
+            ended: string | null;
+            trials: number;
+            sign_off: components["schemas"]["SignOffView"] | null;
+        };
+        SessionTrial: {
+            id: number;
+            number: number;
+            floorplan_title: string;
+            path: string;
+            status: string;
+            end: string | null;
+            kept: boolean;
+            discard_reason: string | null;
+            source: components["schemas"]["SourceView"];
+        };
         SessionVerdicts: {
             earlier: number;
             later: number;
@@ -5238,6 +5845,10 @@ export interface components {
             name: string;
             channels: components["schemas"]["Channel"][];
             joints: components["schemas"]["Joint"][];
+        };
+        SignOffView: {
+            person: string;
+            at: string;
         };
         SimulatedHeadConfig: {
             /**
@@ -5348,6 +5959,24 @@ export interface components {
             qr: string;
             pages: string;
             words: string;
+        };
+        TaskComparison: {
+            floorplan: string;
+            floorplan_title: string;
+            path: string;
+            /** @enum {string} */
+            source: "worn" | "simulated" | "unknown";
+            trials: [
+                number,
+                number
+            ];
+            counted: [
+                number,
+                number
+            ];
+            measures: {
+                [key: string]: components["schemas"]["MeasureOfSessions"];
+            };
         };
         TaskVerdicts: {
             sessions: components["schemas"]["SessionVerdicts"][];
@@ -5472,8 +6101,17 @@ export interface components {
             sample_rate?: number;
             key_file?: string | null;
         };
+        Unlock: {
+            reason: string;
+        };
         UnusedChannels: {
             channels: string[];
+        };
+        UsedSetView: {
+            title: string;
+            hash: string;
+            version: number;
+            origin: string;
         };
         ValidationError: {
             loc: (string | number)[];
@@ -5544,6 +6182,9 @@ export type Code = components['schemas']['Code'];
 export type Companion = components['schemas']['Companion'];
 export type ComputerView = components['schemas']['ComputerView'];
 export type Cone = components['schemas']['Cone'];
+export type ConsentRow = components['schemas']['ConsentRow'];
+export type ConsentView = components['schemas']['ConsentView'];
+export type ConsentsView = components['schemas']['ConsentsView'];
 export type ControlQuality = components['schemas']['ControlQuality'];
 export type ControlSettings = components['schemas']['ControlSettings'];
 export type ControlView = components['schemas']['ControlView'];
@@ -5587,6 +6228,8 @@ export type Gap = components['schemas']['Gap'];
 export type Gesture = components['schemas']['Gesture'];
 export type GestureDifference = components['schemas']['GestureDifference'];
 export type GestureLine = components['schemas']['GestureLine'];
+export type GivenConsent = components['schemas']['GivenConsent'];
+export type Goal = components['schemas']['Goal'];
 export type Ground = components['schemas']['Ground'];
 export type GuidedMap = components['schemas']['GuidedMap'];
 export type HttpValidationError = components['schemas']['HTTPValidationError'];
@@ -5617,6 +6260,7 @@ export type MapChoice = components['schemas']['MapChoice'];
 export type MapView = components['schemas']['MapView'];
 export type Me = components['schemas']['Me'];
 export type Measure = components['schemas']['Measure'];
+export type MeasureOfSessions = components['schemas']['MeasureOfSessions'];
 export type ModelView = components['schemas']['ModelView'];
 export type Mover = components['schemas']['Mover'];
 export type MoverLine = components['schemas']['MoverLine'];
@@ -5626,9 +6270,12 @@ export type NewDrive = components['schemas']['NewDrive'];
 export type NewPatient = components['schemas']['NewPatient'];
 export type NewPerson = components['schemas']['NewPerson'];
 export type NewReplay = components['schemas']['NewReplay'];
+export type NewScale = components['schemas']['NewScale'];
 export type NewSession = components['schemas']['NewSession'];
 export type NewTrial = components['schemas']['NewTrial'];
 export type NextTaskView = components['schemas']['NextTaskView'];
+export type NoteText = components['schemas']['NoteText'];
+export type NoteView = components['schemas']['NoteView'];
 export type OfferView = components['schemas']['OfferView'];
 export type OpentrackConfig = components['schemas']['OpentrackConfig'];
 export type OwnPassword = components['schemas']['OwnPassword'];
@@ -5636,6 +6283,7 @@ export type OwnPlanView = components['schemas']['OwnPlanView'];
 export type PairedView = components['schemas']['PairedView'];
 export type ParametersSummary = components['schemas']['ParametersSummary'];
 export type PasswordChange = components['schemas']['PasswordChange'];
+export type PastSignOff = components['schemas']['PastSignOff'];
 export type PathView = components['schemas']['PathView'];
 export type PatientView = components['schemas']['PatientView'];
 export type PersonConfig = components['schemas']['PersonConfig'];
@@ -5649,6 +6297,7 @@ export type ProposalChoice = components['schemas']['ProposalChoice'];
 export type ProposalView = components['schemas']['ProposalView'];
 export type QualityRow = components['schemas']['QualityRow'];
 export type QualityView = components['schemas']['QualityView'];
+export type Quartiles = components['schemas']['Quartiles'];
 export type RecordTime = components['schemas']['RecordTime'];
 export type RecordedConfig = components['schemas']['RecordedConfig'];
 export type RecordedHeadConfig = components['schemas']['RecordedHeadConfig'];
@@ -5658,9 +6307,11 @@ export type ReplayMoment = components['schemas']['ReplayMoment'];
 export type ReplayView = components['schemas']['ReplayView'];
 export type RestCheck = components['schemas']['RestCheck'];
 export type RestoredView = components['schemas']['RestoredView'];
+export type RevisionView = components['schemas']['RevisionView'];
 export type Rights = components['schemas']['Rights'];
 export type Room = components['schemas']['Room'];
 export type RunningStep = components['schemas']['RunningStep'];
+export type ScaleView = components['schemas']['ScaleView'];
 export type SceneView = components['schemas']['SceneView'];
 export type ScreenSettings = components['schemas']['ScreenSettings'];
 export type ScreenStateView = components['schemas']['ScreenStateView'];
@@ -5668,10 +6319,16 @@ export type ScreenView = components['schemas']['ScreenView'];
 export type ScreensView = components['schemas']['ScreensView'];
 export type SenderChoice = components['schemas']['SenderChoice'];
 export type SendersView = components['schemas']['SendersView'];
+export type SessionComparison = components['schemas']['SessionComparison'];
+export type SessionDrive = components['schemas']['SessionDrive'];
+export type SessionRecordView = components['schemas']['SessionRecordView'];
+export type SessionRow = components['schemas']['SessionRow'];
+export type SessionTrial = components['schemas']['SessionTrial'];
 export type SessionVerdicts = components['schemas']['SessionVerdicts'];
 export type SessionView = components['schemas']['SessionView'];
 export type ShirtKind = components['schemas']['ShirtKind'];
 export type ShirtLayout = components['schemas']['ShirtLayout'];
+export type SignOffView = components['schemas']['SignOffView'];
 export type SimulatedHeadConfig = components['schemas']['SimulatedHeadConfig'];
 export type SimulatorConfig = components['schemas']['SimulatorConfig'];
 export type SourceView = components['schemas']['SourceView'];
@@ -5685,6 +6342,7 @@ export type SuggestedVocabulary = components['schemas']['SuggestedVocabulary'];
 export type Summary = components['schemas']['Summary'];
 export type TabletHeadConfig = components['schemas']['TabletHeadConfig'];
 export type TabletsView = components['schemas']['TabletsView'];
+export type TaskComparison = components['schemas']['TaskComparison'];
 export type TaskVerdicts = components['schemas']['TaskVerdicts'];
 export type Timeline = components['schemas']['Timeline'];
 export type TitleChoice = components['schemas']['TitleChoice'];
@@ -5697,7 +6355,9 @@ export type TrialView = components['schemas']['TrialView'];
 export type TrustView = components['schemas']['TrustView'];
 export type Turn = components['schemas']['Turn'];
 export type UdpConfig = components['schemas']['UdpConfig'];
+export type Unlock = components['schemas']['Unlock'];
 export type UnusedChannels = components['schemas']['UnusedChannels'];
+export type UsedSetView = components['schemas']['UsedSetView'];
 export type ValidationError = components['schemas']['ValidationError'];
 export type Verdict = components['schemas']['Verdict'];
 export type ViewState = components['schemas']['ViewState'];
