@@ -1,8 +1,6 @@
-"""The report as a file from the API: for those with the right to export, in the log, and computed elsewhere."""
+"""The report as a file from the API: for those with the right to export, and in the log."""
 
 import json
-import os
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -72,11 +70,3 @@ def test_a_reviewer_reads_and_takes_nothing_out(reported: Any) -> None:
     with as_person(clinic, cookies):
         answer = clinic("GET", f"/patients/{patient}/report")
     assert (answer.status_code, answer.json()["detail"][:38]) == (403, "You may look at records, not take them")
-
-
-def test_this_process_loads_no_typesetting(reported: Any) -> None:
-    clinic, patient = reported
-    assert clinic("GET", f"/patients/{patient}/report").status_code == 200
-    if not any("typst" in line for line in Path(f"/proc/{os.getpid()}/maps").read_text().splitlines()):
-        return
-    pytest.skip("another test of this process has rendered a report itself")
