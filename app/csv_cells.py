@@ -12,8 +12,8 @@ def safe_cell(text: str) -> str:
     return f"'{text}" if text.startswith(FORMULA_BEGINS) else text
 
 
-def csv_line(cells: Sequence[str]) -> str:
-    """Return one line of a CSV file, each cell safe."""
+def csv_line(cells: Sequence[str | float | None]) -> str:
+    """Return one line of a CSV file: each text safe, each number as it is, an empty cell for None."""
     line = io.StringIO()
-    csv.writer(line).writerow([safe_cell(cell) for cell in cells])
+    csv.writer(line).writerow([safe_cell(cell) if isinstance(cell, str) else cell for cell in cells])
     return line.getvalue()

@@ -44,6 +44,7 @@ PARTS = {
     "viewers": Part("bench.web.viewers", "measure_viewers", "the 3D view for one, four and eight"),
     "tls": Part("bench.web.tls", "measure_tls", "what https costs viewers, and a first connection"),
     "report": Part("bench.report", "measure_reports", "a report of a session and of a course, as a file"),
+    "exports": Part("bench.exports", "measure_exports", "10 min at 1 kHz x 52 in each format of export"),
     "trajectory": Part("bench.web.long_trajectory", "measure_trajectory", "a long trajectory against a short one"),
 }
 

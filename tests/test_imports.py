@@ -32,6 +32,7 @@ MAY_IMPORT = {
     "scoring": (LEAVES, "recording", "signals", "world", "calibration", *PURE_CHAIN),
     "store": (LEAVES, "world", "calibration", "scoring"),
     "reports": (LEAVES, "recording", "signals", "world", "calibration", "scoring", "store"),
+    "exports": (LEAVES, "recording", "scoring", "store"),
     "session": (
         *(LEAVES, "process", "recording", "signals", "world", "calibration", *PURE_CHAIN, "scoring", "store"),
         *("hardware.chair.key", "hardware.chair.reasons", "hardware.shirt.newest_frame", "hardware.registry"),
@@ -46,12 +47,12 @@ MAY_IMPORT = {
     "scene": (LEAVES, "world"),
     "api": (
         *(LEAVES, "process", "signals.csv_dialect", "signals.parquet_names", "world", "calibration", "scoring"),
-        *("recording.recorded_trajectory", "store", "reports", "session", "host", "backup", "scene"),
+        *("recording.recorded_trajectory", "store", "reports", "exports", "session", "host", "backup", "scene"),
         *("hardware.configs", "hardware.addresses", "hardware.chair.key"),
     ),
     "cli": (
         *(LEAVES, "process", "recording", "signals", "world", "hardware", "calibration", "pipeline", "scoring"),
-        *("store", "reports", "session", "study", "figures", "host", "backup", "scene", "api"),
+        *("store", "reports", "exports", "session", "study", "figures", "host", "backup", "scene", "api"),
     ),
 }
 FITTING = ("calibration.fit", "calibration.guided", "calibration.gestures", "calibration.adaptation")

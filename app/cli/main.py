@@ -24,6 +24,7 @@ COMMANDS = {
     "chair": ("app.cli.chair", "chair_app"),
     "people": ("app.cli.people", "people_app"),
     "report": ("app.cli.records.report_command", "report"),
+    "export": ("app.cli.records.export", "export"),
     "log": ("app.cli.log", "log_app"),
     "backup": ("app.cli.records.backup_command", "backup"),
     "restore": ("app.cli.records.backup_command", "restore"),

@@ -90,7 +90,7 @@ def read_run(folder: str | Path, *, scalars_only: bool = False) -> Run:
         words = words or f"{folder}: run.json was changed, and what the recording itself says of the run is used."
     if not meta:
         words = words or f"{folder}: run.json cannot be read, so nothing is known of this run but its numbers."
-    return Run(meta, _columns(tables, meta), end["dropped"] if end else 0, damage or words)
+    return Run(meta, columns_of(tables, meta), end["dropped"] if end else 0, damage or words)
 
 
 def _read_parquet(file: Path, end: dict[str, Any] | None, scalars_only: bool) -> tuple[list["pa.Table"], str]:
@@ -108,7 +108,7 @@ def _read_parquet(file: Path, end: dict[str, Any] | None, scalars_only: bool) ->
     words = ""
     if end is None:
         words = f"{file.parent / END_FILE}: this file was cut or changed, so the recording cannot be checked."
-    elif not scalars_only and end["checksums"][PARQUET_FILE] != _file_checksum(file):
+    elif not scalars_only and end["checksums"][PARQUET_FILE] != file_checksum(file):
         words = f"{file}: this file was changed, do not rely on it: restore it from a backup."
     return ([table] if _has_all_columns(schema) else []), words
 
@@ -170,7 +170,7 @@ def _has_all_columns(columns: "pa.Schema") -> bool:
     return set(SCALARS) <= set(columns.names) and PER_CHANNEL in columns.names
 
 
-def _columns(tables: list["pa.Table"], meta: dict[str, Any]) -> Columns:
+def columns_of(tables: list["pa.Table"], meta: dict[str, Any]) -> Columns:
     """Return the rows of all tables as arrays."""
     import pyarrow as pa
 
@@ -224,7 +224,8 @@ def _bytes_of(file: Path) -> bytes | None:
         return None
 
 
-def _file_checksum(file: Path) -> int | None:
+def file_checksum(file: Path) -> int | None:
+    """Return the CRC-32 of a file, None when it cannot be read."""
     checksum = 0
     try:
         with file.open("rb") as opened:

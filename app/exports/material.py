@@ -1,0 +1,102 @@
+"""What the store has for an export: plain values that can be sent to the process that writes it."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Literal
+
+from app.refusals import NotFound
+from app.scoring.verdict.spread import Spread
+from app.source import SourceGroup, source_words
+from app.store.database import Database
+from app.store.learning_trials import counted_trials
+from app.store.log import write_log
+from app.store.patients import find_patient
+from app.store.records.consents import require_consent
+from app.store.records.recorded_runs import RecordedRun, recorded_runs
+
+Form = Literal["csv", "parquet", "xdf", "bids", "fhir"]
+FORMS: tuple[Form, ...] = ("csv", "parquet", "xdf", "bids", "fhir")
+
+NOTHING = "There is nothing to export: nothing was recorded."
+
+SpreadsOf = Callable[[str, str, SourceGroup], dict[str, Spread]]
+"""Returns the median spreads of the clinic's other patients, by floor plan, path and source."""
+
+
+@dataclass(frozen=True, slots=True)
+class TaskMaterial:
+    """The counted trials of one task and source, for their verdicts."""
+
+    rows: list[dict[str, Any]]  # as `CountedTrial.row` returns them
+    clinic: dict[str, Spread]
+
+
+@dataclass(frozen=True, slots=True)
+class ExportMaterial:
+    """Everything of the store that an export is made from."""
+
+    patient_id: int
+    code: str
+    runs: tuple[RecordedRun, ...]  # in the order recorded
+    tasks: tuple[TaskMaterial, ...]
+
+
+def exported_material(
+    database: Database,
+    clinic_id: int,
+    patient_id: int,
+    session: int | None,
+    form: str,
+    person: str,
+    runs: Path,
+    spreads_of: SpreadsOf,
+) -> ExportMaterial:
+    """Return what an export of one session (its number), or of all of a patient (None), is made from; log the export.
+
+    `runs` is the folder of all recordings, `person` who exports.
+
+    Raises
+    ------
+    NotFound
+        When there is no such patient or session, or nothing was recorded in it.
+    Conflict
+        When the patient has not consented to sharing outside the clinic.
+    """
+    with database.transaction() as db:
+        patient = find_patient(db, clinic_id, patient_id)
+        require_consent(db, patient_id, "sharing")
+        found = recorded_runs(db, patient_id, session, runs)
+        if not found:
+            raise NotFound(NOTHING)
+        tasks = {
+            (one.trial.floorplan, one.trial.path, one.source.group): list[dict[str, Any]]()
+            for one in found
+            if one.trial is not None
+        }
+        for floorplan, path, group in tasks:
+            counted = counted_trials(db, clinic_id, patient_id, floorplan, path)
+            tasks[floorplan, path, group] += [one.row() for one in counted if one.group == group]
+        write_log(db, person, "export", patient=patient_id, session=session, form=form, runs=len(found))
+    known = tuple(TaskMaterial(rows, spreads_of(*task)) for task, rows in tasks.items())
+    return ExportMaterial(patient_id, patient.code, tuple(found), known)
+
+
+def run_facts(code: str, run: RecordedRun, meta: dict[str, Any], damage: str) -> dict[str, str]:
+    """Return what each file of a recording says of it: whose, of what, with which source and software."""
+    trial = run.trial
+    simulated = {True: "yes", False: "no", None: "unknown"}[run.source.simulated]
+    return {
+        "patient": code,
+        "session": str(run.session),
+        "run": str(run.number),
+        "kind": run.kind,
+        "task": run.task,
+        "trial": "" if trial is None else str(trial.number),
+        "started": run.started.isoformat(),
+        "source": source_words(run.source),
+        "simulated": simulated,
+        "software": str(meta.get("software", "unknown")),
+        "parameters_hash": "" if trial is None else trial.parameters_hash,
+        "damage": damage,
+    }

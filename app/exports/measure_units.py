@@ -1,0 +1,40 @@
+"""The measures of a trial that are exported as observations: their words, and their units as UCUM codes."""
+
+from typing import Any
+
+MEASURES: dict[str, tuple[str, str]] = {
+    "dist": ("Distance driven", "m"),
+    "dist_ratio": ("Distance driven, divided by the length of the path", "1"),
+    "e_diff": ("Area between trajectory and path", "m2"),
+    "time": ("Time to the goal", "s"),
+    "cross_track_rms": ("Root mean square distance to the path", "m"),
+    "cross_track_max": ("Largest distance to the path", "m"),
+    "mean_speed": ("Mean speed", "m/s"),
+    "stops": ("Number of stops", "1"),
+    "collisions": ("Number of collisions", "1"),
+    "contact_time": ("Time in contact", "s"),
+    "stages_done": ("Number of stages done", "1"),
+    "follow_error_rms": ("Root mean square error of the distance to the leader", "m"),
+    "follow_error_max": ("Largest error of the distance to the leader", "m"),
+    "follow_near": ("Share of the time near the wanted distance", "1"),
+    "heading_error_deg": ("Error of the heading", "deg"),
+    "turn_drift": ("Largest distance from the place of the turn", "m"),
+    "cones_touched": ("Number of cones touched", "1"),
+    "gap_clearance": ("Smallest clearance in gaps", "m"),
+    "door_contacts": ("Number of contacts at doors", "1"),
+    "turn_reversals": ("Number of reversals of the turning command", "1"),
+    "pulses_per_metre": ("Commands per metre", "/m"),
+    "sparc": ("Smoothness: spectral arc length", "1"),
+    "ldlj": ("Smoothness: logarithmic dimensionless jerk", "1"),
+}
+VERDICTS = {
+    "better": "better than noise",
+    "within": "within noise",
+    "worse": "worse than noise",
+    "too few": "too few trials",
+}
+
+
+def is_number(value: Any) -> bool:
+    """Return whether a measure was measured, and is no truth value."""
+    return isinstance(value, int | float) and not isinstance(value, bool)

@@ -1,0 +1,120 @@
+"""An export as one zip file, made run by run: first what describes it, then the files of each recording.
+
+Every step opens the file again, so that the web process can have each one done elsewhere, and say how far it is.
+"""
+
+import json
+import shutil
+import tempfile
+import zipfile
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from app import __version__
+from app.exports import bids_form
+from app.exports.csv_form import write_csv
+from app.exports.fhir_form import fhir_bundle
+from app.exports.material import ExportMaterial, Form, run_facts
+from app.exports.parquet_form import write_parquet
+from app.exports.trial_table import trial_csv, verdict_words
+from app.exports.xdf_form import write_xdf
+from app.recording.groups import RunGroups, read_in_groups
+from app.store.records.recorded_runs import RecordedRun
+
+FIRST_DAY = (1980, 1, 1, 0, 0, 0)  # of the zip format; the same content gives the same bytes
+COPY = 1 << 20  # bytes
+PLAIN = {".parquet", ".zip"}  # compressed already
+FAST = 1  # level: numbers of sensors hardly get smaller with more time
+IGNORED = "trials.csv\nexport.json\n"  # of a BIDS validator
+
+Step = Callable[[Path], int]
+"""Does one part of the work on the zip file, and returns up to which byte the file is final."""
+
+
+def export_steps(material: ExportMaterial, form: Form) -> list[Step]:
+    """Return the steps that make an export, to be called one after the other with the zip file to be made."""
+    first: Step = partial(_begin, material, form)
+    if form == "fhir":
+        return [first]
+    return [first, *(partial(_add_run, material.code, form, run) for run in material.runs)]
+
+
+def _begin(material: ExportMaterial, form: Form, package: Path) -> int:
+    verdicts = verdict_words(material)
+    package.unlink(missing_ok=True)
+    contents = {"export.json": _json(_description(material, form))}
+    if form == "fhir":
+        contents["bundle.json"] = _json(fhir_bundle(material, verdicts))
+    else:
+        contents["trials.csv"] = trial_csv(material, verdicts).encode()
+    with zipfile.ZipFile(package, "x") as opened, tempfile.TemporaryDirectory(dir=package.parent) as name:
+        for file, content in contents.items():
+            opened.writestr(entry(file), content, compresslevel=FAST)
+        if form == "bids":
+            opened.writestr(entry(".bidsignore"), IGNORED)
+            for file in bids_form.dataset_files(Path(name), material.code, __version__):
+                add_file(opened, file, file.name)
+        return opened.start_dir
+
+
+def _add_run(code: str, form: Form, run: RecordedRun, package: Path) -> int:
+    with zipfile.ZipFile(package, "a") as opened, tempfile.TemporaryDirectory(dir=package.parent) as name:
+        folder = Path(name)
+        try:
+            recorded = read_in_groups(run.folder)
+        except ValueError:
+            opened.writestr(entry(f"{run.stem}.missing.txt"), "The recording of this run is missing.\n")
+            return opened.start_dir
+        if not recorded.meta:
+            opened.writestr(entry(f"{run.stem}.missing.txt"), f"{recorded.damage}\n")
+            return opened.start_dir
+        for file in _run_files(code, form, run, recorded, folder):
+            add_file(opened, file, file.relative_to(folder).as_posix())
+        return opened.start_dir
+
+
+def _run_files(code: str, form: Form, run: RecordedRun, recorded: RunGroups, folder: Path) -> list[Path]:
+    facts = run_facts(code, run, recorded.meta, recorded.damage)
+    if form == "bids":
+        place = {"patient": code, "session": run.session, "task": run.task, "run": run.number}
+        return bids_form.write_bids(recorded, facts, folder, place)
+    if form == "parquet":
+        return write_parquet(recorded, facts, folder, run.stem)
+    if form == "xdf":
+        return write_xdf(recorded, facts, folder, run.stem)
+    about = folder / f"{run.stem}.json"
+    about.write_bytes(_json(facts))
+    return [about, *write_csv(recorded, folder, run.stem)]
+
+
+def _description(material: ExportMaterial, form: Form) -> dict[str, Any]:
+    return {
+        "format": form,
+        "patient": material.code,
+        "software": __version__,
+        "sessions": sorted({run.session for run in material.runs}),
+        "runs": len(material.runs),
+        "sources": sorted({run.source.group for run in material.runs}),
+    }
+
+
+def entry(name: str) -> zipfile.ZipInfo:
+    """Return an entry of a zip file that depends on its name alone."""
+    info = zipfile.ZipInfo(name, FIRST_DAY)
+    info.compress_type = zipfile.ZIP_STORED if Path(name).suffix in PLAIN else zipfile.ZIP_DEFLATED
+    info.external_attr = 0o600 << 16
+    return info
+
+
+def add_file(package: zipfile.ZipFile, file: Path, name: str) -> None:
+    """Add a file of any size to a zip file, in pieces."""
+    package.compresslevel = FAST
+    info = entry(name)
+    with file.open("rb") as source, package.open(info, "w", force_zip64=True) as target:
+        shutil.copyfileobj(source, target, COPY)
+
+
+def _json(document: Any) -> bytes:
+    return json.dumps(document, indent=1, ensure_ascii=False).encode() + b"\n"

@@ -1,0 +1,47 @@
+"""The trials of an export as a table: one row each, with its measures and the verdict on each."""
+
+from collections.abc import Iterator
+
+from app import __version__
+from app.csv_cells import csv_line
+from app.exports.material import ExportMaterial
+from app.exports.measure_units import MEASURES, VERDICTS, is_number
+from app.scoring.verdict.verdicts import trial_verdicts
+from app.source import source_words
+from app.store.records.recorded_runs import RecordedRun
+
+ABOUT = (
+    *("patient", "session", "run", "trial", "floor_plan", "path", "started", "end", "kept", "reason_left_out"),
+    *("source", "simulated", "map_version", "parameters_hash", "software"),
+)
+
+
+def verdict_words(material: ExportMaterial) -> dict[int, dict[str, str]]:
+    """Return the words of the verdicts on each trial against the one before it: trial -> measure -> words."""
+    found: dict[int, dict[str, str]] = {}
+    for task in material.tasks:
+        for row in task.rows:
+            verdicts = trial_verdicts(task.rows, task.clinic, row["id"], None).verdicts
+            found[row["id"]] = {name: VERDICTS[verdict.word] for name, verdict in verdicts.items()}
+    return found
+
+
+def trial_csv(material: ExportMaterial, verdicts: dict[int, dict[str, str]]) -> str:
+    """Return the trials as CSV; a measure that the trial does not have is an empty cell."""
+    heads = [column for name, (_, unit) in MEASURES.items() for column in (f"{name} [{unit}]", f"{name} verdict")]
+    lines = [csv_line([*ABOUT, *heads])]
+    lines += [csv_line(list(_cells(material.code, run, verdicts))) for run in material.runs if run.trial is not None]
+    return "".join(lines)
+
+
+def _cells(code: str, run: RecordedRun, verdicts: dict[int, dict[str, str]]) -> Iterator[str | float | None]:
+    trial = run.trial
+    assert trial is not None
+    yield from (code, run.session, run.number, trial.number, trial.title, trial.path)
+    yield from (trial.started.isoformat(), trial.end or "", "yes" if trial.kept else "no", trial.reason or "")
+    yield from (source_words(run.source), {True: "yes", False: "no", None: "unknown"}[run.source.simulated])
+    yield from (trial.map_version, trial.parameters_hash, __version__)
+    for name in MEASURES:
+        value = trial.measures.get(name)
+        yield value if is_number(value) else None
+        yield verdicts.get(trial.id, {}).get(name, "")

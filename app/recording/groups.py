@@ -1,0 +1,64 @@
+"""Reads a recorded run in groups of rows, so that a long one needs little memory."""
+
+import json
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from app.recording.format import END_FILE, META_KEY, PARQUET_FILE, parse_end
+from app.recording.reader import Columns, Run, columns_of, file_checksum, read_run
+
+GROUP = 20_000  # rows
+
+
+@dataclass(frozen=True, slots=True)
+class RunGroups:
+    """A recorded run whose rows come group by group; the groups can be taken once."""
+
+    meta: dict[str, Any]  # the content of `run.json`
+    damage: str  # one sentence on the damage; empty when the recording is whole and closed
+    groups: Iterator[Columns]  # at least one, which may have no rows
+
+
+def read_in_groups(folder: Path) -> RunGroups:
+    """Return the run in `folder`; one that is not whole and closed is read into memory, up to its damage.
+
+    Raises
+    ------
+    ValueError
+        One sentence, when the folder holds no recording.
+    """
+    file = folder / PARQUET_FILE
+    try:
+        end = parse_end((folder / END_FILE).read_bytes())
+    except OSError:
+        end = None
+    if end is None or end["checksums"].get(PARQUET_FILE) != file_checksum(file):
+        run = read_run(folder)
+        return RunGroups(run.meta, run.damage, _slices(run))
+    return _whole(file)
+
+
+def _whole(file: Path) -> RunGroups:
+    import pyarrow as pa
+    import pyarrow.parquet as pa_parquet
+
+    opened = pa_parquet.ParquetFile(file)
+    meta = json.loads(opened.schema_arrow.metadata[META_KEY])
+
+    def groups() -> Iterator[Columns]:
+        with opened:
+            empty = True
+            for batch in opened.iter_batches(GROUP):
+                yield columns_of([pa.Table.from_batches([batch])], meta)
+                empty = False
+            if empty:
+                yield columns_of([], meta)
+
+    return RunGroups(meta, "", groups())
+
+
+def _slices(run: Run) -> Iterator[Columns]:
+    for start in range(0, max(run.rows, 1), GROUP):
+        yield {name: column[start : start + GROUP] for name, column in run.columns.items()}

@@ -1,0 +1,53 @@
+"""`bodydrive export` writes one zip file, or nothing at all."""
+
+import sys
+import zipfile
+
+import pytest
+from exported_clinic import CODE, make_clinic
+
+from app.cli.main import main
+
+
+@pytest.fixture
+def bodydrive(monkeypatch, capsys, tmp_path):
+    """Return a function that runs a command line and returns exit code, stdout and stderr."""
+    monkeypatch.chdir(tmp_path)
+
+    def run(*words):
+        monkeypatch.setattr(sys, "argv", ["bodydrive", *map(str, words)])
+        code = 0
+        try:
+            main()
+        except SystemExit as ended:
+            code = ended.code
+        said = capsys.readouterr()
+        return code, said.out, said.err
+
+    return run
+
+
+def test_a_patient_is_exported_and_progress_is_said(bodydrive, tmp_path):
+    settings = make_clinic(tmp_path / "clinic")
+    code, out, err = bodydrive("export", CODE, "--format", "xdf", "--out", "a.zip", "--state", settings.state)
+    assert (code, out) == (0, "a.zip is written.\n")
+    assert "Recording 1 of 1" in err
+    with zipfile.ZipFile(tmp_path / "a.zip") as opened:
+        assert opened.namelist() == ["export.json", "trials.csv", "session-01_run-001_drive.xdf"]
+
+
+@pytest.mark.parametrize(
+    ("words", "sentence"),
+    [
+        (["export", "P-9", "--out", "a.zip"], "There is no patient with the code 'P-9'"),
+        (["export", CODE, "--out", "a.zip", "--format", "mat"], "give one of csv, parquet, xdf, bids, fhir"),
+        (["export", CODE, "--out", "a.zip", "--session", "7"], "no session 7"),
+        (["export", CODE, "--out", "clinic"], "is no ordinary file"),
+    ],
+)
+def test_bad_input_is_one_sentence_and_leaves_no_file(bodydrive, tmp_path, words, sentence):
+    settings = make_clinic(tmp_path / "clinic")
+    code, _out, err = bodydrive(*words, "--state", settings.state)
+    assert code == 2
+    assert sentence in err
+    assert [file.name for file in tmp_path.iterdir()] == ["clinic"]
