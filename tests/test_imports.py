@@ -32,7 +32,7 @@ MAY_IMPORT = {
     "scoring": (LEAVES, "recording", "signals", "world", "calibration", *PURE_CHAIN),
     "store": (LEAVES, "world", "calibration", "scoring"),
     "reports": (LEAVES, "recording", "signals", "world", "calibration", "scoring", "store"),
-    "exports": (LEAVES, "recording", "scoring", "store"),
+    "exports": (LEAVES, "recording", "calibration", "scoring", "store"),
     "session": (
         *(LEAVES, "process", "recording", "signals", "world", "calibration", *PURE_CHAIN, "scoring", "store"),
         *("hardware.chair.key", "hardware.chair.reasons", "hardware.shirt.newest_frame", "hardware.registry"),

@@ -1,0 +1,64 @@
+"""`bodydrive archive`: a whole patient as one file, to be imported in another clinic."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from app.cli.clinic_folder import open_clinic
+from app.cli.errors import InputError
+from app.cli.records.export import COMMAND, patient_named, written_whole
+from app.refusals import Refusal
+from app.settings import Settings, state_folder
+
+archive_app = typer.Typer(
+    help="Take a whole patient to another clinic: sessions, maps, trials, recordings.",
+    no_args_is_help=True,
+    pretty_exceptions_enable=False,
+)
+
+State = Annotated[Path | None, typer.Option(help="The folder of the clinic's database and recordings.")]
+
+
+@archive_app.command("make")
+def make(
+    patient: Annotated[str, typer.Argument(metavar="PATIENT", help="The code of the patient.")],
+    out: Annotated[Path, typer.Option(metavar="FILE", help="The archive to write.")],
+    state: State = None,
+) -> None:
+    """Write the archive of a patient, who must have consented; the clinic may be open meanwhile."""
+    from app.exports.archive import make_archive
+
+    settings = Settings(state=(state or state_folder()).expanduser().resolve())
+    with written_whole(out) as part, open_clinic(settings) as (database, _):
+        clinic_id, patient_id = patient_named(database, patient)
+        try:
+            digest = make_archive(database, clinic_id, patient_id, COMMAND, settings.runs, part)
+        except Refusal as refusal:
+            raise InputError(str(refusal)) from refusal
+    typer.echo(f"{out} is written. Its hash is {digest}.")
+
+
+@archive_app.command("import")
+def import_file(
+    file: Annotated[Path, typer.Argument(metavar="FILE", help="The archive.")],
+    state: State = None,
+) -> None:
+    """Import an archive; one that was imported before changes nothing."""
+    from app.exports.archive import import_archive
+    from app.store.people import the_clinic
+
+    settings = Settings(state=(state or state_folder()).expanduser().resolve())
+    with open_clinic(settings) as (database, _):
+        with database.transaction() as db:
+            clinic = the_clinic(db)
+        if clinic is None:
+            raise InputError(f"The clinic in {settings.state} is not set up yet: open its pages first.")
+        try:
+            found = import_archive(database, clinic.id, file, COMMAND, settings.runs)
+        except (Refusal, ValueError) as refusal:
+            raise InputError(str(refusal)) from refusal
+    if found.is_new:
+        typer.echo(f"The patient {found.code} is imported.")
+    else:
+        typer.echo(f"The patient {found.code} was imported from this archive before: nothing was changed.")

@@ -1,0 +1,141 @@
+"""The archive of a whole patient: made in one clinic, imported in another one."""
+
+import json
+import shutil
+import tempfile
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from pydantic import ValidationError
+
+from app.calibration.profile import CalibrationProfile
+from app.calibration.vocabulary import DriveParameters
+from app.disk_room import ROOM_TO_RECORD
+from app.exports.archive_file import RUN_ID, OpenArchive, open_archive, write_archive
+from app.file_modes import OWNER_FOLDER
+from app.files import sync_folder
+from app.refusals import NO_ROOM, Conflict, DiskFull
+from app.store.database import Database, Transaction
+from app.store.files.disk_watch import disk_room
+from app.store.log import write_log
+from app.store.patients import find_patient
+from app.store.records.consents import require_consent
+from app.store.records.imports import clinic_name, earlier_import, note_import, require_new
+from app.store.records.patient_rows import Rows, WrongRows, add_patient_rows, check_rows, patient_rows
+from app.visible_text import visible_line, visible_lines
+
+WRONG = "{file}: this archive cannot be read, because {why}; nothing was imported."
+OPEN = "A session of this patient is open: end it first, then make the archive."
+
+
+class Imported(NamedTuple):
+    """The patient of an archive, and whether the import added it."""
+
+    patient_id: int
+    code: str
+    is_new: bool
+
+
+def make_archive(database: Database, clinic_id: int, patient_id: int, person: str, runs: Path, package: Path) -> str:
+    """Write the archive of a patient to `package` and return its hash; log it.
+
+    `runs` is the folder of all recordings. Conflict without consent, or while a session of the patient is open.
+    """
+    with database.transaction() as db:
+        find_patient(db, clinic_id, patient_id)
+        require_consent(db, patient_id, "sharing")
+        rows = patient_rows(db, patient_id)
+        clinic = clinic_name(db, clinic_id)
+        if any(row["ended"] is None for row in rows["session"]):
+            raise Conflict(OPEN)
+        write_log(db, person, "export", patient=patient_id, session=None, form="archive", runs=len(rows["run"]))
+    document = json.dumps({"tables": rows}, indent=1, sort_keys=True, ensure_ascii=False).encode()
+    return write_archive(package, clinic, document, [runs / str(row["id"]) for row in rows["run"]])
+
+
+def import_archive(database: Database, clinic_id: int, file: Path, person: str, runs: Path) -> Imported:
+    """Import the archive in `file`; one that was imported before changes nothing.
+
+    Raises
+    ------
+    ValueError
+        One sentence, when the file is no archive, damaged, hostile, or of a newer program.
+    Conflict, DiskFull
+        When the code or a recording is in the clinic already, or there is no room.
+    """
+    with open_archive(file) as archive:
+        with database.transaction() as db:
+            known = earlier_import(db, clinic_id, archive.listed.hash)
+            if known is not None:
+                return Imported(known.id, known.code, is_new=False)
+        rows = _checked(archive, file)
+        if disk_room(runs.parent).free < archive.recording_bytes + ROOM_TO_RECORD:
+            raise DiskFull(NO_ROOM)
+        runs.mkdir(mode=OWNER_FOLDER, parents=True, exist_ok=True)
+        with tempfile.TemporaryDirectory(dir=runs.parent, prefix=".import-") as name:
+            archive.unpack_recordings(Path(name))
+            return _add(database, clinic_id, archive, rows, person, Path(name), runs)
+
+
+def _checked(archive: OpenArchive, file: Path) -> Rows:
+    document = archive.patient()
+    try:
+        rows = check_rows(document.get("tables") if isinstance(document, dict) else None)
+        _check_contents(rows, archive)
+    except (WrongRows, ValidationError, TypeError, KeyError) as error:
+        why = str(error) if isinstance(error, WrongRows) else "one of its documents has another form"
+        raise ValueError(WRONG.format(file=file, why=why)) from error
+    except ValueError as error:
+        raise ValueError(WRONG.format(file=file, why=f"a text in it is refused: {error}")) from error
+    return rows
+
+
+def _check_contents(rows: Rows, archive: OpenArchive) -> None:
+    """Raise WrongRows or ValueError for documents and texts that this program would not have stored."""
+    patient = rows["patient"][0]
+    for name in ("code", "pseudonym"):
+        visible_line(patient[name])
+    visible_lines(patient["note"])
+    visible_line(archive.listed.clinic)
+    runs = [row["id"] for row in rows["run"]]
+    if len(runs) != len(set(runs)) or not all(RUN_ID.fullmatch(run) for run in runs):
+        raise WrongRows("its recordings have wrong names")
+    if not {name.split("/")[1] for name in archive.listed.files if "/" in name} <= set(runs):
+        raise WrongRows("it has a recording that no row names")
+    profiles: dict[Any, Any] = {}
+    for row in rows["profile"]:
+        profiles[row["id"]] = CalibrationProfile.model_validate(row["document"]).model_dump(mode="json")
+    for row in rows["parameters"]:
+        DriveParameters.model_validate({**row["settings"], "profile": profiles[row["profile_id"]]})
+
+
+def _add(
+    database: Database, clinic_id: int, archive: OpenArchive, rows: Rows, person: str, unpacked: Path, runs: Path
+) -> Imported:
+    """Add rows and recordings; when one cannot be added, none is."""
+    moved: list[Path] = []
+    try:
+        with database.transaction() as db:
+            require_new(db, clinic_id, rows)
+            try:
+                patient_id = add_patient_rows(db, clinic_id, rows)
+            except WrongRows as error:
+                raise ValueError(WRONG.format(file="The archive", why=error)) from error
+            _note(db, patient_id, archive, person)
+            for folder in sorted(unpacked.iterdir()):
+                target = runs / folder.name
+                if target.exists():
+                    raise Conflict(f"A recording {folder.name} is in this clinic already, and nothing was imported.")
+                folder.rename(target)
+                moved.append(target)
+            sync_folder(runs)
+    except BaseException:
+        for target in moved:
+            shutil.rmtree(target, ignore_errors=True)
+        raise
+    return Imported(patient_id, rows["patient"][0]["code"], is_new=True)
+
+
+def _note(db: Transaction, patient_id: int, archive: OpenArchive, person: str) -> None:
+    note_import(db, patient_id, archive.listed.hash, archive.listed.clinic, person)
+    write_log(db, person, "archive imported", patient=patient_id, archive=archive.listed.hash)

@@ -1,0 +1,53 @@
+"""Where rows came from: the archive that a patient was imported from, its clinic, and who imported it."""
+
+from sqlalchemy import select
+from sqlalchemy.orm import Session
+
+from app.clock import utc_now
+from app.refusals import Conflict
+from app.store.records.import_tables import ImportedSession, PatientImport
+from app.store.records.patient_rows import Rows
+from app.store.tables import Clinic, Patient, PatientSession, Run
+
+CODE_TAKEN = (
+    "The code '{code}' belongs to another patient of this clinic, and nothing was imported: give that patient another "
+    "code, then import again."
+)
+RUNS_HERE = "Recordings of this archive are in this clinic already, and nothing was imported: their patient is here."
+
+
+def clinic_name(db: Session, clinic_id: int) -> str:
+    """Return the name of a clinic."""
+    return db.get_one(Clinic, clinic_id).name
+
+
+def earlier_import(db: Session, clinic_id: int, archive: str) -> Patient | None:
+    """Return the patient that an archive brought, None when it was not imported here."""
+    query = select(Patient).join(PatientImport, PatientImport.patient_id == Patient.id)
+    return db.scalar(query.where(PatientImport.archive == archive, Patient.clinic_id == clinic_id))
+
+
+def origin_of(db: Session, session_id: int) -> PatientImport | None:
+    """Return where a session came from, None when it was held in this clinic."""
+    query = select(PatientImport).join(ImportedSession, ImportedSession.import_id == PatientImport.id)
+    return db.scalar(query.where(ImportedSession.session_id == session_id))
+
+
+def require_new(db: Session, clinic_id: int, rows: Rows) -> None:
+    """Raise Conflict when the clinic has the patient's code or one of the recordings already."""
+    ids = [row["id"] for row in rows["run"]]
+    if db.scalar(select(Run.id).where(Run.id.in_(ids)).limit(1)) is not None:
+        raise Conflict(RUNS_HERE)
+    code = rows["patient"][0]["code"]
+    if db.scalar(select(Patient.id).where(Patient.clinic_id == clinic_id, Patient.code == code)) is not None:
+        raise Conflict(CODE_TAKEN.format(code=code))
+
+
+def note_import(db: Session, patient_id: int, archive: str, clinic: str, person: str) -> None:
+    """Store that a patient, with all sessions that it has now, came with an archive of `clinic`."""
+    row = PatientImport(patient_id=patient_id, archive=archive, clinic=clinic, person=person, at=utc_now())
+    db.add(row)
+    db.flush()
+    for session in db.scalars(select(PatientSession.id).where(PatientSession.patient_id == patient_id)):
+        db.add(ImportedSession(session_id=session, import_id=row.id))
+    db.flush()

@@ -1,0 +1,185 @@
+"""All rows of a patient as one document without this clinic's ids, and the rows of such a document."""
+
+from collections.abc import Callable
+from datetime import UTC, date, datetime
+from typing import Any
+
+from sqlalchemy import JSON, Boolean, Column, Date, Float, Integer, String, insert, select
+from sqlalchemy import Table as SqlTable
+from sqlalchemy.orm import Session
+
+from app.store.records.record_tables import NoteRevision, OutcomeScale, PatientConsent, SessionNote, SessionSignOff
+from app.store.tables import (
+    CalibrationStep,
+    Moment,
+    Parameters,
+    Patient,
+    PatientSession,
+    Profile,
+    Run,
+    Table,
+    Trial,
+)
+
+# Each table after those that it refers to, and the column by which its rows are found: rows of the patient, of the
+# patient's sessions, of its profiles, of its notes.
+KINDS: tuple[tuple[type[Table], str], ...] = (
+    (Patient, "id"),
+    (PatientSession, "patient_id"),
+    (Run, "session_id"),
+    (CalibrationStep, "session_id"),
+    (Profile, "patient_id"),
+    (Parameters, "profile_id"),
+    (Trial, "patient_id"),
+    (SessionNote, "session_id"),
+    (NoteRevision, "note_id"),
+    (OutcomeScale, "session_id"),
+    (SessionSignOff, "session_id"),
+    (PatientConsent, "patient_id"),
+)
+LEFT_OUT = {"clinic_id", "folder"}  # they belong to the clinic that has the rows
+
+Rows = dict[str, list[dict[str, Any]]]
+"""Table name -> its rows. The ids are 1, 2, 3 ... in each table, so that every clinic writes the same document."""
+
+
+class WrongRows(ValueError):  # noqa: N818
+    """The rows of a document do not fit the tables; the message says where."""
+
+
+def patient_rows(db: Session, patient_id: int) -> Rows:
+    """Return all rows of a patient."""
+    places: dict[str, dict[Any, int]] = {}
+    found: Rows = {}
+    for kind, by in KINDS:
+        table = table_of(kind)
+        (reference,) = [key.column.table.name for key in table.c[by].foreign_keys] or [table.name]
+        known = [patient_id] if by == "id" else list(places[reference])
+        order = list(table.primary_key.columns)
+        query = select(table).where(table.c[by].in_(known)).order_by(*order)
+        rows = [dict(row) for row in db.execute(query).mappings()]
+        if "id" in table.c:
+            places[table.name] = {row["id"]: place for place, row in enumerate(rows, start=1)}
+        found[table.name] = [
+            {column.name: _written(column, row[column.name], places) for column in exchanged(table)} for row in rows
+        ]
+    return found
+
+
+def add_patient_rows(db: Session, clinic_id: int, rows: Rows) -> int:
+    """Add the rows of a document to a clinic and return the id of the patient; WrongRows when they do not fit.
+
+    A run's folder is named by its id, as that of every other run.
+    """
+    ids: dict[str, dict[Any, Any]] = {}
+    for kind, _ in KINDS:
+        table = table_of(kind)
+        ids[table.name] = {}
+        for place, row in enumerate(rows[table.name], start=1):
+            values = {column.name: _read(column, row, ids, place) for column in exchanged(table)}
+            if "clinic_id" in table.c:
+                values["clinic_id"] = clinic_id
+            if "folder" in table.c:
+                values["folder"] = values["id"]
+            own = values.get("id", place)
+            if isinstance(own, int) and "id" in values:
+                del values["id"]
+            key = db.execute(insert(table).values(values)).inserted_primary_key
+            ids[table.name][own] = key[0] if key is not None else None
+    return int(ids["patient"][1])
+
+
+def check_rows(rows: Any) -> Rows:
+    """Return the rows of a foreign document when it has the tables and columns of this program; WrongRows otherwise."""
+    if not isinstance(rows, dict) or set(rows) != {table_of(kind).name for kind, _ in KINDS}:
+        raise WrongRows("its tables are others")
+    for kind, _ in KINDS:
+        table = table_of(kind)
+        names = {column.name for column in exchanged(table)}
+        if not isinstance(rows[table.name], list) or any(
+            not isinstance(row, dict) or set(row) != names for row in rows[table.name]
+        ):
+            raise WrongRows(f"the columns of its table '{table.name}' are others")
+    if len(rows["patient"]) != 1:
+        raise WrongRows("it has not exactly one patient")
+    if any(row["ended"] is None for row in rows["session"]):
+        raise WrongRows("one of its sessions has not ended")
+    return rows
+
+
+def table_of(kind: type[Table]) -> SqlTable:
+    """Return the table of a class."""
+    table = kind.__table__
+    assert isinstance(table, SqlTable)
+    return table
+
+
+def exchanged(table: SqlTable) -> list[Column[Any]]:
+    """Return the columns that a document has."""
+    return [column for column in table.columns if column.name not in LEFT_OUT]
+
+
+def _referred(column: Column[Any]) -> str | None:
+    return next((key.column.table.name for key in column.foreign_keys), None)
+
+
+def _written(column: Column[Any], value: Any, places: dict[str, dict[Any, int]]) -> Any:
+    table = _referred(column) or (column.table.name if column.name == "id" else None)
+    if value is not None and table is not None and isinstance(value, int):
+        return places[table][value]
+    if isinstance(value, datetime):
+        return value.astimezone(UTC).isoformat()
+    return value.isoformat() if isinstance(value, date) else value
+
+
+def _read(column: Column[Any], row: dict[str, Any], ids: dict[str, dict[Any, Any]], place: int) -> Any:
+    """Return a value of a document as the database stores it."""
+    value = row[column.name]
+    where = f"row {place} of its table '{column.table.name}', column '{column.name}',"
+    if value is None:
+        if not column.nullable:
+            raise WrongRows(f"{where} is empty")
+        return None
+    if not isinstance(value, _json_type(column)) or (
+        isinstance(value, bool) and not isinstance(column.type, Boolean | JSON)
+    ):
+        raise WrongRows(f"{where} has another type")
+    length = getattr(column.type, "length", None)
+    if isinstance(length, int) and len(value) > length:
+        raise WrongRows(f"{where} is too long")
+    if column.name == "id" and isinstance(value, int) and value != place:
+        raise WrongRows(f"{where} is not {place}")
+    table = _referred(column)
+    if table is not None:
+        if value not in ids[table]:
+            raise WrongRows(f"{where} refers to a row that is not there")
+        return ids[table][value]
+    try:
+        read = _READ.get(type(column.type))
+        return value if read is None else read(value)
+    except ValueError as error:
+        raise WrongRows(f"{where} is no date") from error
+
+
+def _moment(text: str) -> datetime:
+    moment = datetime.fromisoformat(text)
+    if moment.tzinfo is None:
+        raise ValueError
+    return moment
+
+
+_READ: dict[type, Callable[[str], Any]] = {Moment: _moment, Date: date.fromisoformat}
+
+
+def _json_type(column: Column[Any]) -> type | tuple[type, ...]:
+    kind = column.type
+    if isinstance(kind, JSON):
+        return (dict, list)
+    if isinstance(kind, Boolean):
+        return bool
+    if isinstance(kind, Float):
+        return (int, float)
+    if isinstance(kind, Integer):
+        return int
+    assert isinstance(kind, String | Moment | Date)
+    return str

@@ -1,0 +1,238 @@
+"""An archive brings a whole patient to another clinic, and back again; a wrong one changes nothing."""
+
+import json
+import zipfile
+from contextlib import closing, suppress
+from hashlib import sha256
+
+import pytest
+from exported_clinic import CODE, MEASURES, RUN, SIMULATED, make_clinic
+
+from app.clock import utc_now
+from app.exports.archive import import_archive, make_archive
+from app.exports.archive_file import LIST, PATIENT, ArchiveList, FileEntry, hash_of
+from app.recording.reader import read_run
+from app.refusals import Conflict
+from app.settings import Settings
+from app.store.database import Database
+from app.store.learning_trials import counted_trials
+from app.store.log_reading import read_log
+from app.store.patients import add_patient
+from app.store.records.imports import origin_of
+from app.store.records.session_record import add_note, add_scale, session_record
+from app.store.records.sign_off import sign_off
+from app.store.tables import Clinic, Patient, PatientSession
+
+
+def empty_clinic(state) -> Settings:
+    """Make a clinic with two other patients, so that its ids differ."""
+    settings = Settings(state=state)
+    with closing(Database(settings.database)) as database, database.transaction() as db:
+        db.add(Clinic(name="Hillside", created=utc_now(), unused=[]))
+        db.flush()
+        for code in ("A-1", "A-2"):
+            patient = add_patient(db, 1, code, "Wren", "")
+            db.add(
+                PatientSession(
+                    clinic_id=1, patient_id=patient.id, number=1, started=utc_now(), ended=utc_now(), accepted=False
+                )
+            )
+    return settings
+
+
+@pytest.fixture(scope="module")
+def archive(tmp_path_factory):
+    """Return the archive of a patient whose session is signed off, and its hash."""
+    settings = make_clinic(tmp_path_factory.mktemp("from"))
+    package = settings.state / "heron.zip"
+    with closing(Database(settings.database)) as database:
+        with database.transaction() as db:
+            add_note(db, 1, "Went well.", "Ana")
+            add_scale(db, 1, "SCIM III", 41.5, utc_now().date())
+            sign_off(db, db.get_one(PatientSession, 1), "Ana")
+        digest = make_archive(database, 1, 1, "Ana", settings.runs, package)
+    return package, digest, settings
+
+
+@pytest.fixture
+def other(tmp_path):
+    return empty_clinic(tmp_path / "other")
+
+
+def bring(settings, package):
+    with closing(Database(settings.database)) as database:
+        return import_archive(database, 1, package, "Ben", settings.runs)
+
+
+def state_of(settings):
+    """Return all that an import could change: rows of all tables, and files of recordings."""
+    with closing(Database(settings.database)) as database, database.transaction() as db:
+        tables = [
+            name for (name,) in db.connection().exec_driver_sql("SELECT name FROM sqlite_master WHERE type='table'")
+        ]
+        rows = {name: db.connection().exec_driver_sql(f"SELECT * FROM {name}").fetchall() for name in tables}
+    files = [file.relative_to(settings.state).as_posix() for file in settings.state.rglob("*") if file.is_file()]
+    return rows, sorted(name for name in files if "sqlite" not in name)
+
+
+def test_another_clinic_gets_the_same_trials_recordings_and_records_and_returns_the_same_hash(archive, other, tmp_path):
+    package, digest, first = archive
+    found = bring(other, package)
+    assert (found.code, found.is_new) == (CODE, True)
+    with closing(Database(other.database)) as database:
+        with database.transaction() as db:
+            patient = db.get_one(Patient, found.patient_id)
+            (trial,) = [one.trial for one in counted_trials(db, 1, patient.id, "room", "ahead")]
+            assert (trial.measures, trial.source) == (MEASURES, SIMULATED)
+            record = session_record(db, trial.session_id)
+            assert (record.goal, record.notes[0].text, record.scales[0].total) == (
+                "To cross the yard.",
+                "Went well.",
+                41.5,
+            )
+            assert record.sign_off is not None
+            origin = origin_of(db, trial.session_id)
+            assert origin is not None
+            assert (origin.clinic, origin.person, origin.archive) == ("Riverside", "Ben", digest)
+            assert origin_of(db, 1) is None
+            assert read_log(db, 1)[0].what == "archive imported"
+        again = make_archive(database, 1, found.patient_id, "Ben", other.runs, tmp_path / "again.zip")
+    assert again == digest
+    for file in (first.runs / RUN).iterdir():
+        assert (other.runs / RUN / file.name).read_bytes() == file.read_bytes()
+    assert read_run(other.runs / RUN).damage == ""
+
+
+def test_a_second_import_changes_nothing(archive, other):
+    bring(other, archive[0])
+    before = state_of(other)
+    assert bring(other, archive[0]).is_new is False
+    assert state_of(other) == before
+
+
+def test_a_patient_who_is_here_already_is_refused(archive, other):
+    _, _, first = archive
+    before = state_of(first)
+    with pytest.raises(Conflict, match="their patient is here"):
+        bring(first, archive[0])
+    assert state_of(first) == before
+    with closing(Database(other.database)) as database, database.transaction() as db:
+        add_patient(db, 1, CODE, "Wren", "")
+    with pytest.raises(Conflict, match="belongs to another patient"):
+        bring(other, archive[0])
+
+
+def rewrite(package, target, change=None, *, names=None, patient=None, listed=None):
+    """Write an archive anew: with other names, other rows of the patient (with right hashes), another list."""
+    with zipfile.ZipFile(package) as source:
+        contents = {name: source.read(name) for name in source.namelist()}
+    if patient is not None:
+        document = json.loads(contents[PATIENT])
+        patient(document["tables"])
+        contents[PATIENT] = json.dumps(document).encode()
+    contents = {(names or {}).get(name, name): content for name, content in contents.items()}
+    files = {
+        name: FileEntry(bytes=len(content), sha256=sha256(content).hexdigest())
+        for name, content in contents.items()
+        if name != LIST
+    }
+    made = json.loads(ArchiveList(clinic="Riverside", hash=hash_of(files), files=files).model_dump_json())
+    contents[LIST] = json.dumps({**made, **(listed or {})}).encode()
+    if change is not None:
+        change(contents)
+    with zipfile.ZipFile(target, "w") as written:
+        for name, content in contents.items():
+            kind = zipfile.ZIP_DEFLATED if name in (LIST, PATIENT) else zipfile.ZIP_STORED
+            written.writestr(name, content, kind)
+
+
+def wrong_id(tables):
+    tables["trial"][0]["run_id"] = "elsewhere"
+
+
+def wrong_type(tables):
+    tables["trial"][0]["number"] = True
+
+
+def other_column(tables):
+    tables["session"][0]["is_admin"] = 1
+
+
+def hidden_sign(tables):
+    tables["patient"][0]["pseudonym"] = "He\u202eron"
+
+
+def wrong_profile(tables):
+    tables["profile"][0]["document"] = {}
+
+
+def long_code(tables):
+    tables["patient"][0]["code"] = "x" * 65
+
+
+def path_as_run(tables):
+    tables["run"][0]["id"] = tables["trial"][0]["run_id"] = "../../etc"
+
+
+def changed_recording(contents):
+    name = f"runs/{RUN}/run.parquet"
+    contents[name] = contents[name][:-1] + b"x"
+
+
+def bomb(contents):
+    contents[PATIENT] = b" " * 30_000_000
+
+
+WRONG = {
+    "a run that is not there": ({"patient": wrong_id}, "refers to a row that is not there"),
+    "another type": ({"patient": wrong_type}, "has another type"),
+    "another column": ({"patient": other_column}, "columns of its table 'session' are others"),
+    "a hidden sign": ({"patient": hidden_sign}, "which nobody sees"),
+    "no profile": ({"patient": wrong_profile}, "another form"),
+    "a long code": ({"patient": long_code}, "too long"),
+    "a path as a run": ({"patient": path_as_run}, "wrong names"),
+    "a path as a name": ({"names": {f"runs/{RUN}/run.json": "runs/../../evil.json"}}, "no archive"),
+    "an absolute name": ({"names": {f"runs/{RUN}/run.json": "/tmp/evil"}}, "no archive"),
+    "a newer schema": ({"listed": {"schema_version": 2}}, "newer bodydrive"),
+    "a wrong hash": ({"listed": {"hash": "0" * 64}}, "was changed or cut"),
+    "a changed recording": ({"change": changed_recording}, "was changed or cut"),
+    "a bomb": ({"change": bomb}, "was changed or cut"),
+}
+
+
+@pytest.mark.parametrize("case", WRONG)
+def test_a_hostile_archive_is_one_sentence_and_changes_nothing(archive, other, tmp_path, case):
+    fields, sentence = WRONG[case]
+    target = tmp_path / "wrong.zip"
+    rewrite(archive[0], target, **fields)
+    before = state_of(other)
+    with pytest.raises(ValueError, match=sentence) as caught:
+        bring(other, target)
+    assert "\n" not in str(caught.value)
+    assert state_of(other) == before
+    assert not (tmp_path / "evil.json").exists()
+
+
+def test_the_archive_that_is_rewritten_for_these_tests_is_imported_when_nothing_is_wrong(archive, other, tmp_path):
+    rewrite(archive[0], tmp_path / "right.zip")
+    assert bring(other, tmp_path / "right.zip").is_new
+
+
+def test_an_archive_cut_anywhere_or_with_a_changed_byte_changes_nothing(archive, other, tmp_path):
+    content = archive[0].read_bytes()
+    target = tmp_path / "cut.zip"
+    before = state_of(other)
+    for place in range(1, len(content), len(content) // 23):
+        target.write_bytes(content[:place])
+        with pytest.raises(ValueError, match=r"cut\.zip"):
+            bring(other, target)
+    assert state_of(other) == before
+    imported = False
+    for place in range(11, len(content), len(content) // 23):
+        target.write_bytes(content[:place] + bytes([content[place] ^ 0x55]) + content[place + 1 :])
+        with suppress(ValueError, Conflict):
+            imported = bring(other, target).is_new or imported  # a byte that no reader of zip files uses
+    if imported:
+        assert read_run(other.runs / RUN).damage == ""
+    else:
+        assert state_of(other) == before
