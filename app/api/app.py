@@ -14,6 +14,7 @@ from app.api.computer import this_computer
 from app.api.deps import People, clinician, viewer
 from app.api.docs_pages import docs_pages
 from app.api.driving import places
+from app.api.exports import export_file
 from app.api.foreign_files import OneAtATime
 from app.api.guard import Guard
 from app.api.live import live_socket, screen_socket
@@ -95,6 +96,7 @@ ROUTES = (
     review,
     control_quality,
     report_file,
+    export_file,
     log,
     stop,
     live_socket,

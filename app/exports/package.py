@@ -54,8 +54,8 @@ def _begin(material: ExportMaterial, form: Form, package: Path) -> int:
             opened.writestr(entry(file), content, compresslevel=FAST)
         if form == "bids":
             opened.writestr(entry(".bidsignore"), IGNORED)
-            for file in bids_form.dataset_files(Path(name), material.code, __version__):
-                add_file(opened, file, file.name)
+            for described in bids_form.dataset_files(Path(name), material.code, __version__):
+                add_file(opened, described, described.name)
         return opened.start_dir
 
 

@@ -84,8 +84,8 @@ def add_patient_rows(db: Session, clinic_id: int, rows: Rows) -> int:
             own = values.get("id", place)
             if isinstance(own, int) and "id" in values:
                 del values["id"]
-            key = db.execute(insert(table).values(values)).inserted_primary_key
-            ids[table.name][own] = key[0] if key is not None else None
+            added: Any = db.execute(insert(table).values(values))
+            ids[table.name][own] = added.inserted_primary_key[0]
     return int(ids["patient"][1])
 
 
@@ -140,9 +140,7 @@ def _read(column: Column[Any], row: dict[str, Any], ids: dict[str, dict[Any, Any
         if not column.nullable:
             raise WrongRows(f"{where} is empty")
         return None
-    if not isinstance(value, _json_type(column)) or (
-        isinstance(value, bool) and not isinstance(column.type, Boolean | JSON)
-    ):
+    if not _has_type(column, value):
         raise WrongRows(f"{where} has another type")
     length = getattr(column.type, "length", None)
     if isinstance(length, int) and len(value) > length:
@@ -169,6 +167,11 @@ def _moment(text: str) -> datetime:
 
 
 _READ: dict[type, Callable[[str], Any]] = {Moment: _moment, Date: date.fromisoformat}
+
+
+def _has_type(column: Column[Any], value: Any) -> bool:
+    wrong_bool = isinstance(value, bool) and not isinstance(column.type, Boolean | JSON)
+    return isinstance(value, _json_type(column)) and not wrong_bool
 
 
 def _json_type(column: Column[Any]) -> type | tuple[type, ...]:

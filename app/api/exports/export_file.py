@@ -1,0 +1,76 @@
+"""The recordings and measures of a patient as one zip file, sent while it is made."""
+
+import shutil
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Annotated
+
+from fastapi import APIRouter, Query
+from fastapi.responses import StreamingResponse
+
+from app.api.deps import Exporter, PeopleParts, RowId
+from app.api.parts import Web
+from app.clock import utc_now
+from app.computing_process import ComputingProcess
+from app.exports.material import Form, exported_material
+from app.exports.package import Step, export_steps
+from app.scoring.verdict.spread import Spread
+from app.session.clinic_spread import Task
+from app.source import SourceGroup
+
+router = APIRouter(tags=["exports"])
+
+CHUNK = 1 << 18  # bytes
+
+
+@router.get("/patients/{patient_id}/export", response_class=StreamingResponse)
+def export(
+    patient_id: RowId,
+    who: Exporter,
+    parts: PeopleParts,
+    web: Web,
+    form: Form,
+    session: Annotated[int | None, Query(ge=1, le=2**31)] = None,
+) -> StreamingResponse:
+    """Return the export of the session with this number, without one of all sessions, as a zip file.
+
+    A process of its own writes it, recording by recording; 409 without the patient's consent to sharing outside.
+    """
+
+    def spreads_of(floorplan: str, path: str, group: SourceGroup) -> dict[str, Spread]:
+        return web.spread.of_others(Task(who.clinic_id, floorplan, path, group), patient_id)
+
+    runs = parts.settings.runs
+    material = exported_material(parts.database, who.clinic_id, patient_id, session, form, who.name, runs, spreads_of)
+    content = _content(export_steps(material, form), parts.settings.state)
+    name = f"bodydrive-{form}-{utc_now():%Y%m%dT%H%M%SZ}.zip"
+    headers = {"Content-Disposition": f'attachment; filename="{name}"'}
+    return StreamingResponse(content, media_type="application/zip", headers=headers)
+
+
+def _content(steps: list[Step], state: Path) -> Iterator[bytes]:
+    """Yield the zip file as far as it is final, after each step; its parts lie in a folder that is removed.
+
+    The steps have a process of their own: the computing process of the clinic stays free for trials.
+    """
+    computing = ComputingProcess()
+    folder = Path(tempfile.mkdtemp(prefix=".export-", dir=state))
+    try:
+        package, sent = folder / "export.zip", 0
+        for step in steps:
+            final = computing.ask(step, package)
+            yield from _between(package, sent, final)
+            sent = final
+        yield from _between(package, sent, package.stat().st_size)
+    finally:
+        computing.close()
+        shutil.rmtree(folder, ignore_errors=True)
+
+
+def _between(file: Path, start: int, end: int) -> Iterator[bytes]:
+    with file.open("rb") as opened:
+        opened.seek(start)
+        while start < end and (content := opened.read(min(CHUNK, end - start))):
+            start += len(content)
+            yield content

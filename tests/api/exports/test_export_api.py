@@ -1,0 +1,67 @@
+"""The export of a patient over the API: streamed, logged, and with consent only."""
+
+import io
+import subprocess
+import sys
+import zipfile
+from datetime import date
+from typing import Any
+
+import pyarrow.parquet as pa_parquet
+import pytest
+from fake_clinic import WORD
+from recorded_trial import record_trial
+
+from app.recording.reader import read_run
+from app.store.records.consents import give_consent
+from app.store.tables import Trial
+from building import make_parameters
+
+
+@pytest.fixture
+def driven(calibrated: Any) -> Any:
+    """A clinic with one finished trial and its recording."""
+    plan = calibrated.good("GET", "/floorplans/apartment")
+    where = {"floorplan": plan["name"], "path": plan["paths"][0]["name"], "screen": WORD}
+    with calibrated.screen():
+        trial = calibrated.good("POST", "/trials", json=where)
+        folder = calibrated.web.trials.current.run.folder
+        calibrated.good("POST", "/trials/current/end", json={"reason": "by hand"})
+    record_trial(folder, make_parameters(n_channels=8), seconds=2.0)
+    calibrated.folder = folder
+    calibrated.patient = calibrated.good("GET", f"/trials/{trial['id']}")["patient_id"]
+    return calibrated
+
+
+def test_an_export_is_streamed_with_consent_only_and_logged(driven: Any) -> None:
+    address = f"/patients/{driven.patient}/export?form=parquet"
+    refused = driven("GET", address)
+    assert refused.status_code == 409
+    assert "has not consented to sharing outside the clinic" in refused.json()["detail"]
+    with driven.client.app.state.people.database.transaction() as db:
+        give_consent(db, driven.patient, "sharing", date(2025, 1, 1), "Ana")
+        run = db.query(Trial).one().run_id
+    answer = driven("GET", address)
+    assert (answer.status_code, answer.headers["content-type"]) == (200, "application/zip")
+    with zipfile.ZipFile(io.BytesIO(answer.content)) as opened:
+        assert opened.testzip() is None
+        names = [name for name in opened.namelist() if name.endswith("drive.parquet")]
+        times = pa_parquet.read_table(io.BytesIO(opened.read(names[0])))["run_t"].to_numpy()
+    assert times.tolist() == read_run(driven.folder).columns["run_t"].tolist()
+    assert run == driven.folder.name
+    (row,) = [row for row in driven.log() if row.what == "export"]
+    assert (row.details["patient"], row.details["form"]) == (driven.patient, "parquet")
+    assert list(driven.folder.parent.parent.glob(".export-*")) == []
+
+
+def test_a_patient_or_session_that_is_not_there_is_not_exported(driven: Any) -> None:
+    assert driven("GET", "/patients/999/export?form=csv").status_code == 404
+    assert driven("GET", f"/patients/{driven.patient}/export?form=mat").status_code == 422
+
+
+def test_the_web_process_loads_no_library_of_an_export() -> None:
+    script = (
+        "import sys, app.api.exports.export_file, app.exports.archive;"
+        "sys.exit(any(name in sys.modules for name in ('pyarrow', 'scipy', 'statsmodels', 'pandas')))"
+    )
+    assert subprocess.run([sys.executable, "-c", script], check=False).returncode == 0
