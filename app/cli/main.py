@@ -25,7 +25,7 @@ COMMANDS = {
     "people": ("app.cli.people", "people_app"),
     "report": ("app.cli.records.report_command", "report"),
     "export": ("app.cli.records.export", "export"),
-    "archive": ("app.cli.records.archive", "archive_app"),
+    "archive": ("app.cli.records.archive_command", "archive_app"),
     "log": ("app.cli.log", "log_app"),
     "backup": ("app.cli.records.backup_command", "backup"),
     "restore": ("app.cli.records.backup_command", "restore"),

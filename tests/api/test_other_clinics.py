@@ -37,8 +37,17 @@ IDS = {  # names of whole numbers that are ids, and of which table
     "PUT /chairs/chosen id": "chair",
 }
 # Whole numbers that are no ids.
-NUMBERS = {"stops", "port", "seed", "baud", "address", "version", "direction", "before", "seconds", "hour", "years"}
-FILLED = {"other": "1", "reason": "by hand", "dynamics": "unicycle", "floorplan": "apartment", "path": "main"}
+NUMBERS = {"stops", "port", "seed", "baud", "address", "version", "direction", "before", "seconds", "hour", "years"} | {
+    "session"
+}
+FILLED = {
+    "other": "1",
+    "form": "csv",
+    "reason": "by hand",
+    "dynamics": "unicycle",
+    "floorplan": "apartment",
+    "path": "main",
+}
 LISTS = {"patients"}
 OWN_PERSON = "1"  # the person who asks, where a path needs an id besides the one that is tried
 BODIES: dict[str, dict[str, Any]] = {  # what has to be sent along with an id

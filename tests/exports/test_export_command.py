@@ -2,11 +2,16 @@
 
 import sys
 import zipfile
+from contextlib import closing
 
 import pytest
 from exported_clinic import CODE, make_clinic
 
 from app.cli.main import main
+from app.clock import utc_now
+from app.settings import Settings
+from app.store.database import Database
+from app.store.tables import Clinic
 
 
 @pytest.fixture
@@ -51,3 +56,20 @@ def test_bad_input_is_one_sentence_and_leaves_no_file(bodydrive, tmp_path, words
     assert code == 2
     assert sentence in err
     assert [file.name for file in tmp_path.iterdir()] == ["clinic"]
+
+
+def test_a_patient_goes_to_another_clinic_by_two_commands(bodydrive, tmp_path):
+    first = make_clinic(tmp_path / "clinic")
+    (tmp_path / "other").mkdir()
+    with closing(Database(Settings(state=tmp_path / "other").database)) as database, database.transaction() as db:
+        db.add(Clinic(name="Hillside", created=utc_now(), unused=[]))
+    code, out, _err = bodydrive("archive", "make", CODE, "--out", "heron.zip", "--state", first.state)
+    assert code == 0
+    assert "Its hash is" in out
+    take = ("archive", "import", "heron.zip", "--state", tmp_path / "other")
+    assert bodydrive(*take)[:2] == (0, f"The patient {CODE} is imported.\n")
+    assert bodydrive(*take)[1].endswith("nothing was changed.\n")
+    (tmp_path / "heron.zip").write_bytes(b"PK")
+    code, _out, err = bodydrive(*take)
+    assert (code, err.count("\n")) == (2, 1)
+    assert "this is no archive" in err

@@ -12,7 +12,7 @@ from app.refusals import Refusal
 from app.settings import Settings, state_folder
 
 archive_app = typer.Typer(
-    help="Take a whole patient to another clinic: sessions, maps, trials, recordings.",
+    help="Take a whole patient to another clinic: sessions, controls, trials, recordings.",
     no_args_is_help=True,
     pretty_exceptions_enable=False,
 )
