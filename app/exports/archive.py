@@ -124,8 +124,8 @@ def _add(
             _note(db, patient_id, archive, person)
             for folder in sorted(unpacked.iterdir()):
                 target = runs / folder.name
-                if target.exists():
-                    raise Conflict(f"A recording {folder.name} is in this clinic already, and nothing was imported.")
+                if target.exists():  # no row names it: an import was killed before its rows were stored
+                    shutil.rmtree(target)
                 folder.rename(target)
                 moved.append(target)
             sync_folder(runs)

@@ -110,6 +110,14 @@ def test_a_second_import_changes_nothing(archive, other):
     assert state_of(other) == before
 
 
+def test_a_recording_that_a_killed_import_left_is_in_nobodys_way(archive, other):
+    left = other.runs / RUN
+    left.mkdir(parents=True)
+    (left / "run.parquet").write_bytes(b"half")
+    assert bring(other, archive[0]).is_new
+    assert read_run(left).damage == ""
+
+
 def test_a_patient_who_is_here_already_is_refused(archive, other):
     _, _, first = archive
     before = state_of(first)

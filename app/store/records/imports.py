@@ -1,6 +1,6 @@
 """Where rows came from: the archive that a patient was imported from, its clinic, and who imported it."""
 
-from sqlalchemy import select
+from sqlalchemy import or_, select
 from sqlalchemy.orm import Session
 
 from app.clock import utc_now
@@ -36,7 +36,8 @@ def origin_of(db: Session, session_id: int) -> PatientImport | None:
 def require_new(db: Session, clinic_id: int, rows: Rows) -> None:
     """Raise Conflict when the clinic has the patient's code or one of the recordings already."""
     ids = [row["id"] for row in rows["run"]]
-    if db.scalar(select(Run.id).where(Run.id.in_(ids)).limit(1)) is not None:
+    here = select(Run.id).where(or_(Run.id.in_(ids), Run.folder.in_(ids))).limit(1)
+    if db.scalar(here) is not None:
         raise Conflict(RUNS_HERE)
     code = rows["patient"][0]["code"]
     if db.scalar(select(Patient.id).where(Patient.clinic_id == clinic_id, Patient.code == code)) is not None:
