@@ -50,6 +50,7 @@ from app.api.routes import (
     trial_plan,
     trials,
 )
+from app.api.sharing import attention, comments, share_links, shared_page, stories
 from app.api.sign_in import accept_invitation, auth, introduction, own_password
 from app.api.sign_in.hashing import Hashing
 from app.api.sign_in.set_up import SetUp
@@ -109,6 +110,11 @@ ROUTES = (
     sign_offs,
     session_comparisons,
     patient_consents,
+    attention,
+    stories,
+    comments,
+    share_links,
+    shared_page,
 )
 
 WebApp = FastAPI

@@ -8,9 +8,12 @@ from app.refusals import NotFound, OtherClinicRow
 from app.store.access.person_tables import Person
 from app.store.access.visible_patients import WITH_DELETED
 from app.store.keeping.keeping_tables import Incident
+from app.store.sharing.sharing_tables import MomentComment, ShareLink
 from app.store.tables import Chair, Drive, Patient, PatientScreen, PatientSession, Trial
 
-Row = TypeVar("Row", Chair, Drive, Incident, Patient, PatientScreen, PatientSession, Person, Trial)
+Row = TypeVar(
+    "Row", Chair, Drive, Incident, MomentComment, Patient, PatientScreen, PatientSession, Person, ShareLink, Trial
+)
 
 
 def own_row(db: Session, kind: type[Row], clinic_id: int, row_id: int, missing: str, *, deleted: bool = False) -> Row:

@@ -17,7 +17,10 @@ from app.store.keeping.incidents import mark_incident
 from app.store.patient_screens import add_screen
 from app.store.patients import add_patient, start_session
 from app.store.people import add_clinic, add_person
+from app.store.records.consents import give_consent
 from app.store.runs import add_run, add_trial
+from app.store.sharing.comments import add_comment
+from app.store.sharing.share_links import add_share
 
 IDS = {  # names of whole numbers that are ids, and of which table
     "patient_id": "patient",
@@ -33,12 +36,15 @@ IDS = {  # names of whole numbers that are ids, and of which table
     "session_id": "session",
     "note_id": "session",  # a note and a scale are those of the session that the path names
     "scale_id": "session",
+    "comment_id": "moment_comment",
+    "share_id": "share_link",
     "other": "session",
     "PUT /chairs/chosen id": "chair",
 }
 # Whole numbers that are no ids.
 NUMBERS = {"stops", "port", "seed", "baud", "address", "version", "direction", "before", "seconds", "hour", "years"} | {
-    "session"
+    "session",
+    "days",
 }
 FILLED = {
     "other": "1",
@@ -61,6 +67,11 @@ BODIES: dict[str, dict[str, Any]] = {  # what has to be sent along with an id
     "PUT /sessions/{session_id}/notes/{note_id}": {"text": "x"},
     "POST /sessions/{session_id}/scales": {"name": "SCIM III", "total": 41.0, "day": "2026-03-01"},
     "POST /sessions/{session_id}/unlock": {"reason": "x"},
+    "POST /trials/{trial_id}/comments": {"t": 1.0, "text": "x"},
+    "POST /trials/{trial_id}/comments/read": {},
+    "PUT /comments/{comment_id}": {"text": "x"},
+    "POST /patients/{patient_id}/shares": {"days": 14},
+    "POST /sessions/{session_id}/shares": {"days": 14},
     "PUT /patients/{patient_id}/consents/{consent}": {"given": "2026-03-01"},
 }
 MISSING = 2**31 - 1  # an id that nothing has
@@ -140,6 +151,9 @@ def theirs(signed_in: Clinic) -> dict[str, int]:
         )
         trial.status = "done"
         person = add_person(db, clinic, "Eve", "owner", None)
+        comment = add_comment(db, trial, person.id, 1.0, "Theirs.")
+        give_consent(db, patient.id, "sharing", utc_now().date(), "Eve")
+        link, _ = add_share(db, clinic.id, patient.id, None, "hash", 14, "Eve")
         return {
             "person": person.id,
             "patient": patient.id,
@@ -148,6 +162,8 @@ def theirs(signed_in: Clinic) -> dict[str, int]:
             "chair": chair.id,
             "patient_screen": screen.id,
             "incident": mark_incident(db, clinic.id, utc_now(), "0" * 64, [patient.id], None).id,
+            "moment_comment": comment.id,
+            "share_link": link.id,
         }
 
 

@@ -15,6 +15,8 @@ from app.store.people import find_person, sign_in
 OTHER = "can no longer be sent"
 UNNAMED = "does not name the session"
 VALUES = {
+    "comment_id": "1",
+    "share_id": "1",
     "chair_id": "1",
     "patient_id": "1",
     "trial_id": "1",

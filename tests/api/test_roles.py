@@ -42,6 +42,8 @@ FOR_EVERYONE = {
     "GET /patient-screen/me",
     "GET /equipment/practice",
     "GET /trust",
+    "POST /shared/open",
+    "GET /shared",
 }
 FOR_PATIENTS_SCREENS = {"GET /view/{role}/", "GET /view/{role}/plan"}  # the patient's only
 FOR_OWNERS = {
@@ -68,6 +70,14 @@ FOR_OWNERS = {
     "POST /people/{person_id}/enable",
 }
 FOR_REVIEWERS = {
+    "GET /attention",
+    "GET /sessions/{session_id}/story",
+    "GET /comments",
+    "GET /trials/{trial_id}/comments",
+    "POST /trials/{trial_id}/comments",
+    "POST /trials/{trial_id}/comments/read",
+    "PUT /comments/{comment_id}",
+    "DELETE /comments/{comment_id}",
     "PUT /auth/password",
     "POST /auth/introduction",
     "GET /patients",
@@ -156,8 +166,17 @@ def test_stop_asks_nobodys_name_before_it_stops(signed_in: Clinic, monkeypatch: 
 def requested(clinic: Clinic, name: str, view: str = "clinician") -> Any:
     """Request a route by its method and path as in the table, without content; return the answer."""
     method, path = name.split()
-    for placeholder in ("{chair_id}", "{patient_id}", "{trial_id}", "{screen_id}", "{person_id}", "{session_id}"):
+    for placeholder in (
+        "{chair_id}",
+        "{patient_id}",
+        "{trial_id}",
+        "{screen_id}",
+        "{person_id}",
+        "{session_id}",
+        "{share_id}",
+    ):
         path = path.replace(placeholder, "1")
+    path = path.replace("{comment_id}", "1")
     path = path.replace("{note_id}", "1").replace("{scale_id}", "1").replace("{consent}", "sharing")
     path = path.replace("{name}", "nowhere").replace("{step}", "rest").replace("{role}", view)
     path = path.replace("{word}", "no-such-word").replace("{kind}", "floorplan")

@@ -1,0 +1,1 @@
+"""Review from elsewhere: what needs attention, stories of sessions, comments on moments, share links."""
