@@ -21,6 +21,7 @@ import replay from "./texts/en/replay.js";
 import quality from "./texts/en/quality.js";
 import review from "./texts/en/review.js";
 import settings from "./texts/en/settings.js";
+import share from "./texts/en/sharing/share.js";
 import shell from "./texts/en/shell.js";
 import shirt from "./texts/en/shirt.js";
 import stereo from "./texts/en/stereo.js";
@@ -33,6 +34,7 @@ export const LANGUAGE = "en";
 
 /** @type {Readonly<Record<string, Text>>} */
 const CATALOGUE = Object.freeze({
+  ...share,
   ...shell,
   ...patients,
   ...shirt,

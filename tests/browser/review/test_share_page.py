@@ -1,0 +1,78 @@
+"""The page of a share link on a phone, 300 ms away: a PIN, then story and figures in one answer."""
+
+import asyncio
+import time
+from concurrent.futures import ThreadPoolExecutor
+
+import pytest
+from browser.served.review_app import ReviewApp
+from playwright.sync_api import expect
+
+from app.api.sign_in.hashing import Hashing
+from app.clock import utc_now
+from app.store.records.consents import give_consent
+from app.store.sharing.share_links import add_share
+from app.store.tables import Patient
+from folders import SCREENSHOTS
+
+pytestmark = [pytest.mark.browser, pytest.mark.long, pytest.mark.timeout(240)]
+
+FAR = {"offline": False, "latency": 300, "downloadThroughput": 500_000, "uploadThroughput": 250_000}  # ms, byte/s
+PIN = "314159"
+TOO_WIDE = "document.documentElement.scrollWidth > document.documentElement.clientWidth"
+SMALL = """[...document.querySelectorAll("main button, main input")]
+  .filter((one) => one.getBoundingClientRect().height < 44).map((one) => one.outerHTML)"""
+
+
+@pytest.fixture
+def link(tmp_path):
+    """Serve a clinic and make a link whose PIN is known; yield its address."""
+    app = ReviewApp(tmp_path / "clinic")
+    app.start()
+    parts = app.app.state.people
+    with ThreadPoolExecutor(1) as pool:  # the browser has an event loop in this thread
+        pin_hash = pool.submit(lambda: asyncio.run(_hash(PIN))).result()
+    with parts.database.transaction() as db:
+        patient = db.query(Patient).one()
+        give_consent(db, patient.id, "sharing", utc_now().astimezone().date(), "Ada")
+        _, token = add_share(db, patient.clinic_id, patient.id, None, pin_hash, 14, "Ada")
+    yield f"{app.address}/share.html#{token}"
+    app.stop()
+
+
+async def _hash(pin: str) -> str:
+    hashing = Hashing()
+    try:
+        return await hashing.hash(pin)
+    finally:
+        await hashing.close()
+
+
+def test_a_share_link_on_a_phone_far_away(browser, link) -> None:
+    SCREENSHOTS.mkdir(parents=True, exist_ok=True)
+    context = browser.new_context(viewport={"width": 390, "height": 844})
+    page = context.new_page()
+    context.new_cdp_session(page).send("Network.emulateNetworkConditions", FAR)
+    asked: list[str] = []
+    page.on("request", lambda request: asked.append(request.url))
+    begun = time.monotonic()
+    page.goto(link)
+    expect(page.get_by_label("PIN of this link")).to_be_visible(timeout=20_000)
+    print("PIN asked after", round(time.monotonic() - begun, 1), "s")  # noqa: T201
+    page.get_by_label("PIN of this link").fill("000000")
+    page.get_by_role("button", name="Open").click()
+    expect(page.get_by_role("alert")).to_contain_text("The link or the PIN is wrong", timeout=20_000)
+    page.get_by_label("PIN of this link").fill(PIN)
+    asked.clear()
+    begun = time.monotonic()
+    page.get_by_role("button", name="Open").click()
+    expect(page.get_by_role("heading", name="Records of P-1")).to_be_visible(timeout=60_000)
+    print("readable after", round(time.monotonic() - begun, 1), "s")  # noqa: T201
+    assert [url.rpartition("/api/v1/")[2] for url in asked] == ["shared/open", "shared"]
+    expect(page.locator("main")).to_contain_text("Trial 2")
+    assert "Heron" not in page.locator("body").inner_text()
+    assert page.locator("svg polyline").count() >= 3
+    assert not page.evaluate(TOO_WIDE)
+    assert page.evaluate(SMALL) == []
+    page.screenshot(path=SCREENSHOTS / "share-390.png", full_page=True)
+    context.close()

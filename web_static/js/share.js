@@ -1,0 +1,143 @@
+/**
+ * The page that a share link opens: a PIN, then the story and the figures of one patient. One answer holds all of it.
+ * @import { SharedView, StoryView, EventView, TaskLearning } from "types/api"
+ */
+import { LANGUAGE, t, hasText } from "./texts.js";
+import { day, minuteOfDay, number } from "./widgets/format.js";
+import { h, put, s } from "./widgets/dom.js";
+
+const HERE = "/api/v1/shared";
+const main = /** @type {HTMLElement} */ (document.getElementById("main"));
+
+const OPENED = "share opened"; // in this tab: the link whose PIN was given, so that another link asks for its own
+
+/** Show what is shared, or ask for the PIN when it was not given here, or no longer holds. */
+async function show() {
+  if (sessionStorage.getItem(OPENED) !== location.hash) {
+    askPin("");
+    return;
+  }
+  const answer = await fetch(HERE).catch(() => null);
+  if (answer?.ok) showShared(await answer.json());
+  else askPin(answer ? "" : t("share.failed"));
+}
+
+/** @param {string} words of a refusal, or empty */
+function askPin(words) {
+  const token = location.hash.slice(1);
+  if (!token) {
+    put(main, h("p", { role: "alert" }, t("share.no_link")));
+    return;
+  }
+  const pin = h("input", { inputmode: "numeric", autocomplete: "off", maxlength: "12", required: true });
+  /** @param {Event} event */
+  const open = async (event) => {
+    event.preventDefault();
+    const body = JSON.stringify({ token, pin: pin.value.trim() });
+    const headers = { "Content-Type": "application/json" };
+    const answer = await fetch(`${HERE}/open`, { method: "POST", headers, body }).catch(() => null);
+    if (answer?.ok) {
+      sessionStorage.setItem(OPENED, location.hash);
+      await show();
+      return;
+    }
+    askPin(answer ? (await answer.json()).detail : t("share.failed"));
+  };
+  put(
+    main,
+    h(
+      "section",
+      {},
+      h("form", { onsubmit: open },
+        h("label", {}, t("share.pin"), pin),
+        h("p", { class: "quiet" }, t("share.pin.words")),
+        h("p", { role: "alert" }, words),
+        h("button", { class: "main" }, t("share.open"))),
+    ),
+  );
+  pin.focus();
+}
+
+/** @param {SharedView} shared */
+function showShared({ code, expires, stories, tasks }) {
+  document.title = t("share.title", { code });
+  put(
+    main,
+    h("h1", {}, t("share.title", { code })),
+    h("p", { class: "quiet" }, t("share.until", { day: day(expires) })),
+    tasks.map(taskCard),
+    stories.map(storyCard),
+  );
+}
+
+/** @param {TaskLearning} task */
+function taskCard(task) {
+  const words = Object.entries(task.words).filter(([name]) => hasText(`measure.${name}`));
+  const areas = task.trials.map((trial) => /** @type {number | null} */ (trial.e_diff ?? null));
+  const known = areas.filter((area) => area !== null);
+  return h(
+    "section",
+    {},
+    h("h2", {}, `${task.floorplan_title}, ${task.path_name}`, task.source === "simulated" ? ` (${t("share.simulated")})` : ""),
+    h("p", {}, t("share.trajectories", { count: task.trajectories.length })),
+    lines([task.path, ...task.trajectories.map(({ x, y }) => x.map((one, i) => [one, y[i]]))], "path"),
+    h("p", {}, t("share.curve")),
+    lines([areas.flatMap((area, i) => (area === null ? [] : [[i + 1, area]]))], "driven", true),
+    known.length ? h("p", {}, t("share.values", { first: number(known[0], 2), newest: number(known[known.length - 1], 2) })) : null,
+    h("p", {}, t("share.verdicts")),
+    words.length
+      ? h("dl", {}, words.map(([name, word]) => [h("dt", {}, t(`measure.${name}`)), h("dd", {}, t(`verdict.${word}`))]))
+      : h("p", { class: "quiet" }, t("share.no_verdict")),
+  );
+}
+
+/**
+ * Lines in a picture that fits them; y upwards.
+ * @param {number[][][]} all @param {string} first class of the first line @param {boolean} [stretch] to the whole picture
+ */
+function lines(all, first, stretch = false) {
+  const points = all.flat();
+  if (points.length === 0) return null;
+  const [xs, ys] = [points.map(([x]) => x), points.map(([, y]) => -y)];
+  const [left, top] = [Math.min(...xs), Math.min(...ys)];
+  const [wide, high] = [Math.max(Math.max(...xs) - left, 0.5), Math.max(Math.max(...ys) - top, 0.5)];
+  const pad = stretch ? 0 : 0.05 * Math.max(wide, high);
+  return s(
+    "svg",
+    {
+      viewBox: [left - pad, top - pad, wide + 2 * pad, high + 2 * pad].join(" "),
+      preserveAspectRatio: stretch ? "none" : "xMidYMid meet",
+      "aria-hidden": "true",
+    },
+    all.map((line, i) => s("polyline", { class: i === 0 ? first : "driven", points: line.map(([x, y]) => `${x},${-y}`).join(" ") })),
+  );
+}
+
+/** @param {StoryView} story */
+function storyCard({ number, goal, is_signed, events }) {
+  return h(
+    "section",
+    {},
+    h("h2", {}, t("share.session", { number })),
+    h("p", { class: "quiet" }, t(is_signed ? "share.signed" : "share.unsigned")),
+    goal ? h("p", {}, `${t("share.goal")}: ${goal}`) : null,
+    h("ol", { class: "story" }, events.map(eventLine)),
+  );
+}
+
+/** @param {EventView} event */
+function eventLine({ at, kind, person, words, facts }) {
+  const end = String(facts.end ?? "");
+  const title = t(`share.event.${kind}`, { ...facts, words, end });
+  const isSaid = kind === "note" || kind === "comment" || kind === "unlock";
+  return h(
+    "li",
+    {},
+    h("time", { datetime: at }, minuteOfDay(at)),
+    ` ${title}${person ? `, ${person}` : ""}`,
+    isSaid && words ? h("p", {}, words) : null,
+  );
+}
+
+document.documentElement.lang = LANGUAGE;
+show();
