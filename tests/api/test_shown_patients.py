@@ -66,15 +66,22 @@ def test_the_id_of_another_patient_is_answered_like_one_that_does_not_exist(revi
             if table not in hidden or route not in FOR_REVIEWERS:
                 continue
 
-            def ask(number: int, method: str = method, path: str = path, name: str = name, needed: Any = needed) -> Any:
+            def ask(
+                number: int,
+                method: str = method,
+                path: str = path,
+                name: str = name,
+                needed: Any = needed,
+                route: str = route,
+            ) -> Any:
                 url = path.removeprefix("/api/v1").replace(f"{{{name}}}", str(number))
                 url = url.replace("{trial_id}", str(number)).replace("{session_id}", str(number))
                 more = {other: FILLED[other] for other in needed if other != name}
-                body = None
+                body = BODIES.get(route)
                 if f"{{{name}}}" not in path and method == "GET":
                     more[name] = str(number)
                 elif f"{{{name}}}" not in path:
-                    body = BODIES.get(f"{method} {path}", {}) | {name: number}
+                    body = BODIES.get(route, {}) | {name: number}
                 return reviewed(method, url, params=more, json=body)
 
             missing, refused = ask(MISSING), ask(hidden[table])
