@@ -4334,6 +4334,450 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/attention": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["PatientAttention"][];
+                    };
+                };
+            };
+        };
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/sessions/{session_id}/story": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["StoryView"];
+                    };
+                };
+            };
+        };
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/comments": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["CommentView"][];
+                    };
+                };
+            };
+        };
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/trials/{trial_id}/comments": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["CommentView"][];
+                    };
+                };
+            };
+        };
+        put?: never;
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/json": components["schemas"]["NewComment"];
+                };
+            };
+            responses: {
+                201: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["CommentView"][];
+                    };
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/trials/{trial_id}/comments/read": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                204: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/comments/{comment_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/json": components["schemas"]["RevisedComment"];
+                };
+            };
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["CommentView"][];
+                    };
+                };
+            };
+        };
+        post?: never;
+        delete: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["CommentView"][];
+                    };
+                };
+            };
+        };
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/patients/{patient_id}/shares": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["SharesView"];
+                    };
+                };
+            };
+        };
+        put?: never;
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/json": components["schemas"]["NewShare"];
+                };
+            };
+            responses: {
+                201: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["MadeShare"];
+                    };
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/sessions/{session_id}/shares": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/json": components["schemas"]["NewShare"];
+                };
+            };
+            responses: {
+                201: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["MadeShare"];
+                    };
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/shares/{share_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post?: never;
+        delete: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["SharesView"];
+                    };
+                };
+            };
+        };
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/shared/open": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/json": components["schemas"]["OpenShare"];
+                };
+            };
+            responses: {
+                204: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content?: never;
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/shared": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["SharedView"];
+                    };
+                };
+            };
+        };
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/view/{role}/camera": {
         parameters: {
             query?: never;
@@ -4471,6 +4915,14 @@ export interface components {
             why: string;
             refusal: string | null;
             looking: boolean;
+        };
+        AttentionView: {
+            /** @enum {string} */
+            reason: "deterioration" | "halted" | "comment" | "unsigned" | "absent";
+            number: number;
+            session_id: number | null;
+            trial_id: number | null;
+            sentence: string;
         };
         Back: {
             /**
@@ -4652,6 +5104,22 @@ export interface components {
         };
         Code: {
             code: string;
+        };
+        CommentRevisionView: {
+            text: string;
+            written: string;
+        };
+        CommentView: {
+            id: number;
+            trial_id: number;
+            number: number;
+            patient_id: number;
+            session_id: number;
+            person: string;
+            is_own: boolean;
+            t: number;
+            revisions: components["schemas"]["CommentRevisionView"][];
+            unread: boolean;
         };
         Companion: {
             joint: string;
@@ -4937,6 +5405,16 @@ export interface components {
             /** @enum {string} */
             kind: "checking" | "armed" | "stop" | "fault" | "disarmed" | "contact" | "goal";
             words: string;
+        };
+        EventView: {
+            at: string;
+            /** @enum {string} */
+            kind: "begin" | "calibration" | "map" | "parameters" | "trial" | "stop" | "drive" | "note" | "comment" | "sign-off" | "unlock" | "end";
+            person: string | null;
+            words: string;
+            facts: {
+                [key: string]: unknown;
+            };
         };
         FieldDifference: {
             /**
@@ -5358,6 +5836,12 @@ export interface components {
             encrypted: boolean;
             with_keys: boolean;
         };
+        MadeShare: {
+            patient_id: number;
+            shares: components["schemas"]["ShareRow"][];
+            address: string;
+            pin: string;
+        };
         MapCheck: {
             in_phase: number;
             hit_rate: number;
@@ -5441,6 +5925,10 @@ export interface components {
             port?: number;
             speeds: components["schemas"]["Speeds"];
         };
+        NewComment: {
+            t: number;
+            text: string;
+        };
         NewDrive: {
             hash: string;
             screen: string;
@@ -5469,6 +5957,10 @@ export interface components {
         NewSession: {
             patient_id: number;
         };
+        NewShare: {
+            /** @default 14 */
+            days?: number;
+        };
         NewTrial: {
             floorplan: string;
             path: string;
@@ -5494,6 +5986,10 @@ export interface components {
             qr: string;
             expires: string;
             words: string;
+        };
+        OpenShare: {
+            token: string;
+            pin: string;
         };
         OpentrackConfig: {
             /**
@@ -5550,6 +6046,12 @@ export interface components {
             title: string;
             length: number;
             task: string;
+        };
+        PatientAttention: {
+            patient_id: number;
+            code: string;
+            pseudonym: string;
+            reasons: components["schemas"]["AttentionView"][];
         };
         PatientView: {
             id: number;
@@ -5732,6 +6234,9 @@ export interface components {
             kind: "file" | "model" | "floorplan";
             name: string;
         };
+        RevisedComment: {
+            text: string;
+        };
         RevisionView: {
             text: string;
             person: string;
@@ -5869,6 +6374,28 @@ export interface components {
             started: string;
             opened_by: string | null;
         };
+        ShareRow: {
+            id: number;
+            session_id: number | null;
+            person: string;
+            created: string;
+            expires: string;
+            /** @enum {string} */
+            state: "open" | "revoked" | "over" | "dead";
+            openings: number;
+            wrong_pins: number;
+        };
+        SharedView: {
+            code: string;
+            is_course: boolean;
+            expires: string;
+            stories: components["schemas"]["StoryView"][];
+            tasks: components["schemas"]["TaskLearning"][];
+        };
+        SharesView: {
+            patient_id: number;
+            shares: components["schemas"]["ShareRow"][];
+        };
         ShirtKind: {
             kind: string;
             simulated: boolean;
@@ -5965,6 +6492,20 @@ export interface components {
         StopCount: {
             stops: number;
         };
+        StoryScale: {
+            name: string;
+            total: number;
+        };
+        StoryView: {
+            session_id: number;
+            number: number;
+            patient_id: number;
+            code: string;
+            goal: string;
+            scales: components["schemas"]["StoryScale"][];
+            is_signed: boolean;
+            events: components["schemas"]["EventView"][];
+        };
         SuggestedVocabulary: {
             gestures: components["schemas"]["Gesture"][];
             bindings: components["schemas"]["Binding"][];
@@ -6009,6 +6550,26 @@ export interface components {
             measures: {
                 [key: string]: components["schemas"]["MeasureOfSessions"];
             };
+        };
+        TaskLearning: {
+            floorplan_title: string;
+            path_name: string;
+            /** @enum {string} */
+            source: "worn" | "simulated" | "unknown";
+            trials: {
+                [key: string]: unknown;
+            }[];
+            curves: {
+                [key: string]: unknown;
+            };
+            words: {
+                [key: string]: string;
+            };
+            path: [
+                number,
+                number
+            ][];
+            trajectories: components["schemas"]["TrialLine"][];
         };
         TaskVerdicts: {
             sessions: components["schemas"]["SessionVerdicts"][];
@@ -6188,6 +6749,7 @@ export interface components {
 export type AcceptedInvitation = components['schemas']['AcceptedInvitation'];
 export type AdaptationModeChoice = components['schemas']['AdaptationModeChoice'];
 export type AdaptationView = components['schemas']['AdaptationView'];
+export type AttentionView = components['schemas']['AttentionView'];
 export type Back = components['schemas']['Back'];
 export type BackupSettings = components['schemas']['BackupSettings'];
 export type BackupsView = components['schemas']['BackupsView'];
@@ -6211,6 +6773,8 @@ export type ChannelLine = components['schemas']['ChannelLine'];
 export type CheckView = components['schemas']['CheckView'];
 export type Choice = components['schemas']['Choice'];
 export type Code = components['schemas']['Code'];
+export type CommentRevisionView = components['schemas']['CommentRevisionView'];
+export type CommentView = components['schemas']['CommentView'];
 export type Companion = components['schemas']['Companion'];
 export type ComputerView = components['schemas']['ComputerView'];
 export type Cone = components['schemas']['Cone'];
@@ -6244,6 +6808,7 @@ export type Effect = components['schemas']['Effect'];
 export type EndTrial = components['schemas']['EndTrial'];
 export type EquipmentView = components['schemas']['EquipmentView'];
 export type Event = components['schemas']['Event'];
+export type EventView = components['schemas']['EventView'];
 export type FieldDifference = components['schemas']['FieldDifference'];
 export type FileView = components['schemas']['FileView'];
 export type FindingView = components['schemas']['FindingView'];
@@ -6287,6 +6852,7 @@ export type LogEntryView = components['schemas']['LogEntryView'];
 export type LogView = components['schemas']['LogView'];
 export type MachineView = components['schemas']['MachineView'];
 export type MadeBackupView = components['schemas']['MadeBackupView'];
+export type MadeShare = components['schemas']['MadeShare'];
 export type MapCheck = components['schemas']['MapCheck'];
 export type MapChoice = components['schemas']['MapChoice'];
 export type MapView = components['schemas']['MapView'];
@@ -6298,17 +6864,20 @@ export type Mover = components['schemas']['Mover'];
 export type MoverLine = components['schemas']['MoverLine'];
 export type NamedGesture = components['schemas']['NamedGesture'];
 export type NewChair = components['schemas']['NewChair'];
+export type NewComment = components['schemas']['NewComment'];
 export type NewDrive = components['schemas']['NewDrive'];
 export type NewPatient = components['schemas']['NewPatient'];
 export type NewPerson = components['schemas']['NewPerson'];
 export type NewReplay = components['schemas']['NewReplay'];
 export type NewScale = components['schemas']['NewScale'];
 export type NewSession = components['schemas']['NewSession'];
+export type NewShare = components['schemas']['NewShare'];
 export type NewTrial = components['schemas']['NewTrial'];
 export type NextTaskView = components['schemas']['NextTaskView'];
 export type NoteText = components['schemas']['NoteText'];
 export type NoteView = components['schemas']['NoteView'];
 export type OfferView = components['schemas']['OfferView'];
+export type OpenShare = components['schemas']['OpenShare'];
 export type OpentrackConfig = components['schemas']['OpentrackConfig'];
 export type OwnPassword = components['schemas']['OwnPassword'];
 export type OwnPlanView = components['schemas']['OwnPlanView'];
@@ -6317,6 +6886,7 @@ export type ParametersSummary = components['schemas']['ParametersSummary'];
 export type PasswordChange = components['schemas']['PasswordChange'];
 export type PastSignOff = components['schemas']['PastSignOff'];
 export type PathView = components['schemas']['PathView'];
+export type PatientAttention = components['schemas']['PatientAttention'];
 export type PatientView = components['schemas']['PatientView'];
 export type PersonConfig = components['schemas']['PersonConfig'];
 export type PersonView = components['schemas']['PersonView'];
@@ -6339,6 +6909,7 @@ export type ReplayMoment = components['schemas']['ReplayMoment'];
 export type ReplayView = components['schemas']['ReplayView'];
 export type RestCheck = components['schemas']['RestCheck'];
 export type RestoredView = components['schemas']['RestoredView'];
+export type RevisedComment = components['schemas']['RevisedComment'];
 export type RevisionView = components['schemas']['RevisionView'];
 export type Rights = components['schemas']['Rights'];
 export type Room = components['schemas']['Room'];
@@ -6358,6 +6929,9 @@ export type SessionRow = components['schemas']['SessionRow'];
 export type SessionTrial = components['schemas']['SessionTrial'];
 export type SessionVerdicts = components['schemas']['SessionVerdicts'];
 export type SessionView = components['schemas']['SessionView'];
+export type ShareRow = components['schemas']['ShareRow'];
+export type SharedView = components['schemas']['SharedView'];
+export type SharesView = components['schemas']['SharesView'];
 export type ShirtKind = components['schemas']['ShirtKind'];
 export type ShirtLayout = components['schemas']['ShirtLayout'];
 export type SignOffView = components['schemas']['SignOffView'];
@@ -6370,11 +6944,14 @@ export type StartView = components['schemas']['StartView'];
 export type StatusView = components['schemas']['StatusView'];
 export type StepChoice = components['schemas']['StepChoice'];
 export type StopCount = components['schemas']['StopCount'];
+export type StoryScale = components['schemas']['StoryScale'];
+export type StoryView = components['schemas']['StoryView'];
 export type SuggestedVocabulary = components['schemas']['SuggestedVocabulary'];
 export type Summary = components['schemas']['Summary'];
 export type TabletHeadConfig = components['schemas']['TabletHeadConfig'];
 export type TabletsView = components['schemas']['TabletsView'];
 export type TaskComparison = components['schemas']['TaskComparison'];
+export type TaskLearning = components['schemas']['TaskLearning'];
 export type TaskVerdicts = components['schemas']['TaskVerdicts'];
 export type Timeline = components['schemas']['Timeline'];
 export type TitleChoice = components['schemas']['TitleChoice'];
