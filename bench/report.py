@@ -18,8 +18,8 @@ from app.pipeline.safety_gate import Conditions
 from app.process.ring import TickRing
 from app.recording.writer import RunWriter
 from app.reports.document import Form
-from app.reports.making import Subject, exported_material
 from app.reports.rendering import report_file
+from app.reports.report_making import Subject, exported_material
 from app.scoring.verdict.spread import Spread
 from app.session.clinic_spread import ClinicSpread, Task
 from app.settings import Settings

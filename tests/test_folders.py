@@ -12,8 +12,10 @@ CODE = ("app/", "bench/", "tests/", "web_static/")
 # File names that stand in several packages of `app`, each for one subject seen from several sides.
 SAME_SUBJECT = {
     "adaptation": "of a map: the flow, the routes",
+    "attention": "which patients need it: found, the routes",
     "calibration": "of a patient: the flow, the routes",
     "chairs": "real chairs: stored, chosen, the routes",
+    "comments": "on a moment of a trial: kept, the routes",
     "controls": "from gestures to commands: the step of the chain, the routes",
     "drives": "of a real chair: kept, the routes",
     "floorplan": "the document, the command",
@@ -37,6 +39,7 @@ SAME_SUBJECT = {
     "runs": "a run: in the control process, in a session, kept",
     "shirt": "the shirt in use, the command",
     "simulator": "a role of the hardware without the device: shirt, head, chair",
+    "share_links": "for somebody outside: kept, the routes",
 }
 
 

@@ -7,7 +7,7 @@ import uuid
 from typing import Any
 
 from app import __version__
-from app.exports.material import ExportMaterial
+from app.exports.export_material import ExportMaterial
 from app.exports.measure_units import MEASURES, is_number
 from app.source import source_words
 from app.store.records.recorded_runs import RecordedRun, RecordedTrial

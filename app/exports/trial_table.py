@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 from app import __version__
 from app.csv_cells import csv_line
-from app.exports.material import ExportMaterial
+from app.exports.export_material import ExportMaterial
 from app.exports.measure_units import MEASURES, VERDICTS, is_number
 from app.scoring.verdict.verdicts import trial_verdicts
 from app.source import source_words

@@ -22,6 +22,7 @@ OPEN = {
     ("GET", "/api/v1/patient-screen/me"),
     ("GET", "/api/v1/equipment/practice"),
     ("GET", "/api/v1/trust"),
+    ("POST", "/api/v1/shared/open"),
 }
 
 

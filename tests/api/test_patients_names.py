@@ -14,7 +14,20 @@ PATIENT = {"code": "P-77", "pseudonym": "Bartailed", "note": "likes the window"}
 # calibration, a role, a source of signals, a choice, the form of a file, and random words. `person` is one who may sign
 # in: never a patient.
 WORDS_OF_ADDRESSES = {
-    *("name", "floorplan", "path", "kind", "identity", "step", "role", "source", "same_name", "form", "word"),
+    *(
+        "name",
+        "floorplan",
+        "path",
+        "kind",
+        "identity",
+        "step",
+        "role",
+        "source",
+        "same_name",
+        "form",
+        "word",
+        "consent",
+    ),
     "person",
 }
 NUMBERS = {"integer", "number", "boolean", "null"}

@@ -14,7 +14,7 @@ import pytest
 import pyxdf
 from exported_clinic import CODE, MEASURES, RUN, make_clinic
 
-from app.exports.material import Form, exported_material
+from app.exports.export_material import Form, exported_material
 from app.exports.package import export_steps
 from app.exports.xdf_form import COMMANDS, POSE
 from app.recording.reader import read_run

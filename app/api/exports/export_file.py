@@ -13,7 +13,7 @@ from app.api.deps import Exporter, PeopleParts, RowId
 from app.api.parts import Web
 from app.clock import utc_now
 from app.computing_process import ComputingProcess
-from app.exports.material import Form, exported_material
+from app.exports.export_material import Form, exported_material
 from app.exports.package import Step, export_steps
 from app.scoring.verdict.spread import Spread
 from app.session.clinic_spread import Task

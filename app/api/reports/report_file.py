@@ -7,8 +7,8 @@ from fastapi import APIRouter, Query, Response
 from app.api.deps import Exporter, PeopleParts, RowId
 from app.api.parts import Web
 from app.reports.document import Form
-from app.reports.making import Subject, exported_material
 from app.reports.rendering import MEDIA_TYPES, file_name, report_file
+from app.reports.report_making import Subject, exported_material
 from app.scoring.verdict.spread import Spread
 from app.session.clinic_spread import Task
 from app.source import SourceGroup

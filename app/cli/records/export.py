@@ -10,12 +10,12 @@ import typer
 from app.cli.clinic_folder import open_clinic
 from app.cli.errors import InputError
 from app.cli.output import check_new_folder
-from app.exports.material import FORMS, Form
+from app.exports.export_material import FORMS, Form
 from app.refusals import Refusal
 from app.settings import Settings, state_folder
 
 if TYPE_CHECKING:
-    from app.exports.material import ExportMaterial
+    from app.exports.export_material import ExportMaterial
     from app.scoring.verdict.spread import Spread
     from app.source import SourceGroup
     from app.store.database import Database
@@ -80,7 +80,7 @@ def patient_named(database: "Database", code: str) -> tuple[int, int]:
 
 def _material(settings: Settings, patient: str, session: int | None, form: Form) -> "ExportMaterial":
     from app.computing_process import ComputingProcess
-    from app.exports.material import exported_material
+    from app.exports.export_material import exported_material
     from app.session.clinic_spread import ClinicSpread, Task
 
     with open_clinic(settings) as (database, _), closing(ComputingProcess()) as computing:

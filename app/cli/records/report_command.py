@@ -32,8 +32,8 @@ def report(
 ) -> None:
     """Write the report of a patient's session, or of all sessions; the clinic may be open meanwhile."""
     from app.computing_process import ComputingProcess
-    from app.reports.making import Subject, exported_material
     from app.reports.rendering import report_file
+    from app.reports.report_making import Subject, exported_material
     from app.session.clinic_spread import ClinicSpread, Task
 
     form = _form_of(out)

@@ -64,6 +64,8 @@ def _value(column: sa.Column[Any], made: dict[str, dict[str, Any]], word: str) -
     kind = column.type
     if isinstance(kind, sa.types.TypeDecorator):
         return utc_now() - timedelta(days=1)
+    if isinstance(kind, sa.Date):
+        return utc_now().date()
     if isinstance(kind, sa.String):
         return f"{word}-{column.table.name}-{column.name}"
     if isinstance(kind, sa.JSON):

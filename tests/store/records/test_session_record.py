@@ -12,6 +12,7 @@ from app.refusals import Conflict, NotFound
 from app.store.database import Database
 from app.store.patients import add_patient, start_session
 from app.store.people import add_clinic
+from app.store.records.import_tables import ImportedSession
 from app.store.records.record_tables import NoteRevision, OutcomeScale, SessionNote, SessionSignOff
 from app.store.records.session_record import (
     Scale,
@@ -25,6 +26,7 @@ from app.store.records.session_record import (
 )
 from app.store.records.sign_off import OF_A_SESSION, sign_off, sign_off_history, unlock
 from app.store.runs import add_run, add_trial
+from app.store.sharing.sharing_tables import ShareLink
 from app.store.tables import (
     CalibrationStep,
     Chair,
@@ -39,7 +41,7 @@ from app.store.tables import (
 )
 
 DAY = date(2026, 3, 1)
-NOT_LOCKED = {PatientScreen, SessionSignOff}
+NOT_LOCKED = {ImportedSession, PatientScreen, SessionSignOff, ShareLink}
 CHANGED: dict[type[Table], tuple[str, object]] = {  # a column of each table, and another value
     PatientSession: ("goal", "other"),
     CalibrationStep: ("words", "other"),

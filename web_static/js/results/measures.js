@@ -10,7 +10,7 @@ export const MEASURES = {
   stages_done: { unit: "", digits: 0, better: "high", needsGoal: false, of: "stages" },
   follow_error_rms: { unit: "m", digits: 2, better: "low", needsGoal: false },
   follow_error_max: { unit: "m", digits: 2, better: "low", needsGoal: false },
-  follow_near: { unit: "of the time", digits: 2, better: "high", needsGoal: false },
+  follow_near: { unit: "", digits: 2, better: "high", needsGoal: false },
   heading_error_deg: { unit: "°", digits: 0, better: "low", needsGoal: true },
   turn_drift: { unit: "m", digits: 2, better: "low", needsGoal: true },
   cones_touched: { unit: "", digits: 0, better: "low", needsGoal: true, of: "cones" },

@@ -1,0 +1,71 @@
+"""The places of a session and its trials: while one is driven, when it is over, in review, and on record."""
+
+from typing import Any
+
+from browser.eyes.eyes_clinic import EyesClinic
+from browser.eyes.opening import Open, go, opened, tap
+from playwright.sync_api import expect
+
+from app.faults import Fault
+
+
+def trial_runs(page: Any, clinic: EyesClinic) -> None:
+    go(page, clinic, "drive")
+    page.evaluate("() => sessionStorage.setItem('bodydrive-view', 'plan')")
+    tap(page, "Start trial")
+    expect(page.get_by_role("button", name="End trial").first).to_be_enabled(timeout=60_000)
+
+
+def trial_stopped(page: Any, clinic: EyesClinic) -> None:
+    trial_runs(page, clinic)
+    clinic.fault(Fault.STOP_TABLET)
+    expect(page.get_by_role("button", name="Continue")).to_be_visible()
+
+
+def trial_over(page: Any, clinic: EyesClinic) -> None:
+    go(page, clinic, f"drive/over/{clinic.trials[0]}")
+    expect(page.locator("main h2").first).to_be_visible()
+
+
+def review(where: str) -> Open:
+    """Return what opens a page of the review, when its charts are drawn."""
+
+    def open_place(page: Any, clinic: EyesClinic) -> None:
+        first, second = clinic.trials
+        opened(f"review/1{where.format(first=first, second=second)}")(page, clinic)
+        page.wait_for_timeout(1500)
+
+    return open_place
+
+
+def written_session(clinic: EyesClinic) -> int:
+    """Return the first session of a patient, in which trials were driven and something of everything is written."""
+    session = int(clinic.good("GET", "/patients/1/sessions")[-1]["id"])
+    where = f"/sessions/{session}"
+    if clinic.good("GET", where)["sign_off"]:
+        clinic.good("POST", f"{where}/unlock", {"reason": "a look at the page"})
+    if not clinic.good("GET", where)["notes"]:
+        clinic.good("PUT", f"{where}/goal", {"goal": "To get from my bed to the kitchen table by myself."})
+        note = clinic.good("POST", f"{where}/notes", {"text": "Calm."})["notes"][0]["id"]
+        clinic.good("PUT", f"{where}/notes/{note}", {"text": "Calm, and tired after the second trial."})
+        clinic.good("POST", f"{where}/scales", {"name": "SCIM III", "total": 41.0, "day": "2026-03-01"})
+        clinic.good("PUT", "/patients/1/consents/recording", {"given": "2026-03-01"})
+    return session
+
+
+def session_record(page: Any, clinic: EyesClinic) -> None:
+    opened(f"session/{written_session(clinic)}")(page, clinic)
+    expect(page.get_by_role("button", name="Sign off")).to_be_visible()
+
+
+def signed_session(page: Any, clinic: EyesClinic) -> None:
+    session = written_session(clinic)
+    clinic.good("POST", f"/sessions/{session}/sign-off")
+    opened(f"session/{session}")(page, clinic)
+    tap(page, "Unlock")
+    expect(page.get_by_label("Why it is unlocked")).to_be_visible()
+
+
+def compared_sessions(page: Any, clinic: EyesClinic) -> None:
+    first, second = [one["id"] for one in clinic.good("GET", "/patients/1/sessions")[::-1][:2]]
+    opened(f"session/compare/{first}/{second}")(page, clinic)
