@@ -12,6 +12,7 @@ from browser.eyes.session_places import (
     trial_over,
     trial_runs,
     trial_stopped,
+    written_session,
 )
 from playwright.sync_api import expect
 
