@@ -114,8 +114,8 @@ def test_every_page_carries_the_mark_while_nobody_wears_the_shirt(page, served):
     page.get_by_role("button", name="Sign out").click()
     expect(page.get_by_role("heading", name="Sign in")).to_be_visible()
     assert_marked(page, "Simulated shirt")
-    # Two show no shirt: the pages of docs/, and the page that explains to a tablet how it trusts this machine.
-    assert DOCUMENTS == ["docs.html", "index.html", "patient.html", "stereo.html", "tablet.html"]
+    # Three show no shirt: the pages of docs/, what somebody outside is shown, and what explains trust to a tablet.
+    assert DOCUMENTS == ["docs.html", "index.html", "patient.html", "share.html", "stereo.html", "tablet.html"]
     for address in ("", "patient.html", "stereo.html", link[link.index("patient.html") :]):
         page.goto("about:blank")
         page.goto(f"{served.address}/{address}")

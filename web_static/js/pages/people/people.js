@@ -33,14 +33,12 @@ export async function show(app, root, { signal }) {
     above.scrollIntoView({ block: "nearest" });
     await read();
   };
-  const openForm = async () => {
-    await app.toasts.attempt(read); // a patient may have been added at another screen since
+  const openForm = () => {
     put(above, rightsForm(patients, null, { send: async (rights) => showLink(await app.api.post("/people", rights)), onClose: close }));
     above.querySelector("input")?.focus();
   };
   /** @param {PersonView} person */
-  const change = async (person) => {
-    await app.toasts.attempt(read);
+  const change = (person) => {
     /** @param {{role: PersonView["role"], patients: number[] | null}} rights */
     const send = async ({ role, patients: shown }) => {
       await app.api.put(`/people/${person.id}`, { role, patients: shown });

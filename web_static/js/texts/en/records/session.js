@@ -97,7 +97,7 @@ export default {
   "consent.off": "Not given",
   "consent.day": "Day of consent",
   "consent.give": "Enter consent",
-  "consent.give.label": "Enter the consent: {consent}",
+  "consent.give.label": "Enter consent: {consent}",
   "consent.confirm": "Confirm",
   "consent.confirm.label": "Confirm the consent: {consent}",
   "consent.withdraw": "Withdraw",
