@@ -16,6 +16,12 @@ export function groupOf({ source: { simulated } }) {
   return simulated ? "simulated" : "worn";
 }
 
+/** The group that is shown first: worn trials where there are some, else that of the newest trial. @param {WithSource[]} trials at least one */
+export function firstGroup(trials) {
+  const groups = trials.map(groupOf);
+  return groups.includes("worn") ? "worn" : groups[groups.length - 1];
+}
+
 /** A sign for trials that nobody drove by their own movements; null for worn ones. @param {SourceGroup} group */
 export function groupMark(group) {
   return group === "worn" ? null : h("span", { class: "tag source-mark" }, t(`source.group.${group}`));

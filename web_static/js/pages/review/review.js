@@ -12,7 +12,7 @@ import { inOrder, keyOf, pathsOf, pathWords } from "./path_choice.js";
 import { field, selection } from "../../widgets/fields.js";
 import { measured, MEASURES, leadingMeasures } from "../../results/measures.js";
 import { emptyPage } from "../../shell/nobody.js";
-import { groupChoice, groupMark } from "../../results/source_group.js";
+import { firstGroup, groupChoice, groupMark } from "../../results/source_group.js";
 import { reportCard } from "../../results/report_choice.js";
 import { qualitySection } from "./quality_section.js";
 import { sessionVerdicts } from "./session_verdicts.js";
@@ -60,7 +60,7 @@ export async function show(app, root, { signal, rest }) {
   const measurePlace = h("div", {});
   const groupPlace = h("div", {});
   /** @type {SourceGroup} */
-  let group = app.me?.demo ? "simulated" : "worn";
+  let group = firstGroup(trials);
   let compare = compareChoice(patient.id);
   let drawn = new AbortController();
   const draw = async () => {
