@@ -7,6 +7,7 @@ import { h, put } from "../../widgets/dom.js";
 import { field, selection } from "../../widgets/fields.js";
 import { scrollTable } from "../../widgets/scroll_table.js";
 import { logCard } from "./log_card.js";
+import { detailWords } from "./log_details.js";
 
 const MOMENT = new Intl.DateTimeFormat("en", { dateStyle: "medium", timeStyle: "medium", hourCycle: "h23" });
 const ALL = "";
@@ -15,6 +16,7 @@ const ALL = "";
 export async function show(app, root, { signal }) {
   const [first, patients] = await Promise.all([app.api.get("/log"), app.api.get("/patients")]);
   if (signal.aborted) return;
+  const codes = new Map(patients.map(({ id, code }) => [id, code]));
   const rows = h("tbody", {});
   const more = h("button", { type: "button", class: "btn" }, t("log.more"));
   const none = h("p", { class: "quiet", role: "status" });
@@ -24,7 +26,7 @@ export async function show(app, root, { signal }) {
 
   /** @param {LogView} view */
   const append = ({ entries, has_more: hasMore }) => {
-    rows.append(...entries.map(row));
+    rows.append(...entries.map((entry) => row(entry, codes)));
     oldest = entries.at(-1)?.id ?? oldest;
     more.hidden = !hasMore;
     none.textContent = rows.childElementCount ? "" : t("log.none");
@@ -83,9 +85,8 @@ export async function show(app, root, { signal }) {
   );
 }
 
-/** @param {LogView["entries"][number]} entry */
-function row({ at, person, what, details }) {
-  const facts = Object.entries(details).map(([name, value]) => `${name} ${typeof value === "object" ? JSON.stringify(value) : value}`);
+/** @param {LogView["entries"][number]} entry @param {Map<number, string>} codes */
+function row({ at, person, what, details }, codes) {
   const moment = h("time", { datetime: at }, MOMENT.format(new Date(at)));
-  return h("tr", {}, h("td", {}, moment), h("td", {}, person ?? t("log.program")), h("td", {}, what), h("td", { class: "quiet" }, facts.join(" · ")));
+  return h("tr", {}, h("td", {}, moment), h("td", {}, person ?? t("log.program")), h("td", {}, what), h("td", { class: "quiet" }, detailWords(details, codes)));
 }
