@@ -2,4 +2,4 @@
 
 
 def test_worn_trials_come_first_and_otherwise_what_was_driven_last(run_script):
-    assert " holds" in run_script("source_group.mjs")
+    assert " holds" in run_script("results/source_group.mjs")

@@ -2,4 +2,4 @@
 
 
 def test_patients_have_their_code_and_changes_say_before_and_now(run_script):
-    assert " hold" in run_script("log_details.mjs")
+    assert " hold" in run_script("pages/log_details.mjs")

@@ -12,4 +12,4 @@ def test_pages_compare_the_measures_as_the_server_does_and_show_no_arrow_within_
 ) -> None:
     file = tmp_path / "compared.json"
     file.write_text(json.dumps({name: [measure.better, measure.needs_goal] for name, measure in COMPARISONS.items()}))
-    assert " holds" in run_script("verdict_words.mjs", file)
+    assert " holds" in run_script("results/verdict_words.mjs", file)
