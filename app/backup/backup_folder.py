@@ -168,7 +168,7 @@ class BackupFolder:
         return {}
 
     def _remove_old(self) -> None:
-        """Remove the backups that are not to be kept, and the objects that none names any more."""
+        """Remove backups that are not to be kept, objects that none names any more, and what a kill has left."""
         moments = {datetime.strptime(name, STAMP).replace(tzinfo=UTC): name for name in self.names()}
         kept = kept_backups(moments)
         for moment, name in moments.items():
@@ -178,6 +178,8 @@ class BackupFolder:
         for stored in (self.folder / "objects").glob("*/*"):
             if stored not in needed:
                 stored.unlink()
+        for left in self.folder.glob(".*.part"):
+            left.unlink()
 
 
 def folder_salt(folder: Path) -> bytes | None:
