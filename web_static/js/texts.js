@@ -11,6 +11,7 @@ import controls from "./texts/en/controls.js";
 import discovery from "./texts/en/discovery.js";
 import drive from "./texts/en/drive.js";
 import editor from "./texts/en/editor.js";
+import record_export from "./texts/en/records/export.js";
 import measures from "./texts/en/measures.js";
 import patient_screen from "./texts/en/patient_screen.js";
 import patients from "./texts/en/patients.js";
@@ -46,6 +47,7 @@ const CATALOGUE = Object.freeze({
   ...discovery,
   ...drive,
   ...editor,
+  ...record_export,
   ...chair,
   ...measures,
   ...quality,

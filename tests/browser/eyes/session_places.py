@@ -49,7 +49,8 @@ def written_session(clinic: EyesClinic) -> int:
         note = clinic.good("POST", f"{where}/notes", {"text": "Calm."})["notes"][0]["id"]
         clinic.good("PUT", f"{where}/notes/{note}", {"text": "Calm, and tired after the second trial."})
         clinic.good("POST", f"{where}/scales", {"name": "SCIM III", "total": 41.0, "day": "2026-03-01"})
-        clinic.good("PUT", "/patients/1/consents/recording", {"given": "2026-03-01"})
+        for consent in ("recording", "sharing"):
+            clinic.good("PUT", f"/patients/1/consents/{consent}", {"given": "2026-03-01"})
     return session
 
 

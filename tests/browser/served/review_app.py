@@ -21,6 +21,7 @@ from app.store.database import Database
 from app.store.parameters import current_parameters, save_parameters, save_profile
 from app.store.patients import add_patient, start_session
 from app.store.people import add_clinic
+from app.store.runs import close_run
 from app.world.floorplan import FloorPlan
 from app.world.scene import find_place
 from building import make_parameters
@@ -51,6 +52,7 @@ def furnish(settings: Settings) -> list[int]:
             record_trial(folder, parameters, seconds=SECONDS, seed=number, plan=plan, stop_at=15.0)
             measures = measure_recording(folder, plan, path)
             trial = store_trial(db, run, (session, row), plan, SIMULATED, measures)
+            close_run(db, run, int(100 * SECONDS), 0)
             made.append(trial.id)
     database.close()
     return made

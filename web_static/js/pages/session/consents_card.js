@@ -9,8 +9,8 @@ import { field } from "../../widgets/fields.js";
 import { day } from "../../widgets/format.js";
 import { today } from "./scales_card.js";
 
-/** @param {import("../../main.js").App} app @param {ConsentsView} found */
-export function consentsCard(app, found) {
+/** @param {import("../../main.js").App} app @param {ConsentsView} found @param {(now: ConsentsView) => void} onChange */
+export function consentsCard(app, found, onChange) {
   const mayChange = app.me?.role === "owner" || app.me?.role === "clinician";
   const list = h("div", { class: "stack" });
   /** @param {() => Promise<ConsentsView>} act @param {string} consent that gets the focus back */
@@ -21,6 +21,7 @@ export function consentsCard(app, found) {
       return app.toasts.show(failureWords(error));
     }
     draw();
+    onChange(found);
     /** @type {HTMLElement | null} */ (list.querySelector(`[data-consent="${consent}"] button`))?.focus();
   };
   /** @param {ConsentView} one */

@@ -1,12 +1,13 @@
 /**
  * The sessions of a patient, of which two can be compared, and the consents.
- * @import { SessionRow } from "types/api"
+ * @import { ConsentsView, SessionRow } from "types/api"
  */
 import { t } from "../../texts.js";
 import { h, put, set, write } from "../../widgets/dom.js";
 import { moment } from "../../widgets/format.js";
 import { rowList } from "../../widgets/list.js";
 import { consentsCard } from "./consents_card.js";
+import { exportCard } from "./export_card.js";
 import { stateTag } from "./session.js";
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal, rest: string[]}} page */
@@ -15,6 +16,10 @@ export async function show(app, root, { signal, rest: [, patient] }) {
   const [sessions, consents] = await Promise.all([app.api.get(`/patients/${id}/sessions`), app.api.get(`/patients/${id}/consents`)]);
   if (signal.aborted) return;
   const choice = sessionChoice();
+  const leaves = h("div", {});
+  /** @param {ConsentsView} now */
+  const offer = (now) => put(leaves, exportCard(app, now, sessions));
+  offer(consents);
   const list = rowList("people");
   list.show(sessions.map((session) => row(session, choice.box(session))), h("p", { class: "card quiet" }, t("record.sessions.none")));
   put(
@@ -24,9 +29,10 @@ export async function show(app, root, { signal, rest: [, patient] }) {
       { class: "body session-record" },
       h("h1", { tabindex: "-1" }, t("record.sessions", { code: consents.code })),
       h("p", { class: "lead" }, t("record.sessions.lead")),
-      consentsCard(app, consents),
+      consentsCard(app, consents, offer),
       list,
       sessions.length > 1 && choice.element,
+      leaves,
     ),
     h("div", { class: "foot" }, h("span", { class: "grow" }), h("a", { class: "btn", href: `#/review/${id}` }, t("rail.review"))),
   );

@@ -1,0 +1,40 @@
+"""The export of a patient from the page of the sessions: only with the consent to sharing, and as a file."""
+
+import json
+import zipfile
+
+import pytest
+from browser.served.review_app import ReviewApp
+from playwright.sync_api import expect
+
+pytestmark = [pytest.mark.browser, pytest.mark.timeout(120)]
+
+
+@pytest.fixture
+def app(tmp_path):
+    served = ReviewApp(tmp_path / "clinic")
+    served.start()
+    yield served
+    served.stop()
+
+
+def test_a_patient_who_consents_can_be_exported_and_nobody_else(browser, app, tmp_path):
+    page = browser.new_context(viewport={"width": 768, "height": 1024}).new_page()
+    page.goto(app.link)
+    expect(page.get_by_role("heading", level=1)).to_be_visible()
+    page.goto(f"{app.address}/#/session/patient/1")
+    card = page.locator(".card").filter(has=page.get_by_role("heading", name="Export for other programs"))
+    expect(card).to_contain_text("needs the patient's consent to sharing outside")
+    expect(card.get_by_role("link")).to_have_count(0)
+    page.get_by_role("button", name="Enter consent: Sharing outside").click()
+    card.get_by_label("Form").select_option("parquet")
+    with page.expect_download() as download:
+        card.get_by_role("link", name="Export of P-1").click()
+    file = tmp_path / "export.zip"
+    download.value.save_as(file)
+    with zipfile.ZipFile(file) as package:
+        assert "P-1" in json.dumps(json.loads(package.read("export.json")))
+        assert sum(name.endswith(".parquet") for name in package.namelist()) == len(app.trials)
+    page.get_by_role("button", name="Withdraw the consent: Sharing outside").click()
+    expect(card.get_by_role("link")).to_have_count(0)
+    page.context.close()
