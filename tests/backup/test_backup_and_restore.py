@@ -198,7 +198,6 @@ def test_a_damaged_object_is_stored_again(settings: Settings, tmp_path: Path) ->
 def test_what_a_killed_backup_has_left_goes_with_the_next_one(settings: Settings, tmp_path: Path) -> None:
     stick = tmp_path / "stick"
     stick.mkdir()
-    made(settings, stick)
     (stick / ".bodydrive-2026-01-01T02-00-00-000000Z.backup.part").write_bytes(b"cut off")
     made(settings, stick)
     assert list(stick.rglob(".*")) == []
