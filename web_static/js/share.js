@@ -26,7 +26,7 @@ async function show() {
 function askPin(words) {
   const token = location.hash.slice(1);
   if (!token) {
-    put(main, h("p", { role: "alert" }, t("share.no_link")));
+    put(main, h("h1", {}, t("share.heading")), h("p", { role: "alert" }, t("share.no_link")));
     return;
   }
   const pin = h("input", { inputmode: "numeric", autocomplete: "off", maxlength: "12", required: true });
@@ -48,6 +48,7 @@ function askPin(words) {
     h(
       "section",
       {},
+      h("h1", {}, t("share.heading")),
       h("form", { onsubmit: open },
         h("label", {}, t("share.pin"), pin),
         h("p", { class: "quiet" }, t("share.pin.words")),

@@ -238,6 +238,8 @@ PLACES: dict[str, Open] = {
     "patient's screen, stopped": patient_stopped,
     "stereo": document("stereo.html"),
     "tablet": document("tablet.html"),
+    "share link, none": document("share.html"),
+    "share link, PIN": document("share.html#a-link"),
     "docs": document("docs/"),
     "docs, clinicians": document("docs/clinicians"),
     "other session": other_session,

@@ -3,6 +3,7 @@
 Each place is looked at in one size and theme here, and in all of them by `make browser`.
 """
 
+import re
 from urllib.parse import urlsplit
 
 import pytest
@@ -27,6 +28,11 @@ def address_of(url):
     return "/".join(part for part in urlsplit(url).fragment.split("/") if part and not part.isdigit())
 
 
+def path_of(url):
+    """Return the path of a request without the version of the pages that stands in it."""
+    return re.sub(r"^/v-[0-9a-f]+", "", urlsplit(url).path)
+
+
 def documents_and_pages():
     """Return the paths of all HTML documents, and of the module of each page."""
     folder = ROOT / PAGES
@@ -38,7 +44,7 @@ def documents_and_pages():
 def test_one_size_and_theme_of_every_page(page, clinic):
     found = {}
     addresses, loaded = set(), {"/index.html", "/docs.html"}  # the frames of "/" and of "/docs/"
-    page.on("request", lambda request: loaded.add(urlsplit(request.url).path))
+    page.on("request", lambda request: loaded.add(path_of(request.url)))
     for number, (name, open_place) in enumerate(PLACES.items()):
         cells = cells_of(name)
         cell = cells[number % len(cells)]

@@ -1,5 +1,6 @@
 /** Texts of the page that a share link opens. */
 export default {
+  "share.heading": "Shared records",
   "share.title": "Records of {code}",
   "share.pin": "PIN of this link",
   "share.pin.words": "The clinic told it to you separately.",
