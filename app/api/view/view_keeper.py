@@ -114,15 +114,22 @@ class ViewKeeper:
             self._shown = (plan, path)
 
     async def _close(self) -> None:
-        served, self._scene, self._shown = self._scene, None, None
-        if served is None:
+        if self._scene is None:
             return
-        with suppress(RuntimeError):  # its servers may have ended already
-            await asyncio.to_thread(served.stop)
-        # viser's objects refer to each other, so that only a collection frees them, with every message that was sent.
-        # Python itself may let several sessions pass until it does a full one.
-        del served
-        await asyncio.to_thread(return_memory)
+        ending, self._scene, self._shown = [self._scene], None, None
+        await asyncio.to_thread(_end, ending)
+
+
+def _end(ending: list[SessionScene]) -> None:
+    """End the only scene of the list, and return its memory.
+
+    viser's objects refer to each other, so that only a collection frees them, with every message that was sent. Python
+    itself may let several sessions pass until it does a full one. The scene is taken out of the list, because whoever
+    called, and the thread that does the work, keep the list until this has returned.
+    """
+    with suppress(RuntimeError):  # its servers may have ended already
+        ending.pop().stop()
+    return_memory()
 
 
 @asynccontextmanager
