@@ -1,5 +1,6 @@
 """The study over sessions: one calibration, then sessions of trials, with a fixed or an adapted map."""
 
+import math
 from collections.abc import Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
@@ -182,21 +183,24 @@ def _row(
         reached=bool(measures["reached"]),
         faults=trial.faults,
         felt_change=proposal.felt_change if proposal else 0.0,
-        angle_deg=_largest_angle(parameters, after) if proposal else 0.0,
-        flips=sum(cosine < 0.0 for cosine in _cosines(parameters, after)),
+        angle_deg=max(_angles(parameters, after)) if proposal else 0.0,
+        flips=sum(angle > 90.0 for angle in _angles(parameters, after)),
         refused=sum(joint.status == "refused" for joint in proposal.joints) if proposal else 0,
         dead_zone=float(np.mean([gesture.dead_zone for gesture in gestures])),
         full=float(np.mean([gesture.full for gesture in gestures])),
-        from_calibration_deg=_largest_angle(parameters, standard_parameters(first.profile)),
+        from_calibration_deg=max(_angles(parameters, standard_parameters(first.profile))),
     )
 
 
-def _largest_angle(before: DriveParameters, after: DriveParameters) -> float:
-    """Return the largest angle (degrees) by which a joint's direction differs between two parameter sets."""
-    return float(np.degrees(np.arccos(np.clip(min(_cosines(before, after)), -1.0, 1.0))))
+def _angles(before: DriveParameters, after: DriveParameters) -> list[float]:
+    """Return by what angle (degrees, 0 to 180) each joint's direction differs between two parameter sets.
 
-
-def _cosines(before: DriveParameters, after: DriveParameters) -> list[float]:
-    """Return each joint's cosine of the angle between its directions in two parameter sets."""
-    pairs = zip(before.profile.joints, after.profile.joints, strict=True)
-    return [float(one.sign * np.array(one.weights) @ np.array(other.weights) * other.sign) for one, other in pairs]
+    The half angle is that of the difference to the sum of the two unit vectors: exactly 0 for equal ones, where the
+    angle of a rounded cosine is not.
+    """
+    angles = []
+    for one, other in zip(before.profile.joints, after.profile.joints, strict=True):
+        was, will_be = one.sign * np.array(one.weights), other.sign * np.array(other.weights)
+        half = math.atan2(float(np.linalg.norm(was - will_be)), float(np.linalg.norm(was + will_be)))
+        angles.append(math.degrees(2.0 * half))
+    return angles
