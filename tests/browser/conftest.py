@@ -9,7 +9,8 @@ from typing import Any
 from urllib.parse import urlsplit
 
 import pytest
-from playwright.sync_api import Browser, BrowserContext, ConsoleMessage, Page, Request, sync_playwright
+from browser.patience import PATIENCE
+from playwright.sync_api import Browser, BrowserContext, ConsoleMessage, Page, Request, expect, sync_playwright
 
 CHROMIUM = (
     "--headless=new",
@@ -58,6 +59,7 @@ class FewPicturesBrowser:
     def new_context(self, *, all_pictures: bool = False, **options: Any) -> BrowserContext:
         """Open a context, as Playwright does; with `all_pictures` its pages draw as often as they can."""
         context = self._browser.new_context(**options)
+        context.set_default_timeout(PATIENCE)
         if not all_pictures:
             context.add_init_script(FEW_PICTURES)
         return context
@@ -110,6 +112,7 @@ def browser() -> Iterator[FewPicturesBrowser]:
         if os.environ.get("BODYDRIVE_NO_SKIP") == "1":
             pytest.fail("there is no chromium here: install Debian's package 'chromium'")
         pytest.skip("there is no chromium here: install Debian's package 'chromium' to run the browser tests")
+    expect.set_options(timeout=PATIENCE)
     with sync_playwright() as playwright:
         launched = playwright.chromium.launch(executable_path=found, args=list(CHROMIUM))
         yield FewPicturesBrowser(launched)
@@ -129,7 +132,7 @@ def until() -> Callable[..., Any]:
     Playwright's own waiting compiles code from text, which our content policy forbids.
     """
 
-    def wait(page: Page, expression: str, *, seconds: float = 30.0) -> Any:
+    def wait(page: Page, expression: str, *, seconds: float = PATIENCE / 1000) -> Any:
         deadline = time.monotonic() + seconds
         while True:
             found = page.evaluate(f"() => ({expression})")

@@ -7,7 +7,6 @@ from playwright.sync_api import expect
 from folders import SCREENSHOTS
 
 TABLETS = {"1024x768": (1024, 768), "820x1180": (820, 1180)}
-PATIENCE = 60_000  # ms: drawing in software on a busy machine is slow
 
 
 @contextmanager
@@ -15,12 +14,11 @@ def signed_in(name, browser, page_log, link):
     """Yield a page of one tablet, signed in to the demonstration, and a function that keeps a screenshot."""
     width, height = TABLETS[name]
     page = browser.new_page(viewport={"width": width, "height": height}, has_touch=True)
-    page.set_default_timeout(PATIENCE)
     log = page_log(link)
     log.watch(page)
     SCREENSHOTS.mkdir(parents=True, exist_ok=True)
     page.goto(link)
-    expect(page.get_by_role("heading", name="Where to?")).to_be_visible(timeout=PATIENCE)
+    expect(page.get_by_role("heading", name="Where to?")).to_be_visible()
     put_first_sentences_away(page)
     yield page, lambda picture: page.screenshot(path=SCREENSHOTS / f"{name}-{picture}.png")
     log.assert_clean()

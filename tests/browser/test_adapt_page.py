@@ -12,7 +12,6 @@ from folders import SCREENSHOTS
 pytestmark = [pytest.mark.browser, pytest.mark.long, pytest.mark.timeout(420)]
 
 TABLETS = {"768x1024": (768, 1024), "1280x800": (1280, 800)}
-PATIENCE = 60_000  # ms: drawing in software on a busy machine is slow
 LONG_ENOUGH = re.compile(r"^(0:[45]\d|[1-9]:\d\d)$")  # a joint has moved for some seconds by then
 TITLE = "What would change, and why"
 
@@ -29,8 +28,6 @@ def tablet(request, browser, page_log, demo):
     """Yield a page of one tablet, signed in, and a function that keeps a screenshot."""
     width, height = TABLETS[request.param]
     page = browser.new_page(viewport={"width": width, "height": height}, has_touch=True)
-    page.set_default_timeout(PATIENCE)
-    expect.set_options(timeout=PATIENCE)
     log = page_log(demo)
     log.watch(page)
     SCREENSHOTS.mkdir(parents=True, exist_ok=True)
@@ -39,7 +36,6 @@ def tablet(request, browser, page_log, demo):
     yield page, lambda picture: page.screenshot(path=SCREENSHOTS / f"{request.param}-{picture}.png")
     log.assert_clean()
     page.close()
-    expect.set_options(timeout=5000)
 
 
 def go_to(page, step):

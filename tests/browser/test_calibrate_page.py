@@ -3,7 +3,7 @@
 from contextlib import ExitStack
 
 import pytest
-from browser.tablets import PATIENCE, TABLETS, go_to, signed_in
+from browser.tablets import TABLETS, go_to, signed_in
 from playwright.sync_api import expect
 from processes.served_demo import running_demo
 
@@ -51,7 +51,7 @@ def test_the_calibration_is_walked_through_and_survives_a_reload(tablets):
     keep("calibrate-prompt")
     for one in (page, follower):
         expect(one.get_by_role("heading", name="What this body can do")).to_be_visible(timeout=4 * STEP_LIMIT)
-        expect(one.get_by_text("When one gesture is made, what else moves")).to_be_visible(timeout=PATIENCE)
+        expect(one.get_by_text("When one gesture is made, what else moves")).to_be_visible()
     keep("calibrate-result")
     page.get_by_role("button", name="Use this calibration").click()
     expect(page.get_by_role("heading", name="Which movement does what")).to_be_visible()

@@ -10,7 +10,6 @@ from folders import SCREENSHOTS
 
 pytestmark = [pytest.mark.browser, pytest.mark.timeout(420)]
 
-PATIENCE = 60_000  # ms: drawing in software on a busy machine is slow
 DRIVE_LIMIT = 150  # s
 LOOKS = {"light": (1280, 800), "dark": (768, 1024)}
 WITHOUT_WEBGL = """{
@@ -37,11 +36,9 @@ SMALL = """[...document.querySelectorAll(".lower button, .lower .segments label,
 @pytest.fixture
 def demo():
     """Yield the link of a running demonstration."""
-    expect.set_options(timeout=PATIENCE)
     SCREENSHOTS.mkdir(parents=True, exist_ok=True)
     with running_demo() as link:
         yield link
-    expect.set_options(timeout=5000)
 
 
 @pytest.fixture
@@ -57,7 +54,6 @@ def opened(browser, page_log, demo):
         if not webgl:
             context.add_init_script(WITHOUT_WEBGL)
         page = log.watch(context.new_page())
-        page.set_default_timeout(PATIENCE)
         page.goto(address)
         page.keep = lambda name: page.screenshot(path=SCREENSHOTS / f"{scheme}-{name}.png")
         return page
@@ -91,7 +87,7 @@ def trials(page):
 
 
 @pytest.mark.parametrize("scheme", ["light", pytest.param("dark", marks=pytest.mark.long)])
-def test_without_webgl_a_trial_is_driven_and_replayed_in_the_drawn_plan(opened, demo, until, scheme):
+def test_without_webgl_a_trial_is_driven_and_replayed_in_the_drawn_plan(opened, demo, scheme):
     page = opened(demo, scheme, webgl=False)
     choose_straight_ahead(page)
     expect(page.get_by_text("This screen cannot draw the 3D view")).to_be_visible()
@@ -101,7 +97,7 @@ def test_without_webgl_a_trial_is_driven_and_replayed_in_the_drawn_plan(opened, 
     assert page.get_by_label("Plan", exact=True).is_checked()
     assert page.get_by_label("Eye", exact=True).is_disabled()
     before = page.evaluate(CHAIR)
-    until(page, f"{CHAIR} !== {before!r}")
+    go_on_until(page, lambda: page.evaluate(CHAIR) != before, "a movement of the chair")
     page.keep("plan-drive")
     page.get_by_role("button", name="Heading up").click()
     page.get_by_role("button", name="Farther").click()

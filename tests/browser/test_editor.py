@@ -15,7 +15,6 @@ from folders import SCREENSHOTS
 pytestmark = [pytest.mark.browser, pytest.mark.long, pytest.mark.timeout(420)]
 
 TABLETS = {"768x1024": (768, 1024), "1280x800": (1280, 800)}
-PATIENCE = 60_000  # ms: drawing in software on a busy machine is slow
 DRIVE_LIMIT = 150  # s
 DRAFT = "JSON.parse(localStorage.getItem('bodydrive-plan-draft'))"
 
@@ -33,8 +32,6 @@ def tablet(request, browser, page_log, demo):
     width, height = TABLETS[request.param]
     context = browser.new_context(viewport={"width": width, "height": height}, has_touch=True)
     page = context.new_page()
-    page.set_default_timeout(PATIENCE)
-    expect.set_options(timeout=PATIENCE)
     log = page_log(demo)
     log.watch(page)
     SCREENSHOTS.mkdir(parents=True, exist_ok=True)
@@ -45,7 +42,6 @@ def tablet(request, browser, page_log, demo):
     yield page, lambda picture: page.screenshot(path=SCREENSHOTS / f"{request.param}-plan-{picture}.png"), log
     log.assert_clean()
     context.close()
-    expect.set_options(timeout=5000)
 
 
 def document(page):

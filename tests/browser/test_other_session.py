@@ -11,7 +11,6 @@ from folders import SCREENSHOTS
 pytestmark = [pytest.mark.browser, pytest.mark.timeout(300)]
 
 SIZES = {"768x1024": (768, 1024), "1280x800": (1280, 800), "390x844": (390, 844)}
-PATIENCE = 60_000  # ms
 COVER = ".other-session"
 CHANGES = {"POST", "PUT", "DELETE"}
 
@@ -28,14 +27,12 @@ def served(tmp_path_factory):
 @pytest.fixture
 def tablets(browser, page_log, served):
     """Yield two browsers of their own, both signed in while A-03 is here."""
-    expect.set_options(timeout=PATIENCE)
     SCREENSHOTS.mkdir(parents=True, exist_ok=True)
     served.open_session("A-03")
     pages, logs = [], []
     for _ in range(2):
         log = page_log(served.address)
         page = log.watch(browser.new_context(viewport={"width": 768, "height": 1024}).new_page())
-        page.set_default_timeout(PATIENCE)
         served.sign_in(page)
         expect(page.locator(".who")).to_contain_text("A-03")
         pages.append(page)
@@ -44,7 +41,6 @@ def tablets(browser, page_log, served):
     for page, log in zip(pages, logs, strict=True):
         assert_quiet(log)
         page.context.close()
-    expect.set_options(timeout=5000)
 
 
 def opens(page, code):

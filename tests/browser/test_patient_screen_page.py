@@ -16,7 +16,6 @@ from folders import SCREENSHOTS
 pytestmark = [pytest.mark.browser, pytest.mark.long, pytest.mark.timeout(420)]
 
 SIZES = {"1280x800": (1280, 800), "768x1024": (768, 1024)}
-PATIENCE = 60_000  # ms: drawing in software on a busy machine is slow
 LOST = "This screen has lost the program"
 WAITS = re.compile("We wait for (your clinician|the shirt)")
 OPEN_TO_ALL = {"/auth/demo", "/auth/setup", "/auth/sign-in", "/auth/sign-out", "/control/stop", "/patient-screen/pair"}
@@ -43,21 +42,17 @@ def demo():
 @pytest.fixture(params=SIZES)
 def screens(request, browser, page_log, demo):
     """Yield the clinician's page, the patient's of one size, and a function that keeps a screenshot of a page."""
-    expect.set_options(timeout=PATIENCE)
     SCREENSHOTS.mkdir(parents=True, exist_ok=True)
     width, height = SIZES[request.param]
     log = page_log(demo)
     clinician = log.watch(browser.new_context(viewport={"width": 1024, "height": 768}).new_page())
     patient = log.watch(browser.new_context(viewport={"width": width, "height": height}, has_touch=True).new_page())
-    for page in (clinician, patient):
-        page.set_default_timeout(PATIENCE)
     clinician.goto(demo)
     expect(clinician.get_by_role("heading", name="Where to?")).to_be_visible()
     yield clinician, patient, lambda page, name: page.screenshot(path=SCREENSHOTS / f"{request.param}-{name}.png")
     log.assert_clean()
     for page in (clinician, patient):
         page.context.close()
-    expect.set_options(timeout=5000)
 
 
 def card_of(clinician):
@@ -208,20 +203,20 @@ def test_it_comes_back_when_the_program_was_away(browser, tmp_path, page_log):
         log = page_log(base)
         page = log.watch(browser.new_page(viewport={"width": 640, "height": 480}))
         page.goto(link)
-        expect(page.locator(".task", has_text=WAITS)).to_be_visible(timeout=PATIENCE)
+        expect(page.locator(".task", has_text=WAITS)).to_be_visible()
         canvas = page.frame_locator("iframe").locator("canvas").first
-        expect(canvas).to_be_visible(timeout=PATIENCE)
+        expect(canvas).to_be_visible()
         process.send_signal(signal.SIGTERM)
         process.communicate(timeout=60)
         lost = page.get_by_text(LOST)
-        expect(lost).to_be_visible(timeout=PATIENCE)
+        expect(lost).to_be_visible()
         expect(page.locator(".task", has_text=WAITS)).to_be_hidden()
         page.screenshot(path=SCREENSHOTS / "patient-lost.png")
         process = served(port, state)
         printed_link(process)
-        expect(lost).to_be_hidden(timeout=PATIENCE)
-        expect(page.locator(".task", has_text=WAITS)).to_be_visible(timeout=PATIENCE)
-        expect(canvas).to_be_visible(timeout=PATIENCE)
+        expect(lost).to_be_hidden()
+        expect(page.locator(".task", has_text=WAITS)).to_be_visible()
+        expect(canvas).to_be_visible()
         assert "Heron" not in page.content()
         assert log.outside == []
         page.close()
@@ -233,22 +228,22 @@ def test_it_comes_back_when_the_program_was_away(browser, tmp_path, page_log):
 def test_a_wrong_link_says_what_to_do_and_an_unpaired_screen_shows_nothing(browser, demo):
     clinician, page = browser.new_context().new_page(), browser.new_context().new_page()
     page.goto(f"{demo.split('#')[0]}patient.html#pair=wrong")
-    expect(page.get_by_role("heading", name="Pair this screen")).to_be_visible(timeout=PATIENCE)
+    expect(page.get_by_role("heading", name="Pair this screen")).to_be_visible()
     expect(page.get_by_text("ask for a new one")).to_be_visible()
     clinician.goto(demo)
-    expect(clinician.get_by_role("heading", name="Where to?")).to_be_visible(timeout=PATIENCE)
+    expect(clinician.get_by_role("heading", name="Where to?")).to_be_visible()
     clinician.goto(f"{demo.split('#')[0]}#/settings")
-    expect(clinician.get_by_role("heading", name="Settings")).to_be_visible(timeout=PATIENCE)
+    expect(clinician.get_by_role("heading", name="Settings")).to_be_visible()
     card = card_of(clinician)
-    card.get_by_role("button", name="Pair a screen").click(timeout=PATIENCE)
-    link = card.locator("code").inner_text(timeout=PATIENCE)
+    card.get_by_role("button", name="Pair a screen").click()
+    link = card.locator("code").inner_text()
     page.evaluate("(hash) => { location.hash = hash; }", urlsplit(link).fragment)  # scanned into the page that is open
-    expect(page.locator(".task", has_text=WAITS)).to_be_visible(timeout=PATIENCE)
-    expect(card.get_by_text("connected", exact=True)).to_be_visible(timeout=PATIENCE)
+    expect(page.locator(".task", has_text=WAITS)).to_be_visible()
+    expect(card.get_by_text("connected", exact=True)).to_be_visible()
     SCREENSHOTS.mkdir(parents=True, exist_ok=True)
     clinician.screenshot(path=SCREENSHOTS / "patient-screen-settings.png")
     card.get_by_role("button", name="Unpair screen 1").click()
-    expect(page.get_by_role("heading", name="This screen is not in use")).to_be_visible(timeout=PATIENCE)
+    expect(page.get_by_role("heading", name="This screen is not in use")).to_be_visible()
     expect(page.locator("iframe")).to_have_count(0)
     expect(card.get_by_text("Screen 1")).to_have_count(0)
     for one in (clinician, page):
@@ -258,7 +253,7 @@ def test_a_wrong_link_says_what_to_do_and_an_unpaired_screen_shows_nothing(brows
 def test_the_arrow_and_the_sounds_mean_what_happens(browser, demo):
     page = browser.new_page()
     page.goto(f"{demo.split('#')[0]}patient.html")
-    expect(page.get_by_role("heading", name="Pair this screen")).to_be_visible(timeout=PATIENCE)
+    expect(page.get_by_role("heading", name="Pair this screen")).to_be_visible()
     arrow = """([pose, target]) => import("/js/patient/arrow.js").then(({ bearingTo, side }) => {
       const { bearing, distance } = bearingTo(pose, target);
       return [bearing, distance, side(bearing)];

@@ -12,7 +12,6 @@ pytestmark = [pytest.mark.browser, pytest.mark.timeout(300)]
 
 STATIC = ROOT / "web_static"
 SIZES = {"768x1024": (768, 1024), "1280x800": (1280, 800), "390x844": (390, 844)}
-PATIENCE = 60_000  # ms
 PAGES = """() => import("/js/shell/rail.js").then(({ PAGES }) => PAGES)"""
 DOCUMENTS = sorted(file.name for file in STATIC.glob("*.html"))
 IN_VIEW = """(one) => {
@@ -31,18 +30,15 @@ def served(tmp_path_factory):
 
 @pytest.fixture
 def page(browser, page_log, served):
-    expect.set_options(timeout=PATIENCE)
     SCREENSHOTS.mkdir(parents=True, exist_ok=True)
     log = page_log(served.address)
     page = log.watch(browser.new_context(viewport={"width": 768, "height": 1024}).new_page())
-    page.set_default_timeout(PATIENCE)
     served.open_session("A-03")
     served.sign_in(page)
     expect(page.locator(".who")).to_contain_text("A-03")
     yield page
     assert_quiet(log)
     page.context.close()
-    expect.set_options(timeout=5000)
 
 
 def assert_marked(page, words):

@@ -11,7 +11,6 @@ from folders import SCREENSHOTS
 pytestmark = [pytest.mark.browser, pytest.mark.long, pytest.mark.timeout(420)]
 
 SIZES = {"1280x800": (1280, 800), "768x1024": (768, 1024)}
-PATIENCE = 60_000  # ms: drawing in software on a busy machine is slow
 PICTURE = "document.querySelector('.replay-frame iframe').contentWindow.__viserMutable?.nodePoseData"
 MOMENT = f"(({PICTURE} ?? {{}})['/moment']?.position ?? [NaN])[0]"
 CHAIR = f"(({PICTURE} ?? {{}})['/world/chair']?.position ?? [NaN])[0]"
@@ -35,19 +34,16 @@ def served(tmp_path_factory):
 @pytest.fixture(params=SIZES)
 def page(request, browser, page_log, served):
     """Yield a page of one size, signed in, and a function that keeps a screenshot."""
-    expect.set_options(timeout=PATIENCE)
     SCREENSHOTS.mkdir(parents=True, exist_ok=True)
     width, height = SIZES[request.param]
     log = page_log(served.address)
     page = log.watch(browser.new_context(viewport={"width": width, "height": height}, color_scheme="dark").new_page())
-    page.set_default_timeout(PATIENCE)
     page.goto(served.link)
     expect(page.get_by_role("heading", name="Where to?")).to_be_visible()
     page.keep = lambda name: page.screenshot(path=SCREENSHOTS / f"{request.param}-{name}.png")
     yield page
     log.assert_clean()
     page.context.close()
-    expect.set_options(timeout=5000)
 
 
 def read(page, expression):

@@ -9,7 +9,6 @@ from folders import SCREENSHOTS
 pytestmark = [pytest.mark.browser, pytest.mark.long, pytest.mark.timeout(300)]
 
 SIZES = {"768x1024": (768, 1024), "1280x800": (1280, 800), "390x844": (390, 844)}
-PATIENCE = 30_000  # ms
 TAKEN = "409 (Conflict)"  # what a browser writes by itself when a name is taken
 
 
@@ -24,7 +23,6 @@ def test_a_taken_name_is_asked_about(browser, page_log, demo, size):
     width, height = SIZES[size]
     context = browser.new_context(viewport={"width": width, "height": height}, has_touch=True)
     page = context.new_page()
-    page.set_default_timeout(PATIENCE)
     log = page_log(demo)
     log.watch(page)
     SCREENSHOTS.mkdir(parents=True, exist_ok=True)
@@ -36,16 +34,16 @@ def test_a_taken_name_is_asked_about(browser, page_log, demo, size):
         page.locator("input[type=file][accept='.csv,.parquet']").first.set_input_files(file)
 
     page.goto(demo)
-    expect(page.get_by_role("heading", name="Where to?")).to_be_visible(timeout=PATIENCE)
+    expect(page.get_by_role("heading", name="Where to?")).to_be_visible()
     page.goto(f"{demo.split('#')[0]}#/shirt")
     source = page.locator("section.card").filter(has=page.get_by_role("heading", name="Source", exact=True))
     source.locator("summary").first.click()
     source.get_by_text("Replay of a file").click()
     bring(1)
-    expect(page.get_by_text(f"{name} was added.")).to_be_visible(timeout=PATIENCE)
+    expect(page.get_by_text(f"{name} was added.")).to_be_visible()
     bring(2)
     question = page.get_by_role("alertdialog").filter(has_text=f"There is '{name}' already")
-    expect(question).to_be_visible(timeout=PATIENCE)
+    expect(question).to_be_visible()
     for button in question.get_by_role("button").all():
         assert button.bounding_box()["height"] >= 44
     assert page.evaluate("document.scrollingElement.scrollWidth") <= width
@@ -54,12 +52,12 @@ def test_a_taken_name_is_asked_about(browser, page_log, demo, size):
     expect(question).to_be_hidden()
     bring(2)
     question.get_by_role("button", name="Replace it").click()
-    expect(page.get_by_text(f"{name} was added.")).to_be_visible(timeout=PATIENCE)
+    expect(page.get_by_text(f"{name} was added.")).to_be_visible()
     page.get_by_text("Replaced in the last 30 days").click()
     page.get_by_role("button", name=f"Put back {name}").scroll_into_view_if_needed()
     page.screenshot(path=SCREENSHOTS / f"{size}-replaced.png")
     page.get_by_role("button", name=f"Put back {name}").click()
-    expect(page.get_by_text(f"{name.removesuffix('.csv')}-2.csv is back.")).to_be_visible(timeout=PATIENCE)
+    expect(page.get_by_text(f"{name.removesuffix('.csv')}-2.csv is back.")).to_be_visible()
     log.errors = [error for error in log.errors if TAKEN not in error]
     log.assert_clean()
     context.close()

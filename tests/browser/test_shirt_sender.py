@@ -96,4 +96,3 @@ def test_another_sender_is_named_and_becomes_the_shirt_by_a_tap(browser, page_lo
         second.close()
     log.assert_clean()
     page.close()
-    expect.set_options(timeout=5000)

@@ -20,7 +20,6 @@ from folders import SCREENSHOTS
 
 pytestmark = [pytest.mark.browser, pytest.mark.long, pytest.mark.timeout(300)]
 
-PATIENCE = 60_000  # ms: drawing in software on a busy machine is slow
 WIDTH, HEIGHT = 1000, 600
 APART = 0.08  # m
 PILLAR_AT = 1.5  # m, its front
@@ -66,7 +65,6 @@ def log(app, page_log):
 def open_page(app, browser, log, until):
     """One page for all: loading takes most of the time."""
     page = log.watch(browser.new_page(all_pictures=True, viewport={"width": WIDTH, "height": HEIGHT}))
-    page.set_default_timeout(PATIENCE)
     page.goto(f"{app.address}/stereo.html")
     page.evaluate("localStorage.setItem('bodydrive-stereo', '{\"apart\": 80}')")
     page.reload()
@@ -234,23 +232,23 @@ def test_a_paired_screen_sees_it_and_it_comes_back_by_itself(browser, tmp_path, 
         base, code = printed_link(process).split("/#setup=")
         page = page_log(base).watch(browser.new_page(all_pictures=True, viewport={"width": 640, "height": 360}))
         page.goto(f"{base}/stereo.html")
-        expect(page.get_by_role("heading", name="may not see")).to_be_visible(timeout=PATIENCE)
+        expect(page.get_by_role("heading", name="may not see")).to_be_visible()
         with SessionClient(base) as client:
             client.post("/auth/setup", json={"code": code, "name": "Ada", "password": "correct horse battery"})
             patient_id = client.post("/patients", json={"code": "P-1", "pseudonym": "Heron"}).json()["id"]
             assert client.post("/session", json={"patient_id": patient_id}).is_success
             link = client.post("/patient-screen/pairing").json()["url"]
         page.goto(link)
-        expect(page.get_by_text("We wait for the shirt")).to_be_visible(timeout=PATIENCE)
+        expect(page.get_by_text("We wait for the shirt")).to_be_visible()
         page.goto(f"{base}/stereo.html")
         until(page, LIVE, seconds=60)
         process.send_signal(signal.SIGTERM)
         process.communicate(timeout=60)
         lost = page.get_by_text("Connection lost")
-        expect(lost).to_be_visible(timeout=PATIENCE)
+        expect(lost).to_be_visible()
         process = served(port, state)
         printed_link(process)
-        expect(lost).to_be_hidden(timeout=PATIENCE)
+        expect(lost).to_be_hidden()
         until(page, LIVE, seconds=60)
         page.close()
     finally:

@@ -15,7 +15,6 @@ from folders import SCREENSHOTS
 
 pytestmark = [pytest.mark.browser, pytest.mark.timeout(300)]
 
-PATIENCE = 60_000  # ms: drawing in software on a busy machine is slow
 SINCE = re.compile(r"No connection to the program since \d\d:\d\d:\d\d\.")
 WAITS = re.compile(r"The trial waits for Continue\. Without it, the trial ends in [34]:\d\d")
 OFFERED = """() => [...document.querySelectorAll(".btn, button, a, input, [tabindex]")]
@@ -29,7 +28,6 @@ WORD_OF = "() => sessionStorage.getItem('bodydrive-screen')"
 @pytest.fixture
 def pages(browser, page_log):
     """Yield a running demonstration, a page with a trial that is halted, one with the shirt; both signed in."""
-    expect.set_options(timeout=PATIENCE)
     SCREENSHOTS.mkdir(parents=True, exist_ok=True)
     with ExitStack() as stack:
         process = stack.enter_context(bodydrive("demo", "--port", "0"))
@@ -52,7 +50,6 @@ def pages(browser, page_log):
         expect(shirt.locator(".lamps")).to_contain_text("Shirt 52 of 52")
         yield process, driven, shirt
         assert log.outside == []
-    expect.set_options(timeout=5000)
 
 
 def end(process):

@@ -255,9 +255,8 @@ def put_back(clinic: EyesClinic) -> None:
     if clinic.good("GET", "/session")["patient"]["id"] != 1:
         clinic.be_here()
     clinic.set_calibration("rest")
-    running = clinic.good("GET", "/calibration")["running"]
-    if running:
-        clinic.good("POST", f"/calibration/steps/{running['step']}/cancel")
+    while running := clinic.good("GET", "/calibration")["running"]:  # a step may end by itself meanwhile
+        clinic.client.request("POST", f"/calibration/steps/{running['step']}/cancel")
     if clinic.process.run:
         clinic.good("POST", "/trials/current/end", {"reason": "by hand"})
     if clinic.good("GET", "/chairs")["chosen"]:

@@ -12,7 +12,6 @@ pytestmark = [pytest.mark.browser, pytest.mark.timeout(240)]
 
 SIZES = {"768x1024": (768, 1024), "1280x800": (1280, 800), "390x844": (390, 844)}
 TOO_WIDE = "document.querySelector('main').scrollWidth > document.querySelector('main').clientWidth"
-PATIENCE = 30_000  # ms
 
 
 @pytest.fixture(scope="module")
@@ -27,8 +26,6 @@ def test_a_change_has_one_word_on_every_page(served, browser, page_log):
     SCREENSHOTS.mkdir(parents=True, exist_ok=True)
     log = page_log(served.address)
     page = log.watch(browser.new_context(viewport={"width": 768, "height": 1024}).new_page())
-    page.set_default_timeout(PATIENCE)
-    expect.set_options(timeout=PATIENCE)
 
     def keep(name):
         for size, (width, height) in SIZES.items():
@@ -74,4 +71,3 @@ def test_a_change_has_one_word_on_every_page(served, browser, page_log):
     log.errors = [error for error in log.errors if "404" not in error]  # these trials have no recordings
     log.assert_clean()
     page.context.close()
-    expect.set_options(timeout=5000)

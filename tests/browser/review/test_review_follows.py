@@ -8,7 +8,6 @@ from app.store.people import add_person, sign_in, the_clinic
 
 pytestmark = [pytest.mark.browser, pytest.mark.timeout(120)]
 
-PATIENCE = 20_000  # ms
 PLACE = {"floorplan": "apartment", "screen": "the-screen-of-the-tests"}
 
 
@@ -31,12 +30,9 @@ def reviewer(browser, page_log, served):
     context.add_cookies([{"name": "bodydrive_sign_in", "value": cookie, "url": served.address}])
     log = page_log(served.address)
     page = log.watch(context.new_page())
-    page.set_default_timeout(PATIENCE)
-    expect.set_options(timeout=PATIENCE)
     yield page
     assert_quiet(log)
     context.close()
-    expect.set_options(timeout=5000)
 
 
 def drive(served):

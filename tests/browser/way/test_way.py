@@ -4,7 +4,7 @@ import re
 
 import pytest
 from browser.driving import choose_task, go_on_until
-from browser.tablets import PATIENCE, go_to
+from browser.tablets import go_to
 from playwright.sync_api import expect
 from processes.served_demo import running_demo
 
@@ -32,9 +32,8 @@ def opened(browser, page_log, demo):
     def open_page():
         contexts.append(browser.new_context(viewport={"width": 768, "height": 1024}))
         page = log.watch(contexts[-1].new_page())
-        page.set_default_timeout(PATIENCE)
         page.goto(demo)
-        expect(page.locator("main h1")).to_be_visible(timeout=PATIENCE)
+        expect(page.locator("main h1")).to_be_visible()
         return page
 
     yield open_page
@@ -51,7 +50,7 @@ def drives(page):
 
 def ends(page):
     page.get_by_role("button", name="End trial").first.click()
-    expect(page.get_by_role("link", name="Another task")).to_be_visible(timeout=PATIENCE)
+    expect(page.get_by_role("link", name="Another task")).to_be_visible()
 
 
 def test_the_sentences_of_a_first_time_come_until_they_are_put_away(opened):
