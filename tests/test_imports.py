@@ -14,9 +14,9 @@ LEAVES = "leaf"
 PURE_CHAIN = tuple(
     f"pipeline.{name}"
     for name in (
-        *("chain", "channel_health", "controls", "decoder", "low_pass", "guided_rate", "person_brakes", "ramp"),
+        *("chain", "channel_health", "controls", "decoder", "low_pass", "linear_rate", "person_brakes", "ramp"),
         *("safety_gate", "shaping"),
-        *("replay.batch", "replay.guided_batch"),
+        *("replay.batch", "replay.linear_batch"),
     )
 )
 # Packages, or single modules of them, that each package may import besides its own.

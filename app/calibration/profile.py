@@ -12,13 +12,22 @@ Grade = Literal["good", "usable", "repeat"]
 Numbers = Annotated[tuple[Finite, ...], Field(max_length=MAX_CHANNELS)]
 Span = Annotated[float, Field(strict=True, allow_inf_nan=False, gt=0, le=1e12)]
 
-MapKind = Literal["pca", "guided"]
+MapKind = Literal["pca", "guided", "prior"]
 
-# s: time constants of the two slow averages that a guided map subtracts from a channel's level; they are those of the
+# s: time constants of the two slow averages that a linear map subtracts from a channel's level; they are those of the
 # fabric's relaxation.
 AVERAGING_TIMES = (1.5, 10.0)
+# s: ages of the rates that a prior's map reads; the joint's recent past tells a stroke from its way back.
+RATE_LAGS = (0.0, 0.05, 0.1, 0.15, 0.2)
 LEAST_GAIN = 0.01  # of in-phase share that a guided map must gain over the PCA map
 LARGEST_LOSS = 0.03  # of the hit rate that a guided map may lose
+
+
+class Arrangement(Document):
+    """How a ring of sensors sits on the body: turned by so many places, and perhaps mirrored."""
+
+    shift: Annotated[int, Field(strict=True, ge=0, lt=MAX_CHANNELS)] = 0  # places by which each sensor is further on
+    mirrored: bool = False
 
 
 class MapCheck(Document):
@@ -30,8 +39,8 @@ class MapCheck(Document):
     false_count: Annotated[int, Field(strict=True, ge=0)]  # number of activations at rest
 
 
-class GuidedMap(Document):
-    """A linear map fitted to the prompts: low-pass(rate . dx/dt + short . (x - slow x) + long . (x - slower x)).
+class LinearMap(Document):
+    """A linear map: low-pass(rate . dx/dt + short . (x - slow x) + long . (x - slower x)).
 
     Scaled so that the prompted movements have the same rate in FS/s as with the joint's PCA map.
     """
@@ -41,6 +50,21 @@ class GuidedMap(Document):
     long: Numbers  # FS/s per signal unit, of the level above its average over AVERAGING_TIMES[1]
     dead_zone: Threshold  # FS/s, suggested
     full: Threshold  # FS/s, suggested
+
+    @property
+    def rates(self) -> tuple[tuple[float, ...], ...]:
+        """The weights (FS per signal unit) of the rates as they were RATE_LAGS ago, or of the newest rates only."""
+        return (self.rate,)
+
+    @property
+    def parts(self) -> tuple[tuple[float, ...], ...]:
+        """All weights, one number per channel in each part: those of the rates, then `short` and `long`."""
+        return (*self.rates, self.short, self.long)
+
+
+class GuidedMap(LinearMap):
+    """A linear map fitted to the prompts, with its check on held-out repetitions."""
+
     lag: Annotated[float, Field(strict=True, allow_inf_nan=False, ge=-10, le=10)]  # s of the person behind the cues
     repetitions: Annotated[int, Field(strict=True, ge=1)]
     pca_check: MapCheck
@@ -55,6 +79,34 @@ class GuidedMap(Document):
             and guided.hit_rate >= pca.hit_rate - LARGEST_LOSS
             and guided.false_count <= pca.false_count + 1
         )
+
+
+class Forecast(Document):
+    """What is expected of a map in use, with its uncertainty (one standard deviation)."""
+
+    value: Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0, le=1e4)]
+    uncertainty: Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0, le=1e4)]
+
+
+class PriorMap(LinearMap):
+    """A linear map learnt from other people, alone or together with this person's own prompted movements.
+
+    Besides the newest rates it reads those of 50 to 200 ms ago (`earlier`, one part for each further one of RATE_LAGS).
+    """
+
+    earlier: Annotated[tuple[Numbers, ...], Field(min_length=len(RATE_LAGS) - 1, max_length=len(RATE_LAGS) - 1)]
+    people: Annotated[int, Field(strict=True, ge=1)]  # how many other people it is learnt from
+    repetitions: Annotated[int, Field(strict=True, ge=0)]  # of this person's own; 0: from other people alone
+    dropped: tuple[Name, ...] = ()  # channels that moved too little on this person and have no weight
+    arrangement: dict[Name, Arrangement] = {}  # per ring of the layout, where the shirt was found to sit otherwise
+    hits: Forecast | None = None  # expected of 100 movements; None: not known
+    false_per_minute: Forecast | None = None  # expected activations without a prompt; None: not known
+    better: bool = True  # whether it may be offered: False when held-out repetitions say that another map is better
+
+    @property
+    def rates(self) -> tuple[tuple[float, ...], ...]:
+        """The weights (FS per signal unit) of the rates as they were RATE_LAGS ago."""
+        return (self.rate, *self.earlier)
 
 
 class JointMap(Document):
@@ -78,32 +130,45 @@ class JointMap(Document):
     reason: str
     map: MapKind = "pca"  # the map that gives the rate; the score is always that of PC1
     guided: GuidedMap | None = None  # the fitted guided map, with its check
+    prior: PriorMap | None = None  # the map learnt from other people
 
     @model_validator(mode="after")
     def _lengths_agree(self) -> Self:
         if not len(self.channels) == len(self.weights) == len(self.mean):
             raise ValueError(f"joint '{self.name}': channels, weights and mean must be of one length")
-        if self.guided is None:
-            if self.map == "guided":
-                raise ValueError(f"joint '{self.name}': its map is 'guided', but it has no guided map")
-        elif any(len(part) != len(self.channels) for part in (self.guided.rate, self.guided.short, self.guided.long)):
-            raise ValueError(f"joint '{self.name}': the guided map must have one number per channel in each part")
+        for kind, linear in (("guided", self.guided), ("prior", self.prior)):
+            if linear is None:
+                if self.map == kind:
+                    raise ValueError(f"joint '{self.name}': its map is '{kind}', but it has no {kind} map")
+            elif any(len(part) != len(self.channels) for part in linear.parts):
+                raise ValueError(f"joint '{self.name}': the {kind} map must have one number per channel in each part")
         return self
 
     @model_serializer(mode="wrap")
     def _without_defaults(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
-        """Leave out default values, so that profiles from before the guided maps keep their hash."""
+        """Leave out default values, so that profiles from before the linear maps keep their hash."""
         document: dict[str, Any] = handler(self)
         if document.get("map") == "pca":
             del document["map"]
-        if document.get("guided", ...) is None:
-            del document["guided"]
+        for kind in ("guided", "prior"):
+            if document.get(kind, ...) is None:
+                del document[kind]
         return document
+
+    @property
+    def linear(self) -> LinearMap | None:
+        """The linear map that decodes; None when the PCA map does."""
+        return {"pca": None, "guided": self.guided, "prior": self.prior}[self.map]
+
+    @property
+    def has_direction(self) -> bool:
+        """Whether it is known which way the gesture goes: by prompts, or by other people."""
+        return self.prompted or self.map == "prior"
 
     @property
     def thresholds(self) -> tuple[float, float]:
         """Dead-zone and full (FS/s) that the calibration suggests for the chosen map."""
-        chosen = self.guided if self.map == "guided" and self.guided else self
+        chosen = self.linear or self
         return chosen.dead_zone, chosen.full
 
 

@@ -132,14 +132,15 @@ STOP_TOGETHER = ("right_elbow", "left_elbow")
 def standard_parameters(profile: CalibrationProfile) -> DriveParameters:
     """Return the paper's vocabulary on `profile`, with the dead-zones and fulls that the calibration suggests.
 
-    A joint that was not prompted while others were is not bound: its direction is not known.
+    A joint whose direction is not known is not bound, unless no joint's direction is: without prompts, only other
+    people's maps have one.
     """
     gestures = tuple(
         Gesture(name=joint.name, joint=joint.name, dead_zone=joint.thresholds[0], full=joint.thresholds[1])
         for joint in profile.joints
     )
-    prompted = [joint.name for joint in profile.joints if joint.prompted]
-    names = prompted or [gesture.name for gesture in gestures]
+    directed = [joint.name for joint in profile.joints if joint.has_direction]
+    names = directed or [gesture.name for gesture in gestures]
     bindings = [
         Binding(control=control, gestures=(name,)) for name, control in PAPER_VOCABULARY.items() if name in names
     ]

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from app.butterworth import low_pass
 from app.calibration.vocabulary import DriveParameters
 from app.pipeline.channel_health import ChannelHealth
-from app.pipeline.guided_rate import PARTS, GuidedRate, guided_projection, is_guided
+from app.pipeline.linear_rate import LinearRate, linear_projection
 from app.pipeline.low_pass import LowPass
 
 BASELINE_TIME = 30.0  # s: time constant of the baseline of a displacement gesture
@@ -30,12 +30,11 @@ def projection(parameters: DriveParameters) -> tuple[NDArray[np.float64], NDArra
 
 
 def channels_used(parameters: DriveParameters) -> NDArray[np.bool_]:
-    """Return which channels (n_gestures, n_channels) each gesture reads, by its score or by its guided map."""
+    """Return which channels (n_gestures, n_channels) each gesture reads, by its score or by its linear map."""
     uses = projection(parameters)[0] != 0.0
-    guided = [row for row, gesture in enumerate(parameters.gestures) if is_guided(parameters, gesture)]
-    if guided:
-        reads = guided_projection(parameters) != 0.0
-        uses[guided] |= reads.reshape(len(guided), PARTS, -1).any(axis=1)
+    rows, places = linear_projection(parameters)
+    for gesture, place in places.items():
+        uses[gesture] |= (rows[place] != 0.0).any(axis=0)
     return np.asarray(uses)
 
 
@@ -53,7 +52,8 @@ class Decoder:
 
     def __init__(self, parameters: DriveParameters, sample_rate: float) -> None:
         weights, offsets = projection(parameters)
-        self._weights = np.concatenate((weights, guided_projection(parameters)))
+        rows, places = linear_projection(parameters)
+        self._weights = np.concatenate((weights, rows))
         self._offsets: list[float] = offsets.tolist()
         self._uses = channels_used(parameters)
         watched = np.asarray(self._uses.any(axis=0))
@@ -64,12 +64,14 @@ class Decoder:
         self._is_displacement = [gesture.feature == "displacement" for gesture in parameters.gestures]
         self._dead_zone = [gesture.dead_zone for gesture in parameters.gestures]
         self._per_range = [1.0 / (gesture.full - gesture.dead_zone) for gesture in parameters.gestures]
-        guided = [i for i, gesture in enumerate(parameters.gestures) if is_guided(parameters, gesture)]
-        self._guided = {
-            i: (GuidedRate(coefficients, sample_rate), slice(count + PARTS * k, count + PARTS * (k + 1)))
-            for k, i in enumerate(guided)
+        self._linear = {
+            i: (
+                LinearRate(coefficients, sample_rate, place.stop - place.start),
+                slice(count + place.start, count + place.stop),
+            )
+            for i, place in places.items()
         }
-        self._is_plain = [not displaced and i not in self._guided for i, displaced in enumerate(self._is_displacement)]
+        self._is_plain = [not displaced and i not in self._linear for i, displaced in enumerate(self._is_displacement)]
         self._all_plain = all(self._is_plain)
         self._health = ChannelHealth(parameters.profile, watched, sample_rate)
         self._indices = range(count)
@@ -81,8 +83,8 @@ class Decoder:
         count = len(self._filters)
         for low_pass_filter in self._filters:
             low_pass_filter.reset()
-        for guided, _ in self._guided.values():
-            guided.reset()
+        for linear, _ in self._linear.values():
+            linear.reset()
         self._health.reset()
         self._fresh = True
         self._smooth = [0.0] * count
@@ -138,8 +140,8 @@ class Decoder:
             elif self._is_displacement[i]:
                 strength = self._displacement(i, per_second, was_quiet)
             else:
-                guided, place = self._guided[i]
-                strength = guided.step(products[place], self.bad[i], was_bad[i], periods, self._sample_rate)
+                linear, place = self._linear[i]
+                strength = linear.step(products[place], self.bad[i], was_bad[i], periods, self._sample_rate)
             self.rate[i] = strength
             above = strength - self._dead_zone[i]
             if above <= 0.0 or self.bad[i]:

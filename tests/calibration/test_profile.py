@@ -5,7 +5,7 @@ import json
 import pytest
 from pydantic import ValidationError
 
-from app.calibration.profile import CalibrationProfile, GuidedMap, JointMap, MapCheck
+from app.calibration.profile import CalibrationProfile, GuidedMap, JointMap, MapCheck, PriorMap
 from app.calibration.vocabulary import DriveParameters, recorded_parameters, standard_parameters
 from building import make_parameters, make_profile
 
@@ -25,6 +25,26 @@ def guided(count, **changes):
         "guided_check": MapCheck(in_phase=0.99, hit_rate=0.8, false_per_minute=1.0, false_count=1),
     }
     return GuidedMap(**{**fields, **changes})
+
+
+def prior(count):
+    return PriorMap(
+        rate=(0.1,) * count,
+        earlier=((0.05,) * count,) * 4,
+        short=(0.0,) * count,
+        long=(0.0,) * count,
+        dead_zone=0.25,
+        full=1.2,
+        people=8,
+        repetitions=0,
+    )
+
+
+def with_prior():
+    profile = make_profile(n_channels=8)
+    first = profile.joints[0].model_copy(update={"prior": prior(2), "map": "prior", "prompted": False})
+    others = (joint.model_copy(update={"prompted": False}) for joint in profile.joints[1:])
+    return profile.model_copy(update={"joints": (first, *others)})
 
 
 def with_guided(kind="guided", **changes):
@@ -56,6 +76,19 @@ def test_a_joint_without_a_guided_map_is_written_as_before():
     document = make_profile(n_channels=8).joints[0].model_dump(mode="json")
     assert "map" not in document
     assert "guided" not in document
+    assert "prior" not in document
+
+
+def test_a_profile_with_a_prior_survives_being_saved_and_its_map_gives_the_handles():
+    profile = with_prior()
+    assert CalibrationProfile.model_validate_json(profile.model_dump_json()) == profile
+    assert profile.joints[0].thresholds == (0.25, 1.2)
+    assert len(profile.joints[0].prior.parts) == 7
+
+
+def test_without_prompts_only_the_joint_with_a_direction_from_other_people_is_bound():
+    bound = {name for binding in standard_parameters(with_prior()).bindings for name in binding.gestures}
+    assert bound == {"right_elbow"}
 
 
 def test_which_map_decodes_changes_the_hash():
@@ -85,7 +118,9 @@ def test_the_handles_are_those_of_the_map_that_is_chosen():
     [
         ({"guided": None}, "has no guided map"),
         ({"guided": guided(3).model_dump()}, "one number per channel"),
-        ({"map": "best"}, "'pca' or 'guided'"),
+        ({"map": "prior"}, "has no prior map"),
+        ({"prior": prior(3).model_dump()}, "one number per channel"),
+        ({"map": "best"}, "'pca', 'guided' or 'prior'"),
     ],
 )
 def test_a_joint_that_contradicts_itself_is_refused(changes, words):

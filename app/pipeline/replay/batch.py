@@ -19,9 +19,9 @@ from app.hardware.base import Chair
 from app.pipeline.channel_health import ChannelHealth, LossWindow
 from app.pipeline.controls import Controls
 from app.pipeline.decoder import LONGEST_GAP, Decoder, channels_used, projection
-from app.pipeline.guided_rate import PARTS, guided_projection, is_guided
+from app.pipeline.linear_rate import linear_projection
 from app.pipeline.ramp import Ramp
-from app.pipeline.replay.guided_batch import guided_rate
+from app.pipeline.replay.linear_batch import linear_rate
 from app.pipeline.safety_gate import (
     LARGEST_STEP,
     STOP_DECELERATION,
@@ -108,17 +108,16 @@ def decode_block(
 def _projected(
     parameters: DriveParameters, sample_rate: float, values: NDArray[np.float32]
 ) -> tuple[Array, NDArray[np.bool_]]:
-    """Return the scores and the projections of guided maps, kept constant where a channel is bad, and where that is.
+    """Return the scores and the projections of linear maps, kept constant where a channel is bad, and where that is.
 
-    Both (n, n_gestures + 3 * n_guided).
+    Both (n, n_gestures + n_rows), where n_rows is that of `linear_projection`.
     """
     weights, offsets = projection(parameters)
     uses = channels_used(parameters)
-    owners = _guided(parameters)
-    if owners:
-        weights = np.concatenate((weights, guided_projection(parameters)))
-        offsets = np.concatenate((offsets, np.zeros(PARTS * len(owners))))
-        uses = np.concatenate((uses, np.repeat(uses[owners], PARTS, axis=0)))
+    rows, places = linear_projection(parameters)
+    weights = np.concatenate((weights, rows))
+    offsets = np.concatenate((offsets, np.zeros(len(rows))))
+    uses = np.concatenate((uses, *(uses[[owner] * (place.stop - place.start)] for owner, place in places.items())))
     health = ChannelHealth(parameters.profile, np.asarray(uses.any(axis=0)), sample_rate)
     score = np.empty((len(values), len(weights)))
     bad = np.zeros(score.shape, dtype=np.bool_)
@@ -139,22 +138,17 @@ def _projected(
     return score, bad
 
 
-def _guided(parameters: DriveParameters) -> list[int]:
-    """Return which gestures read a guided map."""
-    return [i for i, gesture in enumerate(parameters.gestures) if is_guided(parameters, gesture)]
-
-
 def _rates(parameters: DriveParameters, sample_rate: float, periods: Array, seen: Array) -> Array:
     """Return the rates (n, n_gestures) in FS/s of all gestures, none of which reads a displacement."""
-    count, guided = len(parameters.gestures), _guided(parameters)
-    plain = [i for i in range(count) if i not in guided]
+    count, places = len(parameters.gestures), linear_projection(parameters)[1]
+    plain = [i for i in range(count) if i not in places]
     rate = np.empty((len(seen), count))
     if plain:
         smoothed = smooth(seen[:, plain], parameters.cutoff, sample_rate)
         rate[:, plain] = np.diff(smoothed, axis=0, prepend=smoothed[:1]) * (sample_rate / periods)[:, np.newaxis]
-    for k, i in enumerate(guided):
-        parts = seen[:, count + PARTS * k : count + PARTS * (k + 1)]
-        rate[:, i] = guided_rate(parts, periods, parameters.cutoff, sample_rate)
+    for i, place in places.items():
+        parts = seen[:, count + place.start : count + place.stop]
+        rate[:, i] = linear_rate(parts, periods, parameters.cutoff, sample_rate)
     return rate
 
 

@@ -1,0 +1,75 @@
+"""The moments of one joint's features and labels, which are all that a prior keeps of a recording."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.calibration.prior.features import KINDS
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Moments:
+    """Means over the frames of a recording, or sums of such means over people; d = 7k features of k channels.
+
+    The features are those of signals divided by the scale of their channel (`app.calibration.prior.scale`). The features
+    of a channel that cannot be used are zero.
+    """
+
+    gram: Array  # (d, d) mean of F'F
+    moment: Array  # (d,) mean of F'y; y is +1 in a prompted stroke, -1 on the way back, 0 elsewhere
+    stroke_mean: Array  # (d,) mean of F in the strokes
+    stroke_gram: Array  # (d, d) mean of F'F in the strokes
+
+    @classmethod
+    def of(cls, features: Array, label: NDArray[np.int8]) -> Self:
+        """Return the moments of one recording: features (n, d) with labels (n,), among them at least one +1."""
+        strokes = features[label > 0]
+        return cls(
+            features.T @ features / len(features),
+            features.T @ label / len(features),
+            strokes.mean(axis=0),
+            strokes.T @ strokes / len(strokes),
+        )
+
+    @classmethod
+    def zero(cls, channels: int) -> Self:
+        """Return the sum over nobody."""
+        d = KINDS * channels
+        return cls(np.zeros((d, d)), np.zeros(d), np.zeros(d), np.zeros((d, d)))
+
+    def __add__(self, other: Self) -> Self:
+        return type(self)(*(one + another for one, another in zip(self._parts, other._parts, strict=True)))
+
+    def __mul__(self, share: float) -> Self:
+        return type(self)(*(share * part for part in self._parts))
+
+    def rescaled(self, factors: Array) -> Self:
+        """Return the moments of features whose channels (k,) are multiplied by `factors`."""
+        each = np.tile(factors, KINDS)
+        both = np.outer(each, each)
+        return type(self)(self.gram * both, self.moment * each, self.stroke_mean * each, self.stroke_gram * both)
+
+    def of_channels(self, channels: Sequence[int]) -> Self:
+        """Return the moments of some of the channels, in the order given."""
+        count = len(self.moment) // KINDS
+        rows = np.add.outer(count * np.arange(KINDS), np.array(channels, dtype=np.int_)).ravel()
+        both = np.ix_(rows, rows)
+        return type(self)(self.gram[both], self.moment[rows], self.stroke_mean[rows], self.stroke_gram[both])
+
+    @property
+    def _parts(self) -> tuple[Array, Array, Array, Array]:
+        return self.gram, self.moment, self.stroke_mean, self.stroke_gram
+
+
+def mean_of(moments: Iterable[Moments]) -> Moments:
+    """Return the mean over at least one recording."""
+    first, *others = moments
+    total = first
+    for one in others:
+        total = total + one
+    return total * (1.0 / (1 + len(others)))

@@ -1,0 +1,59 @@
+"""Solves for the weights of a prior's map, from other people's moments alone or with a person's own frames."""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.calibration.prior.features import KINDS
+from app.calibration.prior.moments import Moments
+
+RIDGE = 0.01  # of each feature's own power
+GAIN_UNCERTAINTY = 1.1  # factor on a channel's moments with itself: its gain differs from person to person
+WORTH = 30.0  # s of a person's own frames that other people's moments count for; 10 to 60 s do equally well
+DEAD_ZONE_DEVIATIONS = -0.64  # deviations from the mean rate of strokes: the 26 % quantile of a normal distribution
+FULL_DEVIATIONS = 1.46  # about the 90 % quantile of the rates above the dead-zone
+
+Array = NDArray[np.float64]
+
+
+class OwnFrames(NamedTuple):
+    """A person's own prompted frames, in the features of the prior."""
+
+    features: Array  # (n, d) of scaled signals
+    label: NDArray[np.int8]  # (n,) +1 in the strokes, -1 on the ways back, 0 elsewhere
+
+
+def solve(people: Moments, sample_rate: float, own: OwnFrames | None = None) -> Array:
+    """Return the weights (d,) of the ridge regression to the labels.
+
+    Parameters
+    ----------
+    people : Moments
+        Mean over other people, of the channels that are used.
+    sample_rate : float
+        Hz, of the person's own frames.
+    own : OwnFrames or None
+        Without own frames the weights are other people's.
+    """
+    gram, moment = people.gram, people.moment
+    if own is not None:
+        frames = WORTH * sample_rate
+        gram = frames * gram + own.features.T @ own.features
+        moment = frames * moment + own.features.T @ own.label
+    channel = np.tile(np.arange(len(moment) // KINDS), KINDS)
+    gram = np.where(np.equal.outer(channel, channel), GAIN_UNCERTAINTY * gram, gram)
+    power = np.diag(gram).copy()
+    power[power <= 0.0] = 1.0  # a channel that no other person had
+    weights: Array = np.linalg.solve(gram + RIDGE * np.diag(power), moment)
+    return weights
+
+
+def thresholds(weights: Array, people: Moments) -> tuple[float, float]:
+    """Return dead-zone and full of a map, in the unit of its rate, from other people's strokes.
+
+    One or two repetitions of one's own set them worse: that was the main harm of a short calibration.
+    """
+    mean = float(weights @ people.stroke_mean)
+    deviation = float(np.sqrt(max(0.0, weights @ people.stroke_gram @ weights - mean * mean)))
+    return mean + DEAD_ZONE_DEVIATIONS * deviation, mean + FULL_DEVIATIONS * deviation
