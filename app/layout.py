@@ -1,23 +1,39 @@
 """The shirt layout: the channels of a shirt, the joint of each, and its place on the body."""
 
 from collections.abc import Mapping
-from typing import Annotated, Literal, Self
+from typing import Annotated, Any, Literal, Self
 
-from pydantic import Field, model_validator
+from pydantic import Field, SerializerFunctionWrapHandler, model_serializer, model_validator
 
 from app.quantities import Document, Fraction, Name, Title
 
 MAX_CHANNELS = 64
 MAX_JOINTS = 16
+MIN_RING = 3  # sensors: two look alike when they change places
 
 
 class Channel(Document):
-    """One sensor signal; `position` is (x, y) in 0..1 of the body outline, x from its left, y from its top."""
+    """One sensor signal; `position` is (x, y) in 0..1 of the body outline, x from its left, y from its top.
+
+    Sensors of one joint that lie in a ring round the limb have the ring's name in `ring`, and in `place` where in the
+    ring they are, counted round the limb. Without places, the ring is in the order of the layout.
+    """
 
     name: Name
     joint: Name
     position: tuple[Fraction, Fraction] | None = None
     side: Literal["front", "back"] | None = None
+    ring: Name | None = None
+    place: Annotated[int, Field(strict=True, ge=0, lt=MAX_CHANNELS)] | None = None
+
+    @model_serializer(mode="wrap")
+    def _without_ring(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
+        """Leave out what is not there, so that layouts from before the rings keep their hash."""
+        document: dict[str, Any] = handler(self)
+        for name in ("ring", "place"):
+            if document.get(name, ...) is None:
+                del document[name]
+        return document
 
 
 class Joint(Document):
@@ -53,6 +69,25 @@ class ShirtLayout(Document):
                 raise ValueError(f"joint '{joint}' has no channel: give it one or leave it out")
         return self
 
+    @model_validator(mode="after")
+    def _rings_are_whole(self) -> Self:
+        for channel in self.channels:
+            if channel.ring is None and channel.place is not None:
+                raise ValueError(
+                    f"channel '{channel.name}' has a place but no ring: name its ring or leave out the place"
+                )
+        for ring in {channel.ring for channel in self.channels} - {None}:
+            members = [channel for channel in self.channels if channel.ring == ring]
+            if len({channel.joint for channel in members}) > 1:
+                raise ValueError(f"ring '{ring}' goes round several joints: give each joint a ring of its own")
+            places = [channel.place for channel in members if channel.place is not None]
+            if places and sorted(places) != list(range(len(members))):
+                raise ValueError(
+                    f"ring '{ring}' has {len(members)} sensors, so that their places must be 0 to {len(members) - 1}, "
+                    f"each once, or left out for all of them"
+                )
+        return self
+
     @property
     def channel_names(self) -> list[str]:
         """Names in the order of a frame's values."""
@@ -69,4 +104,17 @@ class ShirtLayout(Document):
         return {
             joint.name: [i for i, channel in enumerate(self.channels) if channel.joint == joint.name]
             for joint in self.joints
+        }
+
+    @property
+    def rings(self) -> Mapping[str, list[int]]:
+        """Indices into a frame's values, per ring of at least MIN_RING sensors, in their order round the limb."""
+        members: dict[str, list[int]] = {}
+        for i, channel in enumerate(self.channels):
+            if channel.ring is not None:
+                members.setdefault(channel.ring, []).append(i)
+        return {
+            ring: sorted(indices, key=lambda i: self.channels[i].place or 0)
+            for ring, indices in members.items()
+            if len(indices) >= MIN_RING
         }

@@ -55,7 +55,13 @@ MAY_IMPORT = {
         *("store", "reports", "exports", "session", "study", "figures", "host", "backup", "scene", "api"),
     ),
 }
-FITTING = ("calibration.fit", "calibration.guided", "calibration.gestures", "calibration.adaptation")
+FITTING = (
+    "calibration.fit",
+    "calibration.guided",
+    "calibration.gestures",
+    "calibration.adaptation",
+    "calibration.prior",
+)
 
 HOME = {
     "fastapi": {"api"},

@@ -4916,6 +4916,12 @@ export interface components {
             refusal: string | null;
             looking: boolean;
         };
+        Arrangement: {
+            /** @default 0 */
+            shift?: number;
+            /** @default false */
+            mirrored?: boolean;
+        };
         AttentionView: {
             /** @enum {string} */
             reason: "deterioration" | "halted" | "comment" | "unsigned" | "absent";
@@ -5025,7 +5031,7 @@ export interface components {
             version: 1;
             created: string;
             software: string;
-            layout: components["schemas"]["ShirtLayout"];
+            layout: components["schemas"]["ShirtLayout-Output"];
             sample_rate: number;
             left_out: {
                 [key: string]: string;
@@ -5075,14 +5081,19 @@ export interface components {
             dynamics: "unicycle" | "wheelchair";
             words: string;
         };
-        Channel: {
+        "Channel-Input": {
             name: string;
             joint: string;
-            position: [
+            position?: [
                 number,
                 number
             ] | null;
-            side: ("front" | "back") | null;
+            side?: ("front" | "back") | null;
+            ring?: string | null;
+            place?: number | null;
+        };
+        "Channel-Output": {
+            [key: string]: unknown;
         };
         ChannelLine: {
             name: string;
@@ -5391,7 +5402,7 @@ export interface components {
             body: {
                 [key: string]: unknown;
             } | null;
-            layout: components["schemas"]["ShirtLayout"] | null;
+            layout: components["schemas"]["ShirtLayout-Output"] | null;
             unused: string[];
             status: components["schemas"]["StatusView"];
             files: components["schemas"]["FileView"][];
@@ -5526,6 +5537,10 @@ export interface components {
              * @enum {string}
              */
             kind: "path";
+        };
+        Forecast: {
+            value: number;
+            uncertainty: number;
         };
         FoundGesture: {
             name: string;
@@ -5851,7 +5866,7 @@ export interface components {
         MapChoice: {
             joint: string;
             /** @enum {string} */
-            map: "pca" | "guided";
+            map: "pca" | "guided" | "prior";
         };
         MapView: {
             version: number;
@@ -6128,6 +6143,25 @@ export interface components {
              */
             task: components["schemas"]["FollowPath"] | components["schemas"]["FollowLeader"] | components["schemas"]["Turn"] | components["schemas"]["Back"] | components["schemas"]["Course"];
         };
+        PriorMap: {
+            rate: number[];
+            short: number[];
+            long: number[];
+            dead_zone: number;
+            full: number;
+            earlier: number[][];
+            people: number;
+            repetitions: number;
+            /** @default [] */
+            dropped?: string[];
+            arrangement?: {
+                [key: string]: components["schemas"]["Arrangement"];
+            };
+            hits?: components["schemas"]["Forecast"] | null;
+            false_per_minute?: components["schemas"]["Forecast"] | null;
+            prior_check?: components["schemas"]["MapCheck"] | null;
+            pca_check?: components["schemas"]["MapCheck"] | null;
+        };
         ProposalChoice: {
             proposal: string;
         };
@@ -6400,9 +6434,14 @@ export interface components {
             kind: string;
             simulated: boolean;
         };
-        ShirtLayout: {
+        "ShirtLayout-Input": {
             name: string;
-            channels: components["schemas"]["Channel"][];
+            channels: components["schemas"]["Channel-Input"][];
+            joints: components["schemas"]["Joint"][];
+        };
+        "ShirtLayout-Output": {
+            name: string;
+            channels: components["schemas"]["Channel-Output"][];
             joints: components["schemas"]["Joint"][];
         };
         SignOffView: {
@@ -6428,7 +6467,7 @@ export interface components {
             sample_rate?: number;
             /** @default 1 */
             seed?: number;
-            layout?: components["schemas"]["ShirtLayout"] | null;
+            layout?: components["schemas"]["ShirtLayout-Input"] | null;
             /** @default [] */
             dead_channels?: string[];
         };
@@ -6689,7 +6728,7 @@ export interface components {
             host?: string;
             /** @default 5252 */
             port?: number;
-            layout?: components["schemas"]["ShirtLayout"];
+            layout?: components["schemas"]["ShirtLayout-Input"];
             /** @default 100 */
             sample_rate?: number;
             key_file?: string | null;
@@ -6749,6 +6788,7 @@ export interface components {
 export type AcceptedInvitation = components['schemas']['AcceptedInvitation'];
 export type AdaptationModeChoice = components['schemas']['AdaptationModeChoice'];
 export type AdaptationView = components['schemas']['AdaptationView'];
+export type Arrangement = components['schemas']['Arrangement'];
 export type AttentionView = components['schemas']['AttentionView'];
 export type Back = components['schemas']['Back'];
 export type BackupSettings = components['schemas']['BackupSettings'];
@@ -6768,7 +6808,8 @@ export type ChairStateView = components['schemas']['ChairStateView'];
 export type ChairSummary = components['schemas']['ChairSummary'];
 export type ChairView = components['schemas']['ChairView'];
 export type ChairsView = components['schemas']['ChairsView'];
-export type Channel = components['schemas']['Channel'];
+export type ChannelInput = components['schemas']['Channel-Input'];
+export type ChannelOutput = components['schemas']['Channel-Output'];
 export type ChannelLine = components['schemas']['ChannelLine'];
 export type CheckView = components['schemas']['CheckView'];
 export type Choice = components['schemas']['Choice'];
@@ -6818,6 +6859,7 @@ export type FloorPlan = components['schemas']['FloorPlan'];
 export type FloorPlanView = components['schemas']['FloorPlanView'];
 export type FollowLeader = components['schemas']['FollowLeader'];
 export type FollowPath = components['schemas']['FollowPath'];
+export type Forecast = components['schemas']['Forecast'];
 export type FoundGesture = components['schemas']['FoundGesture'];
 export type FreeCamera = components['schemas']['FreeCamera'];
 export type FreepieConfig = components['schemas']['FreepieConfig'];
@@ -6895,6 +6937,7 @@ export type Practice = components['schemas']['Practice'];
 export type PracticeView = components['schemas']['PracticeView'];
 export type Prediction = components['schemas']['Prediction'];
 export type PrescribedPath = components['schemas']['PrescribedPath'];
+export type PriorMap = components['schemas']['PriorMap'];
 export type ProposalChoice = components['schemas']['ProposalChoice'];
 export type ProposalView = components['schemas']['ProposalView'];
 export type QualityRow = components['schemas']['QualityRow'];
@@ -6933,7 +6976,8 @@ export type ShareRow = components['schemas']['ShareRow'];
 export type SharedView = components['schemas']['SharedView'];
 export type SharesView = components['schemas']['SharesView'];
 export type ShirtKind = components['schemas']['ShirtKind'];
-export type ShirtLayout = components['schemas']['ShirtLayout'];
+export type ShirtLayoutInput = components['schemas']['ShirtLayout-Input'];
+export type ShirtLayoutOutput = components['schemas']['ShirtLayout-Output'];
 export type SignOffView = components['schemas']['SignOffView'];
 export type SimulatedHeadConfig = components['schemas']['SimulatedHeadConfig'];
 export type SimulatorConfig = components['schemas']['SimulatorConfig'];

@@ -21,6 +21,7 @@ AVERAGING_TIMES = (1.5, 10.0)
 RATE_LAGS = (0.0, 0.05, 0.1, 0.15, 0.2)
 LEAST_GAIN = 0.01  # of in-phase share that a guided map must gain over the PCA map
 LARGEST_LOSS = 0.03  # of the hit rate that a guided map may lose
+LARGEST_MISS = 0.2  # of the hit rate on a few repetitions that a prior's map may lose, whose dead-zone is not fitted
 
 
 class Arrangement(Document):
@@ -98,15 +99,25 @@ class PriorMap(LinearMap):
     people: Annotated[int, Field(strict=True, ge=1)]  # how many other people it is learnt from
     repetitions: Annotated[int, Field(strict=True, ge=0)]  # of this person's own; 0: from other people alone
     dropped: tuple[Name, ...] = ()  # channels that moved too little on this person and have no weight
-    arrangement: dict[Name, Arrangement] = {}  # per ring of the layout, where the shirt was found to sit otherwise
+    # Per ring of the layout that was found to sit otherwise than on other people: the weights go by this.
+    arrangement: dict[Name, Arrangement] = Field(default_factory=dict)
     hits: Forecast | None = None  # expected of 100 movements; None: not known
     false_per_minute: Forecast | None = None  # expected activations without a prompt; None: not known
-    better: bool = True  # whether it may be offered: False when held-out repetitions say that another map is better
+    prior_check: MapCheck | None = None  # on this person's own held-out repetitions; None without any
+    pca_check: MapCheck | None = None  # of the joint's PCA map, on the same frames
 
     @property
     def rates(self) -> tuple[tuple[float, ...], ...]:
         """The weights (FS per signal unit) of the rates as they were RATE_LAGS ago."""
         return (self.rate, *self.earlier)
+
+    @property
+    def is_better(self) -> bool:
+        """Whether nothing says that the PCA map is better on this person's own repetitions."""
+        prior, pca = self.prior_check, self.pca_check
+        if prior is None or pca is None:
+            return True
+        return prior.in_phase >= pca.in_phase - LARGEST_LOSS and prior.hit_rate >= pca.hit_rate - LARGEST_MISS
 
 
 class JointMap(Document):

@@ -19,6 +19,7 @@ MODE_WORDS: Final = {
     "mode_u2": {"acceleration": "goes on", "velocity": "follows the movement"},
 }
 ORIGIN_WORDS: Final = {"calibration": "", "adaptation": ", adapted", "back": ", taken back"}
+METHOD_WORDS: Final = {"pca": "standard", "guided": "learnt from the cues", "prior": "learnt from other people"}
 NO_TABLE: Final = Table((), ())
 CONTROLS_HEAD: Final = ("Control", "Movement", "Counts from", "Full at", "Gain")
 
@@ -26,10 +27,10 @@ CONTROLS_HEAD: Final = ("Control", "Movement", "Counts from", "Full at", "Gain")
 def condition_facts(parameters: ParameterMaterial) -> tuple[Fact, ...]:
     """Return the map, the modes and the speeds in words."""
     settings = parameters.settings
-    guided = any(joint.get("map", "pca") == "guided" for joint in parameters.profile.get("joints", ()))
+    maps = {joint.get("map", "pca") for joint in parameters.profile.get("joints", ())}
     origin = ORIGIN_WORDS.get(parameters.origin, parameters.origin)
     parent = "" if parameters.parent is None else f" from version {parameters.parent}"
-    method = "learnt from the cues" if guided else "standard"
+    method = " and ".join(METHOD_WORDS[one] for one in METHOD_WORDS if one in maps) or METHOD_WORDS["pca"]
     of_body = {True: ", of a simulated shirt", False: "", None: ", source not recorded"}[parameters.simulated]
     modes = [MODE_WORDS[name].get(settings.get(name, ""), "not recorded") for name in MODE_WORDS]
     return (

@@ -34,7 +34,7 @@ class JointQuality(Document):
     label: Title  # the joint's name for people
     channels: tuple[Name, ...]  # that its map reads
     dead_zone: Amount | None = None  # FS/s, the smallest of its gestures that read the PCA map's rate
-    guided: bool = False  # a guided map decodes it: these figures are those of its PCA map
+    guided: bool = False  # a guided map, or one from other people, decodes it: these figures are those of its PCA map
     map_angle_deg: Degrees | None = None  # between the trial's own PC1 and the map
     evr: Fraction | None = None  # share of the trial's movement that its own PC1 explains
     null_space_share: Fraction | None = None  # share of the movement across the map, which never reaches the control
@@ -88,7 +88,7 @@ def joint_quality(
     """
     names = layout.channel_names
     label = next(one.label for one in layout.joints if one.name == joint.name)
-    guided = joint.map == "guided"
+    guided = joint.linear is not None
     weights = np.array([joint.weights[joint.channels.index(channel)] for channel in channels])
     length = float(np.linalg.norm(weights))
     known = JointQuality(

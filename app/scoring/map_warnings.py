@@ -60,7 +60,7 @@ def fit_warnings(rows: Sequence[JointInTrial]) -> list[ControlWarning]:
         return []
     now, label = rows[-min(EDGE, len(rows)) :], rows[-1].joint.label
     guided = (
-        " What was learnt from the cues drives this joint: look whether it is still right."
+        " Another calibration than the standard one drives this joint: look whether it is still right."
         if rows[-1].joint.guided
         else ""
     )

@@ -9,7 +9,8 @@ from app.store.tables import PatientSession
 def choose_map(database: Database, session_id: int, joint: str, kind: MapKind) -> None:
     """Let one joint of the session's result be decoded by this map; an accepted result must be accepted again.
 
-    A guided map is refused where it is not better than the paper's on the held-out repetitions.
+    A guided map is refused where it is not better than the paper's on the held-out repetitions, other people's map
+    where there is none or it is worse.
     """
     with database.transaction() as db:
         session = db.get_one(PatientSession, session_id)
@@ -22,6 +23,8 @@ def choose_map(database: Database, session_id: int, joint: str, kind: MapKind) -
         chosen = profile.joints[names.index(joint)]
         if kind == "guided" and (chosen.guided is None or not chosen.guided.is_better):
             raise Conflict("The calibration learnt from the cues is not better for this joint: keep the standard one.")
+        if kind == "prior" and (chosen.prior is None or not chosen.prior.is_better):
+            raise Conflict("There is no better calibration from other people for this joint: keep the present one.")
         if chosen.map == kind:
             return
         joints = tuple(one.model_copy(update={"map": kind}) if one.name == joint else one for one in profile.joints)

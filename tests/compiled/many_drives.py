@@ -52,6 +52,9 @@ def random_parameters(random, seed, rate):
         if random.random() < 0.35:
             joint["map"], joint["guided"] = "guided", guided_map(random, np.array(joint["weights"]) / 3.0)
             guided.add(joint["name"])
+        elif random.random() < 0.35:
+            joint["map"], joint["prior"] = "prior", prior_map(random, np.array(joint["weights"]) / 3.0)
+            guided.add(joint["name"])
     for gesture in document["gestures"]:
         if random.random() < 0.2 and gesture["joint"] not in guided:
             gesture |= {"feature": "displacement", "dead_zone": 0.1, "full": 0.5}
@@ -71,6 +74,12 @@ def guided_map(random, weights):
         "pca_check": CHECK,
         "guided_check": CHECK,
     }
+
+
+def prior_map(random, weights):
+    earlier = [(weights * random.uniform(-0.5, 1.0)).tolist() for _ in range(4)]
+    parts = {"rate": weights.tolist(), "earlier": earlier, "short": (0.3 * weights).tolist(), "long": weights.tolist()}
+    return {**parts, "dead_zone": 0.2, "full": 1.0, "people": 8, "repetitions": 0}
 
 
 def random_signals(random, parameters, seed, rate):

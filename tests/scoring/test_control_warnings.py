@@ -128,7 +128,7 @@ def test_a_movement_with_a_falling_evr():
 
 def test_a_guided_joint_is_called_one():
     trials = [trial(n, joint(map_angle_deg=41.0, guided=True, dead_zone=None)) for n in range(3)]
-    assert "learnt from the cues drives" in control_warnings(trials).warnings[0].advice
+    assert "than the standard one drives" in control_warnings(trials).warnings[0].advice
 
 
 def test_noise_near_the_dead_zone_and_noise_that_grows():

@@ -102,6 +102,8 @@ def _reason_to_skip(evidence: AdaptationInput, joint: JointMap) -> tuple[Status,
             "unchanged",
             "What was learnt from the cues drives it, and is not adapted: calibrate again to renew it.",
         )
+    if joint.map == "prior":
+        return "unchanged", "What was learnt from other people drives it, and is not adapted: prompt it to renew it."
     weighed = {channel for channel, weight in zip(joint.channels, joint.weights, strict=True) if weight != 0.0}
     broken = sorted(weighed - set(sound_channels(evidence.parameters.profile, joint, evidence.movements)))
     if broken:

@@ -82,17 +82,19 @@ def stretches_of_prompts(
     prompts: Sequence[Prompt],
     sample_rate: float,
     until: float | None = None,
+    longest_pause: float = LONGEST_PAUSE,
 ) -> list[Stretch]:
     """Return the stretches around the prompts of a table, those of a joint in order of time.
 
-    A stretch ends at `until` (s) at the latest, but not before its last prompt.
+    A stretch ends at `until` (s) at the latest, but not before its last prompt. Prompts of a joint that are further
+    apart than `longest_pause` (s) belong to two stretches.
     """
     merged = _merge_overlapping(prompts)
     stretches = []
     for joint in dict.fromkeys(prompt.joint for prompt in merged):
         groups: list[list[Prompt]] = []
         for prompt in (one for one in merged if one.joint == joint):
-            if groups and prompt.start - groups[-1][-1].end <= LONGEST_PAUSE:
+            if groups and prompt.start - groups[-1][-1].end <= longest_pause:
                 groups[-1].append(prompt)
             else:
                 groups.append([prompt])

@@ -10,6 +10,7 @@ from app.calibration.cued_runs import CuedRun, Phase
 from app.calibration.fit.joint_evidence import CUTOFF, LAG, SETTLING
 from app.calibration.fit.pieces import Frames
 from app.calibration.guided.guided_map import features
+from app.calibration.prior.features import features as prior_features
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.signals.smoothing import smooth
 
@@ -43,7 +44,7 @@ class Evidence:
         return [piece[:, column] for piece in self.rest]
 
     def noise_of(self, joint: JointMap, column: int) -> float:
-        """Return the noise (FS/s) of a joint's rate at rest: the profile's for a PCA map, measured for a guided map."""
+        """Return the noise (FS/s) of a joint's rate at rest: the profile's for a PCA map, measured for another."""
         pieces = self.at_rest(column)
         if joint.map == "pca" or not pieces:
             return joint.rest_rate
@@ -62,9 +63,11 @@ def gather_evidence(profile: CalibrationProfile, runs: Sequence[CuedRun]) -> Evi
         places = smooth(_scores(profile, run.values), CUTOFF, rate_of)
         rates = np.diff(places, axis=0, prepend=places[:1]) * rate_of
         for column, joint in enumerate(profile.joints):
-            if joint.map == "guided" and joint.guided is not None:
-                weights = np.concatenate((joint.guided.rate, joint.guided.short, joint.guided.long))
-                rates[:, column] = features(run.values[:, list(joint.channels)], rate_of) @ weights
+            if joint.linear is not None:
+                made = features if joint.map == "guided" else prior_features
+                rates[:, column] = made(run.values[:, list(joint.channels)], rate_of) @ np.concatenate(
+                    joint.linear.parts
+                )
         for index, phase in enumerate(run.phases):
             _add_phase(evidence, profile, run.phases, index, phase, places, rates)
     return evidence

@@ -45,7 +45,7 @@ def check(
     count, seconds = 0, 0.0
     for name in np.unique(repetition):
         rows = repetition == name
-        resting = _at_rest(label[rows], round(MARGIN * sample_rate))
+        resting = at_rest(label[rows], round(MARGIN * sample_rate))
         active = (activation[rows] > 0.0) & resting
         count += int(np.count_nonzero(np.diff(active.astype(np.int8), prepend=0) > 0))
         seconds += float(resting.sum()) / sample_rate
@@ -57,7 +57,7 @@ def check(
     )
 
 
-def _at_rest(label: NDArray[np.int8], margin: int) -> NDArray[np.bool_]:
+def at_rest(label: NDArray[np.int8], margin: int) -> NDArray[np.bool_]:
     """Return where (n,) no label other than 0 is within `margin` rows before or after."""
     busy = np.concatenate(([0], np.cumsum(label != 0)))
     rows = np.arange(len(label))

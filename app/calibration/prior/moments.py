@@ -2,6 +2,8 @@
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from functools import reduce
+from operator import add
 from typing import Self
 
 import numpy as np
@@ -16,8 +18,8 @@ Array = NDArray[np.float64]
 class Moments:
     """Means over the frames of a recording, or sums of such means over people; d = 7k features of k channels.
 
-    The features are those of signals divided by the scale of their channel (`app.calibration.prior.scale`). The features
-    of a channel that cannot be used are zero.
+    The features are those of signals divided by the scale of their channel (`app.calibration.prior.scale`). Those of a
+    channel that cannot be used are zero.
     """
 
     gram: Array  # (d, d) mean of F'F
@@ -54,12 +56,22 @@ class Moments:
         both = np.outer(each, each)
         return type(self)(self.gram * both, self.moment * each, self.stroke_mean * each, self.stroke_gram * both)
 
-    def of_channels(self, channels: Sequence[int]) -> Self:
+    def of_channels(self, channels: Sequence[int] | NDArray[np.int_]) -> Self:
         """Return the moments of some of the channels, in the order given."""
         count = len(self.moment) // KINDS
-        rows = np.add.outer(count * np.arange(KINDS), np.array(channels, dtype=np.int_)).ravel()
+        rows = np.add.outer(count * np.arange(KINDS), np.asarray(channels, dtype=np.int_)).ravel()
         both = np.ix_(rows, rows)
         return type(self)(self.gram[both], self.moment[rows], self.stroke_mean[rows], self.stroke_gram[both])
+
+    def among(self, channels: Sequence[int] | NDArray[np.int_], count: int) -> Self:
+        """Return the moments of `count` channels, of which these are `channels`; those of the others are zero."""
+        d = KINDS * count
+        rows = np.add.outer(count * np.arange(KINDS), np.asarray(channels, dtype=np.int_)).ravel()
+        gram, moment, stroke_mean, stroke_gram = np.zeros((d, d)), np.zeros(d), np.zeros(d), np.zeros((d, d))
+        both = np.ix_(rows, rows)
+        gram[both], moment[rows] = self.gram, self.moment
+        stroke_mean[rows], stroke_gram[both] = self.stroke_mean, self.stroke_gram
+        return type(self)(gram, moment, stroke_mean, stroke_gram)
 
     @property
     def _parts(self) -> tuple[Array, Array, Array, Array]:
@@ -68,8 +80,5 @@ class Moments:
 
 def mean_of(moments: Iterable[Moments]) -> Moments:
     """Return the mean over at least one recording."""
-    first, *others = moments
-    total = first
-    for one in others:
-        total = total + one
-    return total * (1.0 / (1 + len(others)))
+    every = list(moments)
+    return reduce(add, every) * (1.0 / len(every))

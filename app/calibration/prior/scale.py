@@ -13,6 +13,12 @@ LEAST_SHARE = 0.1  # of the expected range: a channel that moves less is left ou
 Array = NDArray[np.float64]
 
 
+def first_movement(values: Array, sample_rate: float) -> Array | None:
+    """Return the first ten seconds of frames (n, n_channels), None when there are fewer; `sample_rate` in Hz."""
+    count = round(MOVEMENT * sample_rate)
+    return values[:count] if len(values) >= count - 1 else None
+
+
 def log_ranges(values: Array, sample_rate: float) -> Array:
     """Return the logarithm (k,) of the range of each smoothed channel (n, k); -inf for a channel that stands still.
 

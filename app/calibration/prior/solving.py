@@ -1,6 +1,7 @@
 """Solves for the weights of a prior's map, from other people's moments alone or with a person's own frames."""
 
-from typing import NamedTuple
+import math
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,11 +18,23 @@ FULL_DEVIATIONS = 1.46  # about the 90 % quantile of the rates above the dead-zo
 Array = NDArray[np.float64]
 
 
-class OwnFrames(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class OwnFrames:
     """A person's own prompted frames, in the features of the prior."""
 
     features: Array  # (n, d) of scaled signals
     label: NDArray[np.int8]  # (n,) +1 in the strokes, -1 on the ways back, 0 elsewhere
+    repetition: NDArray[np.int_]  # (n,) number of the repetition, counted from 0, that a frame belongs to
+
+    @property
+    def repetitions(self) -> int:
+        """How many repetitions there are."""
+        return int(self.repetition.max()) + 1
+
+    def without(self, repetition: int) -> "OwnFrames":
+        """Return the frames without those of one repetition."""
+        rows = self.repetition != repetition
+        return OwnFrames(self.features[rows], self.label[rows], self.repetition[rows])
 
 
 def solve(people: Moments, sample_rate: float, own: OwnFrames | None = None) -> Array:
@@ -36,17 +49,17 @@ def solve(people: Moments, sample_rate: float, own: OwnFrames | None = None) -> 
     own : OwnFrames or None
         Without own frames the weights are other people's.
     """
-    gram, moment = people.gram, people.moment
+    gram: Array = people.gram
+    moment: Array = people.moment
     if own is not None:
         frames = WORTH * sample_rate
-        gram = frames * gram + own.features.T @ own.features
-        moment = frames * moment + own.features.T @ own.label
+        gram = np.asarray(frames * gram + own.features.T @ own.features, dtype=np.float64)
+        moment = np.asarray(frames * moment + own.features.T @ own.label, dtype=np.float64)
     channel = np.tile(np.arange(len(moment) // KINDS), KINDS)
     gram = np.where(np.equal.outer(channel, channel), GAIN_UNCERTAINTY * gram, gram)
     power = np.diag(gram).copy()
     power[power <= 0.0] = 1.0  # a channel that no other person had
-    weights: Array = np.linalg.solve(gram + RIDGE * np.diag(power), moment)
-    return weights
+    return np.asarray(np.linalg.solve(gram + RIDGE * np.diag(power), moment), dtype=np.float64)
 
 
 def thresholds(weights: Array, people: Moments) -> tuple[float, float]:
@@ -55,5 +68,5 @@ def thresholds(weights: Array, people: Moments) -> tuple[float, float]:
     One or two repetitions of one's own set them worse: that was the main harm of a short calibration.
     """
     mean = float(weights @ people.stroke_mean)
-    deviation = float(np.sqrt(max(0.0, weights @ people.stroke_gram @ weights - mean * mean)))
+    deviation = math.sqrt(max(0.0, float(weights @ people.stroke_gram @ weights) - mean * mean))
     return mean + DEAD_ZONE_DEVIATIONS * deviation, mean + FULL_DEVIATIONS * deviation

@@ -6,6 +6,7 @@ movements. So a stroke is looked for where the channels begin to move at all, in
 """
 
 from collections.abc import Sequence
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -81,10 +82,10 @@ def stroke_labels(
     rough = labels(rate, cued, lags, sample_rate)
     found = np.zeros_like(rough)
     edges = np.flatnonzero(np.diff(rough, prepend=0, append=0))
-    for start, stop in zip(edges[:-1], edges[1:], strict=True):
+    for start, stop in pairwise(edges.tolist()):
         sign = rough[start]
         if sign:
-            first, last = _stroke(sign * rate, int(start), int(stop), round(LARGEST_SHIFT * sample_rate))
+            first, last = _stroke(sign * rate, start, stop, round(LARGEST_SHIFT * sample_rate))
             part = found[first:last]
             part[part == 0] = sign
     return found

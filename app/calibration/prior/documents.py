@@ -1,0 +1,202 @@
+"""The documents of a prior: one person's moments, a clinic's own prior with an entry per person, a release of sums."""
+
+from typing import Annotated, Literal, Self
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import Field, model_validator
+
+from app.calibration.prior.arrangement import RingMoments
+from app.calibration.prior.features import KINDS
+from app.calibration.prior.moments import Moments
+from app.layout import MAX_CHANNELS, ShirtLayout
+from app.quantities import Document, Finite, Name
+
+FEWEST_PEOPLE = 4  # whose map is used for somebody else: with two, the worst person had a third of it out of phase
+FEWEST_RELEASED = 8  # people whose sum may leave a clinic: the moments of one person alone identify that person
+DIGITS = 6  # significant, of every stored number
+
+MOST = KINDS * MAX_CHANNELS
+Vector = Annotated[tuple[Finite, ...], Field(max_length=MOST)]
+Triangle = Annotated[tuple[Finite, ...], Field(max_length=MOST * (MOST + 1) // 2)]
+Amount = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0, le=1e9)]
+
+Array = NDArray[np.float64]
+
+
+class MomentsDocument(Document):
+    """Moments of the features of k channels; symmetric matrices as their upper triangles, row by row."""
+
+    gram: Triangle
+    moment: Vector
+    stroke_mean: Vector
+    stroke_gram: Triangle
+
+    @classmethod
+    def of(cls, moments: Moments) -> Self:
+        """Return the document of `moments`, rounded to DIGITS."""
+        upper = np.triu_indices(len(moments.moment))
+        return cls(
+            gram=rounded(moments.gram[upper]),
+            moment=rounded(moments.moment),
+            stroke_mean=rounded(moments.stroke_mean),
+            stroke_gram=rounded(moments.stroke_gram[upper]),
+        )
+
+    @property
+    def moments(self) -> Moments:
+        """The moments as arrays."""
+        return Moments(
+            _symmetric(self.gram), np.array(self.moment), np.array(self.stroke_mean), _symmetric(self.stroke_gram)
+        )
+
+    @model_validator(mode="after")
+    def _sizes_agree(self) -> Self:
+        d = len(self.moment)
+        if len(self.stroke_mean) != d or {len(self.gram), len(self.stroke_gram)} != {d * (d + 1) // 2} or d % KINDS:
+            raise ValueError("the moments do not fit together: make the entry again with `bodydrive prior add`")
+        return self
+
+
+class RingDocument(Document):
+    """Sums over people of what tells the sensors of a ring apart; pairs as upper triangles without the diagonal."""
+
+    people: Amount
+    logs: Vector
+    logs_squared: Vector
+    pairs: Triangle
+    pairs_squared: Triangle
+
+    @classmethod
+    def of(cls, ring: RingMoments) -> Self:
+        """Return the document of `ring`, rounded to DIGITS."""
+        upper = np.triu_indices(len(ring.logs), 1)
+        return cls(
+            people=ring.people,
+            logs=rounded(ring.logs),
+            logs_squared=rounded(ring.logs_squared),
+            pairs=rounded(ring.pairs[upper]),
+            pairs_squared=rounded(ring.pairs_squared[upper]),
+        )
+
+    @property
+    def moments(self) -> RingMoments:
+        """The sums as arrays."""
+        pairs, squares = (_symmetric(part, len(self.logs)) for part in (self.pairs, self.pairs_squared))
+        return RingMoments(self.people, np.array(self.logs), np.array(self.logs_squared), pairs, squares)
+
+    @model_validator(mode="after")
+    def _sizes_agree(self) -> Self:
+        k = len(self.logs)
+        if len(self.logs_squared) != k or {len(self.pairs), len(self.pairs_squared)} != {k * (k - 1) // 2}:
+            raise ValueError("the ring's numbers do not fit together: make the entry again with `bodydrive prior add`")
+        return self
+
+
+class JointEntry(Document):
+    """What one person adds to the map of one joint: means over this person's recordings."""
+
+    alive: Annotated[tuple[bool, ...], Field(min_length=1, max_length=MAX_CHANNELS)]  # channels that could be used
+    logs: Vector  # logarithms of the channels' ranges; 0 for a channel that could not be used
+    seconds: Amount
+    strokes: Amount
+    moments: MomentsDocument
+
+
+class PersonEntry(Document):
+    """What one person adds to a prior."""
+
+    recordings: Annotated[int, Field(strict=True, ge=1)]
+    joints: Annotated[dict[Name, JointEntry], Field(min_length=1)]
+    rings: dict[Name, RingDocument] = Field(default_factory=dict)
+
+
+class JointSums(Document):
+    """Sums over people of what each adds to the map of one joint."""
+
+    people: Annotated[int, Field(strict=True, ge=FEWEST_RELEASED)]
+    seconds: Amount
+    strokes: Amount
+    alive: Vector  # people whose channel could be used
+    logs: Vector  # sums over those people
+    moments: MomentsDocument
+
+
+class OwnPrior(Document):
+    """A clinic's own prior: one entry per person, so that a person can be taken out again. It never leaves."""
+
+    format: Literal["bodydrive-prior"] = "bodydrive-prior"
+    version: Literal[1] = 1
+    kind: Literal["own"] = "own"
+    layout: ShirtLayout
+    people: dict[Name, PersonEntry] = Field(default_factory=dict)
+
+    @model_validator(mode="after")
+    def _entries_fit_the_layout(self) -> Self:
+        for code, entry in self.people.items():
+            for name, joint in entry.joints.items():
+                sizes = {len(joint.alive), len(joint.logs), len(joint.moments.moment) // KINDS}
+                _check_size(self.layout, f"the entry of '{code}'", name, sizes)
+            for name, ring in entry.rings.items():
+                _check_ring(self.layout, f"the entry of '{code}'", name, len(ring.logs))
+        return self
+
+    def with_person(self, code: str, entry: PersonEntry) -> "OwnPrior":
+        """Return the prior with this person's entry, in place of an earlier one."""
+        return self.model_copy(update={"people": {**self.people, code: entry}})
+
+    def without_person(self, code: str) -> "OwnPrior":
+        """Return the prior as if this person had never been added."""
+        return self.model_copy(update={"people": {name: one for name, one in self.people.items() if name != code}})
+
+
+class ReleasedPrior(Document):
+    """Sums over at least eight people, in which nobody can be found again: what may leave a clinic."""
+
+    format: Literal["bodydrive-prior"] = "bodydrive-prior"
+    version: Literal[1] = 1
+    kind: Literal["release"] = "release"
+    layout: ShirtLayout
+    people: Annotated[int, Field(strict=True, ge=FEWEST_RELEASED)]
+    joints: Annotated[dict[Name, JointSums], Field(min_length=1)]
+    rings: dict[Name, RingDocument] = Field(default_factory=dict)
+
+    @model_validator(mode="after")
+    def _sums_fit_the_layout(self) -> Self:
+        for name, joint in self.joints.items():
+            sizes = {len(joint.alive), len(joint.logs), len(joint.moments.moment) // KINDS}
+            _check_size(self.layout, "the release", name, sizes)
+        for name, ring in self.rings.items():
+            _check_ring(self.layout, "the release", name, len(ring.logs))
+        return self
+
+
+PriorDocument = Annotated[OwnPrior | ReleasedPrior, Field(discriminator="kind")]
+
+
+def rounded(numbers: Array) -> tuple[float, ...]:
+    """Return the numbers (n,) with DIGITS significant digits."""
+    return tuple(float(f"{number:.{DIGITS}g}") for number in numbers.tolist())
+
+
+def _symmetric(triangle: tuple[float, ...], size: int | None = None) -> Array:
+    """Return the matrix of an upper triangle; with `size`, one without its diagonal, which becomes 0."""
+    offset = 0 if size is None else 1
+    side = round((np.sqrt(8 * len(triangle) + 1) - 1) / 2) if size is None else size
+    matrix = np.zeros((side, side))
+    upper = np.triu_indices(side, offset)
+    matrix[upper] = triangle
+    matrix.T[upper] = triangle
+    return matrix
+
+
+def _check_size(layout: ShirtLayout, where: str, joint: str, sizes: set[int]) -> None:
+    if joint not in layout.joint_names:
+        raise ValueError(f"{where} names joint '{joint}', which '{layout.name}' does not have")
+    if sizes != {len(layout.channels_of_joint[joint])}:
+        raise ValueError(f"{where} does not have one number for each channel of joint '{joint}': add it again")
+
+
+def _check_ring(layout: ShirtLayout, where: str, ring: str, size: int) -> None:
+    if len(layout.rings.get(ring, ())) != size:
+        raise ValueError(f"{where} has {size} sensors in ring '{ring}', and '{layout.name}' has another number")

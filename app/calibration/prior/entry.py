@@ -1,0 +1,99 @@
+"""Makes what one person adds to a prior, from recordings of free and of prompted movement."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.calibration.fit.omissions import channels_left_out
+from app.calibration.fit.repetitions import Stretch
+from app.calibration.prior.arrangement import RingMoments, ring_movement, total
+from app.calibration.prior.documents import JointEntry, MomentsDocument, PersonEntry, RingDocument, rounded
+from app.calibration.prior.frames import filled, prompted_frames
+from app.calibration.prior.moments import Moments, mean_of
+from app.calibration.prior.scale import MOVEMENT, first_movement, log_ranges, scales
+from app.layout import ShirtLayout
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class PersonRecording:
+    """One recording of a person: free movement, and stretches of prompted movement."""
+
+    sample_rate: float  # Hz
+    free: Array  # (n, n_channels) at least ten seconds of any movement
+    stretches: Sequence[Stretch]
+
+
+def person_entry(layout: ShirtLayout, recordings: Sequence[PersonRecording]) -> PersonEntry:
+    """Return what a person adds to a prior: the mean over the recordings.
+
+    Raises
+    ------
+    ValueError
+        One sentence: a recording is too short, or no joint was prompted and has a channel that can be used.
+    """
+    started = [first_movement(filled(one.free, one.sample_rate), one.sample_rate) for one in recordings]
+    for one, free in zip(recordings, started, strict=True):
+        if free is None:
+            raise ValueError(
+                f"there are {len(one.free) / one.sample_rate:.1f} s of movement, and the scale of the channels needs "
+                f"{MOVEMENT:g} s: record longer"
+            )
+    moved = [free for free in started if free is not None]
+    out = {
+        name for one in recordings for name in channels_left_out(layout, one.sample_rate, one.free, None, (), (), None)
+    }
+    joints = {}
+    for joint, channels in layout.channels_of_joint.items():
+        alive = np.array([layout.channels[i].name not in out for i in channels])
+        entry = _joint_entry(joint, channels, alive, recordings, moved) if alive.any() else None
+        if entry is not None:
+            joints[joint] = entry
+    if not joints:
+        raise ValueError("no joint was prompted and has a channel that can be used: prompt it, or check the shirt")
+    rings = {}
+    for ring, sensors in layout.rings.items():
+        if not any(layout.channels[i].name in out for i in sensors):
+            found = [
+                RingMoments.of(ring_movement(free[:, sensors], one.sample_rate))
+                for one, free in zip(recordings, moved, strict=True)
+            ]
+            rings[ring] = RingDocument.of(total(found) * (1.0 / len(found)))
+    return PersonEntry(recordings=len(recordings), joints=joints, rings=rings)
+
+
+def _joint_entry(
+    joint: str,
+    channels: Sequence[int],
+    alive: NDArray[np.bool_],
+    recordings: Sequence[PersonRecording],
+    moved: Sequence[Array],
+) -> JointEntry | None:
+    """Return what the recordings add to one joint; None when none of them prompts it."""
+    used = [i for i, is_alive in zip(channels, alive, strict=True) if is_alive]
+    logs, moments, seconds, strokes = [], [], 0.0, 0
+    for one, free in zip(recordings, moved, strict=True):
+        own = log_ranges(free[:, used], one.sample_rate)
+        if not np.isfinite(own).all():
+            continue
+        stretches = [stretch for stretch in one.stretches if stretch.joint == joint]
+        frames = prompted_frames(stretches, used, scales(own, np.ones(len(used), np.bool_)), one.sample_rate)
+        if frames is not None:
+            logs.append(own)
+            moments.append(Moments.of(frames.features, frames.label))
+            seconds += len(frames.label) / one.sample_rate
+            strokes += frames.repetitions
+    if not moments:
+        return None
+    everywhere = np.zeros(len(channels))
+    everywhere[alive] = np.mean(logs, axis=0)
+    return JointEntry(
+        alive=tuple(alive.tolist()),
+        logs=rounded(everywhere),
+        seconds=round(seconds, 2),
+        strokes=float(strokes),
+        moments=MomentsDocument.of(mean_of(moments).among(np.flatnonzero(alive), len(channels))),
+    )

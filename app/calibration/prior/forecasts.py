@@ -1,0 +1,100 @@
+"""What is expected of a prior's map in use: hits of 100 movements, and false activations a minute.
+
+The person's own repetitions are judged by a map that is learnt without them. Before there are any, the free movement
+alone says how many of this person's movements are quick enough for the dead-zone.
+"""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.calibration.guided.check import MARGIN, SHORTEST_REST, at_rest
+from app.calibration.prior.moments import Moments
+from app.calibration.prior.solving import OwnFrames, solve
+from app.calibration.prior.strokes import EDGE
+from app.calibration.profile import Forecast
+
+LARGE = 0.3  # of the 95th percentile of the free movement's rate: what counts as a movement there
+WORTH_OF_FREE = 2.0  # repetitions that the free movement counts for
+# Standard deviations of the share of a stroke's time with activation, measured on the real knit: between what is
+# expected from many repetitions and what comes, and what one repetition more or less makes.
+LASTING_DEVIATION, FIRST_DEVIATION = 0.08, 0.16
+USUAL_FALSE, USUAL_MINUTES = 1.0, 0.5  # false activations expected before any is counted, and the rest they stand for
+
+Array = NDArray[np.float64]
+
+
+def held_out_rate(frames: OwnFrames, people: Moments, sample_rate: float) -> Array:
+    """Return the rate (n,) of each repetition by the map that is learnt without that repetition; Hz."""
+    rate = np.empty(len(frames.label))
+    for repetition in range(frames.repetitions):
+        rows = frames.repetition == repetition
+        others = frames.without(repetition)
+        rate[rows] = frames.features[rows] @ solve(people, sample_rate, others if len(others.label) else None)
+    return rate
+
+
+def share_of_free(rate: Array, dead_zone: float) -> float | None:
+    """Return the share of the large movements' time in which the rate (n,) of free movement is above the dead-zone.
+
+    None when nothing moves the gesture's way.
+    """
+    edges = np.flatnonzero(np.diff((rate > 0.0).astype(np.int8), prepend=0, append=0))
+    large = LARGE * float(np.percentile(rate, 95))
+    above = total = 0
+    for start, stop in zip(edges[::2], edges[1::2], strict=True):
+        movement = rate[start:stop]
+        peak = float(movement.max())
+        if peak > large > 0.0:
+            during = movement[movement > EDGE * peak]
+            above += int((during > dead_zone).sum())
+            total += len(during)
+    return above / total if total else None
+
+
+def expected_hits(free: Array, dead_zone: float, held_out: Array | None, frames: OwnFrames | None) -> Forecast | None:
+    """Return the expected hits of 100 movements, as the share of the movements' time with activation.
+
+    Parameters
+    ----------
+    free : (n,) array
+        Rate during the free movement, in the unit of `dead_zone`.
+    dead_zone : float
+        From where the rate counts.
+    held_out : (m,) array or None
+        Rate during the person's own repetitions, by maps that are learnt without them.
+    frames : OwnFrames or None
+        The labels of those repetitions.
+    """
+    shares, weights, repetitions = [], [], 0
+    in_free = share_of_free(free, dead_zone)
+    if in_free is not None:
+        shares.append(in_free)
+        weights.append(WORTH_OF_FREE)
+    if held_out is not None and frames is not None:
+        repetitions = frames.repetitions
+        shares.append(float((held_out[frames.label > 0] > dead_zone).mean()))
+        weights.append(float(repetitions))
+    if not shares:
+        return None
+    deviation = math.sqrt(LASTING_DEVIATION**2 + FIRST_DEVIATION**2 / (1 + repetitions))
+    share = float(np.average(shares, weights=weights))
+    return Forecast(value=round(100 * share, 1), uncertainty=round(100 * deviation, 1))
+
+
+def expected_false(held_out: Array, frames: OwnFrames, dead_zone: float, sample_rate: float) -> Forecast | None:
+    """Return the expected activations a minute at rest, from the pauses between the repetitions.
+
+    None when the pauses are shorter than SHORTEST_REST; parameters as of `expected_hits`, `sample_rate` in Hz.
+    """
+    resting = at_rest(frames.label, round(MARGIN * sample_rate))
+    seconds = float(resting.sum()) / sample_rate
+    if seconds < SHORTEST_REST:
+        return None
+    active = (held_out > dead_zone) & resting
+    count = int(np.count_nonzero(np.diff(active.astype(np.int8), prepend=0) > 0))
+    minutes = seconds / 60.0 + USUAL_MINUTES
+    return Forecast(
+        value=round((count + USUAL_FALSE) / minutes, 2), uncertainty=round(math.sqrt(count + USUAL_FALSE) / minutes, 2)
+    )

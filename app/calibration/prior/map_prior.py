@@ -1,0 +1,209 @@
+"""The prior as a map is fitted with it: sums over other people, per joint and per ring of sensors."""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from functools import reduce
+from operator import add
+from typing import Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.calibration.prior.arrangement import RingMoments, total
+from app.calibration.prior.documents import (
+    FEWEST_RELEASED,
+    JointEntry,
+    JointSums,
+    MomentsDocument,
+    OwnPrior,
+    PersonEntry,
+    PriorDocument,
+    ReleasedPrior,
+    RingDocument,
+    rounded,
+)
+from app.calibration.prior.moments import Moments
+from app.layout import ShirtLayout
+
+Array = NDArray[np.float64]
+
+
+class PriorError(Exception):
+    """A prior cannot be used or released; the message says in one sentence why, and what to do."""
+
+
+@dataclass(frozen=True, slots=True)
+class JointPrior:
+    """Sums over people of what each adds to the map of one joint of k channels."""
+
+    people: int
+    seconds: float
+    strokes: float
+    alive: Array  # (k,) people whose channel could be used
+    logs: Array  # (k,) sums over those people of the logarithm of the channel's range
+    moments: Moments
+
+    def __add__(self, other: Self) -> Self:
+        return type(self)(
+            self.people + other.people,
+            self.seconds + other.seconds,
+            self.strokes + other.strokes,
+            self.alive + other.alive,
+            self.logs + other.logs,
+            self.moments + other.moments,
+        )
+
+    @property
+    def expected(self) -> Array:
+        """Mean (k,) of the logarithm of each channel's range; NaN for a channel that nobody could use."""
+        with np.errstate(invalid="ignore", divide="ignore"):
+            mean: Array = self.logs / self.alive
+        return mean
+
+    @property
+    def mean(self) -> Moments:
+        """The moments as the mean over people."""
+        return self.moments * (1.0 / self.people)
+
+
+@dataclass(frozen=True, slots=True)
+class MapPrior:
+    """What is known of other people in shirts of one layout."""
+
+    layout: ShirtLayout
+    joints: Mapping[str, JointPrior]
+    rings: Mapping[str, RingMoments]
+
+    @classmethod
+    def of(cls, document: PriorDocument) -> Self:
+        """Return the prior of a document."""
+        if isinstance(document, OwnPrior):
+            return cls(document.layout, *sums_of(document.people.values()))
+        joints = {name: _joint_prior(sums) for name, sums in document.joints.items()}
+        return cls(document.layout, joints, {name: ring.moments for name, ring in document.rings.items()})
+
+    @property
+    def people(self) -> int:
+        """How many people the joint with most of them has."""
+        return max((joint.people for joint in self.joints.values()), default=0)
+
+
+def sums_of(entries: Iterable[PersonEntry]) -> tuple[dict[str, JointPrior], dict[str, RingMoments]]:
+    """Return the sums over people, per joint and per ring."""
+    found: dict[str, list[JointEntry]] = {}
+    rings: dict[str, list[RingMoments]] = {}
+    for entry in entries:
+        for name, joint in entry.joints.items():
+            found.setdefault(name, []).append(joint)
+        for name, ring in entry.rings.items():
+            rings.setdefault(name, []).append(ring.moments)
+    return {name: _sum(joints) for name, joints in found.items()}, {name: total(ring) for name, ring in rings.items()}
+
+
+def release(documents: Iterable[PriorDocument]) -> ReleasedPrior:
+    """Return the sums of one or several priors of one layout, without joints and rings of fewer than eight people.
+
+    Raises
+    ------
+    PriorError
+        When the layouts differ, or no joint has eight people.
+    """
+    priors = [MapPrior.of(document) for document in documents]
+    layout = priors[0].layout
+    joints: dict[str, JointPrior] = {}
+    rings: dict[str, RingMoments] = {}
+    for prior in priors:
+        check_layout(prior.layout, layout)
+        for name, joint in prior.joints.items():
+            joints[name] = joints[name] + joint if name in joints else joint
+        for name, ring in prior.rings.items():
+            rings[name] = rings[name] + ring if name in rings else ring
+    people = max((joint.people for joint in joints.values()), default=0)
+    if people < FEWEST_RELEASED:
+        raise PriorError(
+            f"together they hold {people} {'person' if people == 1 else 'people'}, and only sums over at least "
+            f"{FEWEST_RELEASED} may leave a clinic: add more people"
+        )
+    return ReleasedPrior(
+        layout=layout,
+        people=people,
+        joints={name: _joint_sums(joint) for name, joint in joints.items() if joint.people >= FEWEST_RELEASED},
+        rings={name: RingDocument.of(ring) for name, ring in rings.items() if ring.people >= FEWEST_RELEASED},
+    )
+
+
+def united(documents: Iterable[PriorDocument]) -> OwnPrior:
+    """Return one own prior with the people of several, for use inside of one clinic.
+
+    Raises
+    ------
+    PriorError
+        When one is a release, the layouts differ, or two have different entries of one person.
+    """
+    layout: ShirtLayout | None = None
+    people: dict[str, PersonEntry] = {}
+    for document in documents:
+        if not isinstance(document, OwnPrior):
+            raise PriorError("a release holds sums and no entries of people: merge it without --own")
+        layout = layout or document.layout
+        check_layout(document.layout, layout)
+        for code, entry in document.people.items():
+            if people.get(code, entry) != entry:
+                raise PriorError(f"two of them have different entries for the person '{code}': give one another code")
+            people[code] = entry
+    if layout is None:
+        raise PriorError("there is no prior to merge: name at least one")
+    return OwnPrior(layout=layout, people=people)
+
+
+def check_layout(one: ShirtLayout, other: ShirtLayout) -> None:
+    """Raise PriorError when channels, joints or rings of two layouts differ; their names and pictures may differ."""
+    if layout_key(one) != layout_key(other):
+        raise PriorError(
+            f"the layouts '{one.name}' and '{other.name}' have other channels, joints or rings: each shirt needs a "
+            f"prior of its own"
+        )
+
+
+def layout_key(layout: ShirtLayout) -> tuple[tuple[object, ...], ...]:
+    """Return what must be equal for a prior to fit: the channels with their joints and places in rings."""
+    return tuple((channel.name, channel.joint, channel.ring, channel.place) for channel in layout.channels)
+
+
+def _sum(entries: list[JointEntry]) -> JointPrior:
+    """Return the sum over people; where a channel could not be used, the others are scaled as if it had moved."""
+    alive = np.array([entry.alive for entry in entries], dtype=np.float64)
+    logs = np.array([entry.logs for entry in entries])
+    with np.errstate(invalid="ignore", divide="ignore"):
+        expected = logs.sum(axis=0) / alive.sum(axis=0)
+    known = alive.sum(axis=0) > 0.0
+    parts = []
+    for entry in entries:
+        own = np.array(entry.alive)
+        level = float(expected[known].mean() - expected[own].mean())  # 0 when every channel could be used
+        parts.append(entry.moments.moments.rescaled(np.full(len(own), np.exp(-level / 2.0))))
+    return JointPrior(
+        people=len(entries),
+        seconds=sum(entry.seconds for entry in entries),
+        strokes=sum(entry.strokes for entry in entries),
+        alive=alive.sum(axis=0),
+        logs=logs.sum(axis=0),
+        moments=reduce(add, parts),
+    )
+
+
+def _joint_prior(sums: JointSums) -> JointPrior:
+    return JointPrior(
+        sums.people, sums.seconds, sums.strokes, np.array(sums.alive), np.array(sums.logs), sums.moments.moments
+    )
+
+
+def _joint_sums(joint: JointPrior) -> JointSums:
+    return JointSums(
+        people=joint.people,
+        seconds=round(joint.seconds, 2),
+        strokes=joint.strokes,
+        alive=rounded(joint.alive),
+        logs=rounded(joint.logs),
+        moments=MomentsDocument.of(joint.moments),
+    )

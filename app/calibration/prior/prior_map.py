@@ -1,0 +1,233 @@
+"""Fits the map of each joint from other people, and from the person's own prompted movements where there are any."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.calibration.fit.joint_fit import LEAST_RANGE
+from app.calibration.fit.repetitions import Stretch
+from app.calibration.guided.check import check
+from app.calibration.prior.arrangement import find_arrangement, ring_movement, sensors_at
+from app.calibration.prior.documents import FEWEST_PEOPLE
+from app.calibration.prior.features import KINDS, features
+from app.calibration.prior.forecasts import expected_false, expected_hits, held_out_rate
+from app.calibration.prior.frames import filled, prompted_frames
+from app.calibration.prior.map_prior import JointPrior, MapPrior, check_layout
+from app.calibration.prior.scale import channels_alive, first_movement, log_ranges, scales
+from app.calibration.prior.solving import OwnFrames, solve, thresholds
+from app.calibration.profile import RATE_LAGS, Arrangement, CalibrationProfile, JointMap, MapCheck, PriorMap
+from app.layout import ShirtLayout
+
+LEAST_DEAD_ZONE = 0.05  # of full: with fewer people's strokes than usual the quantile could lie below 0
+LARGEST_WEIGHT = 1e12  # FS per signal unit, as `app.quantities.Finite`
+
+Array = NDArray[np.float64]
+
+
+class PriorMapError(Exception):
+    """A joint can have no map from other people; the message says in one sentence why, and what to do."""
+
+
+class PriorFit(NamedTuple):
+    """A profile with maps from other people where they could be made."""
+
+    profile: CalibrationProfile
+    reasons: dict[str, str]  # joint without such a map -> why
+    arrangement: dict[str, Arrangement]  # every ring that could be compared -> how it sits
+
+
+@dataclass(frozen=True, slots=True)
+class _Seat:
+    """Which of the person's channels stands for which channel of the prior, and what it is divided by."""
+
+    channels: tuple[int, ...]  # indices into a frame, of the channels that are used
+    places: tuple[int, ...]  # indices into the prior's channels of this joint
+    scale: Array  # (k,)
+    dropped: tuple[int, ...]  # indices into a frame, of channels that move too little
+
+
+def find_arrangements(prior: MapPrior, free: NDArray[np.floating], sample_rate: float) -> dict[str, Arrangement]:
+    """Return how each ring sits that other people are known for, from ten seconds of movement (n, n_channels).
+
+    Empty when there are fewer than ten seconds.
+    """
+    start = first_movement(filled(free, sample_rate), sample_rate)
+    if start is None:
+        return {}
+    return {
+        ring: find_arrangement(ring_movement(start[:, sensors], sample_rate), prior.rings[ring])
+        for ring, sensors in prior.layout.rings.items()
+        if ring in prior.rings and prior.rings[ring].people >= FEWEST_PEOPLE
+    }
+
+
+def with_prior_maps(
+    profile: CalibrationProfile, prior: MapPrior, free: NDArray[np.floating], stretches: Sequence[Stretch] = ()
+) -> PriorFit:
+    """Return the profile with a map from other people beside the PCA map of each joint that they are known for.
+
+    The map that decodes is not changed: a person chooses it. Where a joint was not prompted, the sign of its PCA map is
+    made that of other people's movement.
+
+    Parameters
+    ----------
+    profile : CalibrationProfile
+        With PCA maps; its sample rate is that of all frames.
+    prior : MapPrior
+        Of the same layout.
+    free : (n, n_channels) array
+        Frames of free movement; from ten seconds on they set the scale of the channels.
+    stretches : sequence of Stretch
+        The person's own prompted movements.
+
+    Raises
+    ------
+    PriorError
+        When the prior is of another layout.
+    """
+    check_layout(prior.layout, profile.layout)
+    moved = filled(free, profile.sample_rate)
+    arrangements = find_arrangements(prior, moved, profile.sample_rate)
+    joints, reasons = [], {}
+    for joint in profile.joints:
+        own = [one for one in stretches if one.joint == joint.name]
+        try:
+            joints.append(_joint(joint, prior, moved, own, arrangements, profile))
+        except PriorMapError as error:
+            joints.append(joint)
+            reasons[joint.name] = str(error)
+    return PriorFit(profile.model_copy(update={"joints": tuple(joints)}), reasons, arrangements)
+
+
+def _joint(
+    joint: JointMap,
+    prior: MapPrior,
+    moved: Array,
+    stretches: Sequence[Stretch],
+    arrangements: dict[str, Arrangement],
+    profile: CalibrationProfile,
+) -> JointMap:
+    """Return the joint with its map from other people, or raise PriorMapError."""
+    people = prior.joints.get(joint.name)
+    if people is None or people.people < FEWEST_PEOPLE:
+        count = 0 if people is None else people.people
+        raise PriorMapError(
+            f"Other people's movements say nothing yet: {count} of them {'is' if count == 1 else 'are'} known for this "
+            f"joint, and {FEWEST_PEOPLE} are needed."
+        )
+    rate = profile.sample_rate
+    seat = _seat(joint, people, moved, arrangements, profile.layout, rate)
+    others = people.mean.of_channels(seat.places)
+    frames = prompted_frames(stretches, seat.channels, seat.scale, rate, others)
+    weights = solve(others, rate, frames)
+    dead_zone, full = thresholds(weights, others)
+    if not full > 0.0:
+        raise PriorMapError("Other people's movements have nothing in common with each other: add more people.")
+    in_fs = joint.full / full
+    by_pca = _pca_weights(joint, seat)
+    in_free = features(moved[:, list(seat.channels)] / seat.scale, rate)
+    sign = joint.sign
+    if not joint.prompted and float((in_free @ weights) @ (in_free @ by_pca)) < 0.0:
+        sign = 1 if joint.sign < 0 else -1
+    per_unit = _per_unit(weights * in_fs, seat, joint)
+    if np.abs(per_unit).max() > LARGEST_WEIGHT:
+        raise PriorMapError("The signals are too small: give them in a smaller unit.")
+    lowest = max(dead_zone * in_fs, LEAST_DEAD_ZONE * joint.full)
+    fitted = PriorMap(
+        rate=_numbers(per_unit[0]),
+        earlier=tuple(_numbers(part) for part in per_unit[1 : len(RATE_LAGS)]),
+        short=_numbers(per_unit[-2]),
+        long=_numbers(per_unit[-1]),
+        dead_zone=round(min(lowest, joint.full - LEAST_RANGE), 4),
+        full=joint.full,
+        people=people.people,
+        repetitions=0 if frames is None else frames.repetitions,
+        dropped=tuple(profile.layout.channels[i].name for i in seat.dropped),
+        arrangement=_of_joint(arrangements, joint, profile.layout),
+    )
+    held_out = None if frames is None else held_out_rate(frames, others, rate) * in_fs
+    found: dict[str, object] = {
+        "hits": expected_hits(in_free @ weights * in_fs, fitted.dead_zone, held_out, frames),
+    }
+    if frames is not None and held_out is not None:
+        pca = frames.features @ by_pca
+        found |= {
+            "false_per_minute": expected_false(held_out, frames, fitted.dead_zone, rate),
+            "prior_check": _check(held_out, frames, fitted.dead_zone, fitted.full, rate),
+            "pca_check": _check(pca, frames, joint.dead_zone, joint.full, rate),
+        }
+    fitted = fitted.model_copy(update=found)
+    return joint.model_copy(update={"prior": fitted, "sign": sign})
+
+
+def _seat(
+    joint: JointMap,
+    people: JointPrior,
+    moved: Array,
+    arrangements: dict[str, Arrangement],
+    layout: ShirtLayout,
+    sample_rate: float,
+) -> _Seat:
+    """Return which channels are used, for which of the prior's, and their scale; PriorMapError when none moves."""
+    own = layout.channels_of_joint[joint.name]
+    sensors = np.array(own)
+    for ring, arrangement in arrangements.items():
+        members = layout.rings[ring]
+        if members[0] in own:
+            sensors[[own.index(i) for i in members]] = np.array(members)[sensors_at(arrangement, len(members))]
+    known = people.alive > 0.0
+    expected = np.where(known, people.expected, 0.0)
+    usable = known & np.isin(sensors, joint.channels)
+    start = first_movement(moved, sample_rate)
+    logs = expected.copy()
+    alive = usable.copy()
+    if start is not None and usable.any():
+        measured = log_ranges(start[:, sensors], sample_rate)
+        logs[usable] = measured[usable]
+        alive[usable] = channels_alive(measured[usable], expected[usable])
+    if not alive.any():
+        raise PriorMapError(
+            "None of the channels that other people are known for moves on this person: move freely for ten seconds."
+        )
+    level = expected.copy()
+    level[~known] = expected[known].mean()
+    return _Seat(
+        tuple(sensors[alive].tolist()),
+        tuple(np.flatnonzero(alive).tolist()),
+        scales(logs, alive, level)[alive],
+        tuple(sensors[usable & ~alive].tolist()),
+    )
+
+
+def _pca_weights(joint: JointMap, seat: _Seat) -> Array:
+    """Return the weights (d,) with which the prior's features give the rate of the joint's PCA map, FS/s."""
+    weights = np.zeros((KINDS, len(seat.channels)))
+    for column, (channel, scale) in enumerate(zip(seat.channels, seat.scale, strict=True)):
+        weights[0, column] = joint.sign / joint.span * joint.weights[joint.channels.index(channel)] * scale
+    return weights.ravel()
+
+
+def _per_unit(weights: Array, seat: _Seat, joint: JointMap) -> Array:
+    """Return the weights (KINDS, n) per signal unit, one column per channel of the joint's map."""
+    columns = np.zeros((KINDS, len(joint.channels)))
+    columns[:, [joint.channels.index(i) for i in seat.channels]] = weights.reshape(KINDS, -1) / seat.scale
+    return columns
+
+
+def _of_joint(arrangements: dict[str, Arrangement], joint: JointMap, layout: ShirtLayout) -> dict[str, Arrangement]:
+    """Return the rings of a joint that sit otherwise than on other people."""
+    own = layout.channels_of_joint[joint.name]
+    return {
+        ring: found for ring, found in arrangements.items() if layout.rings[ring][0] in own and found != Arrangement()
+    }
+
+
+def _check(rate: Array, frames: OwnFrames, dead_zone: float, full: float, sample_rate: float) -> MapCheck:
+    return check(rate, frames.label, frames.repetition, dead_zone, full, sample_rate)
+
+
+def _numbers(weights: Array) -> tuple[float, ...]:
+    return tuple(map(float, weights))

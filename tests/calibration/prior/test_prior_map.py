@@ -1,0 +1,150 @@
+"""A map from other people: it drives somebody new, follows turned rings and other gains, and says what it cannot."""
+
+import numpy as np
+import pytest
+from calibration.prior.simulated_wearers import RATE, SENSORS, Wearer, prior_of, sleeve
+
+from app.calibration.fit.profile_fit import fit_profile
+from app.calibration.fit.repetitions import Repetition
+from app.calibration.prior.map_prior import MapPrior, PriorError
+from app.calibration.prior.prior_map import with_prior_maps
+from app.calibration.profile import Arrangement
+from app.calibration.vocabulary import standard_parameters
+from app.pipeline.replay.batch import decode_block
+
+STRANGERS = range(101, 107)
+
+
+@pytest.fixture(scope="module")
+def prior():
+    return MapPrior.of(prior_of(range(1, 9)))
+
+
+def fitted(wearer, prior, values=None, prompts=0, layout=None):
+    values = wearer.values if values is None else values
+    free = values[: round(10 * wearer.rate)]
+    stretches = [wearer.stretch(prompts, values)] if prompts else []
+    repetitions = [
+        Repetition("right_elbow", values[max(0, one.start - 25) : one.stop + 50], slice(25, 25 + one.stop - one.start))
+        for stretch in stretches
+        for one in stretch.moving[1:]
+    ]
+    profile = fit_profile(layout or sleeve(), wearer.rate, free=free, repetitions=repetitions)
+    return with_prior_maps(profile, prior, free, stretches)
+
+
+def decoded(profile, wearer, values=None):
+    """Return the in-phase share and the hit rate from the tenth second on."""
+    joints = tuple(joint.model_copy(update={"map": "prior"}) for joint in profile.joints)
+    parameters = standard_parameters(profile.model_copy(update={"joints": joints}))
+    values = (wearer.values if values is None else values).astype(np.float32)
+    activation = decode_block(parameters, wearer.rate, wearer.t, values).activation[:, 0]
+    late = wearer.t >= 10.0
+    moving = np.roll(wearer.moving, round(0.1 * wearer.rate))
+    return activation[moving & late].sum() / activation[late].sum(), (activation[moving & late] > 0).mean()
+
+
+@pytest.mark.parametrize("seed", STRANGERS)
+@pytest.mark.parametrize("prompts", [0, 3])
+def test_somebody_new_drives(prior, seed, prompts):
+    wearer = Wearer(seed)
+    fit = fitted(wearer, prior, prompts=prompts)
+    assert fit.reasons == {}
+    assert fit.arrangement == {"cuff": Arrangement()}
+    own = fit.profile.joints[0].prior
+    assert (own.people, own.repetitions, own.dropped, own.arrangement) == (8, prompts, (), {})
+    in_phase, hit = decoded(fit.profile, wearer)
+    assert in_phase > 0.93
+    assert hit > 0.6
+    assert fit.profile.joints[0].map == "pca"  # a person chooses
+
+
+@pytest.mark.parametrize("shift", range(1, SENSORS))
+def test_a_turned_ring_is_found_and_undone(prior, shift):
+    wearer = Wearer(102)
+    turned = np.roll(wearer.values, shift, axis=1)
+    fit = fitted(wearer, prior, turned)
+    assert fit.arrangement == fit.profile.joints[0].prior.arrangement == {"cuff": Arrangement(shift=shift)}
+    assert decoded(fit.profile, wearer, turned) == pytest.approx(
+        decoded(fitted(wearer, prior).profile, wearer), abs=0.01
+    )
+
+
+def test_a_layout_without_rings_has_no_test():
+    layout = sleeve(ring=False)
+    prior = MapPrior.of(prior_of(range(1, 5), layout))
+    wearer = Wearer(102)
+    fit = fitted(wearer, prior, np.roll(wearer.values, 1, axis=1), layout=layout)
+    assert fit.arrangement == {}
+    assert decoded(fit.profile, wearer, np.roll(wearer.values, 1, axis=1))[0] < 0.9
+
+
+@pytest.mark.parametrize("seed", STRANGERS)
+def test_other_gains_cost_little(prior, seed):
+    wearer = Wearer(seed)
+    gains = np.random.default_rng(seed).uniform(0.6, 1.7, SENSORS)
+    before, after = (
+        decoded(fitted(wearer, prior, v).profile, wearer, v) for v in (wearer.values, wearer.values * gains)
+    )
+    assert np.subtract(after, before).min() > -0.08
+
+
+@pytest.mark.parametrize("unit", [1e-5, 1e5])
+def test_the_unit_of_all_signals_does_not_matter(prior, unit):
+    wearer = Wearer(103)
+    values = wearer.values * unit
+    assert decoded(fitted(wearer, prior, values).profile, wearer, values) == pytest.approx(
+        decoded(fitted(wearer, prior).profile, wearer), abs=0.02
+    )
+
+
+@pytest.mark.parametrize("dead", range(SENSORS))
+def test_a_channel_that_hardly_moves_is_dropped_and_the_others_drive(prior, dead):
+    wearer = Wearer(104)
+    values = wearer.values.copy()
+    values[:, dead] = values[0, dead] + 0.02 * (values[:, dead] - values[0, dead])
+    fit = fitted(wearer, prior, values)
+    own = fit.profile.joints[0].prior
+    assert f"e{dead}" in own.dropped or f"e{dead}" in fit.profile.left_out
+    in_phase, hit = decoded(fit.profile, wearer, values)
+    assert in_phase > 0.85
+    assert hit > 0.5
+
+
+def test_before_ten_seconds_the_scale_is_other_people_s(prior):
+    wearer = Wearer(105)
+    profile = fit_profile(sleeve(), RATE, free=wearer.values[: round(4 * RATE)])
+    fit = with_prior_maps(profile, prior, wearer.values[: round(4 * RATE)])
+    assert fit.arrangement == {}
+    assert decoded(fit.profile, wearer)[0] > 0.85
+
+
+def test_three_people_are_too_few():
+    wearer = Wearer(101)
+    fit = fitted(wearer, MapPrior.of(prior_of([1, 2, 3])))
+    assert fit.profile.joints[0].prior is None
+    assert "3 of them are known for this joint, and 4 are needed" in fit.reasons["right_elbow"]
+
+
+def test_another_layout_is_refused(prior):
+    with pytest.raises(PriorError, match="a prior of its own"):
+        fitted(Wearer(101), prior, layout=sleeve(ring=False))
+
+
+def test_the_sign_of_the_paper_s_map_follows_other_people_where_nobody_prompted(prior):
+    for seed in STRANGERS:
+        wearer = Wearer(seed)
+        joint = fitted(wearer, prior).profile.joints[0]
+        place = joint.sign * (wearer.values[:, joint.channels] - np.array(joint.mean)) @ np.array(joint.weights)
+        assert np.corrcoef(place, wearer.angle)[0, 1] > 0.5
+
+
+def test_forecasts_come_with_their_uncertainty_and_what_is_not_known_is_none(prior):
+    wearer = Wearer(106)
+    alone, prompted = (fitted(wearer, prior, prompts=count).profile.joints[0].prior for count in (0, 3))
+    assert alone.false_per_minute is None
+    assert (alone.prior_check, alone.pca_check) == (None, None)
+    assert prompted.false_per_minute is not None
+    hit = 100 * decoded(fitted(wearer, prior, prompts=3).profile, wearer)[1]
+    assert abs(prompted.hits.value - hit) < 2.5 * prompted.hits.uncertainty
+    assert 0 < prompted.hits.uncertainty < alone.hits.uncertainty

@@ -1,0 +1,54 @@
+"""Strokes are found where they are, whatever the cue says and whichever way the main direction turns."""
+
+import numpy as np
+import pytest
+from calibration.prior.simulated_wearers import RATE, Wearer
+
+from app.calibration.guided.labels import CuedMovement
+from app.calibration.prior.frames import prompted_frames
+from app.calibration.prior.strokes import movement_lags, stroke_labels
+
+
+@pytest.mark.parametrize("seed", range(5))
+@pytest.mark.parametrize("early", [0.0, 0.3, 0.8])
+def test_the_lag_behind_the_cue_is_found(seed, early):
+    wearer = Wearer(seed)
+    rows = round(early * RATE)
+    cued = [CuedMovement(start - rows, stop - rows) for start, stop in wearer.strokes if start > rows]
+    lags = np.array(movement_lags(wearer.values, cued, RATE))
+    assert np.abs(lags / RATE - early).max() < 0.25
+    assert abs(np.median(lags) / RATE - early) < 0.15
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_labels_cover_the_strokes_and_nothing_at_rest(seed):
+    wearer = Wearer(seed)
+    stretch = wearer.stretch()
+    frames = prompted_frames([stretch], range(5), np.ones(5), RATE)
+    truth = np.roll(wearer.moving, round(0.075 * RATE))[: len(frames.label)]  # the low-pass delays the features
+    assert (frames.label[truth] > 0).mean() > 0.7
+    assert truth[frames.label > 0].mean() > 0.8
+    assert frames.repetitions == len(stretch.moving)
+
+
+def test_a_cue_longer_than_the_movement_does_not_teach_that_rest_is_movement():
+    rate = np.zeros(400)
+    rate[100:140] = np.sin(np.linspace(0, np.pi, 40))
+    rate[180:230] = -0.7 * np.sin(np.linspace(0, np.pi, 50))
+    label = stroke_labels(rate, [CuedMovement(80, 180)], [0], 100.0)
+    assert set(np.flatnonzero(label > 0)) <= set(range(100, 140))
+    assert (label[105:135] == 1).all()
+    assert (label[190:220] == -1).all()
+    assert not label[240:].any()
+
+
+def test_where_nothing_rises_there_is_no_stroke():
+    assert (stroke_labels(-np.ones(100), [CuedMovement(20, 50)], [0], 100.0) <= 0).all()
+
+
+def test_without_a_cue_there_are_no_frames():
+    wearer = Wearer(1)
+    short = wearer.stretch(1)
+    short = type(short)(short.joint, short.values, (slice(50, 55),))
+    assert prompted_frames([short], range(5), np.ones(5), RATE) is None
+    assert prompted_frames([], range(5), np.ones(5), RATE) is None
