@@ -1,15 +1,20 @@
 """The shirt layout: the channels of a shirt, the joint of each, and its place on the body."""
 
 from collections.abc import Mapping
-from typing import Annotated, Any, Literal, Self
+from typing import Annotated, Literal, Self
 
-from pydantic import Field, SerializerFunctionWrapHandler, model_serializer, model_validator
+from pydantic import Field, model_validator
 
 from app.quantities import Document, Fraction, Name, Title
 
 MAX_CHANNELS = 64
 MAX_JOINTS = 16
 MIN_RING = 3  # sensors: two look alike when they change places
+
+
+def is_missing(value: object) -> bool:
+    """Return whether a field is not set."""
+    return value is None
 
 
 class Channel(Document):
@@ -23,17 +28,9 @@ class Channel(Document):
     joint: Name
     position: tuple[Fraction, Fraction] | None = None
     side: Literal["front", "back"] | None = None
-    ring: Name | None = None
-    place: Annotated[int, Field(strict=True, ge=0, lt=MAX_CHANNELS)] | None = None
-
-    @model_serializer(mode="wrap")
-    def _without_ring(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
-        """Leave out what is not there, so that layouts from before the rings keep their hash."""
-        document: dict[str, Any] = handler(self)
-        for name in ("ring", "place"):
-            if document.get(name, ...) is None:
-                del document[name]
-        return document
+    # Left out where they are not set, so that layouts from before the rings keep their hash.
+    ring: Name | None = Field(default=None, exclude_if=is_missing)
+    place: Annotated[int, Field(strict=True, ge=0, lt=MAX_CHANNELS)] | None = Field(default=None, exclude_if=is_missing)
 
 
 class Joint(Document):

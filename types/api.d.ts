@@ -5031,7 +5031,7 @@ export interface components {
             version: 1;
             created: string;
             software: string;
-            layout: components["schemas"]["ShirtLayout-Output"];
+            layout: components["schemas"]["ShirtLayout"];
             sample_rate: number;
             left_out: {
                 [key: string]: string;
@@ -5081,19 +5081,16 @@ export interface components {
             dynamics: "unicycle" | "wheelchair";
             words: string;
         };
-        "Channel-Input": {
+        Channel: {
             name: string;
             joint: string;
-            position?: [
+            position: [
                 number,
                 number
             ] | null;
-            side?: ("front" | "back") | null;
-            ring?: string | null;
-            place?: number | null;
-        };
-        "Channel-Output": {
-            [key: string]: unknown;
+            side: ("front" | "back") | null;
+            ring: string | null;
+            place: number | null;
         };
         ChannelLine: {
             name: string;
@@ -5402,7 +5399,7 @@ export interface components {
             body: {
                 [key: string]: unknown;
             } | null;
-            layout: components["schemas"]["ShirtLayout-Output"] | null;
+            layout: components["schemas"]["ShirtLayout"] | null;
             unused: string[];
             status: components["schemas"]["StatusView"];
             files: components["schemas"]["FileView"][];
@@ -6434,14 +6431,9 @@ export interface components {
             kind: string;
             simulated: boolean;
         };
-        "ShirtLayout-Input": {
+        ShirtLayout: {
             name: string;
-            channels: components["schemas"]["Channel-Input"][];
-            joints: components["schemas"]["Joint"][];
-        };
-        "ShirtLayout-Output": {
-            name: string;
-            channels: components["schemas"]["Channel-Output"][];
+            channels: components["schemas"]["Channel"][];
             joints: components["schemas"]["Joint"][];
         };
         SignOffView: {
@@ -6467,7 +6459,7 @@ export interface components {
             sample_rate?: number;
             /** @default 1 */
             seed?: number;
-            layout?: components["schemas"]["ShirtLayout-Input"] | null;
+            layout?: components["schemas"]["ShirtLayout"] | null;
             /** @default [] */
             dead_channels?: string[];
         };
@@ -6728,7 +6720,7 @@ export interface components {
             host?: string;
             /** @default 5252 */
             port?: number;
-            layout?: components["schemas"]["ShirtLayout-Input"];
+            layout?: components["schemas"]["ShirtLayout"];
             /** @default 100 */
             sample_rate?: number;
             key_file?: string | null;
@@ -6808,8 +6800,7 @@ export type ChairStateView = components['schemas']['ChairStateView'];
 export type ChairSummary = components['schemas']['ChairSummary'];
 export type ChairView = components['schemas']['ChairView'];
 export type ChairsView = components['schemas']['ChairsView'];
-export type ChannelInput = components['schemas']['Channel-Input'];
-export type ChannelOutput = components['schemas']['Channel-Output'];
+export type Channel = components['schemas']['Channel'];
 export type ChannelLine = components['schemas']['ChannelLine'];
 export type CheckView = components['schemas']['CheckView'];
 export type Choice = components['schemas']['Choice'];
@@ -6976,8 +6967,7 @@ export type ShareRow = components['schemas']['ShareRow'];
 export type SharedView = components['schemas']['SharedView'];
 export type SharesView = components['schemas']['SharesView'];
 export type ShirtKind = components['schemas']['ShirtKind'];
-export type ShirtLayoutInput = components['schemas']['ShirtLayout-Input'];
-export type ShirtLayoutOutput = components['schemas']['ShirtLayout-Output'];
+export type ShirtLayout = components['schemas']['ShirtLayout'];
 export type SignOffView = components['schemas']['SignOffView'];
 export type SimulatedHeadConfig = components['schemas']['SimulatedHeadConfig'];
 export type SimulatorConfig = components['schemas']['SimulatorConfig'];
