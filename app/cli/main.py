@@ -16,7 +16,7 @@ COMMANDS = {
     "calibrate": ("app.cli.calibrate", "calibrate"),
     "decode": ("app.cli.decode", "decode"),
     "score": ("app.cli.score", "score"),
-    "study": ("app.cli.study", "study"),
+    "study": ("app.cli.study.study_command", "study"),
     "replay": ("app.cli.replay", "replay"),
     "check": ("app.cli.host.machine_check", "check"),
     "service": ("app.cli.host.service", "service_app"),

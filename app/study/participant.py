@@ -4,19 +4,20 @@ import numpy as np
 
 from app.cues import Cue
 from app.geometry import Pose
-from app.hardware.base import BodyView, ChairState, LeaderView
+from app.hardware.base import BodyView, ChairState, CursorView, LeaderView
 from app.hardware.body.person import Person
 from app.hardware.shirt.fabric import Fabric
 from app.layout import ShirtLayout
 from app.messages import SensorFrame
+from app.world.cursor_task import CursorTask
 from app.world.movers import MoverState
 
 
 class Participant:
     """A simulated person in the simulated shirt.
 
-    Each of `follow`, `rest` and `drive` advances the body by one frame and returns the shirt's frame. Time is the
-    number of frames divided by the sample rate.
+    Each of `follow`, `rest`, `drive` and `point` advances the body by one frame and returns the shirt's frame. Time is
+    the number of frames divided by the sample rate.
     """
 
     def __init__(self, person: Person, layout: ShirtLayout, sample_rate: float, seed: int) -> None:
@@ -53,6 +54,11 @@ class Participant:
         view.v, view.omega = chair.v, chair.omega
         view.in_contact = chair.in_contact
         view.leader = None if leader is None else LeaderView(*leader)
+        return self._frame()
+
+    def point(self, task: CursorTask) -> SensorFrame:
+        """Return the next frame of the person who sees cursor and target of an interface test."""
+        self._view = BodyView(cursor=CursorView.of(task))
         return self._frame()
 
     def _frame(self) -> SensorFrame:

@@ -1,11 +1,11 @@
 """The study over sessions: one calibration, then sessions of trials, with a fixed or an adapted map."""
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from functools import partial
-from typing import Literal
+from typing import Literal, TypeVar
 
 import numpy as np
 
@@ -24,6 +24,7 @@ from app.study.simulated_calibration import calibrate, record_step
 from app.study.simulated_trial import FrameLog, StudyTrial, drive_trial, score_trial
 from app.world.floorplan import FloorPlan, PrescribedPath
 
+Rows = TypeVar("Rows")
 Mode = Literal["off", "suggest", "auto"]
 PersonKind = Literal["improving", "deteriorating", "redonned"]
 
@@ -93,11 +94,7 @@ def run_sessions(
     parameters = standard_parameters(calibrated)
     rows: list[SessionTrial] = []
     for session in range(1, sessions + 1):
-        participant.person.begin_session(session)
-        if first.who == "redonned" and session > 1:
-            participant.don_again()
-            profile = shift_ranges(parameters.profile, [_free_movement(participant)], calibrated)
-            parameters = parameters.model_copy(update={"profile": profile})
+        parameters = begin_session(first, session, parameters)
         movements: list[Movement] = []
         for number in range(1, trials + 1):
             frames: FrameLog = []
@@ -111,6 +108,26 @@ def run_sessions(
     return rows
 
 
+def begin_session(first: CalibratedParticipant, session: int, parameters: DriveParameters) -> DriveParameters:
+    """Bring the person to a session (from 1), and return the parameters with the channel ranges of that session."""
+    participant = first.participant
+    participant.person.begin_session(session)
+    if first.who != "redonned" or session == 1:
+        return parameters
+    participant.don_again()
+    profile = shift_ranges(parameters.profile, [_free_movement(participant)], first.profile)
+    return parameters.model_copy(update={"profile": profile})
+
+
+def each_seed(run: Callable[[int], Rows], seeds: Sequence[int], processes: int) -> Iterator[Rows]:
+    """Yield the rows of one seed after the other, in the order of `seeds`; up to `processes` seeds run at once."""
+    if processes == 1:
+        yield from map(run, seeds)
+        return
+    with ProcessPoolExecutor(min(len(seeds), processes)) as pool:
+        yield from pool.map(run, seeds)
+
+
 def run_participants(
     who: PersonKind,
     seeds: Sequence[int],
@@ -121,16 +138,12 @@ def run_participants(
     path: PrescribedPath,
     processes: int = 1,
 ) -> Iterator[list[SessionTrial]]:
-    """Yield all trials of one seed after the other, in the order of `seeds`: its sessions in each of the modes.
+    """Return all trials of one seed after the other, in the order of `seeds`: its sessions in each of the modes.
 
     Up to `processes` seeds are driven at once; the results do not depend on their number.
     """
     run = partial(_run_participant, who, modes, sessions, trials, floorplan, path)
-    if processes == 1:
-        yield from map(run, seeds)
-        return
-    with ProcessPoolExecutor(min(len(seeds), processes)) as pool:
-        yield from pool.map(run, seeds)
+    return each_seed(run, seeds, processes)
 
 
 def _run_participant(

@@ -10,7 +10,7 @@ import pyarrow.parquet
 import pytest
 
 from app.cli.errors import InputError
-from app.cli.study import find_floorplan, study
+from app.cli.study.study_command import find_floorplan, study
 from app.figures.study_figures import draw_study
 from app.hardware.body.person_parameters import NOVICE, PRACTISED
 from app.study import study_files

@@ -13,7 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from app.cli.errors import InputError
-from app.cli.study import study
+from app.cli.study.study_command import study
 from app.figures.study_figures import draw_seeds
 from app.hardware.body.person_parameters import PRACTISED
 from app.scoring.learning import learning_curves

@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from app.cli.study import study
+from app.cli.study.study_command import study
 from app.study.sessions import calibrated_participant, run_participants, run_sessions
 from app.world.floorplan import bundled_floorplans, load_floorplan
 

@@ -6,11 +6,11 @@ from collections import deque
 
 from app.geometry import Pose, wrap_angle
 from app.hardware.base import LeaderView
-from app.hardware.body.limb import Limb
 from app.hardware.body.manoeuvres import BackAim, TurnAim
 from app.hardware.body.person_parameters import PersonParameters
 from app.hardware.body.steering import Steering, Wish
 from app.hardware.body.stroke_estimate import StrokeEstimate
+from app.hardware.body.stroke_maker import OTHER_ELBOW, StrokeMaker
 from app.world.floorplan import FloorPlan, PrescribedPath
 from app.world.progress import TaskProgress, progress_of
 from app.world.tasks import Back, FollowLeader, Turn
@@ -24,9 +24,6 @@ LIMB_OF: dict[Wish, str] = {
     "right": "left_shoulder",
 }
 WISH_OF: dict[str, Wish] = {limb: wish for wish, limb in LIMB_OF.items()}
-OTHER_ELBOW = {"right_elbow": "left_elbow", "left_elbow": "right_elbow"}
-"""Both elbows together are the stop gesture, which the simulated driver never makes."""
-
 USUAL_EFFECT: dict[Wish, float] = {"faster": 0.3, "slower": 0.3, "left": 0.45, "right": 0.45}
 """Effect of a full stroke under the standard parameters, m/s and rad; first estimates are spread around it."""
 USUAL_LOSS = 0.08  # of the range, lost in the dead-zone
@@ -51,10 +48,8 @@ class Driver:
 
     def __init__(self, parameters: PersonParameters, seed: int) -> None:
         self.parameters = parameters
-        self.practice = parameters.practice  # strokes
-        self.session_strokes = 0  # in this session; they cause fatigue
-        self.limbs = {limb: Limb() for limb in WISH_OF}
         self._random = random.Random(seed)
+        self.strokes = StrokeMaker(parameters, self._random)
         spread = parameters.estimate_error.after(parameters.practice)
         self.estimates = {
             limb: StrokeEstimate(USUAL_EFFECT[wish] * math.exp(spread * self._first_error()), USUAL_LOSS)
@@ -107,7 +102,7 @@ class Driver:
             self._began = True
             self._rested = t - self._driven
             self.steering.begin()
-            self._free_at = self._look_at = t + self.parameters.reaction_time + self._pause()
+            self._free_at = self._look_at = t + self.parameters.reaction_time + self.strokes.pause()
         seen = self._seen
         seen.append((t, pose, v, in_contact, leader))
         while len(seen) > 1 and seen[1][0] <= t - self.parameters.reaction_time:
@@ -120,7 +115,7 @@ class Driver:
 
     def _look(self, t: float, seen_t: float, pose: Pose, v: float, in_contact: bool, leader: LeaderView | None) -> None:
         self._learn_from_outcomes(seen_t, pose, v, in_contact)
-        if t < self._free_at or any(limb.is_rising(t) for limb in self.limbs.values()) or self.steering is None:
+        if t < self._free_at or self.strokes.is_moving(t) or self.steering is None:
             return
         late = t - seen_t
         now = Pose(
@@ -128,11 +123,11 @@ class Driver:
             pose.y + v * late * math.sin(pose.theta),
             pose.theta,
         )
-        intention = self.steering.want(t, now, v, in_contact, self.practice, leader)
+        intention = self.steering.want(t, now, v, in_contact, self.strokes.practice, leader)
         if intention is None:
             return
         limb = LIMB_OF[intention.wish]
-        if self._awaits_outcome(limb) or not self._can_move(limb, t):
+        if self._awaits_outcome(limb) or not self.strokes.can_move(limb, t):
             return
         size = self.estimates[limb].size_for(intention.effect)
         self._begin_stroke(t, limb, size, pose, v)
@@ -147,35 +142,11 @@ class Driver:
             self.steering = self._aim(self._course.part)
             self.steering.begin()
 
-    def _can_move(self, limb: str, t: float) -> bool:
-        """Return whether a limb is back at rest, and for an elbow, the other elbow too."""
-        other = OTHER_ELBOW.get(limb)
-        return self.limbs[limb].is_ready(t) and (other is None or self.limbs[other].is_resting(t))
-
     def _begin_stroke(self, t: float, limb: str, size: float, pose: Pose, v: float) -> None:
-        p, rng = self.parameters, self._random
-        if rng.random() < p.wrong_limb.after(self.practice):
-            wrong = rng.choice([name for name in self.limbs if name != limb])
-            limb = wrong if self._can_move(wrong, t) else limb
-        size = min(p.largest, max(p.smallest, size))
-        fatigue = p.fatigue(p.fatigue_noise, self.session_strokes)
-        size *= 1 + rng.gauss(0, p.stroke_noise.after(self.practice) * fatigue)
-        size = min(1.0, max(p.smallest / 2, size + rng.gauss(0, p.constant_noise)))
-        rise = (p.rise_base + p.rise_slope * size) * max(0.6, 1 + rng.gauss(0, p.timing_noise))
-        self.limbs[limb].aside = rng.uniform(-p.shrug, p.shrug)
-        done = self.limbs[limb].stroke(t, size, rise, rise * p.return_factor)
-        before = v if limb in OTHER_ELBOW else pose.theta
-        self._open.append(Stroke(limb, done, t + rise, before))
-        self._free_at = t + rise + self._pause()
-        self.session_strokes += 1
-        if p.learns:
-            self.practice += 1
-
-    def _pause(self) -> float:
-        """Return the hesitation before the next stroke, s."""
-        p = self.parameters
-        fatigue = p.fatigue(p.fatigue_hesitation, self.session_strokes)
-        return p.hesitation.after(self.practice) * fatigue * self._random.uniform(0.5, 1.5)
+        made = self.strokes.make(t, limb, size)
+        before = v if made.limb in OTHER_ELBOW else pose.theta
+        self._open.append(Stroke(made.limb, made.size, t + made.rise, before))
+        self._free_at = made.free_at
 
     def _awaits_outcome(self, limb: str) -> bool:
         """Return whether the outcome of a stroke for this limb's control is not yet seen."""

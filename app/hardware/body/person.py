@@ -8,6 +8,7 @@ from app.hardware.body.cued_body import CuedBody
 from app.hardware.body.driver import Driver
 from app.hardware.body.joints import ARM_DEGREES_OF_FREEDOM, second_way
 from app.hardware.body.person_parameters import PARAMETERS, PersonParameters, Skill
+from app.hardware.body.pointer import Pointer
 from app.hardware.body.tremor import Tremor
 from app.world.floorplan import FloorPlan, PrescribedPath
 
@@ -31,10 +32,11 @@ class Person:
         self._t = 0.0
         self._cued = CuedBody(self.joints, self._seed)
         self.driver = Driver(self.parameters, self._seed)
+        self.pointer = Pointer(self.driver.strokes, self._seed)
         self._tremor = Tremor(len(self.joints), self._seed)
         self.begin_session(1)
         self._limbs = []
-        for name, limb in self.driver.limbs.items():
+        for name, limb in self.driver.strokes.limbs.items():
             aside = second_way(name)
             self._limbs.append((limb, self.joints.index(name), None if aside is None else self.joints.index(aside)))
         if self._task is not None:
@@ -51,7 +53,7 @@ class Person:
         if number < 1:
             raise ValueError(f"there is no session {number}: sessions are counted from 1")
         self.session = number
-        self.driver.session_strokes = 0
+        self.driver.strokes.session_strokes = 0
         self._range = self.parameters.range_in(number)
         self._tremor.size = self.parameters.tremor_in(number)
 
@@ -67,6 +69,10 @@ class Person:
             self.driver.drive(self._t, view.pose, view.v, view.in_contact, view.leader)
         else:
             self.driver.rest()
+        if view.cursor is not None:
+            self.pointer.point(self._t, view.cursor)
+        else:
+            self.pointer.rest()
         posture = self._posture
         posture[:] = self._cued.follow(dt, None if view.driving else view.cue)
         for limb, along, aside in self._limbs:

@@ -64,7 +64,7 @@ class Floor:
             if not permitted:
                 self.v = 0.0
                 self.driver.rest()
-                self.before = {name: limb.level(self.t) for name, limb in self.driver.limbs.items()}
+                self.before = {name: limb.level(self.t) for name, limb in self.driver.strokes.limbs.items()}
                 continue
             self.scene_t += DT
             ahead = None if self.leader is None else LeaderView(*self.leader.at(self.scene_t))
@@ -74,7 +74,7 @@ class Floor:
 
     def _move(self) -> None:
         x, y, theta = self.pose
-        for name, limb in self.driver.limbs.items():
+        for name, limb in self.driver.strokes.limbs.items():
             level = limb.level(self.t)
             rise, self.before[name] = max(0.0, level - self.before[name]), level
             if name.endswith("elbow"):

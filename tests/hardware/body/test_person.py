@@ -150,7 +150,7 @@ def drive(driver: Driver, seconds: float, t: float = 0.0) -> list[dict[str, floa
     for i in range(round(seconds * 100)):
         now = t + i / 100
         driver.drive(now, Pose(0.0, 0.0, 1.0), 0.0, False)
-        levels.append({name: limb.level(now) for name, limb in driver.limbs.items()})
+        levels.append({name: limb.level(now) for name, limb in driver.strokes.limbs.items()})
     return levels
 
 
@@ -183,12 +183,12 @@ def test_who_does_not_learn_gains_no_practice() -> None:
     driver.show_task(*along(CORNER))
     before = [(estimate.gain, estimate.lost) for estimate in driver.estimates.values()]
     drive(driver, 60.0)
-    assert driver.practice == 0
+    assert driver.strokes.practice == 0
     assert [(estimate.gain, estimate.lost) for estimate in driver.estimates.values()] == before
     keen = Driver(NOVICE, 1)
     keen.show_task(*along(CORNER))
     drive(keen, 60.0)
-    assert keen.practice > 10
+    assert keen.strokes.practice > 10
 
 
 def practise(driver: Driver, seconds: float) -> tuple[float, float]:
@@ -198,7 +198,7 @@ def practise(driver: Driver, seconds: float) -> tuple[float, float]:
     before = dict.fromkeys(worth, 0.0)
     for i in range(round(seconds * 100)):
         driver.drive(i / 100, Pose(x, y, theta), v, False)
-        for name, limb in driver.limbs.items():
+        for name, limb in driver.strokes.limbs.items():
             rise = max(0.0, limb.level(i / 100) - before[name])
             before[name] = limb.level(i / 100)
             if name.endswith("elbow"):
@@ -244,10 +244,10 @@ def test_the_person_follows_cues_drives_when_permitted_and_rests_otherwise() -> 
     for _ in range(300):
         person.step(0.01, BodyView(driving=False))
     assert np.abs(person.step(0.01, BodyView())).max() < 0.03
-    practised = person.driver.practice
+    practised = person.driver.strokes.practice
     assert practised > PRACTISED.practice
     person.reset()
-    assert person.driver.practice == PRACTISED.practice
+    assert person.driver.strokes.practice == PRACTISED.practice
     assert person.driver.steering is not None
 
 

@@ -119,12 +119,12 @@ def test_strokes_tire_and_a_pause_between_sessions_rests() -> None:
     person = Person("deteriorating", 1)
     person.show_task(PLAN, PLAN.paths[0])
     tire(person.driver, 60.0)
-    strokes, practice = person.driver.session_strokes, person.driver.practice
+    strokes, practice = person.driver.strokes.session_strokes, person.driver.strokes.practice
     assert strokes > 10
     assert DETERIORATING.fatigue(DETERIORATING.fatigue_noise, strokes) > 1.0
     person.begin_session(2)
-    assert person.driver.session_strokes == 0
-    assert person.driver.practice == practice  # what was learnt is not slept away
+    assert person.driver.strokes.session_strokes == 0
+    assert person.driver.strokes.practice == practice  # what was learnt is not slept away
     person.reset()
     assert person.session == 1
 
@@ -136,9 +136,9 @@ def test_who_is_worn_out_hesitates_longer_and_errs_more() -> None:
     for already in (0, 10_000):
         driver = Driver(slow, 5)
         driver.show_task(PLAN, PLAN.paths[0])
-        driver.session_strokes = already
+        driver.strokes.session_strokes = already
         tire(driver, 120.0)
-        counts.append(driver.session_strokes - already)
+        counts.append(driver.strokes.session_strokes - already)
     assert counts[1] < 0.95 * counts[0]
     assert NOVICE.fatigue(0.2, 0) == 1.0
     assert NOVICE.fatigue(0.2, 400) == pytest.approx(1.0 + 0.2 * (1 - np.exp(-1)))

@@ -14,7 +14,8 @@ import typer
 
 from app.cli.errors import InputError
 from app.cli.output import check_new_folder
-from app.cli.study_sessions import study_sessions
+from app.cli.study.study_interface import study_interface
+from app.cli.study.study_sessions import study_sessions
 from app.clock import stopwatch
 from app.figures.paper import FigureFormat
 from app.figures.study_figures import draw_seeds, draw_study
@@ -39,7 +40,7 @@ MOST_JOBS = 256
 SELDOM = 50_000  # new objects until garbage is looked for: a drive makes many small ones, and few circles
 OF_A_STUDY = re.compile(
     r"(study\.json|trials\.csv|trajectories\.parquet|(trajectories|errors)(-seed-\d+)?\.(png|svg)"
-    r"|sessions\.csv|table\.txt|adaptation\.json)"
+    r"|sessions\.csv|table\.txt|adaptation\.json|interface_tests\.(csv|json)|interface_table\.txt)"
 ).fullmatch
 
 
@@ -60,7 +61,12 @@ def study(
         Mode | None, typer.Option(help="Over sessions: let the calibration follow the person, against a fixed one.")
     ] = None,
     person: Annotated[PersonKind, typer.Option(help="Over sessions: what happens to body or shirt.")] = "deteriorating",
-    sessions: Annotated[int, typer.Option(min=1, max=MOST_SESSIONS, help="How many, with --adapt.")] = 10,
+    sessions: Annotated[
+        int, typer.Option(min=1, max=MOST_SESSIONS, help="How many, with --adapt or --interface-test.")
+    ] = 10,
+    interface_test: Annotated[
+        bool, typer.Option("--interface-test", help="Over sessions: the two-minute test before the trials of each.")
+    ] = False,
     jobs: Annotated[
         int | None,
         typer.Option(min=1, max=MOST_JOBS, help="Processes at once; as many as processors when not given."),
@@ -72,13 +78,9 @@ def study(
         raise InputError(f"--seed {seed} leaves no room for --seeds {seeds}: the largest seed is {LARGEST_SEED}")
     if adapt is not None and no_learning:
         raise InputError("--no-learning goes without --adapt: over sessions the person is chosen with --person")
-    check_new_folder(out)
-    if out.is_dir() and (foreign := sorted(entry.name for entry in out.iterdir() if not OF_A_STUDY(entry.name))):
-        raise InputError(f"--out {out} holds '{foreign[0]}', which is no part of a study: name a new or empty folder")
-    try:
-        check_folder(out, overwrite)
-    except ValueError as error:
-        raise InputError(f"--out {error}") from error
+    if interface_test and (adapt is not None or no_learning):
+        raise InputError("--interface-test goes without --adapt and --no-learning: choose one of them")
+    _check_out(out, overwrite)
     plan = find_floorplan(floorplan)
     gc.set_threshold(SELDOM)
     processes = jobs or len(os.sched_getaffinity(0))
@@ -91,10 +93,10 @@ def study(
         raise InputError(
             f"--path {chosen.name}: it has no line to be scored beside, choose a path that is driven along"
         )
-    if adapt is not None:
-        study_sessions(
+    if adapt is not None or interface_test:
+        run = study_interface if adapt is None else functools.partial(study_sessions, adapt=adapt)
+        run(
             out,
-            adapt=adapt,
             person=person,
             sessions=sessions,
             trials=trials or SESSION_TRIALS,
@@ -130,6 +132,17 @@ def study(
     for sentence in lines:
         typer.echo(sentence)
     typer.echo(f"{trials * seeds} trials in {stopwatch() - started:.1f} s, written to {out}")
+
+
+def _check_out(out: Path, overwrite: bool) -> None:
+    """Raise InputError unless the folder is new or empty, or holds a study that may be overwritten."""
+    check_new_folder(out)
+    if out.is_dir() and (foreign := sorted(entry.name for entry in out.iterdir() if not OF_A_STUDY(entry.name))):
+        raise InputError(f"--out {out} holds '{foreign[0]}', which is no part of a study: name a new or empty folder")
+    try:
+        check_folder(out, overwrite)
+    except ValueError as error:
+        raise InputError(f"--out {error}") from error
 
 
 def find_floorplan(name: str) -> FloorPlan:

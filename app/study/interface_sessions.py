@@ -1,0 +1,165 @@
+"""The interface test over sessions: at the beginning of each session of a simulated person, before the trials."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.calibration.vocabulary import standard_parameters
+from app.scoring.interface_test import InterfaceMeasures
+from app.study.sessions import CalibratedParticipant, PersonKind, begin_session, calibrated_participant, each_seed
+from app.study.simulated_interface_test import do_interface_test
+from app.study.simulated_trial import drive_trial, score_trial
+from app.world.cursor_task import CursorPlan
+from app.world.floorplan import FloorPlan, PrescribedPath
+
+FEWEST_PAIRS = 8  # of numbers, below which no rank correlation is given
+COLUMNS = (
+    *("acquisitions_per_minute", "missed", "first_entry", "dial_in", "path_efficiency", "throughput"),
+    *("e_diff", "reached"),
+)
+
+
+@dataclass(frozen=True, slots=True)
+class InterfaceSession:
+    """One session of one seed: the interface test, and the trials after it."""
+
+    seed: int
+    session: int  # from 1
+    test: InterfaceMeasures
+    e_diff: float  # m2, mean of the session's trials
+    reached: float  # share of the session's trials that reached the goal
+
+    def row(self) -> dict[str, Any]:
+        """Return the session as one flat row."""
+        flat = self.test.model_dump(exclude={"directions"})
+        ways = {
+            f"{way}_{name}": value
+            for way, measures in self.test.directions.items()
+            for name, value in measures.model_dump().items()
+        }
+        trials = {"e_diff": self.e_diff, "reached": self.reached}
+        return {"seed": self.seed, "session": self.session, **flat, **ways, **trials}
+
+
+def run_interface_sessions(
+    first: CalibratedParticipant, sessions: int, trials: int, floorplan: FloorPlan, path: PrescribedPath
+) -> list[InterfaceSession]:
+    """Let one calibrated person come to `sessions` sessions: each an interface test, then `trials` trials.
+
+    The map stays fixed. The number of the session is the seed of the order of the targets.
+    """
+    participant, parameters = first.participant, standard_parameters(first.profile)
+    rows = []
+    for session in range(1, sessions + 1):
+        parameters = begin_session(first, session, parameters)
+        test = do_interface_test(participant, parameters, CursorPlan(seed=session))
+        driven = [drive_trial(number, participant, parameters, floorplan, path) for number in range(1, trials + 1)]
+        measures = [score_trial(floorplan, path, trial).measures for trial in driven]
+        e_diff = float(np.mean([one["e_diff"] for one in measures]))
+        reached = float(np.mean([bool(one["reached"]) for one in measures]))
+        rows.append(InterfaceSession(first.seed, session, test, e_diff, reached))
+    return rows
+
+
+def run_interface_seeds(
+    who: PersonKind,
+    seeds: Sequence[int],
+    sessions: int,
+    trials: int,
+    floorplan: FloorPlan,
+    path: PrescribedPath,
+    processes: int = 1,
+) -> Iterator[list[InterfaceSession]]:
+    """Return all sessions of one seed after the other; the results do not depend on `processes`."""
+    return each_seed(partial(_run_seed, who, sessions, trials, floorplan, path), seeds, processes)
+
+
+def _run_seed(
+    who: PersonKind, sessions: int, trials: int, floorplan: FloorPlan, path: PrescribedPath, seed: int
+) -> list[InterfaceSession]:
+    return run_interface_sessions(calibrated_participant(who, seed), sessions, trials, floorplan, path)
+
+
+def interface_summary(rows: Sequence[InterfaceSession]) -> dict[str, Any]:
+    """Return, ready for JSON, the medians over seeds in each session, and how the test goes with the trials.
+
+    Returns
+    -------
+    dict
+        `sessions`: per session the median over seeds of each measure, and the 10th and 90th percentile of throughput.
+        `rank_correlation`: Spearman's of throughput with the area off the path, `between` people (each one's means
+        over the sessions) and `within` people (median over seeds of that over the sessions); None below 8 pairs.
+    """
+    flat = [one.row() for one in rows]
+    numbers = sorted({row["session"] for row in flat})
+    seeds = sorted({row["seed"] for row in flat})
+    of_seed = [_columns([row for row in flat if row["seed"] == seed], ("throughput", "e_diff")) for seed in seeds]
+    means = np.array([both.mean(axis=0) for both in of_seed if len(both)]).reshape(-1, 2)
+    within = [rho for both in of_seed if (rho := _rank_correlation(both)) is not None]
+    return {
+        "seeds": len(seeds),
+        "sessions": [_session([row for row in flat if row["session"] == number], number) for number in numbers],
+        "rank_correlation": {
+            "between": _rank_correlation(means),
+            "within": float(np.median(within)) if within else None,
+        },
+    }
+
+
+def interface_table(summary: dict[str, Any]) -> str:
+    """Return the summary as text."""
+    lines = [
+        "Two-minute test, medians over people",
+        "session  targets/min  missed  first entry, s  dial-in, s  straightness  throughput, bit/s (10 to 90 %)  "
+        "area off the path, m²  reached",
+    ]
+    for one in summary["sessions"]:
+        low, high = one["throughput_p10"], one["throughput_p90"]
+        spread = "-" if low is None else f"({low:.2f} to {high:.2f})"
+        lines.append(
+            f"{one['session']:7d}  {_text(one['acquisitions_per_minute'], 11, 1)}  {_text(one['missed'], 6, 1)}  "
+            f"{_text(one['first_entry'], 14)}  {_text(one['dial_in'], 10)}  {_text(one['path_efficiency'], 12)}  "
+            f"{_text(one['throughput'], 17)} {spread:>16}  {_text(one['e_diff'], 21)}  {one['reached']:7.0%}"
+        )
+    found = summary["rank_correlation"]
+    lines += [
+        "",
+        "Rank correlation of throughput with the area off the path in the trials of the same session: between people "
+        f"{_text(found['between'])}, within people {_text(found['within'])}.",
+    ]
+    return "\n".join(lines) + "\n"
+
+
+def _session(rows: list[dict[str, Any]], number: int) -> dict[str, Any]:
+    found: dict[str, Any] = {"session": number}
+    for name in COLUMNS:
+        values = _columns(rows, (name,))[:, 0]
+        found[name] = float(np.median(values)) if len(values) else None
+    found["reached"] = float(np.mean([row["reached"] for row in rows]))
+    rates = _columns(rows, ("throughput",))[:, 0]
+    for percent in (10, 90):
+        found[f"throughput_p{percent}"] = float(np.percentile(rates, percent)) if len(rates) else None
+    return found
+
+
+def _columns(rows: list[dict[str, Any]], names: tuple[str, ...]) -> NDArray[np.float64]:
+    """Return columns (n, n_names) of the rows that have all of them."""
+    found = [[row[name] for name in names] for row in rows if all(row[name] is not None for name in names)]
+    return np.array(found, dtype=np.float64).reshape(-1, len(names))
+
+
+def _rank_correlation(pairs: NDArray[np.float64]) -> float | None:
+    """Return Spearman's rank correlation of two columns (n, 2); None below 8 rows, or where a column is constant."""
+    if len(pairs) < FEWEST_PAIRS or (pairs == pairs[0]).all(axis=0).any():
+        return None
+    from scipy.stats import spearmanr
+
+    return float(spearmanr(pairs[:, 0], pairs[:, 1]).statistic)
+
+
+def _text(value: float | None, width: int = 0, digits: int = 2) -> str:
+    return f"{'-' if value is None else f'{value:.{digits}f}':>{width}}"
