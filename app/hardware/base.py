@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Literal, NamedTuple, Protocol, Self, runtime_checkable
+from typing import Literal, Protocol, runtime_checkable
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,11 +10,11 @@ from numpy.typing import NDArray
 from app.cues import Cue
 from app.faults import State
 from app.geometry import Pose, Twist
+from app.hardware.body.cursor_view import CursorView
 from app.hardware.shirt.sender_choice import SenderChoice
 from app.layout import ShirtLayout
 from app.messages import HeadPose, SensorFrame, Tick
 from app.speeds import Speeds
-from app.world.cursor_task import CursorTask
 from app.world.floorplan import FloorPlan, PrescribedPath
 
 ORIGIN = Pose(0.0, 0.0, 0.0)
@@ -30,22 +30,6 @@ class LeaderView:
 
     pose: Pose
     v: float  # m/s
-
-
-class CursorView(NamedTuple):
-    """The cursor and the target of an interface test; lengths in arms of the cross."""
-
-    place: tuple[float, float]  # ahead, left
-    target: tuple[float, float] | None  # None: none is shown yet, or no longer
-    radius: float  # of the target
-    missed: int  # targets so far, after each of which the cursor was put into the middle
-
-    @classmethod
-    def of(cls, task: CursorTask) -> Self:
-        """Return what is seen of a task."""
-        target = task.target
-        place = None if target is None else (target.ahead, target.left)
-        return cls((task.ahead, task.left), place, task.plan.width / 2.0, len(task.attempts) - task.acquired)
 
 
 @dataclass(slots=True)

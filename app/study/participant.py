@@ -4,7 +4,8 @@ import numpy as np
 
 from app.cues import Cue
 from app.geometry import Pose
-from app.hardware.base import BodyView, ChairState, CursorView, LeaderView
+from app.hardware.base import BodyView, ChairState, LeaderView
+from app.hardware.body.cursor_view import CursorView
 from app.hardware.body.person import Person
 from app.hardware.shirt.fabric import Fabric
 from app.layout import ShirtLayout

@@ -5,7 +5,7 @@ import random
 from collections import deque
 from typing import NamedTuple
 
-from app.hardware.base import CursorView
+from app.hardware.body.cursor_view import CursorView
 from app.hardware.body.stroke_estimate import StrokeEstimate
 from app.hardware.body.stroke_maker import MadeStroke, StrokeMaker
 
