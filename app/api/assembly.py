@@ -27,6 +27,7 @@ from app.session.equipment.head import HeadChoice
 from app.session.equipment.limits import ClinicLimits
 from app.session.equipment.shirt import Equipment
 from app.session.fault_log import FaultLog
+from app.session.interface_test import InterfaceTestFlow
 from app.session.open_session import SessionFlow
 from app.session.real_arming import RealArming
 from app.session.real_drive import RealDriveFlow
@@ -39,6 +40,7 @@ from app.store.calibrations import fail_interrupted_steps
 from app.store.database import Database
 from app.store.drives import close_interrupted_drives
 from app.store.files.disk_watch import DiskWatch
+from app.store.interface_tests import close_interrupted_tests
 from app.store.patients import open_session
 from app.store.people import the_clinic
 from app.store.runs import close_interrupted_trials
@@ -67,8 +69,9 @@ def make_parts(
     calibration = CalibrationFlow(database, control, equipment, runs, tell, computing)
     trials = TrialFlow(database, control, runs, tell, computing)
     drives = RealDriveFlow(database, control, runs, tell, computing)
-    session = SessionFlow(database, control, equipment, calibration, trials, drives, tell)
-    live_picture = LivePicture(control, equipment, chairs, runs, trials, drives, session)
+    tests = InterfaceTestFlow(database, control, runs, tell, computing)
+    session = SessionFlow(database, control, equipment, calibration, trials, drives, tests, tell)
+    live_picture = LivePicture(control, equipment, chairs, runs, trials, drives, tests, session)
     hub = LiveHub(live_picture.picture, live_picture.quality, without_patient)
     patient = PatientPicture(live_picture, equipment, runs, trials)
     patient_hub = LiveHub(patient.picture, dict)
@@ -91,6 +94,7 @@ def make_parts(
         calibration=calibration,
         trials=trials,
         drives=drives,
+        tests=tests,
         chairs=chairs,
         head=HeadChoice(database, control, equipment.with_paths, tell),
         limits=limits,
@@ -146,17 +150,18 @@ def _is_session_open(database: Database) -> bool:
 
 
 def _close_interrupted(database: Database) -> None:
-    """Mark the steps, trials and drives that an ended web process left running as interrupted."""
+    """Mark the steps, trials, drives and interface tests that an ended web process left running as interrupted."""
     with database.transaction(closing=True) as db:
         fail_interrupted_steps(db)
         close_interrupted_trials(db)
         close_interrupted_drives(db)
+        close_interrupted_tests(db)
 
 
 async def end_parts(web: WebParts) -> None:
     """End what runs, the control process last."""
     await web.calibration.stop()
-    await asyncio.gather(web.trials.stop(), web.drives.stop())
+    await asyncio.gather(web.trials.stop(), web.drives.stop(), web.tests.stop())
     await web.adaptation.stop()
     await asyncio.gather(
         web.live.close(), web.patient_live.close(), web.faults.close(), web.disk.close(), web.backups.close()

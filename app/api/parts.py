@@ -31,6 +31,7 @@ from app.session.equipment.head import HeadChoice
 from app.session.equipment.limits import ClinicLimits
 from app.session.equipment.shirt import Equipment
 from app.session.fault_log import FaultLog
+from app.session.interface_test import InterfaceTestFlow
 from app.session.open_session import SessionFlow
 from app.session.real_arming import RealArming
 from app.session.real_drive import RealDriveFlow
@@ -54,6 +55,7 @@ class WebParts:
     calibration: CalibrationFlow
     trials: TrialFlow
     drives: RealDriveFlow
+    tests: InterfaceTestFlow
     chairs: Chairs
     head: HeadChoice
     limits: ClinicLimits

@@ -8,6 +8,8 @@ from app.pipeline.person_brakes import missing_brake
 def refusal(loop: ControlLoop, digest: str) -> str:
     """Return in a sentence why the chair cannot be armed with the parameters of this hash; empty when it can."""
     setup, gate = loop.setup, loop.setup.chain.gate
+    if loop.run is not None and loop.run.task is not None:
+        return "The two-minute test is running, in which no chair moves: end it first, then arm."
     if setup.chain.parameters is None:
         return "There is nothing to drive with: calibrate first."
     if digest != setup.hash:

@@ -1,14 +1,15 @@
 """The fields of each command (docs/protocols.md, section 1)."""
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, Self
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from app.calibration.vocabulary import DriveParameters
 from app.cues import Cue
 from app.pipeline.open_run import RunKind
 from app.quantities import Count, Document, Fraction, Name, Radians, Seconds
 from app.speeds import Speeds
+from app.world.cursor_task import CursorPlan
 from app.world.floorplan import FloorPlan
 
 Folder = Annotated[str, Field(min_length=1, max_length=4096, pattern=r"^/[^\x00]*$")]  # absolute
@@ -92,6 +93,13 @@ class Run(Document):
     kind: RunKind
     cues: Annotated[tuple[Cue, ...], Field(max_length=MAX_CUES)] = ()
     meta: dict[str, Any] = Field(default_factory=dict)
+    test: CursorPlan | None = None  # of an interface test, which no other kind of run has
+
+    @model_validator(mode="after")
+    def _test_of_its_kind(self) -> Self:
+        if (self.kind == "interface_test") != (self.test is not None):
+            raise ValueError("a run of kind interface_test, and no other, has the plan of a test")
+        return self
 
 
 class Arm(Document):

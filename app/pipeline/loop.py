@@ -6,6 +6,7 @@ from app.clock import Clock
 from app.faults import State
 from app.geometry import Pose
 from app.hardware.base import BodyView, Chair, LeaderView, Shirt
+from app.hardware.body.cursor_view import CursorView
 from app.hardware.chair.report import ChairReport
 from app.messages import ALIVE, NO_CUE, SensorFrame, Tick
 from app.pipeline.open_run import OpenRun
@@ -145,6 +146,7 @@ class ControlLoop:
         else:
             view.cue = run.cues[cue]
             view.cue_elapsed = run_t - view.cue.start
+        view.cursor = self._cursor(tick, run_t)
         view.driving = tick.state is State.ARMED and run is not None and run.kind == "drive"
         view.pose = Pose(tick.x, tick.y, tick.theta)
         chair = self.setup.chair.state
@@ -152,6 +154,13 @@ class ControlLoop:
         view.in_contact = tick.in_contact
         leader = self.setup.leader
         view.leader = None if leader is None else LeaderView(*leader.at(tick.scene_t))
+
+    def _cursor(self, tick: Tick, run_t: float) -> CursorView | None:
+        """Return what a simulated body sees of an interface test. Its figures come from the recording alone."""
+        if self.run is None or self.run.task is None:
+            return None
+        self.run.task.step(run_t, tick.u1, tick.u2)
+        return CursorView.of(self.run.task)
 
 
 def chair_condition(chair: Chair) -> ChairCondition:

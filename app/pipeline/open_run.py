@@ -7,17 +7,25 @@ from typing import Literal
 from app.cues import Cue, cue_index
 from app.messages import NO_CUE
 from app.recording.writer import RunWriter
+from app.world.cursor_task import CursorPlan, CursorTask
 
-RunKind = Literal["rest", "free", "prompt", "drive"]
+RunKind = Literal["rest", "free", "prompt", "drive", "interface_test"]
 
 
 class OpenRun:
     """One uninterrupted recording in progress."""
 
     def __init__(
-        self, run_id: str, number: int, kind: RunKind, cues: Sequence[Cue], start: float, writer: RunWriter
+        self,
+        run_id: str,
+        number: int,
+        kind: RunKind,
+        cues: Sequence[Cue],
+        start: float,
+        writer: RunWriter,
+        test: CursorPlan | None = None,
     ) -> None:
-        """Begin at `start` (monotonic s); `number` names the run in ticks."""
+        """Begin at `start` (monotonic s); `number` names the run in ticks, `test` is the plan of an interface test."""
         self.run_id = run_id
         self.number = number
         self.kind = kind
@@ -25,6 +33,7 @@ class OpenRun:
         self.start = start
         self.writer = writer
         self.was_armed = False
+        self.task = None if test is None else CursorTask(test)  # for the eyes of a simulated body
         self._edges = sorted({edge for cue in self.cues for edge in (cue.start, cue.end)})
         self._cue = NO_CUE
         self._until = -math.inf  # run time up to which the current cue stays in force

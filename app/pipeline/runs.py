@@ -49,7 +49,7 @@ class Runs:
         self._count += 1
         writer.start(loop.ring, loop.ring.number, self._count, real_time=True)
         collect_garbage()
-        loop.run = OpenRun(fields.run_id, self._count, fields.kind, fields.cues, self._clock.now(), writer)
+        loop.run = OpenRun(fields.run_id, self._count, fields.kind, fields.cues, self._clock.now(), writer, fields.test)
         return self._count
 
     def end(self, command_id: int) -> None:
@@ -119,6 +119,7 @@ class Runs:
             "clinic": setup.chain.clinic.model_dump(mode="json"),
             "source": setup.source.model_dump(mode="json"),
             "meta": fields.meta,
+            "interface_test": fields.test.model_dump(mode="json") if fields.test else None,
         }
         folder = Path(fields.folder)
         try:

@@ -10,6 +10,7 @@ from app.refusals import Conflict, Refusal
 from app.session.calibration import CalibrationFlow
 from app.session.control_link import ControlLink
 from app.session.equipment.shirt import NO_SHIRT, Equipment
+from app.session.interface_test import InterfaceTestFlow
 from app.session.page_session import require_page_session
 from app.session.real_drive import RealDriveFlow
 from app.session.trial import TrialFlow
@@ -31,6 +32,7 @@ class SessionFlow:
         calibration: CalibrationFlow,
         trials: TrialFlow,
         drives: RealDriveFlow,
+        tests: InterfaceTestFlow,
         tell: Callable[[str], None],
     ) -> None:
         self._database = database
@@ -39,6 +41,7 @@ class SessionFlow:
         self._calibration = calibration
         self._trials = trials
         self._drives = drives
+        self._tests = tests
         self._tell = tell
         self._one_at_a_time = asyncio.Lock()
         self.loaded: DriveParameters | None = None  # what the control process drives with
@@ -69,8 +72,8 @@ class SessionFlow:
 
     @property
     def recording(self) -> bool:
-        """Whether a step, a trial or a drive is going on; may be read from any thread."""
-        return self.driving or self._calibration.running
+        """Whether a step, a trial, a drive or an interface test is going on; may be read from any thread."""
+        return self.driving or self._calibration.running or self._tests.running
 
     @property
     def simulated(self) -> bool | None:
@@ -83,6 +86,8 @@ class SessionFlow:
             raise Conflict(f"A trial is running: end it first, then {what}.")
         if self._drives.running:
             raise Conflict(f"The real chair is armed: end the drive first, then {what}.")
+        if self._tests.running:
+            raise Conflict(f"The two-minute test is running: end it first, then {what}.")
         if self._calibration.running:
             raise Conflict(f"A calibration step is running: cancel it first, then {what}.")
 

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from app.faults import State
 from app.recording.recorded_trajectory import read_trajectory
-from app.session.run_flow import ArmedRun, FlowWords, RunFlow
+from app.session.run_flow import CurrentRun, FlowWords, RunFlow
 from app.session.run_watch import Halt, Starter
 from app.session.runs import SessionRun
 from app.store.drives import add_drive, finish_drive
@@ -40,7 +40,7 @@ class DriveWatch:
 
 
 @dataclass(frozen=True, slots=True)
-class RunningDrive(ArmedRun):
+class RunningDrive(CurrentRun):
     """The drive that is going on."""
 
     watch: DriveWatch

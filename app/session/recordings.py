@@ -17,8 +17,10 @@ from app.layout import ShirtLayout
 from app.recording.reader import Columns, read_run
 from app.recording.recorded_trajectory import since_armed
 from app.scoring.control_quality import ControlQuality, control_quality
+from app.scoring.interface_test import interface_measures, replay_task
 from app.scoring.task_measures import task_measures
 from app.session.step_check import check_frames
+from app.world.cursor_task import CursorPlan
 from app.world.floorplan import FloorPlan, PrescribedPath
 
 
@@ -72,6 +74,13 @@ def measure_recording(folder: Path, plan: FloorPlan, path: PrescribedPath) -> di
     # The speed that the chair reported; older recordings hold only the commanded one.
     v = np.where(np.isfinite(rows["driven_v"]), rows["driven_v"], rows["v"])
     return task_measures(plan, path, {**rows, "t": rows["t"] - rows["t"][0], "v": v})
+
+
+def measure_interface_test(folder: Path, plan: CursorPlan) -> dict[str, Any]:
+    """Return the measures of an interface test, as a document; ValueError when there is no recording."""
+    columns = read_run(folder, scalars_only=True).columns
+    task = replay_task(plan, columns["run_t"], columns["u1"], columns["u2"])
+    return interface_measures(task).model_dump(mode="json")
 
 
 def quality_of_recording(folder: Path) -> ControlQuality:

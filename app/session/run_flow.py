@@ -1,4 +1,4 @@
-"""The course of a trial or a drive: recorded, armed, watched to its end, closed and measured."""
+"""The course of a trial, a drive or an interface test: recorded, watched to its end, closed and measured."""
 
 import asyncio
 from abc import ABC, abstractmethod
@@ -30,21 +30,21 @@ class Watch(Protocol):
 
 
 @dataclass(frozen=True, slots=True)
-class ArmedRun:
-    """A trial or a drive that is going on."""
+class CurrentRun:
+    """A trial, a drive or an interface test that is going on."""
 
     id: int
     person_id: int  # who started it
-    screen: str  # the random word of the screen that started it, which must stay in view
+    screen: str  # the random word of the screen that started it, which must stay in view of a trial or drive
     run: SessionRun
     watch: Watch
 
 
-Current = TypeVar("Current", bound=ArmedRun)
+Current = TypeVar("Current", bound=CurrentRun)
 
 
 class RunEnd(NamedTuple):
-    """The trial or drive that ended last, and how."""
+    """What ended last, and how."""
 
     id: int
     end: str
@@ -60,7 +60,7 @@ class FlowWords(NamedTuple):
 
 
 class RunFlow(ABC, Generic[Current]):
-    """Starts one trial or drive at a time and follows it to its end."""
+    """Starts one trial, drive or interface test at a time and follows it to its end."""
 
     words: ClassVar[FlowWords]
 
@@ -125,14 +125,7 @@ class RunFlow(ABC, Generic[Current]):
         self, session_id: int, meta: dict[str, Any], parameters_hash: str, add: Callable[[SessionRun], Current]
     ) -> int:
         """Begin the recording, store the trial or drive by `add`, and arm the chair; return the id."""
-        run = await self._runs.begin(session_id, "drive", (), meta)
-        try:
-            current = await asyncio.to_thread(add, run)
-        except BaseException:
-            await self._runs.end()
-            raise
-        self._end_asked.clear()
-        self.current = current
+        current = await self._begin(await self._runs.begin(session_id, "drive", (), meta), add)
         try:
             await self._control.call("arm", hash=parameters_hash)
         except BaseException:
@@ -141,6 +134,21 @@ class RunFlow(ABC, Generic[Current]):
             await self._runs.end()
             await asyncio.to_thread(self._delete, current.id)
             raise
+        return self._go_on(current)
+
+    async def _begin(self, run: SessionRun, add: Callable[[SessionRun], Current]) -> Current:
+        """Store what is recorded in `run` by `add`; end the recording when it cannot be stored."""
+        try:
+            current = await asyncio.to_thread(add, run)
+        except BaseException:
+            await self._runs.end()
+            raise
+        self._end_asked.clear()
+        self.current = current
+        return current
+
+    def _go_on(self, current: Current) -> int:
+        """Follow what has begun to its end, in a task of its own; return its id."""
         self._task = asyncio.create_task(self._follow(current))
         self._tell(self.words.event)
         return current.id

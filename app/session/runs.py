@@ -16,6 +16,7 @@ from app.store.database import Database
 from app.store.records.consents import require_consent
 from app.store.runs import add_run, close_run
 from app.store.tables import PatientSession
+from app.world.cursor_task import CursorPlan
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,7 +48,9 @@ class SessionRuns:
         """Return the folder of the recording of a run."""
         return self._folder / run
 
-    async def begin(self, session_id: int, kind: str, cues: Sequence[Cue], meta: dict[str, Any]) -> SessionRun:
+    async def begin(
+        self, session_id: int, kind: str, cues: Sequence[Cue], meta: dict[str, Any], test: CursorPlan | None = None
+    ) -> SessionRun:
         """Start recording; store the run in the database once the control process has begun it.
 
         Conflict when somebody wears the shirt and the patient has not consented to recording.
@@ -58,11 +61,13 @@ class SessionRuns:
         try:
             if self._is_simulated() is False:
                 await asyncio.to_thread(self._require_consent, session_id)
-            return await self._begin(session_id, kind, cues, meta)
+            return await self._begin(session_id, kind, cues, meta, test)
         finally:
             self._beginning = False
 
-    async def _begin(self, session_id: int, kind: str, cues: Sequence[Cue], meta: dict[str, Any]) -> SessionRun:
+    async def _begin(
+        self, session_id: int, kind: str, cues: Sequence[Cue], meta: dict[str, Any], test: CursorPlan | None
+    ) -> SessionRun:
         run_id = uuid.uuid4().hex
         folder = self.folder_of(run_id)
         before = self._last_tick()
@@ -73,6 +78,7 @@ class SessionRuns:
             kind=kind,
             cues=[cue.model_dump(mode="json") for cue in cues],
             meta=meta,
+            test=None if test is None else test.model_dump(mode="json"),
         )
         try:
             await asyncio.to_thread(self._note, run_id, session_id, kind, Source.model_validate(answer["source"]))

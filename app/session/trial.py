@@ -6,7 +6,7 @@ from functools import partial
 from typing import Any
 
 from app.session.recordings import measure_recording, quality_of_recording
-from app.session.run_flow import ArmedRun, FlowWords, RunFlow
+from app.session.run_flow import CurrentRun, FlowWords, RunFlow
 from app.session.run_watch import Starter
 from app.session.runs import SessionRun
 from app.session.trial_watch import TrialPlace, TrialWatch
@@ -19,7 +19,7 @@ from app.world.floorplan import FloorPlan, PrescribedPath
 
 
 @dataclass(frozen=True, slots=True)
-class RunningTrial(ArmedRun):
+class RunningTrial(CurrentRun):
     """The trial that is being driven."""
 
     watch: TrialWatch

@@ -9,10 +9,21 @@ from app.store.access.person_tables import Person
 from app.store.access.visible_patients import WITH_DELETED
 from app.store.keeping.keeping_tables import Incident
 from app.store.sharing.sharing_tables import MomentComment, ShareLink
-from app.store.tables import Chair, Drive, Patient, PatientScreen, PatientSession, Trial
+from app.store.tables import Chair, Drive, InterfaceTest, Patient, PatientScreen, PatientSession, Trial
 
 Row = TypeVar(
-    "Row", Chair, Drive, Incident, MomentComment, Patient, PatientScreen, PatientSession, Person, ShareLink, Trial
+    "Row",
+    Chair,
+    Drive,
+    Incident,
+    InterfaceTest,
+    MomentComment,
+    Patient,
+    PatientScreen,
+    PatientSession,
+    Person,
+    ShareLink,
+    Trial,
 )
 
 

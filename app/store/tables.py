@@ -253,6 +253,32 @@ class Drive(Table):
         return self.run.source
 
 
+class InterfaceTest(Table):
+    """One interface test: targets on a cross, reached with a cursor that u1 and u2 move, while no chair moves."""
+
+    __tablename__ = "interface_test"
+    __table_args__ = (UniqueConstraint("patient_id", "number"),)
+    id: Mapped[int] = mapped_column(primary_key=True)
+    clinic_id: Mapped[int] = mapped_column(ForeignKey("clinic.id"))
+    patient_id: Mapped[int] = mapped_column(ForeignKey("patient.id"))
+    session_id: Mapped[int] = mapped_column(ForeignKey("session.id"), index=True)
+    parameters_id: Mapped[int] = mapped_column(ForeignKey("parameters.id"))
+    run_id: Mapped[str] = mapped_column(ForeignKey("run.id"))
+    run: Mapped[Run] = relationship(lazy="joined", innerjoin=True)
+    number: Mapped[int]  # 1, 2, 3 ... per patient
+    started: Mapped[datetime]
+    status: Mapped[str] = mapped_column(String(16))  # running, done
+    end: Mapped[str | None] = mapped_column(String(16))  # complete, by hand, stopped, fault
+    plan: Mapped[dict[str, Any]]  # what was asked (app.world.cursor_task.CursorPlan)
+    measures: Mapped[dict[str, Any] | None]  # app.scoring.interface_test.InterfaceMeasures
+    workload: Mapped[dict[str, Any] | None]  # answers of the NASA task load index, 0 to 100 each; None: not asked
+
+    @property
+    def source(self) -> Source:
+        """Return where the signals of its run came from."""
+        return self.run.source
+
+
 class LogEntry(Table):
     """A row of the log: who did what, when. Its hash covers the row before, so that a change can be detected."""
 

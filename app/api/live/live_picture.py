@@ -14,6 +14,7 @@ from app.messages import ALIVE, NO_CUE
 from app.session.control_link import ControlLink
 from app.session.equipment.chairs import Chairs
 from app.session.equipment.shirt import Equipment
+from app.session.interface_test import InterfaceTestFlow
 from app.session.open_session import SessionFlow
 from app.session.real_drive import RealDriveFlow
 from app.session.run_watch import Halt
@@ -37,6 +38,7 @@ class LivePicture:
         runs: SessionRuns,
         trials: TrialFlow,
         drives: RealDriveFlow,
+        tests: InterfaceTestFlow,
         session: SessionFlow,
     ) -> None:
         self._control = control
@@ -45,6 +47,7 @@ class LivePicture:
         self._runs = runs
         self._trials = trials
         self._drives = drives
+        self._tests = tests
         self._session = session
         self._number = 0
         self._pose: list[float | None] = [0.0, 0.0, 0.0]
@@ -89,6 +92,7 @@ class LivePicture:
             "run": self._run(tick),
             "trial": self._trial(),
             "drive": self._real_drive(),
+            "test": self._test(),
             **self._session_and_practice(),
         }
 
@@ -173,6 +177,25 @@ class LivePicture:
             return None
         return {"id": drive.id, "t": _number(drive.watch.t, 3), "waits": _waits(drive.watch.halt)}
 
+    def _test(self) -> dict[str, Any] | None:
+        """Return cursor and target of the interface test; lengths in arms of the cross, ahead and to the left."""
+        test = self._tests.current
+        if test is None:
+            return None
+        task = test.watch.task
+        target = task.target
+        return {
+            "id": test.id,
+            "phase": task.phase,
+            "remaining": _number(task.remaining, 2),
+            "cursor": [_number(task.ahead, 4), _number(task.left, 4)],
+            "target": None if target is None else [_number(target.ahead, 4), _number(target.left, 4)],
+            "radius": _number(task.plan.width / 2.0, 4),
+            "dwell": _number(min(1.0, task.inside / task.plan.dwell), 3),
+            "acquired": task.acquired,
+            "missed": len(task.attempts) - task.acquired,
+        }
+
     def _nothing(self) -> dict[str, Any]:
         """Return the picture while there is no control process, and so nothing that moves the chair."""
         control = "lost" if self._control.state == "alive" else self._control.state
@@ -206,6 +229,7 @@ class LivePicture:
             "run": None,
             "trial": self._trial(),
             "drive": self._real_drive(),
+            "test": self._test(),
             **self._session_and_practice(),
         }
 

@@ -18,5 +18,5 @@ def without_patient(picture: dict[str, Any]) -> dict[str, Any]:
         "dial": 1.0,
         "shirt": {"chosen": False, "alive": False, "sample_rate": 0.0, "lost": 0, "age": None},
         **{name: [] for name in ("gestures", "score", "rate", "activation")},
-        **dict.fromkeys(("head", "values", "chair", "run", "trial", "drive")),
+        **dict.fromkeys(("head", "values", "chair", "run", "trial", "drive", "test")),
     }

@@ -11,7 +11,7 @@ from app.session.trial import TrialFlow
 from app.session.words.patient_words import patient_words
 from app.store.patient_screens import ScreenSettings
 
-FIELDS = ("tick", "t", "state", "control", "v", "pose", "contacts", "stops", "practice")
+FIELDS = ("tick", "t", "state", "control", "v", "pose", "contacts", "stops", "practice", "test")
 TRIAL_FIELDS = ("id", "t", "done", "length", "stage", "stages", "instruction", "target", "movers")
 
 

@@ -49,6 +49,18 @@ COMPARISONS: dict[str, MeasureComparison] = {
     "sparc": MeasureComparison("plain", "high"),
     "ldlj": MeasureComparison("plain", "high"),
 }
+INTERFACE_COMPARISONS: dict[str, MeasureComparison] = {
+    "acquisitions_per_minute": MeasureComparison("count", "high"),
+    "first_entry": MeasureComparison("log", "low"),
+    "dial_in": MeasureComparison("root", "low"),
+    "path_efficiency": MeasureComparison("plain", "high"),
+    "throughput": MeasureComparison("log", "high"),
+}
+
+
+def comparison_of(name: str) -> MeasureComparison:
+    """Return how a measure of a trial or of an interface test is compared."""
+    return COMPARISONS.get(name) or INTERFACE_COMPARISONS[name]
 
 
 def value_of(trial: Mapping[str, Any], name: str) -> float | None:
@@ -63,7 +75,7 @@ def value_of(trial: Mapping[str, Any], name: str) -> float | None:
 
 def to_scale(name: str, values: Numbers) -> Numbers:
     """Return values (n,) on the scale on which their noise does not depend on their level."""
-    scale = COMPARISONS[name].scale
+    scale = comparison_of(name).scale
     if scale == "log":
         return np.log(np.maximum(values, SMALLEST))
     if scale == "root":
@@ -75,7 +87,7 @@ def to_scale(name: str, values: Numbers) -> Numbers:
 
 def from_scale(name: str, value: float) -> float:
     """Return a value of the scale in the unit of the measure."""
-    scale = COMPARISONS[name].scale
+    scale = comparison_of(name).scale
     if scale == "log":
         return float(np.exp(min(value, np.log(LARGEST))))
     if scale == "root":
@@ -87,7 +99,7 @@ def from_scale(name: str, value: float) -> float:
 
 def least_spread(name: str, scaled: Numbers) -> float:
     """Return the smallest spread between trials that is believed, on the measure's scale."""
-    scale = COMPARISONS[name].scale
+    scale = comparison_of(name).scale
     if scale == "count":
         return POISSON_SPREAD
     if scale == "log":

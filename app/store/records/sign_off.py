@@ -14,14 +14,17 @@ from sqlalchemy.orm import ORMExecuteState, Session, UOWTransaction
 from app.clock import utc_now
 from app.refusals import Conflict
 from app.store.records.record_tables import NoteRevision, OutcomeScale, SessionNote, SessionSignOff
-from app.store.tables import CalibrationStep, Drive, PatientSession, Profile, Run, Table, Trial
+from app.store.tables import CalibrationStep, Drive, InterfaceTest, PatientSession, Profile, Run, Table, Trial
 
 SIGNED = (
     "Session {number} was signed off by {person} on {at:%Y-%m-%d at %H:%M}, so nothing of it can be changed: "
     "an owner can unlock it."
 )
 # Tables whose rows belong to one session. Parameters are the patient's, and go on after a session.
-OF_A_SESSION = (PatientSession, CalibrationStep, Run, Profile, Trial, Drive, SessionNote, NoteRevision, OutcomeScale)
+OF_A_SESSION = (
+    *(PatientSession, CalibrationStep, Run, Profile, Trial, Drive, InterfaceTest),
+    *(SessionNote, NoteRevision, OutcomeScale),
+)
 
 # Columns that are computed from the recording whenever somebody looks, and hold nothing of their own.
 DERIVED: dict[type[Table], set[str]] = {Trial: {"quality"}}
@@ -64,8 +67,9 @@ def sign_off(db: Session, session: PatientSession, person: str) -> SignOff:
     require_unsigned(db, session.id)
     trial = select(Trial.id).where(Trial.session_id == session.id, Trial.status == "running").limit(1)
     drive = select(Drive.id).where(Drive.session_id == session.id, Drive.ended.is_(None)).limit(1)
-    if db.scalar(trial) is not None or db.scalar(drive) is not None:
-        raise Conflict("Something of this session is still being driven: end it first, then sign off.")
+    test = select(InterfaceTest.id).where(InterfaceTest.session_id == session.id, InterfaceTest.status == "running")
+    if any(db.scalar(going_on) is not None for going_on in (trial, drive, test.limit(1))):
+        raise Conflict("Something of this session is still being driven or tested: end it first, then sign off.")
     session.ended = session.ended or utc_now()
     db.flush()
     row = SessionSignOff(

@@ -7,6 +7,7 @@ from typing import Any, Literal, NamedTuple
 from sqlalchemy import func, select
 from sqlalchemy.orm import Session
 
+from app.store.interface_tests import tests_of_session
 from app.store.records.record_tables import NoteRevision, SessionNote
 from app.store.records.session_contents import drives_of_session, trials_of_session
 from app.store.records.sign_off import sign_off_history
@@ -19,6 +20,7 @@ Kind = Literal[
     "map",
     "parameters",
     "trial",
+    "test",
     "stop",
     "drive",
     "note",
@@ -27,6 +29,7 @@ Kind = Literal[
     "unlock",
     "end",
 ]
+CALIBRATION = ("rest", "free", "prompt")  # kinds of its runs
 STOPS = frozenset({"stop", "stop requested", "fault"})  # rows of the log
 
 
@@ -47,7 +50,9 @@ def story_of(db: Session, session: PatientSession) -> list[StoryEvent]:
 
 def _done(db: Session, session: PatientSession) -> Iterator[StoryEvent]:
     yield StoryEvent(session.started, "begin", session.opened_by, session.goal, {"version": session.version})
-    calibration = select(func.min(Run.started), func.count()).where(Run.session_id == session.id, Run.kind != "drive")
+    calibration = select(func.min(Run.started), func.count()).where(
+        Run.session_id == session.id, Run.kind.in_(CALIBRATION)
+    )
     begun, recordings = db.execute(calibration).one()
     if begun is not None:
         yield StoryEvent(begun, "calibration", None, "", {"recordings": recordings})
@@ -62,6 +67,9 @@ def _done(db: Session, session: PatientSession) -> Iterator[StoryEvent]:
             "simulated": trial.run.simulated,
         }
         yield StoryEvent(trial.started, "trial", None, trial.floorplan_title, facts)
+    for test in tests_of_session(db, session.id):
+        facts = {"id": test.id, "number": test.number, "end": test.end, "simulated": test.run.simulated}
+        yield StoryEvent(test.started, "test", None, "", facts)
     for drive in drives_of_session(db, session.id):
         facts = {"id": drive.id, "end": drive.end, "distance": drive.distance, "simulated": drive.run.simulated}
         yield StoryEvent(drive.started, "drive", None, "", facts)
