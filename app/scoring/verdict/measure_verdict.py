@@ -116,10 +116,11 @@ def compare(
     if noise is None:
         return Verdict(word="too few", low=None, high=None, **figures)
     low, high = from_scale(name, then - noise.mdc), from_scale(name, then + noise.mdc)
-    return Verdict(word=_word(now - then, noise.mdc, direction), low=low, high=high, **figures)
+    return Verdict(word=verdict_word(now - then, noise.mdc, direction), low=low, high=high, **figures)
 
 
-def _word(change: float, mdc: float, better: Literal["low", "high"]) -> Word:
+def verdict_word(change: float, mdc: float, better: Literal["low", "high"]) -> Word:
+    """Return the word for a change beside the smallest one that is not noise, both on the measure's scale."""
     if abs(change) <= mdc:
         return "within"
     return "better" if (change < 0) == (better == "low") else "worse"

@@ -96,21 +96,21 @@ def check_rows(rows: Any) -> Rows:
     """Return the rows of a foreign document when it has the tables and columns of this program; WrongRows otherwise."""
     if not isinstance(rows, dict):
         raise WrongRows("its tables are others")
-    rows = {**{name: [] for name in ADDED_LATER}, **rows}
-    if set(rows) != {table_of(kind).name for kind, _ in KINDS}:
+    found: Rows = {**{name: [] for name in ADDED_LATER}, **rows}
+    if set(found) != {table_of(kind).name for kind, _ in KINDS}:
         raise WrongRows("its tables are others")
     for kind, _ in KINDS:
         table = table_of(kind)
         names = {column.name for column in exchanged(table)}
-        if not isinstance(rows[table.name], list) or any(
-            not isinstance(row, dict) or set(row) != names for row in rows[table.name]
+        if not isinstance(found[table.name], list) or any(
+            not isinstance(row, dict) or set(row) != names for row in found[table.name]
         ):
             raise WrongRows(f"the columns of its table '{table.name}' are others")
-    if len(rows["patient"]) != 1:
+    if len(found["patient"]) != 1:
         raise WrongRows("it has not exactly one patient")
-    if any(row["ended"] is None for row in rows["session"]):
+    if any(row["ended"] is None for row in found["session"]):
         raise WrongRows("one of its sessions has not ended")
-    return rows
+    return found
 
 
 def table_of(kind: type[Table]) -> SqlTable:

@@ -1,0 +1,64 @@
+"""The verdicts of a person's interface tests: the newest against the one before, and against the first."""
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from app.quantities import Document
+from app.scoring.verdict.measure_comparison import INTERFACE_COMPARISONS, from_scale, least_spread, to_scale
+from app.scoring.verdict.measure_verdict import FEWEST, Verdict, noise_of, verdict_word
+from app.scoring.verdict.spread import Series, Spread, Variance, own_spread
+
+Tests = Sequence[Mapping[str, Any]]
+"""In the order done; each has `number`, and measures by name."""
+
+
+class InterfaceVerdicts(Document):
+    """The verdicts on the newest interface test against an earlier one."""
+
+    earlier: int  # number of the test
+    later: int
+    verdicts: dict[str, Verdict]  # measure -> verdict; without the measures that one of the two does not have
+
+
+def interface_verdicts(tests: Tests) -> list[InterfaceVerdicts]:
+    """Compare the newest of a person's tests with the one before and with the first; empty for fewer than two."""
+    if len(tests) < 2:
+        return []
+    last = len(tests) - 1
+    return [
+        InterfaceVerdicts(
+            earlier=tests[place]["number"],
+            later=tests[last]["number"],
+            verdicts={
+                name: found for name in INTERFACE_COMPARISONS if (found := _verdict(name, tests, place)) is not None
+            },
+        )
+        for place in dict.fromkeys((last - 1, 0))
+    ]
+
+
+def _verdict(name: str, tests: Tests, place: int) -> Verdict | None:
+    """Compare the newest test with that at `place`; None when one of them does not have the measure."""
+    earlier, later = tests[place].get(name), tests[-1].get(name)
+    if earlier is None or later is None:
+        return None
+    found = [(test["number"], test[name]) for test in tests if test.get(name) is not None]
+    numbers = np.array([number for number, _ in found], dtype=np.float64)
+    values = to_scale(name, np.array([value for _, value in found], dtype=np.float64))
+    then, now = to_scale(name, np.array([earlier, later], dtype=np.float64)).tolist()
+    # Each test stands for itself, as a session of one trial: what differs from test to test is the noise.
+    series = Series(numbers, np.arange(len(found)), values)
+    spread, _ = own_spread(series.where(series.session < len(found) - 1))
+    between = Variance(max(spread.session.value, least_spread(name, values) ** 2), spread.session.df)
+    noise = None
+    if len(found) >= FEWEST:
+        noise = noise_of(Spread(Variance(0.0, math.inf), between), 1, 1, same_session=False)
+    figures = {"earlier": earlier, "later": later, "trials": len(found)}
+    better = INTERFACE_COMPARISONS[name].better
+    if noise is None or better is None:
+        return Verdict(word="too few", low=None, high=None, **figures)
+    low, high = from_scale(name, then - noise.mdc), from_scale(name, then + noise.mdc)
+    return Verdict(word=verdict_word(now - then, noise.mdc, better), low=low, high=high, **figures)
