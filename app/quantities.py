@@ -22,6 +22,7 @@ Cutoff = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=LOWEST_CUTO
 Gain = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0, le=5)]
 Threshold = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0, le=LARGEST_THRESHOLD)]  # FS/s or FS
 Fraction = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0, le=1)]
+Points = Annotated[int, Field(strict=True, ge=0, le=100)]  # of a slider
 Finite = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=-1e12, le=1e12)]
 Count = Annotated[int, Field(strict=True, ge=0, le=2**31)]
 Port = Annotated[int, Field(strict=True, ge=0, le=65_535)]

@@ -1144,6 +1144,134 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/interface-tests": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["InterfaceTestsView"];
+                    };
+                };
+            };
+        };
+        put?: never;
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/json": components["schemas"]["NewTest"];
+                };
+            };
+            responses: {
+                201: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["InterfaceTestView"];
+                    };
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/interface-tests/current/end": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["InterfaceTestView"];
+                    };
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/interface-tests/{test_id}/workload": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/json": components["schemas"]["Workload"];
+                };
+            };
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["InterfaceTestView"];
+                    };
+                };
+            };
+        };
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/chairs": {
         parameters: {
             query?: never;
@@ -5251,6 +5379,12 @@ export interface components {
             consents_to_recording: boolean;
             steps_done: string[];
         };
+        CurveBand: {
+            n: number[];
+            value: number[];
+            low: number[];
+            high: number[];
+        };
         Cylinder: {
             /**
              * @description discriminator enum property added by openapi-typescript
@@ -5284,6 +5418,11 @@ export interface components {
         };
         Dial: {
             share: number;
+        };
+        DirectionMeasures: {
+            acquired: number;
+            missed: number;
+            movement_time: number | null;
         };
         Discard: {
             reason: string;
@@ -5417,7 +5556,7 @@ export interface components {
         EventView: {
             at: string;
             /** @enum {string} */
-            kind: "begin" | "calibration" | "map" | "parameters" | "trial" | "stop" | "drive" | "note" | "comment" | "sign-off" | "unlock" | "end";
+            kind: "begin" | "calibration" | "map" | "parameters" | "trial" | "test" | "stop" | "drive" | "note" | "comment" | "sign-off" | "unlock" | "end";
             person: string | null;
             words: string;
             facts: {
@@ -5685,6 +5824,54 @@ export interface components {
             lifted: string | null;
             reason: string | null;
             patients: number[];
+        };
+        InterfaceCourse: {
+            counted: number[];
+            curves: {
+                [key: string]: components["schemas"]["CurveBand"];
+            };
+            comparisons: components["schemas"]["InterfaceVerdicts"][];
+        };
+        InterfaceMeasures: {
+            duration: number;
+            complete: boolean;
+            acquired: number;
+            missed: number;
+            acquisitions_per_minute: number | null;
+            first_entry: number | null;
+            dial_in: number | null;
+            entries: number | null;
+            path_efficiency: number | null;
+            effective_width: number | null;
+            throughput: number | null;
+            directions: {
+                [key: string]: components["schemas"]["DirectionMeasures"];
+            };
+        };
+        InterfaceTestView: {
+            id: number;
+            number: number;
+            session_id: number;
+            session: number;
+            started: string;
+            status: string;
+            end: string | null;
+            source: components["schemas"]["SourceView"];
+            measures: components["schemas"]["InterfaceMeasures"] | null;
+            workload: components["schemas"]["Workload"] | null;
+            raw_tlx: number | null;
+        };
+        InterfaceTestsView: {
+            tests: components["schemas"]["InterfaceTestView"][];
+            source: ("worn" | "simulated" | "unknown") | null;
+            course: components["schemas"]["InterfaceCourse"];
+        };
+        InterfaceVerdicts: {
+            earlier: number;
+            later: number;
+            verdicts: {
+                [key: string]: components["schemas"]["Verdict"];
+            };
         };
         InvitationCode: {
             code: string;
@@ -5972,6 +6159,9 @@ export interface components {
         NewShare: {
             /** @default 14 */
             days?: number;
+        };
+        NewTest: {
+            screen: string;
         };
         NewTrial: {
             floorplan: string;
@@ -6770,6 +6960,14 @@ export interface components {
              */
             kind: "visitor";
         };
+        Workload: {
+            mental: number | null;
+            physical: number | null;
+            temporal: number | null;
+            performance: number | null;
+            effort: number | null;
+            frustration: number | null;
+        };
     };
     responses: never;
     parameters: never;
@@ -6823,11 +7021,13 @@ export type Course = components['schemas']['Course'];
 export type CourseView = components['schemas']['CourseView'];
 export type Credentials = components['schemas']['Credentials'];
 export type CurrentSession = components['schemas']['CurrentSession'];
+export type CurveBand = components['schemas']['CurveBand'];
 export type Cylinder = components['schemas']['Cylinder'];
 export type DeletedPatientView = components['schemas']['DeletedPatientView'];
 export type Deletion = components['schemas']['Deletion'];
 export type DemoCode = components['schemas']['DemoCode'];
 export type Dial = components['schemas']['Dial'];
+export type DirectionMeasures = components['schemas']['DirectionMeasures'];
 export type Discard = components['schemas']['Discard'];
 export type Discovery = components['schemas']['Discovery'];
 export type DiskView = components['schemas']['DiskView'];
@@ -6867,6 +7067,11 @@ export type HeadTrackerChoice = components['schemas']['HeadTrackerChoice'];
 export type HeadView = components['schemas']['HeadView'];
 export type HitCheck = components['schemas']['HitCheck'];
 export type IncidentView = components['schemas']['IncidentView'];
+export type InterfaceCourse = components['schemas']['InterfaceCourse'];
+export type InterfaceMeasures = components['schemas']['InterfaceMeasures'];
+export type InterfaceTestView = components['schemas']['InterfaceTestView'];
+export type InterfaceTestsView = components['schemas']['InterfaceTestsView'];
+export type InterfaceVerdicts = components['schemas']['InterfaceVerdicts'];
 export type InvitationCode = components['schemas']['InvitationCode'];
 export type InvitedView = components['schemas']['InvitedView'];
 export type Joint = components['schemas']['Joint'];
@@ -6905,6 +7110,7 @@ export type NewReplay = components['schemas']['NewReplay'];
 export type NewScale = components['schemas']['NewScale'];
 export type NewSession = components['schemas']['NewSession'];
 export type NewShare = components['schemas']['NewShare'];
+export type NewTest = components['schemas']['NewTest'];
 export type NewTrial = components['schemas']['NewTrial'];
 export type NextTaskView = components['schemas']['NextTaskView'];
 export type NoteText = components['schemas']['NoteText'];
@@ -7005,5 +7211,6 @@ export type ValidationError = components['schemas']['ValidationError'];
 export type Verdict = components['schemas']['Verdict'];
 export type ViewState = components['schemas']['ViewState'];
 export type VisitorConfig = components['schemas']['VisitorConfig'];
+export type Workload = components['schemas']['Workload'];
 export type $defs = Record<string, never>;
 export type operations = Record<string, never>;

@@ -13,6 +13,7 @@ from app.refusals import DiskFull
 from app.speeds import HIGHEST_SPEEDS
 from app.store import tables
 from app.store.chairs import add_chair
+from app.store.interface_tests import add_interface_test
 from app.store.keeping.incidents import mark_incident
 from app.store.patient_screens import add_screen
 from app.store.patients import add_patient, start_session
@@ -26,6 +27,7 @@ IDS = {  # names of whole numbers that are ids, and of which table
     "patient_id": "patient",
     "patient": "patient",
     "trial_id": "trial",
+    "test_id": "interface_test",
     "trial": "trial",
     "against": "trial",
     "chair_id": "chair",
@@ -45,6 +47,7 @@ IDS = {  # names of whole numbers that are ids, and of which table
 NUMBERS = {"stops", "port", "seed", "baud", "address", "version", "direction", "before", "seconds", "hour", "years"} | {
     "session",
     "days",
+    *("mental", "physical", "temporal", "performance", "effort", "frustration"),
 }
 FILLED = {
     "other": "1",
@@ -57,6 +60,7 @@ FILLED = {
 LISTS = {"patients"}
 OWN_PERSON = "1"  # the person who asks, where a path needs an id besides the one that is tried
 BODIES: dict[str, dict[str, Any]] = {  # what has to be sent along with an id
+    "PUT /interface-tests/{test_id}/workload": {"mental": 5},
     "POST /trials/{trial_id}/discard": {"reason": "x"},
     "PUT /chairs/chosen": {"dynamics": "unicycle"},
     "POST /incidents/{incident_id}/lifting": {"reason": "It is closed"},
@@ -150,6 +154,8 @@ def theirs(signed_in: Clinic) -> dict[str, int]:
             path_points=[[0.0, 0.0]],
         )
         trial.status = "done"
+        test = add_interface_test(db, run=run, session=session, parameters_id=parameters.id, plan={})
+        test.status = "done"
         person = add_person(db, clinic, "Eve", "owner", None)
         comment = add_comment(db, trial, person.id, 1.0, "Theirs.")
         give_consent(db, patient.id, "sharing", utc_now().date(), "Eve")
@@ -158,6 +164,7 @@ def theirs(signed_in: Clinic) -> dict[str, int]:
             "person": person.id,
             "patient": patient.id,
             "trial": trial.id,
+            "interface_test": test.id,
             "session": session.id,
             "chair": chair.id,
             "patient_screen": screen.id,

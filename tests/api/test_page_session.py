@@ -20,6 +20,7 @@ VALUES = {
     "chair_id": "1",
     "patient_id": "1",
     "trial_id": "1",
+    "test_id": "1",
     "person_id": "1",
     "session_id": "1",
     "note_id": "1",

@@ -50,7 +50,7 @@ COMPARISONS: dict[str, MeasureComparison] = {
     "ldlj": MeasureComparison("plain", "high"),
 }
 INTERFACE_COMPARISONS: dict[str, MeasureComparison] = {
-    "acquisitions_per_minute": MeasureComparison("count", "high"),
+    "acquisitions_per_minute": MeasureComparison("root", "high"),
     "first_entry": MeasureComparison("log", "low"),
     "dial_in": MeasureComparison("root", "low"),
     "path_efficiency": MeasureComparison("plain", "high"),

@@ -1,0 +1,167 @@
+"""The two-minute test before driving: targets on a cross, reached with a cursor, while no chair moves."""
+
+import asyncio
+from typing import Annotated, Any
+
+from fastapi import APIRouter, Query
+
+from app.api.answers import MomentText
+from app.api.deps import Anyone, Clinician, PeopleParts, RowId
+from app.api.live.screen_socket import ScreenWord
+from app.api.parts import Web
+from app.api.routes.source_view import SourceView
+from app.quantities import Document, Points
+from app.refusals import Conflict
+from app.scoring.interface_course import InterfaceCourse, interface_course
+from app.scoring.interface_test import InterfaceMeasures
+from app.session.run_watch import Starter
+from app.source import SourceGroup
+from app.store.database import Transaction
+from app.store.interface_tests import find_interface_test, interface_tests_of, save_workload
+from app.store.log import write_log
+from app.store.patients import find_patient
+from app.store.tables import InterfaceTest, PatientSession
+from app.world.cursor_task import CursorPlan
+
+router = APIRouter(prefix="/interface-tests", tags=["interface tests"])
+
+COMPLETE = "complete"
+
+
+class NewTest(Document):
+    """The screen from which the test is started."""
+
+    screen: ScreenWord
+
+
+class Workload(Document):
+    """How demanding the test felt: the six answers of the NASA task load index, each 0 to 100 or left out."""
+
+    mental: Points | None = None
+    physical: Points | None = None
+    temporal: Points | None = None
+    performance: Points | None = None  # 0: perfect, 100: failure
+    effort: Points | None = None
+    frustration: Points | None = None
+
+    @property
+    def answers(self) -> list[int]:
+        """The answers that were given."""
+        return [value for value in self.model_dump().values() if value is not None]
+
+
+class InterfaceTestView(Document):
+    """An interface test."""
+
+    id: int
+    number: int
+    session_id: int
+    session: int  # number of the session
+    started: MomentText
+    status: str
+    end: str | None  # complete, by hand, stopped, fault
+    source: SourceView
+    measures: InterfaceMeasures | None  # None while it runs, or when the recording cannot be read
+    workload: Workload | None
+    raw_tlx: float | None  # mean of the six answers; None when one was left out
+
+    @classmethod
+    def of_row(cls, test: InterfaceTest, session: int) -> "InterfaceTestView":
+        """Return the view of a row; `session` is the number of its session."""
+        workload = None if test.workload is None else Workload.model_validate(test.workload)
+        answers = [] if workload is None else workload.answers
+        return cls(
+            id=test.id,
+            number=test.number,
+            session_id=test.session_id,
+            session=session,
+            started=test.started.isoformat(),
+            status=test.status,
+            end=test.end,
+            source=SourceView.model_validate(test.source),
+            measures=None if test.measures is None else InterfaceMeasures.model_validate(test.measures),
+            workload=workload,
+            raw_tlx=sum(answers) / len(answers) if len(answers) == len(Workload.model_fields) else None,
+        )
+
+
+class InterfaceTestsView(Document):
+    """A patient's interface tests, the newest last, and what those of one kind of source say together."""
+
+    tests: list[InterfaceTestView]
+    source: SourceGroup | None  # of the course; None: there is no test
+    course: InterfaceCourse
+
+
+@router.post("", status_code=201)
+async def start_interface_test(body: NewTest, who: Clinician, parts: PeopleParts, web: Web) -> InterfaceTestView:
+    """Start the two-minute test; the chair is disarmed and stays where it is."""
+    async with web.session.undisturbed("start the two-minute test"):
+        session = await web.session.needed_session(who.clinic_id)
+        obstacle = await web.session.load_parameters()
+        if obstacle is not None:
+            raise Conflict(obstacle)
+        test_id = await web.tests.start(session, Starter(who.person_id, who.name, body.screen))
+    return await asyncio.to_thread(_one, parts, who.clinic_id, test_id)
+
+
+@router.post("/current/end")
+async def end_interface_test(who: Clinician, parts: PeopleParts, web: Web) -> InterfaceTestView:
+    """End the test by hand, so that it does not count; for every clinician, because nothing moves."""
+    return await asyncio.to_thread(_one, parts, who.clinic_id, await web.tests.end())
+
+
+@router.get("")
+def list_interface_tests(
+    patient: Annotated[int, Query(ge=1, le=2**31)],
+    who: Anyone,
+    parts: PeopleParts,
+    web: Web,
+    source: SourceGroup | None = None,
+) -> InterfaceTestsView:
+    """List a patient's interface tests; the course is of one kind of source, that of the newest when none is named."""
+    with parts.database.transaction(closing=True) as db:
+        find_patient(db, who.clinic_id, patient)
+        write_log(db, who.name, "patient viewed", patient=patient)
+        rows = interface_tests_of(db, who.clinic_id, patient)
+        tests = [InterfaceTestView.of_row(test, session) for test, session in rows]
+    group = source or (rows[-1][0].source.group if rows else None)
+    counted = _counted([test for test, _ in rows if test.source.group == group])
+    return InterfaceTestsView(tests=tests, source=group, course=web.computing.ask(interface_course, counted))
+
+
+@router.put("/{test_id}/workload")
+async def put_workload(
+    test_id: RowId, body: Workload, who: Clinician, parts: PeopleParts, web: Web
+) -> InterfaceTestView:
+    """Store how demanding the test felt; without any answer, what was stored is removed."""
+
+    def _write() -> InterfaceTestView:
+        with parts.database.transaction() as db:
+            test = save_workload(db, who.clinic_id, test_id, body.model_dump() if body.answers else None)
+            write_log(db, who.name, "workload answered", test=test_id, answers=len(body.answers))
+            return _view(db, test)
+
+    saved = await asyncio.to_thread(_write)
+    web.live.tell("test")
+    return saved
+
+
+def _one(parts: PeopleParts, clinic_id: int, test_id: int) -> InterfaceTestView:
+    with parts.database.transaction() as db:
+        return _view(db, find_interface_test(db, clinic_id, test_id))
+
+
+def _view(db: Transaction, test: InterfaceTest) -> InterfaceTestView:
+    return InterfaceTestView.of_row(test, db.get_one(PatientSession, test.session_id).number)
+
+
+def _counted(tests: list[InterfaceTest]) -> list[dict[str, Any]]:
+    """Return number and measures of the complete tests that asked the same as the newest of them."""
+    complete = [test for test in tests if test.end == COMPLETE and test.measures is not None]
+    plans = [CursorPlan.model_validate(test.plan) for test in complete]
+    return [
+        {"number": test.number, **(test.measures or {})}
+        for test, plan in zip(complete, plans, strict=True)
+        if plan.same_task(plans[-1])
+    ]

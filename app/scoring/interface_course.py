@@ -1,0 +1,40 @@
+"""A person's interface tests over sessions: which of them count, their curves, and what has changed."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from app.quantities import Document
+from app.scoring.learning import fit_learning_curve
+from app.scoring.verdict.interface_verdicts import InterfaceVerdicts, interface_verdicts
+from app.scoring.verdict.measure_comparison import INTERFACE_COMPARISONS
+
+
+class CurveBand(Document):
+    """A fitted learning curve with its 95 % band, at the numbers of the tests."""
+
+    n: list[float]
+    value: list[float]
+    low: list[float]
+    high: list[float]
+
+
+class InterfaceCourse(Document):
+    """What a person's tests of one plan and one kind of source say together."""
+
+    counted: list[int]  # numbers of the tests that count
+    curves: dict[str, CurveBand]  # measure -> curve; only of those that a bent curve describes better than a level line
+    comparisons: list[InterfaceVerdicts]  # of the newest test that counts
+
+
+def interface_course(tests: Sequence[Mapping[str, Any]]) -> InterfaceCourse:
+    """Return the course of complete tests, in the order done; each has `number` and its measures by name."""
+    curves = {}
+    for name in INTERFACE_COMPARISONS:
+        found = [(float(test["number"]), float(test[name])) for test in tests if test.get(name) is not None]
+        fitted = fit_learning_curve([number for number, _ in found], [value for _, value in found])
+        if fitted is not None and fitted.curve.form != "level":
+            curve = fitted.curve
+            lists = {"value": curve.value, "low": curve.low, "high": curve.high}
+            curves[name] = CurveBand(n=fitted.n.tolist(), **{key: column.tolist() for key, column in lists.items()})
+    counted = [int(test["number"]) for test in tests]
+    return InterfaceCourse(counted=counted, curves=curves, comparisons=interface_verdicts(tests))
