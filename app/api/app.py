@@ -17,6 +17,7 @@ from app.api.driving import places
 from app.api.exports import export_file
 from app.api.foreign_files import OneAtATime
 from app.api.guard import Guard
+from app.api.interface_tests import interface_tests
 from app.api.live import live_socket, screen_socket
 from app.api.page_session import SessionRequired
 from app.api.pages import Pages
@@ -36,7 +37,6 @@ from app.api.routes import (
     controls,
     drives,
     equipment,
-    interface_tests,
     limits,
     log,
     models,

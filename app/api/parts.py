@@ -31,7 +31,7 @@ from app.session.equipment.head import HeadChoice
 from app.session.equipment.limits import ClinicLimits
 from app.session.equipment.shirt import Equipment
 from app.session.fault_log import FaultLog
-from app.session.interface_test import InterfaceTestFlow
+from app.session.interface_test.interface_test_flow import InterfaceTestFlow
 from app.session.open_session import SessionFlow
 from app.session.real_arming import RealArming
 from app.session.real_drive import RealDriveFlow

@@ -15,6 +15,7 @@ from app.exports.archive_file import RUN_ID, OpenArchive, open_archive, write_ar
 from app.file_modes import OWNER_FOLDER
 from app.files import sync_folder
 from app.refusals import NO_ROOM, Conflict, DiskFull
+from app.scoring.interface_test.interface_measures import check_documents
 from app.store.database import Database, Transaction
 from app.store.files.disk_watch import disk_room
 from app.store.log import write_log
@@ -102,6 +103,8 @@ def _check_contents(rows: Rows, archive: OpenArchive) -> None:
         raise WrongRows("its recordings have wrong names")
     if not {name.split("/")[1] for name in archive.listed.files if "/" in name} <= set(runs):
         raise WrongRows("it has a recording that no row names")
+    for row in rows["interface_test"]:
+        check_documents(row["plan"], row["measures"], row["workload"])
     profiles: dict[Any, Any] = {}
     for row in rows["profile"]:
         profiles[row["id"]] = CalibrationProfile.model_validate(row["document"]).model_dump(mode="json")

@@ -10,7 +10,7 @@ from app.refusals import Conflict, Refusal
 from app.session.calibration import CalibrationFlow
 from app.session.control_link import ControlLink
 from app.session.equipment.shirt import NO_SHIRT, Equipment
-from app.session.interface_test import InterfaceTestFlow
+from app.session.interface_test.interface_test_flow import InterfaceTestFlow
 from app.session.page_session import require_page_session
 from app.session.real_drive import RealDriveFlow
 from app.session.trial import TrialFlow

@@ -17,7 +17,7 @@ from app.layout import ShirtLayout
 from app.recording.reader import Columns, read_run
 from app.recording.recorded_trajectory import since_armed
 from app.scoring.control_quality import ControlQuality, control_quality
-from app.scoring.interface_test import interface_measures, replay_task
+from app.scoring.interface_test.interface_measures import interface_measures, replay_task
 from app.scoring.task_measures import task_measures
 from app.session.step_check import check_frames
 from app.world.cursor_task import CursorPlan

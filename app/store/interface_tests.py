@@ -74,7 +74,7 @@ def interface_tests_of(db: Session, clinic_id: int, patient_id: int) -> list[tup
     return [(test, number) for test, number in db.execute(query)]
 
 
-def tests_of_session(db: Session, session_id: int) -> list[InterfaceTest]:
+def interface_tests_of_session(db: Session, session_id: int) -> list[InterfaceTest]:
     """Return the interface tests of a session in the order done."""
     return list(db.scalars(select(InterfaceTest).where(InterfaceTest.session_id == session_id).order_by("id")))
 

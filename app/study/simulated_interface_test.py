@@ -5,7 +5,7 @@ from app.geometry import Pose
 from app.hardware.chair.simulator import VirtualChair
 from app.pipeline.chain import Chain
 from app.pipeline.safety_gate import Conditions
-from app.scoring.interface_test import InterfaceMeasures, interface_measures
+from app.scoring.interface_test.interface_measures import InterfaceMeasures, interface_measures
 from app.study.participant import Participant
 from app.world.cursor_task import CursorPlan, CursorTask
 

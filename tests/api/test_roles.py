@@ -93,6 +93,7 @@ FOR_REVIEWERS = {
     "GET /patients/{patient_id}/consents",
     "GET /sessions/{session_id}",
     "GET /sessions/{session_id}/comparison",
+    "GET /interface-tests",
     "GET /trials",
     "GET /trials/{trial_id}",
     "GET /trials/{trial_id}/timeline",

@@ -21,7 +21,7 @@ from app.store.patients import add_patient
 from app.store.records.imports import origin_of
 from app.store.records.session_record import add_note, add_scale, session_record
 from app.store.records.sign_off import sign_off
-from app.store.tables import Clinic, Patient, PatientSession
+from app.store.tables import Clinic, InterfaceTest, Patient, PatientSession
 
 
 def empty_clinic(state) -> Settings:
@@ -158,6 +158,24 @@ def wrong_id(tables):
     tables["trial"][0]["run_id"] = "elsewhere"
 
 
+def with_test(tables, **changes):
+    """Add an interface test."""
+    run = {**tables["run"][0], "id": "0" * 32, "kind": "interface_test"}
+    tables["run"].append(run)
+    row = {name: tables["trial"][0][name] for name in ("patient_id", "session_id", "parameters_id", "started")}
+    plan = {"seed": 1, "width": 0.2}
+    done = {"id": 1, "number": 1, "run_id": run["id"], "status": "done", "end": "complete", "measures": None}
+    tables["interface_test"] = [{**row, **done, "plan": plan, "workload": {"mental": 40}, **changes}]
+
+
+def wrong_test(tables):
+    with_test(tables, measures={"throughput": "fast"})
+
+
+def wrong_workload(tables):
+    with_test(tables, workload={"mental": 101})
+
+
 def wrong_type(tables):
     tables["trial"][0]["number"] = True
 
@@ -196,6 +214,8 @@ WRONG = {
     "another type": ({"patient": wrong_type}, "has another type"),
     "another column": ({"patient": other_column}, "columns of its table 'session' are others"),
     "a hidden sign": ({"patient": hidden_sign}, "which nobody sees"),
+    "other figures of a test": ({"patient": wrong_test}, "another form"),
+    "a workload beyond its scale": ({"patient": wrong_workload}, "another form"),
     "no profile": ({"patient": wrong_profile}, "another form"),
     "a long code": ({"patient": long_code}, "too long"),
     "a path as a run": ({"patient": path_as_run}, "wrong names"),
@@ -224,6 +244,25 @@ def test_a_hostile_archive_is_one_sentence_and_changes_nothing(archive, other, t
 def test_the_archive_that_is_rewritten_for_these_tests_is_imported_when_nothing_is_wrong(archive, other, tmp_path):
     rewrite(archive[0], tmp_path / "right.zip")
     assert bring(other, tmp_path / "right.zip").is_new
+
+
+def test_an_interface_test_comes_along_and_an_archive_of_before_them_has_none(archive, other, tmp_path):
+    def older(tables):
+        del tables["interface_test"]
+
+    rewrite(archive[0], tmp_path / "test.zip", patient=with_test)
+    rewrite(archive[0], tmp_path / "older.zip", patient=older)
+    found = bring(other, tmp_path / "test.zip")
+    with closing(Database(other.database)) as database, database.transaction() as db:
+        (test,) = db.query(InterfaceTest).all()
+        assert (test.patient_id, test.plan["width"], test.workload, test.run.kind) == (
+            found.patient_id,
+            0.2,
+            {"mental": 40},
+            "interface_test",
+        )
+    third = empty_clinic(tmp_path / "third")
+    assert bring(third, tmp_path / "older.zip").is_new
 
 
 def test_an_archive_cut_anywhere_or_with_a_changed_byte_changes_nothing(archive, other, tmp_path):

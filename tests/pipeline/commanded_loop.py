@@ -6,7 +6,7 @@ import socket
 import uuid
 
 from fake_clock import FakeClock
-from scripted_shirt import ScriptedShirt
+from pipeline.scripted_shirt import ScriptedShirt
 
 from app.pipeline.commands import Commands
 from app.pipeline.loop import ControlLoop

@@ -14,7 +14,7 @@ from app.messages import ALIVE, NO_CUE
 from app.session.control_link import ControlLink
 from app.session.equipment.chairs import Chairs
 from app.session.equipment.shirt import Equipment
-from app.session.interface_test import InterfaceTestFlow
+from app.session.interface_test.interface_test_flow import InterfaceTestFlow
 from app.session.open_session import SessionFlow
 from app.session.real_drive import RealDriveFlow
 from app.session.run_watch import Halt

@@ -7,7 +7,7 @@ from typing import Any, Literal, NamedTuple
 from sqlalchemy import func, select
 from sqlalchemy.orm import Session
 
-from app.store.interface_tests import tests_of_session
+from app.store.interface_tests import interface_tests_of_session
 from app.store.records.record_tables import NoteRevision, SessionNote
 from app.store.records.session_contents import drives_of_session, trials_of_session
 from app.store.records.sign_off import sign_off_history
@@ -67,7 +67,7 @@ def _done(db: Session, session: PatientSession) -> Iterator[StoryEvent]:
             "simulated": trial.run.simulated,
         }
         yield StoryEvent(trial.started, "trial", None, trial.floorplan_title, facts)
-    for test in tests_of_session(db, session.id):
+    for test in interface_tests_of_session(db, session.id):
         facts = {"id": test.id, "number": test.number, "end": test.end, "simulated": test.run.simulated}
         yield StoryEvent(test.started, "test", None, "", facts)
     for drive in drives_of_session(db, session.id):

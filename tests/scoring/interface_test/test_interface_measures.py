@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from app.scoring.interface_test import (
+from app.scoring.interface_test.interface_measures import (
     FEWEST_ENDS,
     Ways,
     effective_width,

@@ -10,10 +10,11 @@ from app.api.deps import Anyone, Clinician, PeopleParts, RowId
 from app.api.live.screen_socket import ScreenWord
 from app.api.parts import Web
 from app.api.routes.source_view import SourceView
-from app.quantities import Document, Points
+from app.quantities import Document
 from app.refusals import Conflict
-from app.scoring.interface_course import InterfaceCourse, interface_course
-from app.scoring.interface_test import InterfaceMeasures
+from app.scoring.interface_test.interface_course import InterfaceCourse, interface_course
+from app.scoring.interface_test.interface_measures import InterfaceMeasures
+from app.scoring.interface_test.workload import Workload
 from app.session.run_watch import Starter
 from app.source import SourceGroup
 from app.store.database import Transaction
@@ -32,22 +33,6 @@ class NewTest(Document):
     """The screen from which the test is started."""
 
     screen: ScreenWord
-
-
-class Workload(Document):
-    """How demanding the test felt: the six answers of the NASA task load index, each 0 to 100 or left out."""
-
-    mental: Points | None = None
-    physical: Points | None = None
-    temporal: Points | None = None
-    performance: Points | None = None  # 0: perfect, 100: failure
-    effort: Points | None = None
-    frustration: Points | None = None
-
-    @property
-    def answers(self) -> list[int]:
-        """The answers that were given."""
-        return [value for value in self.model_dump().values() if value is not None]
 
 
 class InterfaceTestView(Document):
@@ -69,7 +54,6 @@ class InterfaceTestView(Document):
     def of_row(cls, test: InterfaceTest, session: int) -> "InterfaceTestView":
         """Return the view of a row; `session` is the number of its session."""
         workload = None if test.workload is None else Workload.model_validate(test.workload)
-        answers = [] if workload is None else workload.answers
         return cls(
             id=test.id,
             number=test.number,
@@ -81,7 +65,7 @@ class InterfaceTestView(Document):
             source=SourceView.model_validate(test.source),
             measures=None if test.measures is None else InterfaceMeasures.model_validate(test.measures),
             workload=workload,
-            raw_tlx=sum(answers) / len(answers) if len(answers) == len(Workload.model_fields) else None,
+            raw_tlx=None if workload is None else workload.raw_tlx,
         )
 
 

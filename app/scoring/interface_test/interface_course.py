@@ -4,8 +4,8 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from app.quantities import Document
+from app.scoring.interface_test.interface_verdicts import InterfaceVerdicts, interface_verdicts
 from app.scoring.learning import fit_learning_curve
-from app.scoring.verdict.interface_verdicts import InterfaceVerdicts, interface_verdicts
 from app.scoring.verdict.measure_comparison import INTERFACE_COMPARISONS
 
 

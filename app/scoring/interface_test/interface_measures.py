@@ -8,12 +8,13 @@ import math
 from collections import defaultdict
 from collections.abc import Sequence
 from statistics import fmean, stdev
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from app.quantities import Document
+from app.scoring.interface_test.workload import Workload
 from app.world.cursor_task import Attempt, CursorPlan, CursorTask
 
 SPREAD_TO_WIDTH = 4.133  # the width that holds 96 % of normally distributed ends, over their standard deviation
@@ -118,6 +119,15 @@ def interface_measures(task: CursorTask) -> InterfaceMeasures:
         throughput=None if width is None else throughput(_ways(acquired), width),
         directions={word: _direction(attempts, way) for way, word in WORDS_OF_DIRECTION.items()},
     )
+
+
+def check_documents(plan: Any, measures: Any, workload: Any) -> None:
+    """Raise ValueError for documents of an interface test that this program would not have stored; None: not there."""
+    CursorPlan.model_validate(plan)
+    if measures is not None:
+        InterfaceMeasures.model_validate(measures)
+    if workload is not None:
+        Workload.model_validate(workload)
 
 
 def _middle(attempt: Attempt) -> tuple[float, float]:

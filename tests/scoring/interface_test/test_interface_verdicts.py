@@ -5,18 +5,18 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from app.scoring.interface_course import interface_course
-from app.scoring.verdict.interface_verdicts import interface_verdicts
+from app.scoring.interface_test.interface_course import interface_course
+from app.scoring.interface_test.interface_verdicts import interface_verdicts
 
 MEASURE = "throughput"
 
 
-def tests_of(values):
+def done(values):
     return [{"number": number, MEASURE: value} for number, value in enumerate(values, start=1)]
 
 
 def words(values):
-    return [one.verdicts[MEASURE].word for one in interface_verdicts(tests_of(values))]
+    return [one.verdicts[MEASURE].word for one in interface_verdicts(done(values))]
 
 
 def test_a_change_beyond_the_own_noise_has_a_word_and_one_within_it_has_none():
@@ -27,14 +27,14 @@ def test_a_change_beyond_the_own_noise_has_a_word_and_one_within_it_has_none():
 
 
 def test_below_five_tests_nothing_is_said():
-    assert interface_verdicts(tests_of([1.0])) == []
+    assert interface_verdicts(done([1.0])) == []
     assert words([1.0, 1.6]) == ["too few"]  # the first one is the one before
     assert words([1.0, 1.0, 1.6]) == ["too few", "too few"]
     assert "too few" not in words([1.0, 1.02, 0.98, 1.01, 1.6])
 
 
 def test_a_measure_that_a_test_does_not_have_is_left_out():
-    tests = tests_of([1.0, 1.1, 1.0, 1.1, 1.0, None])
+    tests = done([1.0, 1.1, 1.0, 1.1, 1.0, None])
     assert [one.verdicts for one in interface_verdicts(tests)] == [{}, {}]
 
 
@@ -54,10 +54,10 @@ def test_the_course_has_a_curve_for_who_learns_and_none_for_who_does_not():
     rng = np.random.default_rng(2)
     number = np.arange(1, 16)
     learns = 1.5 - np.exp(-number / 3) + 0.02 * rng.standard_normal(15)
-    course = interface_course(tests_of(learns.tolist()))
+    course = interface_course(done(learns.tolist()))
     assert course.counted == number.tolist()
     band = course.curves[MEASURE]
     assert band.n == pytest.approx(number)
     assert all(low <= value <= high for low, value, high in zip(band.low, band.value, band.high, strict=True))
-    assert interface_course(tests_of((1 + 0.05 * rng.standard_normal(15)).tolist())).curves == {}
+    assert interface_course(done((1 + 0.05 * rng.standard_normal(15)).tolist())).curves == {}
     assert interface_course([]).comparisons == []

@@ -6,11 +6,9 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
 from app.faults import State
 from app.refusals import Conflict
+from app.session.interface_test.interface_test_watch import InterfaceTestWatch
 from app.session.recordings import measure_interface_test
 from app.session.run_flow import CurrentRun, FlowWords, RunFlow
 from app.session.run_watch import Starter
@@ -19,32 +17,7 @@ from app.store.interface_tests import add_interface_test, finish_interface_test,
 from app.store.log import write_log
 from app.store.parameters import current_parameters
 from app.store.tables import InterfaceTest, PatientSession, Run
-from app.world.cursor_task import CursorPlan, CursorTask
-
-SILENT = 2.0  # s without a frame of the shirt, after which a test ends: the cursor stands, and nobody made it stand
-
-
-class InterfaceTestWatch:
-    """Takes the ticks of one interface test, in order, and moves the cursor that the screens show."""
-
-    def __init__(self, plan: CursorPlan) -> None:
-        self.task = CursorTask(plan)
-        self._frame_t: float | None = None
-
-    def take(self, ticks: NDArray[np.void]) -> str | None:
-        """Take the newest ticks (`app.messages.TICK`) of the run; return how the test ended, None while it goes on."""
-        for tick in ticks:
-            t = float(tick["t"])
-            if tick["has_frame"] or self._frame_t is None:
-                self._frame_t = t
-            self.task.step(float(tick["run_t"]), float(tick["u1"]), float(tick["u2"]))
-            if self.task.phase == "over":
-                return "complete"
-            if int(tick["state"]) == State.FAULT:
-                return "stopped"
-            if t - self._frame_t > SILENT:
-                return "fault"
-        return None
+from app.world.cursor_task import CursorPlan
 
 
 @dataclass(frozen=True, slots=True)
