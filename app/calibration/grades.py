@@ -12,6 +12,7 @@ SPREAD_LIMITS = (0.30, 0.60)  # of the repetitions' peaks, upper limits
 PROMPTED_SHARE_LIMITS = (0.30, 0.10)  # of the span
 CROSS_TALK_LIMIT = 0.30  # above it, two gestures are active together
 AGREEMENT_LIMITS = (0.90, 0.70)  # of the repetitions' directions
+UNPROMPTED = "It was not prompted: its sign is arbitrary and may be the wrong way round, so prompt it."
 LARGEST_ANGLE = 30.0  # degrees between free and prompted movement
 ORDER: dict[Grade, int] = {"good": 0, "usable": 1, "repeat": 2}
 
@@ -86,7 +87,7 @@ def _of_movement(found: JointMeasurements) -> list[tuple[Grade, str]]:
 
 def _of_prompts(found: JointMeasurements) -> list[tuple[Grade, str]]:
     if found.agreement is None:
-        return [("usable", "It was not prompted: its sign is arbitrary and may be the wrong way round, so prompt it.")]
+        return [("usable", UNPROMPTED)]
     findings: list[tuple[Grade, str]] = []
     if found.agreement < AGREEMENT_LIMITS[0]:
         bad = found.agreement < AGREEMENT_LIMITS[1]

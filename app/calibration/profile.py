@@ -112,6 +112,11 @@ class PriorMap(LinearMap):
         return (self.rate, *self.earlier)
 
     @property
+    def source(self) -> str:
+        """Where the map comes from, in words."""
+        return "from other people and own movement" if self.repetitions else "from other people"
+
+    @property
     def is_better(self) -> bool:
         """Whether nothing says that the PCA map is better on this person's own repetitions."""
         prior, pca = self.prior_check, self.pca_check
@@ -170,6 +175,13 @@ class JointMap(Document):
     def linear(self) -> LinearMap | None:
         """The linear map that decodes; None when the PCA map does."""
         return {"pca": None, "guided": self.guided, "prior": self.prior}[self.map]
+
+    @property
+    def best_map(self) -> MapKind:
+        """The map to offer: that of other people, or else the guided one, each unless its checks speak against it."""
+        if self.prior is not None and self.prior.is_better:
+            return "prior"
+        return "guided" if self.guided is not None and self.guided.is_better else "pca"
 
     @property
     def has_direction(self) -> bool:

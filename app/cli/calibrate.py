@@ -12,15 +12,19 @@ from app.calibration.fit.profile_fit import fit_profile, joints_without_map
 from app.calibration.fit.repetitions import repetitions_of_prompts, stretches_of_prompts
 from app.calibration.gestures.discovery import discover
 from app.calibration.guided.guided_map import with_guided_maps
+from app.calibration.prior.map_prior import MapPrior, PriorError
+from app.calibration.prior.prior_file import read_prior
+from app.calibration.prior.prior_map import with_prior_maps
 from app.calibration.profile import CalibrationProfile
 from app.calibration.prompts_file import read_prompts
 from app.cli.errors import InputError
 from app.cli.gesture_table import gesture_table
 from app.cli.map_choice import MapChoice, checks, choose, comparison
 from app.cli.output import dialect_summary, print_dialect, warn, write_output
+from app.cli.prior_summary import arrangement_words, prior_facts, prior_words, prompted_stretches
 from app.signals.signals import Signals, read_layout, read_signals
 
-KINDS = {"pca": "standard", "guided": "cues"}
+KINDS = {"pca": "standard", "guided": "cues", "prior": "people"}
 PRINTED = ("evr", "span", "sign", "grade", "reason", "dead_zone", "full")
 
 
@@ -38,11 +42,14 @@ def calibrate(
     rest_start: Annotated[float | None, typer.Option("--rest-from", help="Where the rest begins, s.")] = None,
     rest_end: Annotated[float | None, typer.Option("--rest-to", help="Where the rest ends, s.")] = None,
     unused: Annotated[list[str] | None, typer.Option(help="A channel not to be used; may be given again.")] = None,
+    prior: Annotated[
+        Path | None, typer.Option(help="What `bodydrive prior` wrote of other people in the same shirt.")
+    ] = None,
     chosen: Annotated[
         MapChoice,
         typer.Option(
             "--map",
-            help="Which calibration drives: the standard one, the one learnt from the cues, or the better.",
+            help="Which calibration drives: standard, learnt from the cues, from other people, or the best.",
         ),
     ] = "pca",
     gestures: Annotated[
@@ -55,6 +62,7 @@ def calibrate(
         shirt = read_layout(layout)
         recorded = read_signals(signals, shirt)
         rows = [] if prompts is None else read_prompts(prompts, shirt, float(recorded.t[0]), float(recorded.t[-1]))
+        pool = None if prior is None else MapPrior.of(read_prior(prior))
     except ValueError as error:
         raise InputError(str(error)) from error
     free = window(signals, recorded, "from", start, "to", end)
@@ -74,22 +82,38 @@ def calibrate(
             stretches_of_prompts(recorded.t, recorded.values, rows, recorded.sample_rate, until=end),
             None if rest is None else recorded.values[rest],
         )
+        own = [] if prompts is None else prompted_stretches(recorded, prompts, shirt, end)
+        known = None if pool is None else with_prior_maps(fitted.profile, pool, recorded.values[free], own)
+    except PriorError as error:
+        raise InputError(f"--prior {prior}: {error}") from error
     except ValueError as error:
         raise InputError(f"{signals}: {error}") from error
-    profile, words = choose(fitted.profile, chosen, fitted.reasons)
-    sources = (signals, layout) if prompts is None else (signals, layout, prompts)
+    before = fitted.profile if known is None else known.profile
+    profile, words = choose(before, chosen, fitted.reasons, None if known is None else known.reasons)
+    sources = [file for file in (signals, layout, prompts, prior) if file is not None]
     warn(recorded.damage)
     for sentence in words:
         warn(sentence)
     write_output(out, (profile.model_dump_json(indent=1) + "\n").encode(), *sources)
     found = discover(profile, [run_of_prompts(recorded.t, recorded.values, rows, free, rest)]) if gestures else None
     if as_json:
-        more = {} if found is None else {"gestures": found.model_dump(mode="json")}
+        more: dict[str, object] = {} if found is None else {"gestures": found.model_dump(mode="json")}
+        if known is not None:
+            more |= {
+                "prior": {joint.name: prior_facts(joint, known.reasons) for joint in profile.joints},
+                "arrangement": {ring: found.model_dump(mode="json") for ring, found in known.arrangement.items()},
+            }
         typer.echo(
             json.dumps(summary(profile, fitted.reasons, out) | dialect_summary(recorded) | more, allow_nan=False)
         )
     else:
         typer.echo(report(profile, fitted.reasons, out))
+        if known is not None:
+            typer.echo()
+            for line in [prior_words(joint, known.reasons) for joint in profile.joints]:
+                typer.echo(line)
+            for ring, found_there in known.arrangement.items():
+                typer.echo(arrangement_words(ring, found_there))
         print_dialect(recorded, signals)
         if found is not None:
             typer.echo(f"\n{gesture_table(found)}")

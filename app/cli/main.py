@@ -14,6 +14,7 @@ COMMANDS = {
     "demo": ("app.cli.serve", "demo"),
     "serve": ("app.cli.serve", "serve"),
     "calibrate": ("app.cli.calibrate", "calibrate"),
+    "prior": ("app.cli.prior", "prior_app"),
     "decode": ("app.cli.decode", "decode"),
     "score": ("app.cli.score", "score"),
     "study": ("app.cli.study.study_command", "study"),

@@ -2,32 +2,58 @@
 
 from typing import Literal
 
-from app.calibration.profile import CalibrationProfile, JointMap, MapCheck
+from app.calibration.profile import CalibrationProfile, JointMap, MapCheck, MapKind
 from app.cli.errors import InputError
 
-MapChoice = Literal["pca", "guided", "best"]
+MapChoice = Literal["pca", "guided", "prior", "best"]
+KEPT = "It keeps the standard calibration."
 
 
 def choose(
-    profile: CalibrationProfile, chosen: MapChoice, reasons: dict[str, str]
+    profile: CalibrationProfile,
+    chosen: MapChoice,
+    reasons: dict[str, str],
+    prior_reasons: dict[str, str] | None = None,
 ) -> tuple[CalibrationProfile, list[str]]:
-    """Return the profile with the chosen map of each joint, and a sentence for each joint without it."""
+    """Return the profile with the chosen map of each joint, and a sentence for each joint without it.
+
+    `reasons` say why a joint has no guided map, `prior_reasons` why none from other people (None without a prior).
+    """
     if chosen == "guided" and not any(joint.guided for joint in profile.joints):
         name, reason = next(iter(reasons.items()))
         raise InputError(f"--map guided, {name}: {reason}")
-    joints, words = [], []
+    if chosen == "prior" and prior_reasons is None:
+        raise InputError("--map prior: other people's movements are in a prior, give it with --prior")
+    if chosen == "prior" and prior_reasons and not any(joint.prior for joint in profile.joints):
+        name, reason = next(iter(prior_reasons.items()))
+        raise InputError(f"--map prior, {name}: {reason}")
+    words = []
     for joint in profile.joints:
-        guided = joint.guided
-        if chosen == "guided" and guided is None:
-            words.append(f"{joint.name}: {reasons[joint.name]} It keeps the standard calibration.")
-        elif chosen == "guided" and guided is not None and not guided.is_better:
+        if chosen == "guided" and joint.guided is None:
+            words.append(f"{joint.name}: {reasons[joint.name]} {KEPT}")
+        elif chosen == "guided" and joint.guided is not None and not joint.guided.is_better:
             words.append(
                 f"{joint.name}: what was learnt from the cues is not better on the held-out repetitions. Use --map "
                 f"best to keep the standard calibration there."
             )
-        takes = guided is not None and (chosen == "guided" or (chosen == "best" and guided.is_better))
-        joints.append(joint.model_copy(update={"map": "guided" if takes else "pca"}))
-    return profile.model_copy(update={"joints": tuple(joints)}), words
+        elif chosen == "prior" and joint.prior is None and prior_reasons is not None:
+            words.append(f"{joint.name}: {prior_reasons[joint.name]} {KEPT}")
+        elif chosen == "prior" and joint.prior is not None and not joint.prior.is_better:
+            words.append(
+                f"{joint.name}: what was learnt from other people is worse on the held-out repetitions. Use --map "
+                f"best to leave it out there."
+            )
+    joints = tuple(joint.model_copy(update={"map": _map_of(joint, chosen)}) for joint in profile.joints)
+    return profile.model_copy(update={"joints": joints}), words
+
+
+def _map_of(joint: JointMap, chosen: MapChoice) -> MapKind:
+    """Return the map that decodes a joint: the chosen one where there is one, the best one that is offered, or PCA."""
+    if chosen == "prior":
+        return "pca" if joint.prior is None else "prior"
+    if chosen == "guided":
+        return "pca" if joint.guided is None else "guided"
+    return joint.best_map if chosen == "best" else "pca"
 
 
 def checks(joint: JointMap, reasons: dict[str, str]) -> dict[str, object]:

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from app.calibration.fit.joint_fit import LEAST_RANGE
 from app.calibration.fit.repetitions import Stretch
+from app.calibration.grades import UNPROMPTED
 from app.calibration.guided.check import check
 from app.calibration.prior.arrangement import find_arrangement, ring_movement, sensors_at
 from app.calibration.prior.documents import FEWEST_PEOPLE
@@ -21,6 +22,7 @@ from app.calibration.prior.solving import OwnFrames, solve, thresholds
 from app.calibration.profile import RATE_LAGS, Arrangement, CalibrationProfile, JointMap, MapCheck, PriorMap
 from app.layout import ShirtLayout
 
+DIRECTED = "It was not prompted: which way its movement counts is known from other people."
 LEAST_DEAD_ZONE = 0.05  # of full: with fewer people's strokes than usual the quantile could lie below 0
 LARGEST_WEIGHT = 1e12  # FS per signal unit, as `app.quantities.Finite`
 
@@ -160,7 +162,8 @@ def _joint(
             "pca_check": _check(pca, frames, joint.dead_zone, joint.full, rate),
         }
     fitted = fitted.model_copy(update=found)
-    return joint.model_copy(update={"prior": fitted, "sign": sign})
+    reason = joint.reason.replace(UNPROMPTED, DIRECTED)
+    return joint.model_copy(update={"prior": fitted, "sign": sign, "reason": reason})
 
 
 def _seat(
