@@ -21,7 +21,7 @@ AVERAGING_TIMES = (1.5, 10.0)
 RATE_LAGS = (0.0, 0.05, 0.1, 0.15, 0.2)
 LEAST_GAIN = 0.01  # of in-phase share that a guided map must gain over the PCA map
 LARGEST_LOSS = 0.03  # of the hit rate that a guided map may lose
-LARGEST_MISS = 0.2  # of the hit rate on a few repetitions that a prior's map may lose, whose dead-zone is not fitted
+LEAST_HITS = 0.25  # hit rate on a person's own repetitions below which a map from other people is not offered
 
 
 class Arrangement(Document):
@@ -118,11 +118,14 @@ class PriorMap(LinearMap):
 
     @property
     def is_better(self) -> bool:
-        """Whether nothing says that the PCA map is better on this person's own repetitions."""
+        """Whether nothing says that the PCA map is better on this person's own repetitions.
+
+        Few repetitions say little about hits: the dead-zone is other people's, and that of PCA is fitted to them.
+        """
         prior, pca = self.prior_check, self.pca_check
         if prior is None or pca is None:
             return True
-        return prior.in_phase >= pca.in_phase - LARGEST_LOSS and prior.hit_rate >= pca.hit_rate - LARGEST_MISS
+        return prior.in_phase >= pca.in_phase - LARGEST_LOSS and prior.hit_rate >= LEAST_HITS
 
 
 class JointMap(Document):
