@@ -13,8 +13,8 @@ from app.cli.errors import InputError, refuse
 COMMANDS = {
     "demo": ("app.cli.serve", "demo"),
     "serve": ("app.cli.serve", "serve"),
-    "calibrate": ("app.cli.calibrate", "calibrate"),
-    "prior": ("app.cli.prior", "prior_app"),
+    "calibrate": ("app.cli.calibration.calibrate", "calibrate"),
+    "prior": ("app.cli.calibration.prior_command", "prior_app"),
     "decode": ("app.cli.decode", "decode"),
     "score": ("app.cli.score", "score"),
     "study": ("app.cli.study.study_command", "study"),

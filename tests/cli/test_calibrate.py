@@ -6,7 +6,7 @@ from cli.symbols import symbols_in
 from typer.testing import CliRunner
 
 from app.calibration.profile import CalibrationProfile
-from app.cli.calibrate import calibrate
+from app.cli.calibration.calibrate import calibrate
 from app.cli.errors import InputError
 from app.cli.main import build
 from app.layout import Channel, Joint, ShirtLayout

@@ -8,10 +8,10 @@ from cli.symbols import symbols_in
 from typer.testing import CliRunner
 
 from app.calibration.profile import CalibrationProfile, GuidedMap, MapCheck
+from app.cli.calibration.map_choice import checks, choose, comparison
 from app.cli.decode import read_parameters
 from app.cli.errors import InputError
 from app.cli.main import build
-from app.cli.map_choice import checks, choose, comparison
 from app.layout import Channel, Joint, ShirtLayout
 from building import make_profile
 

@@ -13,9 +13,9 @@ from app.calibration.prior.documents import FEWEST_PEOPLE, OwnPrior, PriorDocume
 from app.calibration.prior.entry import PersonRecording, person_entry
 from app.calibration.prior.map_prior import JointPrior, MapPrior, PriorError, check_layout, release, united
 from app.calibration.prior.prior_file import read_prior
+from app.cli.calibration.prior_summary import prompted_stretches
 from app.cli.errors import InputError
 from app.cli.output import warn, write_output
-from app.cli.prior_summary import prompted_stretches
 from app.files import write_atomically
 from app.layout import ShirtLayout
 from app.quantities import Name

@@ -17,11 +17,11 @@ from app.calibration.prior.prior_file import read_prior
 from app.calibration.prior.prior_map import with_prior_maps
 from app.calibration.profile import CalibrationProfile
 from app.calibration.prompts_file import read_prompts
+from app.cli.calibration.gesture_table import gesture_table
+from app.cli.calibration.map_choice import MapChoice, checks, choose, comparison
+from app.cli.calibration.prior_summary import arrangement_words, prior_facts, prior_words, prompted_stretches
 from app.cli.errors import InputError
-from app.cli.gesture_table import gesture_table
-from app.cli.map_choice import MapChoice, checks, choose, comparison
 from app.cli.output import dialect_summary, print_dialect, warn, write_output
-from app.cli.prior_summary import arrangement_words, prior_facts, prior_words, prompted_stretches
 from app.signals.signals import Signals, read_layout, read_signals
 
 KINDS = {"pca": "standard", "guided": "cues", "prior": "people"}
