@@ -12,6 +12,7 @@ from typing import Literal
 
 import typer
 import uvicorn
+from starlette.types import ASGIApp, Receive, Scope, Send
 
 from app.api.app import WebApp, create_app, say_goodbye
 from app.api.tablet_page import TabletPage
@@ -20,8 +21,10 @@ from app.cli.errors import InputError
 from app.cli.host.lan import Lan
 from app.cli.port import PING_LIMIT
 from app.computing_process import ComputingProcess
+from app.process.command_channel import LinkLost
 from app.process.supervisor import ControlProcess
 from app.realtime import collect_garbage
+from app.refusals import Refusal
 from app.settings import Settings
 
 PING_EVERY = 2.0  # s
@@ -36,12 +39,22 @@ class WebServer(uvicorn.Server):
     """uvicorn on a socket that is bound already; ends in order on Ctrl-C and SIGTERM, without output of its own."""
 
     def __init__(self, app: WebApp, listening: socket.socket, words: str, lan: Lan | None = None) -> None:
-        super().__init__(_config(app, "on"))
+        super().__init__(_config(self._application, "on"))
         self._app = app
+        self.failure: Exception | None = None  # that ended the start
         self._listening = listening
         self._words = words
         self._lan = lan
         self._following: asyncio.Task[None] | None = None
+
+    async def _application(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Run the application, and keep the exception that ends its start: uvicorn only logs it."""
+        try:
+            await self._app(scope, receive, send)
+        except Exception as error:
+            if scope["type"] == "lifespan":
+                self.failure = error
+            raise
 
     async def run_until_signal(self) -> bool:
         """Serve until a signal; return whether the server had started."""
@@ -115,9 +128,10 @@ class WebServer(uvicorn.Server):
             self.should_exit = True
 
 
-def _config(app: WebApp | TabletPage, lifespan: Literal["on", "off"]) -> uvicorn.Config:
+def _config(app: ASGIApp, lifespan: Literal["on", "off"]) -> uvicorn.Config:
     return uvicorn.Config(
         app,
+        interface="asgi3",
         log_config=None,
         access_log=False,
         server_header=False,
@@ -139,7 +153,20 @@ def run_clinic(settings: Settings, listening: socket.socket, words: str, lan: La
     settings.runs.mkdir(parents=True, exist_ok=True)
     scene = partial(ServedScene, models=settings.models)
     app = create_app(settings, ControlProcess.start, ComputingProcess(), scene)
-    if not asyncio.run(WebServer(app, listening, words, lan).run_until_signal()):
-        raise InputError(
+    server = WebServer(app, listening, words, lan)
+    if not asyncio.run(server.run_until_signal()):
+        raise InputError(why_not_started(server.failure))
+
+
+def why_not_started(failure: Exception | None) -> str:
+    """Return in a sentence why there is nothing to show."""
+    if isinstance(failure, Refusal):
+        return str(failure)
+    if failure is None or isinstance(failure, LinkLost):  # the control process has written its own message
+        return (
             "The control process did not start, so there is nothing to show: look at the messages above and try again."
         )
+    return (
+        f"The application did not start, because of {type(failure).__name__}: {failure}. "
+        "Correct this if you can, then start it again; otherwise report this line."
+    )
