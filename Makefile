@@ -8,7 +8,7 @@ INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check --co
 # A module is compiled once, and not by each of the many processes that the tests start.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: demo test browser check lint python-types javascript-types api-types demo-profile icons fonts safety compiled drills soak long-recording people-soak large-clinic pictures promises worlds bench verdicts bench-compare clean
+.PHONY: demo test browser check lint python-types javascript-types api-types demo-profile icons fonts safety compiled drills soak long-recording people-soak large-clinic pictures photographs promises worlds bench verdicts bench-compare clean
 
 $(VENV)/.installed: pyproject.toml constraints.txt
 	@echo "Installing into $(VENV), once; this takes a minute or two ..."
@@ -101,6 +101,10 @@ large-clinic: $(VENV)/.installed-test
 
 pictures: $(VENV)/.installed-test
 	PYTHONPATH=tests $(BIN)/python -m pictures
+
+# Every page in every state, for people to look at: CELLS="1280x800/dark 390x844/light/200", or all that count.
+photographs: $(VENV)/.installed-test
+	PYTHONPATH=tests $(BIN)/python -m browser.eyes.photographs $(CELLS) $(if $(PLACES),--places "$(PLACES)")
 
 promises: $(VENV)/.installed-test
 	PYTHONPATH=tests $(BIN)/python -m promises

@@ -190,6 +190,7 @@ PLACES: dict[str, Open] = {
     "lock": start_with(locked=True),
     "patients": at("patients"),
     "patients, none": without_patients,
+    "patients, owner alone": answered("/people", "patients", lambda people: people[:1]),
     "patients, new": at("patients", "New patient"),
     "patients, deleted": patient_is_deleted,
     "patients, fault": with_fault,
