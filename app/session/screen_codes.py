@@ -8,7 +8,11 @@ from datetime import datetime, timedelta
 from app.clock import monotonic, utc_now
 from app.refusals import Conflict
 
-CODE_BYTES = 16  # 128 bits: cannot be guessed
+# 40 bits, typed in a moment. A machine may try ten wrong codes a minute: while a code is valid, even a thousand
+# machines hit it once in ten million times. No letter looks like a digit.
+LETTERS = "0123456789ABCDEFGHJKMNPQRSTVWXYZ"
+CODE_LENGTH = 8
+LOOK_ALIKES = str.maketrans("OIL", "011")
 VALID_FOR = 600.0  # s
 
 WRONG = "This code is wrong, used or older than 10 minutes: ask for a new one on the clinician's page."
@@ -25,6 +29,11 @@ class PairingOffer:
     expires: datetime
 
 
+def as_typed(text: str) -> str:
+    """Return a code as it was made, from what a person typed: small letters, spaces, dashes and look-alikes count."""
+    return "".join(letter for letter in text.upper().translate(LOOK_ALIKES) if letter.isalnum())
+
+
 class PairingCodes:
     """Holds the newest code; a new code makes the one before invalid. Thread-safe."""
 
@@ -35,7 +44,8 @@ class PairingCodes:
     def offer(self, session_id: int, person: str) -> PairingOffer:
         """Make a code for a session."""
         expires = utc_now() + timedelta(seconds=VALID_FOR)
-        made = PairingOffer(secrets.token_urlsafe(CODE_BYTES), session_id, person, monotonic() + VALID_FOR, expires)
+        code = "".join(secrets.choice(LETTERS) for _ in range(CODE_LENGTH))
+        made = PairingOffer(code, session_id, person, monotonic() + VALID_FOR, expires)
         with self._lock:
             self._offer = made
         return made
@@ -44,7 +54,7 @@ class PairingCodes:
         """Return the offer of a code and make the code invalid; Conflict when it is not the newest one, or too old."""
         with self._lock:
             offer = self._offer
-            if offer is not None and secrets.compare_digest(offer.code.encode(), code.encode()):
+            if offer is not None and secrets.compare_digest(offer.code.encode(), as_typed(code).encode()):
                 self._offer = None
                 if offer.until > monotonic():
                     return offer

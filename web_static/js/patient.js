@@ -1,7 +1,8 @@
 /** The page of the patient's screen: paired by a link, shown during the session, with a word of thanks at its end. */
 import { Api, failureWords } from "./api.js";
 import { Live } from "./live/live.js";
-import { h, put } from "./widgets/dom.js";
+import { h, put, write } from "./widgets/dom.js";
+import { field } from "./widgets/fields.js";
 import { practiceMark, readPractice } from "./shell/practice_mark.js";
 import { followSystem } from "./shell/theme.js";
 import { showScreen } from "./patient/screen.js";
@@ -43,12 +44,17 @@ class PatientPage {
       // The code must not stay in the address, where the next person could read it.
       history.replaceState(null, "", location.pathname);
       try {
-        await this.#api.post("/patient-screen/pair", { code: decodeURIComponent(link[1]) });
+        await this.#pair(decodeURIComponent(link[1]));
       } catch (error) {
         words = failureWords(error);
       }
     }
     await this.#ask(words);
+  }
+
+  /** @param {string} code */
+  #pair(code) {
+    return this.#api.post("/patient-screen/pair", { code });
   }
 
   async #ask(words = "") {
@@ -82,12 +88,35 @@ class PatientPage {
     this.#screen.abort();
     this.#live.close();
     this.#say(t(`patient.${state}.title`), words || t(`patient.${state}.lead`), t(`patient.${state}.next`));
+    this.#root.append(codeForm((code) => this.#pair(code), () => this.#ask()));
   }
 
   /** @param {string} title @param {string} lead @param {string} next what to do */
   #say(title, lead, next) {
     put(this.#root, h("section", { class: "calm", role: "status" }, h("h1", {}, title), h("p", {}, lead), h("p", {}, next)));
   }
+}
+
+/**
+ * For a screen without a camera: the code, typed.
+ * @param {(code: string) => Promise<unknown>} pair @param {() => void} onPaired
+ */
+function codeForm(pair, onPaired) {
+  const code = h("input", { type: "text", autocomplete: "off", autocapitalize: "characters", spellcheck: "false", required: true, maxlength: 20 });
+  const problem = h("p", { class: "problem", role: "alert" });
+  /** @param {SubmitEvent} event */
+  const submit = async (event) => {
+    event.preventDefault();
+    write(problem, "");
+    try {
+      await pair(code.value);
+      onPaired();
+    } catch (error) {
+      write(problem, failureWords(error));
+    }
+  };
+  const go = h("button", { class: "btn go large" }, t("patient.code.go"));
+  return h("form", { class: "code-form", onsubmit: submit }, field(t("patient.code"), code), go, problem);
 }
 
 followSystem();

@@ -25,7 +25,7 @@ def test_a_code_pairs_one_screen_with_a_cookie_of_its_own(in_session: Clinic) ->
     assert offered["url"] == f"{BASE}/patient.html#pair={offered['code']}"
     assert offered["qr"].startswith("<svg")
     assert "only this machine" in offered["words"].lower()
-    assert len(offered["code"]) >= 22  # 128 bits, six to a letter
+    assert len(offered["code"]) == 8  # 40 bits, five to a letter
     answer = pair(in_session, offered["code"])
     assert answer.json() == {"state": "paired"}
     cookie = answer.headers["set-cookie"]
@@ -59,6 +59,12 @@ def test_only_the_newest_code_pairs_and_not_for_long(in_session: Clinic, monkeyp
     now = screen_codes.monotonic()
     monkeypatch.setattr(screen_codes, "monotonic", lambda: now + 601.0)
     assert pair(in_session, second).status_code == 409
+
+
+def test_a_code_may_be_typed_as_people_type(in_session: Clinic) -> None:
+    code = code_of(in_session)
+    typed = f" {code[:4].lower()}-{code[4:].replace('0', 'o').replace('1', 'l')} "
+    assert pair(in_session, typed).status_code == 200
 
 
 def test_guesses_are_slowed_down_and_a_right_code_has_to_wait_with_them(in_session: Clinic) -> None:

@@ -78,3 +78,23 @@ def test_the_owner_measures_this_computer_and_the_open_screens(opened, served):
     expect(page.get_by_role("progressbar")).to_be_hidden()
     expect(page.get_by_role("button", name="Measure again")).to_be_enabled()
     photograph(page, "found")
+
+
+def test_the_headline_counts_the_screens_that_will_not_do(opened, served):
+    page = opened()
+    go(page, "computer")
+    machine = {"verdict": "good", "words": "This computer will do.", "findings": []}
+    slow = {"verdict": "bad", "words": "A screen draws 3 pictures a second."}
+    fluent = {"verdict": "good", "words": "A screen draws 60 pictures a second."}
+    headlines = {}
+    for screens in ([fluent], [slow, fluent], [slow, slow]):
+        page.unroute_all()
+        found = {"machine": machine, "screens": screens}
+        page.route("**/computer/measurement", lambda route, found=found: route.fulfill(json=found))
+        page.get_by_role("button", name=re.compile("Measure")).click()
+        expect(page.locator(".findings li")).to_have_count(len(screens))
+        headlines[screens.count(slow)] = page.locator(".findings").first.locator(".summary").inner_text()
+    assert "This computer will do." in headlines[0]
+    assert "screen" not in headlines[0]
+    assert "This computer will do. 1 screen that is open now will not do." in headlines[1]
+    assert "2 screens that are open now will not do." in headlines[2]

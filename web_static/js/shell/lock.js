@@ -7,6 +7,7 @@ import { failureWords } from "../api.js";
 import { t } from "../texts.js";
 import { h, put } from "../widgets/dom.js";
 import { field } from "../widgets/fields.js";
+import { passwordField } from "./password_field.js";
 
 const TELL_EVERY = 10_000; // ms between two reports that the person does something
 const ACTIONS = ["pointerdown", "keydown", "wheel"];
@@ -109,13 +110,13 @@ export class Lock {
       { class: "door card" },
       h("h1", { tabindex: "-1" }, t("lock.title")),
       h("p", { class: "lead" }, t("lock.lead")),
-      form(unlock, t("lock.open"), field(t("lock.password", { name: app.me?.name }), password)),
+      form(unlock, t("lock.open"), passwordField(t("lock.password", { name: app.me?.name }), password)),
       h(
         "details",
         {},
         h("summary", {}, t("lock.other")),
         h("p", { class: "quiet small" }, t("lock.other.lead", { name: app.me?.name })),
-        form(enter, t("sign-in.go"), field(t("sign-in.name"), name), field(t("sign-in.password"), otherPassword)),
+        form(enter, t("sign-in.go"), field(t("sign-in.name"), name), passwordField(t("sign-in.password"), otherPassword)),
       ),
     );
   }

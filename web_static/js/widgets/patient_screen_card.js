@@ -15,16 +15,19 @@ const WISHES = /** @type {const} */ (["arrow", "sounds", "large", "plan"]);
 const LOOK_EVERY = 5000; // ms between two looks at the time that a code has left
 const MINUTE = 60_000; // ms
 
-/** @param {import("../main.js").App} app @param {AbortSignal} signal */
-export function patientScreenCard(app, signal) {
+/**
+ * @param {import("../main.js").App} app @param {AbortSignal} signal
+ * @param {{isPage?: boolean}} [options] on a page of its own, the page has the heading
+ */
+export function patientScreenCard(app, signal, { isPage = false } = {}) {
   const list = rowList("paired-chairs");
   const wishes = h("div", { class: "spread" });
   const below = h("div", {});
   const element = h(
     "section",
     { class: "card patient-screens" },
-    h("h2", {}, t("screens.title")),
-    h("p", { class: "quiet small" }, t("screens.lead")),
+    !isPage && h("h2", {}, t("screens.title")),
+    !isPage && h("p", { class: "quiet small" }, t("screens.lead")),
     list,
     wishes,
     below,
@@ -102,8 +105,8 @@ export function patientScreenCard(app, signal) {
     app.toasts.attempt(async () => {
       const made = await app.api.post("/patient-screen/pairing");
       isOpen = true;
-      put(below, codeView(app, made, { onAgain: open, onClose: offer }, signal));
-      below.querySelector("h3")?.focus();
+      put(below, codeView(app, made, { onAgain: open, onClose: offer }, signal, isPage ? "h2" : "h3"));
+      /** @type {HTMLElement | null} */ (below.querySelector(".paired > :first-child"))?.focus();
     });
   app.live.addEventListener(
     "changed",
@@ -127,8 +130,9 @@ export function patientScreenCard(app, signal) {
  * The code to scan, its link, and how long they hold.
  * @param {import("../main.js").App} app @param {OfferView} offer
  * @param {{onAgain: () => void, onClose: () => void}} actions @param {AbortSignal} signal
+ * @param {"h2" | "h3"} heading
  */
-function codeView(app, { url, qr, words, expires }, { onAgain, onClose }, signal) {
+function codeView(app, { code, url, qr, words, expires }, { onAgain, onClose }, signal, heading) {
   const about = h("p", { role: "status" });
   const link = h("code", {}, url);
   const copy = () => copyText(app, url, t("screens.copied"), t("screens.copy-failed"));
@@ -138,10 +142,12 @@ function codeView(app, { url, qr, words, expires }, { onAgain, onClose }, signal
   const element = h(
     "div",
     { class: "paired" },
-    h("h3", { tabindex: "-1" }, t("screens.pair")),
+    h(heading, { tabindex: "-1" }, t("screens.pair")),
     about,
     words && h("p", { class: "att" }, words),
     picture,
+    h("p", {}, t("screens.type", { address: url.slice(0, url.indexOf("#")) })),
+    h("p", { class: "typed-code" }, `${code.slice(0, 4)} ${code.slice(4)}`),
     h("p", { class: "small" }, t("screens.link")),
     h("pre", {}, link),
     h("div", { class: "spread" }, button(t("screens.copy"), copy), button(t("screens.again"), onAgain), button(t("screens.close"), onClose)),

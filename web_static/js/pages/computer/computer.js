@@ -81,12 +81,15 @@ function measuringCourse(signal) {
 
 /** @param {ComputerView} found */
 function results({ machine, screens }) {
+  const failing = screens.filter(({ verdict }) => verdict === "bad").length;
+  const worst = failing ? "bad" : machine.verdict;
+  const words = failing ? `${machine.words} ${t("computer.screens.bad", { count: failing })}` : machine.words;
   return [
     h(
       "section",
-      { class: `card findings ${machine.verdict}` },
+      { class: `card findings ${worst}` },
       h("h2", { tabindex: "-1" }, t("computer.machine")),
-      h("p", { class: "summary" }, mark(machine), h("b", {}, machine.words)),
+      h("p", { class: "summary" }, mark({ verdict: worst }), h("b", {}, words)),
       list(machine.findings),
     ),
     h(

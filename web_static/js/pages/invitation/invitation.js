@@ -3,6 +3,7 @@ import { failureWords } from "../../api.js";
 import { t } from "../../texts.js";
 import { h, put } from "../../widgets/dom.js";
 import { field } from "../../widgets/fields.js";
+import { passwordField } from "../../shell/password_field.js";
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root */
 export async function show(app, root) {
@@ -64,7 +65,7 @@ function door(app, code, { name, role, is_new: isNew }) {
       "form",
       { class: "stack", onsubmit: submit },
       field(t("sign-in.name"), account),
-      field(t("invitation.password"), password, t("setup.password.hint")),
+      passwordField(t("invitation.password"), password, t("setup.password.hint")),
       problem,
       go,
     ),

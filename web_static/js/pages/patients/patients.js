@@ -17,7 +17,9 @@ const CONFLICT = 409;
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal}} page */
 export async function show(app, root, { signal }) {
-  let patients = await app.api.get("/patients");
+  const isOwner = app.me?.role === "owner" && !app.me.demo;
+  const [first, people] = await Promise.all([app.api.get("/patients"), isOwner ? app.api.get("/people") : null]);
+  let patients = first;
   if (signal.aborted) return;
   const list = rowList("people");
   const search = h("input", { type: "search", "aria-label": t("patients.search"), placeholder: t("patients.search") });
@@ -104,7 +106,18 @@ export async function show(app, root, { signal }) {
       ),
       form,
       list,
+      people?.length === 1 && invitation(),
     ),
+  );
+}
+
+/** For an owner whom nobody helps yet. */
+function invitation() {
+  return h(
+    "p",
+    { class: "after-list spread" },
+    h("span", { class: "quiet" }, t("patients.alone")),
+    h("a", { class: "btn small", href: "#/people/invite" }, t("people.invite")),
   );
 }
 

@@ -12,8 +12,8 @@ import { rightsForm } from "./rights_form.js";
 
 const LOOK_EVERY = 10_000; // ms
 
-/** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal}} page */
-export async function show(app, root, { signal }) {
+/** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal, rest: string[]}} page */
+export async function show(app, root, { signal, rest }) {
   let [people, patients] = await Promise.all([app.api.get("/people"), app.api.get("/patients")]);
   if (signal.aborted) return;
   const list = rowList("people");
@@ -78,6 +78,7 @@ export async function show(app, root, { signal }) {
       h("p", { class: "after-list" }, h("a", { class: "btn small", href: "#/settings" }, t("people.back"))),
     ),
   );
+  if (rest[0] === "invite") openForm();
 }
 
 /**

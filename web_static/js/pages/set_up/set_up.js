@@ -1,6 +1,7 @@
 /** The first start: the first owner is made with the code from the console. */
 import { h, put } from "../../widgets/dom.js";
 import { field } from "../../widgets/fields.js";
+import { passwordField } from "../../shell/password_field.js";
 import { failureWords } from "../../api.js";
 import { t } from "../../texts.js";
 
@@ -40,7 +41,7 @@ export async function show(app, root) {
         { class: "stack", onsubmit: submit },
         field(t("setup.code"), code, t("setup.code.hint")),
         field(t("sign-in.name"), name),
-        field(t("sign-in.password"), password, t("setup.password.hint")),
+        passwordField(t("sign-in.password"), password, t("setup.password.hint")),
         problem,
         h("button", { class: "btn go large" }, t("setup.go")),
       ),

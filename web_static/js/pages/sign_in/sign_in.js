@@ -1,6 +1,7 @@
 /** Signing in by name and password. */
 import { h, put } from "../../widgets/dom.js";
 import { field } from "../../widgets/fields.js";
+import { passwordField } from "../../shell/password_field.js";
 import { failureWords } from "../../api.js";
 import { t } from "../../texts.js";
 
@@ -23,7 +24,7 @@ export async function show(app, root) {
     "form",
     { class: "stack", onsubmit: submit },
     field(t("sign-in.name"), name),
-    field(t("sign-in.password"), password),
+    passwordField(t("sign-in.password"), password),
     problem,
     h("button", { class: "btn go large" }, t("sign-in.go")),
   );

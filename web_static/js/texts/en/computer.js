@@ -13,6 +13,10 @@ export default {
   "computer.progress": "How much of the measuring is done",
   "computer.machine": "This computer",
   "computer.screens": "Screens that are open now",
+  "computer.screens.bad": {
+    one: "{count} screen that is open now will not do.",
+    other: "{count} screens that are open now will not do.",
+  },
   "computer.no-screens": "No screen is open.",
   "computer.verdict.good": "Good",
   "computer.verdict.attention": "Could be better",

@@ -24,5 +24,6 @@ export default {
   "patients.deleted": "{code} was deleted.",
   "patients.empty": "There is nobody in the list yet. Add the first patient: a code and a pseudonym are enough.",
   "patients.none-found": "Nobody matches “{words}”. Check the spelling, or add a new patient.",
+  "patients.alone": "Nobody else works in this clinic yet.",
   "patients.ended": "The session has ended.",
 };
